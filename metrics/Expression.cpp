@@ -12,37 +12,37 @@ namespace metrics {
 
 namespace {
 
-constexpr int kDeepest = 100;           // brackets in brackets
+constexpr int kDeepest = 100;           // nested brackets
 constexpr std::size_t kLongest = 4000;  // [characters]
 
 using base::Token;
-using Place = Expression::Place;
+using EvaluationPoint = Expression::EvaluationPoint;
 using Value = Expression::Value;
 
-/// A part of the formula and how often it may differ.
+/// A part of the formula and how often its value changes.
 struct Part {
   Value value;
   Scope scope = Scope::Run;
-  bool isOfEnd = false;  // known when the run is over
+  bool isKnownAtEnd = false;  // known only at the end of the run
 };
 
 double truth(bool holds) {
   return holds ? 1.0 : 0.0;
 }
 
-/// Comparisons and logic give 1 or 0; undefined stays undefined.
+/// Comparisons and logic give 1 or 0; undefined operands give undefined.
 template <class Holds>
 double test(double a, double b) {
   return std::isnan(a) || std::isnan(b) ? a + b : truth(Holds{}(a, b));
 }
 
-/// Between two values of a formula.
+/// A binary operator.
 struct Operator {
   const char* sign;
   double (*apply)(double, double);
 };
 
-/// From those that bind least to those that bind most; longer signs first: "<=" before "<".
+/// Lowest precedence first; longer operators first: "<=" before "<".
 const std::vector<std::vector<Operator>>& operatorLevels() {
   static const std::vector<std::vector<Operator>> kLevels = {
       {{"or", test<std::logical_or<>>}},
@@ -60,7 +60,7 @@ const std::vector<std::vector<Operator>>& operatorLevels() {
   return kLevels;
 }
 
-const base::LexerRules& formulaWords() {
+const base::LexerRules& formulaLexerRules() {
   static const base::LexerRules kRules = {
       {"<=", ">=", "==", "!=", "<", ">", "+", "-", "*", "/", "^", "(", ")", ","},
       "",
@@ -71,7 +71,7 @@ const base::LexerRules& formulaWords() {
   return kRules;
 }
 
-/// The one of this name; null: there is none.
+/// The entry with this name; null: none.
 template <class Entry>
 const Entry* find(const std::vector<Entry>& entries, const std::string& name) {
   const auto found = std::find_if(entries.begin(), entries.end(),
@@ -93,11 +93,11 @@ std::vector<std::string> namesOf(const Lists&... lists) {
 
 }  // namespace
 
-/// Recursive descent; stops at the first problem.
+/// Recursive descent parser; stops at the first problem.
 class ExpressionParser {
  public:
   explicit ExpressionParser(const std::string& text)
-      : text_(text), tokens_(base::tokensOf(text, formulaWords())) {}
+      : text_(text), tokens_(base::tokenize(text, formulaLexerRules())) {}
 
   base::Result<Expression> parse() {
     expression_.needs_ = {false};
@@ -124,13 +124,13 @@ class ExpressionParser {
     if (!hasFailed()) {
       problem_.push_back(base::error(code, std::move(values), "", 1, static_cast<int>(at) + 1));
     }
-    return {[](const Place&) { return 0.0; }, Scope::Run};
+    return {[](const EvaluationPoint&) { return 0.0; }, Scope::Run};
   }
 
   const Token& token() const { return tokens_[next_]; }
   std::size_t at() const { return static_cast<std::size_t>(token().column) - 1; }
 
-  /// Takes the sign or word if it stands here.
+  /// Consumes the operator or word if it is the next token.
   bool take(std::string_view word) {
     const bool stands = (token().kind == Token::Kind::Sign || token().kind == Token::Kind::Name) &&
                         token().text == word;
@@ -139,9 +139,10 @@ class ExpressionParser {
   }
 
   static Part joined(const Part& a, const Part& b, double (*apply)(double, double)) {
-    return {
-        [x = a.value, y = b.value, apply](const Place& place) { return apply(x(place), y(place)); },
-        std::max(a.scope, b.scope), a.isOfEnd || b.isOfEnd};
+    return {[x = a.value, y = b.value, apply](const EvaluationPoint& place) {
+              return apply(x(place), y(place));
+            },
+            std::max(a.scope, b.scope), a.isKnownAtEnd || b.isKnownAtEnd};
   }
 
   Part parseAny(int depth) {
@@ -171,15 +172,16 @@ class ExpressionParser {
     }
     if (take("not")) {
       const Part part = parseSigned(depth + 1);
-      return {[x = part.value](const Place& place) {
+      return {[x = part.value](const EvaluationPoint& place) {
                 const double value = x(place);
                 return std::isnan(value) ? value : truth(value == 0.0);
               },
-              part.scope, part.isOfEnd};
+              part.scope, part.isKnownAtEnd};
     }
     if (take("-")) {
       const Part part = parseSigned(depth + 1);
-      return {[x = part.value](const Place& place) { return -x(place); }, part.scope, part.isOfEnd};
+      return {[x = part.value](const EvaluationPoint& place) { return -x(place); }, part.scope,
+              part.isKnownAtEnd};
     }
     return parsePower(depth);
   }
@@ -199,7 +201,8 @@ class ExpressionParser {
       return take(")") || hasFailed() ? inner : fail(at(), "formula.no-bracket");
     }
     if (token().kind == Token::Kind::Number) {
-      return {[value = tokens_[next_++].number](const Place&) { return value; }, Scope::Run};
+      return {[value = tokens_[next_++].number](const EvaluationPoint&) { return value; },
+              Scope::Run};
     }
     if (token().kind == Token::Kind::Name) {
       return parseName(depth);
@@ -222,7 +225,7 @@ class ExpressionParser {
     if (const VariableName* variable = find(variableNames(), name)) {
       expression_.needs_.robot |= variable->needsRobot;
       expression_.needs_.people |= variable->needsPeople;
-      return {variable->value, variable->scope, variable->isOfEnd};
+      return {variable->value, variable->scope, variable->isKnownAtEnd};
     }
     return fail(begin, "formula.unknown-name",
                 {name, base::nearestName(name, namesOf(variableNames()))});
@@ -247,13 +250,13 @@ class ExpressionParser {
     if (const FunctionName* function = find(functionNames(), name)) {
       return callOf(*function, arguments, begin);
     }
-    if (const TotalName* total = find(totalNames(), name)) {
+    if (const AggregateName* total = find(aggregateNames(), name)) {
       return totalOf(*total, arguments, begin);
     }
-    if (const TotalName* total = find(peopleTotalNames(), name)) {
+    if (const AggregateName* total = find(peopleAggregateNames(), name)) {
       return peopleTotalOf(*total, arguments, begin);
     }
-    const auto known = namesOf(functionNames(), totalNames(), peopleTotalNames());
+    const auto known = namesOf(functionNames(), aggregateNames(), peopleAggregateNames());
     return fail(begin, "formula.unknown-function", {name, base::nearestName(name, known)});
   }
 
@@ -265,9 +268,9 @@ class ExpressionParser {
     Part part;
     for (const Part& argument : arguments) {
       part.scope = std::max(part.scope, argument.scope);
-      part.isOfEnd = part.isOfEnd || argument.isOfEnd;
+      part.isKnownAtEnd = part.isKnownAtEnd || argument.isKnownAtEnd;
     }
-    part.value = [arguments, apply = function.apply](const Place& place) {
+    part.value = [arguments, apply = function.apply](const EvaluationPoint& place) {
       std::array<double, 3> values{};
       for (std::size_t k = 0; k < arguments.size(); ++k) {
         values[k] = arguments[k].value(place);
@@ -277,31 +280,31 @@ class ExpressionParser {
     return part;
   }
 
-  Part totalOf(const TotalName& total, const std::vector<Part>& arguments, std::size_t begin) {
+  Part totalOf(const AggregateName& total, const std::vector<Part>& arguments, std::size_t begin) {
     if (arguments.size() != 1) {
       return fail(begin, "formula.one-value", {total.name});
     }
-    if (arguments.front().scope == Scope::Person) {
+    if (arguments.front().scope == Scope::Pedestrian) {
       return fail(begin, "formula.of-people");
     }
-    expression_.needsRecord_ = expression_.needsRecord_ || arguments.front().isOfEnd;
+    expression_.needsRecord_ = expression_.needsRecord_ || arguments.front().isKnownAtEnd;
     expression_.totals_.push_back({total.result, arguments.front().value});
-    return {[index = expression_.totals_.size() - 1](const Place& place) {
+    return {[index = expression_.totals_.size() - 1](const EvaluationPoint& place) {
               return place.totals[index];
             },
             Scope::Run, true};
   }
 
-  Part peopleTotalOf(const TotalName& total, const std::vector<Part>& arguments,
+  Part peopleTotalOf(const AggregateName& total, const std::vector<Part>& arguments,
                      std::size_t begin) {
     if (arguments.size() != 1) {
       return fail(begin, "formula.one-value", {total.name});
     }
     expression_.needs_.people = true;
-    return {[result = total.result, term = arguments.front().value](const Place& place) {
-              return overPeople(place, term, result);
+    return {[result = total.result, term = arguments.front().value](const EvaluationPoint& place) {
+              return aggregateOverPeople(place, term, result);
             },
-            Scope::Sample, arguments.front().isOfEnd};
+            Scope::Sample, arguments.front().isKnownAtEnd};
   }
 
   const std::string& text_;

@@ -2,56 +2,61 @@
 #include <cmath>
 
 #include "metrics/Expression.h"
-#include "metrics/Motion.h"
-#include "metrics/TermSums.h"
+#include "metrics/RobotMotion.h"
+#include "metrics/TermStatistics.h"
 
 namespace metrics {
 
 namespace {
 
-using Place = Expression::Place;
+using EvaluationPoint = Expression::EvaluationPoint;
 using Value = Expression::Value;
-using Collected = Expression::Collected;
+using Aggregate = Expression::Aggregate;
 
-const Sample& sampleAt(const Place& place) {
+const Sample& sampleAt(const EvaluationPoint& place) {
   return place.at.now;
 }
 
 VariableName ofRobot(std::string name, double (*value)(const Robot&)) {
   return {std::move(name), Scope::Sample,
-          [value](const Place& place) { return value(sampleAt(place).robot); }, true, false};
+          [value](const EvaluationPoint& place) { return value(sampleAt(place).robot); }, true,
+          false};
 }
-VariableName ofPerson(std::string name, double (*value)(const Person&)) {
-  return {std::move(name), Scope::Person,
-          [value](const Place& place) { return value(*place.person); }, false, true};
+VariableName ofPerson(std::string name, double (*value)(const Pedestrian&)) {
+  return {std::move(name), Scope::Pedestrian,
+          [value](const EvaluationPoint& place) { return value(*place.person); }, false, true};
 }
-VariableName ofPair(std::string name, double (*value)(const Robot&, const Person&)) {
-  return {std::move(name), Scope::Person,
-          [value](const Place& place) { return value(sampleAt(place).robot, *place.person); }, true,
-          true};
+VariableName ofPair(std::string name, double (*value)(const Robot&, const Pedestrian&)) {
+  return {
+      std::move(name), Scope::Pedestrian,
+      [value](const EvaluationPoint& place) { return value(sampleAt(place).robot, *place.person); },
+      true, true};
 }
 
 void addRunNames(std::vector<VariableName>& to) {
-  const auto count = [](const Place& p) { return static_cast<double>(p.last.count()); };
-  to.push_back({"pi", Scope::Run, [](const Place&) { return base::kPi; }});
-  to.push_back({"duration", Scope::Run, [](const Place& p) { return p.last.elapsed(); }, false,
-                false, true});
+  const auto count = [](const EvaluationPoint& p) { return static_cast<double>(p.last.count()); };
+  to.push_back({"pi", Scope::Run, [](const EvaluationPoint&) { return base::kPi; }});
+  to.push_back({"duration", Scope::Run, [](const EvaluationPoint& p) { return p.last.elapsed(); },
+                false, false, true});
   to.push_back({"samples", Scope::Run, count, false, false, true});
   for (const ParameterInfo& info : parameterInfos()) {
-    to.push_back({info.spec.key, Scope::Run,
-                  [member = info.member](const Place& p) { return p.at.parameters.*member; }});
+    to.push_back({info.spec.key, Scope::Run, [member = info.member](const EvaluationPoint& p) {
+                    return p.at.parameters.*member;
+                  }});
   }
 }
 
 void addSampleNames(std::vector<VariableName>& to) {
-  const auto people = [](const Place& p) { return static_cast<double>(sampleAt(p).people.size()); };
-  const auto gap = [](const Place& p) { return closestGapTerm(p.at); };
-  const auto goal = [](const Place& p) {
+  const auto people = [](const EvaluationPoint& p) {
+    return static_cast<double>(sampleAt(p).people.size());
+  };
+  const auto gap = [](const EvaluationPoint& p) { return smallestGapTerm(p.at); };
+  const auto goal = [](const EvaluationPoint& p) {
     const double distance = distanceToGoals(p.at.context, p.at.now.robot.position);
     return std::isinf(distance) ? kNaN : distance;
   };
-  to.push_back({"time", Scope::Sample, [](const Place& p) { return p.at.elapsed(); }});
-  to.push_back({"dt", Scope::Sample, [](const Place& p) { return p.dt; }});
+  to.push_back({"time", Scope::Sample, [](const EvaluationPoint& p) { return p.at.elapsed(); }});
+  to.push_back({"dt", Scope::Sample, [](const EvaluationPoint& p) { return p.dt; }});
   to.push_back({"people", Scope::Sample, people, false, true});
   to.push_back({"gap", Scope::Sample, gap, true, true});
   to.push_back({"goal_distance", Scope::Sample, goal, true});
@@ -74,29 +79,29 @@ void addRobotNames(std::vector<VariableName>& to) {
 void addPersonNames(std::vector<VariableName>& to) {
   to.insert(
       to.end(),
-      {ofPerson("p.id", [](const Person& a) { return static_cast<double>(a.id); }),
-       ofPerson("p.x", [](const Person& a) { return a.position.x(); }),
-       ofPerson("p.y", [](const Person& a) { return a.position.y(); }),
-       ofPerson("p.heading", [](const Person& a) { return a.heading; }),
-       ofPerson("p.vx", [](const Person& a) { return a.velocity.x(); }),
-       ofPerson("p.vy", [](const Person& a) { return a.velocity.y(); }),
-       ofPerson("p.speed", [](const Person& a) { return a.speed; }),
-       ofPerson("p.omega", [](const Person& a) { return a.omega; }),
-       ofPerson("p.radius", [](const Person& a) { return a.radius; }),
-       ofPerson("p.group", [](const Person& a) { return static_cast<double>(a.group); }),
-       ofPerson("p.behavior", [](const Person& a) { return static_cast<double>(a.behavior); }),
-       ofPerson("p.state", [](const Person& a) { return static_cast<double>(a.state); }),
-       ofPair("p.gap", [](const Robot& r, const Person& a) { return gap(r, a); }),
-       ofPair("p.distance", [](const Robot& r, const Person& a) { return distance(r, a); }),
-       ofPair("p.view", [](const Robot&, const Person& a) { return a.pair.viewAngle; }),
+      {ofPerson("p.id", [](const Pedestrian& a) { return static_cast<double>(a.id); }),
+       ofPerson("p.x", [](const Pedestrian& a) { return a.position.x(); }),
+       ofPerson("p.y", [](const Pedestrian& a) { return a.position.y(); }),
+       ofPerson("p.heading", [](const Pedestrian& a) { return a.heading; }),
+       ofPerson("p.vx", [](const Pedestrian& a) { return a.velocity.x(); }),
+       ofPerson("p.vy", [](const Pedestrian& a) { return a.velocity.y(); }),
+       ofPerson("p.speed", [](const Pedestrian& a) { return a.speed; }),
+       ofPerson("p.omega", [](const Pedestrian& a) { return a.omega; }),
+       ofPerson("p.radius", [](const Pedestrian& a) { return a.radius; }),
+       ofPerson("p.group", [](const Pedestrian& a) { return static_cast<double>(a.group); }),
+       ofPerson("p.behavior", [](const Pedestrian& a) { return static_cast<double>(a.behavior); }),
+       ofPerson("p.state", [](const Pedestrian& a) { return static_cast<double>(a.state); }),
+       ofPair("p.gap", [](const Robot& r, const Pedestrian& a) { return gap(r, a); }),
+       ofPair("p.distance", [](const Robot& r, const Pedestrian& a) { return distance(r, a); }),
+       ofPair("p.view", [](const Robot&, const Pedestrian& a) { return a.pair.viewAngle; }),
        ofPair("p.bearing",
-              [](const Robot& r, const Person& a) {
+              [](const Robot& r, const Pedestrian& a) {
                 return base::angleDiff(base::headingOf(a.position - r.position), r.heading);
               }),
-       ofPair("p.ttc", [](const Robot&, const Person& a) { return a.pair.timeToCollision; })});
+       ofPair("p.ttc", [](const Robot&, const Pedestrian& a) { return a.pair.timeToCollision; })});
 }
 
-double meanOf(const Collected& all) {
+double meanOf(const Aggregate& all) {
   return all.count > 0.0 ? all.sum / all.count : kNaN;
 }
 
@@ -133,7 +138,7 @@ const std::vector<FunctionName>& functionNames() {
   return kNames;
 }
 
-void Expression::Collected::take(double value, double weight) {
+void Expression::Aggregate::take(double value, double weight) {
   if (std::isnan(value)) {
     return;
   }
@@ -147,36 +152,37 @@ void Expression::Collected::take(double value, double weight) {
   count += 1.0;
 }
 
-double overPeople(const Place& place, const Value& term, Expression::Result result) {
-  Collected all;
-  for (const Person& person : sampleAt(place).people) {
+double aggregateOverPeople(const EvaluationPoint& place, const Value& term,
+                           Expression::Result result) {
+  Aggregate all;
+  for (const Pedestrian& person : sampleAt(place).people) {
     all.take(term({place.at, place.last, place.dt, place.totals, &person}), 1.0);
   }
   return result(all);
 }
 
-const std::vector<TotalName>& totalNames() {
-  static const std::vector<TotalName> kNames = {
-      {"min", [](const Collected& all) { return all.least; }},
-      {"max", [](const Collected& all) { return all.largest; }},
+const std::vector<AggregateName>& aggregateNames() {
+  static const std::vector<AggregateName> kNames = {
+      {"min", [](const Aggregate& all) { return all.least; }},
+      {"max", [](const Aggregate& all) { return all.largest; }},
       {"mean", meanOf},
-      {"sum", [](const Collected& all) { return all.sum; }},
-      {"integral", [](const Collected& all) { return all.integral; }},
-      {"count", [](const Collected& all) { return all.holding; }},
-      {"first", [](const Collected& all) { return all.first; }},
-      {"last", [](const Collected& all) { return all.last; }}};
+      {"sum", [](const Aggregate& all) { return all.sum; }},
+      {"integral", [](const Aggregate& all) { return all.integral; }},
+      {"count", [](const Aggregate& all) { return all.holding; }},
+      {"first", [](const Aggregate& all) { return all.first; }},
+      {"last", [](const Aggregate& all) { return all.last; }}};
   return kNames;
 }
 
-const std::vector<TotalName>& peopleTotalNames() {
-  static const std::vector<TotalName> kNames = {
-      {"people_min", [](const Collected& all) { return all.least; }},
-      {"people_max", [](const Collected& all) { return all.largest; }},
+const std::vector<AggregateName>& peopleAggregateNames() {
+  static const std::vector<AggregateName> kNames = {
+      {"people_min", [](const Aggregate& all) { return all.least; }},
+      {"people_max", [](const Aggregate& all) { return all.largest; }},
       {"people_mean", meanOf},
-      {"people_sum", [](const Collected& all) { return all.sum; }},
-      {"people_count", [](const Collected& all) { return all.holding; }},
-      {"any", [](const Collected& all) { return all.holding > 0.0 ? 1.0 : 0.0; }},
-      {"all", [](const Collected& all) { return all.holding == all.count ? 1.0 : 0.0; }}};
+      {"people_sum", [](const Aggregate& all) { return all.sum; }},
+      {"people_count", [](const Aggregate& all) { return all.holding; }},
+      {"any", [](const Aggregate& all) { return all.holding > 0.0 ? 1.0 : 0.0; }},
+      {"all", [](const Aggregate& all) { return all.holding == all.count ? 1.0 : 0.0; }}};
   return kNames;
 }
 
@@ -193,8 +199,8 @@ MetricValue Expression::evaluate(const std::vector<Sample>& samples, const Insta
     return Instant{last.context, last.parameters, samples[i], nullptr, nullptr, i, last.begin};
   };
   std::vector<double> totals;
-  for (const Total& total : totals_) {
-    Collected collected;
+  for (const TimeAggregate& total : totals_) {
+    Aggregate collected;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double dt = i + 1 < samples.size() ? samples[i + 1].time - samples[i].time : 0.0;
       collected.take(total.term({instantAt(i), last, dt, totals}), dt);
@@ -204,10 +210,10 @@ MetricValue Expression::evaluate(const std::vector<Sample>& samples, const Insta
   return valueOf(last, totals);
 }
 
-/// Each sample is taken when the next one tells how long it lasted.
-class Expression::Sums : public Accumulator {
+/// Adds each sample when the next one defines its duration.
+class Expression::TimeSums : public Accumulator {
  public:
-  explicit Sums(const Expression& expression)
+  explicit TimeSums(const Expression& expression)
       : expression_(expression), collected_(expression.totals_.size()) {}
 
   void add(const Instant& at) override {
@@ -218,7 +224,7 @@ class Expression::Sums : public Accumulator {
     }
   }
   MetricValue value(const Instant& last) const {
-    std::vector<Collected> collected = collected_;
+    std::vector<Aggregate> collected = collected_;
     take(last, 0.0, collected);
     std::vector<double> totals;
     for (std::size_t k = 0; k < collected.size(); ++k) {
@@ -228,7 +234,7 @@ class Expression::Sums : public Accumulator {
   }
 
  private:
-  void take(const Instant& at, double dt, std::vector<Collected>& to) const {
+  void take(const Instant& at, double dt, std::vector<Aggregate>& to) const {
     static const std::vector<double> kNoTotals;
     for (std::size_t k = 0; k < to.size(); ++k) {
       to[k].take(expression_.totals_[k].term({at, at, dt, kNoTotals}), dt);
@@ -236,12 +242,12 @@ class Expression::Sums : public Accumulator {
   }
 
   Expression expression_;
-  std::vector<Collected> collected_;
+  std::vector<Aggregate> collected_;
 };
 
 namespace {
 
-/// For the formulas that look at all samples when the run is over.
+/// For formulas that need all samples at the end of the run.
 struct WholeRecord : Accumulator {
   void add(const Instant& at) override { samples.push_back(at.now); }
 
@@ -250,20 +256,20 @@ struct WholeRecord : Accumulator {
 
 }  // namespace
 
-Stream Expression::stream() const {
+MetricComputation Expression::computation() const {
   if (needsRecord_) {
-    return streamOf<WholeRecord>(
+    return metricOf<WholeRecord>(
         [expression = *this](const WholeRecord& record, const Instant& last) {
           return expression.evaluate(record.samples, last);
         });
   }
   return {[expression = *this](const MetricParameters& /*parameters*/) {
-            return std::make_unique<Sums>(expression);
+            return std::make_unique<TimeSums>(expression);
           },
           [](const Accumulator& sums, const Instant& last) {
-            return static_cast<const Sums&>(sums).value(last);
+            return static_cast<const TimeSums&>(sums).value(last);
           },
-          "", copyOf<Sums>};
+          "", copyOf<TimeSums>};
 }
 
 base::Result<MetricEntry> entryOf(const UserMetric& metric) {
@@ -277,9 +283,9 @@ base::Result<MetricEntry> entryOf(const UserMetric& metric) {
                 metric.better,     expression->needs(),
                 metric.expression, "own",
                 "(-inf, inf)"};
-  entry.stream = expression->stream();
+  entry.computation = expression->computation();
   if (!expression->needsRecord()) {
-    entry.stream.shared = "formula " + metric.key;
+    entry.computation.shared = "formula " + metric.key;
   }
   return entry;
 }

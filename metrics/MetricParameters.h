@@ -9,14 +9,14 @@
 
 namespace metrics {
 
-/// Corrected: the formulas as published, without the known defects of HuNavSim's evaluator.
-/// Hunav2: the numbers that evaluator prints, for comparison with published tables.
+/// Corrected: the published formulas, without the known defects of HuNavSim's evaluator. Hunav2:
+/// the values of that evaluator, for comparison with published tables.
 enum class Profile { Corrected, Hunav2 };
 const char* profileName(Profile profile);  // "corrected", "hunav2"
 std::optional<Profile> profileOf(std::string_view name);
 
-/// Every threshold of every metric. SI units, radians; switches are 0 or 1. Names in files and
-/// meaning: parameterInfos().
+/// Thresholds of all metrics. SI units, radians; switches are 0 or 1. Names in files and
+/// descriptions: parameterInfos().
 struct MetricParameters {
   Profile profile = Profile::Corrected;
 
@@ -79,11 +79,11 @@ struct MetricParameters {
   double flowLineX1 = 0.0, flowLineY1 = 0.0, flowLineX2 = 0.0, flowLineY2 = 0.0;
 };
 
-/// One of them as people set it; its fallback is the member's default above.
+/// Description of a parameter; the fallback is the member's default above.
 struct ParameterInfo {
   base::ParameterSpec spec;
   double MetricParameters::*member = nullptr;
-  std::string usedBy;  // how keys of metrics begin that use it without naming it in the formula
+  std::string usedBy;  // key prefixes of metrics that use it without naming it in the formula
 };
 const std::vector<ParameterInfo>& parameterInfos();
 const ParameterInfo* findParameter(std::string_view name);

@@ -81,7 +81,7 @@ MetricValue meanOver(MetricValue sum, std::size_t samples) {
 
 namespace {
 
-/// The word stands in the text, and not as a part of a longer one.
+/// Whether the text contains the word, not as a part of a longer word.
 bool hasWord(const std::string& text, const std::string& word) {
   constexpr char kLetters[] = "abcdefghijklmnopqrstuvwxyz0123456789_";
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
@@ -94,7 +94,7 @@ bool hasWord(const std::string& text, const std::string& word) {
   return false;
 }
 
-/// The enumerator of this name.
+/// The enumerator with this name.
 template <class Enum>
 Enum named(const std::string& name, const char* (*nameOf)(Enum)) {
   int value = 0;
@@ -104,8 +104,8 @@ Enum named(const std::string& name, const char* (*nameOf)(Enum)) {
   return static_cast<Enum>(value);
 }
 
-/// What the metrics below a heading have in common.
-MetricInfo headingOf(const std::vector<std::string>& fields) {
+/// The properties shared by the metrics below a heading.
+MetricInfo parseHeading(const std::vector<std::string>& fields) {
   MetricInfo info;
   info.category = named(fields.at(0).substr(2), categoryName);
   info.better = named(fields.at(1), betterName);
@@ -117,7 +117,7 @@ MetricInfo headingOf(const std::vector<std::string>& fields) {
   return info;
 }
 
-std::vector<MetricInfo> infosOf(const char* table) {
+std::vector<MetricInfo> parseTable(const char* table) {
   std::vector<MetricInfo> infos;
   MetricInfo info;
   for (const std::string& line : base::split(table, '\n')) {
@@ -125,7 +125,7 @@ std::vector<MetricInfo> infosOf(const char* table) {
     if (line[0] == ' ') {
       infos.back().formula += line.substr(1);
     } else if (line[0] == '=') {
-      info = headingOf(fields);
+      info = parseHeading(fields);
     } else if (!line.empty()) {
       const std::vector<std::string> words = base::split(fields[0], ' ');
       info.hunav = static_cast<int>(base::parseInt(words.front()).value_or(0));
@@ -138,7 +138,7 @@ std::vector<MetricInfo> infosOf(const char* table) {
                                               : Kind::Number;
       const std::size_t before =
           fields[0].size() + fields[1].size() + fields[2].size() + fields[3].size();
-      info.formula = line.substr(before + 4);  // may hold bars: |v|
+      info.formula = line.substr(before + 4);  // may contain bars: |v|
       infos.push_back(info);
     }
   }
@@ -147,31 +147,33 @@ std::vector<MetricInfo> infosOf(const char* table) {
 
 }  // namespace
 
-void MetricRegistry::add(MetricInfo info, Stream stream) {
+void MetricRegistry::add(MetricInfo info, MetricComputation computation) {
   assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), std::move(stream)});
+  entries_.push_back({std::move(info), std::move(computation)});
 }
 
-void MetricRegistry::add(const char* table, const std::map<std::string, Stream>& streams) {
-  std::vector<MetricInfo> infos = infosOf(table);
-  assert(infos.size() == streams.size());  // each stream has its line
+void MetricRegistry::add(const char* table,
+                         const std::map<std::string, MetricComputation>& computations) {
+  std::vector<MetricInfo> infos = parseTable(table);
+  assert(infos.size() == computations.size());  // one line per entry
   for (MetricInfo& info : infos) {
-    const Stream& stream = streams.at(info.key);
-    add(std::move(info), stream);
+    const MetricComputation& computation = computations.at(info.key);
+    add(std::move(info), computation);
   }
 }
 
-void MetricRegistry::addSums(const char* table, const std::map<std::string, Stream>& streams) {
-  std::vector<MetricInfo> infos = infosOf(table);
-  assert(infos.size() == streams.size());
+void MetricRegistry::addSums(const char* table,
+                             const std::map<std::string, MetricComputation>& computations) {
+  std::vector<MetricInfo> infos = parseTable(table);
+  assert(infos.size() == computations.size());
   for (MetricInfo& info : infos) {
     const std::string key = info.key;
-    info.rateBound = 0.51;  // twice the samples, twice the sum
-    add(info, streams.at(key));
+    info.rateBound = 0.51;  // doubling the samples doubles the sum
+    add(info, computations.at(key));
     info.key += "_mean";
     info.name += ", mean per sample";
     info.formula = key + " / N";
-    info.source = "ours";
+    info.source = "HuNavSim Desktop";
     info.kind = Kind::Number;
     info.hunav = 0;
     info.partOf = key;

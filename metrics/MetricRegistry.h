@@ -14,7 +14,7 @@
 
 namespace metrics {
 
-/// Groups of the metrics panel, in its order.
+/// Groups of the metrics panel, in order.
 enum class Category { Navigation, Social, Motion, Safety, Forces, DangerSurprise };
 constexpr int kCategories = 6;
 const char* categoryName(Category category);  // "Navigation Performance" …
@@ -24,7 +24,7 @@ const char* betterName(Better better);  // "lower" …
 
 enum class Kind { Number, Boolean, Count };
 
-/// What a recording must hold for a metric to say something.
+/// Data that a recording must contain for a metric to be defined.
 struct Needs {
   bool robot = true;
   bool people = false, groups = false, obstacles = false, goal = false, map = false;
@@ -33,34 +33,34 @@ std::string needsText(const Needs& needs);  // "robot, people"; "nothing"
 
 struct MetricInfo {
   std::string key;
-  std::string name;  // for people
-  std::string unit;  // "" = none
+  std::string name;  // display name
+  std::string unit;  // empty: none
   Category category = Category::Navigation;
   Better better = Better::Neutral;
   Needs needs;
-  std::string formula;  // as text, corrected profile
+  std::string formula;  // as text, for the corrected profile
   std::string source;
   std::string range = "[0, inf)";
   Kind kind = Kind::Number;
-  int hunav = 0;         // number among HuNavSim's 34 keys; 0 = ours
-  std::string partOf{};  // selected together with that key; empty = on its own
-  /// Largest change when a record of smooth motion is sampled twice as often (from 20 Hz on), as a
-  /// share of the larger value, which counts as at least 0.1.
+  int hunav = 0;         // number among HuNavSim's 34 keys; 0: other
+  std::string partOf{};  // selected together with that key; empty: separately
+  /// Maximum relative change when a record of smooth motion is sampled at twice the rate (from 20
+  /// Hz on), relative to the larger value or 0.1.
   double rateBound = 0.02;
 };
 
 /// One value per sample.
 struct Series {
-  std::vector<double> values;  // NaN = undefined there
+  std::vector<double> values;  // NaN: undefined
   Kind kind = Kind::Number;
 };
 
 struct MetricValue {
   MetricValue() = default;
-  MetricValue(double number);  // NaN becomes undefined
+  MetricValue(double number);  // NaN gives an undefined value
 
   std::optional<double> value;  // may be infinite, never NaN; Boolean: 0 or 1
-  std::string why;              // when undefined or infinite
+  std::string why;              // reason if undefined or infinite
   std::optional<Series> series;
 };
 
@@ -70,14 +70,14 @@ MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind 
 MetricValue withTerms(const SeriesSum& sum, Kind kind = Kind::Number);
 MetricValue meanOver(MetricValue sum, std::size_t samples);  // divided, without series
 
-/// A metric worked out sample by sample, without the samples that are past. What it holds must not
-/// grow with them, but for series.
+/// A metric computed sample by sample without access to past samples. Except for series, its memory
+/// must not grow with the number of samples.
 class Accumulator {
  public:
   virtual ~Accumulator() = default;
-  /// Once for each sample, in order.
+  /// Called once for each sample, in order.
   virtual void add(const Instant& /*at*/) {}
-  /// An event of the record, before the sample of its time; `elapsed` since the first sample [s].
+  /// Called for an event before the sample of its time. `elapsed`: since the first sample [s].
   virtual void note(const RunContext& /*context*/, double /*elapsed*/,
                     const sim2d::Event& /*event*/) {}
 };
@@ -90,38 +90,38 @@ std::unique_ptr<Accumulator> copyOf(const Accumulator& sum) {
   return std::make_unique<Sum>(static_cast<const Sum&>(sum));
 }
 
-/// How a metric is made from an accumulator.
-struct Stream {
+/// Creation and evaluation of an accumulator.
+struct MetricComputation {
   AccumulatorFactory make;
   std::function<MetricValue(const Accumulator&, const Instant& last)> read;
-  std::string shared;  // metrics with the same text share one accumulator
+  std::string shared;  // metrics with equal text share one accumulator
   AccumulatorCopier copy;
 };
 
 struct MetricEntry {
   MetricInfo info;
-  Stream stream;  // nothing to make: the sum `info.partOf` divided by N
+  MetricComputation computation;  // without `make`: the sum `info.partOf` divided by N
 };
 
-/// All metrics that a program knows. Writers, tables and panels walk over it and know no metric by
-/// name.
+/// All known metrics. Writers, tables and panels iterate over it and do not depend on individual
+/// metrics.
 class MetricRegistry {
  public:
-  /// Keys are unique: adding one twice is a bug.
-  void add(MetricInfo info, Stream stream);
-  /// The metrics of a table, worked out by the streams of their keys. A heading
-  /// "= category|better|needs|source", with "|rate bound" if it is not the usual one, stands above
-  /// lines "key|name|unit|range|formula", HuNavSim's with "number " in front; a line that begins
-  /// with a blank goes on with the formula. The range tells the kind.
-  void add(const char* table, const std::map<std::string, Stream>& streams);
-  /// The same of sums over samples, whose rate bound is that of sums, each with `<key>_mean` =
-  /// value / number of samples, selected with its key.
-  void addSums(const char* table, const std::map<std::string, Stream>& streams);
-  /// HuNavSim's keys by number, then ours as they were added.
+  /// Keys must be unique.
+  void add(MetricInfo info, MetricComputation computation);
+  /// Adds the metrics of a table, with the computations of their keys. A heading "=
+  /// category|better|needs|source", optionally followed by "|rate bound", precedes lines
+  /// "key|name|unit|range|formula"; lines of HuNavSim metrics start with "number ". A line that
+  /// starts with a blank continues the formula. The range determines the kind.
+  void add(const char* table, const std::map<std::string, MetricComputation>& computations);
+  /// The same for sums over samples, with the rate bound of sums. Each gets a companion
+  /// `<key>_mean` = value / number of samples, which is selected with its key.
+  void addSums(const char* table, const std::map<std::string, MetricComputation>& computations);
+  /// Orders HuNavSim's keys by number, followed by the others in insertion order.
   void sort();
   const std::vector<MetricEntry>& entries() const { return entries_; }
   const MetricEntry* find(std::string_view key) const;
-  /// Those that the value of a metric depends on.
+  /// The parameters that a metric depends on.
   std::vector<base::ParameterSpec> parametersOf(const MetricInfo& info) const;
 
  private:
@@ -129,13 +129,13 @@ class MetricRegistry {
 };
 
 template <class Sum>
-inline constexpr char kSumTag = 0;  // its address tells classes apart
+inline constexpr char kSumTag = 0;  // its address identifies the class
 
-/// A stream of accumulators of one class, made from the parameters or from nothing, which all
-/// metrics read from it share. `read`: a member or function of the accumulator, of the Instant as
-/// well if it likes; `why`: what is said where it is undefined.
+/// Computes metrics from one accumulator class, constructed from the parameters or by default,
+/// shared by all metrics that read it. `read`: a member or function of the accumulator, optionally
+/// with the Instant. `why`: the reason for undefined values.
 template <class Sum, class Read>
-Stream streamOf(Read read, const char* why = nullptr) {
+MetricComputation metricOf(Read read, const char* why = nullptr) {
   return {[](const MetricParameters& parameters) -> std::unique_ptr<Accumulator> {
             if constexpr (std::is_constructible_v<Sum, const MetricParameters&>) {
               return std::make_unique<Sum>(parameters);
@@ -157,24 +157,24 @@ Stream streamOf(Read read, const char* why = nullptr) {
           std::to_string(reinterpret_cast<std::uintptr_t>(&kSumTag<Sum>)), copyOf<Sum>};
 }
 
-/// One of several values of such an accumulator.
+/// Reads one of several values of an accumulator.
 template <class Sum>
-Stream streamOfPart(std::size_t part) {
-  return streamOf<Sum>(
+MetricComputation metricOfPart(std::size_t part) {
+  return metricOf<Sum>(
       [part](const Sum& sum, const Instant& last) { return sum.value(part, last); });
 }
 
-/// Needs no more than the last sample.
+/// Reads only the last sample.
 template <class Read>
-Stream streamOfLast(Read read) {
-  return streamOf<Accumulator>(
+MetricComputation metricOfLast(Read read) {
+  return metricOf<Accumulator>(
       [read](const Accumulator& /*none*/, const Instant& last) { return std::invoke(read, last); });
 }
 
-/// Written by the build: calls add<File>() of every file in metrics/catalogue.
+/// Generated by the build: calls add<File>() of every file in metrics/catalogue.
 void addAllMetrics(MetricRegistry& to);
 
-/// The shipped metrics, in order. Constant, any thread.
+/// The built-in metrics, in order. Immutable, thread-safe.
 const MetricRegistry& standardRegistry();
 
 /// The text of metrics/METRICS.md.

@@ -6,9 +6,9 @@
 #include "metrics/Expression.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/RepeatedKeys.h"
+#include "sim2d/base/yaml/DuplicateKeys.h"
+#include "sim2d/base/yaml/YamlEmitter.h"
 #include "sim2d/base/yaml/YamlMap.h"
-#include "sim2d/base/yaml/YamlText.h"
 
 namespace metrics {
 
@@ -18,7 +18,7 @@ using base::YamlNode;
 
 constexpr char kOwnNode[] = "hunavsim_metrics";
 
-/// Keys that can be selected: all but the parts of others.
+/// Keys that can be selected; parts of other metrics are excluded.
 std::vector<std::string> selectableKeys(const MetricRegistry& registry) {
   std::vector<std::string> keys;
   for (const MetricEntry& entry : registry.entries()) {
@@ -88,7 +88,7 @@ class FileReader {
     report_.add(node, base::warning(code, std::move(values)));
   }
 
-  /// Parameters of the node; a file may also hold them without the two outer keys.
+  /// The parameters of the node; a file may also contain them without the two outer keys.
   static const YamlNode& find(const YamlNode& root) {
     for (const YamlNode& entry : root.items) {
       const YamlNode* parameters = entry.find("ros__parameters");
@@ -119,7 +119,7 @@ class FileReader {
     }
   }
 
-  static bool isIgnored(const std::string& key) {  // of the first version, without effect on values
+  static bool isIgnored(const std::string& key) {  // of the first version, no effect on values
     return key == "mode" || key == "use_navgoal_to_start" || key == "use_nav_goal_to_start";
   }
 
@@ -143,7 +143,7 @@ class FileReader {
   }
 
   bool readBool(const YamlNode& value, const std::string& key) {
-    const std::string text = value.isScalar() ? base::lowered(value.text) : "";
+    const std::string text = value.isScalar() ? base::toLower(value.text) : "";
     if (text == "true" || text == "false") {
       return text == "true";
     }
@@ -152,7 +152,7 @@ class FileReader {
   }
 
   void readMetrics(const YamlNode& value) {
-    if (value.isList()) {  // the first version listed the names
+    if (value.isList()) {  // the first version has a list of names
       for (const MetricEntry& entry : registry_.entries()) {
         turnOn(entry.info, false, *file_.selection.keys);
       }
@@ -181,7 +181,7 @@ class FileReader {
     turnOn(entry->info, on, *file_.selection.keys);
   }
 
-  /// `place`: where a missing map is told.
+  /// `place`: position for the report of a missing map.
   void readFormulas(const YamlNode* metrics, const YamlNode& place) {
     if (metrics == nullptr || !metrics->isMap()) {
       error(place, "metrics.no-formulas");
@@ -239,7 +239,7 @@ class FileReader {
     error(value, "metrics.bad-better");
   }
 
-  /// Problems get the place in this file: formulas stand on one line, in quotes or not.
+  /// Sets the position of problems in this file; formulas are on one line, quoted or not.
   void addFormula(const UserMetric& metric, const YamlNode& text) {
     const base::Result<MetricEntry> entry = entryOf(metric);
     if (entry) {
@@ -325,10 +325,10 @@ base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
 base::Result<MetricsFile> parseMetricsFile(const std::string& text, const std::string& name,
                                            const MetricRegistry& registry) {
   base::Diagnostics problems;
-  const YamlNode root = base::parseYaml(text, name, base::RepeatedKeys::LastCounts, problems);
+  const YamlNode root = base::parseYaml(text, name, base::DuplicateKeys::LastWins, problems);
   for (const base::Diagnostic& problem : problems) {
     const bool isWarning = problem.severity == base::Severity::Warning;
-    // a second document is not read
+    // a second document is ignored
     if (!isWarning && problem.code != "yaml.second-document" &&
         problem.code != "yaml.key-no-word") {
       const std::string reason = problem.value("reason");

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "metrics/RunningEvaluation.h"
+#include "metrics/IncrementalEvaluation.h"
 
 namespace metrics {
 namespace {
@@ -24,7 +24,7 @@ void takeRobotsPoints(const sim2d::RecordedPoints::Range& points, Robot& robot) 
   }
 }
 
-/// One robot of a record, or only its people.
+/// Evaluates one robot of a record, or only its people.
 class Evaluator {
  public:
   Evaluator(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
@@ -62,8 +62,8 @@ class Evaluator {
   }
 
   Sample sampleOf(const sim2d::Frame& frame) {
-    std::vector<Person> people = builder_.peopleOf(frame);
-    for (Person& person : people) {
+    std::vector<Pedestrian> people = builder_.peopleOf(frame);
+    for (Pedestrian& person : people) {
       if (points_.hasPeople()) {
         takePoints(points_.of(frame.step, person.id, false), person);
       }
@@ -78,13 +78,13 @@ class Evaluator {
   const sim2d::Trace& trace_;
   const sim2d::RecordedPoints& points_;
   SampleBuilder builder_;
-  RunningEvaluation running_;
+  IncrementalEvaluation running_;
   std::size_t event_ = 0;
 };
 
 }  // namespace
 
-/// A record with points has one robot at most.
+/// A record with points has at most one robot.
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
                                   const Selection& selection, const MetricParameters& parameters) {
   if (points.isEmpty()) {

@@ -10,40 +10,40 @@
 
 namespace metrics {
 
-/// Which metrics of which part of a record, and under which name.
+/// Selection of metrics and of a part of a record, with labels for the results.
 struct Selection {
-  /// Nothing: all metrics. Else the keys of HuNavSim that are off and ours that are on.
+  /// Empty: all metrics. Otherwise the deselected keys of HuNavSim and the selected other keys.
   struct Keys {
-    std::set<std::string> off;  // of HuNavSim's
-    std::set<std::string> on;   // of ours
+    std::set<std::string> off;  // of HuNavSim
+    std::set<std::string> on;   // others
   };
   std::optional<Keys> keys;
-  std::vector<MetricEntry> own;  // formulas of the user's
+  std::vector<MetricEntry> own;  // user-defined formulas
   Window window;
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;
-  bool everyRobot = false;  // those of the others too, beside them: Evaluation::others
-  TimedWay reference;       // RunContext::reference of this robot; empty = shortest way
+  bool everyRobot = false;  // also evaluate the other robots: Evaluation::others
+  TimedPath reference;      // RunContext::reference of this robot; empty: shortest path
 
-  bool series = true;          // results have their series
-  bool seriesOnDisk = false;   // meanwhile in a temporary file
-  bool behaviors = true;       // results per behaviour type as well
-  bool behaviorSeries = true;  // and those have their series
+  bool series = true;          // results contain series
+  bool seriesOnDisk = false;   // series are kept in a temporary file until then
+  bool behaviors = true;       // also results per behaviour type
+  bool behaviorSeries = true;  // which contain series
 
   bool selects(const MetricInfo& info) const;
-  /// The selected metrics in order: of the registry, then the user's.
+  /// The selected metrics: those of the registry in order, then the user's.
   std::vector<MetricEntry> entries(const MetricRegistry& registry) const;
 };
 
-/// Exactly these keys; an unknown one is an error with the nearest known.
+/// Selects exactly these keys. An unknown key is an error that suggests the nearest known one.
 base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
                                         const MetricRegistry& registry = standardRegistry());
 
-/// metrics.yaml of HuNavSim (28 or 33 keys, both layouts) with our keys in the same map. A key of
-/// HuNavSim that is missing is on, one of ours is on only when listed. A second node
-/// `hunavsim_metrics` holds formulas of the user's (README.md); a file with them alone selects all.
-/// `result_file` and `use_sim_time` are carried along.
+/// HuNavSim's metrics.yaml (28 or 33 keys, both layouts) with additional keys in the same map.
+/// HuNavSim keys are selected unless set to false, other keys only if listed. A second node
+/// `hunavsim_metrics` contains user-defined formulas (README.md); a file with only that node
+/// selects all metrics. `result_file` and `use_sim_time` are preserved.
 struct MetricsFile {
   Selection selection;
   std::string resultFile = "metrics";
@@ -63,16 +63,15 @@ struct MetricResult {
 
 const MetricResult* findResult(const std::vector<MetricResult>& results, std::string_view key);
 
-/// The metrics among people of one behaviour type.
+/// Metrics computed with the people of one behaviour type.
 struct BehaviorEvaluation {
   int behavior = 1;            // 1..6
-  std::vector<double> active;  // 0/1 per sample, with series
+  std::vector<double> active;  // 0/1 per sample, if series are selected
   std::vector<MetricResult> results;
 };
 
-/// Corner points of the shortest paths that metrics are computed with; empty where no such metric
-/// is selected.
-struct ShortestWays {
+/// Corner points of the shortest paths used by metrics; empty if no such metric is selected.
+struct EvaluatedPaths {
   std::vector<Vec2> toGoal, toEnd;  // from the start of the robot's path
 };
 
@@ -80,21 +79,21 @@ struct Evaluation {
   MetricParameters parameters;
   std::string tag = "exp_1";
   int runId = 0;
-  int robotId = -1;           // whose metrics they are
-  std::string robot;          // its name, by which files can be called; empty: there is none
-  bool isSelection = false;   // of keys that the user listed
-  std::vector<double> times;  // [s] from the first sample, with series
+  int robotId = -1;           // evaluated robot
+  std::string robot;          // its name, valid in file names; empty: none
+  bool isSelection = false;   // the user listed the keys
+  std::vector<double> times;  // [s] from the first sample, if series are selected
   std::vector<MetricResult> results;
-  ShortestWays shortestWays;
+  EvaluatedPaths evaluatedPaths;
   std::vector<BehaviorEvaluation> behaviors;  // of the types present
-  /// The same of the other robots in their order, where Selection::everyRobot asks for it; they
-  /// have none themselves.
+  /// Evaluations of the other robots in order, if Selection::everyRobot is set; their own `others`
+  /// are empty.
   std::vector<Evaluation> others;
 
   const MetricResult* find(std::string_view key) const;
 };
 
-/// Error when the record or the window holds no sample.
+/// Returns an error if the record or the window contains no sample.
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
                                   const MetricParameters& parameters);
 

@@ -68,7 +68,7 @@ void appendRow(std::string& to, const std::vector<std::string>& cells) {
   to += '\n';
 }
 
-/// Shortest digits, laid out with a point always and an exponent below 1e-4 and from 1e16 on.
+/// Shortest representation, always with a decimal point, with an exponent below 1e-4 and from 1e16.
 std::string floatText(double value) {
   const double size = std::fabs(value);
   const bool hasExponent = size >= 1e16 || (size > 0.0 && size < 1e-4);
@@ -79,7 +79,7 @@ std::string floatText(double value) {
   return hasExponent || text.find('.') != std::string::npos ? text : text + ".0";
 }
 
-/// The series that have one value per sample.
+/// The series with one value per sample.
 std::vector<StepColumn> columnsOf(const std::vector<MetricResult>& results, std::size_t samples) {
   std::vector<StepColumn> columns;
   for (const MetricResult& result : results) {
@@ -106,7 +106,7 @@ std::string valueCell(const MetricResult& result) {
   return finiteNumber(result.value.value.value_or(kNaN), result.info.kind);
 }
 
-/// As the evaluator writes its own keys: with "inf".
+/// As in HuNavSim's evaluator for its own keys: with "inf".
 std::string evaluatorCell(const MetricResult& result) {
   return result.info.hunav > 0
              ? evaluatorNumber(result.value.value.value_or(kNaN), result.info.kind)
@@ -131,7 +131,7 @@ std::vector<std::string> valueCells(const Evaluation& evaluation,
   return cells;
 }
 
-/// The evaluator's keys, and ours where they were asked for by name.
+/// The evaluator's keys, and other keys that were listed explicitly.
 std::vector<MetricResult> evaluatorResults(const std::vector<MetricResult>& results,
                                            bool isSelection) {
   std::vector<MetricResult> kept;
@@ -145,10 +145,10 @@ std::vector<MetricResult> evaluatorResults(const std::vector<MetricResult>& resu
   return kept;
 }
 
-/// Writes the files of one evaluation beside each other.
-class FileSet {
+/// Writes the files of one evaluation.
+class EvaluatorFileWriter {
  public:
-  FileSet(const Evaluation& evaluation, std::string base, Layout layout)
+  EvaluatorFileWriter(const Evaluation& evaluation, std::string base, Layout layout)
       : evaluation_(evaluation), base_(std::move(base)), layout_(layout) {
     const std::string end = extension();
     if (base_.size() > end.size() &&
@@ -180,7 +180,7 @@ class FileSet {
     const std::vector<MetricResult> results = evaluatorResults(all, evaluation_.isSelection);
     std::vector<std::string> header = headerCells(results);
     std::vector<std::string> values = valueCells(evaluation_, results, evaluatorCell);
-    if (layout_ == Layout::Hunav1) {  // knows no run id
+    if (layout_ == Layout::Hunav1) {  // has no run id
       header.erase(header.begin() + 1);
       values.erase(values.begin() + 1);
     }
@@ -194,7 +194,7 @@ class FileSet {
         separated(stepsText(evaluation_.times, columns)));
   }
 
-  /// Adds the row to the first file of this name that has these columns or does not exist.
+  /// Appends the row to the first file of this name that has these columns or does not exist.
   void appendResult(const std::string& name, const std::string& header, const std::string& values) {
     for (int number = 1;; ++number) {
       const std::string path =
@@ -217,7 +217,7 @@ class FileSet {
     return separated(text);
   }
 
-  /// Tabs instead of commas; no name or number of ours holds a comma, a tag may.
+  /// Tabs instead of commas; names and numbers contain no comma, a tag may.
   std::string separated(std::string text) const {
     if (layout_ == Layout::Hunav1) {
       std::replace(text.begin(), text.end(), ',', '\t');
@@ -225,7 +225,7 @@ class FileSet {
     return text;
   }
 
-  /// A tag may hold what no file name can.
+  /// Replaces characters of a tag that are invalid in file names.
   static std::string safeName(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '/' || c == '\0' || c == '\n'; }, '_');
@@ -272,7 +272,7 @@ Json pointsJson(const std::vector<Vec2>& points) {
   return json;
 }
 
-void addWays(const ShortestWays& ways, Json& to) {
+void addWays(const EvaluatedPaths& ways, Json& to) {
   if (!ways.toGoal.empty()) {
     to["shortest_ways"]["to_goal"] = pointsJson(ways.toGoal);
   }
@@ -288,16 +288,16 @@ std::string toJson(const Evaluation& evaluation) {
   root["profile"] = profileName(evaluation.parameters.profile);
   root["metrics"] = resultsJson(evaluation.results);
   root["behaviors"] = behaviorsJson(evaluation);
-  addWays(evaluation.shortestWays, root);
+  addWays(evaluation.evaluatedPaths, root);
   for (const Evaluation& other : evaluation.others) {
     root["robots"][other.robot] = {{"metrics", resultsJson(other.results)},
                                    {"behaviors", behaviorsJson(other)}};
-    addWays(other.shortestWays, root["robots"][other.robot]);
+    addWays(other.evaluatedPaths, root["robots"][other.robot]);
   }
   root["parameters"] = parametersJson(evaluation.parameters);
   root["experiment_tag"] = evaluation.tag;
   root["run_id"] = evaluation.runId;
-  if (evaluation.robotId != -1) {  // else the first, as in every run
+  if (evaluation.robotId != -1) {  // otherwise the first, as in every run
     root["robot"] = evaluation.robotId;
   }
   return base::jsonText(root) + "\n";
@@ -340,8 +340,8 @@ void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>&
 
 namespace {
 
-/// For people: six digits; "-" when there is none.
-std::string shownValue(const MetricResult& result) {
+/// For display: six digits; "-" if undefined.
+std::string displayText(const MetricResult& result) {
   const std::optional<double>& value = result.value.value;
   if (!value) {
     return "-";
@@ -355,7 +355,8 @@ std::string shownValue(const MetricResult& result) {
   return {text.begin(), end.ptr};
 }
 
-/// The first column begins at the left, the numbers end at the right, the last one is as it is.
+/// Aligns the first column to the left and the numbers to the right; the last column is not
+/// aligned.
 std::string alignedText(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 5);
   for (const std::vector<std::string>& row : rows) {
@@ -374,14 +375,14 @@ std::string alignedText(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-/// One metric of all robots, then its unit and why it has no value.
+/// One metric of all robots, its unit and the reasons for undefined values.
 std::vector<std::string> tableRow(const MetricInfo& info,
                                   const std::vector<const Evaluation*>& robots) {
   std::vector<std::string> row = {info.key};
   std::string rest = info.unit;
   for (const Evaluation* robot : robots) {
     const MetricResult* its = robot->find(info.key);
-    row.push_back(its != nullptr ? shownValue(*its) : "");
+    row.push_back(its != nullptr ? displayText(*its) : "");
     if (its != nullptr && !its->value.why.empty()) {
       const std::string whose = robots.size() > 1 ? robot->robot + ": " : "";
       rest += (rest.empty() ? "(" : " (") + whose + its->value.why + ")";
@@ -411,7 +412,7 @@ std::string tableText(const Evaluation& evaluation) {
 
 base::Result<std::vector<std::string>> writeEvaluatorFiles(const Evaluation& evaluation,
                                                            const std::string& base, Layout layout) {
-  return FileSet(evaluation, base, layout).write();
+  return EvaluatorFileWriter(evaluation, base, layout).write();
 }
 
 }  // namespace metrics

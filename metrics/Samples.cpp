@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
-#include "metrics/Routes.h"
+#include "metrics/ShortestPaths.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/RobotArrival.h"
 
 namespace metrics {
 
@@ -15,11 +19,11 @@ double distance(const Body& a, const Body& b) {
   return lengthOf(a.position - b.position);
 }
 
-double distance(const Robot& robot, const Person& person) {
+double distance(const Robot& robot, const Pedestrian& person) {
   return person.pair.isKnown ? person.pair.distance : lengthOf(robot.position - person.position);
 }
 
-double gap(const Robot& robot, const Person& person) {
+double gap(const Robot& robot, const Pedestrian& person) {
   return distance(robot, person) - robot.radius - person.radius;
 }
 
@@ -33,12 +37,12 @@ Seam seamOf(const sim2d::TraceHeader& header) {
                                   : Seam();
 }
 
-bool hasJumped(const Vec2& before, const Person& now, const Seam& seam) {
+bool hasJumped(const Vec2& before, const Pedestrian& now, const Seam& seam) {
   return now.isNew || seam.nearest(now.position, before) != now.position;
 }
 
-const Person* findPerson(const Sample& sample, int id) {
-  for (const Person& person : sample.people) {
+const Pedestrian* findPerson(const Sample& sample, int id) {
+  for (const Pedestrian& person : sample.people) {
     if (person.id == id) {
       return &person;
     }
@@ -49,7 +53,7 @@ const Person* findPerson(const Sample& sample, int id) {
 namespace {
 
 constexpr char kMapName[] = "map";
-constexpr char kRecorded[] = "recorded";  // planner of a robot that no world has simulated
+constexpr char kRecorded[] = "recorded";  // planner of a robot that was not simulated
 constexpr char kSocialFactorKey[] = "social_force_factor";
 constexpr double kObstacleReach = 5.0;  // [m]
 
@@ -90,11 +94,12 @@ std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, cons
 SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)
     : SampleBuilder(header, robotId, {}) {}
 
-SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId, const KnownScene& known)
+SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId,
+                             const PrecomputedScene& known)
     : robotId_(robotId),
       header_(header),
-      knownRoutes_(known.routes),
-      raysAct_(header.obstaclePoints == "rays") {
+      pathCache_(known.routes),
+      usesRays_(header.obstaclePoints == "rays") {
   addHumans(header.humans);
   header_.humans.clear();
   for (const sim2d::TraceObstacle& obstacle : header_.obstacles) {
@@ -145,11 +150,11 @@ RunContext SampleBuilder::context() const {
   context.robotId = robotId_;
   context.robotStartTime = robot->startTime;
   context.robotMaxSpeed = robot->maxVel;
-  context.eventsTellArrivals = !robot->planner.empty() && robot->planner != kRecorded;
+  context.eventsReportArrivals = !robot->planner.empty() && robot->planner != kRecorded;
   context.goals = robot->goals;
-  context.routes = knownRoutes_ != nullptr
-                       ? knownRoutes_->of(header_, context.walls, robot->radius)
-                       : std::make_shared<Routes>(header_.map, context.walls, robot->radius);
+  context.routes = pathCache_ != nullptr
+                       ? pathCache_->of(header_, context.walls, robot->radius)
+                       : std::make_shared<ShortestPaths>(header_.map, context.walls, robot->radius);
   return context;
 }
 
@@ -165,7 +170,7 @@ void SampleBuilder::setDoors(double time) {
 
 void SampleBuilder::addObstaclePoints(Body& body) {
   buffer_.clear();
-  if (raysAct_) {
+  if (usesRays_) {
     all_.rayPoints(body.position, buffer_);
   } else {
     all_.boundaryPoints(body.position, buffer_);
@@ -173,7 +178,7 @@ void SampleBuilder::addObstaclePoints(Body& body) {
   body.obstacles = buffer_;
 }
 
-Sample SampleBuilder::sampleOf(const sim2d::Frame& frame, std::vector<Person> people) {
+Sample SampleBuilder::sampleOf(const sim2d::Frame& frame, std::vector<Pedestrian> people) {
   setDoors(frame.time);
   Sample sample;
   sample.time = frame.time;
@@ -191,18 +196,18 @@ Sample SampleBuilder::sampleOf(const sim2d::Frame& frame, std::vector<Person> pe
   }
   sample.people = std::move(people);
   const Vec2& eye = sample.robot.position;
-  for (Person& person : sample.people) {  // all first: the robot's sensors have asked that mostly
+  for (Pedestrian& person : sample.people) {  // `all_` first: usually cached by the robot's sensors
     person.screened = hasDrawn_ && robot != nullptr && !all_.isVisible(person.position, eye) &&
                       !drawn_.isVisible(person.position, eye);
   }
   return sample;
 }
 
-std::vector<Person> SampleBuilder::peopleOf(const sim2d::Frame& frame) {
+std::vector<Pedestrian> SampleBuilder::peopleOf(const sim2d::Frame& frame) {
   setDoors(frame.time);
-  std::vector<Person> people(frame.humans.size());
+  std::vector<Pedestrian> people(frame.humans.size());
   for (std::size_t k = 0; k < frame.humans.size(); ++k) {
-    Person& person = people[k];
+    Pedestrian& person = people[k];
     copyMotion(frame.humans, k, person);
     person.group = frame.humans.group[k];
     person.state = frame.humans.state[k];
@@ -217,6 +222,133 @@ std::vector<Person> SampleBuilder::peopleOf(const sim2d::Frame& frame) {
     addObstaclePoints(person);
   }
   return people;
+}
+
+namespace {
+
+constexpr double kMotionSpeed = 0.01;  // [m/s]
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// The argument of "time 3.5" or "event say".
+std::string argumentOf(const std::string& text, const std::string& word) {
+  const std::string start = word + " ";
+  return text.compare(0, start.size(), start) == 0 ? base::trimmed(text.substr(start.size())) : "";
+}
+
+std::optional<base::Diagnostic> boundProblem(const std::string& text,
+                                             const std::vector<std::string>& words) {
+  if (std::find(words.begin(), words.end(), text) != words.end()) {
+    return std::nullopt;
+  }
+  if (const std::string time = argumentOf(text, "time"); !time.empty()) {
+    const std::optional<double> value = base::parseDouble(time);
+    return value && std::isfinite(*value) ? std::nullopt
+                                          : std::optional(base::error("metrics.no-time", {time}));
+  }
+  if (const std::string kind = argumentOf(text, "event"); !kind.empty()) {
+    return sim2d::eventKindOf(kind) ? std::nullopt
+                                    : std::optional(base::error("metrics.unknown-event", {kind}));
+  }
+  return base::error("metrics.unknown-bound", {text, base::join(words, ", ")});
+}
+
+/// Kind of "event KIND".
+std::optional<sim2d::EventKind> kindOf(const std::string& text) {
+  const std::string kind = argumentOf(text, "event");
+  return kind.empty() ? std::nullopt : sim2d::eventKindOf(kind);
+}
+
+/// The time of "time T".
+std::optional<double> timeArgument(const std::string& text) {
+  const std::string time = argumentOf(text, "time");
+  return time.empty() ? std::nullopt : base::parseDouble(time);
+}
+
+}  // namespace
+
+std::optional<base::Diagnostic> windowError(const Window& window) {
+  if (auto wrong = boundProblem(window.from, {"begin", "goal", "motion"})) {
+    return base::withContext("from", *std::move(wrong));
+  }
+  if (auto wrong = boundProblem(window.until, {"end", "arrival"})) {
+    return base::withContext("until", *std::move(wrong));
+  }
+  if (!(window.frequency >= 0.0) || std::isinf(window.frequency)) {
+    return base::error("metrics.negative-frequency");
+  }
+  return std::nullopt;
+}
+
+WindowFilter::WindowFilter(Window window, const RunContext& context)
+    : window_(std::move(window)),
+      robotId_(context.robotId),
+      begin_(timeArgument(window_.from)),
+      end_(timeArgument(window_.until)),
+      newest_(-kNever),
+      next_(-kNever) {
+  if (window_.from == "begin") {
+    begin_ = -kNever;
+  } else if (window_.from == "goal") {
+    begin_ = context.robotStartTime;
+  }
+  end_ = window_.until == "end" ? kNever : end_;
+}
+
+void WindowFilter::begin(double time) {
+  if (begin_) {
+    return;
+  }
+  begin_ = time;
+  if (!end_ && lastEnding_ && *lastEnding_ >= time) {
+    end_ = lastEnding_;
+  }
+}
+
+bool WindowFilter::ends(const sim2d::Event& event) const {
+  return window_.until == "arrival" ? sim2d::isRobotArrival(event, robotId_)
+                                    : kindOf(window_.until) == event.kind;
+}
+
+void WindowFilter::note(double time, const sim2d::Event& event) {
+  if (kindOf(window_.from) == event.kind) {
+    begin(time);
+  }
+  if (end_ || !ends(event)) {
+    return;
+  }
+  lastEnding_ = time;
+  if (begin_ && time >= *begin_) {
+    end_ = time;
+  }
+}
+
+/// For an arrival between two samples the second one is the last.
+bool WindowFilter::isPast(double time) const {
+  const bool isMet = end_ && (window_.until != "arrival" || newest_ >= *end_ - kTimeSlack);
+  return isMet && time > *end_ + kTimeSlack;
+}
+
+bool WindowFilter::isOver(double time) const {
+  return begin_ && isPast(time);
+}
+
+bool WindowFilter::takes(const Sample& sample) {
+  if (window_.from == "motion" && sample.robot.speed > kMotionSpeed) {
+    begin(sample.time);
+  }
+  const bool isInside = begin_ && sample.time >= *begin_ - kTimeSlack && !isPast(sample.time);
+  if (!isInside || sample.time < next_ - kTimeSlack) {
+    return false;
+  }
+  newest_ = sample.time;
+  if (window_.frequency > 0.0) {
+    // The grid starts at the first sample and does not drift if steps do not match it.
+    first_ = taken_ == 0 ? sample.time : first_;
+    const double place = std::floor((sample.time - first_ + kTimeSlack) * window_.frequency);
+    taken_ = std::max(taken_, static_cast<long long>(place)) + 1;
+    next_ = first_ + static_cast<double>(taken_) / window_.frequency;
+  }
+  return true;
 }
 
 }  // namespace metrics

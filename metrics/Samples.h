@@ -17,9 +17,9 @@ namespace metrics {
 using base::Vec2;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTimeSlack = 1e-9;  // [s] times are reached this much early
+constexpr double kTimeSlack = 1e-9;  // [s] tolerance of time comparisons
 
-/// A robot or a person at one instant. World frame, SI, radians.
+/// A robot or person at one instant. World frame, SI units, radians.
 struct Body {
   int id = 0;
   Vec2 position = Vec2::Zero();
@@ -28,106 +28,105 @@ struct Body {
   double speed = 0.0;  // |velocity|
   double omega = 0.0;
   double radius = 0.35;
-  std::vector<sim2d::Obstacles::Point> obstacles;  // where they act on it
+  std::vector<sim2d::Obstacles::Point> obstacles;  // points that act on it
 };
 
 enum class Sight { Free, Blocked, OutsideMap };  // OutsideMap: hunav2 only
 
-/// What holds between the robot and a person at one instant. Worked out once (workOutPairs), for
-/// all metrics that ask and again for those among the people of one type.
-struct Pair {
+/// Quantities of the robot and one person at one instant. Computed once (computePairs) and shared
+/// by all metrics, including those per behaviour type.
+struct RobotPersonPair {
   bool isKnown = false;
   double distance = 0.0;              // of the centres [m]
-  double bearing = 0.0;               // of the person, from the robot
+  double bearing = 0.0;               // of the person as seen from the robot
   double viewAngle = 0.0;             // between the person's heading and the robot, [0, pi]
   double timeToCollision = HUGE_VAL;  // [s]
   Vec2 ahead{1.0, 0.0};               // direction of the person's heading
   Vec2 forceOnRobot = Vec2::Zero();   // social force [m/s^2]
-  double forceOnPerson = 0.0;         // its modulus
-  Sight sight = Sight::Blocked;       // asked for when some metric needs the map
+  double forceOnPerson = 0.0;         // magnitude
+  Sight sight = Sight::Blocked;       // computed if a metric needs the map
 };
 
-struct Person : Body {
+struct Pedestrian : Body {
   int group = -1;
   int behavior = 1;                    // 1..6
-  int state = 0;                       // != 0: a reaction runs
-  std::optional<double> socialFactor;  // own; else the parameters'
-  bool wantsToArrive = false;          // has goals and does not go round them for ever
-  bool isNew = false;                  // came since the sample before, did not walk from there
-  bool screened = false;  // a drawn obstacle or closed door hides the robot (map walls: apart)
-  Pair pair;
+  int state = 0;                       // != 0: reacting
+  std::optional<double> socialFactor;  // own factor; otherwise that of the parameters
+  bool wantsToArrive = false;          // has goals that are not cyclic
+  bool isNew = false;                  // entered since the previous sample
+  bool screened = false;  // an obstacle or closed door hides the robot (map walls: separate)
+  RobotPersonPair pair;
 };
 
 struct Robot : Body {
-  std::optional<double> obstacleDistance;  // of its centre [m], negative inside; none in reach
+  std::optional<double> obstacleDistance;  // of its centre [m], < 0 inside; empty: none in range
 };
 
 /// All bodies at one time.
 struct Sample {
   double time = 0.0;  // [s]
-  Robot robot;        // meaningful when RunContext::hasRobot
-  std::vector<Person> people;
+  Robot robot;        // valid if RunContext::hasRobot
+  std::vector<Pedestrian> people;
 };
 
-/// Fills in the pairs of a sample with a robot that are not known yet; the sight when `map` is
-/// given.
-void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
+/// Computes missing pairs of a sample with a robot; the sight only if `map` is given.
+void computePairs(Sample& sample, const sim2d::OccupancyGrid* map,
                   const MetricParameters& parameters);
 
-using TimedWay = std::vector<std::pair<double, Vec2>>;  // time [s], place
+using TimedPath = std::vector<std::pair<double, Vec2>>;  // time [s], position
 
-class Routes;
-class KnownRoutes;
-struct KnownScene;
+class ShortestPaths;
+class ShortestPathCache;
+struct PrecomputedScene;
 
-/// A corridor whose ends are joined (wrap_x): who leaves at one end comes in at the other.
+/// A corridor with joined ends (wrap_x): bodies that leave at one end enter at the other.
 struct Seam {
   double low = 0.0;     // [m]
-  double length = 0.0;  // [m]; 0: there is none
+  double length = 0.0;  // [m]; 0: no seam
   bool isThere() const { return length > 0.0; }
-  /// The image of a place that is nearest to where one looks from.
+  /// The image of `place` that is nearest to `seenFrom`.
   Vec2 nearest(const Vec2& place, const Vec2& seenFrom) const;
 };
 
-/// What holds for a whole run, one robot at most.
+/// Constant data of a run with at most one robot.
 struct RunContext {
   bool hasRobot = false;
   int robotId = -1;
-  double robotStartTime = 0.0;                    // it sets off then [s]
+  double robotStartTime = 0.0;                    // start time of the robot [s]
   double robotMaxSpeed = 1.0;                     // v_max [m/s]
-  bool eventsTellArrivals = false;                // a simulated robot: no event, no arrival
+  bool eventsReportArrivals = false;              // simulated robot: without event no arrival
   std::vector<sim2d::TraceGoal> goals;            // of the robot
-  sim2d::OccupancyGrid map;                       // empty = none
-  std::shared_ptr<Routes> routes;                 // shortest ways; null = straight lines
-  std::shared_ptr<const sim2d::Obstacles> walls;  // of map and obstacles, doors open; null: none
+  sim2d::OccupancyGrid map;                       // empty: none
+  std::shared_ptr<ShortestPaths> routes;          // shortest paths; null: straight lines
+  std::shared_ptr<const sim2d::Obstacles> walls;  // map and obstacles with open doors; null: none
   Seam seam;
   bool hasObstacles = false;  // or a map
-  /// A run to compare with, instead of the shortest way; times from its start.
-  TimedWay reference;
+  /// A reference run, used instead of the shortest path; times from its start.
+  TimedPath reference;
 };
 
 Seam seamOf(const sim2d::TraceHeader& header);
-/// Did not walk from where it was at the sample before: came anew or over the seam.
-bool hasJumped(const Vec2& before, const Person& now, const Seam& seam);
+/// Whether a person entered or crossed the seam since the previous sample.
+bool hasJumped(const Vec2& before, const Pedestrian& now, const Seam& seam);
 
-/// Turns frames into samples: radii and behaviours from the header, obstacle points from its
-/// outlines by the function that the world uses.
+/// Converts frames to samples: radii and behaviours from the header, obstacle points from its
+/// outlines with the function that the world uses.
 class SampleBuilder {
  public:
-  /// The robot with this id, by default the first; no such robot: people only.
+  /// Uses the robot with this id, by default the first. Without such a robot: people only.
   explicit SampleBuilder(const sim2d::TraceHeader& header, int robotId = -1);
-  SampleBuilder(const sim2d::TraceHeader& header, int robotId, const KnownScene& known);
-  /// People that arrived after the header was made.
+  SampleBuilder(const sim2d::TraceHeader& header, int robotId, const PrecomputedScene& known);
+  /// Adds people who appear after the header was created.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
   RunContext context() const;
   Sample sampleOf(const sim2d::Frame& frame) { return sampleOf(frame, peopleOf(frame)); }
-  /// The same in two parts: people are the same for each robot.
-  std::vector<Person> peopleOf(const sim2d::Frame& frame);
-  Sample sampleOf(const sim2d::Frame& frame, std::vector<Person> people);
+  /// The same in two steps, since people are equal for all robots.
+  std::vector<Pedestrian> peopleOf(const sim2d::Frame& frame);
+  Sample sampleOf(const sim2d::Frame& frame, std::vector<Pedestrian> people);
 
  private:
   struct Door {
-    int part = 0;  // in all_ or drawn_
+    int part = 0;  // index in all_ or drawn_
     int drawnPart = 0;
     bool openAtStart = false;
     std::vector<double> toggles;
@@ -143,8 +142,8 @@ class SampleBuilder {
 
   int robotId_;
   sim2d::TraceHeader header_;  // without people
-  std::shared_ptr<KnownRoutes> knownRoutes_;
-  bool raysAct_;  // else points of borders
+  std::shared_ptr<ShortestPathCache> pathCache_;
+  bool usesRays_;  // otherwise boundary points
   std::map<int, Traits> humans_;
   sim2d::Obstacles all_, drawn_;
   bool hasDrawn_ = false;
@@ -152,26 +151,26 @@ class SampleBuilder {
   std::vector<sim2d::Obstacles::Point> buffer_;
 };
 
-/// Corner points from end to end: a straight line where the robot can see along it, where the
-/// context has no routes and where none leads there, else the way round the walls. Not thread safe.
+/// Corner points from start to end: a straight line if it is free, if the context has no routes or
+/// if there is no path; otherwise the shortest path around the walls. Not thread-safe.
 std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to);
 
-/// The part that a window selects; the events stay.
+/// The part of a record that is evaluated; events are kept.
 struct Window {
   std::string from = "begin";  // begin | goal | motion | time T | event KIND
   std::string until = "end";   // end | arrival | time T | event KIND
-  double frequency = 0.0;      // [Hz], 0 = every sample
+  double frequency = 0.0;      // [Hz], 0: every sample
 };
-/// What is wrong with the texts of a window, if anything.
-std::optional<base::Diagnostic> windowProblem(const Window& window);
-/// Tells sample by sample what a window takes.
-class WindowGate {
+/// The first problem in the text of a window, if any.
+std::optional<base::Diagnostic> windowError(const Window& window);
+/// Decides for each sample whether a window includes it.
+class WindowFilter {
  public:
-  WindowGate(Window window, const RunContext& context);
-  /// An event of a time up to that of the next sample; in order.
+  WindowFilter(Window window, const RunContext& context);
+  /// Call for events in order, up to the time of the next sample.
   void note(double time, const sim2d::Event& event);
   bool takes(const Sample& sample);
-  /// Takes nothing from this time on, whatever comes.
+  /// Whether no sample from this time on can be included.
   bool isOver(double time) const;
 
  private:
@@ -182,20 +181,20 @@ class WindowGate {
   Window window_;
   int robotId_;
   std::optional<double> begin_, end_;  // [s]
-  std::optional<double> lastEnding_;   // newest event that would end it [s]
-  double newest_;                      // that was taken [s]
+  std::optional<double> lastEnding_;   // newest possible end event [s]
+  double newest_;                      // last included sample [s]
   double first_ = 0.0, next_;          // of the grid of `frequency` [s]
   long long taken_ = 0;
 };
 
-// Geometry that most metrics share.
-double lengthOf(const Vec2& vector);  // rounded correctly, unlike a root of squares
+// Geometry shared by most metrics.
+double lengthOf(const Vec2& vector);  // correctly rounded, unlike the root of a sum of squares
 double distance(const Body& a, const Body& b);
-double distance(const Robot& robot, const Person& person);  // of the same sample
-double gap(const Robot& robot, const Person& person);       // surface to surface, < 0: they overlap
-const Person* findPerson(const Sample& sample, int id);
-/// The entry with this id; quick when entries are asked for in their order. `next` = where to look
-/// first, 0 at the beginning.
+double distance(const Robot& robot, const Pedestrian& person);  // of the same sample
+double gap(const Robot& robot, const Pedestrian& person);       // between surfaces, < 0: overlap
+const Pedestrian* findPerson(const Sample& sample, int id);
+/// The entry with this id; fast if entries are requested in order. `next`: search start, initially
+/// 0.
 template <class Entry>
 const Entry* findInOrder(const std::vector<Entry>& entries, std::size_t& next, int id) {
   for (std::size_t k = 0; k < entries.size(); ++k) {

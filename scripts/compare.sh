@@ -1,63 +1,80 @@
 #!/usr/bin/env bash
-# Shows that two programs give the same: every file of every shipped scenario's run (but the
-# manifest), its exports, and pictures of the window. Usage: scripts/compare.sh OLD NEW [NAME…]
-# OLD and NEW are programs (build/dev/hunavsim of two clones); the scenarios are those beside OLD.
-# NAME… limits the scenarios. Exit 1 when anything differs; the first differences are listed.
+# Compares what two builds of the program write. Usage: scripts/compare.sh OLD NEW [SCENARIO…]
+# For every shipped scenario (or those given): the files of a run with a bag, its pictures, video data
+# and vectors, exports for every simulator, the check; then a batch with its report, and all lists.
+# Versions, commits and measured times are left out. Prints each file that differs; returns 1 if any
+# does.
 set -euo pipefail
-
-[ $# -ge 2 ] || { echo "usage: scripts/compare.sh OLD NEW [NAME…]" >&2; exit 64; }
-old=$(readlink -f "$1") new=$(readlink -f "$2")
+[ $# -ge 2 ] || {
+  printf 'usage: scripts/compare.sh OLD NEW [SCENARIO…]\n' >&2
+  exit 64
+}
+old=$(readlink -f "$1")
+new=$(readlink -f "$2")
 shift 2
-maps=$(readlink -f "$(dirname "$old")/../../maps")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp -r "$maps" "$work/maps"
-export QT_QPA_PLATFORM=offscreen HOME=$work XDG_CONFIG_HOME=$work/config XDG_DATA_HOME=$work/data \
-  XDG_CACHE_HOME=$work/cache
+export QT_QPA_PLATFORM=offscreen
 
-mapfile -t scenarios < <(grep -rl '^hunav_loader:' "$work/maps" --include='*.yaml' | sort)
-compared=0 differing=0
+scenarios=("$@")
+if [ ${#scenarios[@]} -eq 0 ]; then
+  mapfile -t scenarios < <("$new" list scenarios --format json | sed -n 's/.*"path": "\(.*\)".*/\1/p')
+fi
 
-# both COMMAND…: runs it with each program; `@` in it is the folder of that program.
-both() {
-  local program side
-  for side in old new; do
-    program=${!side}
-    "$program" "${@//@/$work/$side}" >"$work/$side.log" 2>&1 || echo "exit $?" >>"$work/$side.log"
-  done
-}
-
-# same WHAT: compares what the two programs left in their folders.
-same() {
-  local differences
-  compared=$((compared + 1))
-  rm -f "$work"/{old,new}/manifest.json
-  if ! differences=$(diff -rq "$work/old" "$work/new" 2>&1); then
-    differing=$((differing + 1))
-    printf '%s differs:\n%s\n' "$1" "$(head -n 5 <<<"$differences")"
-  fi
-  rm -rf "$work/old" "$work/new" "$work"/config
-  mkdir -p "$work/old" "$work/new"
-}
-
-mkdir -p "$work/old" "$work/new"
-for scenario in "${scenarios[@]}"; do
-  name=$(basename "$scenario" .yaml)
-  if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then
-    continue
-  fi
-  both run "$scenario" -o @
-  same "run of $name"
-  for target in gazebo-classic gazebo-fortress isaac webots native; do
-    both convert "$scenario" -o @ --target "$target"
-    same "export of $name to $target"
-  done
-  for theme in light dark; do
-    for at in 0 4; do
-      both "$scenario" --screenshot @/window.png --at "$at" --theme "$theme"
-      same "picture of $name at $at s, $theme"
+# record SIDE PROGRAM: everything into $work/SIDE, from the same folder names.
+record() {
+  local program=$2 scenario name target what
+  ln -sfn "$work/$1" "$work/now"
+  mkdir -p "$work/$1"
+  cd "$work/now"
+  for scenario in "${scenarios[@]}"; do
+    name=$(basename "${scenario%.*}")
+    "$program" check "$scenario" >"$name.check" 2>&1 || true
+    "$program" run "$scenario" --seed 3 --duration 12 --record mcap -q -o "$name.run" \
+      >"$name.out" 2>&1 || true
+    for what in svg png pdf csv json ndjson html; do
+      "$program" render "$name.run" -o "$name.$what" -q >>"$name.out" 2>&1 || true
+    done
+    for target in gazebo-classic gazebo-fortress isaac webots native; do
+      "$program" convert "$scenario" --target "$target" -o "$name.$target" -q \
+        >"$name.$target.out" 2>&1 || true
     done
   done
-done
-echo "$compared compared, $differing differ"
-[ "$differing" -eq 0 ]
+  printf 'hunavsim_experiment: 1\nscenarios: [%s]\nseeds: 2\nduration: 4.0\nrecord: all\n' \
+    "${scenarios[0]}" >study.yaml
+  "$program" batch study.yaml -o study -q --jobs 2 >study.out 2>&1 || true
+  "$program" report study -q >report.out 2>&1 || true
+  for what in keys metrics models nodes planners robots scenarios; do
+    "$program" list "$what" --format json >"list.$what.json" 2>&1 || true
+    "$program" list "$what" >"list.$what.txt" 2>&1 || true
+  done
+  cd /
+}
+
+# Version, commit and times of a JSON file; the program's path.
+neutral() {
+  sed -E -e '/"(version|commit|wall_seconds|real_time_factor|planning_time[a-z_]*)":/d' \
+    -e "s|$old|PROGRAM|g; s|$new|PROGRAM|g" -e '/"sha256": /d' "$1"
+}
+
+record old "$old"
+record new "$new"
+differing=0
+while IFS= read -r file; do
+  if [ ! -e "$work/new/$file" ]; then
+    printf 'only in old: %s\n' "$file"
+    differing=1
+  elif ! cmp -s "$work/old/$file" "$work/new/$file" &&
+    ! cmp -s <(neutral "$work/old/$file") <(neutral "$work/new/$file"); then
+    printf 'differs: %s\n' "$file"
+    differing=1
+  fi
+done < <(cd "$work/old" && find . -type f -printf '%P\n' | sort)
+while IFS= read -r file; do
+  [ -e "$work/old/$file" ] || {
+    printf 'only in new: %s\n' "$file"
+    differing=1
+  }
+done < <(cd "$work/new" && find . -type f -printf '%P\n' | sort)
+[ -z "${HUNAV_KEEP:-}" ] || cp -r "$work" "$HUNAV_KEEP"
+exit $differing

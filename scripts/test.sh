@@ -74,9 +74,20 @@ mend_links() {
 run_tests() {
   local preset=$1
   shift
+  local status=0
   say "testing $preset"
   keep_in_memory "$preset"
-  (cd "$root" && "${launcher[@]}" ctest --preset "$preset" --parallel $((jobs + 1)) --no-tests=error "$@")
+  (cd "$root" && "${launcher[@]}" ctest --preset "$preset" --parallel $((jobs + 1)) --no-tests=error \
+    --output-log "$logs/tests-$preset.log" "$@") || status=$?
+  show_slowest "$logs/tests-$preset.log"
+  return "$status"
+}
+
+# show_slowest LOG
+show_slowest() {
+  say "the slowest 30 tests [s]:"
+  grep -oE '[[:alnum:]_.]+ \.+ *[*A-Za-z]+ +[0-9.]+ sec' "$1" | awk '{ print $(NF - 1), $1 }' |
+    sort -rn | head -n 30 >&2
 }
 
 # Every program of tests/fuzz, together for fuzz_seconds, with new inputs at every run, from its seeds

@@ -6,34 +6,34 @@ namespace app {
 
 namespace {
 
-/// Reports how many runs failed and the reason of the first, also with --quiet: it explains the
-/// exit code.
+/// Reports how many runs failed and the reason of the first, also with --quiet, because it explains
+/// the exit code.
 base::Diagnostics failuresOf(const BatchFolder& folder) {
   const ResultStore& store = folder.store();
-  base::Diagnostics said;
+  base::Diagnostics diagnostics;
   if (const auto& first = store.firstFailure()) {
-    said.push_back(base::error("batch.runs-failed",
-                               {store.failed(), store.finished(), first->run, first->reason},
-                               folder.resultsFile()));
+    diagnostics.push_back(base::error("batch.runs-failed",
+                                      {store.failed(), store.finished(), first->run, first->reason},
+                                      folder.resultsFile()));
   }
   if (store.failedByMachine() > 0) {
-    said.push_back(
+    diagnostics.push_back(
         base::warning("batch.failed-by-machine", {store.failedByMachine()}, folder.resultsFile()));
   }
-  return said;
+  return diagnostics;
 }
 
 }  // namespace
 
-int reportBatch(const BatchFolder& folder, const base::Diagnostics& troubles,
+int reportBatch(const BatchFolder& folder, const base::Diagnostics& problems,
                 const Invocation& given) {
   const ResultStore& store = folder.store();
-  const std::size_t total = store.study().shard.runsOf(store.study().runs);
+  const std::size_t total = store.study().shard.runCount(store.study().runs);
   const std::string count =
       std::to_string(store.finished()) + " of " + std::to_string(total) + " runs";
-  if (base::hasErrors(troubles)) {
-    printError("after " + count + ": batch --resume goes on with the others");
-    requireFine(troubles);
+  if (base::hasErrors(problems)) {
+    printError("after " + count + ": continue with batch --resume");
+    requireFine(problems);
   }
   if (given.json) {
     print(folder.manifest());
@@ -43,7 +43,7 @@ int reportBatch(const BatchFolder& folder, const base::Diagnostics& troubles,
   }
   printDiagnostics(failuresOf(folder));
   if (!store.isComplete()) {
-    printError("interrupted: the finished runs are kept; batch --resume goes on with the others");
+    printError("interrupted: finished runs are kept; continue with batch --resume");
   }
   return store.isComplete() && store.failed() == 0 ? ExitFine : ExitRunFailed;
 }

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// What `batch` and `merge` say at their end; the exit code. `troubles`: what could not be written.
-int reportBatch(const BatchFolder& folder, const base::Diagnostics& troubles,
+/// Prints the final report of `batch` and `merge`; returns the exit code. `problems`: write errors.
+int reportBatch(const BatchFolder& folder, const base::Diagnostics& problems,
                 const Invocation& given);
 
 }  // namespace app

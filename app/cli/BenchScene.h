@@ -11,38 +11,39 @@
 
 namespace app {
 
-/// The measured scene: two opposing streams of half a person per square metre, from a jittered
-/// grid, on a square; a robot that stands in the middle.
+/// The benchmark scene: two opposing streams of half a person per square metre, from a jittered
+/// grid, on a square; a stationary robot in the middle.
 struct BenchScene {
   int people = 1000;
   bool walls = false;  // a jagged wall of 100 segments along either side
-  std::string tree;    // file that everybody runs
+  std::string tree;    // tree file for all agents
   int threads = 1;
-  bool lonely = false;  // the square with the first of the people alone
+  bool singlePerson = false;  // the same square with only the first agent
 };
 sim2d::Scenario makeBenchScenario(const BenchScene& scene);
 base::Result<std::unique_ptr<sim2d::World>> makeBenchWorld(const BenchScene& scene);
-/// Steps from the start in which the streams have not yet left each other: nobody has walked more
-/// than a seventh of the square. Later steps cost less, the fewer people the sooner.
+/// The number of steps from the start during which the streams still overlap: no agent has walked
+/// more than a seventh of the square. Later steps are cheaper, and the earlier so, the fewer agents
+/// there are.
 int crossingSteps(const BenchScene& scene);
 
-/// A behaviour tree of twenty nodes of which most run in each step.
+/// A behaviour tree of twenty nodes, most of which are ticked in each step.
 std::string benchTreeText();
 
-/// Seconds for one step of the same forces written plainly: every pair, double precision, the
-/// functions of the C library.
+/// Seconds per step of a reference implementation of the same forces: all pairs, double precision,
+/// C library functions.
 double plainStepSeconds(const sim2d::Scenario& scenario, double atLeastSeconds);
 
 /// One measured size of the open scene.
 struct BenchPoint {
   int people = 0;
   double whole = 0.0;     // a step [ms]
-  double forces = 0.0;    // of which the forces [ms]
+  double forces = 0.0;    // the forces in it [ms]
   double plain = 0.0;     // the same forces over all pairs [ms]
-  bool isScaled = false;  // `plain` is, from a smaller size
+  bool isScaled = false;  // `plain` is extrapolated from a smaller size
 };
-/// Times per step over the number of people, both on scales of powers of ten, as the file's ending
-/// says: .png, .svg or .pdf. False = it cannot be written. Needs a QApplication.
+/// Plots times per step over the number of people, both axes logarithmic; format by file extension:
+/// .png, .svg or .pdf. False if it cannot be written. Requires a QApplication.
 bool drawBench(const std::vector<BenchPoint>& points, const QString& machine, const QString& file);
 
 }  // namespace app

@@ -18,7 +18,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/MemoryReserve.h"
 #include "app/run/DataPaths.h"
-#include "app/run/Reason.h"
+#include "app/run/ExceptionMessage.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -55,9 +55,9 @@ std::string extrasText(const CommandRegistry& commands, const std::string& first
   const std::optional<std::string> meant = base::nearestName(firstWord, commands.names());
   std::error_code ignored;
   if (root.get_subcommands().empty() && meant && !std::filesystem::exists(firstWord, ignored)) {
-    return "there is no command '" + firstWord + "' (did you mean '" + *meant + "'?)";
+    return "unknown command '" + firstWord + "' (did you mean '" + *meant + "'?)";
   }
-  return "not expected: " + base::join(root.remaining(true), " ");
+  return "unexpected arguments: " + base::join(root.remaining(true), " ");
 }
 
 /// What image libraries grumble is told by our own messages, with the file's name. A machine where
@@ -98,10 +98,10 @@ std::vector<std::string> CommandRegistry::names() const {
 }
 
 void CommandRegistry::addOutputOptions() {
-  root_.add_flag("-q,--quiet", quiet_, "No progress and no table");
+  root_.add_flag("-q,--quiet", quiet_, "Do not print progress or tables");
   for (CLI::App* command : root_.get_subcommands(nullptr)) {
-    command->add_flag("-q,--quiet", quiet_, "No progress and no table");
-    command->add_flag("--json", json_, "Machine-readable standard output");
+    command->add_flag("-q,--quiet", quiet_, "Do not print progress or tables");
+    command->add_flag("--json", json_, "Print machine-readable JSON");
   }
 }
 
@@ -152,104 +152,42 @@ void CommandRegistry::noteJson(const std::vector<std::string>& words) {
   json_ = std::find(words.begin(), words.end(), "--json") != words.end();
 }
 
-CLI::Validator oneOf(const std::vector<std::string>& names) {
-  const auto problem = [names](const std::string& word) {
-    const std::optional<std::string> meant = base::nearestName(word, names);
-    return std::find(names.begin(), names.end(), word) != names.end()
-               ? std::string()
-               : "'" + word + "' is none of " + base::join(names, ", ") +
-                     (meant ? " (did you mean '" + *meant + "'?)" : std::string());
-  };
-  return {problem, "{" + base::join(names, ",") + "}"};
-}
-
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help) {
   return *command.add_option("-o,--output", folder, help)->check([](const std::string& word) {
     if (word.empty()) {
-      return std::string("a folder is wanted");
+      return std::string("a folder is required");
     }
-    return word == "-" ? std::string("a folder is wanted (./- for one of the name -)")
+    return word == "-" ? std::string("a folder is required (./- for a folder named -)")
                        : std::string();
   });
 }
 
 void addForce(CLI::App& command, bool& force) {
-  command.add_flag("--force", force, "Replace files in the output folder that are of others");
+  command.add_flag("--force", force, "Overwrite files that hunavsim did not create");
 }
 
-void addMetricsOptions(CLI::App& command, MetricsWords& words) {
-  command.add_option("--metrics", words.metrics, "Selection: a metrics.yaml, or keys with commas");
-  command.add_option("--metrics-profile", words.profile, "corrected or hunav2")
-      ->check(oneOf({"corrected", "hunav2"}));
+void addMetricsOptions(CLI::App& command, MetricsOptions& options) {
+  command.add_option("--metrics", options.metrics,
+                     "Metrics: a metrics.yaml file, or comma-separated keys");
+  command
+      .add_option("--metrics-profile", options.metricsProfile,
+                  "Metric definitions: corrected or hunav2")
+      ->check(oneOf(metricProfiles()));
 }
 
 void addAllowCode(CLI::App& command, bool& allowed) {
   command.add_flag("--allow-code", allowed,
-                   "Programs and libraries that the scenario names as planners may start");
-}
-
-void addStrict(CLI::App& command, bool& isStrict) {
-  command.add_flag("--strict", isStrict,
-                   "Errors instead of warnings where something is replaced, left out, or takes a "
-                   "default instead of what is written");
-}
-
-void addNav2Params(CLI::App& command, std::vector<std::string>& entries) {
-  command
-      .add_option("--nav2-params", entries,
-                  "With --planner nav2: a parameter file, a name of those shipped, or a value as "
-                  "ROS 2 takes it (FollowPath.max_vel_x:=0.3, NODE:NAME:=VALUE); repeated: later "
-                  "ones win")
-      ->allow_extra_args(false);
-}
-
-void addRunOptions(CLI::App& command, RunOptions& options) {
-  command.add_option("--map", options.map,
-                     "Map to use instead of the scenario's; none = open plane");
-  command.add_option("--trees", options.trees, "Folder with the behaviour trees");
-  command.add_option("--seed", options.seed, "Seed of all random numbers")
-      ->check([](const std::string& text) {
-        return base::parseInt(text) ? std::string() : "'" + text + "' is no whole number that fits";
-      });
-  command.add_option("--duration", options.duration, "Length of the run [s]");
-  command.add_option("--stop-on-collision", options.stopOnCollision,
-                     "End when the robot touches people, or any(thing); usually none");
-  command.add_option("--stuck-after", options.stuckAfter,
-                     "End when the robot has come no nearer for so long [s]; 0 = never");
-  command.add_option("--dt", options.dt, "Time step [s]");
-  command.add_option("--model", options.model, "How people walk: see list models");
-  command.add_option("--robot", options.robot, "Type of the robot: see list robots");
-  command.add_option("--robot-start", options.robotStart, "\"X Y HEADING\" (m, m, rad)");
-  command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
-  command.add_option("--planner", options.planner, "How the robot plans: see list planners");
-  addNav2Params(command, options.nav2Params);
-  command.add_flag("--nav2-body", options.nav2Body,
-                   "With --planner nav2: radius or footprint of the robot are those of its "
-                   "parameter files");
-  command.add_option("--nav2-tree", options.nav2Tree,
-                     "With --planner nav2: the navigator's tree, or a name of those shipped");
-  command.add_option(
-      "--nav2-distro", options.nav2Distro,
-      "With --planner nav2: humble, jazzy, kilted, lyrical or main (default: guessed from "
-      "the file)");
-  command.add_option("--threads", options.threads, "Number of threads; results stay the same");
-  addMetricsOptions(command, options.metrics);
-  command.add_option("--record-every", options.recordEvery, "Record every N-th step");
-  command.add_option("--set", options.set, "PATH=VALUE: any value of the scenario")
-      ->allow_extra_args(false);
-  command.add_flag("--exact", options.exact, "Full double sum of forces");
-  command.add_option("--compat", options.compat, "hunav2, or quirks of the original: Q-13,Q-20");
-  addAllowCode(command, options.allowCode);
+                   "Allow the scenario to start external planner programs and libraries");
 }
 
 namespace {
 
 int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
-  CLI::App root{"HuNavSim Desktop: people and a robot on a map, drawn, simulated, measured"};
+  CLI::App root{"HuNavSim Desktop: edit, simulate and evaluate robots among people"};
   root.name("hunavsim");
   root.set_version_flag("-V,--version",
                         "hunavsim " + programVersion() + " (" + programCommit() + ")");
-  root.set_help_flag("-h,--help", "Show this text");
+  root.set_help_flag("-h,--help", "Print this help message and exit");
   CommandRegistry commands(root);
   commands.noteJson({argv, argv + argc});
   addWindow(commands);
@@ -271,9 +209,9 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     return tellWrongWords(commands, problem.what());
   } catch (const std::exception& problem) {  // no memory, a file that nobody foresaw
     if (commands.wantsJson()) {
-      printJson({base::error("program.failed", {reasonOf(problem)})});
+      printJson({base::error("program.failed", {exceptionMessage(problem)})});
     }
-    printError("error: " + reasonOf(problem));
+    printError("error: " + exceptionMessage(problem));
     return ExitRunFailed;
   }
 }
@@ -281,15 +219,15 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
 }  // namespace
 
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
-  setMemoryAside();
+  reserveMemory();
   qInstallMessageHandler(withoutLibraryWords);
   qSetGlobalQHashSeed(0);  // else Qt puts the fonts of a PDF into another order each time
-  keepAliveWhenFilesAreFull();
+  ignoreFileSizeSignal();
   const int code = doneBy(argc, argv, addWindow);
-  if (isPrinted() || code != ExitFine) {
+  if (wroteAllOutput() || code != ExitFine) {
     return code;
   }
-  printError("error: cannot write to the standard output");
+  printError("error: cannot write to standard output");
   return ExitBadInput;
 }
 

@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/run/RunOptions.h"
+#include "app/run/RunCommandLine.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
 class App;
 class Option;
-class Validator;
 }  // namespace CLI
 
 namespace app {
@@ -90,21 +89,13 @@ class CommandRegistry {
   bool quiet_ = false, json_ = false;
 };
 
-/// For check(): a word that is one of these; else the nearest is named.
-CLI::Validator oneOf(const std::vector<std::string>& names);
-/// -o, --output for a folder. "-" is none: it means the standard output, which takes one file.
+/// -o, --output for a folder. "-" is refused: it stands for the standard output, which takes one
+/// file.
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help);
-/// The options of `run`, which the window has too.
-void addRunOptions(CLI::App& command, RunOptions& options);
-/// `--strict`, of commands that read what is checked.
-void addStrict(CLI::App& command, bool& isStrict);
-/// `--nav2-params`, as often as it is given.
-void addNav2Params(CLI::App& command, std::vector<std::string>& entries);
-/// One of them.
+// Options that several commands have in common.
 void addAllowCode(CLI::App& command, bool& allowed);
 void addForce(CLI::App& command, bool& force);
-/// Those of them that choose metrics.
-void addMetricsOptions(CLI::App& command, MetricsWords& words);
+void addMetricsOptions(CLI::App& command, MetricsOptions& options);
 
 /// Reads the words and does what they say. `addWindow` adds what is done without a command.
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&));

@@ -20,14 +20,14 @@ namespace {
 // Set by the signal handler only.
 volatile std::sig_atomic_t interruptFlag = 0;
 volatile std::sig_atomic_t hasCtrlC = 0;
-base::StopFlag* stopAtInterrupt = nullptr;  // set before the handler is
+base::StopFlag* stopAtInterrupt = nullptr;  // set before the handler is installed
 
 const std::shared_ptr<base::StopFlag>& interruptStopFlag() {
   static const auto kFlag = std::make_shared<base::StopFlag>();
   return kFlag;
 }
 
-/// SIGTERM after Ctrl-C, as a terminal and a parent send them, is no second Ctrl-C.
+/// Only SIGINT counts as Ctrl-C: a terminal and a parent may send SIGTERM in addition.
 void onInterrupt(int signal) {
   if (signal == SIGINT && hasCtrlC != 0) {
     std::_Exit(128 + signal);
@@ -35,14 +35,14 @@ void onInterrupt(int signal) {
   hasCtrlC = signal == SIGINT ? 1 : hasCtrlC;
   interruptFlag = 1;
   if (stopAtInterrupt != nullptr) {
-    stopAtInterrupt->stop();  // sets an atomic flag: safe here
+    stopAtInterrupt->stop();  // sets an atomic flag, which is async-signal-safe
   }
 }
 
-/// The word of its severity stands out where somebody looks at it (no-color.org).
+/// Colours the severity for terminals (no-color.org).
 std::string inColor(const base::Diagnostic& diagnostic) {
   constexpr const char* kColors[] = {"36", "33", "31"};  // of Severity: cyan, yellow, red
-  std::string text = base::visible(diagnostic.text());
+  std::string text = base::escapedControls(diagnostic.text());
   const std::string word = std::string(base::severityName(diagnostic.severity)) + ":";
   const std::size_t at = text.find(word);
   if (at != std::string::npos) {
@@ -66,13 +66,13 @@ void print(const std::string& text) {
   std::cout << text << std::flush;
 }
 void printLine(const std::string& line) {
-  std::cout << base::visible(line, "\n\t") << '\n' << std::flush;
+  std::cout << base::escapedControls(line, "\n\t") << '\n' << std::flush;
 }
 void printError(const std::string& line) {
-  std::cerr << base::visible(line, "\n\t") << '\n';
+  std::cerr << base::escapedControls(line, "\n\t") << '\n';
 }
 
-bool isPrinted() {
+bool wroteAllOutput() {
   return std::cout.flush().good();
 }
 
@@ -82,7 +82,7 @@ void printTable(const std::vector<std::vector<std::string>>& rows) {
   for (std::vector<std::string>& row : shown) {
     widths.resize(std::max(widths.size(), row.size()), 0);
     for (std::size_t i = 0; i < row.size(); ++i) {
-      row[i] = base::visible(row[i]);
+      row[i] = base::escapedControls(row[i]);
       widths[i] = std::max(widths[i], row[i].size());
     }
   }
@@ -95,10 +95,11 @@ void printTable(const std::vector<std::vector<std::string>>& rows) {
   }
 }
 
-bool printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
+bool printDiagnostics(const base::Diagnostics& diagnostics, base::Severity minSeverity) {
   for (const base::Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.severity >= least) {
-      std::cerr << (isColorful() ? inColor(diagnostic) : base::visible(diagnostic.text())) << '\n';
+    if (diagnostic.severity >= minSeverity) {
+      std::cerr << (isColorful() ? inColor(diagnostic) : base::escapedControls(diagnostic.text()))
+                << '\n';
     }
   }
   return !base::hasErrors(diagnostics);
@@ -132,7 +133,7 @@ void catchInterrupts() {
   }
 }
 
-void keepAliveWhenFilesAreFull() {
+void ignoreFileSizeSignal() {
   struct sigaction action = {};
   action.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &action, nullptr);

@@ -6,35 +6,35 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
-#include "sim2d/base/Stop.h"
+#include "sim2d/base/StopFlag.h"
 
 /// Standard output and standard error of the commands, and Ctrl-C.
 namespace app {
 
 void print(const std::string& text);       // to standard output
-void printLine(const std::string& line);   // idem, with a line end
+void printLine(const std::string& line);   // likewise, with a line end
 void printError(const std::string& line);  // to standard error
-bool isPrinted();                          // the standard output took everything so far
-/// Columns two blanks apart, to standard output.
+bool wroteAllOutput();                     // whether all writes to standard output have succeeded
+/// Prints columns separated by two spaces to standard output.
 void printTable(const std::vector<std::vector<std::string>>& rows);
-/// A line each, to standard error; of `least` severity and above. False when an error is among
-/// them.
+/// Prints one line per diagnostic of severity `minSeverity` or higher to standard error. Returns
+/// false if an error is among them.
 bool printDiagnostics(const base::Diagnostics& diagnostics,
-                      base::Severity least = base::Severity::Info);
+                      base::Severity minSeverity = base::Severity::Info);
 
-/// The same as an array of objects, all of it to standard output.
+/// Prints all of them as a JSON array of objects to standard output.
 void printJson(const base::Diagnostics& diagnostics);
 
-/// From now on Ctrl-C, SIGTERM and the end of the terminal only set a flag; a second Ctrl-C ends
-/// the program at once. Under nohup the end of the terminal stays without effect.
+/// Makes Ctrl-C, SIGTERM and SIGHUP only set a flag; a second Ctrl-C terminates the program
+/// immediately. Under nohup, SIGHUP stays ignored.
 void catchInterrupts();
-/// A file beyond the limit of its size is an error of the write, not the end of the program.
-void keepAliveWhenFilesAreFull();
+/// Ignores SIGXFSZ: exceeding the file size limit becomes a write error.
+void ignoreFileSizeSignal();
 bool wasInterrupted();
-/// Stopped by the same: for what waits.
+/// A stop flag that the same signals set, for code that waits.
 base::StopFlagPtr interruptStop();
 
-/// A line on standard error that is renewed in place; silent unless that is a terminal.
+/// A progress line on standard error, updated in place; disabled unless that is a terminal.
 class Progress {
  public:
   explicit Progress(bool quiet);
@@ -43,9 +43,9 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   Progress(Progress&&) = delete;
   Progress& operator=(Progress&&) = delete;
-  /// At most ten times a second.
+  /// Updates the line at most ten times a second.
   void show(const std::string& text);
-  /// True when the next show would be drawn: spare the work of making the text otherwise.
+  /// Whether the next show() would update the line; lets callers skip formatting the text.
   bool isDue() const;
 
  private:

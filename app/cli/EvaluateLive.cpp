@@ -12,7 +12,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/EvaluateResults.h"
 #include "app/cli/EvaluateSource.h"
-#include "app/run/Reason.h"
+#include "app/run/ExceptionMessage.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -21,16 +21,17 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kLookEvery(100);  // for Ctrl-C
-constexpr std::size_t kLongestTag = 100;
+constexpr std::chrono::milliseconds kPollInterval(100);  // for Ctrl-C
+constexpr std::size_t kMaxTagLength = 100;
 
-/// Letters, digits, _ - and dots inside: what comes by the wire names no other place.
+/// Whether a tag is a safe folder name: letters, digits, _ - and inner dots. Tags arrive over the
+/// network and must not lead to other folders.
 bool isFolderName(const std::string& tag) {
   const auto isFine = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-' || c == '.';
   };
-  return !tag.empty() && tag.size() <= kLongestTag && tag.front() != '.' &&
+  return !tag.empty() && tag.size() <= kMaxTagLength && tag.front() != '.' &&
          std::all_of(tag.begin(), tag.end(), isFine);
 }
 
@@ -43,14 +44,14 @@ class LiveEvaluation {
 
  private:
   std::unique_ptr<bridge::Recorder> listen();
-  /// Errors: the folder cannot be used.
+  /// Error: the folder cannot be used.
   base::Diagnostics begin(const EvaluateOptions& recording);
-  bool beginAsAsked(const bridge::RecordingAsked& asked);
+  bool beginRequested(const bridge::RecordingRequest& asked);
   void end();
   void measure();
   void keepRecording();
   bool isTimeOver() const;
-  void say(const std::string& line) const {
+  void printStatus(const std::string& line) const {
     if (!given_.quiet && !given_.json) {
       printError(line);
     }
@@ -59,10 +60,10 @@ class LiveEvaluation {
   const EvaluateOptions& options_;
   const Invocation& given_;
   std::unique_ptr<bridge::Recorder> recorder_;
-  // of the recording
+  // The active recording.
   EvaluateOptions recording_;
   std::unique_ptr<OutputFolder> output_;
-  Clock::time_point begun_;
+  Clock::time_point startTime_;
   int code_ = ExitFine;
   bool isOver_ = false;
 };
@@ -70,20 +71,21 @@ class LiveEvaluation {
 std::unique_ptr<bridge::Recorder> LiveEvaluation::listen() {
   const base::Result<bridge::DomainSettings> domain = domainSettingsOf(options_.ros2);
   requireFine(domain.diagnostics());
-  EvaluateWords words;
-  requireFine(readWords(options_, words), ExitWrongCommandLine);
+  SourceOptions parsed;
+  requireFine(parseEvaluateOptions(options_, parsed), ExitWrongCommandLine);
   bridge::Recorder::Services services;
-  services.start = [this](const bridge::RecordingAsked& asked) { return beginAsAsked(asked); };
+  services.start = [this](const bridge::RecordingRequest& asked) { return beginRequested(asked); };
   services.stop = [this] { end(); };
   auto made = bridge::Recorder::create(
-      {*domain, options_.space, words.use}, services, [this](const base::Diagnostic& said) {
-        printDiagnostics({said}, given_.quiet ? base::Severity::Warning : base::Severity::Info);
+      {*domain, options_.space, parsed.use}, services, [this](const base::Diagnostic& diagnostic) {
+        printDiagnostics({diagnostic},
+                         given_.quiet ? base::Severity::Warning : base::Severity::Info);
       });
   requireFine(made.diagnostics());
-  say("listening in domain " + std::to_string(domain->domain) +
-      (domain->localhostOnly ? " on this machine" : " on the network") +
-      (options_.byServices ? "; hunav_start_recording begins, Ctrl-C ends it"
-                           : "; Ctrl-C ends the recording and measures it"));
+  printStatus("listening in domain " + std::to_string(domain->domain) +
+              (domain->localhostOnly ? " on this machine" : " on the network") +
+              (options_.byServices ? "; hunav_start_recording starts a recording, Ctrl-C quits"
+                                   : "; Ctrl-C stops the recording and computes its metrics"));
   return *std::move(made);
 }
 
@@ -94,12 +96,12 @@ base::Diagnostics LiveEvaluation::begin(const EvaluateOptions& recording) {
   if (output_ != nullptr) {
     recording_.source = (fs::path(output_->staging()) / kRecording).string();
     recorder_->begin(recording_.source);
-    begun_ = Clock::now();
+    startTime_ = Clock::now();
   }
   return problems;
 }
 
-bool LiveEvaluation::beginAsAsked(const bridge::RecordingAsked& asked) {
+bool LiveEvaluation::beginRequested(const bridge::RecordingRequest& asked) {
   EvaluateOptions recording = options_;
   recording.tag = asked.tag;
   recording.runId = asked.runId;
@@ -116,25 +118,25 @@ bool LiveEvaluation::beginAsAsked(const bridge::RecordingAsked& asked) {
   recording.layoutFolder = options_.output;
   const base::Diagnostics problems = begin(recording);
   printDiagnostics(problems);
-  say("recording " + name);
+  printStatus("recording " + name);
   return !base::hasErrors(problems);
 }
 
-/// Within the service that stops it, or by Ctrl-C: what is wrong ends this recording, no more.
+/// Called by the stop service or after Ctrl-C: problems end only this recording.
 void LiveEvaluation::end() {
-  say(std::to_string(recorder_->messages()) + " messages recorded");
+  printStatus(std::to_string(recorder_->messages()) + " messages recorded");
   base::Diagnostics problems = recorder_->end();
   isOver_ = !options_.byServices;
   try {
-    requireFine(output_->atTheirPlaces(problems), ExitRunFailed);
+    requireFine(output_->withFinalPaths(problems), ExitRunFailed);
     evaluateRecording(recording_, *output_, given_);
-    say("results in " + recording_.output);
+    printStatus("results written to " + recording_.output);
   } catch (const CommandEnd& ended) {
     code_ = ended.code;
     keepRecording();
   } catch (const std::exception& problem) {
     code_ = ExitRunFailed;
-    printError("error: " + reasonOf(problem));
+    printError("error: " + exceptionMessage(problem));
     keepRecording();
   }
   output_.reset();
@@ -143,15 +145,15 @@ void LiveEvaluation::end() {
 void LiveEvaluation::keepRecording() {
   base::Diagnostics problems;
   const std::string manifest = manifestOf(recording_, given_, problems);
-  base::append(problems, output_->commit(manifest, OutputFolder::Earlier::Removed));
+  base::append(problems, output_->commit(manifest, OutputFolder::EarlierFiles::Removed));
   if (printDiagnostics(problems)) {
-    say("the recording is kept: " + (fs::path(recording_.output) / kRecording).string());
+    printStatus("the recording is kept: " + (fs::path(recording_.output) / kRecording).string());
   }
 }
 
 bool LiveEvaluation::isTimeOver() const {
   return recorder_->isRecording() && options_.duration &&
-         std::chrono::duration<double>(Clock::now() - begun_).count() >= *options_.duration;
+         std::chrono::duration<double>(Clock::now() - startTime_).count() >= *options_.duration;
 }
 
 int LiveEvaluation::run() {
@@ -162,7 +164,7 @@ int LiveEvaluation::run() {
   }
   Progress progress(given_.quiet);
   while (!isOver_ && !wasInterrupted()) {
-    recorder_->spin(kLookEvery);
+    recorder_->spin(kPollInterval);
     if (recorder_->isRecording() && progress.isDue()) {
       progress.show(std::to_string(recorder_->messages()) + " messages");
     }
@@ -190,7 +192,7 @@ namespace app {
 
 int evaluateLive(const EvaluateOptions& options, const Invocation& /*given*/) {
   requireFine(domainSettingsOf(options.ros2).diagnostics());
-  return ExitBadInput;  // told before
+  return ExitBadInput;  // reported by requireFine above
 }
 
 }  // namespace app

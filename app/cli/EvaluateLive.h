@@ -1,14 +1,13 @@
 #pragma once
 
 #include "app/cli/CommandRegistry.h"
-#include "app/cli/EvaluateWords.h"
+#include "app/cli/EvaluateOptions.h"
 
 namespace app {
 
-/// Listens to a running system of ROS 2 and measures what it tells of people and a robot: one
-/// recording, from now until Ctrl-C, the end of its time or hunav_stop_recording; or as many as the
-/// services begin and end, each in a folder of its own. What was recorded stays even where it
-/// cannot be measured.
+/// Records agents and a robot from a running ROS 2 system and evaluates them: one recording until
+/// Ctrl-C, its time limit or hunav_stop_recording; or one per pair of service calls, each in its
+/// own folder. A recording is kept even if it cannot be evaluated.
 int evaluateLive(const EvaluateOptions& options, const Invocation& given);
 
 }  // namespace app

@@ -7,7 +7,7 @@
 
 #include "app/bridge/bag/Bag.h"
 #include "app/run/DataPaths.h"
-#include "app/run/ListedFiles.h"
+#include "app/run/ManifestFiles.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/JsonText.h"
 
@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kWay[] = {"trajectory.csv", "events.csv", "trace.json"};
+constexpr const char* kRunFiles[] = {"trajectory.csv", "events.csv", "trace.json"};
 
-/// All that may be written.
-std::vector<std::string> namesOfResults(const EvaluateOptions& options,
-                                        const sim2d::TraceHeader& header) {
+/// All files that may be written.
+std::vector<std::string> resultFileNames(const EvaluateOptions& options,
+                                         const sim2d::TraceHeader& header) {
   std::vector<std::string> names = {"metrics.json", "steps.csv"};
-  if (options.layout != "hunav2") {  // else rows are added to the table of this name
+  if (options.layout != "hunav2") {  // otherwise rows are appended to the table of this name
     names.emplace_back("metrics.csv");
   }
   const std::vector<std::string> robots = metrics::robotNames(header.robots);
@@ -35,26 +35,26 @@ std::vector<std::string> namesOfResults(const EvaluateOptions& options,
     names.emplace_back(kRecording);
   }
   if (!isRunFolder(options.source)) {
-    names.insert(names.end(), std::begin(kWay), std::end(kWay));
+    names.insert(names.end(), std::begin(kRunFiles), std::end(kRunFiles));
     names.emplace_back(sim2d::kPointsFile);
   }
   return names;
 }
 
-/// Into the folder of the run itself, whose other files stay.
-bool isIntoSource(const EvaluateOptions& options) {
+/// Whether the output is the folder of the run itself, whose other files stay.
+bool writesIntoSource(const EvaluateOptions& options) {
   std::error_code ignored;
   return isRunFolder(options.source) && fs::equivalent(options.source, options.output, ignored);
 }
 
-/// The files that were read, but for that of the map's image.
+/// The files that were read, except the map image.
 std::vector<std::string> inputsOf(const EvaluateOptions& options) {
   std::vector<std::string> inputs;
   const std::string source = options.ros2.ros2 ? std::string() : options.source;  // else an output
   for (const std::string& read :
        {source, options.reference, options.map, options.metrics.metrics}) {
     if (isRunFolder(read)) {
-      for (const char* name : kWay) {
+      for (const char* name : kRunFiles) {
         inputs.push_back((fs::path(read) / name).string());
       }
       const fs::path points = fs::path(read) / sim2d::kPointsFile;
@@ -71,11 +71,11 @@ std::vector<std::string> inputsOf(const EvaluateOptions& options) {
   return inputs;
 }
 
-/// Results of a run or a batch that `evaluate` would take away.
-base::Diagnostics otherRun(const EvaluateOptions& options) {
+/// Error if `evaluate` would remove the results of a run or a batch.
+base::Diagnostics checkNotOtherRun(const EvaluateOptions& options) {
   const std::string manifest = (fs::path(options.output) / "manifest.json").string();
-  std::error_code ignored;  // what is not there is not lost
-  if (!fs::exists(manifest, ignored) || isIntoSource(options) || options.force) {
+  std::error_code ignored;  // a missing file is not lost
+  if (!fs::exists(manifest, ignored) || writesIntoSource(options) || options.force) {
     return {};
   }
   const base::Result<std::string> text = base::readTextFile(manifest);
@@ -85,14 +85,14 @@ base::Diagnostics otherRun(const EvaluateOptions& options) {
              : base::Diagnostics{base::error("file.other-run", {}, options.output)};
 }
 
-/// Files that are read and would be replaced by results of the same name.
-base::Diagnostics lostInputs(const EvaluateOptions& options,
-                             const std::vector<std::string>& written) {
+/// Errors for input files that results of the same name would overwrite.
+base::Diagnostics overwrittenInputs(const EvaluateOptions& options,
+                                    const std::vector<std::string>& written) {
   base::Diagnostics problems;
   for (const std::string& read :
        {options.source, options.reference, options.map, options.metrics.metrics}) {
     for (const std::string& name : written) {
-      std::error_code ignored;  // what is not there is not lost
+      std::error_code ignored;  // a missing file is not lost
       const fs::path place = fs::path(options.output) / name;
       if (fs::is_regular_file(read, ignored) && fs::equivalent(read, place, ignored)) {
         problems.push_back(base::error("file.is-read", {}, read));
@@ -107,12 +107,12 @@ base::Diagnostics lostInputs(const EvaluateOptions& options,
 std::unique_ptr<OutputFolder> openEvaluation(const EvaluateOptions& options,
                                              const sim2d::TraceHeader& header,
                                              base::Diagnostics& problems) {
-  std::vector<std::string> names = namesOfResults(options, header);
+  std::vector<std::string> names = resultFileNames(options, header);
   if (options.layout == "hunav1") {
     names.emplace_back("metrics.yaml");
   }
-  base::Diagnostics lost = otherRun(options);
-  base::append(lost, lostInputs(options, names));
+  base::Diagnostics lost = checkNotOtherRun(options);
+  base::append(lost, overwrittenInputs(options, names));
   if (base::hasErrors(lost)) {
     base::append(problems, lost);
     return nullptr;
@@ -123,7 +123,7 @@ std::unique_ptr<OutputFolder> openEvaluation(const EvaluateOptions& options,
   if (!opened) {
     return nullptr;
   }
-  lost = (*opened)->inTheWay(namesOfResults(options, header));
+  lost = (*opened)->conflictingFiles(resultFileNames(options, header));
   base::append(problems, lost);
   return lost.empty() ? *std::move(opened) : nullptr;
 }
@@ -157,7 +157,7 @@ base::Diagnostics writeEvaluation(const EvaluateOptions& options, const Measured
     write(metrics::robotFile("metrics", other.robot), metrics::metricsCsv(other));
     write(metrics::robotFile("steps", other.robot), metrics::stepsCsv(other));
   }
-  if (!isRunFolder(options.source)) {  // as a run, so that it can be drawn and measured again
+  if (!isRunFolder(options.source)) {  // as a run, so that it can be rendered and evaluated again
     write("trajectory.csv", sim2d::trajectoryCsv(trace));
     write("events.csv", sim2d::eventsCsv(trace));
     write("trace.json", sim2d::traceJson(trace.header));
@@ -168,11 +168,11 @@ base::Diagnostics writeEvaluation(const EvaluateOptions& options, const Measured
   if (base::hasErrors(problems)) {
     return problems;
   }
-  output.drop(namesOfResults(options, trace.header));
+  output.removeOnCommit(resultFileNames(options, trace.header));
   const std::string manifest = manifestOf(options, given, problems);
-  base::append(problems,
-               output.commit(manifest, isIntoSource(options) ? OutputFolder::Earlier::Kept
-                                                             : OutputFolder::Earlier::Removed));
+  base::append(problems, output.commit(manifest, writesIntoSource(options)
+                                                     ? OutputFolder::EarlierFiles::Kept
+                                                     : OutputFolder::EarlierFiles::Removed));
   if (!options.layout.empty() && !base::hasErrors(problems)) {
     const fs::path folder = options.layoutFolder.empty() ? options.output : options.layoutFolder;
     const auto files =

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/CommandRegistry.h"
-#include "app/cli/EvaluateWords.h"
+#include "app/cli/EvaluateOptions.h"
 #include "app/run/OutputFolder.h"
 #include "metrics/Report.h"
 #include "sim2d/trace/RecordedPoints.h"
@@ -12,22 +12,22 @@
 
 namespace app {
 
-/// Null when it cannot be written to, or would lose something: told.
+/// Opens the output folder. Null if it is not writable or files would be lost; see `problems`.
 std::unique_ptr<OutputFolder> openEvaluation(const EvaluateOptions& options,
                                              const sim2d::TraceHeader& header,
                                              base::Diagnostics& problems);
 
-/// What is known of the evaluation besides its results.
+/// The manifest of the evaluation.
 std::string manifestOf(const EvaluateOptions& options, const Invocation& given,
                        base::Diagnostics& warnings);
 
-/// The record that was measured.
+/// The evaluated recording.
 struct Measured {
   const sim2d::Trace& trace;
-  const sim2d::RecordedPoints& points;  // from the source of the record
+  const sim2d::RecordedPoints& points;  // from the source of the recording
 };
 
-/// All files of the results.
+/// Writes all result files.
 base::Diagnostics writeEvaluation(const EvaluateOptions& options, const Measured& measured,
                                   const metrics::Evaluation& evaluation, OutputFolder& output,
                                   const Invocation& given);

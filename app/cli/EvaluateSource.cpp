@@ -1,16 +1,21 @@
 #include "app/cli/EvaluateSource.h"
 
+#include <algorithm>
+#include <functional>
+#include <string_view>
+#include <vector>
+
 #include "app/bridge/bag/Bag.h"
 #include "app/cli/Console.h"
 #include "app/cli/EvaluateResults.h"
 #include "app/cli/MapImages.h"
-#include "app/cli/MissingInputs.h"
 #include "app/run/Bundle.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
+#include "metrics/MetricRegistry.h"
 #include "metrics/RecordedObstacles.h"
 #include "metrics/ReportFiles.h"
-#include "metrics/RobotPlaces.h"
+#include "metrics/RobotPositions.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -26,11 +31,11 @@ base::Result<sim2d::Trace> readRunWithPoints(const std::string& folder,
   return readRun(folder);
 }
 
-/// `points`: takes the obstacle points that the source gives.
+/// `points`: receives the obstacle points of the source.
 base::Result<sim2d::Trace> readSource(const std::string& source,
-                                      const sim2d::ForeignOptions& reading,
+                                      const sim2d::TrackImportOptions& reading,
                                       const sim2d::TrackOptions& tracks,
-                                      const bridge::BagUse& use = {},
+                                      const bridge::BagTopicOptions& use = {},
                                       sim2d::RecordedPoints* points = nullptr) {
   if (isRunFolder(source)) {
     return points == nullptr ? readRun(source) : readRunWithPoints(source, *points);
@@ -38,23 +43,23 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
   if (bridge::isBag(source)) {
     return bridge::readBagTrace(source, use, tracks, points);
   }
-  const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);
+  const base::Result<sim2d::TrackFile> file = sim2d::importTracks(source, reading);
   if (!file) {
     return file.diagnostics();
   }
   base::Result<sim2d::Trace> trace = sim2d::traceOfTracks(*file, tracks);
-  base::Diagnostics told = file.diagnostics();
-  base::append(told, trace.diagnostics());
-  return trace ? base::Result<sim2d::Trace>(*std::move(trace), std::move(told))
-               : base::Result<sim2d::Trace>(std::move(told));
+  base::Diagnostics problems = file.diagnostics();
+  base::append(problems, trace.diagnostics());
+  return trace ? base::Result<sim2d::Trace>(*std::move(trace), std::move(problems))
+               : base::Result<sim2d::Trace>(std::move(problems));
 }
 
-/// Which robot of a run is measured: the one of the word, else every one.
+/// Selects the robot of a run: the one given, otherwise all.
 void chooseRobot(const EvaluateOptions& options, const sim2d::TraceHeader& header,
                  metrics::Selection& selection, base::Diagnostics& wrong) {
   selection.everyRobot = options.robot.empty();
   if (!options.robot.empty() && isRunFolder(options.source)) {
-    const base::Result<int> robot = robotOfWord(header, options.robot);
+    const base::Result<int> robot = robotIdOf(header, options.robot);
     base::append(wrong, robot.diagnostics());
     selection.robotId = robot ? *robot : selection.robotId;
   }
@@ -75,9 +80,10 @@ base::Diagnostics replaceMap(const EvaluateOptions& options, sim2d::Trace& trace
   return file.diagnostics();
 }
 
-/// Of a file whose only body is taken for a robot, with the goal and the step of the source.
+/// If the only body of a file is an agent, it is read as a robot, with the goal and step of the
+/// source.
 base::Result<sim2d::Trace> readReferenceRun(const std::string& source,
-                                            const sim2d::ForeignOptions& reading,
+                                            const sim2d::TrackImportOptions& reading,
                                             sim2d::TrackOptions tracks) {
   base::Result<sim2d::Trace> trace = readSource(source, reading, {});
   const bool hasRobot = trace && !trace->header.robots.empty();
@@ -89,9 +95,9 @@ base::Result<sim2d::Trace> readReferenceRun(const std::string& source,
   return readSource(source, reading, tracks);
 }
 
-/// The way of a lone person, from the first instant; nothing when there are others.
-std::optional<metrics::TimedWay> wayOfLonePerson(const sim2d::Trace& trace) {
-  metrics::TimedWay way;
+/// The trajectory of the only agent, with time from 0; nullopt if there are several.
+std::optional<metrics::TimedPath> trajectoryOfOnlyAgent(const sim2d::Trace& trace) {
+  metrics::TimedPath way;
   double begin = 0.0;
   for (const sim2d::Frame& frame : trace.frames) {
     const sim2d::HumanColumns& humans = frame.humans;
@@ -106,45 +112,46 @@ std::optional<metrics::TimedWay> wayOfLonePerson(const sim2d::Trace& trace) {
   return way;
 }
 
-/// The way of the robot in another run, measured as that of the source is.
-base::Result<metrics::TimedWay> readReference(const std::string& source,
-                                              const sim2d::ForeignOptions& reading,
-                                              const sim2d::TrackOptions& tracks,
-                                              const MetricsSetup& setup) {
+/// The path of the robot in another run, measured as in the source.
+base::Result<metrics::TimedPath> readReference(const std::string& source,
+                                               const sim2d::TrackImportOptions& reading,
+                                               const sim2d::TrackOptions& tracks,
+                                               const MetricsSetup& setup) {
   const base::Result<sim2d::Trace> trace = readReferenceRun(source, reading, tracks);
   if (!trace) {
     return trace.diagnostics();
   }
-  const std::optional<metrics::TimedWay> way =
-      trace->header.robots.empty() ? wayOfLonePerson(*trace)
-                                   : metrics::wayOf(*trace, setup.selection, setup.parameters);
+  const std::optional<metrics::TimedPath> way =
+      trace->header.robots.empty()
+          ? trajectoryOfOnlyAgent(*trace)
+          : metrics::robotPathOf(*trace, setup.selection, setup.parameters);
   if (!way || way->empty()) {
     return base::error(way ? "option.reference-empty" : "option.reference-people", {}, source);
   }
   return {*way, trace.diagnostics()};
 }
 
-/// All that is measured, and how.
+/// The recording with the settings of its evaluation.
 struct Prepared {
   base::Result<sim2d::Trace> trace = base::error("bag.no-bag");  // until it is read
-  sim2d::RecordedPoints points;                                  // that the source gives
+  sim2d::RecordedPoints points;                                  // from the source
   MetricsSetup setup;
   base::Diagnostics problems;
 };
 
 Prepared prepare(const EvaluateOptions& options) {
-  EvaluateWords words;
-  base::Diagnostics wrong = readWords(options, words);
+  SourceOptions parsed;
+  base::Diagnostics wrong = parseEvaluateOptions(options, parsed);
   requireFine(wrong, ExitWrongCommandLine);
   Prepared made;
-  made.trace = readSource(options.source, words.reading, words.tracks, words.use, &made.points);
+  made.trace = readSource(options.source, parsed.reading, parsed.tracks, parsed.use, &made.points);
   made.problems = made.trace.diagnostics();
   if (made.trace) {
     base::append(made.problems, replaceMap(options, *made.trace));
     base::append(made.problems, readMetricsSetup(made.trace->header, made.setup));
     chooseRobot(options, made.trace->header, made.setup.selection, wrong);
   }
-  base::append(made.problems, chooseMetrics(options.metrics, made.setup, wrong));
+  base::append(made.problems, applyMetricsOptions(options.metrics, made.setup, wrong));
   requireFine(wrong, ExitWrongCommandLine);
   if (made.trace && isBagSource(options)) {
     base::append(made.problems,
@@ -152,7 +159,7 @@ Prepared prepare(const EvaluateOptions& options) {
   }
   if (!options.reference.empty()) {
     const auto reference =
-        readReference(options.reference, words.reading, words.tracks, made.setup);
+        readReference(options.reference, parsed.reading, parsed.tracks, made.setup);
     base::append(made.problems, reference.diagnostics());
     if (reference) {
       made.setup.selection.reference = *reference;
@@ -173,7 +180,7 @@ void measure(const EvaluateOptions& options, const Prepared& prepared, OutputFol
   if (given.json) {
     print(metrics::toJson(*evaluation));
   } else if (!given.quiet) {
-    print(base::visible(metrics::tableText(*evaluation), "\n"));
+    print(base::escapedControls(metrics::tableText(*evaluation), "\n"));
   }
 }
 
@@ -190,8 +197,116 @@ void evaluateSource(const EvaluateOptions& options, const Invocation& given) {
 void evaluateRecording(const EvaluateOptions& options, OutputFolder& output,
                        const Invocation& given) {
   const Prepared prepared = prepare(options);
-  requireFine(output.atTheirPlaces(prepared.problems), ExitBadInput, base::Severity::Warning);
+  requireFine(output.withFinalPaths(prepared.problems), ExitBadInput, base::Severity::Warning);
   measure(options, prepared, output, given);
+}
+
+namespace {
+
+using metrics::MetricInfo;
+
+constexpr char kRecorded[] = "recorded";  // model of pedestrians, type of the robot
+
+bool isForeign(const sim2d::TraceHeader& header) {
+  const bool hasPeople =
+      std::any_of(header.humans.begin(), header.humans.end(),
+                  [](const sim2d::TraceHuman& human) { return human.model == kRecorded; });
+  return hasPeople || (!header.robots.empty() && header.robots.front().type == kRecorded);
+}
+
+bool hasOutlines(const sim2d::TraceHeader& header) {
+  return !header.map.isEmpty() ||
+         std::any_of(header.obstacles.begin(), header.obstacles.end(),
+                     [](const sim2d::TraceObstacle& each) { return !each.outlines.empty(); });
+}
+
+/// Whether any pedestrian has a social force factor.
+bool hasFactors(const std::vector<sim2d::TraceHuman>& humans) {
+  return std::any_of(humans.begin(), humans.end(), [](const sim2d::TraceHuman& human) {
+    return std::any_of(human.parameters.begin(), human.parameters.end(),
+                       [](const auto& each) { return each.first == "social_force_factor"; });
+  });
+}
+
+bool isKey(const MetricInfo& info, std::string_view key) {
+  return info.key == key || info.partOf == key;
+}
+
+class MissingInputs {
+ public:
+  MissingInputs(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
+                const MetricsSetup& setup, const std::string& source)
+      : header_(trace.header),
+        points_(points),
+        source_(source),
+        profile_(setup.parameters.profile),
+        entries_(setup.selection.entries(metrics::standardRegistry())) {}
+
+  base::Diagnostics find() {
+    const bool hasRobot = !header_.robots.empty();
+    findPoints();
+    if (header_.map.isEmpty() && hasRobot) {
+      add("bag.no-map", [](const MetricInfo& info) { return info.needs.map; });
+    }
+    if (hasRobot && header_.robots.front().goals.empty()) {
+      add("bag.no-goal", [](const MetricInfo& info) { return info.needs.goal; });
+    }
+    const bool usesFactors = profile_ == metrics::Profile::Corrected;
+    if (usesFactors && hasRobot && !header_.humans.empty() && !hasFactors(header_.humans)) {
+      add("bag.no-factors", [](const MetricInfo& info) {
+        return isKey(info, "social_force_on_agents") || isKey(info, "social_work");
+      });
+    }
+    if (hasRobot) {
+      add("bag.no-replans", [](const MetricInfo& info) { return isKey(info, "replanning_count"); });
+    }
+    return std::move(missing_);
+  }
+
+ private:
+  /// Where obstacle points are computed from walls, only the forces lack the recorded ones.
+  void findPoints() {
+    const bool hasWalls = hasOutlines(header_);
+    if (!header_.humans.empty() && !points_.hasPeople()) {
+      add(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-people",
+          [](const MetricInfo& info) { return info.needs.obstacles && !info.needs.robot; });
+    }
+    if (!header_.robots.empty() && !points_.hasRobot()) {
+      add(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-robot",
+          [hasWalls](const MetricInfo& info) {
+            const bool isForce =
+                isKey(info, "obstacle_force_on_robot") || isKey(info, "social_work");
+            return info.needs.obstacles && info.needs.robot && (!hasWalls || isForce);
+          });
+    }
+  }
+
+  void add(const char* code, const std::function<bool(const MetricInfo&)>& needsInput) {
+    std::vector<std::string> keys;
+    for (const metrics::MetricEntry& entry : entries_) {
+      if (needsInput(entry.info)) {
+        keys.push_back(entry.info.key);
+      }
+    }
+    if (!keys.empty()) {
+      missing_.push_back(base::warning(code, {base::join(keys, ", ")}, source_));
+    }
+  }
+
+  const sim2d::TraceHeader& header_;
+  const sim2d::RecordedPoints& points_;
+  const std::string& source_;
+  metrics::Profile profile_;
+  std::vector<metrics::MetricEntry> entries_;
+  base::Diagnostics missing_;
+};
+
+}  // namespace
+
+base::Diagnostics missingInputs(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
+                                const MetricsSetup& setup, const std::string& source) {
+  return isForeign(trace.header) ? MissingInputs(trace, points, setup, source).find()
+                                 : base::Diagnostics();
 }
 
 }  // namespace app

@@ -8,16 +8,16 @@
 
 namespace app {
 
-/// Who is who in a figure, in a column beside the map or in columns below it.
+/// The legend of bodies in a figure, in a column beside the map or in columns below it.
 class FigureLegend {
  public:
-  FigureLegend(const sim2d::Trace& trace, const FigureMap& map, const FigureMeasures& measures,
+  FigureLegend(const sim2d::Trace& trace, const FigureMap& map, const FigureSizes& sizes,
                const FigureText& text);
 
-  /// Its height [px] with everybody, up to a number that makes no picture tall.
+  /// The height [px] with all bodies, limited so that the picture does not become too tall.
   double heightBeside() const;
   double heightBelow(double width) const;
-  /// `left`, `top`: of the title; `foot`: baseline of the last line.
+  /// `leftTop`: of the title; `foot`: baseline of the last line.
   void paintBeside(QPainter& painter, const QPointF& leftTop, double foot, const QString& when,
                    const QString& last) const;
   void paintBelow(QPainter& painter, const QPointF& leftTop, double width,
@@ -35,31 +35,31 @@ class FigureLegend {
 
   const QString title_;
   const FigureMap& map_;
-  const FigureMeasures measures_;
+  const FigureSizes sizes_;
   const FigureText& text_;
   const std::vector<Entry> entries_;
 };
 
-/// What the overlays of a figure mean: in lines below the map.
-class FigureKey {
+/// The legend of the overlays of a figure, in lines below the map.
+class OverlayLegend {
  public:
-  FigureKey(const FigureMap& map, const FigureMeasures& measures, const FigureText& text,
-            const FigureOptions& options);
+  OverlayLegend(const FigureMap& map, const FigureSizes& sizes, const FigureText& text,
+                const FigureOptions& options);
   double height(double width) const;  // [px]; 0 without overlays and marks
   void paint(QPainter& painter, const QPointF& leftTop, double width) const;
 
  private:
   struct Item {
-    double width = 0.0;                                    // [px], with its gap
-    std::function<void(QPainter&, const QPointF&)> paint;  // at its left end, on the baseline
+    double width = 0.0;                                    // [px], including the gap
+    std::function<void(QPainter&, const QPointF&)> paint;  // at the left end, on the baseline
   };
   std::vector<Item> items() const;
-  Item words(double sample, const QString& says,
-             std::function<void(QPainter&, const QPointF&)> paintSample) const;
+  Item textItem(double sample, const QString& label,
+                std::function<void(QPainter&, const QPointF&)> paintSample) const;
   void addArrows(std::vector<Item>& items) const;
 
   const FigureMap& map_;
-  const FigureMeasures measures_;
+  const FigureSizes sizes_;
   const FigureText& text_;
   const FigureOptions options_;
 };

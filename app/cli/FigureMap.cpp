@@ -12,17 +12,46 @@
 
 namespace app {
 
+std::map<int, Track> tracksOf(const sim2d::Trace& trace) {
+  std::map<int, Track> tracks;
+  const auto add = [&tracks](const auto& columns, double time) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      Track& track = tracks[columns.id[k]];
+      track.id = columns.id[k];
+      track.points.emplace_back(columns.x[k], columns.y[k]);
+      track.headings.push_back(columns.heading[k]);
+      track.velocities.emplace_back(columns.vx[k], columns.vy[k]);
+      track.times.push_back(time);
+    }
+  };
+  for (const sim2d::Frame& frame : trace.frames) {
+    add(frame.humans, frame.time);
+    add(frame.robots, frame.time);
+  }
+  const auto describe = [&tracks](const auto& bodies) {
+    for (const auto& body : bodies) {
+      if (const auto found = tracks.find(body.id); found != tracks.end()) {
+        found->second.name = QString::fromStdString(body.name);
+        found->second.radius = body.radius;
+      }
+    }
+  };
+  describe(trace.header.humans);
+  describe(trace.header.robots);
+  return tracks;
+}
+
 using editor::Role;
 using editor::Theme;
 using sim2d::Vec2;
 
 namespace {
 
-constexpr double kLeastStep = 0.25;  // px between the points of a way
-constexpr double kAround = 0.5;      // [m] of the ground around what is drawn
+constexpr double kMinStep = 0.25;  // [px] between the points of a trajectory
+constexpr double kMargin = 0.5;    // [m] margin around the drawn area
 constexpr int kFadeSteps = 12;
-constexpr double kTinyMap = 30.0;   // px/m
-constexpr double kMapDetail = 3.0;  // px of its image for each of the picture
+constexpr double kTinyMap = 30.0;         // [px/m]
+constexpr double kMapOversampling = 3.0;  // image pixels per picture pixel
 
 }  // namespace
 
@@ -34,10 +63,10 @@ double barLength(double pixelsPerMetre, double longest) {
   return metres;
 }
 
-FigureMap::FigureMap(const sim2d::Trace& trace, const FigureMeasures& measures,
-                     const FigureText& text, const FigureOptions& options)
+FigureMap::FigureMap(const sim2d::Trace& trace, const FigureSizes& sizes, const FigureText& text,
+                     const FigureOptions& options)
     : trace_(trace),
-      measures_(measures),
+      sizes_(sizes),
       text_(text),
       theme_(text.theme()),
       options_(options),
@@ -55,8 +84,8 @@ void FigureMap::place(const QRectF& room) {
   map_ = drawnMap();
 }
 
-double FigureMap::wallsLeft() const {
-  return mapRect_.left() + kAround * frame_.scale;
+double FigureMap::drawnLeft() const {
+  return mapRect_.left() + kMargin * frame_.scale;
 }
 
 double FigureMap::lastTime() const {
@@ -93,20 +122,20 @@ void FigureMap::paint(QPainter& painter, std::optional<double> time) {
 }
 
 void FigureMap::paintScale(QPainter& painter, const QPointF& left) const {
-  const double metres = barLength(frame_.scale, measures_.isNarrow ? 90.0 : 160.0);
+  const double metres = barLength(frame_.scale, sizes_.isNarrow ? 90.0 : 160.0);
   const QPointF right(left.x() + metres * frame_.scale, left.y());
   painter.setPen(QPen(theme_.color(Role::Text), 1.5));
   painter.drawLine(left, right);
   painter.drawLine(left + QPointF(0.0, -5.0), left);
   painter.drawLine(right + QPointF(0.0, -5.0), right);
-  text_.write(painter, right + QPointF(8.0, 1.0), theme_.figureFont(measures_.small()), Role::Text,
+  text_.write(painter, right + QPointF(8.0, 1.0), theme_.figureFont(sizes_.small()), Role::Text,
               QStringLiteral("%1 m").arg(metres));
 }
 
 QRectF FigureMap::extent() const {
   QRectF box;
   const auto include = [&box](const Vec2& point) {
-    const QRectF dot(point.x() - kAround, point.y() - kAround, 2.0 * kAround, 2.0 * kAround);
+    const QRectF dot(point.x() - kMargin, point.y() - kMargin, 2.0 * kMargin, 2.0 * kMargin);
     box = box.isNull() ? dot : box.united(dot);
   };
   for (const sim2d::TraceObstacle& obstacle : trace_.header.obstacles) {
@@ -120,12 +149,12 @@ QRectF FigureMap::extent() const {
   return box.isNull() ? QRectF(-5.0, -5.0, 10.0, 10.0) : box;
 }
 
-/// With its walls, cut to its place. An image: not all that draws can cut.
+/// The map with its walls, clipped. An image, because not every paint device can clip.
 QImage FigureMap::drawnMap() const {
-  constexpr double kMostSide = 4000.0;  // [pixels]; a poster of metres has no more
-  const QSizeF wanted = mapRect_.size() * (measures_.isNarrow ? kMapDetail : 1.0);
+  constexpr double kMaxSide = 4000.0;  // [px]; a limit for poster-sized pictures
+  const QSizeF wanted = mapRect_.size() * (sizes_.isNarrow ? kMapOversampling : 1.0);
   const double longer = std::max(wanted.width(), wanted.height());
-  const QSize pixels = (wanted * std::min(1.0, kMostSide / std::max(longer, 1.0))).toSize();
+  const QSize pixels = (wanted * std::min(1.0, kMaxSide / std::max(longer, 1.0))).toSize();
   QImage drawn = editor::blankImage(pixels.expandedTo(QSize(1, 1)), QImage::Format_RGB32);
   drawn.fill(theme_.color(Role::MapFree));
   const sim2d::OccupancyGrid& grid = trace_.header.map;
@@ -170,7 +199,7 @@ void FigureMap::paintObstacles() const {
   }
 }
 
-/// Of a person.
+/// Of an agent.
 editor::Look FigureMap::lookOf(int id) const {
   const std::vector<sim2d::TraceHuman>& humans = trace_.header.humans;
   const auto found = std::find_if(humans.begin(), humans.end(),
@@ -182,21 +211,21 @@ QColor FigureMap::colorOf(int id) const {
   return id < 0 ? theme_.color(Role::RobotLine) : theme_.line(lookOf(id));
 }
 
-/// Up to now, without points that nobody could tell apart.
+/// Up to the present time, without points closer than kMinStep.
 QPolygonF FigureMap::lineOf(const Track& track) const {
   QPolygonF line;
-  const std::size_t count = track.until(time_);
+  const std::size_t count = track.countUntil(time_);
   for (std::size_t k = 0; k < count; ++k) {
     const QPointF point = frame_.at(track.points[k]);
     const QPointF step = line.isEmpty() ? point : point - line.back();
-    if (line.isEmpty() || std::hypot(step.x(), step.y()) >= kLeastStep || k + 1 == count) {
+    if (line.isEmpty() || std::hypot(step.x(), step.y()) >= kMinStep || k + 1 == count) {
       line << point;
     }
   }
   return line;
 }
 
-/// Light at the start, full at the end: a few pieces of rising strength.
+/// Fades from light at the start to full at the end, in kFadeSteps steps of opacity.
 void FigureMap::paintTrack(const Track& track) const {
   const QPolygonF line = lineOf(track);
   if (line.size() < 2) {
@@ -209,24 +238,24 @@ void FigureMap::paintTrack(const Track& track) const {
     const auto to = line.begin() + last * (piece + 1) / kFadeSteps;
     QColor color = full;
     color.setAlphaF(0.22 + 0.78 * (piece + 1) / kFadeSteps);
-    painter_->setPen(QPen(color, measures_.line() * (track.id < 0 ? 4.0 / 3.0 : 1.0),
+    painter_->setPen(QPen(color, sizes_.line() * (track.id < 0 ? 4.0 / 3.0 : 1.0),
                           track.id < 0 ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
     painter_->drawPolyline(&*from, static_cast<int>(to - from) + 1);
   }
 }
 
 void FigureMap::paintStart(const Track& track) const {
-  if (track.until(time_) > 0) {
-    const double ring = 0.7 * measures_.body();
-    painter_->setPen(QPen(colorOf(track.id), 1.1 * measures_.line()));
+  if (track.countUntil(time_) > 0) {
+    const double ring = 0.7 * sizes_.body();
+    painter_->setPen(QPen(colorOf(track.id), 1.1 * sizes_.line()));
     painter_->setBrush(theme_.color(Role::MapFree));
     painter_->drawEllipse(frame_.at(track.points.front()), ring, ring);
   }
 }
 
-/// Where the body is drawn, counted from 0; none: it has not come yet, or is gone.
-std::optional<std::size_t> FigureMap::placeOf(const Track& track) const {
-  const std::size_t count = track.until(time_);
+/// The index of the drawn position; nullopt: the body is not present.
+std::optional<std::size_t> FigureMap::positionIndexOf(const Track& track) const {
+  const std::size_t count = track.countUntil(time_);
   const auto next =
       std::upper_bound(trace_.frames.begin(), trace_.frames.end(), time_,
                        [](double time, const sim2d::Frame& frame) { return time < frame.time; });
@@ -235,11 +264,11 @@ std::optional<std::size_t> FigureMap::placeOf(const Track& track) const {
   return isSeen ? std::optional(count - 1) : std::nullopt;
 }
 double FigureMap::radiusOf(const Track& track) const {
-  return std::max(measures_.body(), track.radius * frame_.scale);
+  return std::max(sizes_.body(), track.radius * frame_.scale);
 }
 
 void FigureMap::paintBody(const Track& track) const {
-  const std::optional<std::size_t> at = placeOf(track);
+  const std::optional<std::size_t> at = positionIndexOf(track);
   if (!at) {
     return;
   }
@@ -258,16 +287,16 @@ void FigureMap::paintBody(const Track& track) const {
   painter_->restore();
 }
 
-/// The name below the figure, on a halo of the ground.
+/// The name below the body, with a halo in the ground colour.
 void FigureMap::label(const Track& track) const {
-  const std::optional<std::size_t> at = placeOf(track);
+  const std::optional<std::size_t> at = positionIndexOf(track);
   if (!at) {
     return;
   }
-  const QFont font = theme_.font(measures_.small());
+  const QFont font = theme_.font(sizes_.small());
   const QPointF place = frame_.at(track.points[*at]);
   const QPointF baseline(place.x() - QFontMetricsF(font).horizontalAdvance(track.name) / 2.0,
-                         place.y() + radiusOf(track) + (measures_.isNarrow ? 10.0 : 13.0));
+                         place.y() + radiusOf(track) + (sizes_.isNarrow ? 10.0 : 13.0));
   const QPainterPath text = editor::textOutline(baseline, font, track.name);
   painter_->strokePath(text, QPen(theme_.color(Role::MapFree, 0.85), 3.5));
   painter_->fillPath(text, theme_.color(Role::Text));
@@ -288,19 +317,18 @@ void FigureMap::paintGoals() const {
   }
   for (const sim2d::TraceRobot& machine : trace_.header.robots) {
     for (const sim2d::TraceGoal& goal : machine.goals) {
-      painter_->setPen(QPen(theme_.color(Role::RobotBody), 1.1 * measures_.line()));
+      painter_->setPen(QPen(theme_.color(Role::RobotBody), 1.1 * sizes_.line()));
       painter_->setBrush(theme_.color(Role::RobotFront));
-      painter_->drawEllipse(frame_.at(goal.position), 1.15 * measures_.body(),
-                            1.15 * measures_.body());
+      painter_->drawEllipse(frame_.at(goal.position), 1.15 * sizes_.body(), 1.15 * sizes_.body());
     }
   }
 }
 
-/// At the painter's origin, the number as other text.
+/// At the painter's origin, with the number written by text_.
 void FigureMap::pin(const QString& number) const {
   const bool isTiny =
-      !options_.names && frame_.scale < kTinyMap;  // of a strip: no room for numbers
-  const double scale = isTiny ? 0.45 : measures_.isNarrow ? 0.8 : 1.0;
+      !options_.names && frame_.scale < kTinyMap;  // in a strip, which has no space for numbers
+  const double scale = isTiny ? 0.45 : sizes_.isNarrow ? 0.8 : 1.0;
   figures_.pin(*painter_, {}, false, scale);
   if (isTiny) {
     return;
@@ -314,38 +342,38 @@ void FigureMap::pin(const QString& number) const {
               font, Role::Text, number);
 }
 
-/// Dots on the ways, with the time beside where there is room.
+/// Dots on the trajectories, with the time beside them where it fits.
 void FigureMap::paintTimeMarks() const {
-  const QFont font = theme_.figureFont(measures_.small() - 1.0);
+  const QFont font = theme_.figureFont(sizes_.small() - 1.0);
   const QFontMetricsF metrics(font);
   std::vector<QRectF> taken;
   for (const auto& [id, track] : tracks_) {
     for (int mark = 1; mark * options_.timeMarks <= time_; ++mark) {
       const double time = mark * options_.timeMarks;
-      const std::size_t count = track.until(time + 1e-9);
+      const std::size_t count = track.countUntil(time + 1e-9);
       if (count == 0 || track.times[count - 1] < time - options_.timeMarks ||
           time > track.times.back() + 1e-9) {
         continue;
       }
       const QPointF at = frame_.at(track.points[count - 1]);
-      painter_->setPen(QPen(colorOf(id), measures_.line()));
+      painter_->setPen(QPen(colorOf(id), sizes_.line()));
       painter_->setBrush(theme_.color(Role::MapFree));
-      painter_->drawEllipse(at, 1.7 * measures_.line(), 1.7 * measures_.line());
-      const QString words = QString::number(time, 'g', 6);
+      painter_->drawEllipse(at, 1.7 * sizes_.line(), 1.7 * sizes_.line());
+      const QString timeText = QString::number(time, 'g', 6);
       const QRectF box(at.x() + 4.0, at.y() - metrics.ascent() - 1.0,
-                       metrics.horizontalAdvance(words) + 2.0, metrics.height());
+                       metrics.horizontalAdvance(timeText) + 2.0, metrics.height());
       if (std::none_of(taken.begin(), taken.end(),
                        [&box](const QRectF& other) { return other.intersects(box); })) {
         taken.push_back(box);
         text_.write(*painter_, box.bottomLeft() + QPointF(0.0, -metrics.descent()), font,
-                    Role::TextSecondary, words);
+                    Role::TextSecondary, timeText);
       }
     }
   }
 }
 
-/// Of the time that is painted, else of the last one.
-std::size_t FigureMap::frameNow() const {
+/// The frame at the painted time.
+std::size_t FigureMap::currentFrame() const {
   const auto next =
       std::upper_bound(trace_.frames.begin(), trace_.frames.end(), time_,
                        [](double time, const sim2d::Frame& frame) { return time < frame.time; });
@@ -359,9 +387,9 @@ void FigureMap::paintGround() {
   if (!isAnything || trace_.frames.empty()) {
     return;
   }
-  const sim2d::HumanColumns& people = trace_.frames[frameNow()].humans;
-  editor::OverlayPainter over(*painter_, theme_, frame_, measures_.line() / 1.8);
-  over.keepWithin(mapRect_);
+  const sim2d::HumanColumns& people = trace_.frames[currentFrame()].humans;
+  editor::OverlayPainter over(*painter_, theme_, frame_, sizes_.line() / 1.8);
+  over.limitTo(mapRect_);
   if (has(FigureOverlay::Density)) {
     std::vector<Vec2> places;
     for (std::size_t k = 0; k < people.size(); ++k) {
@@ -369,8 +397,8 @@ void FigureMap::paintGround() {
     }
     const metrics::DensityField field = metrics::densityField(
         places, {world_.left(), world_.top()}, {world_.right(), world_.bottom()}, 0.1);
-    densityMost_ = editor::densityScale(field.peak());
-    over.density(field, editor::densityImage(field, theme_, densityMost_));
+    maxDensity_ = editor::densityScale(field.peak());
+    over.density(field, editor::densityImage(field, theme_, maxDensity_));
   }
   for (std::size_t k = 0; k < people.size(); ++k) {
     const base::Pose2 pose{{people.x[k], people.y[k]}, people.heading[k]};
@@ -384,7 +412,7 @@ void FigureMap::paintGround() {
 }
 
 void FigureMap::paintForces(const editor::OverlayPainter& over) const {
-  const sim2d::Frame& frame = trace_.frames[frameNow()];
+  const sim2d::Frame& frame = trace_.frames[currentFrame()];
   for (std::size_t k = 0; k < frame.humans.size(); ++k) {
     const auto track = tracks_.find(frame.humans.id[k]);
     over.forces({frame.humans.x[k], frame.humans.y[k]}, radiusOf(track->second) + 1.0,
@@ -393,11 +421,11 @@ void FigureMap::paintForces(const editor::OverlayPainter& over) const {
 }
 
 void FigureMap::paintTop() const {
-  const editor::OverlayPainter over(*painter_, theme_, frame_, measures_.line() / 1.8);
+  const editor::OverlayPainter over(*painter_, theme_, frame_, sizes_.line() / 1.8);
   if (has(FigureOverlay::Velocities)) {
     std::vector<editor::MovingBody> moving;
     for (const auto& [id, track] : tracks_) {
-      if (const std::optional<std::size_t> at = placeOf(track)) {
+      if (const std::optional<std::size_t> at = positionIndexOf(track)) {
         moving.push_back(
             {track.points[*at], track.velocities[*at], radiusOf(track) + 1.0, colorOf(id)});
       }

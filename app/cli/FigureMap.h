@@ -1,55 +1,79 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include <QImage>
 #include <QPainter>
+#include <QString>
 
 #include "app/cli/FigureStyle.h"
-#include "app/cli/RunTracks.h"
 #include "editor/canvas/OverlayPainter.h"
+#include "sim2d/trace/Trace.h"
 
 namespace app {
 
-/// The map of a run with its obstacles, and over it what happened up to a time: ways that fade from
-/// light to full, starts as rings, goals as pins, bodies where they stand, overlays. One thread;
-/// needs a QGuiApplication, and the trace as long as it lives.
+/// The trajectory of a body and its appearance.
+struct Track {
+  int id = 0;                           // of robots: below 0
+  std::vector<sim2d::Vec2> points;      // [m]
+  std::vector<double> times;            // [s], per point
+  std::vector<double> headings;         // [rad], per point
+  std::vector<sim2d::Vec2> velocities;  // [m/s], per point
+  QString name;
+  double radius = 0.35;  // [m]
+
+  /// The number of points up to this time.
+  std::size_t countUntil(double time) const {
+    const auto end = std::upper_bound(times.begin(), times.end(), time);
+    return static_cast<std::size_t>(end - times.begin());
+  }
+};
+
+/// Of all bodies, by id.
+std::map<int, Track> tracksOf(const sim2d::Trace& trace);
+
+/// The map of a run with its obstacles, and the state up to a time: trajectories that fade from
+/// light to full, starts as rings, goals as pins, bodies and overlays. One thread; requires a
+/// QGuiApplication. The trace must outlive it.
 class FigureMap {
  public:
-  FigureMap(const sim2d::Trace& trace, const FigureMeasures& measures, const FigureText& text,
+  FigureMap(const sim2d::Trace& trace, const FigureSizes& sizes, const FigureText& text,
             const FigureOptions& options);
 
-  QSizeF world() const { return world_.size(); }  // [m], of what is drawn
-  /// Into the middle of this room [px].
+  QSizeF world() const { return world_.size(); }  // [m], of the drawn area
+  /// Centres the map in this rectangle [px].
   void place(const QRectF& room);
   const QRectF& mapRect() const { return mapRect_; }
-  double wallsLeft() const;  // where what is drawn begins: the map keeps a little distance
-  /// As it was at this time [s]; none: the whole run, everybody where they were seen last.
+  double drawnLeft() const;  // the left edge of the drawn area without its margin [px]
+  /// Paints the state at this time [s]; nullopt: the whole run, with all bodies at their last
+  /// positions.
   void paint(QPainter& painter, std::optional<double> time);
-  /// A bar of some metres at its left end.
+  /// Paints a scale bar; `left`: its left end.
   void paintScale(QPainter& painter, const QPointF& left) const;
   double lastTime() const;  // [s] of the run
 
-  // for legends
+  // For legends.
   editor::Look lookOf(int person) const;
   QColor colorOf(int id) const;
-  double scale() const { return frame_.scale; }        // [px/m]
-  double densityMost() const { return densityMost_; }  // of what was painted last [1/m²]
+  double scale() const { return frame_.scale; }      // [px/m]
+  double maxDensity() const { return maxDensity_; }  // of the last paint() [1/m²]
 
  private:
   QRectF extent() const;
   QImage drawnMap() const;
   QImage cellImage(const sim2d::OccupancyGrid& grid) const;
   bool has(FigureOverlay overlay) const { return options_.overlays.count(overlay) > 0; }
-  std::size_t frameNow() const;  // number of the state; the trace has some
+  std::size_t currentFrame() const;  // index of the frame; requires at least one
   void paintObstacles() const;
   QPolygonF lineOf(const Track& track) const;
   void paintTrack(const Track& track) const;
   void paintStart(const Track& track) const;
   void paintTimeMarks() const;
-  std::optional<std::size_t> placeOf(const Track& track) const;
+  std::optional<std::size_t> positionIndexOf(const Track& track) const;
   double radiusOf(const Track& track) const;
   void paintBody(const Track& track) const;
   void label(const Track& track) const;
@@ -60,7 +84,7 @@ class FigureMap {
   void paintForces(const editor::OverlayPainter& over) const;
 
   const sim2d::Trace& trace_;
-  const FigureMeasures measures_;
+  const FigureSizes sizes_;
   const FigureText& text_;
   const editor::Theme& theme_;
   const FigureOptions options_;
@@ -68,16 +92,16 @@ class FigureMap {
   const std::vector<sim2d::ContactMark> contacts_;
   const editor::FigurePainter figures_;
   const QRectF world_;
-  QPainter* painter_ = nullptr;  // while something is painted
+  QPainter* painter_ = nullptr;  // during paint()
   bool isWhole_ = true;
-  double time_ = 0.0;  // [s] that is painted
-  editor::PictureFrame frame_;
+  double time_ = 0.0;  // [s] of the painted state
+  editor::PictureTransform frame_;
   QRectF mapRect_;
   QImage map_;
-  double densityMost_ = 0.0;
+  double maxDensity_ = 0.0;
 };
 
-/// Whole metres that a bar of the scale may stand for.
+/// A length in whole metres for the scale bar.
 double barLength(double pixelsPerMetre, double longest);
 
 }  // namespace app

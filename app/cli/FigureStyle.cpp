@@ -11,13 +11,13 @@ const std::vector<std::string>& figureOverlayNames() {
 }
 
 void FigureText::write(QPainter& painter, const QPointF& baseline, const QFont& font,
-                       editor::Role role, const QString& words) const {
+                       editor::Role role, const QString& text) const {
   if (asOutlines_) {
-    painter.fillPath(editor::textOutline(baseline, font, words), theme_.color(role));
+    painter.fillPath(editor::textOutline(baseline, font, text), theme_.color(role));
   } else {
     painter.setFont(font);
     painter.setPen(theme_.color(role));
-    painter.drawText(baseline, words);
+    painter.drawText(baseline, text);
   }
 }
 

@@ -10,10 +10,10 @@ namespace app {
 
 namespace {
 
-/// What libraries write to the standard error is lost as long as it lives.
-class SilentError {
+/// Redirects standard error to /dev/null (RAII).
+class SilencedStderr {
  public:
-  SilentError() : kept_(::dup(STDERR_FILENO)) {
+  SilencedStderr() : kept_(::dup(STDERR_FILENO)) {
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (kept_ >= 0 && nowhere >= 0) {
       std::fflush(stderr);
@@ -23,17 +23,17 @@ class SilentError {
       ::close(nowhere);
     }
   }
-  ~SilentError() {
+  ~SilencedStderr() {
     if (kept_ >= 0) {
       std::fflush(stderr);
       ::dup2(kept_, STDERR_FILENO);
       ::close(kept_);
     }
   }
-  SilentError(const SilentError&) = delete;
-  SilentError& operator=(const SilentError&) = delete;
-  SilentError(SilentError&&) = delete;
-  SilentError& operator=(SilentError&&) = delete;
+  SilencedStderr(const SilencedStderr&) = delete;
+  SilencedStderr& operator=(const SilencedStderr&) = delete;
+  SilencedStderr(SilencedStderr&&) = delete;
+  SilencedStderr& operator=(SilencedStderr&&) = delete;
 
  private:
   int kept_;
@@ -42,7 +42,7 @@ class SilentError {
 }  // namespace
 
 base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
-  const SilentError silent;
+  const SilencedStderr silent;
   return editor::loadMapImage(path);
 }
 

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// editor::loadMapImage, without the words that image libraries write to the standard error by
-/// themselves: what is wrong is in the result. While no other thread writes there.
+/// Calls editor::loadMapImage, but discards what image libraries write to standard error; problems
+/// are in the result. No other thread may write to standard error meanwhile.
 base::Result<sim2d::MapImage> loadMapImage(const std::string& path);
 
 }  // namespace app

@@ -10,48 +10,48 @@
 #include <unistd.h>
 
 #include "app/cli/CommandRegistry.h"
-#include "app/run/Reason.h"
+#include "app/run/ExceptionMessage.h"
 
 namespace app {
 
 namespace {
 
 constexpr std::size_t kReserve =
-    std::size_t{64} * 1024;  // [bytes]; below what malloc maps by itself
+    std::size_t{64} * 1024;  // [bytes]; below the mmap threshold of malloc
 
 std::atomic<void*> reserve{nullptr};
-std::string lastLine;                        // written when nothing can be allocated any more
-std::terminate_handler others = std::abort;  // for all that is not about memory
+std::string outOfMemoryMessage;                       // preallocated: written when allocation fails
+std::terminate_handler previousHandler = std::abort;  // for other exceptions
 
-void giveBackAndThrow() {
+void releaseReserveAndThrow() {
   std::free(reserve.exchange(nullptr));
   throw std::bad_alloc();
 }
 
-[[noreturn]] void tellOrAbort() {
+[[noreturn]] void reportOrAbort() {
   const std::type_info* thrown = abi::__cxa_current_exception_type();
   if (thrown != nullptr && *thrown == typeid(std::bad_alloc)) {
     [[maybe_unused]] const ssize_t written =
-        ::write(STDERR_FILENO, lastLine.data(), lastLine.size());
+        ::write(STDERR_FILENO, outOfMemoryMessage.data(), outOfMemoryMessage.size());
     ::_exit(ExitRunFailed);
   }
-  others();
+  previousHandler();
   std::abort();
 }
 
 }  // namespace
 
-void setMemoryAside() {
+void reserveMemory() {
   std::free(reserve.exchange(std::malloc(kReserve)));
-  std::set_new_handler(giveBackAndThrow);
-  lastLine = "error: " + reasonOf(std::bad_alloc()) + "\n";
-  if (const auto before = std::set_terminate(tellOrAbort); before != tellOrAbort) {
-    others = before;
+  std::set_new_handler(releaseReserveAndThrow);
+  outOfMemoryMessage = "error: " + exceptionMessage(std::bad_alloc()) + "\n";
+  if (const auto before = std::set_terminate(reportOrAbort); before != reportOrAbort) {
+    previousHandler = before;
   }
 }
 
 void requireMemory(std::size_t bytes) {
-  void* volatile room = std::malloc(bytes);  // volatile: an optimiser would leave both calls out
+  void* volatile room = std::malloc(bytes);  // volatile: otherwise both calls may be removed
   if (room == nullptr) {
     throw std::bad_alloc();
   }

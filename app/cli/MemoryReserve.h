@@ -4,14 +4,14 @@
 
 namespace app {
 
-/// For the whole program, from every thread. When memory ends, std::bad_alloc is thrown as ever,
-/// and the first time some memory that was set aside is given back, since destructors may need some
-/// on the way to whoever tells it (those of nlohmann::json do). Where that is not enough either,
-/// the program ends with the same line and exit code, not by a signal; no destructor runs then.
-void setMemoryAside();
+/// Reserves memory for all threads of the program. The first failed allocation releases the reserve
+/// before std::bad_alloc is thrown, because destructors may allocate during unwinding
+/// (nlohmann::json). If that is not sufficient, the program prints the same message and exits with
+/// the same code, without running destructors.
+void reserveMemory();
 
-/// Throws std::bad_alloc where so much [bytes] cannot be had now: before libraries are called that
-/// do not look at what malloc hands out.
+/// Throws std::bad_alloc if this many bytes cannot be allocated now. Call before libraries that do
+/// not check the result of malloc.
 void requireMemory(std::size_t bytes);
 
 }  // namespace app

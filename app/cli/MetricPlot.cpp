@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "editor/canvas/Overlays.h"
+#include "editor/canvas/ViewOverlays.h"
 
 namespace app {
 
@@ -14,9 +14,9 @@ using editor::Role;
 namespace {
 
 constexpr double kPanelHeight = 84.0;  // [px], of a curve in a column
-constexpr double kWidePanel = 120.0;   // idem, of a wide figure
+constexpr double kWidePanel = 120.0;   // [px], of a wide figure
 constexpr double kCurveTitle = 18.0;   // above a curve
-constexpr double kTimesHeight = 32.0;  // below the last one
+constexpr double kTimesHeight = 32.0;  // below the last curve
 constexpr double kTickGap = 5.0;
 
 QString tickText(double value) {
@@ -36,7 +36,7 @@ double niceStep(double length, int most) {
   return 10.0 * power;
 }
 
-/// From 0 where the values are near it; whole steps beyond what there is.
+/// Starts at 0 if the values are near it; extends to whole steps.
 MetricPlot::Axis MetricPlot::axisOf(const std::vector<double>& values) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -65,7 +65,7 @@ MetricPlot::Axis MetricPlot::axisOf(const std::vector<double>& values) {
 
 MetricPlot::MetricPlot(std::vector<PlotCurve> curves, const PictureLayout& layout, QString caption)
     : curves_(std::move(curves)),
-      measures_(layout.width),
+      sizes_(layout.width),
       text_(layout.textAsOutlines),
       caption_(std::move(caption)) {
   const QFontMetricsF metrics(text_.theme().figureFont(8.0));
@@ -85,19 +85,19 @@ MetricPlot::MetricPlot(std::vector<PlotCurve> curves, const PictureLayout& layou
     first_ = std::isfinite(first_) ? first_ : 0.0;
     last_ = first_ + 1.0;
   }
-  left_ += measures_.margin() + kTickGap;
-  const double panel = measures_.isNarrow ? kPanelHeight : kWidePanel;
-  const double foot = caption_.isEmpty() ? 0.0 : measures_.row();
+  left_ += sizes_.margin() + kTickGap;
+  const double panel = sizes_.isNarrow ? kPanelHeight : kWidePanel;
+  const double foot = caption_.isEmpty() ? 0.0 : sizes_.row();
   size_ = QSizeF(layout.width,
-                 std::ceil(2.0 * measures_.margin() + kTimesHeight + foot +
+                 std::ceil(2.0 * sizes_.margin() + kTimesHeight + foot +
                            static_cast<double>(curves_.size()) * (panel + kCurveTitle + 6.0)));
 }
 
 QRectF MetricPlot::frameOf(std::size_t curve) const {
-  const double panel = measures_.isNarrow ? kPanelHeight : kWidePanel;
+  const double panel = sizes_.isNarrow ? kPanelHeight : kWidePanel;
   const double top =
-      measures_.margin() + kCurveTitle + static_cast<double>(curve) * (panel + kCurveTitle + 6.0);
-  return {left_, top, size_.width() - left_ - measures_.margin() - 8.0, panel};
+      sizes_.margin() + kCurveTitle + static_cast<double>(curve) * (panel + kCurveTitle + 6.0);
+  return {left_, top, size_.width() - left_ - sizes_.margin() - 8.0, panel};
 }
 
 void MetricPlot::paint(QPainter& painter, std::optional<double> at) const {
@@ -126,7 +126,7 @@ void MetricPlot::paint(QPainter& painter, std::optional<double> at) const {
   }
   paintTimes(painter, frameOf(curves_.size() - 1));
   if (!caption_.isEmpty()) {
-    text_.write(painter, {left_, size_.height() - measures_.margin()}, theme.font(8.0),
+    text_.write(painter, {left_, size_.height() - sizes_.margin()}, theme.font(8.0),
                 Role::TextSecondary, caption_);
   }
 }
@@ -139,11 +139,11 @@ void MetricPlot::paintGrid(QPainter& painter, const QRectF& frame, const Axis& a
     const double y = frame.bottom() - (tick - axis.low) / (axis.high - axis.low) * frame.height();
     painter.setPen(QPen(theme.color(Role::Line), 0.8));
     painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
-    const QString words = tickText(tick);
-    text_.write(
-        painter,
-        {frame.left() - kTickGap - metrics.horizontalAdvance(words), y + 0.5 * metrics.capHeight()},
-        font, Role::Text, words);
+    const QString labelText = tickText(tick);
+    text_.write(painter,
+                {frame.left() - kTickGap - metrics.horizontalAdvance(labelText),
+                 y + 0.5 * metrics.capHeight()},
+                font, Role::Text, labelText);
   }
 }
 
@@ -158,22 +158,22 @@ void MetricPlot::paintTimes(QPainter& painter, const QRectF& frame) const {
     const double x = frame.left() + (tick - first_) / (last_ - first_) * frame.width();
     painter.setPen(QPen(theme.color(Role::Text), 0.8));
     painter.drawLine(QPointF(x, frame.bottom()), QPointF(x, frame.bottom() + 3.0));
-    const QString words = tickText(tick);
+    const QString labelText = tickText(tick);
     text_.write(
         painter,
-        {x - 0.5 * metrics.horizontalAdvance(words), frame.bottom() + 4.0 + metrics.ascent()}, font,
-        Role::Text, words);
+        {x - 0.5 * metrics.horizontalAdvance(labelText), frame.bottom() + 4.0 + metrics.ascent()},
+        font, Role::Text, labelText);
   }
-  const QString words = QStringLiteral("time [s]");
+  const QString labelText = QStringLiteral("time [s]");
   text_.write(painter,
-              {frame.right() - metrics.horizontalAdvance(words),
+              {frame.right() - metrics.horizontalAdvance(labelText),
                frame.bottom() + 5.0 + 2.0 * metrics.ascent() + 2.0},
-              theme.font(8.0), Role::TextSecondary, words);
+              theme.font(8.0), Role::TextSecondary, labelText);
 }
 
 void MetricPlot::paintCurve(QPainter& painter, const QRectF& frame, const Axis& axis,
                             const PlotCurve& curve) const {
-  painter.setPen(QPen(text_.theme().line(editor::Look::Regular), measures_.line(), Qt::SolidLine,
+  painter.setPen(QPen(text_.theme().line(editor::Look::Regular), sizes_.line(), Qt::SolidLine,
                       Qt::RoundCap, Qt::RoundJoin));
   QPolygonF line;
   const auto end = std::min(curve.times.size(), curve.values.size());

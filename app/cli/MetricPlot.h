@@ -12,19 +12,19 @@ namespace app {
 /// A metric over the time of a run.
 struct PlotCurve {
   QString name, unit;          // unit: empty = none
-  std::vector<double> times;   // [s], rising
-  std::vector<double> values;  // NaN: undefined there, a gap
+  std::vector<double> times;   // [s], ascending
+  std::vector<double> values;  // NaN: undefined, a gap
 };
 
-/// Curves one above the other with one axis of time, for a paper: vector, 8 pt labels, the unit at
-/// each. One thread; needs a QGuiApplication.
+/// Metrics over time for a paper, one panel above the other with a common time axis: vector
+/// graphics, 8 pt labels with units. One thread; requires a QGuiApplication.
 class MetricPlot {
  public:
-  /// At least one curve. The height of `layout` is not heeded.
+  /// At least one curve. The height of `layout` is ignored.
   MetricPlot(std::vector<PlotCurve> curves, const PictureLayout& layout, QString caption = {});
 
   QSizeF size() const { return size_; }  // [px]
-  /// With a line at this time, if there is one [s].
+  /// With a vertical line at the time `at` [s], if given.
   void paint(QPainter& painter, std::optional<double> at = {}) const;
 
  private:
@@ -39,7 +39,7 @@ class MetricPlot {
                   const PlotCurve& curve) const;
 
   const std::vector<PlotCurve> curves_;
-  const FigureMeasures measures_;
+  const FigureSizes sizes_;
   const FigureText text_;
   const QString caption_;
   double left_ = 0.0;                // [px] of the axes
@@ -47,7 +47,7 @@ class MetricPlot {
   QSizeF size_;
 };
 
-/// 1, 2 or 5 times a power of ten, so that at most `most` of them are in the length.
+/// The smallest 1, 2 or 5 times a power of ten of which at most `most` fit into `length`.
 double niceStep(double length, int most);
 
 }  // namespace app

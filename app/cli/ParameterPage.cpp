@@ -13,10 +13,10 @@ std::string rangeText(const base::Range& range) {
   const bool hasLow = std::isfinite(range.low);
   const bool hasHigh = std::isfinite(range.high);
   if (hasLow && hasHigh) {
-    return (range.above ? "above " : "") + base::formatDouble(range.low) + " to " +
+    return (range.excludesLow ? "above " : "") + base::formatDouble(range.low) + " to " +
            base::formatDouble(range.high);
   }
-  const std::string low = (range.above ? "> " : "≥ ") + base::formatDouble(range.low);
+  const std::string low = (range.excludesLow ? "> " : "≥ ") + base::formatDouble(range.low);
   return hasLow ? low : hasHigh ? "≤ " + base::formatDouble(range.high) : "";
 }
 
@@ -50,9 +50,10 @@ std::string sectionText(const PageSection& section) {
 
 std::string parameterPage(const std::string& title, const std::string& key,
                           const std::vector<PageSection>& sections) {
-  std::string text = "# " + title + "\n\nWritten by `hunavsim list " + base::lowered(title) +
-                     " --format markdown`; do not edit by hand. Parameters stand in the map `" +
-                     key + "` of a scenario.\n";
+  std::string text = "# " + title + "\n\nWritten by `hunavsim list " + base::toLower(title) +
+                     " --format markdown`; do not edit by hand. A scenario sets the parameters in "
+                     "the map `" +
+                     key + "`.\n";
   for (const PageSection& section : sections) {
     text += sectionText(section);
   }

@@ -6,7 +6,7 @@
 #include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/Registry.h"
 
-/// Planners and models as a page to read: a section each, with a table of what can be set of it.
+/// Planners and models as a Markdown page: a section each, with a table of parameters.
 namespace app {
 
 struct PageSection {
@@ -15,7 +15,7 @@ struct PageSection {
   std::vector<base::ParameterSpec> parameters;
 };
 
-/// Markdown. `key`: that of the map of a scenario in which the parameters stand.
+/// Markdown. `key`: the map of a scenario that contains the parameters.
 std::string parameterPage(const std::string& title, const std::string& key,
                           const std::vector<PageSection>& sections);
 

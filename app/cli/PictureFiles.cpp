@@ -1,13 +1,27 @@
 #include "app/cli/PictureFiles.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <gif_lib.h>
+
 #include <QBuffer>
+#include <QFile>
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QProcess>
+#include <QStandardPaths>
 #include <QSvgGenerator>
 
 #include "editor/look/Images.h"
+#include "sim2d/base/Files.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -16,12 +30,12 @@ namespace {
 constexpr int kDotsPerInch = 96;
 constexpr double kPointsPerPixel = 72.0 / kDotsPerInch;
 
-/// The date that Qt writes would make every file another one.
-void forgetDate(QByteArray& pdf) {
+/// Replaces the date that Qt writes, so that the bytes are reproducible.
+void removeCreationDate(QByteArray& pdf) {
   const int at = pdf.indexOf("/CreationDate (D:");
   for (int k = at < 0 ? pdf.size() : at + 17; k < pdf.size() && pdf[k] != ')'; ++k) {
     if (pdf[k] >= '0' && pdf[k] <= '9') {
-      pdf[k] = k == at + 22 || k == at + 24 ? '1' : '0';  // a month and a day that there are
+      pdf[k] = k == at + 22 || k == at + 24 ? '1' : '0';  // a valid month and day
     }
   }
 }
@@ -72,8 +86,252 @@ std::string pdfOf(const QSizeF& size, const Paint& paint) {
     QPainter painter(&writer);
     paint(painter);
   }
-  forgetDate(bytes);
+  removeCreationDate(bytes);
   return bytes.toStdString();
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWaitMs = 120'000;  // for the encoder, which may lag by some frames
+
+std::string endingOf(const std::string& path) {
+  return base::toLower(fs::path(path).extension().string());
+}
+
+/// 6 x 6 x 6 colours and 32 greys, the same for all frames to avoid flicker.
+QVector<QRgb> gifColors() {
+  QVector<QRgb> colors;
+  colors.reserve(256);
+  for (int red = 0; red < 6; ++red) {
+    for (int green = 0; green < 6; ++green) {
+      for (int blue = 0; blue < 6; ++blue) {
+        colors << qRgb(51 * red, 51 * green, 51 * blue);
+      }
+    }
+  }
+  while (colors.size() < 256) {
+    const int grey = (colors.size() - 215) * 255 / 41;
+    colors << qRgb(grey, grey, grey);
+  }
+  return colors;
+}
+
+/// Stays in memory until finish().
+class GifMovie : public Movie {
+ public:
+  GifMovie(std::string path, double framesPerSecond)
+      : path_(std::move(path)), framesPerSecond_(framesPerSecond) {}
+  ~GifMovie() override { close(); }
+  GifMovie(const GifMovie&) = delete;
+  GifMovie& operator=(const GifMovie&) = delete;
+  GifMovie(GifMovie&&) = delete;
+  GifMovie& operator=(GifMovie&&) = delete;
+
+  base::Diagnostics add(const QImage& frame) override {
+    if (file_ == nullptr && !begin(frame)) {
+      return failure();
+    }
+    // In 1/100 s, rounded so that errors do not accumulate.
+    const double end = std::round(100.0 * (frames_ + 1) / framesPerSecond_);
+    const double begin = std::round(100.0 * frames_ / framesPerSecond_);
+    ++frames_;
+    const auto delay = static_cast<unsigned>(std::max(2.0, end - begin));
+    GraphicsControlBlock control = {DISPOSE_DO_NOT, false, static_cast<int>(delay),
+                                    NO_TRANSPARENT_COLOR};
+    GifByteType bytes[4];
+    EGifGCBToExtension(&control, bytes);
+    const QImage indexed = frame.convertToFormat(QImage::Format_Indexed8, colors_,
+                                                 Qt::ThresholdDither | Qt::AvoidDither);
+    if (EGifPutExtension(file_, GRAPHICS_EXT_FUNC_CODE, sizeof(bytes), bytes) == GIF_ERROR ||
+        EGifPutImageDesc(file_, 0, 0, indexed.width(), indexed.height(), false, nullptr) ==
+            GIF_ERROR) {
+      return failure();
+    }
+    std::vector<GifPixelType> line(static_cast<std::size_t>(indexed.width()));
+    for (int row = 0; row < indexed.height(); ++row) {
+      std::copy_n(indexed.constScanLine(row), line.size(), line.begin());
+      if (EGifPutLine(file_, line.data(), indexed.width()) == GIF_ERROR) {
+        return failure();
+      }
+    }
+    return {};
+  }
+
+  base::Diagnostics finish() override {
+    return close() ? base::writeFileAtomically(path_, bytes_) : failure();
+  }
+
+ private:
+  static int appendBytes(GifFileType* file, const GifByteType* bytes, int count) {
+    auto* const to = static_cast<std::string*>(file->UserData);
+    to->append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
+    return count;
+  }
+
+  bool begin(const QImage& frame) {
+    file_ = EGifOpen(&bytes_, appendBytes, nullptr);
+    if (file_ == nullptr) {
+      return false;
+    }
+    std::vector<GifColorType> table;
+    table.reserve(256);
+    for (const QRgb color : colors_) {
+      table.push_back({static_cast<GifByteType>(qRed(color)),
+                       static_cast<GifByteType>(qGreen(color)),
+                       static_cast<GifByteType>(qBlue(color))});
+    }
+    ColorMapObject* const map = GifMakeMapObject(256, table.data());
+    EGifSetGifVersion(file_, true);
+    const bool isBegun =
+        map != nullptr &&
+        EGifPutScreenDesc(file_, frame.width(), frame.height(), 8, 0, map) != GIF_ERROR &&
+        writeLoopExtension();
+    GifFreeMapObject(map);
+    return isBegun;
+  }
+  bool writeLoopExtension() {
+    constexpr char kName[] = "NETSCAPE2.0";
+    constexpr GifByteType kLoopForever[] = {1, 0, 0};
+    return EGifPutExtensionLeader(file_, APPLICATION_EXT_FUNC_CODE) != GIF_ERROR &&
+           EGifPutExtensionBlock(file_, 11, kName) != GIF_ERROR &&
+           EGifPutExtensionBlock(file_, sizeof(kLoopForever), kLoopForever) != GIF_ERROR &&
+           EGifPutExtensionTrailer(file_) != GIF_ERROR;
+  }
+  bool close() {
+    int problem = 0;
+    return file_ != nullptr && EGifCloseFile(std::exchange(file_, nullptr), &problem) != GIF_ERROR;
+  }
+  base::Diagnostics failure() const { return {base::error("movie.not-made", {"giflib"}, path_)}; }
+
+  const std::string path_;
+  const double framesPerSecond_;
+  const QVector<QRgb> colors_ = gifColors();
+  std::string bytes_;
+  GifFileType* file_ = nullptr;
+  double frames_ = 0.0;
+};
+
+QStringList codecOf(const std::string& ending) {
+  if (ending == ".webm") {
+    return {QStringLiteral("-c:v"),    QStringLiteral("libvpx-vp9"), QStringLiteral("-b:v"),
+            QStringLiteral("0"),       QStringLiteral("-crf"),       QStringLiteral("32"),
+            QStringLiteral("-row-mt"), QStringLiteral("1")};
+  }
+  if (ending == ".webp") {
+    return {QStringLiteral("-c:v"), QStringLiteral("libwebp_anim"), QStringLiteral("-quality"),
+            QStringLiteral("80"),   QStringLiteral("-loop"),        QStringLiteral("0")};
+  }
+  return {QStringLiteral("-c:v"), QStringLiteral("libx264"),   QStringLiteral("-crf"),
+          QStringLiteral("20"),   QStringLiteral("-movflags"), QStringLiteral("+faststart")};
+}
+
+/// Pipes frames to ffmpeg, which writes a temporary file.
+class FfmpegMovie : public Movie {
+ public:
+  FfmpegMovie(std::string path, double framesPerSecond)
+      : path_(std::move(path)),
+        temporaryPath_(path_ + ".new-" + std::to_string(::getpid()) + "-0"),
+        framesPerSecond_(framesPerSecond) {}
+  ~FfmpegMovie() override {
+    if (process_.state() != QProcess::NotRunning) {
+      process_.kill();
+      process_.waitForFinished();
+    }
+    QFile::remove(QString::fromStdString(temporaryPath_));
+  }
+  FfmpegMovie(const FfmpegMovie&) = delete;
+  FfmpegMovie& operator=(const FfmpegMovie&) = delete;
+  FfmpegMovie(FfmpegMovie&&) = delete;
+  FfmpegMovie& operator=(FfmpegMovie&&) = delete;
+
+  base::Diagnostics add(const QImage& frame) override {
+    if (process_.state() == QProcess::NotRunning && !start(frame.size())) {
+      return failure();
+    }
+    const QImage raw = frame.convertToFormat(QImage::Format_RGB32);
+    process_.write(reinterpret_cast<const char*>(raw.constBits()), raw.sizeInBytes());
+    while (process_.bytesToWrite() > 0) {  // at most one frame is buffered
+      if (!process_.waitForBytesWritten(kWaitMs)) {
+        return failure();
+      }
+    }
+    return {};
+  }
+
+  base::Diagnostics finish() override {
+    process_.closeWriteChannel();
+    const bool isDone = process_.waitForFinished(kWaitMs) &&
+                        process_.exitStatus() == QProcess::NormalExit && process_.exitCode() == 0;
+    if (!isDone) {
+      return failure();
+    }
+    std::error_code problem;
+    fs::rename(temporaryPath_, path_, problem);
+    return problem ? base::Diagnostics{base::error("file.cannot-write", {problem.message()}, path_)}
+                   : base::Diagnostics();
+  }
+
+ private:
+  bool start(const QSize& size) {
+    const QStringList from = {QStringLiteral("-loglevel"),
+                              QStringLiteral("error"),
+                              QStringLiteral("-y"),
+                              QStringLiteral("-f"),
+                              QStringLiteral("rawvideo"),
+                              QStringLiteral("-pix_fmt"),
+                              QStringLiteral("bgra"),
+                              QStringLiteral("-s"),
+                              QStringLiteral("%1x%2").arg(size.width()).arg(size.height()),
+                              QStringLiteral("-r"),
+                              QString::number(framesPerSecond_),
+                              QStringLiteral("-i"),
+                              QStringLiteral("-")};
+    const QStringList to = {QStringLiteral("-pix_fmt"),
+                            QStringLiteral("yuv420p"),
+                            QStringLiteral("-fflags"),
+                            QStringLiteral("+bitexact"),
+                            QStringLiteral("-flags:v"),
+                            QStringLiteral("+bitexact"),
+                            QStringLiteral("-f"),
+                            QString::fromStdString(endingOf(path_).substr(1)),
+                            QStringLiteral("file:") + QString::fromStdString(temporaryPath_)};
+    process_.setProcessChannelMode(QProcess::MergedChannels);
+    process_.start(QStringLiteral("ffmpeg"), from + codecOf(endingOf(path_)) + to);
+    return process_.waitForStarted();
+  }
+  base::Diagnostics failure() {
+    constexpr int kWordsMs = 3000;  // waits for the error message of ffmpeg
+    process_.closeWriteChannel();
+    process_.waitForFinished(kWordsMs);
+    const QList<QByteArray> outputLines = process_.readAll().trimmed().split('\n');
+    const std::string reason = outputLines.front().trimmed().toStdString();
+    return {
+        base::error("movie.not-made", {reason.empty() ? "ffmpeg" : "ffmpeg: " + reason}, path_)};
+  }
+
+  const std::string path_, temporaryPath_;
+  const double framesPerSecond_;
+  QProcess process_;
+};
+
+}  // namespace
+
+bool Movie::isSupported(const std::string& ending) {
+  return ending == ".gif" || ending == ".mp4" || ending == ".webm" || ending == ".webp";
+}
+
+base::Result<std::unique_ptr<Movie>> Movie::begin(const std::string& path, double framesPerSecond) {
+  std::error_code ignored;  // an impossible folder is reported when the file is written
+  fs::create_directories(fs::path(path).parent_path(), ignored);
+  if (endingOf(path) == ".gif") {
+    return std::unique_ptr<Movie>(std::make_unique<GifMovie>(path, framesPerSecond));
+  }
+  if (QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
+    return base::error("movie.no-encoder", {}, path);
+  }
+  return std::unique_ptr<Movie>(std::make_unique<FfmpegMovie>(path, framesPerSecond));
 }
 
 }  // namespace app

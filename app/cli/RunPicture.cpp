@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/cli/FigureLegend.h"
 #include "app/cli/FigureMap.h"
@@ -10,7 +11,7 @@ namespace app {
 
 namespace {
 
-constexpr double kTallest = 1.4;  // height of the map over the width of the picture
+constexpr double kMaxMapHeight = 1.4;  // maximum map height relative to the picture width
 
 }  // namespace
 
@@ -18,19 +19,19 @@ class RunPicture::Painting {
  public:
   Painting(const sim2d::Trace& trace, const PictureLayout& layout)
       : seed_(trace.header.seed),
-        measures_(layout.width),
+        sizes_(layout.width),
         text_(layout.textAsOutlines),
-        map_(trace, measures_, text_, layout.options),
-        legend_(trace, map_, measures_, text_),
-        key_(map_, measures_, text_, layout.options) {
-    const double margin = measures_.margin();
-    const double width = layout.width - 2.0 * margin - measures_.legend();
-    map_.place(QRectF(0.0, 0.0, width, kTallest * layout.width));  // arrows of the key have lengths
-    const double below = measures_.isNarrow ? legend_.heightBelow(width) : 0.0;
-    const double rest = 2.0 * margin + measures_.foot() + key_.height(width) + below;
-    const double most = layout.height ? *layout.height - rest : kTallest * layout.width;
+        map_(trace, sizes_, text_, layout.options),
+        legend_(trace, map_, sizes_, text_),
+        key_(map_, sizes_, text_, layout.options) {
+    const double margin = sizes_.margin();
+    const double width = layout.width - 2.0 * margin - sizes_.legend();
+    map_.place(QRectF(0.0, 0.0, width, kMaxMapHeight * layout.width));  // scale for arrows of key_
+    const double below = sizes_.isNarrow ? legend_.heightBelow(width) : 0.0;
+    const double rest = 2.0 * margin + sizes_.foot() + key_.height(width) + below;
+    const double most = layout.height ? *layout.height - rest : kMaxMapHeight * layout.width;
     const double scale = std::min(width / map_.world().width(), most / map_.world().height());
-    const double beside = measures_.isNarrow ? 0.0 : legend_.heightBeside() - 2.0 * margin;
+    const double beside = sizes_.isNarrow ? 0.0 : legend_.heightBeside() - 2.0 * margin;
     const double high = layout.height ? most : std::max(scale * map_.world().height(), beside);
     map_.place(QRectF(margin, margin, width, high));
     size_ = QSizeF(layout.width, layout.height ? *layout.height : std::ceil(high + rest));
@@ -42,33 +43,33 @@ class RunPicture::Painting {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(QRectF(QPointF(), size_), Qt::white);
     map_.paint(painter, time);
-    const double left = map_.wallsLeft();
-    const double width = size_.width() - measures_.margin() - measures_.legend() - left;
+    const double left = map_.drawnLeft();
+    const double width = size_.width() - sizes_.margin() - sizes_.legend() - left;
     double y = map_.mapRect().bottom();
-    map_.paintScale(painter, {left, y + 0.6 * measures_.foot()});
-    y += measures_.foot();
+    map_.paintScale(painter, {left, y + 0.6 * sizes_.foot()});
+    y += sizes_.foot();
     key_.paint(painter, {left, y}, width);
     y += key_.height(width);
     const double now = std::min(time.value_or(map_.lastTime()), map_.lastTime());
     const QString when = QStringLiteral("%1 s · seed %2").arg(now, 0, 'f', 1).arg(seed_);
-    if (measures_.isNarrow) {
+    if (sizes_.isNarrow) {
       legend_.paintBelow(painter, {left, y}, width, when);
       return;
     }
     const QString stands =
-        time ? QStringLiteral("○ start   the figure stands at %1 s").arg(now, 0, 'f', 1)
-             : QStringLiteral("○ start   the figure stands at the end");
-    legend_.paintBeside(painter, {size_.width() - measures_.legend(), measures_.margin()},
-                        size_.height() - measures_.margin() - 0.4 * measures_.foot(), when, stands);
+        time ? QStringLiteral("○ start   bodies drawn at %1 s").arg(now, 0, 'f', 1)
+             : QStringLiteral("○ start   bodies drawn at the end");
+    legend_.paintBeside(painter, {size_.width() - sizes_.legend(), sizes_.margin()},
+                        size_.height() - sizes_.margin() - 0.4 * sizes_.foot(), when, stands);
   }
 
  private:
   const long long seed_;
-  const FigureMeasures measures_;
+  const FigureSizes sizes_;
   const FigureText text_;
   FigureMap map_;
   const FigureLegend legend_;
-  const FigureKey key_;
+  const OverlayLegend key_;
   QSizeF size_;
 };
 
@@ -83,6 +84,127 @@ QSizeF RunPicture::size() const {
 
 void RunPicture::paint(QPainter& painter, std::optional<double> time) {
   painting_->paint(painter, time);
+}
+
+using editor::Role;
+
+namespace {
+
+constexpr double kCellGap = 10.0;         // [px] between two maps
+constexpr double kMaxStripHeight = 0.95;  // maximum height of all maps relative to the width
+
+FigureSizes narrowSizes() {
+  return FigureSizes(0.0);
+}
+
+/// Names would be illegible at this size; colours and marks identify the bodies.
+FigureOptions withoutNames(FigureOptions options) {
+  options.names = false;
+  return options;
+}
+
+/// Maximises the map size in a strip that is not taller than wide, preferring complete rows if a
+/// few more columns give them.
+int bestColumns(std::size_t count, double width, double heightOverWidth, double titleHeight) {
+  constexpr std::size_t kMaxColumns = 4;
+  std::size_t best = count;
+  for (std::size_t columns = count; columns > 0; --columns) {
+    const std::size_t rows = (count + columns - 1) / columns;
+    const double cell = width / static_cast<double>(columns);
+    if (static_cast<double>(rows) * (cell * heightOverWidth + titleHeight) <=
+        kMaxStripHeight * width) {
+      best = columns;
+    }
+  }
+  for (std::size_t columns = best; columns <= std::min(count, kMaxColumns); ++columns) {
+    if (count % columns == 0) {
+      return static_cast<int>(columns);
+    }
+  }
+  return static_cast<int>(best);
+}
+
+/// Clamps to the duration of the run, so that the label of a map is the time of the shown state.
+std::vector<double> withinRun(std::vector<double> times, const sim2d::Trace& trace) {
+  if (!trace.frames.empty()) {
+    for (double& time : times) {
+      time = std::clamp(time, trace.frames.front().time, trace.frames.back().time);
+    }
+  }
+  return times;
+}
+
+}  // namespace
+
+std::vector<double> equidistantTimes(const sim2d::Trace& trace, int count) {
+  const double first = trace.frames.empty() ? 0.0 : trace.frames.front().time;
+  const double last = trace.frames.empty() ? 0.0 : trace.frames.back().time;
+  std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(std::max(count, 0)));
+  for (int k = 0; k < count; ++k) {
+    times.push_back(count == 1 ? last : first + (last - first) * k / (count - 1));
+  }
+  return times;
+}
+
+RunStrip::RunStrip(const sim2d::Trace& trace, const PictureLayout& layout,
+                   std::vector<double> times)
+    : seed_(trace.header.seed),
+      times_(withinRun(std::move(times), trace)),
+      sizes_(narrowSizes()),
+      text_(layout.textAsOutlines),
+      map_(trace, sizes_, text_, withoutNames(layout.options)),
+      legend_(trace, map_, sizes_, text_),
+      key_(map_, sizes_, text_, layout.options) {
+  const double width = layout.width - 2.0 * sizes_.margin();
+  const double tall = map_.world().height() / map_.world().width();
+  columns_ = bestColumns(times_.size(), width, tall, sizes_.row());
+  const double cell = (width - kCellGap * (columns_ - 1)) / columns_;
+  cell_ = QSizeF(cell, cell * tall);
+  map_.place(QRectF(QPointF(), cell_));
+  const auto columns = static_cast<std::size_t>(columns_);
+  const std::size_t rows = (times_.size() + columns - 1) / columns;
+  const double heightOfRow = cell_.height() + sizes_.row() + 6.0;
+  size_ = QSizeF(layout.width,
+                 std::ceil(2.0 * sizes_.margin() + static_cast<double>(rows) * heightOfRow +
+                           sizes_.foot() + key_.height(width) + legend_.heightBelow(width)));
+}
+
+QRectF RunStrip::cellOf(std::size_t k) const {
+  const auto columns = static_cast<std::size_t>(columns_);
+  const std::size_t below = k / columns;
+  const auto column = static_cast<double>(k % columns);
+  const auto row = static_cast<double>(below);
+  return {sizes_.margin() + column * (cell_.width() + kCellGap),
+          sizes_.margin() + sizes_.row() + row * (cell_.height() + sizes_.row() + 6.0),
+          cell_.width(), cell_.height()};
+}
+
+void RunStrip::paint(QPainter& painter) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(QRectF(QPointF(), size_), Qt::white);
+  const editor::Theme& theme = text_.theme();
+  for (std::size_t k = 0; k < times_.size(); ++k) {
+    const QRectF cell = cellOf(k);
+    map_.place(cell);
+    map_.paint(painter, times_[k]);
+    const QString letter = QStringLiteral("(%1) ").arg(QChar(char16_t('a' + k % 26)));
+    text_.write(painter, {map_.mapRect().left(), cell.top() - 5.0},
+                theme.font(sizes_.text(), QFont::DemiBold), Role::Text, letter);
+    const double after =
+        QFontMetricsF(theme.font(sizes_.text(), QFont::DemiBold)).horizontalAdvance(letter);
+    text_.write(painter, {map_.mapRect().left() + after, cell.top() - 5.0},
+                theme.figureFont(sizes_.text()), Role::Text,
+                QStringLiteral("%1 s").arg(times_[k], 0, 'f', 1));
+  }
+  const double left = sizes_.margin();
+  const double width = size_.width() - 2.0 * left;
+  double y = cellOf(times_.size() - 1).bottom();
+  map_.paintScale(painter, {left, y + 0.6 * sizes_.foot()});
+  y += sizes_.foot();
+  key_.paint(painter, {left, y}, width);
+  y += key_.height(width);
+  legend_.paintBelow(painter, {left, y}, width, QStringLiteral("seed %1").arg(seed_));
 }
 
 }  // namespace app

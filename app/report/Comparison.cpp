@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "metrics/statistics/Bootstrap.h"
-#include "metrics/statistics/Effects.h"
-#include "metrics/statistics/Rates.h"
+#include "metrics/statistics/EffectSizes.h"
+#include "metrics/statistics/PairedTests.h"
 #include "metrics/statistics/SampleSize.h"
-#include "metrics/statistics/Stratified.h"
+#include "metrics/statistics/SuccessRates.h"
 
 namespace report {
 
@@ -37,9 +37,10 @@ Estimate estimateOf(const Study& study, const Metric& metric, Numbers values) {
   return estimate;
 }
 
-/// Equal differences stay equal: without the last digits, which are those of the rounding.
+/// The difference, rounded to 12 digits of the larger value, so that equal differences compare
+/// equal.
 double differenceOf(double first, double second) {
-  constexpr int kDigits = 12;  // of the larger value
+  constexpr int kDigits = 12;  // significant digits
   const double difference = first - second;
   const double larger = std::max(std::abs(first), std::abs(second));
   if (difference == 0.0 || !std::isfinite(difference) || larger < 1e-200) {
@@ -49,13 +50,13 @@ double differenceOf(double first, double second) {
   return std::isfinite(difference * scale) ? std::round(difference * scale) / scale : difference;
 }
 
-statistics::PairedOutcomes outcomesOf(const PairResult::OfCase& ofCase) {
+statistics::PairedOutcomes outcomesOf(const PairResult::CaseResult& ofCase) {
   const auto count = static_cast<int>(ofCase.differences.size());
   return {ofCase.both, ofCase.higher, ofCase.lower,
           count - ofCase.both - ofCase.higher - ofCase.lower};
 }
 
-/// A rate: the values 1 and 0 of both options, recovered from the outcomes and the differences.
+/// Tests a rate. The values 0 and 1 of both options follow from the outcomes.
 void testRates(const Study& study, const std::vector<statistics::PairedOutcomes>& outcomes,
                PairTest& pair) {
   pair.shift = statistics::mean(pair.differences);
@@ -69,9 +70,9 @@ void testNumbers(const Study& study, const statistics::Strata& strata, PairTest&
   pair.p = statistics::stratifiedSignedRank(strata).p;
 }
 
-/// Pairs that tie tell nothing: so many as are enough among those that differ, over their share.
-/// Where half of all or more tie, ranks say little more than signs.
-double enoughFor(const PairResult& pair) {
+/// The number of pairs required, for the pairs that differ, divided by their share. If at least
+/// half of the pairs tie, the ranks contain little more information than the signs.
+double requiredPairsFor(const PairResult& pair) {
   const auto pairs = static_cast<double>(pair.differences.size());
   const int differing = pair.higher + pair.lower;
   if (2.0 * differing <= pairs) {
@@ -84,11 +85,11 @@ double enoughFor(const PairResult& pair) {
   return std::ceil(enough * pairs / differing);
 }
 
-/// In each case, and over all cases.
+/// Tests each case, and all cases together.
 void testPair(const Study& study, bool isRate, PairResult& pair) {
   std::vector<statistics::PairedOutcomes> outcomes;
   statistics::Strata strata;
-  for (PairResult::OfCase& ofCase : pair.cases) {
+  for (PairResult::CaseResult& ofCase : pair.cases) {
     outcomes.push_back(outcomesOf(ofCase));
     strata.push_back(ofCase.differences);
     if (isRate) {
@@ -100,10 +101,10 @@ void testPair(const Study& study, bool isRate, PairResult& pair) {
   const auto pairs = static_cast<double>(pair.differences.size());
   if (isRate) {
     testRates(study, outcomes, pair);
-    pair.enoughPairs = statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs);
+    pair.requiredPairs = statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs);
   } else {
     testNumbers(study, strata, pair);
-    pair.enoughPairs = enoughFor(pair);
+    pair.requiredPairs = requiredPairsFor(pair);
   }
 }
 
@@ -118,7 +119,7 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
   PairResult pair;
   pair.first = first;
   pair.second = second;
-  std::map<std::size_t, PairResult::OfCase> cases;
+  std::map<std::size_t, PairResult::CaseResult> cases;
   for (const auto& block : blocks) {
     if (block[first] >= study.runCount() || block[second] >= study.runCount()) {
       continue;
@@ -127,7 +128,7 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
     const double other = valueOf(study, metric, block[second]);
     const double difference = differenceOf(one, other);
     if (!std::isnan(difference)) {
-      PairResult::OfCase& ofCase = cases[study.caseOf[block[first]]];
+      PairResult::CaseResult& ofCase = cases[study.caseOf[block[first]]];
       ofCase.both += one == 1.0 && other == 1.0 ? 1 : 0;
       addDifference(difference, ofCase);
       addDifference(difference, pair);
@@ -155,13 +156,13 @@ void adjust(std::vector<PairTest*> tests) {
   }
 }
 
-/// Over all cases, and within each case.
+/// Adjusts the tests over all cases and those within each case.
 void adjustPairs(std::vector<PairResult>& pairs) {
   std::vector<PairTest*> all;
   std::map<std::size_t, std::vector<PairTest*>> byCase;
   for (PairResult& pair : pairs) {
     all.push_back(&pair);
-    for (PairResult::OfCase& ofCase : pair.cases) {
+    for (PairResult::CaseResult& ofCase : pair.cases) {
       byCase[ofCase.number].push_back(&ofCase);
     }
   }
@@ -183,7 +184,7 @@ double deltaOf(const std::vector<Numbers>& first, const std::vector<Numbers>& se
   return compared > 0.0 ? sum / compared : statistics::kUndefined;
 }
 
-/// Blocks in which every option has a value.
+/// The blocks in which every option has a value.
 std::vector<Numbers> completeBlocks(const Study& study, std::size_t metric,
                                     const std::vector<std::vector<std::size_t>>& blocks) {
   std::vector<Numbers> complete;
@@ -203,7 +204,7 @@ std::vector<Numbers> completeBlocks(const Study& study, std::size_t metric,
   return complete;
 }
 
-/// None: nothing to compare, or all are equal.
+/// The best option. Nothing: nothing to compare, or all are equal.
 std::optional<std::size_t> bestOf(int sense, const MetricComparison& comparison) {
   const auto meanOf = [&](std::size_t option) { return comparison.estimates[option].mean; };
   std::optional<std::size_t> best;
@@ -223,29 +224,30 @@ std::optional<std::size_t> bestOf(int sense, const MetricComparison& comparison)
   return leaders < defined ? best : std::nullopt;
 }
 
-/// Beside the best; the signs of the differences tell, not the means.
-Standing standingOf(const Metric& metric, const MetricComparison& comparison, std::size_t option) {
+/// Compares with the best option by the signs of the paired differences, not by the means.
+RelativeToBest relativeToBestOf(const Metric& metric, const MetricComparison& comparison,
+                                std::size_t option) {
   const bool isSuccess = metric.isRate && metric.sense > 0;
   if (!comparison.succeeds[option] && !isSuccess) {
-    return Standing::NoSuccess;
+    return RelativeToBest::NeverSucceeds;
   }
   const PairResult* const pair = comparison.pairOf(*comparison.best, option);
   if (pair == nullptr || !(pair->adjusted < kSignificance)) {
-    return Standing::Close;
+    return RelativeToBest::NotDifferent;
   }
   const int more = pair->first == option ? pair->higher - pair->lower : pair->lower - pair->higher;
   const double shift = pair->first == option ? pair->shift : -pair->shift;
   const double towards = shift != 0.0 ? shift : more;
-  return towards * metric.sense > 0.0 ? Standing::Ahead : Standing::Beaten;
+  return towards * metric.sense > 0.0 ? RelativeToBest::Better : RelativeToBest::Worse;
 }
 
 void findBest(const Metric& metric, MetricComparison& comparison) {
-  comparison.standings.assign(comparison.estimates.size(), Standing::Close);
+  comparison.relativeToBest.assign(comparison.estimates.size(), RelativeToBest::NotDifferent);
   if (metric.sense != 0) {
     comparison.best = bestOf(metric.sense, comparison);
   }
   for (std::size_t option = 0; comparison.best && option < comparison.estimates.size(); ++option) {
-    comparison.standings[option] = standingOf(metric, comparison, option);
+    comparison.relativeToBest[option] = relativeToBestOf(metric, comparison, option);
   }
 }
 
@@ -278,7 +280,7 @@ std::vector<bool> succeedingOptions(const Study& study) {
   for (std::size_t run = 0; run < study.runCount(); ++run) {
     if (study.results.runs[run].ok) {
       double& known = most[study.optionOf[run]];
-      known = std::fmax(known, study.valuesOf(key)[run]);  // of a number and none the number
+      known = std::fmax(known, study.valuesOf(key)[run]);  // fmax ignores NaN
     }
   }
   std::transform(most.begin(), most.end(), succeeds.begin(),
@@ -296,14 +298,14 @@ std::vector<std::vector<std::size_t>> blocksOf(const Study& study) {
       blocks.emplace_back(study.options.size(), study.runCount());
     }
     std::size_t& slot = blocks[place->second][study.optionOf[run]];
-    slot = std::min(slot, run);  // of values that the experiment lists twice the first
+    slot = std::min(slot, run);  // the first, if the experiment lists a value twice
   }
   return blocks;
 }
 
 std::size_t constantCells(const Study& study) {
   struct Cell {
-    std::size_t first = 0;  // run
+    std::size_t first = 0;  // run index
     int runs = 0;
     bool isConstant = true;
   };

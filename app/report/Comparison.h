@@ -4,96 +4,96 @@
 #include <vector>
 
 #include "app/report/Study.h"
-#include "metrics/statistics/Family.h"
+#include "metrics/statistics/MultipleComparisons.h"
 #include "metrics/statistics/Summary.h"
 
 namespace report {
 
 using statistics::Interval;
 
-/// One metric of one option over all its runs.
+/// Statistics of one metric of one option over all its runs.
 struct Estimate {
-  Numbers values;     // defined ones, in the order of the runs
+  Numbers values;     // defined values, in run order
   int successes = 0;  // of a rate
   double mean = statistics::kUndefined, deviation = statistics::kUndefined;
   double median = statistics::kUndefined;
   Interval interval;        // of the mean: BCa; of a rate: Wilson
-  Interval medianInterval;  // by order statistics
+  Interval medianInterval;  // from order statistics
   int count() const { return static_cast<int>(values.size()); }
 };
 
-/// Two options on the same blocks (case and seed).
+/// A paired test of two options on the same blocks (case and seed).
 struct PairTest {
-  Numbers differences;                    // first - second, per block that has both
-  int higher = 0, lower = 0;              // blocks in which the first is; the others tie
-  double shift = statistics::kUndefined;  // Hodges-Lehmann; of a rate the difference of the rates
+  Numbers differences;                    // first - second, per block with both
+  int higher = 0, lower = 0;              // number of blocks in which first is higher, lower
+  double shift = statistics::kUndefined;  // Hodges-Lehmann; for rates, the difference
   Interval shiftInterval;
-  double p = statistics::kUndefined;         // signed-rank, of a rate McNemar; no blocks: none
-  double adjusted = statistics::kUndefined;  // by Holm over all pairs of the metric that have one
+  double p = statistics::kUndefined;         // signed-rank; for rates, McNemar; NaN: no blocks
+  double adjusted = statistics::kUndefined;  // Holm-adjusted over all pairs of the metric
 };
 
-/// Over all cases together: differences are ranked within their case (statistics/Stratified.h); of
-/// rates McNemar's test has the pair as its stratum, so that it is also that of the cases together.
+/// The test over all cases: differences are ranked within their case (statistics/Stratified.h). For
+/// rates, McNemar's test has one stratum per pair, so it is also valid over all cases.
 struct PairResult : PairTest {
-  struct OfCase : PairTest {  // `adjusted`: over the pairs of the metric in this case
-    std::size_t number = 0;   // of the case
-    int both = 0;             // of a rate: blocks in which both succeed
+  struct CaseResult : PairTest {  // `adjusted`: over the pairs in this case
+    std::size_t number = 0;       // index of the case
+    int both = 0;                 // for rates: blocks in which both succeed
   };
-  std::size_t first = 0, second = 0;            // options
-  std::vector<OfCase> cases;                    // that have blocks with both, in their order
-  double delta = statistics::kUndefined;        // Cliff's, of values of the same case
-  double enoughPairs = statistics::kUndefined;  // for 80 % power with such differences
+  std::size_t first = 0, second = 0;              // option indices
+  std::vector<CaseResult> cases;                  // cases that have blocks with both
+  double delta = statistics::kUndefined;          // Cliff's delta, within cases
+  double requiredPairs = statistics::kUndefined;  // number of pairs for 80 % power
 };
 
-/// An option beside the best of a metric, on the blocks that both have values in.
-enum class Standing {
-  Close,     // not clearly different; also the best itself, and where there is no best
-  Beaten,    // significantly worse
-  Ahead,     // significantly better there, although its mean over all runs is not
-  NoSuccess  // never succeeds: what its runs measure is of pieces, and is not ranked
+/// An option compared with the best option of a metric, on the blocks in which both have values.
+enum class RelativeToBest {
+  NotDifferent,  // no significant difference; also the best itself, or no best
+  Worse,         // significantly worse than the best
+  Better,        // significantly better, although its overall mean is worse
+  NeverSucceeds  // never succeeds: its runs are incomplete and not ranked
 };
 
-/// One metric over all options.
+/// One metric compared over all options.
 struct MetricComparison {
-  std::size_t metric = 0;           // place in the study
-  std::vector<Estimate> estimates;  // per option
-  std::vector<PairResult> pairs;    // of all two options
-  std::vector<bool> succeeds;       // per option: once at least, or its success is not known
-  std::optional<std::size_t> best;  // option; none: the metric is neutral, or all are equal
-  std::vector<Standing> standings;  // per option
-  std::optional<statistics::Friedman> friedman;  // three options and two complete blocks or more
-  double criticalDifference = statistics::kUndefined;  // of mean ranks, Nemenyi
+  std::size_t metric = 0;                        // index in the study
+  std::vector<Estimate> estimates;               // per option
+  std::vector<PairResult> pairs;                 // all pairs of options
+  std::vector<bool> succeeds;                    // per option: succeeded at least once, or unknown
+  std::optional<std::size_t> best;               // option; none: neutral metric, or all equal
+  std::vector<RelativeToBest> relativeToBest;    // per option
+  std::optional<statistics::Friedman> friedman;  // at least 3 options and 2 complete blocks
+  double criticalDifference = statistics::kUndefined;  // Nemenyi, of mean ranks
 
-  /// The best option, and each whose mean equals its. One that never succeeds is no best: its short
-  /// way and time are those of a piece.
-  bool leads(std::size_t option) const {
+  /// Whether the option is the best or has an equal mean. An option that never succeeds cannot be
+  /// the best: the path length and time of its runs are those of incomplete runs.
+  bool isBestOrTied(std::size_t option) const {
     return best && succeeds[option] && estimates[option].mean == estimates[*best].mean;
   }
-  /// The pair of two options, whichever comes first; null: there is none.
+  /// The pair of two options in either order; null: none.
   const PairResult* pairOf(std::size_t a, std::size_t b) const;
 };
 
 constexpr double kSignificance = 0.05;
 
-/// The value of a metric in a run. A failed run succeeds and completes nothing; its other values
-/// are those of a piece of a run and are undefined.
+/// The value of a metric in a run. For a failed run, success and completion are 0; all other values
+/// are undefined, because the run is incomplete.
 double valueOf(const Study& study, std::size_t metric, std::size_t run);
 
-/// Runs by block (case and seed): per option its run, or runCount() where there is none.
+/// Runs by block (case and seed): one run per option, or runCount() if missing.
 std::vector<std::vector<std::size_t>> blocksOf(const Study& study);
 
-/// Per option: one of its runs succeeds, or success is not known of any.
+/// Per option: whether a run succeeds, or success is unknown for all runs.
 std::vector<bool> succeedingOptions(const Study& study);
 
-/// Options in cases in which several seeds have run and gave equal values of every metric (and at
-/// least one value): runs that are not independent.
+/// The number of combinations of option and case in which several seeds gave identical values of
+/// every metric (at least one defined): such runs are not independent.
 std::size_t constantCells(const Study& study);
 
 MetricComparison compare(const Study& study, std::size_t metric,
                          const std::vector<std::vector<std::size_t>>& blocks);
 
-/// Decimals with which means are written: half of the narrowest interval is two units or more of
-/// the last place.
+/// The number of decimals for means: half of the narrowest interval is at least two units of the
+/// last digit.
 int decimalsFor(const std::vector<Estimate>& estimates, bool isRate);
 
 }  // namespace report

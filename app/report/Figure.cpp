@@ -12,7 +12,7 @@ namespace {
 
 struct RoleColors {
   const char* role;
-  const char* attributes;  // in a file
+  const char* attributes;  // in a standalone file
 };
 constexpr RoleColors kRoles[] = {
     {"ink", "fill=\"#1B1F23\""},
@@ -223,12 +223,12 @@ std::vector<double> ticks(double low, double high, int count) {
     if (tick > high + 1e-9 * step) {
       break;
     }
-    found.push_back(tick == 0.0 ? 0.0 : tick);  // no minus zero
+    found.push_back(tick == 0.0 ? 0.0 : tick);  // avoids -0
   }
   return found;
 }
 
-Scale roomyScale(double low, double high, double from, double to) {
+Scale paddedScale(double low, double high, double from, double to) {
   constexpr double kWidest = 1e300;
   if (!(low <= high) || high - low > kWidest) {
     return {0.0, 1.0, from, to};
@@ -240,13 +240,13 @@ Scale roomyScale(double low, double high, double from, double to) {
 }
 
 std::vector<double> axisTicks(const Scale& scale) {
-  constexpr double kRoom = 60.0;  // px for a number
+  constexpr double kRoom = 60.0;  // [px], space for a number
   const int most = std::max(2, static_cast<int>((scale.to - scale.from) / kRoom));
   std::vector<double> at = ticks(scale.low, scale.high, most);
   for (int count = 2 * most; at.size() < 2 && count <= 4 * most; count *= 2) {
-    at = ticks(scale.low, scale.high, count);  // one alone tells no scale
+    at = ticks(scale.low, scale.high, count);  // a single tick defines no scale
   }
-  if (at.size() > static_cast<std::size_t>(most) + 1) {  // each second one
+  if (at.size() > static_cast<std::size_t>(most) + 1) {  // every second tick
     for (std::size_t k = 0; 2 * k < at.size(); ++k) {
       at[k] = at[2 * k];
     }
@@ -271,7 +271,7 @@ void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent
 
 namespace {
 
-/// Whether it is the first byte of a UTF-8 character.
+/// Whether this is the first byte of a UTF-8 character.
 bool isCharacterStart(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
@@ -282,7 +282,7 @@ std::string shortened(const std::string& text, std::size_t most) {
   std::size_t characters = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (isCharacterStart(text[at]) && ++characters > most) {
-      std::size_t cut = at;  // of the character that is one too many; one more makes room
+      std::size_t cut = at;  // one more character is removed for the ellipsis
       do {
         --cut;
       } while (cut > 0 && !isCharacterStart(text[cut]));
@@ -299,8 +299,8 @@ std::size_t characterCount(const std::string& text) {
 std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
   const std::string breaks = " _-,/.";
   std::vector<std::string> lines(1);
-  std::size_t characters = 0;  // of the line
-  std::size_t goodEnd = 0;     // of the line, in bytes: behind the last place to break at
+  std::size_t characters = 0;  // in the current line
+  std::size_t goodEnd = 0;     // in bytes: after the last break position
   for (const char c : text) {
     if (isCharacterStart(c) && characters == most) {
       std::string& full = lines.back();

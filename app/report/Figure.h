@@ -9,10 +9,10 @@
 
 namespace report {
 
-constexpr int kOptionColors = 7;  // Okabe & Ito; with each its own mark
+constexpr int kOptionColors = 7;  // Okabe & Ito; each has its own mark shape
 
-/// One drawing as SVG, in pixels from the upper left. Colours are names that the page's style sheet
-/// knows in light and dark, and that become plain colours in a file.
+/// An SVG drawing in pixels, origin at the upper left. Colours are given as roles, which the page's
+/// style sheet defines for light and dark mode and a standalone file replaces by fixed colours.
 class Figure {
  public:
   Figure(std::string name, double width, double height)
@@ -30,23 +30,23 @@ class Figure {
   void rect(double x, double y, double width, double height, const std::string& role,
             double opacity = 1.0);
   void disc(double x, double y, double radius, const std::string& role, double opacity = 1.0);
-  /// `path`: as SVG wants it.
+  /// `path`: SVG path data.
   void path(const std::string& path, const std::string& role, double width = 1.0,
             double opacity = 1.0);
-  /// Lines through points.
+  /// A polyline through the points.
   void polyline(const std::vector<base::Vec2>& points, const std::string& role, double width,
                 double opacity = 1.0);
-  /// The mark of an option: its shape and colour.
+  /// The mark of an option, with its shape and colour.
   void mark(double x, double y, std::size_t option, double size = 4.5);
-  /// Drawn once, shown wherever use() says.
+  /// Defines a path that use() can draw repeatedly.
   void define(const std::string& id, const std::string& path, const std::string& role);
   void use(const std::string& id, double x, double y);
-  /// Everything until end() shows in this rectangle only.
+  /// Clips everything until endClip() to this rectangle.
   void beginClip(double x, double y, double width, double height);
   void endClip() { content_ += "</g>\n"; }
 
-  std::string markup() const;      // an svg element for the page
-  std::string standalone() const;  // an SVG file, light
+  std::string markup() const;      // an <svg> element for the page
+  std::string standalone() const;  // an SVG file with light colours
 
  private:
   std::string whole(const std::string& attributes) const;
@@ -57,42 +57,42 @@ class Figure {
   int clips_ = 0;
 };
 
-std::string strokeOf(std::size_t option);  // role of its lines
-std::string fillOf(std::size_t option);    // role of its areas
-std::string pixel(double value);           // with one decimal at most
+std::string strokeOf(std::size_t option);  // role of the option's lines
+std::string fillOf(std::size_t option);    // role of the option's areas
+std::string pixel(double value);           // at most one decimal
 
-/// Numbers to pixels.
+/// A linear scale from numbers to pixels.
 struct Scale {
-  double low = 0.0, high = 1.0;   // of numbers
-  double from = 0.0, to = 100.0;  // of pixels
+  double low = 0.0, high = 1.0;   // range of numbers
+  double from = 0.0, to = 100.0;  // range of pixels
   double at(double value) const { return from + (value - low) / (high - low) * (to - from); }
 };
-/// Round numbers within [low, high], about so many; never more than 12.
+/// About `count` round numbers within [low, high], at most 12.
 std::vector<double> ticks(double low, double high, int count);
-/// [low, high] with some room, never empty.
-Scale roomyScale(double low, double high, double from, double to);
-/// Ticks of a horizontal axis, as many as there is room for, and two at least.
+/// A scale for [low, high] with a margin; never empty.
+Scale paddedScale(double low, double high, double from, double to);
+/// The ticks of a horizontal axis: as many as fit, at least two.
 std::vector<double> axisTicks(const Scale& scale);
-/// A thin axis below a panel with its numbers.
+/// Draws an axis with numbers below a panel.
 void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent = false);
 
-/// At most so many characters; what is left out is shown as "…".
+/// Shortens the text to at most `most` characters; an ellipsis marks the cut.
 std::string shortened(const std::string& text, std::size_t most);
-/// In lines of at most so many characters, 1 at least: broken after a blank or one of "_-,/." where
-/// there is one in the last two thirds of a line, else where the line is full. One line at least.
+/// Splits the text into lines of at most `most` characters (at least 1): after a space or one of
+/// "_-,/." in the last two thirds of a line, otherwise at the limit. Returns at least one line.
 std::vector<std::string> wrapped(const std::string& text, std::size_t most);
-std::size_t characterCount(const std::string& text);  // of UTF-8
+std::size_t characterCount(const std::string& text);  // UTF-8 characters
 
-constexpr double kLetter = 6.7;  // px of a character of 11 px, of the widest font that there may be
+constexpr double kLetter = 6.7;  // [px], character width at 11 px in the widest font
 
-/// Panels side by side: `draw(index, left, top)` for each.
+/// A grid of panels; forEach() calls `draw(index, left, top)` for each.
 struct PanelGrid {
   std::size_t count = 0;
   int columns = 2;
   double panelHeight = 100.0;
   double width = 720.0, gap = 32.0;
-  std::vector<double> rowHeights{};  // where rows differ; empty: panelHeight
-  /// Each row as tall as the tallest of its panels.
+  std::vector<double> rowHeights{};  // if rows differ; empty: panelHeight
+  /// Sets the height of each row to its tallest panel.
   void fitRows(const std::vector<double>& panelHeights);
   std::size_t rows() const;
   double topOf(std::size_t row) const;

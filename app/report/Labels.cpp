@@ -7,7 +7,7 @@ namespace report {
 
 namespace {
 
-constexpr double kMark = 7.0;  // half of a mark [px]
+constexpr double kMark = 7.0;  // [px], half the size of a mark
 constexpr double kAscent = 9.0, kDescent = 3.0;
 
 bool overlap(const Box& a, const Box& b) {
@@ -25,7 +25,7 @@ Box markOf(const base::Vec2& point) {
   return {point - half, point + half};
 }
 
-/// How much of a line is in a box [px] (Liang and Barsky 1984).
+/// The length of a line inside a box [px] (Liang and Barsky 1984).
 double lengthWithin(const Segment& line, const Box& box) {
   const base::Vec2 along = line.to - line.from;
   double begin = 0.0;
@@ -62,10 +62,10 @@ PlacedLabel placedAt(const base::Vec2& point, const Box& box) {
   return place;
 }
 
-/// Places around a point, the nearest and most usual first: upper right, lower right, and so on,
-/// then on rings further away.
+/// Candidate positions around a point, in order of preference: upper right, lower right, and so on,
+/// then on rings with increasing distance.
 std::vector<PlacedLabel> candidatesOf(const Label& label) {
-  constexpr double kGap = 9.0;  // [px] to the middle of the mark
+  constexpr double kGap = 9.0;  // [px], distance to the centre of the mark
   constexpr int kDirections = 16;
   const double width = kLetter * static_cast<double>(characterCount(label.words));
   const base::Vec2 half(0.5 * width, 0.5 * (kAscent + kDescent));
@@ -93,13 +93,14 @@ std::vector<PlacedLabel> candidatesOf(const Label& label) {
   return found;
 }
 
-/// What speaks against places, the others being where they are.
-class Crowd {
+/// Assigns positions with a cost function, given the positions of the other labels.
+class LabelPlacer {
  public:
-  Crowd(const std::vector<Label>& labels, const std::vector<Segment>& lines, const Box& bounds)
+  LabelPlacer(const std::vector<Label>& labels, const std::vector<Segment>& lines,
+              const Box& bounds)
       : labels_(labels), lines_(lines), bounds_(bounds), places_(labels.size()) {}
 
-  /// Puts it where least speaks against it.
+  /// Moves a label to the position with the lowest cost.
   void place(std::size_t which) {
     const std::vector<PlacedLabel> all = candidatesOf(labels_[which]);
     std::vector<double> costs;
@@ -110,7 +111,7 @@ class Crowd {
     }
     places_[which] =
         all[static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin())];
-    areThere_ = std::max(areThere_, which + 1);
+    placedCount_ = std::max(placedCount_, which + 1);
   }
   const std::vector<PlacedLabel>& places() const { return places_; }
 
@@ -130,12 +131,12 @@ class Crowd {
       cost += overlap(place.box, mark) ? kForbidden : 0.0;
       cost +=
           other != which && place.hasLeader && lengthWithin(place.leader, mark) > 0.0 ? 30.0 : 0.0;
-      cost += other != which && other < areThere_ ? againstLabel(place, places_[other]) : 0.0;
+      cost += other != which && other < placedCount_ ? overlapCost(place, places_[other]) : 0.0;
     }
     return cost;
   }
 
-  static double againstLabel(const PlacedLabel& place, const PlacedLabel& other) {
+  static double overlapCost(const PlacedLabel& place, const PlacedLabel& other) {
     double cost = overlap(place.box, other.box) ? kForbidden : 0.0;
     cost += place.hasLeader && lengthWithin(place.leader, other.box) > 0.0 ? 60.0 : 0.0;
     cost += other.hasLeader && lengthWithin(other.leader, place.box) > 0.0 ? 60.0 : 0.0;
@@ -146,7 +147,7 @@ class Crowd {
   const std::vector<Segment>& lines_;
   const Box& bounds_;
   std::vector<PlacedLabel> places_;
-  std::size_t areThere_ = 0;  // the first of places_
+  std::size_t placedCount_ = 0;  // number of labels placed so far
 };
 
 }  // namespace
@@ -154,7 +155,7 @@ class Crowd {
 std::vector<PlacedLabel> placeLabels(const std::vector<Label>& labels,
                                      const std::vector<Segment>& lines, const Box& bounds) {
   constexpr int kRounds = 4;
-  Crowd crowd(labels, lines, bounds);
+  LabelPlacer crowd(labels, lines, bounds);
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t k = 0; k < labels.size(); ++k) {
       crowd.place(k);
@@ -173,7 +174,7 @@ void drawLabels(Figure& figure, const std::vector<Label>& labels,
     }
     const double base = place.box.high.y() - kDescent;
     const double middle = 0.5 * (place.box.low.x() + place.box.high.x());
-    // Fonts are narrower than kLetter: words begin, end or stand where their point is.
+    // Fonts are narrower than kLetter: the text is anchored on the side of its point.
     if (place.box.low.x() >= labels[k].point.x()) {
       figure.text(place.box.low.x(), base, labels[k].words);
     } else if (place.box.high.x() <= labels[k].point.x()) {

@@ -5,7 +5,7 @@
 
 #include "app/report/Figure.h"
 
-/// Names of points in a plane, beside them and not on each other.
+/// Placement of point labels without overlaps.
 namespace report {
 
 struct Box {
@@ -17,18 +17,18 @@ struct Segment {
 
 struct Label {
   std::string words;
-  base::Vec2 point = base::Vec2::Zero();  // [px], in the middle of its mark
+  base::Vec2 point = base::Vec2::Zero();  // [px], centre of its mark
 };
 
-/// Where words stand.
+/// The position of a label.
 struct PlacedLabel {
   Box box;
-  bool hasLeader = false;  // too far from its point to be told without a line
-  Segment leader;          // from its mark to its words
+  bool hasLeader = false;  // far from its point: drawn with a leader line
+  Segment leader;          // from the mark to the label
 };
 
-/// Finds a place for each, within the bounds, on no label and no mark, on lines only where there is
-/// nowhere else nearby. Greedy, and some times over.
+/// Places each label within the bounds without covering labels or marks; lines are covered only if
+/// no other position is near. Greedy, repeated a few times.
 std::vector<PlacedLabel> placeLabels(const std::vector<Label>& labels,
                                      const std::vector<Segment>& lines, const Box& bounds);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Bytes of the UTF-8 character that begins at `at`; 0: none does.
+/// The length of the UTF-8 character at `at`; 0: invalid.
 std::size_t characterLength(std::string_view text, std::size_t at) {
   const auto byte = static_cast<unsigned char>(text[at]);
   const std::size_t length = byte < 0x80   ? 1
@@ -171,7 +171,7 @@ std::string plainNumber(double value, int decimals) {
   return std::isnan(value) ? std::string() : rounded(value, decimals);
 }
 
-std::string pText(double p) {
+std::string pValueText(double p) {
   if (std::isnan(p)) {
     return "–";
   }
@@ -209,7 +209,7 @@ std::string tableHtml(const Table& table, const std::string& htmlClass) {
     }
     rows += element("tr", "", cells) + "\n";
   }
-  constexpr std::size_t kMostOnPaper = 10;  // columns whose numbers stand in one line
+  constexpr std::size_t kMostOnPaper = 10;  // columns that fit on paper
   const char* const many = table.columns.size() > kMostOnPaper ? " many" : "";
   return "<div class=\"wide\"><table class=\"sortable " + htmlClass + many + "\">\n" +
          element("caption", "", escaped(table.caption)) +
@@ -228,7 +228,7 @@ std::string cellLatex(const Table::Cell& cell) {
       text += " {\\footnotesize " + latexText(small) + "}";
     }
   }
-  // Behind \\ a bracket would be the room between two rows.
+  // After \\ LaTeX reads a bracket as row spacing.
   return text.rfind('[', 0) == 0 ? "{}" + text : text;
 }
 

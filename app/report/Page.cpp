@@ -5,10 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "app/report/Findings.h"
-#include "app/report/Methods.h"
+#include "app/report/PageSections.h"
 #include "app/report/PlayerPage.h"
-#include "app/report/PlotParts.h"
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
 #include "app/run/ResultRow.h"
@@ -17,42 +15,42 @@ namespace report {
 
 namespace {
 
-/// Makes the page of a study, section by section.
-class PageMaker {
+/// Creates the page of a study section by section.
+class PageBuilder {
  public:
-  PageMaker(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
-            const std::vector<std::string>& command, const OnStep& onStep)
-      : study_(study), weights_(weights), command_(command), onStep_(onStep) {}
+  PageBuilder(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
+              const std::vector<std::string>& command, const ProgressCallback& onProgress)
+      : study_(study), weights_(weights), command_(command), onProgress_(onProgress) {}
 
   Report make() {
     struct Step {
       const char* what;
-      void (PageMaker::*work)();
+      void (PageBuilder::*work)();
     };
     constexpr Step kSteps[] = {
-        {"comparing", &PageMaker::compareOptions}, {"reading runs", &PageMaker::readRuns},
-        {"results", &PageMaker::writeResults},     {"figures", &PageMaker::writeFigures},
-        {"pairs", &PageMaker::writePairs},         {"cases", &PageMaker::writeCases},
-        {"maps", &PageMaker::writeRuns},           {"failures", &PageMaker::writeFailures},
-        {"methods", &PageMaker::writeMethods},     {"tables", &PageMaker::writePage}};
+        {"comparing", &PageBuilder::compareOptions}, {"reading runs", &PageBuilder::readRuns},
+        {"results", &PageBuilder::writeResults},     {"figures", &PageBuilder::writeFigures},
+        {"pairs", &PageBuilder::writePairs},         {"cases", &PageBuilder::writeCases},
+        {"maps", &PageBuilder::writeRuns},           {"failures", &PageBuilder::writeFailures},
+        {"methods", &PageBuilder::writeMethods},     {"tables", &PageBuilder::writePage}};
     for (const Step& step : kSteps) {
-      tell(step.what);
+      reportProgress(step.what);
       (this->*step.work)();
     }
     return std::move(report_);
   }
 
  private:
-  void tell(const std::string& what) const {
-    if (onStep_) {
-      onStep_(what);
+  void reportProgress(const std::string& what) const {
+    if (onProgress_) {
+      onProgress_(what);
     }
   }
 
   void compareOptions() {
     blocks_ = blocksOf(study_);
     for (const std::size_t metric : study_.shown) {
-      tell("comparing " + study_.metrics[metric].name);
+      reportProgress("comparing " + study_.metrics[metric].name);
       comparisons_.push_back(compare(study_, metric, blocks_));
     }
   }
@@ -66,10 +64,10 @@ class PageMaker {
 
   void writePage() {
     report_.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
-    report_.html = wholePage(study_.title, head_ + navigation() + body_, hasPlayer_);
+    report_.html = htmlPage(study_.title, head_ + navigation() + body_, hasPlayer_);
   }
 
-  /// Runs that ended with an error, and those without success.
+  /// Finds the runs that ended with an error or without success.
   void findFailures() {
     const std::size_t none = study_.results.keys.size();
     std::size_t key = none;
@@ -78,7 +76,7 @@ class PageMaker {
     }
     for (std::size_t run = 0; run < study_.runCount(); ++run) {
       const bool hasKey = key < none;
-      knowsSuccess_ = knowsSuccess_ || (hasKey && !std::isnan(study_.valuesOf(key)[run]));
+      hasSuccessMetric_ = hasSuccessMetric_ || (hasKey && !std::isnan(study_.valuesOf(key)[run]));
       if (!study_.results.runs[run].ok || (hasKey && study_.valuesOf(key)[run] == 0.0)) {
         failures_.push_back(run);
       }
@@ -128,15 +126,15 @@ class PageMaker {
                        counted(seeds.size(), "seed");
     if (study_.options.size() > 1) {
       lead += ", " + std::to_string(study_.options.size()) + " options of " + study_.compared +
-              " side by side";
+              " compared";
     }
     head_ += paragraph(lead + ".", " class=\"lead\"");
     if (!study_.shard.empty()) {
-      head_ += paragraph("These are the runs of shard " + study_.shard +
-                         " of the study, not all; merge puts the shards together.");
+      head_ += paragraph("This report contains only the runs of shard " + study_.shard +
+                         " of the study; merge joins all shards.");
     }
     if (study_.status == "interrupted") {
-      head_ += paragraph("The batch was interrupted: only the runs that had ended are here.");
+      head_ += paragraph("The batch was interrupted; this report contains only the finished runs.");
     }
     writeSeedWarning();
     std::string findings;
@@ -151,7 +149,7 @@ class PageMaker {
     }
   }
 
-  /// Runs that differ in nothing but their number are no evidence.
+  /// Warns about runs that are identical for all seeds.
   void writeSeedWarning() {
     const std::size_t constant = constantCells(study_);
     if (constant == 0) {
@@ -159,10 +157,10 @@ class PageMaker {
     }
     head_ += paragraph(
         "In " + counted(constant, "combination") +
-            " of option and case all seeds gave the same values. Their runs are "
-            "counted as if they were independent and are not: intervals and p values are too "
-            "small. Let the seed matter (variation in the scenario, noise of sensors, random "
-            "arrivals), or read the table as one run per combination.",
+            " of option and case, all seeds gave the same values. These runs are counted as "
+            "independent, but they are not: confidence intervals and p values are too small. Make "
+            "the runs depend on the seed (variation in the scenario, sensor noise, random "
+            "arrivals), or interpret the table as one run per combination.",
         " class=\"warning\"");
   }
 
@@ -177,7 +175,7 @@ class PageMaker {
   void writeFigures() {
     const std::optional<Figure> distribution = distributionFigure(study_, comparisons_);
     if (distribution) {
-      section("distributions", "All runs");
+      section("distributions", "Distributions");
       add(distribution);
     }
     if (study_.pareto) {
@@ -214,7 +212,7 @@ class PageMaker {
     }
     const std::optional<Table> family = familyTable(study_, comparisons_);
     if (family) {
-      section("ranks", "All options at once");
+      section("ranks", "Comparison of all options");
       add(ranksFigure(study_, comparisons_));
       add(family);
     }
@@ -238,10 +236,10 @@ class PageMaker {
   }
 
   void writeRuns() {
-    const std::optional<Figure> ways = waysFigure(study_, pictures_);
+    const std::optional<Figure> ways = pathsFigure(study_, pictures_);
     const std::optional<Figure> contacts = contactsFigure(study_, pictures_);
     if (ways || contacts) {
-      section("trajectories", "On the map");
+      section("trajectories", "Paths and contacts");
       add(ways);
       add(contacts);
     }
@@ -256,37 +254,37 @@ class PageMaker {
         data.push_back(picture.player);
       }
     }
-    constexpr std::size_t kMostRows = 200;
-    const bool isCut = failures_.size() > kMostRows;
-    std::vector<std::size_t> told = failures_;
-    told.resize(std::min(told.size(), kMostRows));
+    constexpr std::size_t kMaxRows = 200;
+    const bool isCut = failures_.size() > kMaxRows;
+    std::vector<std::size_t> listed = failures_;
+    listed.resize(std::min(listed.size(), kMaxRows));
     section("failures", "Failures");
-    if (!knowsSuccess_ && failures_.empty()) {
-      body_ += paragraph("No run ended with an error; success is not measured here.");
+    if (!hasSuccessMetric_ && failures_.empty()) {
+      body_ += paragraph("No run ended with an error; no metric measures success.");
     } else if (failures_.empty()) {
       body_ += paragraph("Every run succeeded.");
     } else {
-      Table table = failuresTable(study_, told, played);
-      table.caption = counted(failures_.size(), "run") + " of " +
-                      std::to_string(study_.runCount()) + " without success" +
-                      (isCut ? "; the first " + std::to_string(kMostRows) +
-                                   " are listed, the others are in tables/failures.csv."
-                             : ".") +
-                      playedFailuresText(pictures_, failures_) +
-                      " The command shows the run in the window." +
-                      (study_.knowsRunWords || areAllKept(told)
-                           ? ""
-                           : " What the experiment sets for all runs (duration, "
-                             "dt …) is not in it: the file of the "
-                             "experiment is gone or has changed.");
+      Table table = failuresTable(study_, listed, played);
+      table.caption =
+          counted(failures_.size(), "run") + " of " + std::to_string(study_.runCount()) +
+          " without success" +
+          (isCut ? "; the first " + std::to_string(kMaxRows) +
+                       " are listed; tables/failures.csv contains all."
+                 : ".") +
+          playedFailuresText(pictures_, failures_) + " The command opens the run in the window." +
+          (study_.hasRunOptions || areAllKept(listed)
+               ? ""
+               : " It lacks the options that the experiment sets for all runs (duration, dt …), "
+                 "because the experiment file is missing or has changed.");
       body_ += tableHtml(table, "failures");
       report_.tables.push_back(failuresTable(study_, failures_, {}));
       report_.tables.back().caption = "Runs without success.";
     }
     if (pictures_.kept == 0) {
       body_ += paragraph(
-          "No folders of runs were kept, so no run can be drawn or played here (record: all in the "
-          "experiment keeps them, record: unsuccessful those of runs without success).");
+          "No run folders were kept, so runs cannot be drawn or played here. To keep them, set "
+          "record: all in the experiment, or record: unsuccessful to keep only runs without "
+          "success.");
     }
     hasPlayer_ = !data.empty();
     if (hasPlayer_) {
@@ -308,7 +306,7 @@ class PageMaker {
   const Study& study_;
   const std::vector<std::pair<std::string, double>>& weights_;
   const std::vector<std::string>& command_;
-  const OnStep& onStep_;
+  const ProgressCallback& onProgress_;
   std::vector<std::vector<std::size_t>> blocks_;
   Comparisons comparisons_;
   std::vector<std::size_t> failures_;
@@ -316,14 +314,14 @@ class PageMaker {
   Report report_;
   std::string head_, body_;
   std::vector<std::pair<std::string, std::string>> sections_;
-  bool knowsSuccess_ = false, hasPlayer_ = false;
+  bool hasSuccessMetric_ = false, hasPlayer_ = false;
 };
 
 }  // namespace
 
 Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
-                  const std::vector<std::string>& command, const OnStep& onStep) {
-  return PageMaker(study, weights, command, onStep).make();
+                  const std::vector<std::string>& command, const ProgressCallback& onProgress) {
+  return PageBuilder(study, weights, command, onProgress).make();
 }
 
 }  // namespace report

@@ -11,20 +11,20 @@
 
 namespace report {
 
-/// A report: the page and what lies beside it.
+/// A report: the page and its additional files.
 struct Report {
   std::string html;
   std::vector<Figure> figures;
-  std::vector<Table> tables;                                    // as CSV and LaTeX
+  std::vector<Table> tables;                                    // written as CSV and LaTeX
   std::vector<std::pair<std::string, std::string>> moreTables;  // name, CSV text
   base::Diagnostics problems;                                   // warnings
 };
 
-/// Is told what is worked on.
-using OnStep = std::function<void(const std::string& what)>;
+/// Progress callback.
+using ProgressCallback = std::function<void(const std::string& what)>;
 
-/// The same study and words give the same bytes. `command`: the words that ask for this report.
+/// Creates the report. The output is deterministic. `command`: the command line of this report.
 Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
-                  const std::vector<std::string>& command, const OnStep& onStep = {});
+                  const std::vector<std::string>& command, const ProgressCallback& onProgress = {});
 
 }  // namespace report

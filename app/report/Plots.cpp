@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "app/report/Markup.h"
-#include "app/report/PlotParts.h"
+#include "sim2d/base/Text.h"
 
 namespace report {
 
 namespace {
 
-constexpr std::size_t kFewPairs = 3;  // all are shown
+constexpr std::size_t kFewPairs = 3;  // up to this number, all pairs are displayed
 
 /// A panel with one row per option: dot and interval.
 void intervalPanel(Figure& figure, const Study& study, const MetricComparison& comparison,
@@ -66,7 +66,8 @@ std::optional<Figure> intervalPanels(const Study& study,
   return figure;
 }
 
-/// Quartiles, median, whiskers to the farthest values within 1.5 quartile distances (Tukey).
+/// Draws a box plot (Tukey): quartiles, median, whiskers to the farthest values within 1.5
+/// interquartile ranges.
 void box(Figure& figure, const Numbers& values, const Scale& scale, double y, std::size_t option) {
   const Numbers quartiles = statistics::quantiles(values, {0.25, 0.5, 0.75});
   const double reach = 1.5 * (quartiles[2] - quartiles[0]);
@@ -108,7 +109,7 @@ void distributionPanel(Figure& figure, const Study& study, const MetricCompariso
     const double y = top + kTitle + (static_cast<double>(option) + 0.5) * kRow;
     if (!values.empty()) {
       box(figure, values, scale, y - 7.0, option);
-      strip(figure, values, scale, y + 9.0, 12.0, fillOf(option));
+      stripPlot(figure, values, scale, y + 9.0, 12.0, fillOf(option));
     }
   }
   horizontalAxis(figure, scale, top + kTitle + static_cast<double>(study.options.size()) * kRow);
@@ -133,24 +134,27 @@ std::vector<const PairResult*> shownPairs(const MetricComparison& comparison) {
 }
 
 std::optional<Figure> ratesFigure(const Study& study, const Comparisons& comparisons) {
-  std::optional<Figure> figure = intervalPanels(study, ofKind(study, comparisons, true), "success");
+  std::optional<Figure> figure =
+      intervalPanels(study, comparisonsOfKind(study, comparisons, true), "success");
   if (figure) {
-    figure->caption = "Rates with Wilson's intervals of " + levelText(study.level) + ".";
+    figure->caption =
+        "Rates with Wilson confidence intervals, level " + levelText(study.level) + ".";
   }
   return figure;
 }
 
 std::optional<Figure> intervalsFigure(const Study& study, const Comparisons& comparisons) {
   std::optional<Figure> figure =
-      intervalPanels(study, ofKind(study, comparisons, false), "intervals");
+      intervalPanels(study, comparisonsOfKind(study, comparisons, false), "intervals");
   if (figure) {
-    figure->caption = "Means with bootstrap intervals (BCa) of " + levelText(study.level) + ".";
+    figure->caption =
+        "Means with bootstrap confidence intervals (BCa), level " + levelText(study.level) + ".";
   }
   return figure;
 }
 
 std::optional<Figure> distributionFigure(const Study& study, const Comparisons& comparisons) {
-  const auto chosen = ofKind(study, comparisons, false);
+  const auto chosen = comparisonsOfKind(study, comparisons, false);
   if (chosen.empty()) {
     return std::nullopt;
   }
@@ -167,10 +171,111 @@ std::optional<Figure> distributionFigure(const Study& study, const Comparisons& 
                            distributionPanel(to, study, *chosen[k], left, top, width);
                          });
   figure.caption =
-      "All runs: quartiles and median, whiskers to 1.5 quartile distances; a dot is a run" +
-      std::string(isThinned ? " (of many, " + std::to_string(kMostDots) + " evenly chosen by size)."
-                            : ".");
+      "All runs: box plots with quartiles, median and whiskers up to 1.5 interquartile ranges; "
+      "each dot is a run" +
+      std::string(isThinned
+                      ? " (at most " + std::to_string(kMostDots) + ", evenly selected by value)."
+                      : ".");
   return figure;
+}
+
+namespace {
+
+/// The values to draw as dots.
+Numbers dotsOf(Numbers values) {
+  if (values.size() <= kMostDots) {
+    return values;
+  }
+  std::sort(values.begin(), values.end());
+  Numbers dots;
+  dots.reserve(kMostDots);
+  for (std::size_t k = 0; k < kMostDots; ++k) {
+    dots.push_back(values[k * (values.size() - 1) / (kMostDots - 1)]);
+  }
+  return dots;
+}
+
+/// A deterministic jitter in [-0.5, 0.5] from the golden ratio.
+double jitter(std::size_t k) {
+  const double turns = static_cast<double>(k) * 0.6180339887498949;
+  return turns - std::floor(turns) - 0.5;
+}
+
+}  // namespace
+
+void Extent::add(double value) {
+  if (!std::isnan(value)) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+}
+
+Scale scaleOfValues(const Extent& values, double from, double to) {
+  const bool areZeros = values.low == 0.0 && values.high == 0.0;
+  return paddedScale(values.low, areZeros ? 1.0 : values.high, from, to);
+}
+
+std::vector<const MetricComparison*> comparisonsOfKind(const Study& study,
+                                                       const Comparisons& comparisons, bool rates) {
+  std::vector<const MetricComparison*> found;
+  for (const MetricComparison& comparison : comparisons) {
+    if (study.metrics[comparison.metric].isRate == rates) {
+      found.push_back(&comparison);
+    }
+  }
+  return found;
+}
+
+double namesWidth(const Study& study, double most) {
+  constexpr double kLeast = 104.0;
+  constexpr double kGap = 16.0;
+  std::size_t longest = 0;
+  for (const std::string& option : study.options) {
+    longest = std::max(longest, characterCount(option));
+  }
+  return std::min(std::max(kLeast, kLetter * static_cast<double>(longest) + kGap), most);
+}
+
+int columnsOfPanels(std::size_t count, double names) {
+  PanelGrid two;
+  return count == 1 || names > 0.5 * two.panelWidth() ? 1 : two.columns;
+}
+
+std::string nameOfOption(const Study& study, std::size_t option, double room) {
+  return shortened(study.options[option], static_cast<std::size_t>(room / kLetter));
+}
+
+void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight,
+                 double width) {
+  constexpr double kGap = 10.0;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    const double y = top + (static_cast<double>(option) + 0.5) * rowHeight;
+    figure.text(left + width - kGap, y + 4.0, nameOfOption(study, option, width - kGap), "ink",
+                Figure::Anchor::End);
+  }
+}
+
+void panelTitle(Figure& figure, const std::string& title, double left, double top) {
+  constexpr std::size_t kTitleLength = 46;
+  constexpr double kSize = 11.5;
+  figure.text(left, top + 12.0, shortened(title, kTitleLength), "ink", Figure::Anchor::Start,
+              kSize);
+}
+
+std::string percentText(double share) {
+  return numberText(100.0 * share, 0) + " %";
+}
+
+std::string levelText(double level) {
+  return base::formatDouble(std::round(1e8 * level) / 1e6) + " %";
+}
+
+void stripPlot(Figure& figure, const Numbers& values, const Scale& scale, double y, double height,
+               const std::string& role) {
+  const Numbers dots = dotsOf(values);
+  for (std::size_t k = 0; k < dots.size(); ++k) {
+    figure.disc(scale.at(dots[k]), y + jitter(k) * height, 1.6, role, 0.45);
+  }
 }
 
 }  // namespace report

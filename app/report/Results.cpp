@@ -15,7 +15,7 @@ namespace report {
 
 namespace {
 
-constexpr std::size_t kMostTold = 10;
+constexpr std::size_t kMaxProblems = 10;
 constexpr double kUndefinedValue = std::numeric_limits<double>::quiet_NaN();
 
 class ResultsReader {
@@ -28,13 +28,13 @@ class ResultsReader {
       return problems_;
     }
     sim2d::CsvRow row;
-    sim2d::CsvField last;  // at the end there is no row
-    while (problems_.size() < kMostTold && nextRow(row)) {
+    sim2d::CsvField last;  // the reader returns no row at the end
+    while (problems_.size() < kMaxProblems && nextRow(row)) {
       readRow(row);
       last = row.back();
     }
     if (problems_.empty() && reader_.isTruncated()) {
-      tell(last, "trace.cut-line");
+      addProblem(last, "trace.cut-line");
     }
     if (problems_.empty() && results_.runs.empty()) {
       problems_.push_back(base::error("report.no-runs", {}, file_));
@@ -46,15 +46,16 @@ class ResultsReader {
   }
 
  private:
-  void tell(const sim2d::CsvField& field, std::string_view code, base::ProblemValues values = {}) {
+  void addProblem(const sim2d::CsvField& field, std::string_view code,
+                  base::ProblemValues values = {}) {
     problems_.push_back(base::error(code, std::move(values), file_, field.line, field.column));
   }
 
-  /// run,scenario,seed,<value paths>,status,reason,simulated,<metric keys>
+  /// Columns: run,scenario,seed,<value paths>,status,reason,simulated,<metric keys>
   bool nextRow(sim2d::CsvRow& row) {
     const bool hasRow = reader_.next(row);
     for (sim2d::CsvField& field : row) {
-      sim2d::takeMarkFromCsvField(field.text);
+      sim2d::removeFormulaMark(field.text);
     }
     return hasRow;
   }
@@ -77,7 +78,7 @@ class ResultsReader {
     std::set<std::string> known;
     for (std::size_t at = kFixed; at < row.size(); ++at) {
       if (!known.insert(row[at].text).second || row[at].text.empty()) {
-        tell(row[at], "report.column-twice", {row[at].text});
+        addProblem(row[at], "report.column-twice", {row[at].text});
       }
       if (at < status_) {
         results_.paths.push_back(row[at].text);
@@ -93,7 +94,7 @@ class ResultsReader {
 
   void readRow(const sim2d::CsvRow& row) {
     if (row.size() != columns_) {
-      tell(row.front(), "trace.field-count", {row.size(), columns_});
+      addProblem(row.front(), "trace.field-count", {row.size(), columns_});
       return;
     }
     Results::Run run;
@@ -106,10 +107,10 @@ class ResultsReader {
     run.ok = row[status_].text == "ok";
     run.reason = row[status_ + 1].text;
     if (!run.ok && row[status_].text != "failed") {
-      tell(row[status_], "report.status", {row[status_].text});
+      addProblem(row[status_], "report.status", {row[status_].text});
     }
     if (!numbers_.insert(run.number).second) {
-      tell(row[0], "report.run-twice", {run.number});
+      addProblem(row[0], "report.run-twice", {run.number});
     }
     for (std::size_t k = 0; k < results_.keys.size(); ++k) {
       readMetric(row[status_ + 3 + k], k);
@@ -120,7 +121,7 @@ class ResultsReader {
   long long wholeOf(const sim2d::CsvField& field, const char* name) {
     const std::optional<long long> number = base::parseInt(field.text);
     if (!number || *number < 0) {
-      tell(field, "trace.not-whole", {name, field.text});
+      addProblem(field, "trace.not-whole", {name, field.text});
     }
     return number.value_or(0);
   }
@@ -133,7 +134,7 @@ class ResultsReader {
     } else if (!field.text.empty()) {
       const std::optional<double> number = base::parseDouble(field.text);
       if (!number) {
-        tell(field, "trace.not-finite", {results_.keys[key], field.text});
+        addProblem(field, "trace.not-finite", {results_.keys[key], field.text});
       }
       value = number.value_or(kUndefinedValue);
       value = std::abs(value) <= std::numeric_limits<double>::max() ? value : kUndefinedValue;

@@ -9,7 +9,7 @@ namespace report {
 
 using Numbers = std::vector<double>;
 
-/// results.csv of a batch.
+/// The contents of results.csv of a batch.
 struct Results {
   struct Run {
     long long number = 0;
@@ -17,21 +17,21 @@ struct Results {
     long long seed = 0;
     std::vector<std::string> values;  // one per path
     bool ok = true;
-    std::string reason;  // of a failure
+    std::string reason;  // failure reason
   };
 
-  std::vector<std::string> paths;  // of --set, the dimensions of the experiment
-  std::vector<std::string> keys;   // of metrics
+  std::vector<std::string> paths;  // dimensions of the experiment (--set paths)
+  std::vector<std::string> keys;   // metric keys
   std::vector<Run> runs;
-  std::vector<Numbers> metrics;  // per key, per run; NaN = undefined; true = 1, false = 0
-  std::vector<bool> isBoolean;   // per key: all of its values are True or False
+  std::vector<Numbers> metrics;  // per key and run; NaN: undefined; true: 1, false: 0
+  std::vector<bool> isBoolean;   // per key: all values are True or False
 
-  /// Place of a key, or keys.size().
+  /// The index of a key, or keys.size().
   std::size_t keyAt(const std::string& key) const;
 };
 
-/// Every problem with its place: columns that are no results, rows of another width, fields that
-/// are no numbers, a run that is there twice. `file` is named in the problems.
+/// Parses results.csv. Reports every problem with its position: missing columns, rows of a
+/// different width, invalid numbers, duplicate runs. `file` is used in the messages.
 base::Result<Results> parseResults(const std::string& text, const std::string& file);
 
 }  // namespace report

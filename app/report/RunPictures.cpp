@@ -13,16 +13,17 @@ namespace report {
 
 namespace {
 
-constexpr std::size_t kMostRead = 160;     // folders of runs
-constexpr std::size_t kMostPerCell = 8;    // ways per case and option
-constexpr std::size_t kMostFailures = 24;  // that the player has
-constexpr std::size_t kMostOthers = 4;     // of other runs, from several options
+constexpr std::size_t kMostRead = 160;     // run folders
+constexpr std::size_t kMostPerCell = 8;    // paths per case and option
+constexpr std::size_t kMostFailures = 24;  // failures in the player
+constexpr std::size_t kMostOthers = 4;     // other runs in the player, from several options
 constexpr std::size_t kFailureBytes = 5'000'000, kOtherBytes = 2'000'000;
 constexpr double kPlayerStep = 0.2;  // [s]
 constexpr double kWayStep = 0.1;     // [m]
 
-/// Runs that were kept: the first of each case and option, then the second of each, and so on.
-std::vector<std::size_t> inRounds(const Study& study, const std::vector<bool>& isKept) {
+/// The kept runs in the order: the first of each case and option, then the second of each, and so
+/// on.
+std::vector<std::size_t> roundRobin(const Study& study, const std::vector<bool>& isKept) {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> perCell;
   std::vector<std::vector<std::size_t>> rounds(kMostPerCell);
   for (std::size_t run = 0; run < study.runCount(); ++run) {
@@ -38,7 +39,7 @@ std::vector<std::size_t> inRounds(const Study& study, const std::vector<bool>& i
   return runs;
 }
 
-/// Which run folders to read; counts those that there are.
+/// Selects the run folders to read and counts the kept ones.
 std::vector<std::size_t> chosenRuns(const Study& study, const std::vector<std::size_t>& failures,
                                     RunPictures& pictures) {
   std::vector<bool> isKept(study.runCount());
@@ -65,12 +66,12 @@ std::vector<std::size_t> chosenRuns(const Study& study, const std::vector<std::s
       }
     }
   }
-  const std::vector<std::size_t> others = inRounds(study, isKept);
+  const std::vector<std::size_t> others = roundRobin(study, isKept);
   std::for_each(others.begin(), others.end(), take);
   return {chosen.begin(), chosen.end()};
 }
 
-/// The first robot of an instant; null: there is none.
+/// The position of the first robot in a frame. Nothing: no robot.
 std::optional<base::Vec2> robotIn(const sim2d::Frame& frame) {
   for (std::size_t k = 0; k < frame.robots.size(); ++k) {
     if (frame.robots.id[k] == -1) {
@@ -80,30 +81,30 @@ std::optional<base::Vec2> robotIn(const sim2d::Frame& frame) {
   return std::nullopt;
 }
 
-/// `problems`: of the metrics' settings that its record holds.
+/// `problems`: errors in the trace's metrics settings.
 RunPicture pictureOf(const sim2d::Trace& trace, std::size_t run, base::Diagnostics& problems) {
   RunPicture picture;
   picture.run = run;
   for (const sim2d::Frame& frame : trace.frames) {
     const std::optional<base::Vec2> place = robotIn(frame);
-    if (place && (picture.way.empty() || (*place - picture.way.back()).norm() >= kWayStep)) {
-      picture.way.push_back(*place);
+    if (place && (picture.path.empty() || (*place - picture.path.back()).norm() >= kWayStep)) {
+      picture.path.push_back(*place);
     }
   }
   app::MetricsSetup setup;
   problems = app::readMetricsSetup(trace.header, setup);
-  picture.contacts = metrics::contactsOf(trace, setup.selection, setup.parameters);
+  picture.contacts = metrics::robotContacts(trace, setup.selection, setup.parameters);
   return picture;
 }
 
-/// Which runs the player gets, in the order of the study: the first failures, and of the others a
-/// few of each option.
-class PlayerChoice {
+/// Selects the runs for the player, in run order: the first failures, and a few other runs of each
+/// option.
+class PlayerSelection {
  public:
-  PlayerChoice(const Study& study, const std::vector<std::size_t>& failures)
+  PlayerSelection(const Study& study, const std::vector<std::size_t>& failures)
       : study_(study), failures_(failures.begin(), failures.end()) {}
 
-  bool hasRoomFor(std::size_t run) const {
+  bool accepts(std::size_t run) const {
     if (failures_.count(run) != 0) {
       return failed_.count < kMostFailures && failed_.bytes < kFailureBytes;
     }
@@ -113,16 +114,16 @@ class PlayerChoice {
            (ofOption == perOption_.end() || ofOption->second < share);
   }
   void take(std::size_t run, std::size_t bytes) {
-    Taken& taken = failures_.count(run) != 0 ? failed_ : others_;
-    ++taken.count;
-    taken.bytes += bytes;
+    Total& total = failures_.count(run) != 0 ? failed_ : others_;
+    ++total.count;
+    total.bytes += bytes;
     if (failures_.count(run) == 0) {
       ++perOption_[study_.optionOf[run]];
     }
   }
 
-  /// "dwa, corridor, seed 13", "robot1.max_vel 0.5, corridor, seed 13".
-  PlayerWords wordsOf(std::size_t run) const {
+  /// The description of a run: "dwa, corridor, seed 13", "robot1.max_vel 0.5, corridor, seed 13".
+  PlayerLabels labelsOf(std::size_t run) const {
     const Results::Run& row = study_.results.runs[run];
     std::string about;
     if (study_.options.size() > 1) {
@@ -133,21 +134,21 @@ class PlayerChoice {
       about += study_.cases[study_.caseOf[run]] + ", ";
     }
     return {"Run " + std::to_string(row.number), about + "seed " + std::to_string(row.seed),
-            failures_.count(run) != 0 ? study_.whatHappened(run) : std::string()};
+            failures_.count(run) != 0 ? study_.outcomeText(run) : std::string()};
   }
 
  private:
-  struct Taken {
+  struct Total {
     std::size_t count = 0, bytes = 0;
   };
 
   const Study& study_;
   std::set<std::size_t> failures_;
-  Taken failed_, others_;
+  Total failed_, others_;
   std::map<std::size_t, std::size_t> perOption_;
 };
 
-/// How many runs the player has, of those without success or of the others.
+/// The number of runs in the player, of failures or of other runs.
 std::size_t playersOf(const RunPictures& pictures, const std::vector<std::size_t>& failures,
                       bool ofFailures) {
   const std::set<std::size_t> failed(failures.begin(), failures.end());
@@ -159,19 +160,20 @@ std::size_t playersOf(const RunPictures& pictures, const std::vector<std::size_t
 
 }  // namespace
 
-Ground groundOf(const sim2d::Trace& trace) {
-  Ground ground;
+FloorPlan floorPlanOf(const sim2d::Trace& trace) {
+  FloorPlan floorPlan;
   bool isFirst = true;
   const auto include = [&](const base::Vec2& point, double room) {
     const base::Vec2 around(room, room);
-    ground.low = isFirst ? base::Vec2(point - around) : ground.low.cwiseMin(point - around).eval();
-    ground.high =
-        isFirst ? base::Vec2(point + around) : ground.high.cwiseMax(point + around).eval();
+    floorPlan.low =
+        isFirst ? base::Vec2(point - around) : floorPlan.low.cwiseMin(point - around).eval();
+    floorPlan.high =
+        isFirst ? base::Vec2(point + around) : floorPlan.high.cwiseMax(point + around).eval();
     isFirst = false;
   };
   for (const sim2d::TraceObstacle& obstacle : trace.header.obstacles) {
     for (const sim2d::Outline& outline : obstacle.outlines) {
-      (obstacle.name == "map" ? ground.walls : ground.shapes).push_back(outline);
+      (obstacle.name == "map" ? floorPlan.walls : floorPlan.shapes).push_back(outline);
       for (const base::Vec2& point : outline.points) {
         include(point, 0.0);
       }
@@ -189,7 +191,7 @@ Ground groundOf(const sim2d::Trace& trace) {
   if (isFirst) {
     include(base::Vec2::Zero(), 5.0);
   }
-  return ground;
+  return floorPlan;
 }
 
 const RunPicture* RunPictures::of(std::size_t run) const {
@@ -204,10 +206,10 @@ const RunPicture* RunPictures::of(std::size_t run) const {
 RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& failures) {
   RunPictures pictures;
   const std::vector<std::size_t> chosen = chosenRuns(study, failures, pictures);
-  PlayerChoice choice(study, failures);
+  PlayerSelection choice(study, failures);
   const auto warn = [&pictures](const base::Diagnostics& problems) {
     for (base::Diagnostic problem : problems) {
-      problem.severity = base::Severity::Warning;  // the report goes on
+      problem.severity = base::Severity::Warning;  // the report continues
       pictures.problems.push_back(std::move(problem));
     }
   };
@@ -220,10 +222,10 @@ RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& 
     base::Diagnostics problems;
     pictures.runs.push_back(pictureOf(*trace, run, problems));
     warn(problems);
-    pictures.grounds.try_emplace(study.results.runs[run].scenario, groundOf(*trace));
-    if (choice.hasRoomFor(run)) {
+    pictures.floorPlans.try_emplace(study.results.runs[run].scenario, floorPlanOf(*trace));
+    if (choice.accepts(run)) {
       RunPicture& picture = pictures.runs.back();
-      picture.player = playerJson(*trace, picture.contacts, choice.wordsOf(run), kPlayerStep);
+      picture.player = playerJson(*trace, picture.contacts, choice.labelsOf(run), kPlayerStep);
       choice.take(run, picture.player.size());
     }
   }
@@ -239,10 +241,10 @@ std::string playedFailuresText(const RunPictures& pictures,
   const std::string kept = std::to_string(pictures.keptFailures);
   return " " + std::to_string(played) + " of the " + std::to_string(failures.size()) +
          " can be played here" +
-         (pictures.keptFailures == failures.size() ? ", to keep the page small."
+         (pictures.keptFailures == failures.size() ? "; the page size is limited."
           : played == pictures.keptFailures
-              ? ": the folders of the others were not kept."
-              : ": of " + kept + " the folders were kept, and the page is to stay small.");
+              ? "; the folders of the others were not kept."
+              : "; the folders of " + kept + " were kept, and the page size is limited.");
 }
 
 std::string playedOthersText(const RunPictures& pictures,
@@ -250,7 +252,7 @@ std::string playedOthersText(const RunPictures& pictures,
   const std::size_t played = playersOf(pictures, failures, false);
   const std::size_t kept = pictures.kept - pictures.keptFailures;
   return played == kept ? std::string()
-                        : "The player has " + std::to_string(played) + " of the " +
+                        : "The player contains " + std::to_string(played) + " of the " +
                               std::to_string(kept) + " runs with success that were kept.";
 }
 

@@ -7,64 +7,65 @@
 
 #include "app/report/Figure.h"
 #include "app/report/Study.h"
-#include "metrics/RobotPlaces.h"
+#include "metrics/RobotPositions.h"
 #include "sim2d/trace/Trace.h"
 
 namespace report {
 
-/// What pages show of one recorded run.
+/// The displayed data of one recorded run.
 struct RunPicture {
-  std::size_t run = 0;          // of the study
-  std::vector<base::Vec2> way;  // of the robot [m], a point each 10 cm
+  std::size_t run = 0;           // index in the study
+  std::vector<base::Vec2> path;  // [m], path of the robot, a point every 10 cm
   std::vector<metrics::RobotContact> contacts;
-  std::string player;  // JSON for the page's player; empty = not asked for
+  std::string player;  // JSON for the player; empty: not in the player
 };
 
-/// Where runs take place.
-struct Ground {
+/// The map of a scenario.
+struct FloorPlan {
   base::Vec2 low = base::Vec2::Zero(), high = base::Vec2::Zero();  // [m]
-  std::vector<sim2d::Outline> walls, shapes;                       // of the map; drawn obstacles
+  std::vector<sim2d::Outline> walls, shapes;                       // map walls; other obstacles
 };
 
-Ground groundOf(const sim2d::Trace& trace);
+FloorPlan floorPlanOf(const sim2d::Trace& trace);
 
-/// What the player's head and its list say of a run.
-struct PlayerWords {
+/// The texts of a run in the player.
+struct PlayerLabels {
   std::string title;         // "Run 42"
-  std::string about = {};    // option, case and seed; empty = scenario and seed
-  std::string outcome = {};  // of a run without success: what happened
+  std::string about = {};    // option, case, seed; empty: scenario, seed
+  std::string outcome = {};  // outcome of a run without success
 };
 
-/// JSON of a run for the page's player: places in cm, headings in 1/100 rad, as differences from
-/// one sample to the next. `every` [s] between samples, at least the record's own. `contacts`:
-/// those that metrics count are told even where the bodies did not touch.
+/// The JSON of a run for the player: positions in cm, headings in 1/100 rad, as differences between
+/// samples. `every`: sample interval [s], at least that of the trace. `contacts`: contacts counted
+/// by metrics are listed even without a contact event.
 std::string playerJson(const sim2d::Trace& trace,
-                       const std::vector<metrics::RobotContact>& contacts, const PlayerWords& words,
-                       double every);
+                       const std::vector<metrics::RobotContact>& contacts,
+                       const PlayerLabels& words, double every);
 
 struct RunPictures {
-  std::vector<RunPicture> runs;           // in the order of the study's runs
-  std::map<std::string, Ground> grounds;  // per scenario
-  std::size_t kept = 0;                   // run folders that there are
-  std::size_t keptFailures = 0;           // those of them without success
-  base::Diagnostics problems;             // warnings: folders that cannot be read
+  std::vector<RunPicture> runs;                 // in run order
+  std::map<std::string, FloorPlan> floorPlans;  // per scenario
+  std::size_t kept = 0;                         // number of kept run folders
+  std::size_t keptFailures = 0;                 // kept run folders without success
+  base::Diagnostics problems;                   // warnings: unreadable folders
 
   const RunPicture* of(std::size_t run) const;
 };
 
-/// Reads run folders that were kept: those of `failures` and of runs with contacts first, then some
-/// per case and option; of the first failures and of a few others also the player's data.
+/// Reads kept run folders: first those of `failures` and of runs with contacts, then some per case
+/// and option. The first failures and a few other runs also get player data.
 RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& failures);
 
-/// What the page says of runs that it cannot play: " 24 of the 32 can be played here …" for the
-/// caption of the failures, and a sentence on the others; empty: all that were kept can be.
+/// Text about runs that the player does not contain: " 24 of the 32 can be played here …" for the
+/// caption of the failures, and a sentence about the other runs. Empty: all kept runs can be
+/// played.
 std::string playedFailuresText(const RunPictures& pictures,
                                const std::vector<std::size_t>& failures);
 std::string playedOthersText(const RunPictures& pictures, const std::vector<std::size_t>& failures);
 
-/// Ways of the robot on the map, a panel per case and option; null: there are none.
-std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures);
-/// Where contacts happen, a panel per scenario that has some; null: none has.
+/// The robot's paths on the map, one panel per case and option. Nothing: no paths.
+std::optional<Figure> pathsFigure(const Study& study, const RunPictures& pictures);
+/// The positions of contacts, one panel per scenario with contacts. Nothing: no contacts.
 std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pictures);
 
 }  // namespace report

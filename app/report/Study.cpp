@@ -7,10 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/StudyChoice.h"
+#include "app/report/StudyBuilder.h"
 #include "app/run/Experiment.h"
-#include "app/run/ListedFiles.h"
-#include "app/run/Sha256.h"
+#include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Runner.h"
 
@@ -30,9 +29,9 @@ std::string textIn(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The options that the experiment gives to all runs, if it still is the one that was run. What
-/// keeps it from being read, although it is there.
-base::Diagnostics readRunWords(Study& study) {
+/// Reads the `run` options of the experiment, if the file is unchanged. Returns the errors if it
+/// exists but cannot be read.
+base::Diagnostics readRunOptions(Study& study) {
   std::error_code gone;
   if (study.inputs.empty() || !fs::exists(study.inputs.front().path, gone)) {
     return {};
@@ -47,14 +46,13 @@ base::Diagnostics readRunWords(Study& study) {
   if (!experiment) {
     return experiment.diagnostics();
   }
-  study.knowsRunWords = true;
-  for (const auto& [option, value] : experiment->options) {
-    study.runWords.insert(study.runWords.end(), {option, value});
-  }
+  study.hasRunOptions = true;
+  const std::vector<std::string> words = app::commandLineOf(experiment->common);
+  study.runOptions.assign(words.begin() + 1, words.end());  // without `run`
   return {};
 }
 
-/// drawn: scenario -> seed -> path -> value.
+/// Reads "drawn": scenario -> seed -> path -> value.
 void readDrawn(const Json& manifest, Study& study) {
   std::set<std::string> paths;
   const auto drawn = manifest.find("drawn");
@@ -69,11 +67,11 @@ void readDrawn(const Json& manifest, Study& study) {
 }
 
 base::Diagnostics readManifest(const fs::path& path, Study& study) {
-  std::error_code ignored;  // what cannot be looked at is not there
+  std::error_code ignored;  // inaccessible counts as missing
   if (!fs::exists(path, ignored)) {
     return {base::warning("report.no-manifest", {}, path.string())};
   }
-  const base::Result<std::string> text = base::readTextFile(path.string(), base::kMostRecord);
+  const base::Result<std::string> text = base::readTextFile(path.string(), base::kMaxRecord);
   if (!text) {
     return text.diagnostics();
   }
@@ -128,16 +126,16 @@ std::string shellText(const std::vector<std::string>& words) {
 }
 
 std::string Study::scenarioName(std::size_t run) const {
-  return results.runs[run].scenario.substr(sharedFolder);
+  return results.runs[run].scenario.substr(commonPrefixLength);
 }
 
 std::optional<std::string> Study::runFolder(std::size_t run) const {
   const fs::path place = fs::path(folder) / "runs" / std::to_string(results.runs[run].number);
-  std::error_code ignored;  // not there then
+  std::error_code ignored;  // inaccessible counts as missing
   return fs::exists(place / "trace.json", ignored) ? std::optional(place.string()) : std::nullopt;
 }
 
-std::string Study::whatHappened(std::size_t run) const {
+std::string Study::outcomeText(std::size_t run) const {
   if (!results.runs[run].ok) {
     return results.runs[run].reason.empty() ? "failed" : results.runs[run].reason;
   }
@@ -145,28 +143,29 @@ std::string Study::whatHappened(std::size_t run) const {
     const char* key;
     bool whenZero;
     const char* words;
-  } signs[] = {{"robot_on_person_collision", false, "ran into a person"},
-               {"person_on_robot_collision", false, "a person ran into it"},
-               {"obstacle_collisions", false, "ran into an obstacle"},
+  } signs[] = {{"robot_on_person_collision", false, "collided with a person"},
+               {"person_on_robot_collision", false, "a person collided with the robot"},
+               {"obstacle_collisions", false, "collided with an obstacle"},
                {"timeout", false, "timeout"},
                {"completed", true, "goal not reached"}};
-  std::vector<std::string> told;
+  std::vector<std::string> texts;
   for (const auto& sign : signs) {
     const std::size_t metric = results.keyAt(sign.key);
     const bool isKnown = metric < results.keys.size();
     if (isKnown && (sign.whenZero ? valuesOf(metric)[run] == 0.0 : valuesOf(metric)[run] > 0.0)) {
-      told.emplace_back(sign.words);
+      texts.emplace_back(sign.words);
     }
   }
-  for (const sim2d::WayEnd end : {sim2d::WayEnd::NavigationFailed, sim2d::WayEnd::GoalMissed}) {
-    if (results.runs[run].reason.rfind(sim2d::wayEndName(end), 0) == 0) {
-      told.push_back(results.runs[run].reason);
+  for (const sim2d::NavigationOutcome end :
+       {sim2d::NavigationOutcome::NavigationFailed, sim2d::NavigationOutcome::GoalMissed}) {
+    if (results.runs[run].reason.rfind(sim2d::navigationOutcomeName(end), 0) == 0) {
+      texts.push_back(results.runs[run].reason);
     }
   }
-  return told.empty() ? "not successful" : base::join(told, ", ");
+  return texts.empty() ? "not successful" : base::join(texts, ", ");
 }
 
-std::vector<std::string> Study::batchWords() const {
+std::vector<std::string> Study::batchCommand() const {
   std::vector<std::string> words = {"hunavsim", "batch", inputs.front().path, "-o", folder};
   if (allowsCode) {
     words.emplace_back("--allow-code");
@@ -186,7 +185,7 @@ std::string Study::replayCommand(std::size_t run) const {
   }
   const Results::Run& row = results.runs[run];
   std::string scenario = row.scenario;
-  for (const Input& input : inputs) {  // as it lies on the disk, when that is known
+  for (const Input& input : inputs) {  // the path on disk, if known
     const fs::path path(input.path);
     if (input.path == row.scenario || endsWith(input.path, "/" + row.scenario) ||
         path.stem().string() == row.scenario) {
@@ -194,20 +193,20 @@ std::string Study::replayCommand(std::size_t run) const {
     }
   }
   std::vector<std::string> words = {"hunavsim", scenario, "--seed", std::to_string(row.seed)};
-  words.insert(words.end(), runWords.begin(), runWords.end());
+  words.insert(words.end(), runOptions.begin(), runOptions.end());
   for (std::size_t k = 0; k < results.paths.size(); ++k) {
     words.insert(words.end(), {"--set", results.paths[k] + "=" + row.values[k]});
   }
   return shellText(words);
 }
 
-base::Result<Study> readStudy(const Wishes& wishes) {
-  const std::string file = (fs::path(wishes.folder) / "results.csv").string();
-  const base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
+base::Result<Study> readStudy(const StudyOptions& studyOptions) {
+  const std::string file = (fs::path(studyOptions.folder) / "results.csv").string();
+  const base::Result<std::string> text = base::readTextFile(file, base::kMaxRecord);
   Study manifest;
   base::Diagnostics problems = text.diagnostics();
-  base::append(problems, readManifest(fs::path(wishes.folder) / "manifest.json", manifest));
-  base::append(problems, app::checkListed(wishes.folder, {"results.csv"}));
+  base::append(problems, readManifest(fs::path(studyOptions.folder) / "manifest.json", manifest));
+  base::append(problems, app::checkManifestFiles(studyOptions.folder, {"results.csv"}));
   if (!text) {
     return problems;
   }
@@ -217,19 +216,19 @@ base::Result<Study> readStudy(const Wishes& wishes) {
     return problems;
   }
   Study study = std::move(manifest);
-  study.folder = wishes.folder;
+  study.folder = studyOptions.folder;
   study.results = *std::move(results);
-  study.level = wishes.level;
-  study.resamples = wishes.resamples;
-  base::append(problems, chooseCompared(wishes, study));
+  study.level = studyOptions.level;
+  study.resamples = studyOptions.resamples;
+  base::append(problems, selectCompared(studyOptions, study));
   if (base::hasErrors(problems)) {
     return problems;
   }
   study.resultsHash = app::sha256Of(*text);
-  for (base::Diagnostic& problem : readRunWords(study)) {
+  for (base::Diagnostic& problem : readRunOptions(study)) {
     problem.severity = base::Severity::Warning;
     problems.push_back(std::move(problem));
-    study.lacksFile = true;
+    study.isExperimentUnreadable = true;
   }
   return base::Result<Study>(std::move(study), std::move(problems));
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/PlotParts.h"
-#include "metrics/statistics/Choices.h"
+#include "app/report/Plots.h"
+#include "metrics/statistics/ParetoFront.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -23,7 +23,7 @@ std::size_t runsOf(const Study& study, std::size_t option) {
   return static_cast<std::size_t>(std::count(study.optionOf.begin(), study.optionOf.end(), option));
 }
 
-/// How many runs have a value, where some have none.
+/// The number of runs with a value, if some have none.
 std::string countNote(const Study& study, const Estimate& estimate, std::size_t option) {
   const std::size_t runs = runsOf(study, option);
   return static_cast<std::size_t>(estimate.count()) < runs
@@ -41,13 +41,13 @@ Cell estimateCell(const Study& study, const MetricComparison& comparison, std::s
   cell.below = intervalText(metric, median ? estimate.medianInterval : estimate.interval, decimals);
   cell.note = countNote(study, estimate, option);
   cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
-  cell.bold = !median && comparison.leads(option);
-  cell.mark = !median && comparison.standings[option] == Standing::Beaten ? "†" : "";
+  cell.bold = !median && comparison.isBestOrTied(option);
+  cell.mark = !median && comparison.relativeToBest[option] == RelativeToBest::Worse ? "†" : "";
   return cell;
 }
 
-/// Means of the metrics of the weights, made one number per option; one that never succeeds has
-/// none.
+/// The composite per option: the weighted, normalized means. Undefined for options that never
+/// succeed.
 Numbers compositeOf(const Study& study,
                     const std::vector<std::pair<std::string, double>>& weights) {
   std::vector<statistics::Criterion> criteria;
@@ -82,10 +82,10 @@ std::string weightsText(const std::vector<std::pair<std::string, double>>& weigh
   return base::join(words, ", ");
 }
 
-/// A p value; files have all its digits.
-Cell chanceCell(double p, bool bold = false) {
+/// A p value; files contain all its digits.
+Cell pValueCell(double p, bool bold = false) {
   const std::string digits = std::isnan(p) ? std::string() : base::formatDouble(p);
-  Cell cell{pText(p)};
+  Cell cell{pValueText(p)};
   cell.sort = digits.empty() ? "–" : digits;
   cell.bold = bold;
   cell.csv = digits;
@@ -98,14 +98,14 @@ Cell numberCell(const std::string& text, double value) {
   return cell;
 }
 
-/// Metric and options of a pair.
+/// The cells with the metric and the options of a pair.
 std::vector<Cell> namesOfPair(const Study& study, const MetricComparison& comparison,
                               const PairResult& pair) {
   return {{titleOf(study.metrics[comparison.metric])},
           {study.options[pair.first] + " − " + study.options[pair.second]}};
 }
 
-/// Pairs, signs, difference, both p.
+/// Adds the cells: pairs, signs, difference, both p values.
 void addTest(const Study& study, const MetricComparison& comparison, const PairTest& test,
              std::vector<Cell>& row) {
   const Metric& metric = study.metrics[comparison.metric];
@@ -118,15 +118,15 @@ void addTest(const Study& study, const MetricComparison& comparison, const PairT
   row.push_back({std::to_string(test.higher) + " / " + std::to_string(ties) + " / " +
                  std::to_string(test.lower)});
   row.push_back(std::move(shift));
-  row.push_back(chanceCell(test.p));
-  row.push_back(chanceCell(test.adjusted, test.adjusted < kSignificance));
+  row.push_back(pValueCell(test.p));
+  row.push_back(pValueCell(test.adjusted, test.adjusted < kSignificance));
 }
 
 /// The numbers of cases in which the first option is higher, equal and lower by the typical
 /// difference.
 std::string directionsOf(const PairResult& pair) {
   int directions[3] = {};
-  for (const PairResult::OfCase& ofCase : pair.cases) {
+  for (const PairResult::CaseResult& ofCase : pair.cases) {
     const double towards =
         ofCase.shift != 0.0 ? ofCase.shift : static_cast<double>(ofCase.higher - ofCase.lower);
     ++directions[towards > 0.0 ? 0 : towards < 0.0 ? 2 : 1];
@@ -141,15 +141,15 @@ std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison
   addTest(study, comparison, pair, row);
   row.push_back(numberCell(numberText(pair.delta, 2), pair.delta));
   row.push_back(
-      numberCell(pair.enoughPairs > kManyPairs ? "> 9999" : numberText(pair.enoughPairs, 0),
-                 pair.enoughPairs));
+      numberCell(pair.requiredPairs > kManyPairs ? "> 9999" : numberText(pair.requiredPairs, 0),
+                 pair.requiredPairs));
   if (study.cases.size() > 1) {
     row.push_back({directionsOf(pair)});
   }
   return row;
 }
 
-/// The pairs of a comparison that a table lists.
+/// The pairs that a table lists.
 std::vector<const PairResult*> listedPairs(const MetricComparison& comparison, bool all) {
   if (!all) {
     return shownPairs(comparison);
@@ -219,21 +219,22 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
     }
     table.rows.push_back(std::move(row));
   }
-  table.caption = "Means (rates: shares of runs) with intervals of " + levelText(study.level) + ".";
+  table.caption = "Means (for rates: shares of runs) with confidence intervals, level " +
+                  levelText(study.level) + ".";
   if (study.options.size() > 1) {
     table.caption +=
-        " Bold: best. †: worse than the best on the same cases and seeds (p < 0.05, Holm over all "
-        "pairs).";
+        " Bold: best. †: significantly worse than the best on the same cases and seeds (p < 0.05, "
+        "adjusted with Holm's method over all pairs).";
     const auto hasFailure = [](const MetricComparison& each) {
       return std::find(each.succeeds.begin(), each.succeeds.end(), false) != each.succeeds.end();
     };
     if (std::any_of(comparisons.begin(), comparisons.end(), hasFailure)) {
-      table.caption += " What never succeeds is best in nothing.";
+      table.caption += " Options that never succeed are never marked as best.";
     }
   }
   if (!weights.empty()) {
-    table.caption += " Composite: " + weightsText(weights) +
-                     ", each between the worst (0) and the best (1) of these options.";
+    table.caption += " Composite score with weights: " + weightsText(weights) +
+                     "; each metric is scaled from 0 (worst option) to 1 (best option).";
   }
   return table;
 }
@@ -256,8 +257,8 @@ std::optional<Table> mediansTable(const Study& study, const Comparisons& compari
       table.rows[option].push_back(estimateCell(study, comparison, option, true, decimals));
     }
   }
-  table.caption =
-      "Medians with intervals of at least " + levelText(study.level) + " between order statistics.";
+  table.caption = "Medians with confidence intervals of at least " + levelText(study.level) +
+                  " between order statistics.";
   return table.columns.size() > 1 ? std::optional(std::move(table)) : std::nullopt;
 }
 
@@ -277,23 +278,26 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
     }
   }
   table.caption =
-      "Pairs of options on the same case and seed: in how many the first is higher, equal, lower; "
-      "typical difference with its interval of " +
+      "Comparison of options on the same case and seed. + / = / −: number of pairs in which the "
+      "first option is higher, equal, lower. Difference: Hodges-Lehmann estimate (rates: "
+      "difference of rates) with its confidence interval, level " +
       levelText(study.level) +
-      "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
-      "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %)." +
-      (hasCases ? " Differences are ranked within their case and the cases combined (van "
-                  "Elteren); the last column is the number of cases in which the first is higher, "
-                  "equal, lower."
-                : "") +
+      ". p: signed-rank test (rates: McNemar's test). p, Holm: adjusted over all pairs of the "
+      "metric. δ: Cliff's delta. Enough: number of pairs required to detect such a difference "
+      "(power 80 %, level 5 %)." +
+      (hasCases
+           ? " Differences are ranked within their case and combined over cases (van Elteren). "
+             "Cases + / = / −: number of cases in which the first option is higher, equal, lower."
+           : "") +
       (all || study.options.size() < 4
            ? ""
-           : " With the best only, if there is one, else the first; all are in tables/pairs.csv.");
+           : " Only pairs with the best option are listed (if there is none, with the first); "
+             "tables/pairs.csv contains all pairs.");
   return table;
 }
 
 std::optional<Table> casePairsTable(const Study& study, const Comparisons& comparisons, bool all) {
-  constexpr std::size_t kMostRows = 200;
+  constexpr std::size_t kMaxRows = 200;
   if (study.cases.size() < 2) {
     return std::nullopt;
   }
@@ -305,8 +309,8 @@ std::optional<Table> casePairsTable(const Study& study, const Comparisons& compa
   bool isCut = false;
   for (const MetricComparison& comparison : comparisons) {
     for (const PairResult* pair : listedPairs(comparison, all)) {
-      for (const PairResult::OfCase& ofCase : pair->cases) {
-        isCut = isCut || (!all && table.rows.size() >= kMostRows);
+      for (const PairResult::CaseResult& ofCase : pair->cases) {
+        isCut = isCut || (!all && table.rows.size() >= kMaxRows);
         if (isCut) {
           break;
         }
@@ -318,10 +322,10 @@ std::optional<Table> casePairsTable(const Study& study, const Comparisons& compa
     }
   }
   table.caption =
-      "The same pairs in each case alone; p adjusted over the pairs of the metric in "
+      "The same pairs separately for each case. p, Holm: adjusted over all pairs of the metric in "
       "that case." +
-      std::string(isCut ? " The first " + std::to_string(kMostRows) +
-                              " rows; all are in tables/pairs_by_case.csv."
+      std::string(isCut ? " The first " + std::to_string(kMaxRows) +
+                              " rows are listed; tables/pairs_by_case.csv contains all."
                         : "");
   return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }
@@ -339,14 +343,15 @@ std::optional<Table> familyTable(const Study& study, const Comparisons& comparis
     table.rows.push_back({{titleOf(study.metrics[comparison.metric])},
                           {std::to_string(test.blocks)},
                           {numberText(test.chiSquared, 2)},
-                          chanceCell(test.p),
+                          pValueCell(test.p),
                           {std::isinf(test.f) ? std::string("∞") : numberText(test.f, 2)},
-                          chanceCell(test.fP),
+                          pValueCell(test.fP),
                           {numberText(comparison.criticalDifference, 2)}});
   }
   table.caption =
-      "Friedman's test over all options (blocks in which every option has a value), F of Iman and "
-      "Davenport, Nemenyi's critical difference of mean ranks (5 %).";
+      "Friedman's test over all options, for blocks in which every option has a value. F: "
+      "statistic of Iman and Davenport. CD: Nemenyi's critical difference of mean ranks (level 5 "
+      "%).";
   return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }
 
@@ -370,7 +375,7 @@ Table failuresTable(const Study& study, const std::vector<std::size_t>& failures
                           {study.options[study.optionOf[run]]},
                           {study.cases[study.caseOf[run]]},
                           {std::to_string(row.seed)},
-                          {study.whatHappened(run)},
+                          {study.outcomeText(run)},
                           {command, {}, {}, {}, false, {}, markup}});
   }
   return table;
@@ -382,7 +387,7 @@ std::string allMetricsCsv(const Study& study) {
                                                  "q3", "max"}};
   const std::size_t cases = study.cases.size();
   for (std::size_t metric = 0; metric < study.metrics.size(); ++metric) {
-    // Of all cases together, and of each.
+    // Per option: all cases together, then each case.
     std::vector<Numbers> values(study.options.size() * (cases + 1));
     for (std::size_t run = 0; run < study.runCount(); ++run) {
       const double value = valueOf(study, metric, run);
@@ -395,7 +400,7 @@ std::string allMetricsCsv(const Study& study) {
     for (std::size_t k = 0; k < values.size(); ++k) {
       const std::size_t ofCase = k % (cases + 1);
       if (cases == 1 && ofCase == 1) {
-        continue;  // the same as all
+        continue;  // identical to "all"
       }
       std::vector<std::string> row = {study.options[k / (cases + 1)],
                                       ofCase == 0 ? "all" : study.cases[ofCase - 1]};

@@ -9,32 +9,32 @@
 #include "app/report/Plots.h"
 #include "app/report/RunPictures.h"
 
-/// Tables of a comparison.
+/// Comparison tables.
 namespace report {
 
-/// Options x metrics: means or rates with intervals, the best in bold, "†" where an option is
-/// worse; with `weights` a column of the composite.
+/// Options x metrics: means or rates with intervals, the best in bold, "†" if an option is worse.
+/// With `weights`, adds a composite column.
 Table resultsTable(const Study& study, const Comparisons& comparisons,
                    const std::vector<std::pair<std::string, double>>& weights);
-/// The same of medians; nothing when only rates are shown.
+/// Medians instead of means. Nothing: only rates are displayed.
 std::optional<Table> mediansTable(const Study& study, const Comparisons& comparisons);
-/// Pairs of options: difference, tests, effect, seeds that would be enough.
+/// Pairs of options: difference, tests, effect size, required number of pairs.
 Table pairsTable(const Study& study, const Comparisons& comparisons, bool all);
-/// The same for each case alone; empty with only one case. `all`: all pairs and rows, else those
-/// shown.
+/// As pairsTable, per case. Nothing with a single case. `all`: all pairs and rows, otherwise the
+/// displayed ones.
 std::optional<Table> casePairsTable(const Study& study, const Comparisons& comparisons, bool all);
-/// Friedman's test of each metric; nothing with fewer than three options.
+/// Friedman's test of each metric. Nothing with fewer than three options.
 std::optional<Table> familyTable(const Study& study, const Comparisons& comparisons);
-/// Failures with the command that shows each, and a button where the page can play it.
+/// Failures with their replay command, and a button if the player contains the run.
 Table failuresTable(const Study& study, const std::vector<std::size_t>& failures,
                     const std::vector<std::size_t>& played);
 
-/// Every metric per option, and per option and case, as CSV.
+/// All metrics per option, and per option and case, as CSV.
 std::string allMetricsCsv(const Study& study);
 
-/// "1.50", "93 %".
+/// A formatted value: "1.50", "93 %".
 std::string estimateText(const Metric& metric, double value, int decimals);
-/// "[1.21, 1.80]"; undefined: empty.
+/// A formatted interval: "[1.21, 1.80]"; empty if undefined.
 std::string intervalText(const Metric& metric, const Interval& interval, int decimals);
 
 }  // namespace report

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/run/Reason.h"
+#include "app/run/ExceptionMessage.h"
 #include "app/run/WorkerProcess.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -26,12 +26,12 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr int kPollMs = 100;
-constexpr int kMostTries = 2;  // of a run whose process crashes
+constexpr int kMaxAttempts = 2;  // of a run whose process crashes
 
 /// An answer: the row of the run, or why its files could not be written.
-std::string answerText(const base::Result<ResultRow>& row) {
+std::string serializeAnswer(const base::Result<ResultRow>& row) {
   if (row) {
-    return rowText(*row);
+    return serializeRow(*row);
   }
   Json problems = Json::array();
   for (const base::Diagnostic& problem : row.diagnostics()) {
@@ -40,10 +40,10 @@ std::string answerText(const base::Result<ResultRow>& row) {
   return base::jsonText(problems, -1);
 }
 
-base::Result<ResultRow> readAnswer(const std::string& text) {
+base::Result<ResultRow> parseAnswer(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_array()) {
-    return rowOfText(text);
+    return parseRow(text);
   }
   base::Diagnostics problems;
   problems.reserve(json.size());
@@ -54,30 +54,31 @@ base::Result<ResultRow> readAnswer(const std::string& text) {
   return problems;
 }
 
-constexpr char kMet[] = "met";  // prefix of a message with the files of a running run
+constexpr char kInputsPrefix[] =
+    "met";  // prefix of a message with the input files of an active run
 
-/// In a worker. What no run foresees, as no memory, is the end of that run alone.
-std::string answerTo(const BatchJob& job, const std::string& question,
-                     const WorkerProcess::Tell& tell) {
-  ResultRow row;  // of a run that ends in this way
+/// Called in a worker. An unexpected exception, such as std::bad_alloc, ends only this run.
+std::string serveRequest(const BatchJob& job, const std::string& request,
+                         const WorkerProcess::SendMessage& tell) {
+  ResultRow row;  // of a run that ends with an exception
   try {
-    const std::optional<long long> run = base::parseInt(question);
-    const auto met = [&](const std::vector<InputHash>& files) {
+    const std::optional<long long> run = base::parseInt(request);
+    const auto reportInputs = [&](const std::vector<InputHash>& files) {
       row.inputs = files;
-      tell(kMet + rowText(row));
+      tell(kInputsPrefix + serializeRow(row));
     };
-    return answerText(job.make(static_cast<std::size_t>(run.value_or(0)), met));
+    return serializeAnswer(job.execute(static_cast<std::size_t>(run.value_or(0)), reportInputs));
   } catch (const std::exception& problem) {
-    row.reason = reasonOf(problem);
+    row.reason = exceptionMessage(problem);
     const bool hadNoMemory = dynamic_cast<const std::bad_alloc*>(&problem) != nullptr;
     row.failedBy = hadNoMemory ? FailedBy::Machine : FailedBy::Run;
-    return rowText(row);
+    return serializeRow(row);
   }
 }
 
 /// Signals from outside the run: by the system when memory is exhausted, by a queue at its time
 /// limit, by users. All other signals are caused by the run itself.
-bool isFromOutside(int signal) {
+bool isExternalSignal(int signal) {
   switch (signal) {
     case SIGKILL:
     case SIGTERM:
@@ -92,28 +93,28 @@ bool isFromOutside(int signal) {
 }
 
 /// The row of a run whose process has ended with this status of waitpid.
-ResultRow rowOfEnded(int status) {
+ResultRow rowOfEndedProcess(int status) {
   ResultRow row;
   if (!WIFSIGNALED(status)) {
     row.reason = "the process ended (code " + std::to_string(WEXITSTATUS(status)) + ")";
     return row;
   }
   const int signal = WTERMSIG(status);
-  const bool isKilled = isFromOutside(signal);
+  const bool isKilled = isExternalSignal(signal);
   row.failedBy = isKilled ? FailedBy::Machine : FailedBy::Run;
   row.reason = std::string(isKilled ? "the process was killed" : "the process crashed") +
                " (signal " + std::to_string(signal) + ")";
   return row;
 }
 
-/// A process, with the run that it makes.
+/// A worker process and its active run.
 struct Worker {
   WorkerProcess process;
   std::size_t run = 0;
   Clock::time_point begin;
-  std::size_t made = 0;        // runs so far
-  std::size_t firstBytes = 0;  // memory after the first
-  std::vector<InputHash> met;  // files that the run uses, as far as it has reported them
+  std::size_t made = 0;                 // completed runs
+  std::size_t firstBytes = 0;           // resident memory after the first run
+  std::vector<InputHash> reportInputs;  // input files that the run has reported so far
 };
 
 class Batch {
@@ -121,44 +122,44 @@ class Batch {
   explicit Batch(const BatchJob& job) : job_(job), waiting_(job.runs.begin(), job.runs.end()) {}
 
   base::Diagnostics run() {
-    startMore();
-    while (!workers_.empty() && troubles_.empty() && !job_.wantsStop()) {
-      listenToAll();
-      endLate();
-      startMore();
+    startWorkers();
+    while (!workers_.empty() && problems_.empty() && !job_.wantsStop()) {
+      pollWorkers();
+      endOverdueRuns();
+      startWorkers();
     }
-    return troubles_;  // workers that are left are ended
+    return problems_;  // the destructor ends remaining workers
   }
 
  private:
-  bool isOver() const { return waiting_.empty() || !troubles_.empty(); }
+  bool isOver() const { return waiting_.empty() || !problems_.empty(); }
 
-  void startMore() {
+  void startWorkers() {
     while (!isOver() && workers_.size() < static_cast<std::size_t>(job_.jobs)) {
       std::optional<WorkerProcess> process = WorkerProcess::start(
-          [this](const std::string& question, const WorkerProcess::Tell& tell) {
-            return answerTo(job_, question, tell);
+          [this](const std::string& request, const WorkerProcess::SendMessage& tell) {
+            return serveRequest(job_, request, tell);
           });
       if (!process) {
         if (workers_.empty()) {
-          troubles_.push_back(base::error("batch.no-process"));
+          problems_.push_back(base::error("batch.no-process"));
         }
-        return;  // the others go on
+        return;  // the other workers continue
       }
       workers_.push_back({*std::move(process), 0, {}, 0, 0, {}});
-      giveRun(workers_.back());
+      assignRun(workers_.back());
     }
   }
 
-  void giveRun(Worker& worker) {
+  void assignRun(Worker& worker) {
     worker.run = waiting_.front();
     waiting_.pop_front();
     worker.begin = Clock::now();
-    worker.met.clear();
-    worker.process.ask(std::to_string(worker.run));  // one that is gone is heard of soon
+    worker.reportInputs.clear();
+    worker.process.sendRequest(std::to_string(worker.run));  // readFrom() reports a failure
   }
 
-  void listenToAll() {
+  void pollWorkers() {
     std::vector<pollfd> sockets;
     sockets.reserve(workers_.size());
     for (const Worker& worker : workers_) {
@@ -167,85 +168,85 @@ class Batch {
     if (::poll(sockets.data(), sockets.size(), kPollMs) <= 0) {
       return;
     }
-    for (std::size_t k = sockets.size(); k-- > 0 && troubles_.empty();) {
+    for (std::size_t k = sockets.size(); k-- > 0 && problems_.empty();) {
       if (sockets[k].revents != 0) {
-        listenTo(k);
+        readFrom(k);
       }
     }
   }
 
-  void listenTo(std::size_t index) {
+  void readFrom(std::size_t index) {
     Worker& worker = workers_[index];
     std::string answer;
     do {
-      switch (worker.process.hear(answer)) {
-        case WorkerProcess::Heard::Part:
+      switch (worker.process.readMessage(answer)) {
+        case WorkerProcess::ReadResult::Part:
           return;
-        case WorkerProcess::Heard::End:
-          noteCrash(index);
+        case WorkerProcess::ReadResult::End:
+          handleCrash(index);
           return;
-        case WorkerProcess::Heard::Answer:
+        case WorkerProcess::ReadResult::Answer:
           break;
       }
-    } while (noteMet(answer, worker));
-    const base::Result<ResultRow> row = readAnswer(answer);
+    } while (storeInputs(answer, worker));
+    const base::Result<ResultRow> row = parseAnswer(answer);
     if (!row) {
-      troubles_ = row.diagnostics();
+      problems_ = row.diagnostics();
       return;
     }
-    take(worker.run, *row);
-    if (isOver() || isUsedUp(worker)) {
+    storeRow(worker.run, *row);
+    if (isOver() || shouldReplace(worker)) {
       remove(index);
     } else {
-      giveRun(worker);
+      assignRun(worker);
     }
   }
 
-  bool isUsedUp(Worker& worker) const {
+  bool shouldReplace(Worker& worker) const {
     const std::size_t bytes = worker.process.residentBytes();
     worker.firstBytes = worker.made == 0 ? bytes : worker.firstBytes;
     ++worker.made;
-    return worker.made >= job_.runsPerWorker || bytes > worker.firstBytes + job_.mostGrowth;
+    return worker.made >= job_.runsPerWorker || bytes > worker.firstBytes + job_.maxGrowth;
   }
 
-  /// Whether the message is from a run that is still running.
-  static bool noteMet(const std::string& message, Worker& worker) {
-    const std::string begin = kMet;
+  /// Whether the message is from a run that is still active.
+  static bool storeInputs(const std::string& message, Worker& worker) {
+    const std::string begin = kInputsPrefix;
     if (message.compare(0, begin.size(), begin) != 0) {
       return false;
     }
-    worker.met = rowOfText(message.substr(begin.size())).inputs;
+    worker.reportInputs = parseRow(message.substr(begin.size())).inputs;
     return true;
   }
 
-  void noteCrash(std::size_t index) {
+  void handleCrash(std::size_t index) {
     const std::size_t run = workers_[index].run;
-    std::vector<InputHash> files = std::move(workers_[index].met);
+    std::vector<InputHash> files = std::move(workers_[index].reportInputs);
     const int status = workers_[index].process.end();
     remove(index);
-    if (++crashes_[run] < kMostTries) {
+    if (++crashes_[run] < kMaxAttempts) {
       waiting_.push_front(run);
       return;
     }
-    ResultRow row = rowOfEnded(status);
+    ResultRow row = rowOfEndedProcess(status);
     row.inputs = std::move(files);
-    take(run, row);
+    storeRow(run, row);
   }
 
-  void endLate() {
-    for (std::size_t k = workers_.size(); k-- > 0 && troubles_.empty();) {
+  void endOverdueRuns() {
+    for (std::size_t k = workers_.size(); k-- > 0 && problems_.empty();) {
       if (Seconds(Clock::now() - workers_[k].begin).count() > job_.timeLimit) {
         const std::size_t run = workers_[k].run;
         ResultRow row;
-        row.inputs = std::move(workers_[k].met);
+        row.inputs = std::move(workers_[k].reportInputs);
         remove(k);
         row.reason = "not finished within " + base::formatDouble(job_.timeLimit) + " s";
-        take(run, row);
+        storeRow(run, row);
       }
     }
   }
 
-  void take(std::size_t run, const ResultRow& row) { troubles_ = job_.take(run, row); }
+  void storeRow(std::size_t run, const ResultRow& row) { problems_ = job_.storeRow(run, row); }
 
   void remove(std::size_t index) {
     workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(index));
@@ -255,7 +256,7 @@ class Batch {
   std::deque<std::size_t> waiting_;
   std::vector<Worker> workers_;
   std::map<std::size_t, int> crashes_;
-  base::Diagnostics troubles_;
+  base::Diagnostics problems_;
 };
 
 }  // namespace

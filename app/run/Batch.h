@@ -10,29 +10,29 @@
 
 namespace app {
 
-/// What a batch does with its runs, and how.
+/// The runs of a batch and how to execute them.
 struct BatchJob {
-  std::vector<std::size_t> runs;  // their numbers, in the order in which they begin
-  int jobs = 1;                   // worker processes at a time
-  double timeLimit = std::numeric_limits<double>::infinity();  // of one run [s], by the wall clock
-  std::size_t runsPerWorker = 1000;  // then another takes its place: memory stays bounded
-  std::size_t mostGrowth = std::size_t{512}
-                           << 20U;  // idem, memory beyond that of its first run [B]
-  /// Executes a run in a worker. Errors: its files cannot be written, which ends the batch. `met`
-  /// receives the files that the run uses as soon as they are known: the row of a run that crashes
-  /// or takes too long lists them.
-  using Met = std::function<void(const std::vector<InputHash>& files)>;
-  std::function<base::Result<ResultRow>(std::size_t run, const Met& met)> make;
-  /// Here: takes its row, as soon as it is there. Errors end the batch.
-  std::function<base::Diagnostics(std::size_t run, const ResultRow& row)> take;
-  std::function<bool()> wantsStop;  // asked often
+  std::vector<std::size_t> runs;                               // indices, in starting order
+  int jobs = 1;                                                // maximum number of worker processes
+  double timeLimit = std::numeric_limits<double>::infinity();  // of one run [s], wall-clock time
+  std::size_t runsPerWorker = 1000;  // a worker is then replaced, which bounds its memory
+  std::size_t maxGrowth = std::size_t{512}
+                          << 20U;  // likewise, for memory growth after its first run [B]
+  /// Executes a run in a worker. Error: its files cannot be written, which ends the batch.
+  /// `reportInputs` receives the input files as soon as they are known, for the row of a run that
+  /// crashes or exceeds its time limit.
+  using ReportInputs = std::function<void(const std::vector<InputHash>& files)>;
+  std::function<base::Result<ResultRow>(std::size_t run, const ReportInputs& reportInputs)> execute;
+  /// Receives each row in this process as soon as it exists. An error ends the batch.
+  std::function<base::Diagnostics(std::size_t run, const ResultRow& row)> storeRow;
+  std::function<bool()> wantsStop;  // called often
 };
 
-/// Makes the runs in processes that are started once and make many (Box2D keeps process-wide
-/// statics, so worlds in parallel are processes). A process that crashes or is killed is replaced
-/// and its run started again, once. A run whose process ends twice has failed, by the machine if it
-/// was then killed from outside (ResultRow::failedBy). Returns when all have ended, or `wantsStop`
-/// says so; what was not finished then was never begun. One thread.
+/// Executes the runs in worker processes, each of which executes many (Box2D has process-wide
+/// statics, so parallel worlds need processes). A worker that crashes or is killed is replaced and
+/// its run repeated once; a run whose worker ends twice has failed (ResultRow::failedBy). Returns
+/// when all runs have ended or `wantsStop` returns true; unfinished runs leave no result. One
+/// thread.
 base::Diagnostics runBatch(const BatchJob& job);
 
 }  // namespace app

@@ -7,11 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
-#include "app/run/ListedFiles.h"
+#include "app/run/ManifestFiles.h"
 #include "app/run/OutputFolder.h"
 #include "app/run/ResultFiles.h"
 #include "app/run/RunFolder.h"
-#include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -24,14 +23,14 @@ std::string fileIn(const std::string& folder, const char* name) {
   return (fs::path(folder) / name).string();
 }
 
-bool isThere(const std::string& path) {
+bool pathExists(const std::string& path) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// How many runs batches of before had in this folder at most; none where its manifest is of no
-/// batch.
-base::Result<std::optional<std::size_t>> runsOfBatchIn(const std::string& folder) {
+/// The largest number of runs that earlier batches had in this folder; nullopt if the manifest is
+/// not of a batch.
+base::Result<std::optional<std::size_t>> batchRunCount(const std::string& folder) {
   const base::Result<std::string> text = manifestText(folder, "manifest.json");
   if (!text) {
     return text.diagnostics();
@@ -47,23 +46,23 @@ base::Result<std::optional<std::size_t>> runsOfBatchIn(const std::string& folder
   return most;
 }
 
-/// results.csv is not what the batch of before has written: somebody has changed it. While it is
-/// replaced no manifest lists it.
-base::Diagnostics changedResults(const std::string& folder) {
-  const base::Result<FileHashes> listed = listedFiles(folder, "manifest.json");
+/// Error if results.csv differs from the one that the earlier batch wrote. While it is being
+/// replaced, no manifest lists it.
+base::Diagnostics checkResultsUnchanged(const std::string& folder) {
+  const base::Result<FileHashes> listed = manifestFiles(folder, "manifest.json");
   if (!listed) {
     return listed.diagnostics();
   }
   const std::string results = fileIn(folder, "results.csv");
   const bool isOther =
-      isThere(results) && !listed->empty() && !isAsListed(folder, *listed, "results.csv");
+      pathExists(results) && !listed->empty() && !matchesManifest(folder, *listed, "results.csv");
   return isOther ? base::Diagnostics{base::error("file.is-in-the-way", {}, results)}
                  : base::Diagnostics();
 }
 
 using NumberedRuns = std::vector<std::pair<std::size_t, std::string>>;
 
-/// Folders of runs with their numbers.
+/// The run folders with their indices.
 base::Result<NumberedRuns> numberedRuns(const std::string& runs) {
   NumberedRuns found;
   std::error_code error;
@@ -83,20 +82,20 @@ base::Result<NumberedRuns> numberedRuns(const std::string& runs) {
   return found;
 }
 
-/// What lies where the results will be written and is not of an earlier batch. `force`: only what
-/// is not replaced even then, links and files in place of folders.
-base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount, bool force) {
-  constexpr std::size_t kMostTold = 5;
-  const base::Result<std::optional<std::size_t>> former = runsOfBatchIn(folder);
+/// The paths that would be overwritten and do not belong to an earlier batch. With `force`, only
+/// those that are never replaced: links, and files in place of folders.
+base::Diagnostics foreignFilesIn(const std::string& folder, std::size_t runCount, bool force) {
+  constexpr std::size_t kMaxReported = 5;
+  const base::Result<std::optional<std::size_t>> former = batchRunCount(folder);
   if (!former) {
     return former.diagnostics();
   }
   std::optional<std::size_t> known = *former;
-  if (!known && ResultStore::isStore(fileIn(folder, "results.sqlite"))) {
+  if (!known && ResultStore::isResultDatabase(fileIn(folder, "results.sqlite"))) {
     known = runCount;
   }
   for (const char* name : {"manifest.json", "results.csv", "results.sqlite"}) {
-    if (!known && !force && isThere(fileIn(folder, name))) {
+    if (!known && !force && pathExists(fileIn(folder, name))) {
       return {base::error("batch.stranger", {}, fileIn(folder, name))};
     }
   }
@@ -111,10 +110,10 @@ base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount, b
   }
   base::Diagnostics problems;
   for (const auto& [index, path] : *folders) {
-    if (index >= runCount || problems.size() >= kMostTold) {
-      continue;  // nothing will be written there
+    if (index >= runCount || problems.size() >= kMaxReported) {
+      continue;  // not written by this batch
     }
-    const auto stranger = strangerIn(path, index < known.value_or(0));
+    const auto stranger = foreignEntryIn(path, index < known.value_or(0));
     const bool isFolder = stranger && *stranger != path;
     if (stranger && !(force && isFolder)) {
       problems.push_back(
@@ -124,8 +123,8 @@ base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount, b
   return problems;
 }
 
-/// The first line that is another one, in the text of now.
-base::Diagnostic otherText(const Study& was, const Study& now) {
+/// Locates the first line that differs, in the present text.
+base::Diagnostic firstDifference(const Study& was, const Study& now) {
   const std::vector<std::string> before = base::split(was.experiment, '\n');
   const std::vector<std::string> after = base::split(now.experiment, '\n');
   std::size_t line = 0;
@@ -138,18 +137,18 @@ base::Diagnostic otherText(const Study& was, const Study& now) {
 }
 
 void removeQuietly(const std::string& path) {
-  std::error_code ignored;  // what stays is replaced
+  std::error_code ignored;  // a remaining file is overwritten later
   fs::remove(path, ignored);
 }
 
-/// What processes that are gone were about to write.
-void removeUnfinished(const std::string& folder) {
+/// Removes temporary files of processes that have ended.
+void removeTemporaryFiles(const std::string& folder) {
   std::error_code error;
   std::vector<std::string> unfinished;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const auto target = nameOfUnfinished(at->path().filename().string());
-    const bool isOurs = target && (*target == "manifest.json" || *target == "results.csv");
-    if (isOurs && fs::is_regular_file(at->symlink_status(error))) {
+    const auto target = targetOfTemporary(at->path().filename().string());
+    const bool isOwnFile = target && (*target == "manifest.json" || *target == "results.csv");
+    if (isOwnFile && fs::is_regular_file(at->symlink_status(error))) {
       unfinished.push_back(at->path().string());
     }
   }
@@ -165,9 +164,8 @@ std::map<std::string, std::string> hashesOf(const Study& study) {
   return hashes;
 }
 
-/// Files that are others by now, of those that its runs have met and that its runs would begin
-/// with.
-base::Diagnostics otherFiles(const Study& was, const Study& now) {
+/// Input files that have changed: those of the earlier runs and those of the runs to come.
+base::Diagnostics changedInputFiles(const Study& was, const Study& now) {
   const std::map<std::string, std::string> before = hashesOf(was), after = hashesOf(now);
   base::Diagnostics found;
   for (const auto& [path, hash] : after) {
@@ -197,7 +195,7 @@ base::Result<Study> studyOf(const Experiment& experiment, const std::vector<Inpu
   study.inputs.push_back({experiment.path, sha256Of(experiment.text)});
   for (const InputHash& input : inputs) {
     if (input.sha256.empty()) {
-      unread.push_back(base::error("file.cannot-read", {"it is gone or damaged"}, input.path));
+      unread.push_back(base::error("file.cannot-read", {"it is missing or damaged"}, input.path));
     }
     study.inputs.push_back(input);
   }
@@ -213,15 +211,15 @@ base::Result<Study> studyOf(const Experiment& experiment, const std::vector<Inpu
   return unread.empty() ? base::Result<Study>(std::move(study)) : base::Result<Study>(unread);
 }
 
-base::Diagnostics differences(const Study& was, const Study& now) {
+base::Diagnostics studyDifferences(const Study& was, const Study& now) {
   base::Diagnostics found;
   if (was.version != now.version || was.commit != now.commit) {
     found.push_back(base::error("batch.other-program", {was.version + " (" + was.commit + ")",
                                                         now.version + " (" + now.commit + ")"}));
   }
   if (was.experiment != now.experiment) {
-    found.push_back(otherText(was, now));
-    return found;  // other files may well be read
+    found.push_back(firstDifference(was, now));
+    return found;  // another experiment may read other files
   }
   if (was.shard.count != now.shard.count) {
     found.push_back(base::error("batch.other-shards", {was.shard.count, now.shard.count}));
@@ -237,19 +235,21 @@ base::Diagnostics differences(const Study& was, const Study& now) {
 }
 
 base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& folder,
-                                                             const Study& study, Earlier earlier) {
-  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::makeAndTake(folder);
+                                                             const Study& study,
+                                                             ExistingBatch earlier) {
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::createAndAcquire(folder);
   if (!lock) {
     return lock.diagnostics();
   }
   std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
-  removeUnfinished(folder);
-  base::Diagnostics problems = strangersIn(folder, study.runs, earlier == Earlier::Replace);
-  if (earlier != Earlier::Replace) {
-    base::append(problems, changedResults(folder));
+  removeTemporaryFiles(folder);
+  base::Diagnostics problems =
+      foreignFilesIn(folder, study.runs, earlier == ExistingBatch::Replace);
+  if (earlier != ExistingBatch::Replace) {
+    base::append(problems, checkResultsUnchanged(folder));
   }
   if (!base::hasErrors(problems)) {
-    problems = batch->takeEarlier(study, earlier);
+    problems = batch->resumeExisting(study, earlier);
   }
   if (!base::hasErrors(problems) && !batch->store_) {
     problems = batch->begin(study);
@@ -260,10 +260,10 @@ base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& 
   return batch;
 }
 
-/// The store of an earlier batch is taken over where it is to be resumed.
-base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) {
+/// Takes over the store of an earlier batch if it is to be resumed.
+base::Diagnostics BatchFolder::resumeExisting(const Study& study, ExistingBatch earlier) {
   const std::string path = fileIn(folder_, "results.sqlite");
-  if (!isThere(path) || earlier == Earlier::Replace) {
+  if (!pathExists(path) || earlier == ExistingBatch::Replace) {
     return {};
   }
   base::Result<std::unique_ptr<ResultStore>> store = ResultStore::open(path);
@@ -271,22 +271,22 @@ base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) 
     return store.diagnostics();
   }
   const ResultStore& found = **store;
-  if (earlier == Earlier::Refuse) {
-    const std::size_t runs = found.study().shard.runsOf(found.study().runs);
+  if (earlier == ExistingBatch::Refuse) {
+    const std::size_t runs = found.study().shard.runCount(found.study().runs);
     return found.isComplete() ? base::Diagnostics()
                               : base::Diagnostics{base::error("batch.unfinished",
                                                               {found.finished(), runs}, folder_)};
   }
-  base::Diagnostics problems = differences(found.study(), study);
+  base::Diagnostics problems = studyDifferences(found.study(), study);
   if (problems.empty()) {
-    problems = otherFiles(found.study(), study);
+    problems = changedInputFiles(found.study(), study);
   }
   if (problems.empty() && found.study().shard.number != study.shard.number) {
     problems.push_back(base::error("batch.other-shard",
                                    {found.study().shard.text(), study.shard.text()}, folder_));
   }
   if (problems.empty()) {
-    problems = (*store)->dropFailed(earlier == Earlier::Retry);
+    problems = (*store)->removeFailed(earlier == ExistingBatch::Retry);
   }
   if (problems.empty() && study.timeLimit > 0.0 && !found.isComplete()) {
     problems = (*store)->setTimeLimit(study.timeLimit);
@@ -297,16 +297,16 @@ base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) 
   return problems;
 }
 
-/// From the first file on the folder is that of a batch, also when this one is cut short.
+/// The manifest is written first, so that the folder is that of a batch even if this one is
+/// interrupted.
 base::Diagnostics BatchFolder::begin(const Study& study) {
-  const base::Result<std::optional<std::size_t>> earlier = runsOfBatchIn(folder_);
+  const base::Result<std::optional<std::size_t>> earlier = batchRunCount(folder_);
   if (!earlier) {
     return earlier.diagnostics();
   }
   const std::size_t former = earlier->value_or(0);
   base::Diagnostics problems = base::writeFileAtomically(
-      fileIn(folder_, "manifest.json"), emptyManifest(study, former));  // who is killed below,
-                                                                        // still knows of them
+      fileIn(folder_, "manifest.json"), emptyManifest(study, former));  // kept if killed below
   if (base::hasErrors(problems)) {
     return problems;
   }
@@ -320,7 +320,7 @@ base::Diagnostics BatchFolder::begin(const Study& study) {
   }
   for (const auto& [run, path] : *folders) {
     if (run < std::max(former, study.runs)) {
-      base::append(problems, removeRun(path));
+      base::append(problems, removeRunFolder(path));
     }
   }
   if (base::hasErrors(problems)) {
@@ -354,34 +354,33 @@ std::vector<std::size_t> BatchFolder::missing() const {
   return runs;
 }
 
-/// Folders of runs that were cut short. A run that is in the table is whole and stays, even when
-/// somebody has taken its manifest away.
-base::Diagnostics BatchFolder::removeRests() const {
+/// Removes run folders of interrupted runs. A run that is in the table is complete and stays, even
+/// without its manifest.
+base::Diagnostics BatchFolder::removeIncompleteRuns() const {
   const auto folders = numberedRuns(runsFolder());
   base::Diagnostics problems = folders.diagnostics();
   for (const auto& [run, path] : folders ? *folders : NumberedRuns()) {
-    const auto holds = [&place = path](const char* name) {
-      return isThere((fs::path(place) / name).string());
+    const auto contains = [&place = path](const char* name) {
+      return pathExists((fs::path(place) / name).string());
     };
     if (run < store_->study().runs &&
-        (!store_->has(run) || !(holds("manifest.json") || holds("trace.json")))) {
-      base::append(problems, removeRun(path));
-    } else if (run < store_->study().runs && holds(FolderLock::kFile)) {
-      const auto lock = FolderLock::take(path);  // its end takes the file away
+        (!store_->has(run) || !(contains("manifest.json") || contains("trace.json")))) {
+      base::append(problems, removeRunFolder(path));
+    } else if (run < store_->study().runs && contains(FolderLock::kFile)) {
+      const auto lock = FolderLock::acquire(path);  // the destructor removes the file
     }
   }
   std::error_code ignored;
   if (fs::is_directory(fs::symlink_status(runsFolder(), ignored))) {
-    removeQuietly(runsFolder());  // it stays when runs are kept in it
+    removeQuietly(runsFolder());  // has no effect while runs are kept in it
   }
   return problems;
 }
 
 base::Diagnostics BatchFolder::finish() {
-  const base::Diagnostics stays = removeRests();
+  const base::Diagnostics removalProblems = removeIncompleteRuns();
   const std::string manifest = fileIn(folder_, "manifest.json");
-  // While the table is replaced nothing says which one it is: killed here, the batch can be
-  // resumed.
+  // While results.csv is replaced, no manifest lists it: if killed here, the batch can be resumed.
   base::Diagnostics problems =
       base::writeFileAtomically(manifest, emptyManifest(store_->study(), 0));
   if (!base::hasErrors(problems)) {
@@ -391,18 +390,18 @@ base::Diagnostics BatchFolder::finish() {
     const std::optional<std::string> hash = sha256OfFile(resultsFile());
     const base::Result<std::string> text =
         hash ? batchManifest(*store_, *hash)
-             : base::error("file.cannot-read", {"it is gone or damaged"}, resultsFile());
+             : base::error("file.cannot-read", {"it is missing or damaged"}, resultsFile());
     manifest_ = text ? *text : std::string();
     problems = text ? base::writeFileAtomically(manifest, manifest_) : text.diagnostics();
   }
   base::append(problems, store_->close());
-  base::append(problems, stays);
+  base::append(problems, removalProblems);
   return problems;
 }
 
 base::Result<std::unique_ptr<ResultStore>> readResults(const std::string& folder) {
   const std::string path = fileIn(folder, "results.sqlite");
-  if (!isThere(path)) {
+  if (!pathExists(path)) {
     return base::error("batch.no-results", {}, folder);
   }
   return ResultStore::open(path);

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "app/run/DataPaths.h"
-#include "app/run/Echoes.h"
-#include "app/run/Nav2Body.h"
+#include "app/run/DiagnosticDedup.h"
 #include "app/run/Nav2Robots.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/ProgramRegistries.h"
@@ -20,11 +19,11 @@ namespace app {
 
 namespace {
 
-void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, KnownFiles& files) {
+void readMapOf(Bundle& bundle, const sim2d::FileSearchPaths& places, FileCache& files) {
   const sim2d::Scenario& scenario = *bundle.scenario;
   const base::Result<std::string> path = sim2d::findMap(scenario, places);
   base::Diagnostics problems = path.diagnostics();
-  sim2d::addPlaceOfMap(problems, places.scenarioPath);
+  sim2d::addMapLocation(problems, places.scenarioPath);
   base::append(bundle.remarks, problems);
   if (!path) {
     return;
@@ -35,9 +34,7 @@ void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, KnownFiles& file
   bundle.known = map->surroundings;
   bundle.routes = map->routes;
   bundle.mapPath = map->path;
-  if (!map->path.empty()) {
-    bundle.inputs.insert(bundle.inputs.end(), {map->path, map->imagePath});
-  }
+  bundle.mapImagePath = map->imagePath;
 }
 
 /// People without a tree file get that of their behaviour; the reader is told. Beside a scenario of
@@ -59,7 +56,7 @@ void tellGenerated(Bundle& bundle, const std::vector<std::string>& names,
   bundle.remarks.back().column = reading.agentsColumn;
 }
 
-void findTrees(Bundle& bundle, const sim2d::FilePlaces& places,
+void findTrees(Bundle& bundle, const sim2d::FileSearchPaths& places,
                const sim2d::ScenarioReading& reading) {
   bool hasFiles = false;
   std::vector<std::string> generated;
@@ -73,13 +70,13 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places,
       generated.push_back(human.name);
     } else {
       hasFiles = true;
-      bundle.inputs.push_back(path);
     }
   }
   std::error_code ignored;
   const std::string& folder = places.treesOption;
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
-    tellGenerated(bundle, generated, reading, reading.hasBlock && !hasFiles && folder.empty());
+    tellGenerated(bundle, generated, reading,
+                  reading.hasDesktopNode && !hasFiles && folder.empty());
   } else {
     bundle.remarks.push_back(base::error("option.no-trees-folder", {}, folder));
   }
@@ -99,20 +96,21 @@ void checkMetrics(const Bundle& bundle, Verdict& verdict) {
     verdict.scenarioMetrics = *setup;
     verdict.metrics = *setup;
     base::append(verdict.problems,
-                 chooseMetrics(bundle.metrics, verdict.metrics, verdict.wrongWords));
+                 applyMetricsOptions(bundle.metrics, verdict.metrics, verdict.wrongOptions));
   }
 }
 
 /// What robots want to start is an error of a run that may not, else only worth telling.
-void tellCode(const Bundle& bundle, const std::vector<ForeignCode>& code, Verdict& verdict) {
-  const sim2d::CodeUse use = bundle.settings.code;
-  if (code.empty() || use == sim2d::CodeUse::Allowed) {
+void tellCode(const Bundle& bundle, const std::vector<ExternalCode>& code, Verdict& verdict) {
+  const sim2d::ExternalCodePolicy use = bundle.settings.code;
+  if (code.empty() || use == sim2d::ExternalCodePolicy::Allowed) {
     return;
   }
-  base::Diagnostics told = tellForeignCode(
-      code, use == sim2d::CodeUse::Refused ? base::Severity::Error : base::Severity::Warning,
+  base::Diagnostics told = externalCodeProblems(
+      code,
+      use == sim2d::ExternalCodePolicy::Refused ? base::Severity::Error : base::Severity::Warning,
       bundle.path);
-  sim2d::addPlaces(told, bundle.lines, bundle.path);
+  sim2d::addLocations(told, bundle.lines, bundle.path);
   base::append(verdict.problems, told);
 }
 
@@ -123,8 +121,8 @@ void completeSetup(const Bundle& bundle, sim2d::WorldSetup& setup, base::Diagnos
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;
   setup.code = bundle.settings.code;
-  setup.folder = folderOfPlanners(bundle.path);
-  setup.stop = bundle.left;
+  setup.folder = plannerFolderOf(bundle.path);
+  setup.stop = bundle.stopOfRun;
   setup.registries = sharedRegistries();
 }
 
@@ -132,11 +130,11 @@ void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup,
                 base::Diagnostics unread, Verdict& verdict) {
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
   base::Diagnostics ofWorld = world.diagnostics();
-  sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
+  sim2d::addLocations(ofWorld, bundle.lines, bundle.path);
   bundle.stop->check();
   base::Diagnostics all = verdict.problems;
   base::append(all, ofWorld);
-  base::append(world ? verdict.worldRemarks : verdict.problems, withoutEchoes(ofWorld, all));
+  base::append(world ? verdict.worldRemarks : verdict.problems, withoutDuplicates(ofWorld, all));
   if (world && isRunnable) {
     base::append(unread, unlistedNav2Trees(*bundle.scenario, bundle.path, bundle.inputs));
     if (base::hasErrors(unread)) {  // and could be read now
@@ -156,51 +154,61 @@ base::Diagnostics errorsOf(const base::Diagnostics& problems) {
   return errors;
 }
 
-Bundle readBundle(const RunOptions& options, const RunSettings& settings,
-                  const sim2d::ImageLoader& loader) {
-  KnownFiles files(loader);
-  return readBundle(options, settings, files);
+void listInputs(Bundle& bundle) {
+  const sim2d::Scenario& scenario = *bundle.scenario;
+  std::vector<std::string>& inputs = bundle.inputs;
+  inputs = {bundle.path};
+  if (!bundle.mapPath.empty()) {
+    inputs.insert(inputs.end(), {bundle.mapPath, bundle.mapImagePath});
+  }
+  sim2d::forEachListed(scenario.humans, [&](const sim2d::Human& human) {
+    const auto tree = bundle.trees.find(human.name);
+    if (tree != bundle.trees.end() && !tree->second.path.empty()) {
+      inputs.push_back(tree->second.path);
+    }
+  });
+  for (const auto& files :
+       {nav2FilesOf(scenario, bundle.path), filesThatPlannersRead(scenario, bundle.path)}) {
+    inputs.insert(inputs.end(), files.begin(), files.end());
+  }
+  if (const auto file = metricsFileOf(scenario, bundle.path)) {
+    inputs.push_back(*file);
+  }
 }
 
-Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownFiles& files) {
+Bundle readBundle(const RunSpec& spec, const RunSettings& settings,
+                  const sim2d::ImageLoader& loader) {
+  FileCache files(loader);
+  return readBundle(spec, settings, files);
+}
+
+Bundle readBundle(const RunSpec& spec, const RunSettings& settings, FileCache& files) {
   Bundle bundle;
-  bundle.path = options.scenario;
-  bundle.metrics = options.metrics;
+  bundle.path = spec.scenario;
+  bundle.metrics = spec;
   bundle.settings = settings;
   bundle.stop = files.stopFlag();
   bundle.knownTrees = files.trees();
-  bundle.inputs.push_back(options.scenario);
-  const auto reading = files.scenario(options.scenario);
-  const std::optional<base::Diagnostic> unknown = unknownScenario(options.scenario);
+  bundle.inputs.push_back(spec.scenario);
+  const auto reading = files.scenario(spec.scenario);
+  const std::optional<base::Diagnostic> unknown = unknownScenario(spec.scenario);
   bundle.remarks = unknown ? base::Diagnostics{*unknown} : reading->diagnostics;
   bundle.isWhole = reading->ok();
   bundle.comments = reading->commentCount;
   bundle.lines = reading->lines;
   auto scenario = std::make_shared<sim2d::Scenario>(reading->scenario);
   if (bundle.isWhole) {
-    bundle.wrongWords = applyOptions(*scenario, options, settings.compatibility);
-    for (const RunOptions& later : options.then) {
-      base::append(bundle.wrongWords, applyOptions(*scenario, later, settings.compatibility));
-    }
-    if (!options.set.empty()) {
-      base::append(bundle.wrongWords, wrongNav2Values(*scenario, options.scenario));
+    bundle.wrongOptions = applyOptions(*scenario, spec, settings.compatibility);
+    if (!spec.set.empty()) {
+      base::append(bundle.wrongOptions, wrongNav2Values(*scenario, spec.scenario));
     }
   }
   bundle.scenario = std::move(scenario);
-  if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {
-    const sim2d::FilePlaces places{options.scenario, options.map, options.trees,
-                                   shippedMapsFolder()};
+  if (bundle.hasScenario() && !base::hasErrors(bundle.wrongOptions)) {
+    const sim2d::FileSearchPaths places{spec.scenario, spec.map, spec.trees, shippedMapsFolder()};
     readMapOf(bundle, places, files);
     findTrees(bundle, places, *reading);
-    for (std::string& file : nav2FilesOf(*bundle.scenario, options.scenario)) {
-      bundle.inputs.push_back(std::move(file));
-    }
-    for (std::string& file : filesThatPlannersRead(*bundle.scenario, options.scenario)) {
-      bundle.inputs.push_back(std::move(file));
-    }
-    if (const auto file = metricsFileOf(*bundle.scenario, options.scenario)) {
-      bundle.inputs.push_back(*file);
-    }
+    listInputs(bundle);
   }
   return bundle;
 }
@@ -214,7 +222,7 @@ std::optional<Bundle> withBodies(const Bundle& bundle, base::Diagnostics& proble
   }
   base::Diagnostics found;
   auto scenario = withNav2Bodies(bundle.scenario, bundle.path, found);
-  sim2d::addPlaces(found, bundle.lines, bundle.path);
+  sim2d::addLocations(found, bundle.lines, bundle.path);
   base::append(problems, found);
   if (scenario == bundle.scenario) {
     return std::nullopt;
@@ -243,28 +251,28 @@ Verdict checkBundle(const Bundle& given, CheckDepth depth) {
   verdict.problems = given.remarks;
   const std::optional<Bundle> shaped = withBodies(given, verdict.problems);
   const Bundle& bundle = shaped ? *shaped : given;
-  verdict.wrongWords = bundle.wrongWords;
-  if (!bundle.hasScenario() || base::hasErrors(bundle.wrongWords)) {
+  verdict.wrongOptions = bundle.wrongOptions;
+  if (!bundle.hasScenario() || base::hasErrors(bundle.wrongOptions)) {
     return verdict;
   }
   sim2d::WorldSetup setup;
   setup.surroundings = surroundingsOf(bundle);
-  bundle.left->check();
+  bundle.stopOfRun->check();
   base::Diagnostics meaning = sim2d::checkScenario(
-      *bundle.scenario, *setup.surroundings, bundle.path, sim2d::knownNames(programRegistries()));
+      *bundle.scenario, *setup.surroundings, bundle.path, sim2d::knownNames(builtinRegistries()));
   bundle.stop->check();  // else what was stopped would be told as places out of reach
-  sim2d::addPlaces(meaning, bundle.lines, bundle.path);
+  sim2d::addLocations(meaning, bundle.lines, bundle.path);
   base::append(verdict.problems, meaning);
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility, bundle.knownTrees);
   checkMetrics(bundle, verdict);
-  const std::vector<ForeignCode> code = foreignCodeOf(*bundle.scenario);
+  const std::vector<ExternalCode> code = externalCodeOf(*bundle.scenario);
   tellCode(bundle, code, verdict);
-  verdict.problems = withoutEchoes(verdict.problems, verdict.problems);
+  verdict.problems = withoutDuplicates(verdict.problems, verdict.problems);
   if (depth == CheckDepth::Meaning || !verdict.ok()) {
     return verdict;
   }
-  bundle.left->check();
+  bundle.stopOfRun->check();
   base::Diagnostics unread;
   completeSetup(bundle, setup, unread);
   if (depth == CheckDepth::Setup) {
@@ -272,7 +280,8 @@ Verdict checkBundle(const Bundle& given, CheckDepth depth) {
     verdict.setup = std::move(setup);
     return verdict;
   }
-  const bool isRunnable = code.empty() || bundle.settings.code == sim2d::CodeUse::Allowed;
+  const bool isRunnable =
+      code.empty() || bundle.settings.code == sim2d::ExternalCodePolicy::Allowed;
   checkWorld(bundle, isRunnable, std::move(setup), std::move(unread), verdict);
   return verdict;
 }

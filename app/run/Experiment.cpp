@@ -7,12 +7,9 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/ExperimentCheck.h"
-#include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
-#include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/world/World.h"
 
 namespace app {
 
@@ -64,20 +61,10 @@ class Reader {
     }
     readScenarios(root);
     readSeeds(root.find("seeds"));
-    readNumber(root, "duration", 0.0, 1e6);
-    readNumber(root, "dt", 0.000999, 0.1);
-    readNumber(root, "stuck_after", -1e-300, 1e6);
-    readName(root, "stop_on_collision",
-             sim2d::fieldOf<sim2d::DesktopSettings>("stop_on_collision")->spec.choices);
-    const sim2d::Registries known = programRegistries();
-    readName(root, "model", known.models.names());
-    readName(root, "robot", known.robotTypes.names());
-    readName(root, "planner", known.planners.names());
-    if (const YamlNode* profile = readWord(root, "metrics_profile")) {
-      if (profile->text != "corrected" && profile->text != "hunav2") {
-        error(*profile, "experiment.bad-profile");
+    for (const RunOption& option : kRunOptions) {
+      if ((option.use & RunOption::InExperiment) != 0) {
+        readOption(root, option);
       }
-      experiment_.options["--metrics-profile"] = profile->text;
     }
     const bool isPossible = readValues(root);
     readRecord(root.find("record"));
@@ -87,10 +74,13 @@ class Reader {
   }
 
   void checkKeys(const YamlNode& root) {
-    const std::vector<std::string> known = {
-        "hunavsim_experiment", "scenarios",   "seeds", "duration", "dt",
-        "stop_on_collision",   "stuck_after", "model", "robot",    "planner",
-        "metrics_profile",     "values",      "record"};
+    std::vector<std::string> known = {"hunavsim_experiment", "scenarios", "seeds", "values",
+                                      "record"};
+    for (const RunOption& option : kRunOptions) {
+      if ((option.use & RunOption::InExperiment) != 0) {
+        known.push_back(option.key());
+      }
+    }
     for (const YamlNode& item : root.items) {
       if (std::find(known.begin(), known.end(), item.key) == known.end()) {
         errors_.push_back(base::error("experiment.unknown-key",
@@ -165,39 +155,30 @@ class Reader {
     }
   }
 
-  static std::string optionOf(std::string key) {
-    std::replace(key.begin(), key.end(), '_', '-');
-    return "--" + key;
-  }
-
-  void readNumber(const YamlNode& root, const std::string& key, double above, double maximum) {
-    const YamlNode* node = root.find(key);
-    const std::optional<double> number =
-        node != nullptr ? base::parseDouble(node->text) : std::nullopt;
-    if (number && *number > above && *number <= maximum) {
-      experiment_.options[optionOf(key)] = base::formatDouble(*number);
-    } else if (node != nullptr) {
-      error(*node, "experiment.out-of-range", {key});
+  void readOption(const YamlNode& root, const RunOption& option) {
+    const YamlNode* const node = root.find(option.key());
+    if (node == nullptr) {
+      return;
     }
-  }
-
-  /// The value of a key that has one.
-  const YamlNode* readWord(const YamlNode& root, const std::string& key) {
-    const YamlNode* node = root.find(key);
-    if (node != nullptr && node->text.empty()) {
-      error(*node, "experiment.no-word", {key});
-      return nullptr;
+    if (const auto* const number = std::get_if<std::optional<double> RunSpec::*>(&option.member)) {
+      const std::optional<double> value = base::parseDouble(node->text);
+      if (value && option.rangeOfValue().contains(*value)) {
+        experiment_.common.** number = value;
+      } else {
+        error(*node, "experiment.out-of-range", {option.key()});
+      }
+      return;
     }
-    return node;
-  }
-
-  void readName(const YamlNode& root, const std::string& key,
-                const std::vector<std::string>& known) {
-    const YamlNode* node = readWord(root, key);
-    if (node != nullptr && std::find(known.begin(), known.end(), node->text) == known.end()) {
-      error(*node, "experiment.unknown-name", {key, node->text, base::join(known, ", ")});
-    } else if (node != nullptr) {
-      experiment_.options[optionOf(key)] = node->text;
+    const RunOption::Names known = option.choices();
+    if (node->text.empty()) {
+      error(*node, "experiment.no-word", {option.key()});
+    } else if (std::find(known.begin(), known.end(), node->text) == known.end()) {
+      error(*node, "experiment.unknown-name", {option.key(), node->text, base::join(known, ", ")});
+    } else if (const auto* const name =
+                   std::get_if<std::optional<std::string> RunSpec::*>(&option.member)) {
+      experiment_.common.** name = node->text;
+    } else {
+      experiment_.common.*std::get<std::string RunSpec::*>(option.member) = node->text;
     }
   }
 
@@ -243,7 +224,7 @@ class Reader {
       trials.emplace_back(experiment_, number, std::move(scenario));
     }
     if (const YamlNode* const values = root.find("values")) {
-      tell(wrongValues(experiment_, trials, *values));
+      tell(invalidValues(experiment_, trials, *values));
     }
     if (!base::hasErrors(errors_)) {  // else not all values are known
       tell(runsAlike(experiment_, trials, root));

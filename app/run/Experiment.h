@@ -1,11 +1,10 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "app/run/ExperimentValues.h"
-#include "app/run/RunOptions.h"
+#include "app/run/RunSpec.h"
 
 namespace app {
 
@@ -19,10 +18,10 @@ struct Experiment {
   std::vector<std::string> scenarios;      // as written: relative files or names of shipped ones
   std::vector<std::string> scenarioPaths;  // where they lie
   std::vector<long long> seeds;
-  std::map<std::string, std::string> options;  // of `run`: "--dt" -> "0.05"
+  RunSpec common;  // options of all runs
   std::vector<ExperimentValue> values;
   Record record = Record::Metrics;
-  bool allowCode = false;  // said by who starts the batch, never in the file
+  bool allowCode = false;  // given by the user who starts the batch, never in the file
 
   /// Run `index`: scenarios outermost, then dimensions among the values in their order, seeds
   /// innermost.
@@ -34,11 +33,7 @@ struct Experiment {
   std::size_t runCount() const;
   Run run(std::size_t index) const;
 
-  /// The run as the words of a command line, without the program, and what they say.
-  std::vector<std::string> wordsOf(std::size_t index) const;
-  RunOptions optionsOf(std::size_t index) const;
-  /// What is the same in all runs.
-  RunOptions optionsOfAll() const;
+  RunSpec specOf(std::size_t index) const;
 };
 
 /// Every problem with file:line:column; unknown keys are errors.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
@@ -22,21 +23,6 @@ base::Diagnostic placed(const YamlNode& node, base::Diagnostic problem) {
   return problem;
 }
 
-/// A key of an experiment that is an option of all runs, and the field that it sets.
-struct OptionOfAll {
-  const char *key, *option;
-  const char* path;  // of a robot: below the name of the first one
-  std::optional<std::string> sim2d::Robot::*ofRobot;
-};
-constexpr OptionOfAll kOptionsOfAll[] = {
-    {"duration", "--duration", "duration", nullptr},
-    {"dt", "--dt", "dt", nullptr},
-    {"stuck_after", "--stuck-after", "stuck_after", nullptr},
-    {"stop_on_collision", "--stop-on-collision", "stop_on_collision", nullptr},
-    {"model", "--model", "model", nullptr},
-    {"planner", "--planner", "planner", &sim2d::Robot::planner},
-    {"robot", "--robot", "type", &sim2d::Robot::type}};
-
 const sim2d::Robot* firstRobotOf(const sim2d::Scenario& scenario) {
   const auto& robots = scenario.robots;
   const auto found = std::find_if(robots.begin(), robots.end(),
@@ -44,26 +30,27 @@ const sim2d::Robot* firstRobotOf(const sim2d::Scenario& scenario) {
   return found == robots.end() ? nullptr : &*found;
 }
 
-/// The same of a whole robot: one of the texts of its map has the field.
-bool isInMap(const ExperimentValue& value, const sim2d::Scenario& scenario,
-             std::optional<std::string> sim2d::Robot::*field) {
+/// Whether one of the texts of a value is the map of a whole robot with this key.
+bool isInMap(const ExperimentValue& value, const sim2d::Scenario& scenario, const char* key) {
   return std::any_of(value.texts.begin(), value.texts.end(), [&](const std::string& text) {
     sim2d::Scenario changed = scenario;
     const bool isTaken = !base::hasErrors(sim2d::setValue(changed, value.path, text));
     const sim2d::Robot* const robot = firstRobotOf(changed);
-    return isTaken && robot != nullptr && (robot->*field).has_value();
+    return isTaken && robot != nullptr &&
+           sim2d::fieldOf<sim2d::Robot>(key)->value(*robot) != base::ParameterValue();
   });
 }
 
-bool isSetBy(const OptionOfAll& option, const ExperimentValue& value,
+/// Whether a value sets what an option of all runs sets.
+bool isSetBy(const RunOption& option, const ExperimentValue& value,
              const sim2d::Scenario& scenario) {
-  if (option.ofRobot == nullptr) {
-    return value.path == option.path;
+  if (option.setting != nullptr) {
+    return value.path == option.setting;
   }
   const sim2d::Robot* const robot = firstRobotOf(scenario);
-  return robot != nullptr &&
-         (value.path == robot->name + "." + option.path ||
-          (value.path == robot->name && isInMap(value, scenario, option.ofRobot)));
+  return option.robotSetting != nullptr && robot != nullptr &&
+         (value.path == robot->name + "." + option.robotSetting ||
+          (value.path == robot->name && isInMap(value, scenario, option.robotSetting)));
 }
 
 /// Tries the values one after the other, and says what is wrong with them.
@@ -91,13 +78,13 @@ class ValueCheck {
     if (value.path == "seed") {
       return tell(base::error("experiment.seed-as-value"));
     }
-    for (const OptionOfAll& option : kOptionsOfAll) {
+    for (const RunOption& option : kRunOptions) {
       const auto isSet = [&](const ExperimentTrial& trial) {
         return isSetBy(option, value, trial.scenario());
       };
-      if (experiment_.options.count(option.option) != 0 &&
+      if (option.isGiven(experiment_.common) &&
           std::any_of(trials_.begin(), trials_.end(), isSet)) {
-        return tell(base::error("experiment.told-twice", {value.path, option.key}));
+        return tell(base::error("experiment.told-twice", {value.path, option.key()}));
       }
     }
     return false;
@@ -108,7 +95,7 @@ class ValueCheck {
   void tryTexts(const YamlNode& node) {
     const ExperimentValue& value = experiment_.values[value_];
     const YamlNode& list = node.isMap() ? node.items.front() : node;
-    for (const std::size_t k : value.tellingTexts()) {
+    for (const std::size_t k : value.representativeTexts()) {
       const bool isLast = k + 1 == value.texts.size();
       const bool isWritten = !value.isRange || k == 0 || isLast;
       const std::size_t item = value.isRange && k != 0 ? 1 : k;  // [FROM, TO, STEP]
@@ -199,8 +186,8 @@ void warnOfTwice(const YamlNode& list, base::Diagnostics& warnings) {
 
 }  // namespace
 
-base::Diagnostics wrongValues(const Experiment& experiment, std::vector<ExperimentTrial>& trials,
-                              const YamlNode& values) {
+base::Diagnostics invalidValues(const Experiment& experiment, std::vector<ExperimentTrial>& trials,
+                                const YamlNode& values) {
   ValueCheck check(experiment, trials);
   for (const YamlNode& node : values.items) {
     const auto& all = experiment.values;

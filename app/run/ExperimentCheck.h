@@ -13,8 +13,8 @@ namespace app {
 /// What is wrong with the values that could be read, at their places without the file: told twice,
 /// not taken by one of the scenarios, or an error of the runs that have them. `values`: the map of
 /// them in the file; all texts of lists are tried, of a range and of draws some.
-base::Diagnostics wrongValues(const Experiment& experiment, std::vector<ExperimentTrial>& trials,
-                              const base::YamlNode& values);
+base::Diagnostics invalidValues(const Experiment& experiment, std::vector<ExperimentTrial>& trials,
+                                const base::YamlNode& values);
 
 /// Warnings of runs that are the same: with seeds that make no difference in what was tried, or
 /// listed twice. `root`: of the whole file.

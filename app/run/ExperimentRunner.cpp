@@ -1,11 +1,16 @@
 #include "app/run/ExperimentRunner.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "app/run/DataPaths.h"
-#include "app/run/ExperimentInputs.h"
+#include "app/run/RunFolder.h"
 #include "app/run/Simulation.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
 
@@ -13,72 +18,74 @@ namespace {
 
 using Record = Experiment::Record;
 
-/// The settings of all runs: options of an experiment say nothing about them.
+/// The settings of all runs; the options of an experiment do not affect them.
 RunSettings settingsOf(const Experiment& experiment) {
   RunSettings settings;
-  settings.code = experiment.allowCode ? sim2d::CodeUse::Allowed : sim2d::CodeUse::Refused;
+  settings.code = experiment.allowCode ? sim2d::ExternalCodePolicy::Allowed
+                                       : sim2d::ExternalCodePolicy::Refused;
   return settings;
 }
 
 }  // namespace
 
-/// What was read before may be kept; what was written since it was looked at is read again.
-Bundle ExperimentRunner::read(std::size_t index, const RunSettings& settings, Used& used) {
-  constexpr int kMostReads = 5;
+/// Cached files may be outdated: if a file was modified since it was hashed, everything is read
+/// again.
+Bundle ExperimentRunner::read(std::size_t index, const RunSettings& settings, FileIndices& used) {
+  constexpr int kMaxReads = 5;
   for (int reads = 1;; ++reads) {
-    const std::timespec before = SeenFiles::now();
-    Bundle bundle = readBundle(experiment_.optionsOf(index), settings, *files_);
+    const std::timespec before = InputFingerprints::now();
+    Bundle bundle = readBundle(experiment_.specOf(index), settings, *files_);
     used = filesOf(bundle);
-    if (reads == kMostReads || !seen_.areWrittenSince(used, before)) {
+    if (reads == kMaxReads || !fingerprints_.anyModifiedSince(used, before)) {
       return bundle;
     }
-    files_ = std::make_unique<KnownFiles>(loader_);
+    files_ = std::make_unique<FileCache>(loader_);
   }
 }
 
-const ExperimentRunner::Used& ExperimentRunner::filesOf(const Bundle& bundle) {
-  constexpr std::size_t kMostKnown = 10000;
-  std::vector<std::string> names = bundle.inputs;  // with trees, but not what those include
-  for (const ForeignCode& code : foreignCodeOf(*bundle.scenario)) {
+const ExperimentRunner::FileIndices& ExperimentRunner::filesOf(const Bundle& bundle) {
+  constexpr std::size_t kMaxKnownBundles = 10000;
+  std::vector<std::string> names = bundle.inputs;  // includes trees, but not their includes
+  for (const ExternalCode& code : externalCodeOf(*bundle.scenario)) {
     names.push_back(code.words);
   }
-  const auto found = usedBy_.find(names);
-  if (found != usedBy_.end()) {
+  const auto found = inputsByBundle_.find(names);
+  if (found != inputsByBundle_.end()) {
     return found->second;
   }
-  if (usedBy_.size() >= kMostKnown) {
-    usedBy_.clear();
+  if (inputsByBundle_.size() >= kMaxKnownBundles) {
+    inputsByBundle_.clear();
   }
-  Used& used = usedBy_[names];
+  FileIndices& used = inputsByBundle_[names];
   for (const std::string& path : inputFilesOf(bundle)) {
-    used.push_back(seen_.look(path));
+    used.push_back(fingerprints_.add(path));
   }
   return used;
 }
 
 base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario,
-                                                  base::Severity ofForeignCode) {
+                                                  base::Severity codeSeverity) {
   const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
-  Used used;
+  FileIndices used;
   const Bundle bundle = read(scenario * runs, RunSettings(), used);
   const Verdict verdict = app::check(bundle);
   base::Diagnostics problems;
-  for (base::Diagnostic problem : errorsOf(verdict.wrongWords)) {  // warnings: by who read it
+  for (base::Diagnostic problem : errorsOf(verdict.wrongOptions)) {  // the reader reports warnings
     problem.file = problem.file.empty() ? experiment_.path : problem.file;
     problems.push_back(std::move(problem));
   }
   base::append(problems, errorsOf(verdict.problems));
   if (!experiment_.allowCode) {
-    base::append(problems, tellForeignCode(foreignCodeOf(experiment_, *bundle.scenario),
-                                           ofForeignCode, bundle.path));
+    base::append(problems, externalCodeProblems(externalCodeOf(experiment_, *bundle.scenario),
+                                                codeSeverity, bundle.path));
   }
   return problems;
 }
 
-base::Diagnostics ExperimentRunner::check(base::Severity ofForeignCode) {
+base::Diagnostics ExperimentRunner::check(base::Severity codeSeverity) {
   base::Diagnostics problems;
   for (std::size_t k = 0; k < experiment_.scenarios.size(); ++k) {
-    base::append(problems, checkScenario(k, ofForeignCode));
+    base::append(problems, checkScenario(k, codeSeverity));
   }
   return problems;
 }
@@ -88,36 +95,36 @@ std::string ExperimentRunner::folderOf(std::size_t run) const {
 }
 
 base::Result<ResultRow> ExperimentRunner::run(
-    std::size_t index, const std::function<void(const std::vector<InputHash>&)>& met) {
-  const base::Diagnostics stays = removeRun(folderOf(index));  // of an earlier batch, or cut short
-  if (!stays.empty()) {
-    return stays;
+    std::size_t index, const std::function<void(const std::vector<InputHash>&)>& reportInputs) {
+  const base::Diagnostics removalProblems = removeRunFolder(folderOf(index));  // of earlier batches
+  if (!removalProblems.empty()) {
+    return removalProblems;
   }
-  Used used;
+  FileIndices used;
   const Bundle bundle = read(index, settingsOf(experiment_), used);
-  if (met) {
-    met(seen_.thenAndNow(used));
+  if (reportInputs) {
+    reportInputs(fingerprints_.withChanges(used));
   }
-  base::Result<ResultRow> row = make(index, bundle);
+  base::Result<ResultRow> row = execute(index, bundle);
   if (row) {
-    row->inputs = seen_.thenAndNow(used);
+    row->inputs = fingerprints_.withChanges(used);
   }
   return row;
 }
 
-base::Result<ResultRow> ExperimentRunner::make(std::size_t index, const Bundle& bundle) {
+base::Result<ResultRow> ExperimentRunner::execute(std::size_t index, const Bundle& bundle) {
   const bool hasFiles = experiment_.record != Record::Metrics;
   Verdict verdict = app::check(bundle);
   if (!verdict.ok()) {
-    base::Diagnostics all = verdict.wrongWords;
+    base::Diagnostics all = verdict.wrongOptions;
     base::append(all, verdict.problems);
     return rowOf(all);
   }
   sim2d::World& world = *verdict.world;
-  wantNoMore(hasFiles, hasFiles, verdict.metrics.selection);
+  skipUnwrittenMetrics(hasFiles, hasFiles, verdict.metrics.selection);
   base::Result<std::unique_ptr<OutputFolder>> output = std::unique_ptr<OutputFolder>();
   if (hasFiles) {
-    output = OutputFolder::open(folderOf(index), true);  // the batch has looked
+    output = OutputFolder::open(folderOf(index), true);  // BatchFolder::open has checked the folder
   }
   if (!output) {
     return output.diagnostics();
@@ -131,7 +138,7 @@ base::Result<ResultRow> ExperimentRunner::make(std::size_t index, const Bundle& 
   const ResultRow row = rowOf(run);
   base::Diagnostics problems;
   if (hasFiles && (isKept(row) || writer.hasFailed())) {
-    problems = keep(index, run, writer, bundle, **output);
+    problems = writeFiles(index, run, writer, bundle, **output);
   }
   if (base::hasErrors(problems)) {
     return problems;
@@ -141,19 +148,104 @@ base::Result<ResultRow> ExperimentRunner::make(std::size_t index, const Bundle& 
 
 bool ExperimentRunner::isKept(const ResultRow& row) const {
   return experiment_.record == Record::All || (experiment_.record == Record::Failed && !row.ok) ||
-         (experiment_.record == Record::Unsuccessful && isWithoutSuccess(row));
+         (experiment_.record == Record::Unsuccessful && isUnsuccessful(row));
 }
 
-base::Diagnostics ExperimentRunner::keep(std::size_t index, FinishedRun& run, RunWriter& writer,
-                                         const Bundle& bundle, OutputFolder& output) {
-  std::vector<std::string> words = experiment_.wordsOf(index);
+base::Diagnostics ExperimentRunner::writeFiles(std::size_t index, FinishedRun& run,
+                                               RunWriter& writer, const Bundle& bundle,
+                                               OutputFolder& output) {
+  std::vector<std::string> words = commandLineOf(experiment_.specOf(index));
   words.insert(words.begin(), programPath());
   words.insert(words.end(), {"--quiet", "-o", folderOf(index)});
   base::Diagnostics problems = writeRunFolder(output, run, writer, bundle, words);
-  for (base::Diagnostic& problem : problems) {  // nobody would see a warning
+  for (base::Diagnostic& problem : problems) {  // warnings would not be shown
     problem.severity = base::Severity::Error;
   }
   return problems;
+}
+
+namespace {
+
+/// Whether a value can set what a robot starts: of a planner's key, or of the whole robot.
+bool mayNameCode(const ExperimentValue& value) {
+  constexpr const char* kKeys[] = {"planner", "command", "planner_parameters", "file"};
+  const std::string& path = value.path;
+  const std::string last = path.substr(path.rfind('.') + 1);  // the whole path if it has no dot
+  return last == path || std::any_of(std::begin(kKeys), std::end(kKeys),
+                                     [&](const char* key) { return last == key; });
+}
+
+/// Searches all combinations of these values; if there are too many, each value combined with the
+/// first ones of the others.
+class ExternalCodeSearch {
+ public:
+  explicit ExternalCodeSearch(const Experiment& experiment) {
+    std::size_t combinations = 1;
+    for (const ExperimentValue& value : experiment.values) {
+      std::vector<std::string> others = mayNameCode(value) ? otherTextsOf(value) : Texts();
+      if (!others.empty()) {
+        combinations = std::min(kMaxCombinations + 1, combinations * (others.size() + 1));
+        values_.emplace_back(value.path, std::move(others));
+      }
+    }
+    triesCombinations_ = combinations <= kMaxCombinations;
+  }
+
+  void visit(const sim2d::Scenario& scenario, std::size_t from = 0) {
+    for (const ExternalCode& code : externalCodeOf(scenario)) {
+      if (std::find(found_.begin(), found_.end(), code) == found_.end()) {
+        found_.push_back(code);
+      }
+    }
+    for (std::size_t k = from; k < values_.size(); ++k) {
+      for (const std::string& text : values_[k].second) {
+        sim2d::Scenario changed = scenario;
+        if (!base::hasErrors(sim2d::setValue(changed, values_[k].first, text))) {  // checked before
+          visit(changed, triesCombinations_ ? k + 1 : values_.size());
+        }
+      }
+    }
+  }
+  std::vector<ExternalCode> take() { return std::move(found_); }
+
+ private:
+  using Texts = std::vector<std::string>;
+
+  /// Without numbers, which name no code, and without the value of the first run.
+  static Texts otherTextsOf(const ExperimentValue& value) {
+    Texts texts;
+    for (const std::size_t k : value.representativeTexts()) {
+      if ((k > 0 || value.isDrawn()) && !base::parseDouble(value.texts[k])) {
+        texts.push_back(value.texts[k]);
+      }
+    }
+    return texts;
+  }
+
+  static constexpr std::size_t kMaxCombinations = 2000;
+  std::vector<std::pair<std::string, Texts>> values_;  // path, texts
+  bool triesCombinations_ = true;
+  std::vector<ExternalCode> found_;
+};
+
+}  // namespace
+
+std::vector<ExternalCode> externalCodeOf(const Experiment& experiment,
+                                         const sim2d::Scenario& first) {
+  ExternalCodeSearch search(experiment);
+  search.visit(first);
+  return search.take();
+}
+
+std::vector<std::string> inputFilesOf(const Bundle& bundle) {
+  std::vector<std::string> paths = inputsOf(bundle);
+  for (const ExternalCode& code : externalCodeOf(*bundle.scenario)) {
+    const std::optional<std::string> file = codeFileOf(code, bundle.path);
+    if (file && std::find(paths.begin(), paths.end(), *file) == paths.end()) {
+      paths.push_back(*file);
+    }
+  }
+  return paths;
 }
 
 }  // namespace app

@@ -6,56 +6,68 @@
 #include <string>
 #include <vector>
 
+#include "app/run/Bundle.h"
 #include "app/run/Experiment.h"
-#include "app/run/KnownFiles.h"
+#include "app/run/FileCache.h"
+#include "app/run/ManifestFiles.h"
+#include "app/run/PlannerFiles.h"
 #include "app/run/ResultRow.h"
-#include "app/run/SeenFiles.h"
 
 namespace app {
 
-/// Makes the runs of an experiment, one after the other, in this process. What they have in common
-/// is read and worked out once; no run changes anything of it. One thread.
+/// Executes the runs of an experiment sequentially in this process. Shared data is read and
+/// computed once and not changed by runs. One thread.
 class ExperimentRunner {
  public:
-  /// `runsFolder`: folders of runs that are kept lie in it, <runsFolder>/<run>. `loader` reads map
-  /// images other than PGM. The experiment must outlive this.
+  /// `runsFolder`: kept run folders are <runsFolder>/<run>. `loader` reads map images other than
+  /// PGM. The experiment must outlive this.
   ExperimentRunner(const Experiment& experiment, std::string runsFolder, sim2d::ImageLoader loader)
       : experiment_(experiment),
         runsFolder_(std::move(runsFolder)),
         loader_(std::move(loader)),
-        files_(std::make_unique<KnownFiles>(loader_)) {}
+        files_(std::make_unique<FileCache>(loader_)) {}
 
-  /// Reports scenarios that no run could use, values that no scenario accepts and, where code is
-  /// not allowed, programs that would have to be started.
-  base::Diagnostics check(base::Severity ofForeignCode = base::Severity::Error);
+  /// Reports scenarios that no run could use, values that no scenario accepts and, if external code
+  /// is not allowed, programs that would have to be started.
+  base::Diagnostics check(base::Severity codeSeverity = base::Severity::Error);
   /// Files that the first runs of the scenarios use, each once; known after check().
-  const std::vector<InputHash>& inputs() const { return seen_.all(); }
+  const std::vector<InputHash>& inputs() const { return fingerprints_.all(); }
 
-  /// Errors: files of the run could not be written. A run that fails is a row. Its inputs are the
-  /// files as this process has met them first, and once more those that are others by the end.
-  /// `met` takes them before the run begins.
-  base::Result<ResultRow> run(std::size_t index,
-                              const std::function<void(const std::vector<InputHash>&)>& met = {});
+  /// Error: the files of the run could not be written. A failed run is a row. Its inputs are the
+  /// files as first read by this process, and a second entry for those that have changed by the
+  /// end. `reportInputs` receives them before the run starts.
+  base::Result<ResultRow> run(
+      std::size_t index,
+      const std::function<void(const std::vector<InputHash>&)>& reportInputs = {});
 
  private:
-  /// Numbers of files that were seen.
-  using Used = std::vector<std::size_t>;
+  /// Indices of files in fingerprints_.
+  using FileIndices = std::vector<std::size_t>;
 
-  base::Diagnostics checkScenario(std::size_t scenario, base::Severity ofForeignCode);
-  Bundle read(std::size_t index, const RunSettings& settings, Used& used);
-  const Used& filesOf(const Bundle& bundle);
-  base::Result<ResultRow> make(std::size_t index, const Bundle& bundle);
+  base::Diagnostics checkScenario(std::size_t scenario, base::Severity codeSeverity);
+  Bundle read(std::size_t index, const RunSettings& settings, FileIndices& used);
+  const FileIndices& filesOf(const Bundle& bundle);
+  base::Result<ResultRow> execute(std::size_t index, const Bundle& bundle);
   std::string folderOf(std::size_t run) const;
   bool isKept(const ResultRow& row) const;
-  base::Diagnostics keep(std::size_t index, FinishedRun& run, RunWriter& writer,
-                         const Bundle& bundle, OutputFolder& output);
+  base::Diagnostics writeFiles(std::size_t index, FinishedRun& run, RunWriter& writer,
+                               const Bundle& bundle, OutputFolder& output);
 
   const Experiment& experiment_;
   const std::string runsFolder_;
   const sim2d::ImageLoader loader_;
-  std::unique_ptr<KnownFiles> files_;
-  SeenFiles seen_;
-  std::map<std::vector<std::string>, Used> usedBy_;  // what bundles name: all that they read
+  std::unique_ptr<FileCache> files_;
+  InputFingerprints fingerprints_;
+  std::map<std::vector<std::string>, FileIndices>
+      inputsByBundle_;  // named inputs of a bundle -> all input files
 };
+
+/// External code that runs in a scenario would start, for all values of the experiment. `first`:
+/// the scenario with the first values.
+std::vector<ExternalCode> externalCodeOf(const Experiment& experiment,
+                                         const sim2d::Scenario& first);
+
+/// Files that a run reads, and external code that it starts.
+std::vector<std::string> inputFilesOf(const Bundle& bundle);
 
 }  // namespace app

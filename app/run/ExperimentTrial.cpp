@@ -39,10 +39,10 @@ ExperimentTrial::ExperimentTrial(const Experiment& experiment, std::size_t numbe
                                  sim2d::Scenario written)
     : experiment_(experiment),
       number_(number),
-      names_(sim2d::knownNames(programRegistries())),
+      names_(sim2d::knownNames(builtinRegistries())),
       brought_(experiment.values.size()) {
   // What is wrong there is told of the runs, at the scenario.
-  const base::Diagnostics ofRuns = applyOptions(written, experiment.optionsOfAll(), {});
+  const base::Diagnostics ofRuns = applyOptions(written, experiment.common, {});
   written_ = std::move(written);
   for (const base::Diagnostics& problems : {ofRuns, meaningErrors(written_)}) {
     for (const base::Diagnostic& problem : problems) {

@@ -11,7 +11,7 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlText.h"
+#include "sim2d/base/yaml/YamlEmitter.h"
 #include "sim2d/base/yaml/YamlTree.h"
 
 namespace app {
@@ -21,10 +21,10 @@ namespace {
 using base::YamlNode;
 using Kind = ExperimentValue::Kind;
 
-constexpr double kMostSteps = 1e6;  // of a range
+constexpr double kMaxRangeSteps = 1e6;  // of a range
 
-/// FNV-1a: the same everywhere.
-std::uint64_t hashOf(std::string_view text) {
+/// FNV-1a: platform-independent.
+std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char each : text) {
     hash = (hash ^ static_cast<unsigned char>(each)) * 1099511628211ULL;
@@ -32,19 +32,19 @@ std::uint64_t hashOf(std::string_view text) {
   return hash;
 }
 
-/// The draws of one value in one scenario with one seed, by their number.
+/// The draws of one value for one scenario and seed, by their number.
 class Draws {
  public:
   Draws(const std::string& path, const std::string& scenario, long long seed)
       : seed_(static_cast<std::uint64_t>(seed)),
-        scenario_(hashOf(std::filesystem::path(scenario).stem().string())),
-        path_(static_cast<std::uint32_t>(hashOf(path))) {}
+        scenario_(fnv1a(std::filesystem::path(scenario).stem().string())),
+        path_(static_cast<std::uint32_t>(fnv1a(path))) {}
 
   double uniform(double from, double to, int number = 0) const {
-    return rng(number).uniform(from, to, base::Draw::Value, path_);
+    return rng(number).uniform(from, to, base::DrawPurpose::Value, path_);
   }
   double normal(double mean, double deviation, int number) const {
-    return rng(number).normal(mean, deviation, base::Draw::Value, path_);
+    return rng(number).normal(mean, deviation, base::DrawPurpose::Value, path_);
   }
 
  private:
@@ -54,20 +54,21 @@ class Draws {
   std::uint32_t path_;
 };
 
-/// Normal between two ends, by rejection: of normal draws where most of them fit, else of uniform
-/// ones over the part that has any weight.
-double normalBetween(const std::array<double, 4>& numbers, const Draws& draws) {
-  constexpr int kMostDraws = 100000;  // far beyond what ever happens
-  constexpr double kNoWeight = 40.0;  // exp(-40) of the weight of the best place
+/// Truncated normal distribution by rejection: of normal draws if most of them fit, otherwise of
+/// uniform ones over the part with significant density.
+double truncatedNormal(const std::array<double, 4>& numbers, const Draws& draws) {
+  constexpr int kMaxDraws = 100000;             // never reached in practice
+  constexpr double kNegligibleExponent = 40.0;  // exp(-40) of the maximum density
   const double mean = numbers[0], deviation = numbers[1], least = numbers[2], most = numbers[3];
   const double near = std::clamp(mean, least, most);
-  const double reach = deviation * kNoWeight / std::max(1.0, std::abs(near - mean) / deviation);
+  const double reach =
+      deviation * kNegligibleExponent / std::max(1.0, std::abs(near - mean) / deviation);
   const double from = std::max(least, near - reach), to = std::min(most, near + reach);
   const bool isWide = near == mean && most - least >= 2.0 * deviation;
   const auto exponent = [&](double x) {
     return 0.5 * ((x - mean) / deviation) * ((x - mean) / deviation);
   };
-  for (int number = 0; number < kMostDraws; number += 2) {
+  for (int number = 0; number < kMaxDraws; number += 2) {
     if (isWide) {
       const double x = draws.normal(mean, deviation, number);
       if (x >= least && x <= most) {
@@ -89,7 +90,7 @@ base::Diagnostic at(const YamlNode& node, base::Diagnostic problem) {
   return problem;
 }
 
-/// Exactly `count` finite numbers in a list.
+/// Reads exactly `count` finite numbers.
 bool readNumbers(const YamlNode& list, std::size_t count, ExperimentValue& value) {
   if (!list.isList() || list.items.size() != count) {
     return false;
@@ -111,8 +112,8 @@ void readTexts(const YamlNode& list, ExperimentValue& value) {
   }
 }
 
-/// Rounded to nine digits behind the first one of the step: 0.1 + 2 * 0.1 is 0.3.
-double withoutDust(double value, double step) {
+/// Rounds to nine digits after the first one of the step: 0.1 + 2 * 0.1 is 0.3.
+double withoutRoundingError(double value, double step) {
   double scale = 1e9;
   for (double unit = 1.0; unit > step && scale < 1e22; unit /= 10.0) {
     scale *= 10.0;
@@ -121,20 +122,20 @@ double withoutDust(double value, double step) {
   return std::abs(whole) < 0x1p53 ? whole / scale : value;
 }
 
-/// from, from + step, … as far as `to`.
+/// from, from + step, … up to `to`.
 bool readRange(const YamlNode& list, ExperimentValue& value) {
   if (!readNumbers(list, 3, value)) {
     return false;
   }
   const double from = value.numbers[0], to = value.numbers[1], step = value.numbers[2];
   const double steps = step > 0.0 && from <= to ? std::floor((to - from) / step + 1e-9) : -1.0;
-  if (!(steps >= 0.0 && steps < kMostSteps)) {
+  if (!(steps >= 0.0 && steps < kMaxRangeSteps)) {
     return false;
   }
   value.isRange = true;
   value.texts.reserve(static_cast<std::size_t>(steps) + 1);
   for (int k = 0; k <= static_cast<int>(steps); ++k) {
-    value.texts.push_back(base::formatDouble(withoutDust(from + k * step, step)));
+    value.texts.push_back(base::formatDouble(withoutRoundingError(from + k * step, step)));
   }
   return true;
 }
@@ -158,19 +159,19 @@ bool readChoice(const YamlNode& list, ExperimentValue& value) {
   return !value.texts.empty();
 }
 
-/// How values can be given beside a list.
-struct Way {
+/// The forms of values other than a list.
+struct ValueForm {
   const char* name;
   bool (*read)(const YamlNode& list, ExperimentValue& value);
   const char* problem;
 };
-constexpr Way kWays[] = {{"range", readRange, "experiment.bad-range"},
-                         {"normal", readNormal, "experiment.bad-normal"},
-                         {"uniform", readUniform, "experiment.bad-uniform"},
-                         {"choice", readChoice, "experiment.bad-choice"}};
+constexpr ValueForm kValueForms[] = {{"range", readRange, "experiment.bad-range"},
+                                     {"normal", readNormal, "experiment.bad-normal"},
+                                     {"uniform", readUniform, "experiment.bad-uniform"},
+                                     {"choice", readChoice, "experiment.bad-choice"}};
 
 /// A list or map in flow style.
-std::string inOneLine(const YamlNode& node) {
+std::string flowStyleText(const YamlNode& node) {
   if (node.isNull()) {
     return "~";
   }
@@ -181,7 +182,7 @@ std::string inOneLine(const YamlNode& node) {
   parts.reserve(node.items.size());
   for (const YamlNode& item : node.items) {
     const std::string key = node.isMap() ? base::emitYaml(base::stringNode(item.key)) + ": " : "";
-    parts.push_back(key + inOneLine(item));
+    parts.push_back(key + flowStyleText(item));
   }
   const std::string inside = base::join(parts, ", ");
   return node.isMap() ? "{" + inside + "}" : "[" + inside + "]";
@@ -189,7 +190,7 @@ std::string inOneLine(const YamlNode& node) {
 
 }  // namespace
 
-std::vector<std::size_t> ExperimentValue::tellingTexts() const {
+std::vector<std::size_t> ExperimentValue::representativeTexts() const {
   std::vector<std::size_t> telling;
   for (std::size_t k = 0; k < texts.size(); ++k) {
     if (!isRange || k < 2 || k + 1 == texts.size()) {
@@ -206,7 +207,7 @@ std::string drawnText(const ExperimentValue& value, const std::string& scenario,
     return value.texts[static_cast<std::size_t>(draws.uniform(0.0, count))];
   }
   return base::formatDouble(value.kind == Kind::Normal
-                                ? normalBetween(value.numbers, draws)
+                                ? truncatedNormal(value.numbers, draws)
                                 : draws.uniform(value.numbers[0], value.numbers[1]));
 }
 
@@ -224,7 +225,7 @@ base::Result<ExperimentValue> readExperimentValue(const YamlNode& node) {
   }
   const YamlNode& list = node.items.front();
   std::vector<std::string> known;
-  for (const Way& way : kWays) {
+  for (const ValueForm& way : kValueForms) {
     known.emplace_back(way.name);
     if (list.key == way.name) {
       return way.read(list, value) ? base::Result<ExperimentValue>(value)
@@ -238,8 +239,8 @@ base::Result<ExperimentValue> readExperimentValue(const YamlNode& node) {
 
 namespace {
 
-/// A word of a list as valueText() gave it, as YAML reads it again.
-std::string flowWord(const std::string& text) {
+/// A word of a list from valueText(), quoted for YAML if necessary.
+std::string flowStyleWord(const std::string& text) {
   const bool isPlain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return base::isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
            c == '.' || c == '-' || c == '+' || c == '/';
@@ -258,7 +259,8 @@ std::string experimentValueText(const ExperimentValue& value) {
       words.push_back(base::formatDouble(value.numbers[k]));
     }
   } else {
-    std::transform(value.texts.begin(), value.texts.end(), std::back_inserter(words), flowWord);
+    std::transform(value.texts.begin(), value.texts.end(), std::back_inserter(words),
+                   flowStyleWord);
   }
   std::string list = "[" + base::join(words, ", ") + "]";
   switch (value.kind) {
@@ -275,7 +277,7 @@ std::string experimentValueText(const ExperimentValue& value) {
 }
 
 std::string valueText(const YamlNode& node) {
-  return node.isScalar() ? node.text : inOneLine(node);
+  return node.isScalar() ? node.text : flowStyleText(node);
 }
 
 }  // namespace app

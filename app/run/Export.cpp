@@ -24,16 +24,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A map that every wrapper reads as it is: its image beside it, thresholds of the original.
+/// A map that every wrapper reads unchanged: the image is in the same folder and the thresholds are
+/// the original ones.
 bool isPlainMap(const sim2d::MapDescription& map) {
   return map.mode == sim2d::MapMode::Trinary && !map.negate && map.occupiedThreshold == 0.65 &&
          map.freeThreshold == 0.196 && map.image.find('/') == std::string::npos;
 }
 
-/// Puts the files of one export together.
-class PlanMaker {
+/// Assembles the files of one export.
+class ExportPlanBuilder {
  public:
-  PlanMaker(const Bundle& source, const ExportRequest& request)
+  ExportPlanBuilder(const Bundle& source, const ExportRequest& request)
       : source_(source), request_(request), library_(bt::humanNodes()) {}
 
   ExportPlan run() {
@@ -54,7 +55,7 @@ class PlanMaker {
     addFile("scenarios/" + base_ + ".yaml", exported_.text);
     addTrees();
     addMap(options.mapName);
-    checkNotOverSource();
+    checkSourceNotOverwritten();
     for (base::Diagnostic& problem : plan_.report) {
       problem.file = problem.file.empty() ? source_.path : problem.file;
     }
@@ -62,9 +63,9 @@ class PlanMaker {
   }
 
  private:
-  void warn(const sim2d::Human& human, base::Diagnostic said) {
-    said.entity = human.key;
-    plan_.report.push_back(base::within(human.name, std::move(said)));
+  void warn(const sim2d::Human& human, base::Diagnostic diagnostic) {
+    diagnostic.entity = human.key;
+    plan_.report.push_back(base::withContext(human.name, std::move(diagnostic)));
   }
 
   std::string mapName() const {
@@ -95,7 +96,7 @@ class PlanMaker {
     }
     const base::Diagnostics meaning =
         sim2d::checkScenario(*source_.scenario, sim2d::makeSurroundings(*source_.scenario, {}),
-                             source_.path, sim2d::knownNames(programRegistries()));
+                             source_.path, sim2d::knownNames(builtinRegistries()));
     base::append(plan_.report, errorsOf(meaning));
   }
 
@@ -104,7 +105,7 @@ class PlanMaker {
     if (!paths_.insert(path).second) {
       return;
     }
-    const ExportPlan::State state = stateOf(path, content);
+    const ExportPlan::State state = fileStateOf(path, content);
     plan_.files.push_back({name, {path, std::move(content)}, state});
   }
 
@@ -143,7 +144,7 @@ class PlanMaker {
     if (changed > 0) {
       warn(human, base::warning("export.tree-renumbered", {changed}, tree.path));
     }
-    for (const std::string& node : bt::ownNodes(*read, library_.catalogue())) {
+    for (const std::string& node : bt::desktopOnlyNodes(*read, library_.catalogue())) {
       if (!isNative_) {
         warn(human, base::warning("export.own-node", {node}, tree.path));
       }
@@ -151,7 +152,7 @@ class PlanMaker {
     copyIncluded(*read, tree.path);
   }
 
-  /// The files that a tree includes, and those that these include, with the numbers of the export.
+  /// Copies the files that a tree includes, recursively, with the ids of the export.
   void copyIncluded(const bt::TreeFile& tree, const std::string& treePath) {
     for (const bt::Include& include : tree.includes) {
       if (include.path.empty() || include.path == bt::kRegularNavFile || treePath.empty() ||
@@ -206,7 +207,7 @@ class PlanMaker {
       return false;
     }
     const base::Result<std::string> image = base::readTextFile(
-        (fs::path(source_.mapPath).parent_path() / map->image).string(), base::kMostRecord);
+        (fs::path(source_.mapPath).parent_path() / map->image).string(), base::kMaxRecord);
     if (!image) {
       return false;
     }
@@ -215,8 +216,8 @@ class PlanMaker {
     return true;
   }
 
-  /// The file that is converted is not replaced by something else.
-  void checkNotOverSource() {
+  /// Refuses to overwrite the scenario that is exported.
+  void checkSourceNotOverwritten() {
     for (const ExportPlan::File& file : plan_.files) {
       std::error_code ignored;
       const bool isSource = file.state == ExportPlan::State::Replaced && !source_.path.empty() &&
@@ -235,12 +236,12 @@ class PlanMaker {
   std::string base_;
   bool isNative_ = false;
   std::set<std::string> paths_;
-  std::set<std::string> included_;  // as the trees name them
+  std::set<std::string> included_;  // paths as in the trees
 };
 
 }  // namespace
 
-ExportPlan::State stateOf(const std::string& path, const std::string& content) {
+ExportPlan::State fileStateOf(const std::string& path, const std::string& content) {
   const base::Result<std::string> present = base::readTextFile(path);
   std::error_code ignored;
   return !present && !fs::exists(path, ignored) ? ExportPlan::State::New
@@ -248,14 +249,14 @@ ExportPlan::State stateOf(const std::string& path, const std::string& content) {
                                                 : ExportPlan::State::Replaced;
 }
 
-const char* stateName(ExportPlan::State state) {
+const char* fileStateName(ExportPlan::State state) {
   constexpr const char* kNames[] = {"written", "replaced", "unchanged"};
   return kNames[static_cast<int>(state)];
 }
 
-base::Diagnostics notesOnTrees(const Bundle& source) {
+base::Diagnostics treeCompatibilityNotes(const Bundle& source) {
   base::Diagnostics notes;
-  std::set<std::string> seen;  // files of several people
+  std::set<std::string> seen;  // several agents may share a file
   const bt::NodeLibrary library = bt::humanNodes();
   for (const sim2d::Human& human : source.scenario->humans) {
     const auto file = source.trees.find(human.name);
@@ -265,15 +266,15 @@ base::Diagnostics notesOnTrees(const Bundle& source) {
     }
     if (const base::Result<bt::TreeTable> table =
             bt::treeOf(human, source.trees, *source.scenario)) {
-      base::append(notes, bt::notesOnOriginal(*table, library));
+      base::append(notes, bt::differencesFromBtCpp(*table, library));
     }
   }
   return notes;
 }
 
 ExportPlan planExport(const Bundle& source, const ExportRequest& request) {
-  ExportPlan plan = PlanMaker(source, request).run();
-  base::append(plan.report, notesOnTrees(source));
+  ExportPlan plan = ExportPlanBuilder(source, request).run();
+  base::append(plan.report, treeCompatibilityNotes(source));
   return plan;
 }
 
@@ -284,26 +285,26 @@ base::Diagnostics writeExport(const ExportPlan& plan) {
       files.push_back(file.content);
     }
   }
-  return base::writeFilesTogether(files);
+  return base::writeFilesAtomically(files);
 }
 
-base::Result<Bundle> readExportSource(const RunOptions& options, const sim2d::ImageLoader& loader) {
-  Bundle bundle = readBundle(options, {}, loader);
-  base::Diagnostics told;
+base::Result<Bundle> readExportSource(const RunSpec& spec, const sim2d::ImageLoader& loader) {
+  Bundle bundle = readBundle(spec, {}, loader);
+  base::Diagnostics reported;
   for (base::Diagnostic remark : std::exchange(bundle.remarks, {})) {
-    // without its map a scenario can still be handed on; one that was asked for must be there
+    // A scenario can be exported without its map, but a map given as option must exist.
     const bool isOfMap = bundle.isWhole && remark.code != "option.no-trees-folder";
-    if (isOfMap && options.map.empty() && remark.severity == base::Severity::Error) {
+    if (isOfMap && spec.map.empty() && remark.severity == base::Severity::Error) {
       remark.severity = base::Severity::Warning;
     }
-    if (remark.code != "run.no-tree-files") {  // they are made here
-      told.push_back(std::move(remark));
+    if (remark.code != "run.no-tree-files") {  // the export generates them
+      reported.push_back(std::move(remark));
     }
   }
-  // of the rest the export tells its own
-  base::append(told, errorsOf(check(bundle, CheckDepth::Meaning).problems));
-  if (base::hasErrors(told)) {
-    return told;
+  // The export itself reports the remaining warnings.
+  base::append(reported, errorsOf(check(bundle, CheckDepth::Meaning).problems));
+  if (base::hasErrors(reported)) {
+    return reported;
   }
   for (auto& [person, tree] : bundle.trees) {
     if (tree.isGenerated()) {
@@ -315,36 +316,39 @@ base::Result<Bundle> readExportSource(const RunOptions& options, const sim2d::Im
     }
     tree.text = *text;
   }
-  return {std::move(bundle), std::move(told)};
+  return {std::move(bundle), std::move(reported)};
 }
 
-std::vector<ReportLine> groupedByPeople(const base::Diagnostics& report) {
-  std::vector<ReportLine> lines;
-  using Said = std::tuple<base::Severity, std::string_view, decltype(base::Diagnostic::values)>;
-  std::map<Said, std::size_t> known;  // of people, without the name
-  for (const base::Diagnostic& said : report) {
-    const std::string name = said.value("where");
-    if (said.entity.kind != base::EntityKind::Human || name.empty()) {
-      lines.push_back({said, {}});
+std::vector<GroupedDiagnostic> groupedByAgents(const base::Diagnostics& report) {
+  std::vector<GroupedDiagnostic> lines;
+  using MessageKey =
+      std::tuple<base::Severity, std::string_view, decltype(base::Diagnostic::values)>;
+  std::map<MessageKey, std::size_t> known;  // messages about agents, without the agent's name
+  for (const base::Diagnostic& diagnostic : report) {
+    const std::string name = diagnostic.value("where");
+    if (diagnostic.entity.kind != base::EntityKind::Human || name.empty()) {
+      lines.push_back({diagnostic, {}});
       continue;
     }
     const auto [place, isNew] = known.try_emplace(
-        {said.severity, said.code, base::elsewhere({}, said).values}, lines.size());
+        {diagnostic.severity, diagnostic.code, base::withNewContext({}, diagnostic).values},
+        lines.size());
     if (isNew) {
-      lines.push_back({said, {}});
+      lines.push_back({diagnostic, {}});
     }
     std::vector<std::string>& people = lines[place->second].people;
     if (std::find(people.begin(), people.end(), name) == people.end()) {
       people.push_back(name);
     }
   }
-  for (ReportLine& line : lines) {
+  for (GroupedDiagnostic& line : lines) {
     if (line.people.size() < 2) {
       line.people.clear();
       continue;
     }
-    line.said = base::elsewhere(std::to_string(line.people.size()) + " people", line.said);
-    line.said.entity = {};
+    line.diagnostic =
+        base::withNewContext(std::to_string(line.people.size()) + " people", line.diagnostic);
+    line.diagnostic.entity = {};
   }
   return lines;
 }

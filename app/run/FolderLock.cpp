@@ -27,7 +27,7 @@ base::Diagnostic lockProblem(const std::string& path) {
   return base::error("file.cannot-write", {std::system_category().message(error)}, path);
 }
 
-/// Who has it, as the file says: "4711", or with the host where that is another one.
+/// The owner according to the file: process id, and host if it is another one.
 base::Diagnostic heldByOther(const std::string& folder, int file) {
   std::array<char, 300> text{};
   const ssize_t count = ::pread(file, text.data(), text.size() - 1, 0);
@@ -37,7 +37,7 @@ base::Diagnostic heldByOther(const std::string& folder, int file) {
   return base::error("batch.locked", {words.front(), host}, folder);
 }
 
-/// Whether the file that is open still is the one of this name.
+/// Whether the open file is still the one with this name.
 bool isSame(int file, const std::string& path) {
   struct stat open = {}, named = {};
   return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 &&
@@ -46,7 +46,7 @@ bool isSame(int file, const std::string& path) {
 
 }  // namespace
 
-base::Result<std::unique_ptr<FolderLock>> FolderLock::take(const std::string& folder) {
+base::Result<std::unique_ptr<FolderLock>> FolderLock::acquire(const std::string& folder) {
   const std::string path = (std::filesystem::path(folder) / kFile).string();
   while (true) {
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
@@ -55,10 +55,10 @@ base::Result<std::unique_ptr<FolderLock>> FolderLock::take(const std::string& fo
     }
     std::unique_ptr<FolderLock> lock(new FolderLock(path, file));
     if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
-      lock->path_.clear();  // not ours to remove
+      lock->path_.clear();  // another process owns the file
       return errno == EWOULDBLOCK ? heldByOther(folder, file) : lockProblem(path);
     }
-    if (isSame(file, path)) {  // else its owner has just removed it
+    if (isSame(file, path)) {  // otherwise its owner has just removed it
       const std::string who = std::to_string(::getpid()) + " " + hostName() + "\n";
       if (::ftruncate(file, 0) != 0 ||
           ::pwrite(file, who.data(), who.size(), 0) != static_cast<ssize_t>(who.size())) {
@@ -70,7 +70,7 @@ base::Result<std::unique_ptr<FolderLock>> FolderLock::take(const std::string& fo
   }
 }
 
-base::Result<std::unique_ptr<FolderLock>> FolderLock::makeAndTake(const std::string& folder) {
+base::Result<std::unique_ptr<FolderLock>> FolderLock::createAndAcquire(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder, error)) {
@@ -80,7 +80,7 @@ base::Result<std::unique_ptr<FolderLock>> FolderLock::makeAndTake(const std::str
   if (::access(folder.c_str(), W_OK) != 0) {
     return base::error("file.no-permission", {}, folder);
   }
-  return take(folder);
+  return acquire(folder);
 }
 
 FolderLock::~FolderLock() {

@@ -8,16 +8,16 @@
 
 namespace app {
 
-/// As long as it lives no other process of this program writes results into the folder. The end of
-/// the process, however it comes, is the end of the lock; its file says who has it.
+/// Excludes other hunavsim processes from writing results into a folder. The lock ends with the
+/// process in any case; its file names the owner.
 class FolderLock {
  public:
   static constexpr const char* kFile = ".hunavsim-lock";
 
-  /// Error: another process has it, which is named; or the folder cannot be written to.
-  static base::Result<std::unique_ptr<FolderLock>> take(const std::string& folder);
-  /// The folder is made first where it is not there.
-  static base::Result<std::unique_ptr<FolderLock>> makeAndTake(const std::string& folder);
+  /// Error: locked by another process, which is named, or the folder is not writable.
+  static base::Result<std::unique_ptr<FolderLock>> acquire(const std::string& folder);
+  /// Creates the folder first if it is missing.
+  static base::Result<std::unique_ptr<FolderLock>> createAndAcquire(const std::string& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -88,7 +88,7 @@ sim2d::StepInputs pushesOf(const sim2d::Frame& frame, double spread, long long s
     }
     const base::AgentRng rng(static_cast<std::uint64_t>(seed), frame.humans.id[k],
                              static_cast<std::uint64_t>(frame.step));
-    const std::array<double, 2> drawn = rng.normalPair(base::Draw::Variation);
+    const std::array<double, 2> drawn = rng.normalPair(base::DrawPurpose::Variation);
     sim2d::Input& push = pushes.emplace_back();
     push.kind = sim2d::InputKind::Push;
     push.id = frame.humans.id[k];
@@ -125,14 +125,14 @@ void hearAll(Working& working, const FuturesOptions& options,
       continue;
     }
     std::string text;
-    const WorkerProcess::Heard heard = working[k].first.hear(text);
-    if (heard == WorkerProcess::Heard::Part) {
+    const WorkerProcess::ReadResult heard = working[k].first.readMessage(text);
+    if (heard == WorkerProcess::ReadResult::Part) {
       continue;
     }
     const int number = working[k].second;
     const std::optional<Future> future =
-        heard == WorkerProcess::Heard::Answer ? futureOf(text) : std::nullopt;
-    tell(future ? *future : brokenFuture(options, number, "its process has ended"));
+        heard == WorkerProcess::ReadResult::Answer ? futureOf(text) : std::nullopt;
+    tell(future ? *future : brokenFuture(options, number, "the process ended unexpectedly"));
     working.erase(working.begin() + static_cast<std::ptrdiff_t>(k));
   }
 }
@@ -144,10 +144,11 @@ Future simulateFuture(sim2d::World& world, const Bundle& bundle, const FuturesOp
   Future future = brokenFuture(options, number, {});
   const Verdict verdict = check(bundle);
   if (!verdict.world) {
-    future.failure = verdict.problems.empty() ? "no world" : verdict.problems.front().message;
+    future.failure = verdict.problems.empty() ? "the simulation could not be created"
+                                              : verdict.problems.front().message;
     return future;
   }
-  world.goOnAs(*verdict.world, static_cast<std::uint64_t>(future.seed));
+  world.continueWith(*verdict.world, static_cast<std::uint64_t>(future.seed));
   const std::int64_t from = world.stepIndex();
   const double dt = world.dt();
   const auto steps = std::max<std::int64_t>(1, std::llround(options.horizon / dt));
@@ -170,22 +171,22 @@ base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
                                   const FuturesOptions& options,
                                   const std::function<void(const Future&)>& tell,
                                   const std::function<bool()>& wantsStop) {
-  if (!foreignCodeOf(*bundle.scenario).empty()) {
+  if (!externalCodeOf(*bundle.scenario).empty()) {
     return {base::error("futures.foreign-code", {}, bundle.path)};
   }
   Working working;
   int next = 0;
   while ((next < options.count || !working.empty()) && !wantsStop()) {
     while (next < options.count && working.size() < static_cast<std::size_t>(options.jobs)) {
-      std::optional<WorkerProcess> process =
-          WorkerProcess::start([&world, &bundle, &options, next](
-                                   const std::string& /*go*/, const WorkerProcess::Tell& /*tell*/) {
+      std::optional<WorkerProcess> process = WorkerProcess::start(
+          [&world, &bundle, &options, next](const std::string& /*go*/,
+                                            const WorkerProcess::SendMessage& /*tell*/) {
             return futureText(simulateFuture(world, bundle, options, next));
           });
       if (!process) {
         break;
       }
-      process->ask({});
+      process->sendRequest({});
       working.emplace_back(*std::move(process), next++);
     }
     if (working.empty()) {
@@ -230,18 +231,18 @@ std::optional<double> decisiveMoment(const std::vector<Future>& futures) {
 base::Diagnostics answer(const FuturesQuestion& question,
                          const std::function<void(const Future&)>& tell,
                          const std::function<bool()>& wantsStop) {
-  const base::Result<Bundle> last = goingOnAs(question.bundle, question.stages);
-  const base::Result<std::shared_ptr<StagedRun>> made =
-      StagedRun::make(question.bundle, question.stages);
-  if (!last || !made) {
-    return last ? made.diagnostics() : last.diagnostics();
+  BranchedRun run(question.bundle, question.branches);
+  if (run.verdict().world == nullptr) {
+    base::Diagnostics problems = run.verdict().wrongOptions;
+    base::append(problems, run.verdict().problems);
+    return problems;
   }
-  const std::unique_ptr<sim2d::World> world = (*made)->takeWorld();
+  const std::unique_ptr<sim2d::World> world = std::move(run.verdict().world);
   base::Diagnostics problems;
   Session session({question.at + 1, false});
-  session.repeat(question.inputs, question.at);
-  session.changeWith(
-      [&](const sim2d::Frame& frame, sim2d::World& changing) { (*made)->look(frame, changing); });
+  session.replayInputs(question.inputs, question.at);
+  session.setStepHook(
+      [&](const sim2d::Frame& frame, sim2d::World& changing) { run.apply(frame, changing); });
   bool isThere = false;
   const sim2d::RunResult result = session.run(*world, nullptr, [&](const sim2d::Frame& frame) {
     if (wantsStop()) {
@@ -257,7 +258,8 @@ base::Diagnostics answer(const FuturesQuestion& question,
     if (!question.state.empty() && rows != question.state) {
       problems.push_back(base::error("futures.goes-elsewhere", {frame.time}, question.bundle.path));
     } else {
-      base::append(problems, simulateFutures(*world, *last, question.options, tell, wantsStop));
+      base::append(problems,
+                   simulateFutures(*world, run.bundle(), question.options, tell, wantsStop));
     }
     session.stop();
   });

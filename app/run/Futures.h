@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/run/Bundle.h"
-#include "app/run/Fork.h"
-#include "metrics/statistics/Rates.h"
+#include "app/run/RunBranch.h"
+#include "metrics/statistics/SuccessRates.h"
 #include "sim2d/trace/Recording.h"
 
 namespace app {
@@ -22,7 +22,7 @@ struct FuturesOptions {
   long long seed = 1;      // of future k: this + k
   double sampleGap = 0.2;  // [s] between two points of a way
 };
-constexpr int kMostFutures = 1000;
+constexpr int kMaxFutures = 1000;
 constexpr double kLongestFuture = 600.0;  // [s]
 
 /// The first time that a robot touches a person; in a run without robots, a person another.
@@ -77,7 +77,7 @@ std::optional<double> decisiveMoment(const std::vector<Future>& futures);
 /// What another process of this program needs to look into the future of a run.
 struct FuturesQuestion {
   Bundle bundle;  // from its beginning
-  std::vector<ForkStage> stages;
+  std::vector<RunBranch> branches;
   sim2d::RecordedInputs inputs;
   std::int64_t at = 0;  // step of the moment
   std::string state;    // rows of the state there, as in trajectory.csv: it is to be met again

@@ -9,6 +9,7 @@
 
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Files.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -22,15 +23,15 @@ struct Part {
   std::unique_ptr<ResultStore> store;
 };
 
-/// The study in their folders; shards by number.
-class Parts {
+/// The study of the given folders; shards by number.
+class ShardSet {
  public:
   base::Diagnostics add(const std::string& folder) {
     std::error_code ignored;
     if (!fs::exists(fs::path(folder) / "results.sqlite", ignored)) {
       return {base::error("batch.no-results", {}, folder)};
     }
-    for (const auto& [number, part] : parts_) {  // this process has its lock already
+    for (const auto& [number, part] : parts_) {  // this process already has its lock
       if (fs::equivalent(part.folder, folder, ignored)) {
         return {
             base::error("merge.twice", {part.store->study().shard.text(), part.folder}, folder)};
@@ -38,7 +39,7 @@ class Parts {
     }
     Part part;
     part.folder = folder;
-    base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+    base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder);
     base::Result<std::unique_ptr<ResultStore>> store =
         lock ? readResults(folder) : base::Result<std::unique_ptr<ResultStore>>(lock.diagnostics());
     if (!store) {
@@ -49,7 +50,7 @@ class Parts {
     return place(std::move(part));
   }
 
-  /// What is not there.
+  /// Reports missing shards.
   base::Diagnostics check() const {
     base::Diagnostics problems;
     if (parts_.empty()) {
@@ -64,7 +65,7 @@ class Parts {
     return problems;
   }
 
-  /// The whole, with the files of all.
+  /// The complete study, with the input files of all shards.
   const Study& study() const { return study_; }
   const std::map<std::size_t, Part>& all() const { return parts_; }
 
@@ -73,7 +74,7 @@ class Parts {
     const Study& study = part.store->study();
     base::Diagnostics problems;
     if (!parts_.empty()) {
-      for (base::Diagnostic problem : differences(study_, study)) {
+      for (base::Diagnostic problem : studyDifferences(study_, study)) {
         problem.file = part.folder + (problem.file.empty() ? "" : ": " + problem.file);
         problems.push_back(std::move(problem));
       }
@@ -85,17 +86,17 @@ class Parts {
       return {base::error("merge.twice", {study.shard.text(), found->second.folder}, part.folder)};
     }
     if (!part.store->isComplete()) {
-      problems.push_back(
-          base::error("merge.incomplete",
-                      {study.shard.text(), part.store->finished(), study.shard.runsOf(study.runs)},
-                      part.folder));
+      problems.push_back(base::error(
+          "merge.incomplete",
+          {study.shard.text(), part.store->finished(), study.shard.runCount(study.runs)},
+          part.folder));
     }
-    addToWhole(study);
+    addToStudy(study);
     parts_[study.shard.number] = std::move(part);
     return problems;
   }
 
-  void addToWhole(const Study& study) {
+  void addToStudy(const Study& study) {
     if (parts_.empty()) {
       study_ = study;
       return;
@@ -107,7 +108,7 @@ class Parts {
       }
     }
     if (study.timeLimit != study_.timeLimit) {
-      study_.timeLimit = 0.0;  // no one limit is that of all
+      study_.timeLimit = 0.0;  // the shards have different limits
     }
   }
 
@@ -116,21 +117,21 @@ class Parts {
 };
 
 base::Diagnostics copyFile(const fs::path& from, const fs::path& to) {
-  constexpr std::size_t kPiece = std::size_t{1} << 16U;  // [B]
+  constexpr std::size_t kBlockSize = std::size_t{1} << 16U;  // [B]
   std::ifstream file(from, std::ios::binary);
-  base::GrowingFile copy(to.string());
-  std::vector<char> piece(kPiece);
+  base::AtomicFileWriter copy(to.string());
+  std::vector<char> piece(kBlockSize);
   while (file && !copy.hasFailed()) {
     file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     copy.append({piece.data(), static_cast<std::size_t>(file.gcount())});
   }
   if (!copy.hasFailed() && !file.eof()) {
-    return {base::error("file.cannot-read", {"it is gone or damaged"}, from.string())};
+    return {base::error("file.cannot-read", {"it is missing or damaged"}, from.string())};
   }
   return copy.finish();
 }
 
-/// Run folders that the shard kept; trace.json last, which makes a run of each.
+/// Copies kept run folders; trace.json last, because it makes a folder a run.
 base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
   const fs::path runs = fs::path(from) / "runs";
   std::error_code error;
@@ -158,7 +159,7 @@ base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
   return problems;
 }
 
-base::Diagnostics join(const Parts& parts, BatchFolder& output) {
+base::Diagnostics join(const ShardSet& parts, BatchFolder& output) {
   base::Diagnostics problems;
   for (const auto& [number, part] : parts.all()) {
     const base::Diagnostics unreadable = part.store->forEach([&](const StoredRun& stored) {
@@ -181,8 +182,8 @@ base::Diagnostics join(const Parts& parts, BatchFolder& output) {
 
 base::Result<std::unique_ptr<BatchFolder>> mergeShards(const std::string& output,
                                                        const std::vector<std::string>& shards,
-                                                       Earlier earlier) {
-  Parts parts;
+                                                       ExistingBatch earlier) {
+  ShardSet parts;
   base::Diagnostics problems;
   for (const std::string& shard : shards) {
     std::error_code ignored;
@@ -206,6 +207,102 @@ base::Result<std::unique_ptr<BatchFolder>> mergeShards(const std::string& output
     return problems;
   }
   return folder;
+}
+
+namespace {
+
+/// Quotes a word for the shell.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char each : word) {
+    text += each == '\'' ? std::string("'\\''") : std::string(1, each);
+  }
+  return text + "'";
+}
+
+/// Options of `batch` that every shard receives.
+std::string extraOptions(const ClusterJob& job) {
+  std::vector<std::string> words;
+  if (job.allowCode) {
+    words.emplace_back("--allow-code");
+  }
+  if (job.retryFailed) {
+    words.emplace_back("--retry-failed");
+  }
+  if (job.timeLimit > 0.0) {
+    words.push_back("--time-limit " + base::formatDouble(job.timeLimit));
+  }
+  return base::join(words, " ");
+}
+
+/// The common beginning of both scripts.
+std::string scriptHeader(const ClusterJob& job, const std::string& use) {
+  return "#!/bin/bash\n" + use +
+         "# To continue after an interruption, start this script again. Finished runs are not "
+         "repeated,\n"
+         "# except runs whose process was killed or ran out of memory.\n"
+         "set -u\n"
+         "export PROGRAM=" +
+         quoted(job.program) +
+         "\n"
+         "export EXPERIMENT=" +
+         quoted(job.experiment) +
+         "\n"
+         "export OUTPUT=" +
+         quoted(job.output) +
+         "\n"
+         "export CHUNKS=" +
+         std::to_string(job.chunks) +
+         "\n"
+         "export MORE=" +
+         quoted(extraOptions(job)) +
+         "\n"
+         "mkdir -p \"$OUTPUT/shards\" || exit\n";
+}
+
+}  // namespace
+
+std::string slurmScript(const ClusterJob& job) {
+  return scriptHeader(
+             job,
+             "# A Slurm array job and a job that merges its parts. Start it on a host with sbatch: "
+             "bash FILE\n"
+             "# Arguments are passed to sbatch: bash FILE --partition=long --time=2:00:00\n"
+             "# The folders must have the same paths on all nodes.\n") +
+         R"(part=$(sbatch --parsable "$@" --job-name=hunavsim --array="1-$CHUNKS" --requeue --open-mode=append \
+  --output="$OUTPUT/shards/%a.log" <<'PART'
+#!/bin/bash
+shard=$SLURM_ARRAY_TASK_ID
+exec "$PROGRAM" batch "$EXPERIMENT" -o "$OUTPUT/shards/$shard" --shard "$shard/$CHUNKS" --resume \
+  --jobs "${SLURM_CPUS_PER_TASK:-1}" $MORE
+PART
+) || exit
+merge=$(sbatch --parsable "$@" --job-name=hunavsim-merge --dependency="afterany:${part%%;*}" \
+  --open-mode=append --output="$OUTPUT/shards/merge.log" <<'MERGE'
+#!/bin/bash
+shards=()
+for ((k = 1; k <= CHUNKS; ++k)); do shards+=("$OUTPUT/shards/$k"); done
+exec "$PROGRAM" merge --force -o "$OUTPUT" "${shards[@]}"
+MERGE
+) || exit
+echo "jobs ${part%%;*} (parts) and ${merge%%;*} (merge); results: $OUTPUT/results.csv"
+)";
+}
+
+std::string parallelScript(const ClusterJob& job) {
+  return scriptHeader(
+             job,
+             "# Uses GNU parallel on this machine, or on several machines that share its folders:\n"
+             "#   MACHINES=node1,8/node2,: bash FILE   (8/: eight parts in parallel; : this "
+             "machine)\n") +
+         R"(# A part with failed runs exits with code 1; merge reports missing runs.
+seq "$CHUNKS" | parallel --sshlogin "${MACHINES:-:}" --env PROGRAM --env EXPERIMENT --env OUTPUT \
+  --env CHUNKS --env MORE --workdir / --joblog "$OUTPUT/shards/parallel.log" \
+  '"$PROGRAM" batch "$EXPERIMENT" -o "$OUTPUT/shards/{}" --shard "{}/$CHUNKS" --resume --jobs 1 $MORE'
+shards=()
+for ((k = 1; k <= CHUNKS; ++k)); do shards+=("$OUTPUT/shards/$k"); done
+exec "$PROGRAM" merge --force -o "$OUTPUT" "${shards[@]}"
+)";
 }
 
 }  // namespace app

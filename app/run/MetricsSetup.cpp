@@ -17,7 +17,7 @@ base::Diagnostics readParameters(const std::vector<std::pair<std::string, double
       parameters.*(info->member) = value;
       if (!info->spec.range.contains(value)) {
         problems.push_back(
-            base::within(name, base::outOfRange(base::formatDouble(value), info->spec.range)));
+            base::withContext(name, base::outOfRange(base::formatDouble(value), info->spec.range)));
         problems.back().file = file;
       }
       continue;
@@ -32,8 +32,8 @@ base::Diagnostics readParameters(const std::vector<std::pair<std::string, double
   return problems;
 }
 
-void takeFile(const base::Result<metrics::MetricsFile>& file, MetricsSetup& setup,
-              base::Diagnostics& problems) {
+void applyFile(const base::Result<metrics::MetricsFile>& file, MetricsSetup& setup,
+               base::Diagnostics& problems) {
   base::append(problems, file.diagnostics());
   if (file) {
     setup.selection = file->selection;
@@ -43,7 +43,7 @@ void takeFile(const base::Result<metrics::MetricsFile>& file, MetricsSetup& setu
 
 void addWindowProblem(const metrics::Window& window, const std::string& file,
                       base::Diagnostics& problems) {
-  if (std::optional<base::Diagnostic> wrong = metrics::windowProblem(window)) {
+  if (std::optional<base::Diagnostic> wrong = metrics::windowError(window)) {
     wrong->file = file;
     problems.push_back(*std::move(wrong));
   }
@@ -67,12 +67,12 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
        readParameters(settings.parameters, setup.parameters, scenarioPath)) {
     base::Diagnostics one = {std::move(wrong)};
     const std::string name = one.front().value("where");
-    sim2d::addPlaceOfKey(one, scenarioPath,
-                         {"hunavsim_desktop.ros__parameters.metrics.parameters." + name});
+    sim2d::addKeyLocation(one, scenarioPath,
+                          {"hunavsim_desktop.ros__parameters.metrics.parameters." + name});
     base::append(problems, one);
   }
   if (const auto path = metricsFileOf(scenario, scenarioPath)) {
-    takeFile(metrics::readMetricsFile(*path), setup, problems);
+    applyFile(metrics::readMetricsFile(*path), setup, problems);
   }
   metrics::Selection& selection = setup.selection;
   selection.window.from = settings.from.value_or(selection.window.from);
@@ -89,20 +89,20 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
 
 base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetup& setup) {
   const char file[] = "trace.json";
-  const sim2d::TraceMetrics& told = header.metrics;
-  base::Diagnostics problems = readParameters(told.parameters, setup.parameters, file);
-  if (!told.selection.empty()) {
-    takeFile(metrics::parseMetricsFile(told.selection, file), setup, problems);
+  const sim2d::TraceMetrics& recorded = header.metrics;
+  base::Diagnostics problems = readParameters(recorded.parameters, setup.parameters, file);
+  if (!recorded.selection.empty()) {
+    applyFile(metrics::parseMetricsFile(recorded.selection, file), setup, problems);
   }
   metrics::Selection& selection = setup.selection;
-  selection.window = {told.from, told.until, told.frequency};
-  selection.tag = told.tag;
-  selection.runId = told.runId;
+  selection.window = {recorded.from, recorded.until, recorded.frequency};
+  selection.tag = recorded.tag;
+  selection.runId = recorded.runId;
   addWindowProblem(selection.window, file, problems);
   return problems;
 }
 
-void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header) {
+void storeMetricsSelection(const MetricsSetup& setup, sim2d::TraceHeader& header) {
   if (!setup.hasFile) {
     return;
   }
@@ -112,7 +112,7 @@ void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header) {
   header.metrics.runId = setup.selection.runId;
 }
 
-base::Result<int> robotOfWord(const sim2d::TraceHeader& header, const std::string& word) {
+base::Result<int> robotIdOf(const sim2d::TraceHeader& header, const std::string& word) {
   const std::optional<long long> number = base::parseInt(word);
   std::vector<std::string> names;
   for (const sim2d::TraceRobot& robot : header.robots) {
@@ -125,16 +125,16 @@ base::Result<int> robotOfWord(const sim2d::TraceHeader& header, const std::strin
   return base::error("option.unknown-name", {"--robot", word, known});
 }
 
-base::Diagnostics chooseMetrics(const MetricsWords& words, MetricsSetup& setup,
-                                base::Diagnostics& wrongWords) {
-  setup.parameters.profile = *metrics::profileOf(words.profile);
-  if (words.metrics.empty()) {
+base::Diagnostics applyMetricsOptions(const MetricsOptions& options, MetricsSetup& setup,
+                                      base::Diagnostics& wrongOptions) {
+  setup.parameters.profile = *metrics::profileOf(options.metricsProfile);
+  if (options.metrics.empty()) {
     return {};
   }
   std::error_code ignored;
-  const bool namesAFile = words.metrics.find_first_of("/.") != std::string::npos;
-  if (namesAFile || std::filesystem::exists(words.metrics, ignored)) {
-    const base::Result<metrics::MetricsFile> file = metrics::readMetricsFile(words.metrics);
+  const bool namesAFile = options.metrics.find_first_of("/.") != std::string::npos;
+  if (namesAFile || std::filesystem::exists(options.metrics, ignored)) {
+    const base::Result<metrics::MetricsFile> file = metrics::readMetricsFile(options.metrics);
     if (file) {
       setup.selection.keys = file->selection.keys;
       setup.selection.own = file->selection.own;
@@ -142,12 +142,12 @@ base::Diagnostics chooseMetrics(const MetricsWords& words, MetricsSetup& setup,
     return file.diagnostics();
   }
   const base::Result<metrics::Selection> chosen =
-      metrics::selectionOfKeys(base::split(words.metrics, ','));
+      metrics::selectionOfKeys(base::split(options.metrics, ','));
   if (chosen) {
     setup.selection.keys = chosen->keys;
     setup.selection.own.clear();
   }
-  base::append(wrongWords, chosen.diagnostics());
+  base::append(wrongOptions, chosen.diagnostics());
   return {};
 }
 

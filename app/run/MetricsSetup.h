@@ -9,37 +9,38 @@
 
 namespace app {
 
-/// What of a run is measured, and how.
+/// The metrics of a run and their parameters.
 struct MetricsSetup {
   metrics::Selection selection;
   metrics::MetricParameters parameters;
   bool hasFile = false;  // the scenario names a metrics file
 };
 
-/// The metrics file that a scenario names, where it lies.
+/// The path of the metrics file that a scenario names.
 std::optional<std::string> metricsFileOf(const sim2d::Scenario& scenario,
                                          const std::string& scenarioPath);
-/// The settings under `metrics` of a scenario; its file is relative to `scenarioPath`. Problems:
-/// a file that cannot be read, a parameter that is unknown or out of its range, a wrong window.
+/// The settings under `metrics` of a scenario; its file is relative to `scenarioPath`. Problems: an
+/// unreadable file, an unknown or out-of-range parameter, an invalid window.
 base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
                                           const std::string& scenarioPath);
 
-/// The same of a record. Problems as above.
+/// The same for a recording, with the same problems.
 base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetup& setup);
-/// Puts what a metrics file of the scenario said into the header of the record (the world fills in
-/// the rest), so that the record alone gives the same numbers.
-void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header);
+/// Stores the selection of the scenario's metrics file in the header of the recording (the world
+/// sets the rest), so that the recording alone reproduces the metrics.
+void storeMetricsSelection(const MetricsSetup& setup, sim2d::TraceHeader& header);
 
-/// Id of the robot that a word means: its name, its number from 1 on, or its id (-1, -2 …).
-base::Result<int> robotOfWord(const sim2d::TraceHeader& header, const std::string& word);
+/// The id of the robot given by name, number (from 1) or id (-1, -2 …).
+base::Result<int> robotIdOf(const sim2d::TraceHeader& header, const std::string& word);
 
-/// The words of the command line about metrics.
-struct MetricsWords {
-  std::string metrics;                // a file, or keys with commas; empty = what the scenario says
-  std::string profile = "corrected";  // or "hunav2"
+/// Command-line options for metrics.
+struct MetricsOptions {
+  std::string metrics;  // a file, or keys separated by commas; empty = as in the scenario
+  std::string metricsProfile = "corrected";  // or "hunav2"
 };
-/// Puts the words over the setup. Returns the problems of the file; unknown keys are `wrongWords`.
-base::Diagnostics chooseMetrics(const MetricsWords& words, MetricsSetup& setup,
-                                base::Diagnostics& wrongWords);
+/// Applies the options to the setup. Returns the problems of the file; unknown keys are
+/// `wrongOptions`.
+base::Diagnostics applyMetricsOptions(const MetricsOptions& options, MetricsSetup& setup,
+                                      base::Diagnostics& wrongOptions);
 
 }  // namespace app

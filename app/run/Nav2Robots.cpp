@@ -1,16 +1,20 @@
 #include "app/run/Nav2Robots.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <tuple>
 #include <utility>
 
 #include "app/run/DataPaths.h"
 #include "app/run/PlannerFiles.h"
+#include "bt/robot/Nav2Files.h"
 #include "bt/robot/Nav2ParamFiles.h"
 #include "bt/robot/Nav2Report.h"
 #include "bt/robot/Nav2Servers.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/nav/Planner.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace app {
 
@@ -20,18 +24,19 @@ bool isNav2(const sim2d::Robot& robot) {
   return robot.planner == sim2d::kNav2Planner;
 }
 
-sim2d::Nav2Choice choiceOf(const sim2d::Robot& robot) {
+sim2d::Nav2Config choiceOf(const sim2d::Robot& robot) {
   return {robot.nav2Params, robot.nav2Tree.value_or(""), robot.nav2Distro, robot.nav2Values,
           robot.nav2Topics.value_or("")};
 }
 
 bt::Nav2Loaded loadedFor(const sim2d::Robot& robot, const std::string& scenarioPath) {
-  return bt::loadNav2(choiceOf(robot), folderOfPlanners(scenarioPath), robot.name, shippedNav2());
+  return bt::loadNav2(choiceOf(robot), plannerFolderOf(scenarioPath), robot.name,
+                      shippedNav2Folders());
 }
 
 }  // namespace
 
-bt::Nav2Folders shippedNav2() {
+bt::Nav2Folders shippedNav2Folders() {
   return {shippedResources("nav2_params"), shippedResources("nav2_trees")};
 }
 
@@ -40,7 +45,7 @@ base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario,
   base::Diagnostics wrong;
   sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
     if (isNav2(robot) && !robot.nav2Values.empty()) {
-      base::append(wrong, loadedFor(robot, scenarioPath).wrongValues);
+      base::append(wrong, loadedFor(robot, scenarioPath).invalidValues);
     }
   });
   return wrong;
@@ -68,10 +73,10 @@ std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
 
 namespace {
 
-/// The tree that drives: that of a route where there are several goals.
+/// The tree in use: the route tree if there are several goals.
 const std::string& treeOf(const sim2d::Robot& robot, const bt::Nav2Loaded& loaded) {
-  const bool isRoute = robot.goal.goals.size() > 1 && !loaded.throughFile.empty();
-  return isRoute ? loaded.throughFile : loaded.treeFile;
+  const bool isRoute = robot.goal.goals.size() > 1 && !loaded.throughPosesFile.empty();
+  return isRoute ? loaded.throughPosesFile : loaded.treeFile;
 }
 
 }  // namespace
@@ -122,16 +127,17 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
 
 namespace {
 
-/// Trees that the files name and that are not found.
+/// Trees that the files name and that do not exist.
 base::Diagnostics missingTrees(const sim2d::nav2::Nav2Parameters& parameters) {
   base::Diagnostics missing;
   const sim2d::nav2::BtNavigatorParameters& navigator = parameters.btNavigator;
   for (const auto& [parameter, named, usual] :
        {std::tuple("default_nav_to_pose_bt_xml", navigator.defaultNavToPoseBtXml,
-                   bt::kUsualNav2Tree),
+                   bt::kDefaultNav2Tree),
         std::tuple("default_nav_through_poses_bt_xml", navigator.defaultNavThroughPosesBtXml,
-                   bt::kUsualThroughTree)}) {
-    bt::nav2TreeOfParameter(parameters, {parameter, named, usual}, {}, shippedNav2(), missing);
+                   bt::kDefaultThroughPosesTree)}) {
+    bt::nav2TreeOfParameter(parameters, {parameter, named, usual}, {}, shippedNav2Folders(),
+                            missing);
   }
   return missing;
 }
@@ -139,25 +145,25 @@ base::Diagnostics missingTrees(const sim2d::nav2::Nav2Parameters& parameters) {
 }  // namespace
 
 base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Branch branch) {
-  const bt::Nav2ParamFiles files(entries, {}, shippedNav2());
+  const bt::Nav2ParamFiles files(entries, {}, shippedNav2Folders());
   base::Diagnostics found = files.problems();
   if (base::hasErrors(found)) {
     return found;
   }
   base::Diagnostics wrong;
-  sim2d::nav2::Nav2Reading reading = files.read({}, {branch, {}}, wrong);
+  sim2d::nav2::Nav2ReadResult reading = files.read({}, {branch, {}}, wrong);
   base::append(found, wrong);
   base::append(found, reading.problems);
   base::append(found, missingTrees(reading.parameters));
   base::append(found, bt::loadNav2Lattices(reading.parameters).problems);
-  base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
+  base::append(found, bt::nav2Inconsistencies(reading.parameters, nullptr));
   const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
   base::append(found, masks.problems);
-  base::append(found, bt::loadNav2Graph(reading.parameters).problems);
+  base::append(found, bt::loadNav2RouteGraph(reading.parameters).problems);
   const bt::Nav2Servers::Setup setup{reading.parameters, {},          {}, {}, 1, -1,
                                      masks.local,        masks.global};
   const bool canBeMade = !base::hasErrors(found) && !reading.parameters.isPartial;
-  const base::Diagnostics reported = found;  // controllers are checked as the file is read
+  const base::Diagnostics reported = found;  // controllers are checked when the file is read
   for (const base::Diagnostic& problem : canBeMade ? bt::Nav2Servers::make(setup).diagnostics()
                                                    : bt::Nav2Servers::costmapProblems(setup)) {
     const bool isReported =
@@ -170,7 +176,7 @@ base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Br
       found.push_back(problem);
     }
   }
-  base::append(found, bt::nav2Remarks(reading.parameters));
+  base::append(found, bt::nav2Hints(reading.parameters));
   return found;
 }
 
@@ -182,7 +188,7 @@ base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch)
   sim2d::nav2::Nav2Parameters parameters;
   parameters.distro = branch.value_or(sim2d::nav2::Distro::Main);
   base::Diagnostics found = bt::loadNavigatorTree(path, parameters).problems;
-  if (!branch) {  // nothing in a tree names its branch
+  if (!branch) {  // a tree does not name its branch
     found.erase(std::remove_if(found.begin(), found.end(),
                                [](const base::Diagnostic& problem) {
                                  return problem.code == "nav2.node-of-others" ||
@@ -191,6 +197,177 @@ base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch)
                 found.end());
   }
   return found;
+}
+
+// Displays and changes parameters of Nav2 for forms.
+
+namespace {
+
+using sim2d::nav2::EffectiveKey;
+
+bt::Nav2Loaded loadParameters(const sim2d::Robot& robot, const std::string& scenarioPath) {
+  const sim2d::Nav2Config choice{robot.nav2Params, robot.nav2Tree.value_or(""), robot.nav2Distro,
+                                 robot.nav2Values};
+  return bt::loadNav2Parameters(choice, plannerFolderOf(scenarioPath), robot.name,
+                                shippedNav2Folders());
+}
+
+std::string withoutNode(const EffectiveKey& key) {
+  return key.path.substr(key.node.size() + 1);
+}
+
+bool names(const std::string& given, const Nav2Parameter& parameter) {
+  return given == parameter.path || given == parameter.node + "." + parameter.name;
+}
+
+}  // namespace
+
+Nav2ParameterList nav2ParameterListOf(const sim2d::Robot& robot, const std::string& scenarioPath) {
+  Nav2ParameterList sheet;
+  const bt::Nav2Loaded now = loadParameters(robot, scenarioPath);
+  sheet.file = base::join(now.paramsFiles, ", ");
+  sheet.problems = now.problems;
+  sim2d::Robot plain = robot;
+  plain.nav2Values.clear();
+  std::map<std::string, std::string> fileValue;  // by path
+  const bt::Nav2Loaded before = loadParameters(plain, scenarioPath);
+  for (const EffectiveKey& key : before.parameters.notes.known) {
+    if (key.isGiven) {
+      fileValue.emplace(key.path, key.value);
+    }
+  }
+  std::map<std::string, int> uses;  // nodes per parameter name
+  for (const EffectiveKey& key : now.parameters.notes.known) {
+    ++uses[withoutNode(key)];
+  }
+  for (const EffectiveKey& key : now.parameters.notes.known) {
+    Nav2Parameter& parameter = sheet.parameters.emplace_back();
+    parameter.node = key.node;
+    parameter.name = withoutNode(key);
+    parameter.path = uses[parameter.name] == 1 ? parameter.name : key.path;
+    parameter.type = key.type;
+    parameter.unit = key.unit;
+    parameter.meaning = key.meaning;
+    parameter.fallback = key.fallback;
+    if (const auto found = fileValue.find(key.path); found != fileValue.end()) {
+      parameter.fileValue = found->second;
+    }
+    for (const auto& [path, yaml] : robot.nav2Values) {
+      parameter.given = names(path, parameter) ? std::optional(yaml) : parameter.given;
+    }
+  }
+  return sheet;
+}
+
+sim2d::Robot withNav2Value(sim2d::Robot robot, const Nav2Parameter& parameter,
+                           std::optional<std::string> yaml) {
+  sim2d::ParameterTexts& values = robot.nav2Values;
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const auto& each) { return names(each.first, parameter); });
+  if (!yaml) {
+    values.erase(std::remove_if(values.begin(), values.end(),
+                                [&](const auto& each) { return names(each.first, parameter); }),
+                 values.end());
+  } else if (found != values.end()) {
+    found->second = *std::move(yaml);
+  } else {
+    values.emplace_back(parameter.path, *std::move(yaml));
+  }
+  return robot;
+}
+
+std::string nav2ValueProblem(const sim2d::Robot& robot, const std::string& scenarioPath,
+                             const Nav2Parameter& parameter, const std::string& yaml) {
+  const bt::Nav2Loaded before = loadParameters(robot, scenarioPath);
+  const bt::Nav2Loaded after = loadParameters(withNav2Value(robot, parameter, yaml), scenarioPath);
+  for (const base::Diagnostics* const found : {&after.invalidValues, &after.problems}) {
+    const base::Diagnostics& old =
+        found == &after.problems ? before.problems : before.invalidValues;
+    for (const base::Diagnostic& problem : *found) {
+      const bool isNew = std::none_of(old.begin(), old.end(), [&](const base::Diagnostic& each) {
+        return each.code == problem.code && each.values == problem.values;
+      });
+      if (problem.severity == base::Severity::Error && isNew) {
+        return problem.message;
+      }
+    }
+  }
+  return {};
+}
+
+namespace {
+
+constexpr const char* kNoBody = "nav2.no-body";
+
+bool isGiven(const sim2d::nav2::Nav2Parameters& parameters, const std::string& path) {
+  for (const sim2d::nav2::EffectiveKey& key : parameters.notes.known) {
+    if (key.path == path) {
+      return key.isGiven;
+    }
+  }
+  return false;
+}
+
+void takeFootprint(const sim2d::nav2::Polygon& corners, sim2d::Robot& robot) {
+  robot.radius.reset();
+  robot.footprintX.clear();
+  robot.footprintY.clear();
+  for (const base::Vec2& corner : corners) {
+    robot.footprintX.push_back(corner.x());
+    robot.footprintY.push_back(corner.y());
+  }
+}
+
+}  // namespace
+
+base::Result<sim2d::Robot> withNav2Body(sim2d::Robot robot, const std::string& scenarioPath) {
+  const sim2d::Nav2Config choice{robot.nav2Params, {}, robot.nav2Distro, robot.nav2Values};
+  const bt::Nav2Loaded loaded = bt::loadNav2Parameters(choice, plannerFolderOf(scenarioPath),
+                                                       robot.name, shippedNav2Folders());
+  if (base::hasErrors(loaded.problems)) {
+    return loaded.problems;
+  }
+  const sim2d::nav2::CostmapParameters& costmap = loaded.parameters.localCostmap.parameters;
+  if (!costmap.footprint.empty() && costmap.footprint != "[]") {
+    const base::Result<sim2d::nav2::Polygon> corners = sim2d::nav2::readPolygon(costmap.footprint);
+    if (!corners) {
+      return corners.diagnostics();
+    }
+    takeFootprint(*corners, robot);
+    return robot;
+  }
+  if (!isGiven(loaded.parameters, "local_costmap.robot_radius")) {
+    return base::error(kNoBody, {robot.name, base::join(loaded.paramsFiles, ", ")});
+  }
+  takeFootprint({}, robot);
+  robot.radius = costmap.robotRadius;
+  return robot;
+}
+
+std::shared_ptr<const sim2d::Scenario> withNav2Bodies(
+    const std::shared_ptr<const sim2d::Scenario>& scenario, const std::string& scenarioPath,
+    base::Diagnostics& problems) {
+  std::shared_ptr<sim2d::Scenario> changed;
+  for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
+    const sim2d::Robot& robot = scenario->robots[i];
+    if (!robot.listed || robot.planner != sim2d::kNav2Planner || !robot.nav2Body.value_or(false)) {
+      continue;
+    }
+    base::Result<sim2d::Robot> shaped = withNav2Body(robot, scenarioPath);
+    if (shaped) {
+      changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
+      changed->robots[i] = *std::move(shaped);
+      continue;
+    }
+    for (base::Diagnostic problem : shaped.diagnostics()) {
+      if (problem.code == kNoBody) {
+        problem.severity = base::Severity::Warning;
+        problem.entity = robot.key;
+        problems.push_back(std::move(problem));
+      }
+    }
+  }
+  return changed != nullptr ? changed : scenario;
 }
 
 }  // namespace app

@@ -15,8 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/run/ListedFiles.h"
-#include "app/run/Sha256.h"
+#include "app/run/ManifestFiles.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
@@ -27,20 +26,20 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// Names that nobody else gives: what bears them is taken away.
-constexpr const char* kCommit = ".hunavsim-commit";
-constexpr const char* kStaging = ".hunavsim-new-";
+// Reserved names: files with them are removed.
+constexpr const char* kCommitFolder = ".hunavsim-commit";
+constexpr const char* kStagingPrefix = ".hunavsim-new-";
 
 std::string inFolder(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
 fs::file_status statusOf(const std::string& path) {
-  std::error_code ignored;  // what cannot be looked at is not there
+  std::error_code ignored;  // an inaccessible file counts as missing
   return fs::symlink_status(path, ignored);
 }
 
-bool stands(const std::string& path) {
+bool entryExists(const std::string& path) {
   return fs::exists(statusOf(path));
 }
 
@@ -52,16 +51,16 @@ std::error_code systemError() {
   return {errno, std::generic_category()};
 }
 
-/// Names in a folder are on the disk.
+/// Flushes the directory entries to disk.
 void flushFolder(const std::string& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor >= 0) {
-    ::fsync(descriptor);  // not every file system can; the order of renames holds without
+    ::fsync(descriptor);  // unsupported by some file systems; the order of renames holds anyway
     ::close(descriptor);
   }
 }
 
-/// All files below a folder, by their names in it, in order.
+/// All files below a folder, sorted relative names.
 base::Result<std::vector<std::string>> filesBelow(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -78,7 +77,7 @@ base::Result<std::vector<std::string>> filesBelow(const std::string& folder) {
   return names;
 }
 
-base::Diagnostics putInPlace(const std::string& folder, const std::string& name) {
+base::Diagnostics moveToFinalPath(const std::string& folder, const std::string& name) {
   const std::string to = inFolder(folder, name);
   std::error_code error;
   fs::create_directories(fs::path(to).parent_path(), error);
@@ -86,18 +85,18 @@ base::Diagnostics putInPlace(const std::string& folder, const std::string& name)
     return {base::error("file.cannot-make-folder", {error.message()},
                         fs::path(to).parent_path().string())};
   }
-  const std::string from = inFolder(inFolder(folder, kCommit), name);
+  const std::string from = inFolder(inFolder(folder, kCommitFolder), name);
   return ::rename(from.c_str(), to.c_str()) == 0
              ? base::Diagnostics()
              : base::Diagnostics{writeProblem(to, systemError())};
 }
 
-/// Of the files that a manifest listed those that the next one does not are removed, unless
-/// somebody has changed them.
+/// Removes files that the old manifest lists and the new one does not, unless their content has
+/// changed.
 base::Diagnostics removeUnlisted(const std::string& folder, const std::string& next,
                                  const char* manifest) {
-  const base::Result<FileHashes> before = listedFiles(folder, manifest);
-  const base::Result<FileHashes> now = listedFiles(next, manifest);
+  const base::Result<FileHashes> before = manifestFiles(folder, manifest);
+  const base::Result<FileHashes> now = manifestFiles(next, manifest);
   if (!before || !now) {
     return before ? now.diagnostics() : before.diagnostics();
   }
@@ -108,7 +107,7 @@ base::Diagnostics removeUnlisted(const std::string& folder, const std::string& n
     }
     const std::optional<std::string> found = sha256OfFile(path);
     if (!found) {
-      return {base::error("file.cannot-read", {"it is gone or damaged"}, path)};
+      return {base::error("file.cannot-read", {"it is missing or damaged"}, path)};
     }
     if (*found == hash && ::unlink(path.c_str()) != 0) {
       return {base::error("file.cannot-remove", {systemError().message()}, path)};
@@ -117,12 +116,12 @@ base::Diagnostics removeUnlisted(const std::string& folder, const std::string& n
   return {};
 }
 
-/// What kCommit holds goes to its places, what was listed and is no more is removed; the manifest
-/// is the last. May be done again from any point.
+/// Moves the files of kCommitFolder to their places and removes files that are no longer listed;
+/// the manifest is moved last. Can be repeated after an interruption at any point.
 base::Diagnostics finishCommit(const std::string& folder) {
-  const std::string from = inFolder(folder, kCommit);
+  const std::string from = inFolder(folder, kCommitFolder);
   base::Diagnostics problems;
-  const char* manifest = nullptr;  // none: it is in its place already
+  const char* manifest = nullptr;  // null: already in its place
   const base::Result<std::vector<std::string>> names = filesBelow(from);
   if (!names) {
     return names.diagnostics();
@@ -132,7 +131,7 @@ base::Diagnostics finishCommit(const std::string& folder) {
       manifest =
           name == OutputFolder::kManifest ? OutputFolder::kManifest : OutputFolder::kHiddenManifest;
     } else {
-      base::append(problems, putInPlace(folder, name));
+      base::append(problems, moveToFinalPath(folder, name));
     }
   }
   if (!problems.empty()) {
@@ -141,12 +140,12 @@ base::Diagnostics finishCommit(const std::string& folder) {
   if (manifest != nullptr) {
     problems = removeUnlisted(folder, from, manifest);
     if (problems.empty()) {
-      problems = putInPlace(folder, manifest);
+      problems = moveToFinalPath(folder, manifest);
     }
   }
   if (problems.empty()) {
-    std::error_code ignored;           // an empty folder that stays is taken away the next time
-    if (::rmdir(from.c_str()) != 0) {  // there were folders in it
+    std::error_code ignored;           // a remaining empty folder is removed at the next commit
+    if (::rmdir(from.c_str()) != 0) {  // it contains folders
       fs::remove_all(from, ignored);
     }
     flushFolder(folder);
@@ -154,13 +153,13 @@ base::Diagnostics finishCommit(const std::string& folder) {
   return problems;
 }
 
-/// What processes that are gone were about to make. The lock is held: none of them lives.
+/// Removes staging folders of ended processes. Requires the lock, so none of them is active.
 void removeStaging(const std::string& folder) {
   std::error_code error;
   std::vector<fs::path> old;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename().string();
-    if (name.rfind(kStaging, 0) == 0 && fs::is_directory(at->symlink_status())) {
+    if (name.rfind(kStagingPrefix, 0) == 0 && fs::is_directory(at->symlink_status())) {
       old.push_back(at->path());
     }
   }
@@ -182,24 +181,26 @@ std::string folderOf(const std::string& file) {
   return folder.empty() ? "." : folder.string();
 }
 
-/// Processes that record a file hold the lock briefly.
+/// Waits, because processes that record a file hold the lock briefly.
 base::Result<std::unique_ptr<FolderLock>> waitForLock(const std::string& folder) {
-  constexpr int kMostTries = 200;
+  constexpr int kMaxAttempts = 200;
   constexpr std::chrono::milliseconds kBetween(50);
-  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder);
   for (int tries = 1;
-       !lock && lock.diagnostics().front().code == "batch.locked" && tries < kMostTries; ++tries) {
+       !lock && lock.diagnostics().front().code == "batch.locked" && tries < kMaxAttempts;
+       ++tries) {
     std::this_thread::sleep_for(kBetween);
-    lock = FolderLock::take(folder);
+    lock = FolderLock::acquire(folder);
   }
   return lock;
 }
 
-base::Diagnostics listFile(const std::string& file, const std::string& hash, const char* kind) {
+base::Diagnostics addToHiddenManifest(const std::string& file, const std::string& hash,
+                                      const char* kind) {
   const std::string folder = folderOf(file);
   const base::Result<std::unique_ptr<FolderLock>> lock = waitForLock(folder);
   const base::Result<std::string> former = manifestText(folder, OutputFolder::kHiddenManifest);
-  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
+  const base::Result<FileHashes> listed = manifestFiles(folder, OutputFolder::kHiddenManifest);
   base::Diagnostics problems = lock.diagnostics();
   base::append(problems, former.diagnostics());
   base::append(problems, listed.diagnostics());
@@ -221,21 +222,21 @@ base::Diagnostics listFile(const std::string& file, const std::string& hash, con
 
 OutputFolder::OutputFolder(std::string folder, bool force, bool isNew, const char* manifest)
     : folder_(std::move(folder)),
-      staging_(inFolder(folder_, kStaging + std::to_string(::getpid()))),
+      staging_(inFolder(folder_, kStagingPrefix + std::to_string(::getpid()))),
       force_(force),
       isNew_(isNew),
       manifest_(manifest) {}
 
 base::Result<std::unique_ptr<OutputFolder>> OutputFolder::open(const std::string& folder,
                                                                bool force, const char* manifest) {
-  const bool isNew = !stands(folder);
-  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::makeAndTake(folder);
+  const bool isNew = !entryExists(folder);
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::createAndAcquire(folder);
   if (!lock) {
     return lock.diagnostics();
   }
   std::unique_ptr<OutputFolder> output(new OutputFolder(folder, force, isNew, manifest));
   output->lock_ = *std::move(lock);
-  if (fs::is_directory(statusOf(inFolder(folder, kCommit)))) {
+  if (fs::is_directory(statusOf(inFolder(folder, kCommitFolder)))) {
     const base::Diagnostics problems = finishCommit(folder);
     if (base::hasErrors(problems)) {
       return problems;
@@ -247,7 +248,7 @@ base::Result<std::unique_ptr<OutputFolder>> OutputFolder::open(const std::string
   if (error) {
     return base::error("file.cannot-make-folder", {error.message()}, output->staging_);
   }
-  base::Result<FileHashes> listed = listedFiles(folder, manifest);
+  base::Result<FileHashes> listed = manifestFiles(folder, manifest);
   if (!listed) {
     return listed.diagnostics();
   }
@@ -256,37 +257,37 @@ base::Result<std::unique_ptr<OutputFolder>> OutputFolder::open(const std::string
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code ignored;  // what stays is taken away the next time
+  std::error_code ignored;  // a remaining folder is removed by the next open()
   fs::remove_all(staging_, ignored);
   lock_.reset();
   if (isNew_) {
-    ::rmdir(folder_.c_str());  // where nothing was put into it
+    ::rmdir(folder_.c_str());  // only if empty
   }
 }
 
-bool OutputFolder::isOurs(const std::string& name) const {
+bool OutputFolder::isOwnFile(const std::string& name) const {
   const std::string path = inFolder(folder_, name);
   return name == manifest_ ? !listed_.empty() && fs::is_regular_file(statusOf(path))
-                           : isAsListed(folder_, listed_, name);
+                           : matchesManifest(folder_, listed_, name);
 }
 
-/// Also what is as it would be after is in nobody's way.
-bool OutputFolder::isInTheWay(const std::string& name) const {
+/// A file whose content stays the same is not reported.
+bool OutputFolder::isConflicting(const std::string& name) const {
   const std::string path = inFolder(folder_, name);
   const fs::file_status status = statusOf(path);
-  if (!fs::exists(status) || (!fs::is_directory(status) && (force_ || isOurs(name)))) {
+  if (!fs::exists(status) || (!fs::is_directory(status) && (force_ || isOwnFile(name)))) {
     return false;
   }
   const std::optional<std::string> made = sha256OfFile(inFolder(staging_, name));
   return !fs::is_regular_file(status) || !made || sha256OfFile(path) != made;
 }
 
-base::Diagnostics OutputFolder::inTheWay(const std::vector<std::string>& names) const {
+base::Diagnostics OutputFolder::conflictingFiles(const std::vector<std::string>& names) const {
   base::Diagnostics problems;
   std::set<std::string> all(names.begin(), names.end());
   all.insert(manifest_);
   for (const std::string& name : all) {
-    if (isInTheWay(name)) {
+    if (isConflicting(name)) {
       problems.push_back(base::error("file.is-in-the-way", {}, inFolder(folder_, name)));
     }
   }
@@ -297,11 +298,11 @@ base::Diagnostics OutputFolder::write(const std::string& name, std::string_view 
   if (!isWithin(name)) {
     return {base::error("file.outside", {folder_}, name)};
   }
-  known_.erase(name);
-  return atTheirPlaces(base::writeFileAtomically(inFolder(staging_, name), content));
+  newHashes_.erase(name);
+  return withFinalPaths(base::writeFileAtomically(inFolder(staging_, name), content));
 }
 
-base::Diagnostics OutputFolder::atTheirPlaces(base::Diagnostics problems) const {
+base::Diagnostics OutputFolder::withFinalPaths(base::Diagnostics problems) const {
   for (base::Diagnostic& problem : problems) {
     if (problem.file == staging_) {
       problem.file = folder_;
@@ -312,25 +313,27 @@ base::Diagnostics OutputFolder::atTheirPlaces(base::Diagnostics problems) const 
   return problems;
 }
 
-base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earlier) {
+base::Diagnostics OutputFolder::commit(const std::string& manifest, EarlierFiles earlier) {
   const base::Result<std::vector<std::string>> names = filesBelow(staging_);
   const base::Result<std::string> former =
-      earlier == Earlier::Kept ? manifestText(folder_, manifest_) : std::string("{}");
-  base::Diagnostics problems = names ? inTheWay(*names) : atTheirPlaces(names.diagnostics());
+      earlier == EarlierFiles::Kept ? manifestText(folder_, manifest_) : std::string("{}");
+  base::Diagnostics problems =
+      names ? conflictingFiles(*names) : withFinalPaths(names.diagnostics());
   base::append(problems, former.diagnostics());
   if (base::hasErrors(problems)) {
     return problems;
   }
-  FileHashes hashes = earlier == Earlier::Kept ? listed_ : FileHashes();
-  for (const std::string& name : dropped_) {
+  FileHashes hashes = earlier == EarlierFiles::Kept ? listed_ : FileHashes();
+  for (const std::string& name : removedOnCommit_) {
     hashes.erase(name);
   }
   for (const std::string& name : *names) {
-    const auto known = known_.find(name);
+    const auto known = newHashes_.find(name);
     const std::optional<std::string> hash =
-        known != known_.end() ? known->second : sha256OfFile(inFolder(staging_, name));
+        known != newHashes_.end() ? known->second : sha256OfFile(inFolder(staging_, name));
     if (!hash) {
-      return {base::error("file.cannot-read", {"it is gone or damaged"}, inFolder(folder_, name))};
+      return {
+          base::error("file.cannot-read", {"it is missing or damaged"}, inFolder(folder_, name))};
     }
     hashes[name] = *hash;
   }
@@ -344,7 +347,7 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earl
     return problems;
   }
   flushFolder(staging_);
-  const std::string commit = inFolder(folder_, kCommit);
+  const std::string commit = inFolder(folder_, kCommitFolder);
   if (::rename(staging_.c_str(), commit.c_str()) != 0) {
     return {writeProblem(commit, systemError())};
   }
@@ -352,9 +355,10 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earl
   return finishCommit(folder_);
 }
 
-base::Diagnostics writeIntoOthers(const std::string& folder,
-                                  const std::vector<base::FileContent>& files, const char* kind,
-                                  bool force, const std::vector<std::string>& dropped) {
+base::Diagnostics writeIntoForeignFolder(const std::string& folder,
+                                         const std::vector<base::FileContent>& files,
+                                         const char* kind, bool force,
+                                         const std::vector<std::string>& dropped) {
   const base::Result<std::unique_ptr<OutputFolder>> output =
       OutputFolder::open(folder, force, OutputFolder::kHiddenManifest);
   if (!output) {
@@ -367,42 +371,43 @@ base::Diagnostics writeIntoOthers(const std::string& folder,
   if (base::hasErrors(problems)) {
     return problems;
   }
-  (*output)->drop(dropped);
-  return (*output)->commit(base::jsonText(Json{{"kind", kind}}), OutputFolder::Earlier::Kept);
+  (*output)->removeOnCommit(dropped);
+  return (*output)->commit(base::jsonText(Json{{"kind", kind}}), OutputFolder::EarlierFiles::Kept);
 }
 
-base::Diagnostics otherFileInTheWay(const std::string& file, bool force) {
+base::Diagnostics checkOverwrite(const std::string& file, bool force) {
   const fs::file_status status = statusOf(file);
   if (!fs::exists(status) || (force && !fs::is_directory(status))) {
     return {};
   }
   const std::string folder = folderOf(file);
-  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
+  const base::Result<FileHashes> listed = manifestFiles(folder, OutputFolder::kHiddenManifest);
   if (!listed) {
     return listed.diagnostics();
   }
-  const bool isOurs = isAsListed(folder, *listed, fs::path(file).filename().string());
-  return isOurs ? base::Diagnostics{}
-                : base::Diagnostics{base::error("file.is-in-the-way", {}, file)};
+  const bool isOwnFile = matchesManifest(folder, *listed, fs::path(file).filename().string());
+  return isOwnFile ? base::Diagnostics{}
+                   : base::Diagnostics{base::error("file.is-in-the-way", {}, file)};
 }
 
 base::Diagnostics writeFile(const std::string& file, const std::string& content, bool force) {
-  const bool isThere = sha256OfFile(file) == sha256Of(content);  // of a command that was ended
-  base::Diagnostics problems = isThere ? base::Diagnostics{} : otherFileInTheWay(file, force);
+  const bool isThere = sha256OfFile(file) == sha256Of(content);  // of an aborted command
+  base::Diagnostics problems = isThere ? base::Diagnostics{} : checkOverwrite(file, force);
   return base::hasErrors(problems) ? problems : base::writeFileAtomically(file, content);
 }
 
-base::Diagnostics noteFile(const std::string& file, const char* kind) {
+base::Diagnostics recordOutputFile(const std::string& file, const char* kind) {
   const std::optional<std::string> hash = sha256OfFile(file);
-  return hash ? listFile(file, *hash, kind)
-              : base::Diagnostics{base::error("file.cannot-read", {"it is gone or damaged"}, file)};
+  return hash ? addToHiddenManifest(file, *hash, kind)
+              : base::Diagnostics{
+                    base::error("file.cannot-read", {"it is missing or damaged"}, file)};
 }
 
-bool isRestOfOutput(const std::string& name) {
-  return name == kCommit || name == FolderLock::kFile || name.rfind(kStaging, 0) == 0;
+bool isInternalEntry(const std::string& name) {
+  return name == kCommitFolder || name == FolderLock::kFile || name.rfind(kStagingPrefix, 0) == 0;
 }
 
-std::optional<std::string> nameOfUnfinished(const std::string& name) {
+std::optional<std::string> targetOfTemporary(const std::string& name) {
   // <name>.new-<number>-<number>
   constexpr std::string_view kMark = ".new-", kDigits = "0123456789";
   constexpr std::size_t kNpos = std::string::npos;
@@ -414,11 +419,11 @@ std::optional<std::string> nameOfUnfinished(const std::string& name) {
   return fits ? std::optional(name.substr(0, end)) : std::nullopt;
 }
 
-base::Diagnostics settleFolder(const std::string& folder) {
-  if (!fs::is_directory(statusOf(inFolder(folder, kCommit)))) {
+base::Diagnostics completeCommit(const std::string& folder) {
+  if (!fs::is_directory(statusOf(inFolder(folder, kCommitFolder)))) {
     return {};
   }
-  const base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  const base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder);
   return lock ? finishCommit(folder) : lock.diagnostics();
 }
 

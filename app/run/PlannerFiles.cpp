@@ -7,10 +7,10 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/external/CodePermission.h"
-#include "sim2d/nav/external/CommandWords.h"
+#include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/nav/external/ExternalProcess.h"
-#include "sim2d/nav/external/ShownText.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/nav/external/PrintableText.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
@@ -28,7 +28,7 @@ std::string plannerOf(const sim2d::Robot& robot) {
   return robot.planner.value_or(sim2d::ResolvedRobot{}.planner);
 }
 
-/// Empty: none is given.
+/// Empty if none is given.
 std::string fileTextOf(const sim2d::Robot& robot) {
   for (const auto& [key, yaml] : robot.plannerParameters) {
     if (key == kFileParameter) {
@@ -38,17 +38,17 @@ std::string fileTextOf(const sim2d::Robot& robot) {
   return {};
 }
 
-std::string besideScenario(const std::string& file, const std::string& scenarioPath) {
-  return (fs::path(folderOfPlanners(scenarioPath)) / file).lexically_normal().string();
+std::string relativeToScenario(const std::string& file, const std::string& scenarioPath) {
+  return (fs::path(plannerFolderOf(scenarioPath)) / file).lexically_normal().string();
 }
 
 std::vector<std::string> filesOfCommand(const std::string& command) {
-  const auto words = sim2d::commandWords(command);
+  const auto words = sim2d::splitCommandLine(command);
   if (sim2d::ExternalProcess::isSocket(command) || !words) {
     return {};
   }
   std::vector<std::string> files;
-  if (const auto program = sim2d::programFile(words->front())) {
+  if (const auto program = sim2d::resolveExecutable(words->front())) {
     files.push_back(*program);
   }
   std::error_code ignored;
@@ -60,25 +60,25 @@ std::vector<std::string> filesOfCommand(const std::string& command) {
   return files;
 }
 
-/// An interpreter, or a command that runs another: "/usr/bin/python3.11".
-bool startsOthers(const std::string& program) {
+/// An interpreter or a command that runs another program: "/usr/bin/python3.11".
+bool isLauncher(const std::string& program) {
   constexpr std::string_view kNames[] = {
       "python", "pypy",    "sh",      "bash", "dash",    "zsh",    "perl",  "ruby",
       "node",   "java",    "lua",     "R",    "julia",   "env",    "nice",  "timeout",
       "stdbuf", "taskset", "setarch", "ros",  "Rscript", "octave", "nodejs"};
   std::string name = fs::path(program).filename().string();
-  name.erase(name.find_last_not_of("0123456789.") + 1);  // of its version
+  name.erase(name.find_last_not_of("0123456789.") + 1);  // version suffix
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
 }  // namespace
 
-std::string folderOfPlanners(const std::string& scenarioPath) {
+std::string plannerFolderOf(const std::string& scenarioPath) {
   return fs::path(scenarioPath).parent_path().string();
 }
 
-std::vector<ForeignCode> foreignCodeOf(const sim2d::Scenario& scenario) {
-  std::vector<ForeignCode> code;
+std::vector<ExternalCode> externalCodeOf(const sim2d::Scenario& scenario) {
+  std::vector<ExternalCode> code;
   sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
     const std::string planner = plannerOf(robot);
     const std::string command = robot.command.value_or("");
@@ -92,31 +92,32 @@ std::vector<ForeignCode> foreignCodeOf(const sim2d::Scenario& scenario) {
   return code;
 }
 
-base::Diagnostics tellForeignCode(const std::vector<ForeignCode>& code, base::Severity severity,
-                                  const std::string& scenarioPath) {
+base::Diagnostics externalCodeProblems(const std::vector<ExternalCode>& code,
+                                       base::Severity severity, const std::string& scenarioPath) {
   base::Diagnostics all;
-  for (const ForeignCode& each : code) {
-    base::Diagnostics told = {
-        base::problem(severity, "code.not-allowed",
-                      {each.robot, sim2d::shownText(each.words, each.words.size())}, scenarioPath)};
-    told.front().entity = each.entity;
+  for (const ExternalCode& each : code) {
+    base::Diagnostics problems = {base::problem(
+        severity, "code.not-allowed",
+        {each.robot, sim2d::printableText(each.words, each.words.size())}, scenarioPath)};
+    problems.front().entity = each.entity;
     const std::string robot = "hunavsim_desktop.ros__parameters." + each.robot;
-    sim2d::addPlaceOfKey(told, scenarioPath, {robot + "." + each.key, robot + ".planner", robot});
-    base::append(all, told);
+    sim2d::addKeyLocation(problems, scenarioPath,
+                          {robot + "." + each.key, robot + ".planner", robot});
+    base::append(all, problems);
   }
   return all;
 }
 
-std::vector<std::string> filesOf(const ForeignCode& code, const std::string& scenarioPath) {
+std::vector<std::string> filesOf(const ExternalCode& code, const std::string& scenarioPath) {
   if (code.key == kCommandKey) {
     return filesOfCommand(code.words);
   }
-  return {besideScenario(code.words, scenarioPath)};
+  return {relativeToScenario(code.words, scenarioPath)};
 }
 
-std::optional<std::string> codeFileOf(const ForeignCode& code, const std::string& scenarioPath) {
+std::optional<std::string> codeFileOf(const ExternalCode& code, const std::string& scenarioPath) {
   const std::vector<std::string> files = filesOf(code, scenarioPath);
-  const auto found = std::find_if_not(files.begin(), files.end(), startsOthers);
+  const auto found = std::find_if_not(files.begin(), files.end(), isLauncher);
   return found == files.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -126,7 +127,7 @@ std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
   sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
     const std::string file = fileTextOf(robot);
     if (plannerOf(robot) == kReplayPlanner && !file.empty()) {
-      files.push_back(besideScenario(file, scenarioPath));
+      files.push_back(relativeToScenario(file, scenarioPath));
     }
   });
   return files;

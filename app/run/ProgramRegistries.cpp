@@ -5,14 +5,14 @@
 
 namespace app {
 
-sim2d::Registries programRegistries() {
-  sim2d::Registries all = sim2d::programRegistries();
-  bt::addNav2(all.planners, shippedNav2());
+sim2d::Registries builtinRegistries() {
+  sim2d::Registries all = sim2d::builtinRegistries();
+  bt::addNav2(all.planners, shippedNav2Folders());
   return all;
 }
 
 std::shared_ptr<const sim2d::Registries> sharedRegistries() {
-  return std::make_shared<const sim2d::Registries>(programRegistries());
+  return std::make_shared<const sim2d::Registries>(builtinRegistries());
 }
 
 }  // namespace app

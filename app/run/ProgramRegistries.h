@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// All of this program, the planner `nav2` included, which lies above the world.
-sim2d::Registries programRegistries();
+/// All registries of the program, with the planner `nav2`, which is in a layer above the world.
+sim2d::Registries builtinRegistries();
 std::shared_ptr<const sim2d::Registries> sharedRegistries();
 
 }  // namespace app

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/FolderLock.h"
+#include "app/run/ManifestFiles.h"
 #include "app/run/RunFolder.h"
-#include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 
 namespace app {
 
@@ -20,12 +20,13 @@ namespace fs = std::filesystem;
 using base::EntityKind;
 using sim2d::Vec2;
 
-/// The first input of the manifest; a path is from where the run was started, or beside the folder.
-std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
+/// The first input of the manifest. Its path is relative to the working folder of the run or to the
+/// run folder.
+std::string findScenarioFile(const fs::path& folder, base::Diagnostics& problems) {
   const fs::path manifest = folder / "manifest.json";
   std::error_code none;
   if (!fs::exists(manifest, none)) {
-    return {};  // a record made by `evaluate`
+    return {};  // a recording made by `evaluate`
   }
   const base::Result<std::string> text = base::readTextFile(manifest.string());
   base::append(problems, text.diagnostics());
@@ -48,13 +49,13 @@ std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
   return found.value_or("");
 }
 
-class ScenarioMaker {
+class RecordedScenarioBuilder {
  public:
-  ScenarioMaker(const sim2d::Recording& recording, sim2d::Scenario scenario)
+  RecordedScenarioBuilder(const sim2d::Recording& recording, sim2d::Scenario scenario)
       : recording_(recording),
         header_(*recording.header()),
         scenario_(std::move(scenario)),
-        isMadeAnew_(scenario_.humans.empty() && scenario_.robots.empty()),
+        isFromRecording_(scenario_.humans.empty() && scenario_.robots.empty()),
         key_(scenario_.nextKey()) {}
 
   sim2d::Scenario make() {
@@ -72,7 +73,7 @@ class ScenarioMaker {
       setRobot(k);
     }
     for (const sim2d::TraceObstacle& obstacle : header_.obstacles) {
-      if (isMadeAnew_ && obstacle.name != "map") {
+      if (isFromRecording_ && obstacle.name != "map") {
         obstacle.isDoor ? addDoor(obstacle) : addObstacle(obstacle);
       }
     }
@@ -94,7 +95,7 @@ class ScenarioMaker {
       if (sim2d::resolveHuman(scenario_, *there, header_.seed).radius != recorded.radius) {
         there->radius = recorded.radius;
       }
-    } else if (isMadeAnew_) {  // else from a source
+    } else if (isFromRecording_) {  // other agents were spawned by a source
       addNew(recorded);
     }
   }
@@ -120,7 +121,7 @@ class ScenarioMaker {
     for (const sim2d::TraceGoal& goal : recorded.goals) {
       addGoal(human, goal);
     }
-    placeAtStart(recording_.frame(0)->humans, recorded.id, human.initPose);
+    setStartPose(recording_.frame(0)->humans, recorded.id, human.initPose);
   }
 
   void addGoal(sim2d::Human& human, const sim2d::TraceGoal& recorded) {
@@ -134,7 +135,7 @@ class ScenarioMaker {
   }
 
   template <class Columns>
-  static void placeAtStart(const Columns& columns, int id, base::Pose2& pose) {
+  static void setStartPose(const Columns& columns, int id, base::Pose2& pose) {
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (columns.id[k] == id) {
         pose = {Vec2(columns.x[k], columns.y[k]), columns.heading[k]};
@@ -142,13 +143,13 @@ class ScenarioMaker {
     }
   }
 
-  /// The one in this place of the list, or a new one.
+  /// Updates the robot at this index of the list, or appends it.
   void setRobot(std::size_t place) {
     const sim2d::TraceRobot& recorded = header_.robots[place];
     if (place == scenario_.robots.size()) {
       sim2d::Robot& robot = add(scenario_.robots, EntityKind::Robot);
       robot.name = recorded.name;
-      placeAtStart(recording_.frame(0)->robots, recorded.id, robot.start);
+      setStartPose(recording_.frame(0)->robots, recorded.id, robot.start);
       if (!recorded.goals.empty()) {
         robot.goal.point = recorded.goals.front().position;
       }
@@ -187,7 +188,7 @@ class ScenarioMaker {
     door.toggles = recorded.toggles;
     const std::vector<Vec2>& corners = recorded.outlines.front().points;
     const bool isAlong = (corners[1] - corners[0]).norm() >= (corners[2] - corners[1]).norm();
-    const std::size_t first = isAlong ? 0 : 1;  // of a long side
+    const std::size_t first = isAlong ? 0 : 1;  // first corner of a long side
     const auto corner = [&](std::size_t k) { return corners[(first + k) % 4]; };
     door.from = 0.5 * (corner(0) + corner(3));
     door.to = 0.5 * (corner(1) + corner(2));
@@ -197,7 +198,7 @@ class ScenarioMaker {
   const sim2d::Recording& recording_;
   const sim2d::TraceHeader& header_;
   sim2d::Scenario scenario_;
-  bool isMadeAnew_;
+  bool isFromRecording_;
   int key_;
 };
 
@@ -205,11 +206,11 @@ class ScenarioMaker {
 
 namespace {
 
-/// What a run that was killed has left in its folder; empty: nothing.
-std::string restOfKilled(const std::string& folder) {
+/// The staging folder that a killed run has left; empty if there is none.
+std::string stagingOfKilledRun(const std::string& folder) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const bool isRest = isRestOfOutput(at->path().filename().string());
+    const bool isRest = isInternalEntry(at->path().filename().string());
     if (isRest && fs::exists(at->path() / "trace.json", error)) {
       return at->path().string();
     }
@@ -217,19 +218,19 @@ std::string restOfKilled(const std::string& folder) {
   return {};
 }
 
-/// A time as people read it [s]: steps are summed up, so 4.8 may be 4.8000000000000007.
+/// A time for display [s], rounded: a sum of steps may be 4.8000000000000007.
 std::string shown(double time) {
   return base::formatDouble(std::round(time * 1000.0) / 1000.0);
 }
 
-base::Result<RecordedRun> readKilled(const std::string& folder, const std::string& rest,
-                                     std::size_t mostInMemory) {
-  const auto lock = FolderLock::take(folder);
+base::Result<RecordedRun> readKilledRun(const std::string& folder, const std::string& rest,
+                                        std::size_t mostInMemory) {
+  const auto lock = FolderLock::acquire(folder);
   if (!lock) {
-    return lock.diagnostics();  // it goes on
+    return lock.diagnostics();  // the run is still active
   }
   RecordedRun run;
-  sim2d::RecordCut& cut = run.cut.emplace();
+  sim2d::Truncation& cut = run.cut.emplace();
   cut.isUnfinished = true;
   const auto recording = sim2d::readRecording(rest, mostInMemory, &cut);
   if (!recording) {
@@ -244,9 +245,9 @@ base::Result<RecordedRun> readKilled(const std::string& folder, const std::strin
   return {std::move(run), {base::warning("trace.killed", {shown(cut.time)}, folder)}};
 }
 
-/// Problems with parts that are known to be cut are told once, by the cut.
-base::Diagnostics troubleWithParts(const std::string& folder, const sim2d::RecordCut& cut) {
-  base::Diagnostics problems = checkParts(folder);
+/// Problems of the parts without those that the truncation already explains.
+base::Diagnostics partProblems(const std::string& folder, const sim2d::Truncation& cut) {
+  base::Diagnostics problems = checkRunFiles(folder);
   problems.erase(std::remove_if(problems.begin(), problems.end(),
                                 [&cut](const base::Diagnostic& each) {
                                   return cut.has(fs::path(each.file).filename().string());
@@ -258,35 +259,36 @@ base::Diagnostics troubleWithParts(const std::string& folder, const sim2d::Recor
 }  // namespace
 
 base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t mostInMemory,
-                                          CutRecords cuts) {
-  const base::Diagnostics unsettled = settleFolder(folder);
+                                          IncompleteRecordings cuts) {
+  const base::Diagnostics unsettled = completeCommit(folder);
   if (base::hasErrors(unsettled)) {
     return unsettled;
   }
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "trace.json", none)) {
-    const std::string rest = cuts == CutRecords::Shown ? restOfKilled(folder) : std::string();
+    const std::string rest =
+        cuts == IncompleteRecordings::Shown ? stagingOfKilledRun(folder) : std::string();
     if (!rest.empty()) {
-      return readKilled(folder, rest, mostInMemory);
+      return readKilledRun(folder, rest, mostInMemory);
     }
     const bool isCut = fs::exists(fs::path(folder) / "trajectory.csv", none);
     return base::error(isCut ? "trace.unfinished" : "trace.no-run", {}, folder);
   }
-  sim2d::RecordCut cut;
-  const auto recording =
-      sim2d::readRecording(folder, mostInMemory, cuts == CutRecords::Shown ? &cut : nullptr);
+  sim2d::Truncation cut;
+  const auto recording = sim2d::readRecording(folder, mostInMemory,
+                                              cuts == IncompleteRecordings::Shown ? &cut : nullptr);
   base::Diagnostics problems = recording.diagnostics();
   if (recording && (*recording)->size() == 0) {
     problems.push_back(base::error("trace.no-states", {}, folder));
   }
-  base::append(problems, recording ? troubleWithParts(folder, cut) : base::Diagnostics());
+  base::append(problems, recording ? partProblems(folder, cut) : base::Diagnostics());
   RecordedRun run;
-  if (cut.isCut()) {
+  if (cut.isTruncated()) {
     const std::string end = cut.end ? shown(*cut.end) : std::string();
     problems.push_back(base::warning("trace.cut", {shown(cut.time), end}, folder));
     run.cut = cut;
   }
-  run.scenario = findScenario(folder, problems);
+  run.scenario = findScenarioFile(folder, problems);
   if (base::hasErrors(problems)) {
     return problems;
   }
@@ -295,7 +297,7 @@ base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t
 }
 
 sim2d::Scenario scenarioOf(const sim2d::Recording& recording, sim2d::Scenario read) {
-  return ScenarioMaker(recording, std::move(read)).make();
+  return RecordedScenarioBuilder(recording, std::move(read)).make();
 }
 
 }  // namespace app

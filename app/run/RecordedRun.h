@@ -5,30 +5,30 @@
 #include <string>
 
 #include "sim2d/scenario/Scenario.h"
-#include "sim2d/trace/CutRecord.h"
 #include "sim2d/trace/Recording.h"
+#include "sim2d/trace/TruncatedRecording.h"
 
 namespace app {
 
-/// The folder of a run, as it is shown.
+/// A recorded run, read from its folder for display.
 struct RecordedRun {
   std::shared_ptr<const sim2d::Recording> recording;  // at least one state
-  std::string scenario;  // the file that was run; empty: it is gone or has changed since
-  std::optional<sim2d::RecordCut> cut;  // it is not whole
+  std::string scenario;  // the scenario file of the run; empty: missing or changed since
+  std::optional<sim2d::Truncation> cut;  // set: the recording is incomplete
 };
 
-enum class CutRecords { Refused, Shown };
+enum class IncompleteRecordings { Refused, Shown };
 
-/// All problems, with their places; warnings tell when the scenario is not there any more.
-/// `mostInMemory` [B]: of the recording's states, once it is read. `cuts`: whether files that end
-/// in the midst, and what a killed run has left in the folder, are shown as far as they are whole;
-/// a warning says how far.
-base::Result<RecordedRun> readRecordedRun(const std::string& folder,
-                                          std::size_t mostInMemory = sim2d::Recording::kUsualMemory,
-                                          CutRecords cuts = CutRecords::Refused);
+/// Reports all problems with their locations; a warning if the scenario file is missing.
+/// `mostInMemory` [B]: for the states of the recording. `cuts`: whether truncated files, and the
+/// staging folder of a killed run, are shown up to their last complete state, which a warning
+/// reports.
+base::Result<RecordedRun> readRecordedRun(
+    const std::string& folder, std::size_t mostInMemory = sim2d::Recording::kDefaultMemory,
+    IncompleteRecordings cuts = IncompleteRecordings::Refused);
 
-/// The scenario of a record: people, robots, walls and doors as far as it tells. With `read`, the
-/// scenario that was run: what its options had made different.
+/// The scenario of a recording: agents, robots, walls and doors as far as it contains them. With
+/// `read`, the scenario file of the run, with the changes made by options of the run.
 sim2d::Scenario scenarioOf(const sim2d::Recording& recording, sim2d::Scenario read = {});
 
 }  // namespace app

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Columns of the rows: those of the registry in its order, then the others as they come.
+/// The metric columns: those of the registry in its order, then the others by first occurrence.
 base::Diagnostics findColumns(const ResultStore& store, std::vector<std::string>& columns) {
   std::set<std::string> found;
   std::vector<std::string> inOrder;
@@ -65,7 +65,7 @@ std::string rowLine(const StoredRun& stored, const std::vector<std::string>& col
   return line + '\n';
 }
 
-std::string headLineOf(const Study& study, const std::vector<std::string>& columns) {
+std::string headerLineOf(const Study& study, const std::vector<std::string>& columns) {
   std::string line = "run,scenario,seed";
   for (const std::string& path : study.paths) {
     line += ',';
@@ -80,14 +80,14 @@ std::string headLineOf(const Study& study, const std::vector<std::string>& colum
 }
 
 Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
-  std::vector<InputHash> files = study.inputs;  // in whatever order runs have met them
+  std::vector<InputHash> files = study.inputs;  // in the order in which runs reported them
   std::sort(std::next(files.begin(), files.empty() ? 0 : 1), files.end(),
             [](const InputHash& a, const InputHash& b) { return a.path < b.path; });
   Json inputs = Json::array();
   for (const InputHash& input : files) {
     inputs.push_back({{"path", input.path}, {"sha256", input.sha256}});
   }
-  const bool isComplete = finished == study.shard.runsOf(study.runs);
+  const bool isComplete = finished == study.shard.runCount(study.runs);
   Json json = {{"program", {{"version", study.version}, {"commit", study.commit}}},
                {"inputs", inputs},
                {"code", {{"allowed", study.allowsCode}}},
@@ -104,7 +104,8 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
   return json;
 }
 
-/// scenario -> seed -> path -> what was drawn: the same in every run of that scenario and seed.
+/// scenario -> seed -> path -> drawn value, which is the same in all runs of that scenario and
+/// seed.
 base::Result<Json> drawnJson(const ResultStore& store) {
   const Study& study = store.study();
   std::vector<std::size_t> places;
@@ -127,7 +128,7 @@ base::Result<Json> drawnJson(const ResultStore& store) {
                             : base::Result<Json>(std::move(unreadable));
 }
 
-/// What a field of CSV says.
+/// The JSON value of a CSV field.
 Json fieldJson(const std::string& field) {
   if (field.empty()) {
     return {};
@@ -147,8 +148,8 @@ base::Diagnostics writeResults(const ResultStore& store, const std::string& path
   if (!unreadable.empty()) {
     return unreadable;
   }
-  base::GrowingFile file(path);
-  file.append(headLineOf(store.study(), columns));
+  base::AtomicFileWriter file(path);
+  file.append(headerLineOf(store.study(), columns));
   const base::Diagnostics cut =
       store.forEach([&](const StoredRun& stored) { file.append(rowLine(stored, columns)); });
   return cut.empty() ? file.finish() : cut;
@@ -173,8 +174,8 @@ std::string rowJson(const Study& study, const StoredRun& run) {
   return row.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string beginJson(const ResultStore& store) {
-  return Json({{"runs", store.study().shard.runsOf(store.study().runs)},
+std::string headerJson(const ResultStore& store) {
+  return Json({{"runs", store.study().shard.runCount(store.study().runs)},
                {"finished", store.finished()}})
       .dump();
 }

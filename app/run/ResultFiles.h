@@ -6,23 +6,23 @@
 
 namespace app {
 
-/// results.csv of what is in the store: a row per run, by number. Columns beside those of every
-/// batch: the metrics in their order, then others as they first appear. Nothing of it depends on
-/// the number of processes, their order, interruptions, shards, or the clock.
+/// Writes results.csv from the store, one row per run by index. Columns after the common ones:
+/// metrics in registry order, then others by first occurrence. The bytes do not depend on the
+/// number of processes, their order, interruptions, shards or the clock.
 base::Diagnostics writeResults(const ResultStore& store, const std::string& path);
 
-/// A row as one line of JSON, without its end: {"run", "scenario", "seed", "values": {path: text},
+/// A row as one line of JSON without line end: {"run", "scenario", "seed", "values": {path: text},
 /// "status", "reason", "metrics": {column: number, true, false, text or null}}.
 std::string rowJson(const Study& study, const StoredRun& run);
 
-/// What is said before the rows: {"runs", "finished"}, of the shard.
-std::string beginJson(const ResultStore& store);
+/// The message before the rows: {"runs", "finished"} of the shard.
+std::string headerJson(const ResultStore& store);
 
-/// manifest.json of a batch: the program, files that were read, how many runs there are, and what
-/// was drawn for each scenario and seed.
+/// manifest.json of a batch: the program, input files, run counts, and drawn values per scenario
+/// and seed.
 base::Result<std::string> batchManifest(const ResultStore& store, const std::string& resultsHash);
-/// The same of one in which nothing has run, and that lists no files. `former`: how many runs the
-/// batch in this folder had that it takes the place of.
+/// The manifest before any run, without output files. `former`: number of runs of the batch that is
+/// replaced in this folder.
 std::string emptyManifest(const Study& study, std::size_t former);
 
 }  // namespace app

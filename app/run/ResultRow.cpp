@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFalse = "False";  // as results.csv has it
+constexpr const char* kFalse = "False";  // as in results.csv
 
 std::string fieldOf(const Json& value) {
   if (value.is_null()) {
@@ -39,12 +39,12 @@ const char* fieldOf(bool value) {
   return value ? "True" : kFalse;
 }
 
-/// Of robots whose planners end goals themselves.
+/// For robots whose planners end goals themselves.
 void addEnds(const FinishedRun& run, ResultRow& to) {
   const std::vector<std::string> names = metrics::robotNames(run.header.robots);
   for (std::size_t k = 0; k < run.result.robots.size() && k < names.size(); ++k) {
     const sim2d::RobotResult& robot = run.result.robots[k];
-    if (!robot.endsGoals || !robot.result) {
+    if (!robot.decidesGoalEnd || !robot.result) {
       continue;
     }
     const std::string prefix = k == 0 ? std::string() : names[k] + ".";
@@ -52,33 +52,33 @@ void addEnds(const FinishedRun& run, ResultRow& to) {
       to.fields.emplace_back(prefix + column.key, fieldOf(column.end == endedBy(robot)));
     }
     to.fields.emplace_back(prefix + kDistanceLeft,
-                           robot.goalEnds.empty()
+                           robot.goalResults.empty()
                                ? std::string()
-                               : base::formatDouble(robot.goalEnds.back().distance));
+                               : base::formatDouble(robot.goalResults.back().distance));
   }
 }
 
 }  // namespace
 
 std::optional<EndedBy> endedBy(const sim2d::RobotResult& robot) {
-  using sim2d::WayEnd;
+  using sim2d::NavigationOutcome;
   if (!robot.result) {
     return std::nullopt;
   }
   switch (*robot.result) {
-    case WayEnd::Arrived:
-    case WayEnd::GoalMissed:
+    case NavigationOutcome::Arrived:
+    case NavigationOutcome::GoalMissed:
       return EndedBy::Success;
-    case WayEnd::NavigationFailed:
+    case NavigationOutcome::NavigationFailed:
       return EndedBy::Failure;
-    case WayEnd::Collision:
+    case NavigationOutcome::Collision:
       return EndedBy::Contact;
-    case WayEnd::Stuck:
+    case NavigationOutcome::Stuck:
       return EndedBy::Standstill;
-    case WayEnd::Timeout:
+    case NavigationOutcome::Timeout:
       return EndedBy::Time;
-    case WayEnd::Failed:
-    case WayEnd::Interrupted:
+    case NavigationOutcome::Failed:
+    case NavigationOutcome::Interrupted:
       break;
   }
   return std::nullopt;
@@ -94,7 +94,7 @@ const std::vector<EndColumn>& endColumns() {
   return kColumns;
 }
 
-bool isWithoutSuccess(const ResultRow& row) {
+bool isUnsuccessful(const ResultRow& row) {
   if (!row.ok) {
     return true;
   }
@@ -113,7 +113,7 @@ ResultRow rowOf(const FinishedRun& run) {
   row.ok = run.result.status == sim2d::RunStatus::Finished;
   row.reason = run.result.reason;
   row.simulated = base::formatDouble(static_cast<double>(run.result.steps) * run.header.dt);
-  if (run.evaluation) {  // the numbers as metrics.json has them
+  if (run.evaluation) {  // numbers as in metrics.json
     const Json json = Json::parse(metrics::toJson(*run.evaluation));
     addFields(json, "", row);
     const Json robots = json.value("robots", Json::object());
@@ -127,14 +127,15 @@ ResultRow rowOf(const FinishedRun& run) {
 
 ResultRow rowOf(const base::Diagnostics& problems) {
   ResultRow row;
-  const auto first = std::find_if(
-      problems.begin(), problems.end(),
-      [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
-  row.reason = first != problems.end() ? first->message : "it could not begin";
+  const auto first =
+      std::find_if(problems.begin(), problems.end(), [](const base::Diagnostic& diagnostic) {
+        return diagnostic.severity == base::Severity::Error;
+      });
+  row.reason = first != problems.end() ? first->message : "the run could not start";
   return row;
 }
 
-std::string rowText(const ResultRow& row) {
+std::string serializeRow(const ResultRow& row) {
   Json json = {{"ok", row.ok}, {"reason", row.reason}, {"simulated", row.simulated}};
   if (row.failedBy == FailedBy::Machine) {
     json["by_machine"] = true;
@@ -150,11 +151,11 @@ std::string rowText(const ResultRow& row) {
   return base::jsonText(json, -1);
 }
 
-ResultRow rowOfText(const std::string& text) {
+ResultRow parseRow(const std::string& text) {
   ResultRow row;
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("fields")) {
-    row.reason = "no row";
+    row.reason = "the worker process returned no result";
     return row;
   }
   row.ok = json.value("ok", false);

@@ -5,57 +5,58 @@
 #include <utility>
 #include <vector>
 
+#include "app/run/ManifestFiles.h"
 #include "app/run/RunFolder.h"
-#include "app/run/SeenFiles.h"
 
 namespace app {
 
-/// The cause of a failed run. `Machine`: its process was killed from outside or ran out of memory;
-/// this is no fault of the run, which may succeed the next time. `Run`: everything else.
+/// The cause of a failed run. `Machine`: the process was killed from outside or ran out of memory,
+/// so the run may succeed when repeated. `Run`: everything else.
 enum class FailedBy { Run, Machine };
 
-/// What ended the way of a robot whose planner ends goals itself (Nav2). A success counts wherever
-/// the robot is; a failure of one of several goals counts as one.
+/// How the last goal of a robot ended whose planner ends goals itself (Nav2). A success counts at
+/// any robot position; one failed goal of several counts as failure.
 enum class EndedBy { Success, Failure, Contact, Standstill, Time };
-/// None: the run has failed or was interrupted, or the robot had no goal.
+/// nullopt: the run failed or was interrupted, or the robot had no goal.
 std::optional<EndedBy> endedBy(const sim2d::RobotResult& robot);
 
-/// A column of the results, True in runs that ended so. Of each run of such a robot one is True.
+/// A column of the results, True in runs that ended this way. Exactly one is True per run of such a
+/// robot.
 struct EndColumn {
   const char* key;
   const char* name;
   EndedBy end;
-  int sense;  // 1: more of them are better, -1: fewer
+  int sense;  // 1: more is better, -1: less is better
 };
 const std::vector<EndColumn>& endColumns();
-/// A column beside them: distance from the robot to the goal that its planner ended last [m].
+/// An additional column: distance from the robot to the goal that its planner ended last [m].
 constexpr char kDistanceLeft[] = "distance_left";
 
-/// What the results keep of one run of a batch.
+/// The stored result of one batch run.
 struct ResultRow {
   bool ok = false;
   FailedBy failedBy = FailedBy::Run;  // unless ok
-  std::string reason;                 // why it ended, or failed
-  std::string simulated;              // [s]; empty when not known
-  /// Columns behind those that every row has, with their fields as CSV has them: metrics of the
-  /// first robot by their keys, then those of each other robot, `robot2.path_length`; of robots
-  /// with Nav2 also `endColumns` and `kDistanceLeft`.
+  std::string reason;                 // of the end or the failure
+  std::string simulated;              // [s]; empty if unknown
+  /// Columns after those common to all rows, with CSV fields: the metrics of the first robot by
+  /// key, then those of other robots as `robot2.path_length`; for Nav2 robots also `endColumns` and
+  /// `kDistanceLeft`.
   std::vector<std::pair<std::string, std::string>> fields;
-  std::vector<InputHash> inputs;  // of the run; one that changed meanwhile comes twice
+  std::vector<InputHash> inputs;  // of the run; a file that changed meanwhile occurs twice
 };
 
-/// Metrics that say whether a run succeeded: the first of them that there is counts.
+/// Metrics for success; the first one that exists applies.
 constexpr const char* kSuccessKeys[] = {"success", "completed"};
-/// The run failed, or its first robot did: reports list it among the failures.
-bool isWithoutSuccess(const ResultRow& row);
+/// Whether the run failed or its first robot did not succeed; reports list it as a failure.
+bool isUnsuccessful(const ResultRow& row);
 
-/// The row of a run that was simulated. Nothing of it was measured by the wall clock.
+/// The row of a simulated run. Contains no wall-clock measurements.
 ResultRow rowOf(const FinishedRun& run);
-/// Of one that could not begin: the first error is the reason.
+/// The row of a run that could not start, with the first error as reason.
 ResultRow rowOf(const base::Diagnostics& problems);
 
-/// As one line of JSON, and back; what is no row gives a failed one.
-std::string rowText(const ResultRow& row);
-ResultRow rowOfText(const std::string& text);
+/// Serialisation as one line of JSON; invalid text yields a failed row.
+std::string serializeRow(const ResultRow& row);
+ResultRow parseRow(const std::string& text);
 
 }  // namespace app

@@ -20,8 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kApplication = 0x484e4156;  // "HNAV", in the header of the file
-constexpr int kFormat = 1;
+constexpr int kApplicationId = 0x484e4156;  // "HNAV", in the header of the file
+constexpr int kFormatVersion = 1;
 
 const char* const kTables =
     "CREATE TABLE experiment(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
@@ -30,7 +30,7 @@ const char* const kTables =
     " value_texts TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL,"
     " simulated TEXT NOT NULL, metrics TEXT NOT NULL);";
 
-/// An additional table that older databases do not have; they are read without it.
+/// An optional table that older databases lack.
 const char* const kMachineTable =
     "CREATE TABLE IF NOT EXISTS machine_failures(run INTEGER PRIMARY KEY);";
 
@@ -42,7 +42,7 @@ Json textsJson(const std::vector<std::string>& texts) {
   return json;
 }
 
-std::string textsText(const std::vector<std::string>& texts) {
+std::string textsJsonText(const std::vector<std::string>& texts) {
   return base::jsonText(textsJson(texts), -1);
 }
 
@@ -80,7 +80,7 @@ ResultStore::~ResultStore() {
   sqlite3_close(database_);
 }
 
-base::Diagnostics ResultStore::trouble(const char* code) const {
+base::Diagnostics ResultStore::sqliteError(const char* code) const {
   return {base::error(code, {sqlite3_errmsg(database_)}, path_)};
 }
 
@@ -88,31 +88,31 @@ bool ResultStore::run(const char* sql) const {
   return sqlite3_exec(database_, sql, nullptr, nullptr, nullptr) == SQLITE_OK;
 }
 
-bool ResultStore::isStore(const std::string& path) {
+bool ResultStore::isResultDatabase(const std::string& path) {
   std::array<char, 72> head{};
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) {
     return false;
   }
   std::ifstream file(path, std::ios::binary);
-  constexpr std::array<char, 16> kMagic = {"SQLite format 3"};  // with the zero at its end
+  constexpr std::array<char, 16> kMagic = {"SQLite format 3"};  // with the terminating zero
   if (!file.read(head.data(), head.size()) ||
       !std::equal(kMagic.begin(), kMagic.end(), head.begin())) {
     return false;
   }
   std::uint32_t application = 0;
-  for (std::size_t k = 68; k < head.size(); ++k) {  // most significant byte first
+  for (std::size_t k = 68; k < head.size(); ++k) {  // big-endian
     application = application << 8U | static_cast<unsigned char>(head[k]);
   }
-  return application == static_cast<std::uint32_t>(kApplication);
+  return application == static_cast<std::uint32_t>(kApplicationId);
 }
 
-/// No other process is there (FolderLock), so the log needs no shared memory: it does on the file
-/// systems of clusters as well.
+/// FolderLock excludes other processes, so the exclusive locking mode works without shared memory
+/// and therefore on cluster file systems.
 base::Diagnostics ResultStore::connect(bool isNew) {
   const int flags = SQLITE_OPEN_READWRITE | (isNew ? SQLITE_OPEN_CREATE : 0) | SQLITE_OPEN_NOMUTEX;
   if (sqlite3_open_v2(path_.c_str(), &database_, flags, nullptr) != SQLITE_OK) {
-    return trouble(isNew ? "batch.cannot-store" : "batch.damaged");
+    return sqliteError(isNew ? "batch.cannot-store" : "batch.damaged");
   }
   sqlite3_extended_result_codes(database_, 1);
   sqlite3_busy_timeout(database_, 10000);
@@ -120,11 +120,11 @@ base::Diagnostics ResultStore::connect(bool isNew) {
 }
 
 base::Diagnostics ResultStore::makeTables(const Study& study) {
-  const std::string marks = "PRAGMA application_id=" + std::to_string(kApplication) +
-                            ";PRAGMA user_version=" + std::to_string(kFormat) + ";";
+  const std::string headerPragmas = "PRAGMA application_id=" + std::to_string(kApplicationId) +
+                                    ";PRAGMA user_version=" + std::to_string(kFormatVersion) + ";";
   if (!run("PRAGMA locking_mode=EXCLUSIVE;PRAGMA synchronous=FULL;BEGIN IMMEDIATE;") ||
-      !run(marks.c_str()) || !run(kTables)) {
-    return trouble("batch.cannot-store");
+      !run(headerPragmas.c_str()) || !run(kTables)) {
+    return sqliteError("batch.cannot-store");
   }
   const std::vector<std::pair<const char*, std::string>> entries = {
       {"version", study.version},
@@ -132,8 +132,8 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
       {"path", study.experimentPath},
       {"text", study.experiment},
       {"sha256", study.inputs.empty() ? std::string() : study.inputs.front().sha256},
-      {"columns", textsText(study.paths)},
-      {"drawn", textsText(study.drawn)},
+      {"columns", textsJsonText(study.paths)},
+      {"drawn", textsJsonText(study.drawn)},
       {"runs", std::to_string(study.runs)},
       {"shard", std::to_string(study.shard.number)},
       {"shards", std::to_string(study.shard.count)},
@@ -152,25 +152,25 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
     statement.bind(3, study.inputs[k].sha256);
     statement.step();
   }
-  return run("COMMIT") ? base::Diagnostics() : trouble("batch.cannot-store");
+  return run("COMMIT") ? base::Diagnostics() : sqliteError("batch.cannot-store");
 }
 
-/// Made beside its place, so that a process that is killed meanwhile leaves no half of it.
+/// Creates the database under a temporary name, so that a killed process leaves no incomplete one.
 base::Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::string& path,
                                                                const Study& study) {
   const std::filesystem::path place(path);
-  const std::string beside =
+  const std::string temporaryPath =
       (place.parent_path() / (".hunavsim-new-" + place.filename().string())).string();
-  const auto removeRests = [&beside] {
+  const auto removeLeftovers = [&temporaryPath] {
     for (const char* ending : {"", "-journal", "-wal"}) {
       std::error_code ignored;
-      std::filesystem::remove(beside + ending, ignored);
+      std::filesystem::remove(temporaryPath + ending, ignored);
     }
   };
-  removeRests();  // of a process that was
+  removeLeftovers();  // of a killed process
   base::Diagnostics problems;
   {
-    ResultStore made(beside);
+    ResultStore made(temporaryPath);
     problems = made.connect(true);
     if (problems.empty()) {
       problems = made.makeTables(study);
@@ -178,12 +178,12 @@ base::Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::string
   }
   std::error_code error;
   if (problems.empty()) {
-    std::filesystem::rename(beside, path, error);
+    std::filesystem::rename(temporaryPath, path, error);
   }
   if (error) {
     problems = {base::error("batch.cannot-store", {error.message()}, path)};
   }
-  removeRests();  // a journal that SQLite could not take away
+  removeLeftovers();  // a journal that SQLite did not remove
   return problems.empty() ? open(path) : base::Result<std::unique_ptr<ResultStore>>(problems);
 }
 
@@ -203,19 +203,19 @@ base::Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::string& 
 
 base::Diagnostics ResultStore::check() {
   if (!run("PRAGMA locking_mode=EXCLUSIVE;PRAGMA synchronous=NORMAL")) {
-    return trouble("batch.damaged");
+    return sqliteError("batch.damaged");
   }
   const SqlStatement version(database_, "PRAGMA user_version");
-  if (version.step() && version.number(0) > kFormat) {
+  if (version.step() && version.number(0) > kFormatVersion) {
     return {base::error("batch.newer", {}, path_)};
   }
   const SqlStatement pages(database_, "PRAGMA quick_check(1)");
   if (!pages.step()) {
-    return trouble("batch.damaged");
+    return sqliteError("batch.damaged");
   }
   return pages.text(0) == "ok" ? base::Diagnostics()
                                : base::Diagnostics{base::error(
-                                     "batch.damaged", {"some of its pages are damaged"}, path_)};
+                                     "batch.damaged", {"the database has damaged pages"}, path_)};
 }
 
 base::Diagnostics ResultStore::readStudy() {
@@ -245,13 +245,13 @@ base::Diagnostics ResultStore::readStudy() {
                        study_.shard.number <= study_.shard.count && !study_.inputs.empty();
   return isWhole ? base::Diagnostics()
                  : base::Diagnostics{
-                       base::error("batch.damaged", {"its tables are not complete"}, path_)};
+                       base::error("batch.damaged", {"its tables are incomplete"}, path_)};
 }
 
 base::Diagnostics ResultStore::readRuns() {
   has_.assign(study_.runs, false);
   finished_ = failed_ = 0;
-  byMachine_.clear();
+  machineFailures_.clear();
   firstFailure_.reset();
   if (base::Diagnostics problems = readMachineFailures(); !problems.empty()) {
     return problems;
@@ -260,8 +260,9 @@ base::Diagnostics ResultStore::readRuns() {
   while (statement.step()) {
     const long long index = statement.number(0);
     if (index < 0 || static_cast<std::size_t>(index) >= study_.runs ||
-        !study_.shard.holds(static_cast<std::size_t>(index))) {
-      return {base::error("batch.damaged", {"a run that the experiment has not"}, path_)};
+        !study_.shard.contains(static_cast<std::size_t>(index))) {
+      return {base::error("batch.damaged", {"it contains a run that is not part of the experiment"},
+                          path_)};
     }
     has_[static_cast<std::size_t>(index)] = true;
     ++finished_;
@@ -269,7 +270,8 @@ base::Diagnostics ResultStore::readRuns() {
       noteFailure(static_cast<std::size_t>(index), statement.text(2));
     }
   }
-  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics()
+                                                   : sqliteError("batch.damaged");
 }
 
 void ResultStore::noteFailure(std::size_t run, const std::string& reason) {
@@ -288,13 +290,14 @@ base::Diagnostics ResultStore::readMachineFailures() {
       database_,
       "SELECT run FROM machine_failures JOIN runs USING(run) WHERE status<>'ok' AND run>=0");
   while (statement.step()) {
-    byMachine_.insert(static_cast<std::size_t>(statement.number(0)));
+    machineFailures_.insert(static_cast<std::size_t>(statement.number(0)));
   }
-  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics()
+                                                   : sqliteError("batch.damaged");
 }
 
-base::Diagnostics ResultStore::dropFailed(bool all) {
-  if (all ? failed_ == 0 : byMachine_.empty()) {
+base::Diagnostics ResultStore::removeFailed(bool all) {
+  if (all ? failed_ == 0 : machineFailures_.empty()) {
     return {};
   }
   const std::string which = all ? "" : " AND run IN (SELECT run FROM machine_failures)";
@@ -302,8 +305,8 @@ base::Diagnostics ResultStore::dropFailed(bool all) {
                              "DELETE FROM runs WHERE status<>'ok'" + which +
                              ";DELETE FROM machine_failures;COMMIT";
   if (!run(change.c_str())) {
-    base::Diagnostics problems = trouble("batch.cannot-store");
-    run("ROLLBACK");  // without effect where no transaction was begun
+    base::Diagnostics problems = sqliteError("batch.cannot-store");
+    run("ROLLBACK");  // no effect outside a transaction
     return problems;
   }
   return readRuns();
@@ -313,7 +316,7 @@ base::Diagnostics ResultStore::setTimeLimit(double seconds) {
   const std::string change = "INSERT OR REPLACE INTO experiment VALUES('time_limit','" +
                              base::formatDouble(seconds) + "')";
   if (seconds != study_.timeLimit && !run(change.c_str())) {
-    return trouble("batch.cannot-store");
+    return sqliteError("batch.cannot-store");
   }
   study_.timeLimit = seconds;
   return {};
@@ -327,7 +330,7 @@ base::Diagnostics ResultStore::addInputs(const std::vector<InputHash>& inputs) {
       problems.push_back(base::error("batch.input-changed", {}, input.path));
     }
     if (known != hashes_.end() || input.sha256.empty() || !problems.empty()) {
-      continue;  // what was not there is told by the run
+      continue;  // the run itself reports missing files
     }
     const SqlStatement statement(database_, "INSERT INTO inputs VALUES(?,?,?)");
     statement.bind(1, static_cast<long long>(study_.inputs.size()));
@@ -335,7 +338,7 @@ base::Diagnostics ResultStore::addInputs(const std::vector<InputHash>& inputs) {
     statement.bind(3, input.sha256);
     statement.step();
     if (sqlite3_errcode(database_) != SQLITE_DONE) {
-      return trouble("batch.cannot-store");
+      return sqliteError("batch.cannot-store");
     }
     hashes_[input.path] = input.sha256;
     study_.inputs.push_back(input);
@@ -344,9 +347,9 @@ base::Diagnostics ResultStore::addInputs(const std::vector<InputHash>& inputs) {
 }
 
 base::Diagnostics ResultStore::add(const StoredRun& run) {
-  if (!insertion_) {  // also after close() of a former process made one plain file of it
+  if (!insertion_) {  // also after close() in a previous process changed the journal mode
     if (!this->run("PRAGMA journal_mode=WAL")) {
-      return trouble("batch.cannot-store");
+      return sqliteError("batch.cannot-store");
     }
     insertion_ =
         std::make_unique<SqlStatement>(database_, "INSERT INTO runs VALUES(?,?,?,?,?,?,?,?)");
@@ -359,27 +362,27 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
   to.bind(1, static_cast<long long>(run.run));
   to.bind(2, run.scenario);
   to.bind(3, run.seed);
-  to.bind(4, textsText(run.values));
+  to.bind(4, textsJsonText(run.values));
   to.bind(5, std::string(run.row.ok ? "ok" : "failed"));
   to.bind(6, run.row.reason);
   to.bind(7, run.row.simulated);
   to.bind(8, fieldsText(run.row));
-  // The insertion commits by itself, unless the run is also marked as ended by the machine.
+  // The insertion commits itself, unless the run is also marked as ended by the machine.
   const bool isMarked = !run.row.ok && run.row.failedBy == FailedBy::Machine;
   const std::string mark = "BEGIN IMMEDIATE;" + std::string(kMachineTable) +
                            "INSERT OR IGNORE INTO machine_failures VALUES(" +
                            std::to_string(run.run) + ")";
-  bool isIn = !isMarked || this->run(mark.c_str());
-  isIn = isIn && sqlite3_step(to.prepared) == SQLITE_DONE;
-  base::Diagnostics problems = isIn ? base::Diagnostics() : trouble("batch.cannot-store");
+  bool isStored = !isMarked || this->run(mark.c_str());
+  isStored = isStored && sqlite3_step(to.prepared) == SQLITE_DONE;
+  base::Diagnostics problems = isStored ? base::Diagnostics() : sqliteError("batch.cannot-store");
   sqlite3_reset(to.prepared);
-  if (isMarked && !this->run(isIn ? "COMMIT" : "ROLLBACK") && isIn) {
-    problems = trouble("batch.cannot-store");
-    isIn = false;
+  if (isMarked && !this->run(isStored ? "COMMIT" : "ROLLBACK") && isStored) {
+    problems = sqliteError("batch.cannot-store");
+    isStored = false;
   }
-  if (isIn) {
+  if (isStored) {
     if (isMarked) {
-      byMachine_.insert(run.run);
+      machineFailures_.insert(run.run);
     }
     has_[run.run] = true;
     ++finished_;
@@ -403,7 +406,8 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
     stored.values = textsOf(statement.text(3));
     stored.values.resize(study_.paths.size());
     stored.row.ok = statement.text(4) == "ok";
-    stored.row.failedBy = byMachine_.count(stored.run) > 0 ? FailedBy::Machine : FailedBy::Run;
+    stored.row.failedBy =
+        machineFailures_.count(stored.run) > 0 ? FailedBy::Machine : FailedBy::Run;
     stored.row.reason = statement.text(5);
     stored.row.simulated = statement.text(6);
     const Json fields = Json::parse(statement.text(7), nullptr, false);
@@ -412,17 +416,18 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
     }
     visit(stored);
   }
-  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics()
+                                                   : sqliteError("batch.damaged");
 }
 
 base::Diagnostics ResultStore::close() {
   insertion_.reset();
   const bool isPlain = run("PRAGMA journal_mode=DELETE");
-  base::Diagnostics problems = isPlain ? base::Diagnostics() : trouble("batch.cannot-store");
+  base::Diagnostics problems = isPlain ? base::Diagnostics() : sqliteError("batch.cannot-store");
   if (sqlite3_close(database_) == SQLITE_OK) {
     database_ = nullptr;
   }
-  if (isPlain && database_ == nullptr) {  // all is in it: what a killed process left here is empty
+  if (isPlain && database_ == nullptr) {  // the journal of a killed process is empty
     std::error_code ignored;
     std::filesystem::remove(path_ + "-journal", ignored);
   }

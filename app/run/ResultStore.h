@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/run/ManifestFiles.h"
 #include "app/run/ResultRow.h"
-#include "app/run/SeenFiles.h"
 
 struct sqlite3;
 
@@ -17,30 +17,30 @@ namespace app {
 
 struct SqlStatement;
 
-/// Part `number` of `count`, from 1 on: the runs whose number leaves `number` - 1 over.
+/// Part `number` (from 1) of `count`: the runs with index % count == number - 1.
 struct Shard {
   std::size_t number = 1, count = 1;
-  bool holds(std::size_t run) const { return run % count == number - 1; }
-  std::size_t runsOf(std::size_t all) const {
+  bool contains(std::size_t run) const { return run % count == number - 1; }
+  std::size_t runCount(std::size_t all) const {
     return all / count + (all % count >= number ? 1 : 0);
   }
   std::string text() const { return std::to_string(number) + "/" + std::to_string(count); }
 };
 
-/// What the results of a batch are results of.
+/// The experiment that the results of a batch belong to.
 struct Study {
   std::string version, commit;             // of the program
-  std::string experimentPath, experiment;  // where the experiment lies, and its text
-  std::vector<InputHash> inputs;           // the experiment first, then what runs used
-  std::vector<std::string> paths;          // of values, as they are columns
-  std::vector<std::string> drawn;          // those of them that are drawn per scenario and seed
+  std::string experimentPath, experiment;  // path and text of the experiment file
+  std::vector<InputHash> inputs;           // the experiment first, then the input files of the runs
+  std::vector<std::string> paths;          // of the values, in column order
+  std::vector<std::string> drawn;          // the paths whose values are drawn per scenario and seed
   std::size_t runs = 0;                    // of the experiment, over all shards
   Shard shard;
-  bool allowsCode = false;  // programs that scenarios name may start
-  double timeLimit = 0.0;   // of one run [s], by the wall clock; 0 = none
+  bool allowsCode = false;  // external programs of scenarios may start
+  double timeLimit = 0.0;   // of one run [s], wall-clock time; 0 = none
 };
 
-/// A run with its place in the experiment.
+/// The result of a run with its position in the experiment.
 struct StoredRun {
   std::size_t run = 0;
   std::string scenario;  // as the experiment names it
@@ -49,18 +49,19 @@ struct StoredRun {
   ResultRow row;
 };
 
-/// The results of a batch in an SQLite database, each in it for good when add() returns: whatever
-/// ends the program takes nothing of it. One process and thread at a time (FolderLock). Nothing
-/// here throws; problems name the file.
+/// The results of a batch in an SQLite database. A result is durable when add() returns, however
+/// the process ends. One process and thread at a time (FolderLock). Never throws; problems name the
+/// file.
 class ResultStore {
  public:
-  /// A new database; there is none.
+  /// Creates a database; `path` must not exist.
   static base::Result<std::unique_ptr<ResultStore>> create(const std::string& path,
                                                            const Study& study);
-  /// Errors: it is damaged, of something else, or of a newer program; nothing is changed then.
+  /// Errors: damaged, not a result database, or written by a newer program; the file is not changed
+  /// then.
   static base::Result<std::unique_ptr<ResultStore>> open(const std::string& path);
-  /// A file that begins as a database of this program.
-  static bool isStore(const std::string& path);
+  /// Whether a file has the header of a result database.
+  static bool isResultDatabase(const std::string& path);
   ~ResultStore();
   ResultStore(const ResultStore&) = delete;
   ResultStore& operator=(const ResultStore&) = delete;
@@ -70,25 +71,26 @@ class ResultStore {
   const Study& study() const { return study_; }
   std::size_t finished() const { return finished_; }
   std::size_t failed() const { return failed_; }
-  std::size_t failedByMachine() const { return byMachine_.size(); }  // of those
+  std::size_t failedByMachine() const { return machineFailures_.size(); }  // among failed()
   struct Failure {
     std::size_t run = 0;
     std::string reason;
   };
-  const std::optional<Failure>& firstFailure() const { return firstFailure_; }  // by number
-  bool isComplete() const { return finished_ == study_.shard.runsOf(study_.runs); }
+  const std::optional<Failure>& firstFailure() const { return firstFailure_; }  // by index
+  bool isComplete() const { return finished_ == study_.shard.runCount(study_.runs); }
   bool has(std::size_t run) const { return has_[run]; }
 
-  /// Inputs of the run belong to the study from then on. Errors: one of them is another file than
-  /// for the study; the run is not added then.
+  /// Adds the run and its inputs. Error: an input differs from the one of the study; the run is not
+  /// added then.
   base::Diagnostics add(const StoredRun& run);
-  /// Removes failed runs, so that they count as missing: those that the machine ended, or all.
-  base::Diagnostics dropFailed(bool all);
-  /// Of the runs that are missing.
+  /// Removes failed runs so that they count as missing: all of them, or those with
+  /// FailedBy::Machine.
+  base::Diagnostics removeFailed(bool all);
+  /// Applies to the missing runs.
   base::Diagnostics setTimeLimit(double seconds);
-  /// All runs that are in it, by number.
+  /// Visits all stored runs by index.
   base::Diagnostics forEach(const std::function<void(const StoredRun&)>& visit) const;
-  /// Into one plain file that others can read.
+  /// Merges the write-ahead log into one file that other programs can read.
   base::Diagnostics close();
 
  private:
@@ -102,7 +104,7 @@ class ResultStore {
   base::Diagnostics readMachineFailures();
   base::Diagnostics addInputs(const std::vector<InputHash>& inputs);
   bool run(const char* sql) const;
-  base::Diagnostics trouble(const char* code) const;
+  base::Diagnostics sqliteError(const char* code) const;
 
   const std::string path_;
   sqlite3* database_ = nullptr;
@@ -112,7 +114,7 @@ class ResultStore {
   std::vector<bool> has_;                      // by run
   std::size_t finished_ = 0, failed_ = 0;
   std::optional<Failure> firstFailure_;
-  std::set<std::size_t> byMachine_;  // runs that the machine ended
+  std::set<std::size_t> machineFailures_;  // runs with FailedBy::Machine
 };
 
 }  // namespace app

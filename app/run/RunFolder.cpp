@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
-#include "app/run/ListedFiles.h"
+#include "app/run/ManifestFiles.h"
 #include "app/run/PlannerFiles.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/ReportFiles.h"
@@ -42,9 +42,9 @@ Json humanJson(const sim2d::TraceHuman& human) {
   return json;
 }
 
-/// By the keys of the file, those that count in the run.
+/// The values in effect, by the keys of the scenario file.
 template <class T>
-Json countingKeys(const sim2d::ResolvedRobot& robot) {
+Json valuesInEffect(const sim2d::ResolvedRobot& robot) {
   Json json = Json::object();
   for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
     std::visit(
@@ -59,24 +59,23 @@ Json countingKeys(const sim2d::ResolvedRobot& robot) {
   return json;
 }
 
-/// What it senses with: without a lidar no more of it than that, with ground truth no more than
-/// that.
+/// The sensors: without a lidar only its beam count, with ground truth only its kind.
 void addSensors(Json& json, const sim2d::ResolvedRobot& robot) {
-  json["lidar"] = countingKeys<sim2d::LidarSettings>(robot);
+  json["lidar"] = valuesInEffect<sim2d::LidarSettings>(robot);
   if (robot.lidar.beams == 0) {
     json["lidar"] = Json::object();
     json["lidar"]["beams"] = 0;
   }
-  json["detector"] = countingKeys<sim2d::DetectorSettings>(robot);
+  json["detector"] = valuesInEffect<sim2d::DetectorSettings>(robot);
   if (robot.detectorKind == sim2d::DetectorKind::GroundTruth) {
     json["detector"] = Json::object();
     json["detector"]["kind"] = "ground_truth";
   }
-  json["odometry_noise"] = countingKeys<sim2d::OdometrySettings>(robot);
-  json["localization"] = countingKeys<sim2d::LocalizationSettings>(robot);
+  json["odometry_noise"] = valuesInEffect<sim2d::OdometrySettings>(robot);
+  json["localization"] = valuesInEffect<sim2d::LocalizationSettings>(robot);
 }
 
-/// Its names and numbers.
+/// The string and number members by name.
 Json robotJson(const sim2d::TraceRobot& robot) {
   Json json;
   sim2d::forEachMember(robot, [&json](const char* name, const auto& member) {
@@ -88,25 +87,26 @@ Json robotJson(const sim2d::TraceRobot& robot) {
   return json;
 }
 
-/// Whether programs and libraries of others could start, and which did.
+/// Whether external programs and libraries may start, and which ones do.
 Json codeJson(const Bundle& bundle, base::Diagnostics& warnings) {
   Json started = Json::array();
-  for (const ForeignCode& code : foreignCodeOf(*bundle.scenario)) {
+  for (const ExternalCode& code : externalCodeOf(*bundle.scenario)) {
     started.push_back({{"robot", code.robot},
                        {code.key, code.words},
                        {"files", inputHashes<Json>(filesOf(code, bundle.path), warnings)}});
   }
-  return {{"allowed", bundle.settings.code == sim2d::CodeUse::Allowed}, {"started", started}};
+  return {{"allowed", bundle.settings.code == sim2d::ExternalCodePolicy::Allowed},
+          {"started", started}};
 }
 
-Json goalEndJson(const sim2d::GoalEnd& end) {
-  const sim2d::NavigationEnd& result = end.result;
+Json goalEndJson(const sim2d::GoalResult& end) {
+  const sim2d::NavigationResult& result = end.result;
   Json json = {{"goal", end.goal > 0 ? Json(end.goal) : Json()},
                {"result", result.hasSucceeded ? "succeeded" : "failed"},
                {"reached", end.isReached},
                {"time", end.time},
                {"distance_left", end.distance}};
-  if (end.isOrder) {
+  if (end.isExternal) {
     json["order"] = true;
   }
   if (!result.hasSucceeded) {
@@ -117,24 +117,24 @@ Json goalEndJson(const sim2d::GoalEnd& end) {
   return json;
 }
 
-/// How its way ended; of a planner that ends goals itself, what it reported for each.
-void tellResult(const sim2d::RunResult& run, int robot, Json& to) {
+/// Adds the result of a robot; for planners that end goals themselves, also their report per goal.
+void addRobotResult(const sim2d::RunResult& run, int robot, Json& to) {
   for (const sim2d::RobotResult& result : run.robots) {
     if (result.id != robot) {
       continue;
     }
-    to["result"] = result.result ? Json(sim2d::wayEndName(*result.result)) : Json();
+    to["result"] = result.result ? Json(sim2d::navigationOutcomeName(*result.result)) : Json();
     to["time"] = result.result ? Json(result.time) : Json();
-    if (result.endsGoals) {
+    if (result.decidesGoalEnd) {
       to["navigation"] = Json::array();
-      for (const sim2d::GoalEnd& end : result.goalEnds) {
+      for (const sim2d::GoalResult& end : result.goalResults) {
         to["navigation"].push_back(goalEndJson(end));
       }
     }
   }
 }
 
-/// What it came from, what it was set to, how it ended.
+/// The manifest: inputs, settings and result.
 std::string runManifest(const Bundle& bundle, const FinishedRun& run,
                         const std::vector<std::string>& commandLine, base::Diagnostics& warnings) {
   const sim2d::TraceHeader& header = run.header;
@@ -147,11 +147,11 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
   json["inputs"] = inputHashes<Json>(inputsOf(bundle), warnings);
-  if (run.before) {
-    json["from"] = {{"run", run.before->folder},
-                    {"time", run.before->time},
-                    {"step", run.before->step},
-                    {"seed", run.before->seed}};
+  if (run.origin) {
+    json["from"] = {{"run", run.origin->folder},
+                    {"time", run.origin->time},
+                    {"step", run.origin->step},
+                    {"seed", run.origin->seed}};
   }
   json["code"] = codeJson(bundle, warnings);
   json["seed"] = header.seed;
@@ -161,9 +161,9 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["record_every"] = header.recordEvery;
   json["steps"] = result.steps;
   json["simulated_seconds"] = simulated;
-  json["wall_seconds"] = result.steppingSeconds;
+  json["wall_seconds"] = result.stepSeconds;
   json["real_time_factor"] =
-      result.steppingSeconds > 0.0 ? Json(simulated / result.steppingSeconds) : Json();
+      result.stepSeconds > 0.0 ? Json(simulated / result.stepSeconds) : Json();
   for (const metrics::MetricResult& time : run.planning.results()) {
     json[time.info.key] = time.value.value ? Json(*time.value.value) : Json();
   }
@@ -174,7 +174,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["robots"] = Json::array();
   for (const sim2d::TraceRobot& robot : header.robots) {
     json["robots"].push_back(robotJson(robot));
-    tellResult(result, robot.id, json["robots"].back());
+    addRobotResult(result, robot.id, json["robots"].back());
   }
   int id = -1;
   sim2d::forEachListed(bundle.scenario->robots, [&](const sim2d::Robot& robot) {
@@ -182,8 +182,8 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
                sim2d::resolveRobot(*bundle.scenario, robot, id));
     --id;
   });
-  for (std::size_t robot = 0; robot < run.robotReports.size(); ++robot) {
-    const std::string& report = run.robotReports[robot];
+  for (std::size_t robot = 0; robot < run.plannerReports.size(); ++robot) {
+    const std::string& report = run.plannerReports[robot];
     if (!report.empty() && robot < json["robots"].size()) {
       json["robots"][robot]["nav2"] = Json::parse(report);
     }
@@ -192,7 +192,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
 }
 
 /// `metrics_robot2.csv`, `steps_robot2.csv`.
-bool isOfFurtherRobot(const std::string& name) {
+bool isFileOfOtherRobot(const std::string& name) {
   const bool isTable = name.rfind("metrics_", 0) == 0 || name.rfind("steps_", 0) == 0;
   return isTable && fs::path(name).extension() == ".csv";
 }
@@ -202,20 +202,20 @@ constexpr const char* kRunFiles[] = {"trajectory.csv", "events.csv",        "tre
                                      "metrics.csv",    "steps.csv",         "trace.json",
                                      "manifest.json",  "counterfactual.csv"};
 
-/// A file that a run writes, or the beginning of one that was cut short.
-bool isOfRun(const fs::directory_entry& entry, bool isOurs = true) {
+/// Whether an entry is a file of a run or a temporary file for one.
+bool isRunFile(const fs::directory_entry& entry, bool ofEarlierBatch = true) {
   std::error_code error;
   const fs::file_status status = entry.symlink_status(error);
   const std::string full = entry.path().filename().string();
-  if (isRestOfOutput(full)) {
+  if (isInternalEntry(full)) {
     return fs::is_directory(status) || fs::is_regular_file(status);
   }
-  const std::optional<std::string> target = nameOfUnfinished(full);
-  const std::string name = target.value_or(full);  // that it is or becomes
+  const std::optional<std::string> target = targetOfTemporary(full);
+  const std::string name = target.value_or(full);  // final name
   const bool isKnown =
-      isOfFurtherRobot(name) ||
+      isFileOfOtherRobot(name) ||
       std::find(std::begin(kRunFiles), std::end(kRunFiles), name) != std::end(kRunFiles);
-  return fs::is_regular_file(status) && isKnown && (isOurs || target);
+  return fs::is_regular_file(status) && isKnown && (ofEarlierBatch || target);
 }
 
 }  // namespace
@@ -224,7 +224,7 @@ std::vector<std::string> inputsOf(const Bundle& bundle) {
   std::vector<std::string> inputs;
   std::set<fs::path> seen;
   const auto add = [&](const std::string& path) {
-    std::error_code ignored;  // as it is named, if it is gone by now
+    std::error_code ignored;  // a missing file keeps the given name
     const fs::path real = fs::weakly_canonical(path, ignored);
     if (seen.insert(real.empty() ? fs::path(path) : real).second) {
       inputs.push_back(path);
@@ -237,7 +237,7 @@ std::vector<std::string> inputsOf(const Bundle& bundle) {
     const base::Result<bt::TreeTable> trees =
         tree.path.empty() ? base::Result<bt::TreeTable>(bt::TreeTable()) : bt::loadTrees(tree.path);
     if (!trees) {
-      continue;  // told when it was loaded for the run
+      continue;  // reported when the run was loaded
     }
     for (const auto& [id, entry] : trees->entries) {
       add(fs::path(entry.file).lexically_normal().string());
@@ -246,7 +246,7 @@ std::vector<std::string> inputsOf(const Bundle& bundle) {
   return inputs;
 }
 
-std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs) {
+std::optional<std::string> foreignEntryIn(const std::string& runFolder, bool ofEarlierBatch) {
   std::error_code error;
   const fs::file_status status = fs::symlink_status(runFolder, error);
   if (!fs::exists(status)) {
@@ -256,14 +256,14 @@ std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs)
     return runFolder;
   }
   for (fs::directory_iterator at(runFolder, error), end; !error && at != end; at.increment(error)) {
-    if (!isOfRun(*at, isOurs)) {
+    if (!isRunFile(*at, ofEarlierBatch)) {
       return at->path().string();
     }
   }
-  return error ? std::optional(runFolder) : std::nullopt;  // who knows what is in it
+  return error ? std::optional(runFolder) : std::nullopt;  // unreadable content counts as foreign
 }
 
-base::Diagnostics removeRun(const std::string& runFolder) {
+base::Diagnostics removeRunFolder(const std::string& runFolder) {
   std::error_code error;
   if (!fs::is_directory(fs::symlink_status(runFolder, error))) {
     return {};
@@ -271,14 +271,14 @@ base::Diagnostics removeRun(const std::string& runFolder) {
   error.clear();
   std::vector<std::string> names;
   for (fs::directory_iterator at(runFolder, error), end; !error && at != end; at.increment(error)) {
-    if (isOfRun(*at)) {
+    if (isRunFile(*at)) {
       names.push_back(at->path().filename().string());
     }
   }
   if (error) {
     return {base::error("file.cannot-read", {error.message()}, runFolder)};
   }
-  // without it no reader takes what is left for a run
+  // without trace.json no reader accepts the rest as a run
   std::stable_partition(names.begin(), names.end(),
                         [](const std::string& name) { return name == "trace.json"; });
   for (const std::string& name : names) {
@@ -287,7 +287,7 @@ base::Diagnostics removeRun(const std::string& runFolder) {
       return {base::error("file.cannot-remove", {error.message()}, pathIn(runFolder, name))};
     }
   }
-  fs::remove(runFolder, error);  // when it is empty
+  fs::remove(runFolder, error);  // only if empty
   return {};
 }
 
@@ -300,7 +300,7 @@ void RunWriter::begin(File file, std::string_view head) {
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
                      const sim2d::TraceHeader& header, const metrics::Selection& selection,
                      const metrics::MetricParameters& parameters,
-                     const std::shared_ptr<metrics::KnownRoutes>& known)
+                     const std::shared_ptr<metrics::ShortestPathCache>& known)
     : world_(world),
       dt_(world.dt()),
       folder_(folder),
@@ -310,16 +310,16 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
     known_.insert(human.id);
   }
   if (!folder_.empty()) {
-    begin(Trajectory, sim2d::headLine(sim2d::kTrajectoryColumns));
-    begin(Events, sim2d::headLine(sim2d::kEventColumns));
-    begin(Trees, sim2d::headLine(sim2d::kTreeColumns));
-    // What a killed run leaves can be shown by it; trouble is told when it is written in the end.
+    begin(Trajectory, sim2d::headerLine(sim2d::kTrajectoryColumns));
+    begin(Events, sim2d::headerLine(sim2d::kEventColumns));
+    begin(Trees, sim2d::headerLine(sim2d::kTreeColumns));
+    // Allows a killed run to be displayed; finish() reports write errors.
     base::writeFileAtomically(pathIn(folder_, "trace.json"), sim2d::traceJson(header));
   }
 }
 
-/// Somebody came from a source: the metrics ask who it is.
-void RunWriter::meet(const sim2d::Frame& frame) {
+/// Adds agents spawned by sources to the metrics.
+void RunWriter::addNewAgents(const sim2d::Frame& frame) {
   const std::vector<int>& ids = frame.humans.id;
   if (std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
     return;
@@ -346,7 +346,7 @@ void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
   sim2d::appendTreeRows(rows, frame.step, frame.treeChanges);
   files_[Trees]->append(rows);
   if (!frame.inputs.empty() && !hasInputs()) {
-    begin(Inputs, sim2d::inputsHead());
+    begin(Inputs, sim2d::inputsHeader());
   }
   for (const sim2d::Input& input : frame.inputs) {
     rows.clear();
@@ -358,7 +358,7 @@ void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
 
 void RunWriter::writeScans(const std::vector<sim2d::RecordedScan>& scans) {
   if (!scans.empty() && !hasScans()) {
-    begin(Scans, sim2d::scansHead());
+    begin(Scans, sim2d::scansHeader());
   }
   for (const sim2d::RecordedScan& scan : scans) {
     std::string row;
@@ -373,14 +373,14 @@ void RunWriter::append(const sim2d::Frame& frame) {
     evaluation_.note(static_cast<double>(frame.step) * dt_, event);
   }
   if (isRecorded) {
-    meet(frame);
+    addNewAgents(frame);
     evaluation_.append(frame);
   }
   if (files_[Trajectory]) {
     write(frame, isRecorded);
   }
-  if (companion_ != nullptr) {
-    companion_->append(frame);
+  if (additionalWriter_ != nullptr) {
+    additionalWriter_->append(frame);
   }
 }
 
@@ -404,12 +404,12 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path,
   for (const Column& column : columns_) {
     if (column.robot == ofRobot.robot && column.values.size() == times.size()) {
       columns.push_back({column.key, column.kind,
-                         [reader = metrics::StoredNumbersReader(column.values)]() mutable {
+                         [reader = metrics::StoredSeriesReader(column.values)]() mutable {
                            return reader.next();
                          }});
     }
   }
-  base::GrowingFile file(path);
+  base::AtomicFileWriter file(path);
   metrics::writeSteps(times, columns, [&file](std::string_view rows) { file.append(rows); });
   if (store_.hasFailed()) {
     return {base::error("metrics.series-lost", {}, path)};
@@ -418,14 +418,14 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path,
 }
 
 bool RunWriter::hasFailed() const {
-  return (companion_ != nullptr && companion_->hasFailed()) ||
+  return (additionalWriter_ != nullptr && additionalWriter_->hasFailed()) ||
          std::any_of(files_.begin(), files_.end(),
                      [](const auto& file) { return file && file->hasFailed(); });
 }
 
 base::Diagnostics RunWriter::finish() {
   base::Diagnostics problems;
-  for (std::optional<base::GrowingFile>& file : files_) {
+  for (std::optional<base::AtomicFileWriter>& file : files_) {
     base::append(problems, file ? file->finish() : base::Diagnostics());
     file.reset();
   }
@@ -447,7 +447,7 @@ std::vector<std::string> runFileNames(const std::vector<std::string>& robots, bo
 base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, RunWriter& writer,
                                  const Bundle& bundle,
                                  const std::vector<std::string>& commandLine) {
-  base::Diagnostics problems = output.atTheirPlaces(writer.finish());
+  base::Diagnostics problems = output.withFinalPaths(writer.finish());
   const auto write = [&](const std::string& name, const std::string& content) {
     base::append(problems, output.write(name, content));
   };
@@ -455,7 +455,7 @@ base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, R
                                const std::string& steps) {
     write(table, metrics::metricsCsv(evaluation));
     const std::string place = pathIn(output.staging(), steps);
-    base::append(problems, output.atTheirPlaces(writer.writeSteps(place, evaluation)));
+    base::append(problems, output.withFinalPaths(writer.writeSteps(place, evaluation)));
   };
   if (run.evaluation) {
     write("metrics.json", metrics::toJson(*run.evaluation));
@@ -470,27 +470,27 @@ base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, R
   if (!run.effectsCsv.empty()) {
     write("counterfactual.csv", run.effectsCsv);
   }
-  if (writer.companion() != nullptr) {
-    base::append(problems, output.atTheirPlaces(writer.companion()->finish(output)));
+  if (writer.additionalWriter() != nullptr) {
+    base::append(problems, output.withFinalPaths(writer.additionalWriter()->finish(output)));
   }
   if (!run.totalsOnly) {
     write("trace.json", sim2d::traceJson(run.header));
   }
   if (!base::hasErrors(problems)) {
     const std::string manifest = runManifest(bundle, run, commandLine, problems);
-    base::append(problems, output.commit(manifest, OutputFolder::Earlier::Removed));
+    base::append(problems, output.commit(manifest, OutputFolder::EarlierFiles::Removed));
   }
   return problems;
 }
 
-base::Diagnostics checkParts(const std::string& runFolder) {
-  return checkListed(runFolder, {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv",
-                                 "scans.csv", "trace.json"});
+base::Diagnostics checkRunFiles(const std::string& runFolder) {
+  return checkManifestFiles(runFolder, {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv",
+                                        "scans.csv", "trace.json"});
 }
 
 base::Result<sim2d::Trace> readRun(const std::string& runFolder) {
-  base::Diagnostics problems = settleFolder(runFolder);
-  std::error_code ignored;  // the reader tells what is missing
+  base::Diagnostics problems = completeCommit(runFolder);
+  std::error_code ignored;  // the reader reports missing files
   if (fs::exists(pathIn(runFolder, "trajectory.csv"), ignored) &&
       !fs::exists(pathIn(runFolder, "trace.json"), ignored)) {
     problems.push_back(base::error("trace.unfinished", {}, runFolder));
@@ -499,7 +499,7 @@ base::Result<sim2d::Trace> readRun(const std::string& runFolder) {
     return problems;
   }
   base::Result<sim2d::Trace> trace = sim2d::readTrace(runFolder);
-  problems = trace ? checkParts(runFolder) : base::Diagnostics();
+  problems = trace ? checkRunFiles(runFolder) : base::Diagnostics();
   return problems.empty() ? std::move(trace) : base::Result<sim2d::Trace>(problems);
 }
 

@@ -9,116 +9,120 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/OutputFolder.h"
-#include "metrics/PlanningTime.h"
-#include "metrics/RunningEvaluation.h"
+#include "metrics/IncrementalEvaluation.h"
+#include "metrics/RunResults.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
 
 namespace app {
 
-/// Takes a run beside its writer and makes more files of it.
-class RunCompanion : public sim2d::FrameSink {
+/// Receives a run in addition to its writer and produces additional files.
+class AdditionalRunWriter : public sim2d::FrameSink {
  public:
-  /// A file could not be written: there is no use in going on.
+  /// A file could not be written, so the run should stop.
   virtual bool hasFailed() const = 0;
-  /// The run is over, once: what is left may be made beside what follows. `header`: of all of it.
+  /// Called once when the run has ended; remaining files may be produced in parallel with what
+  /// follows. `header`: the complete one.
   virtual void conclude(const sim2d::TraceHeader& header) = 0;
-  /// After that: the rest of its files, in the staging folder.
+  /// Called afterwards: writes the remaining files to the staging folder.
   virtual base::Diagnostics finish(OutputFolder& output) = 0;
 };
 
-/// Takes a run while it goes on: trajectory, events and tree changes go into the files of its
-/// folder, the metrics are fed. Of past steps nothing stays in memory but their times.
+/// Writes trajectory, events and tree changes of a run into its folder and feeds the metrics, step
+/// by step. Of past steps only the times stay in memory.
 class RunWriter : public sim2d::FrameSink {
  public:
-  /// An empty folder: no files. The world must outlive the writer. `known`: routes of runs before.
-  /// `header`: of the record as it will be in the end, the world's own mostly.
+  /// Empty `folder`: no files. The world must outlive the writer. `known`: routes of earlier runs.
+  /// `header`: of the recording, usually that of the world.
   RunWriter(const std::string& folder, const sim2d::World& world, const sim2d::TraceHeader& header,
             const metrics::Selection& selection, const metrics::MetricParameters& parameters,
-            const std::shared_ptr<metrics::KnownRoutes>& known = nullptr);
+            const std::shared_ptr<metrics::ShortestPathCache>& known = nullptr);
   void append(const sim2d::Frame& frame) override;
-  /// It gets every frame too, and lives as long as this.
-  void setCompanion(RunCompanion* companion) { companion_ = companion; }
-  RunCompanion* companion() const { return companion_; }  // null: there is none
+  /// It receives every frame too and must outlive the writer.
+  void setAdditionalWriter(AdditionalRunWriter* additionalWriter) {
+    additionalWriter_ = additionalWriter;
+  }
+  AdditionalRunWriter* additionalWriter() const {
+    return additionalWriter_;
+  }  // null if there is none
 
-  /// Once, at the end. Its results have no series: those are for writeSteps().
+  /// Call once, at the end. The results have no series; writeSteps() writes those.
   base::Result<metrics::Evaluation> evaluation();
-  /// steps.csv of a robot of the evaluation.
+  /// Writes steps.csv of one robot of the evaluation.
   base::Diagnostics writeSteps(const std::string& path, const metrics::Evaluation& ofRobot);
-  bool hasInputs() const { return files_[Inputs].has_value(); }  // something came from outside
+  bool hasInputs() const { return files_[Inputs].has_value(); }  // external inputs occurred
   bool hasScans() const { return files_[Scans].has_value(); }    // a robot records its lidar
-  /// A file could not be written: there is no use in going on.
+  /// A file could not be written, so the run should stop.
   bool hasFailed() const;
-  /// Puts the files in their places in the folder; nothing of them is there before.
+  /// Closes the files and renames them to their final names, which do not exist before.
   base::Diagnostics finish();
 
  private:
   enum File { Trajectory, Events, Trees, Inputs, Scans };
   void begin(File file, std::string_view head);
-  void meet(const sim2d::Frame& frame);
+  void addNewAgents(const sim2d::Frame& frame);
   void write(const sim2d::Frame& frame, bool isRecorded);
   void writeScans(const std::vector<sim2d::RecordedScan>& scans);
   struct Column {
     std::string robot, key;
     metrics::Kind kind = metrics::Kind::Number;
-    metrics::StoredNumbers values;
+    metrics::StoredSeries values;
   };
 
   const sim2d::World& world_;
   double dt_;
   int recordEvery_ = 1;
   const std::string folder_;
-  // inputs and scans once there were some
-  std::array<std::optional<base::GrowingFile>, 5> files_;
+  // inputs and scans after the first one
+  std::array<std::optional<base::AtomicFileWriter>, 5> files_;
   metrics::FrameEvaluation evaluation_;
-  RunCompanion* companion_ = nullptr;
-  std::set<int> known_;  // people that the metrics have been told of
-  metrics::NumberStore store_;
+  AdditionalRunWriter* additionalWriter_ = nullptr;
+  std::set<int> known_;  // agents that the metrics know
+  metrics::SeriesStorage store_;
   std::vector<Column> columns_;  // in the store
 };
 
-/// The run that another one goes on from.
-struct RunBefore {
+/// The run that another run continues.
+struct RunOrigin {
   std::string folder;
   double time = 0.0;  // [s]
   std::int64_t step = 0;
-  std::uint64_t seed = 1;  // of what is drawn from there on
+  std::uint64_t seed = 1;  // of all random numbers from this step on
 };
 
-/// All that is known after a run, beside the files that were written while it went on.
+/// The results of a run, in addition to the files written during the run.
 struct FinishedRun {
   sim2d::TraceHeader header;
   sim2d::RunResult result;
   metrics::PlanningTime planning;
   base::Result<metrics::Evaluation> evaluation;
-  std::string effectsCsv;   // of the run without robots; empty = there was none
-  bool totalsOnly = false;  // nothing per step is written
-  std::optional<RunBefore> before;
-  std::vector<std::string> robotReports;  // World::robotReports
+  std::string effectsCsv;   // of the run without robots; empty = none
+  bool totalsOnly = false;  // no files per step
+  std::optional<RunOrigin> origin;
+  std::vector<std::string> plannerReports;  // World::plannerReports
 };
 
-/// The files of a run (FORMAT.md), beside those that `writer` makes in the staging folder of the
-/// output, put in their places together; those of a former run are taken away.
+/// Completes the run folder (FORMAT.md): writes the files that `writer` does not write and commits
+/// all of them; files of an earlier run are removed.
 base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, RunWriter& writer,
                                  const Bundle& bundle, const std::vector<std::string>& commandLine);
-/// All that a run may write. `robots`: their names, as metrics::robotNames gives them.
+/// All files that a run can write. `robots`: names as of metrics::robotNames.
 std::vector<std::string> runFileNames(const std::vector<std::string>& robots, bool totalsOnly);
-/// After a run was read: its files are those that its manifest lists.
-base::Diagnostics checkParts(const std::string& runFolder);
-/// The run of a folder. Errors, beside those of the files: it was not written to its end, its files
-/// are of different runs.
+/// Checks the files of a run that was read against its manifest.
+base::Diagnostics checkRunFiles(const std::string& runFolder);
+/// Reads the run of a folder. Errors: file problems, an incomplete run, or files of different runs.
 base::Result<sim2d::Trace> readRun(const std::string& runFolder);
 
-/// The files that a bundle is made of, those that trees include too, each once.
+/// The files that a bundle was read from, including files that trees include, each once.
 std::vector<std::string> inputsOf(const Bundle& bundle);
 
-/// Whether all that is in the folder of a run is of a run (`isOurs`: its files are of an earlier
-/// batch; else only those that were cut short count): nothing else would be lost with it. What is
-/// not, by its name; a link is of somebody else.
-std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs);
-/// Removes the files of a run, and the folder when nothing else is in it. From its begin on no
-/// reader takes what is left for a run.
-base::Diagnostics removeRun(const std::string& runFolder);
+/// The first path in a run folder that does not belong to a run, which removeRunFolder() would not
+/// remove; nullopt if there is none. `ofEarlierBatch`: the folder is of an earlier batch; otherwise
+/// only temporary files count as part of a run. Links never do.
+std::optional<std::string> foreignEntryIn(const std::string& runFolder, bool ofEarlierBatch);
+/// Removes the files of a run, and the folder if it is empty. The first file removed is one without
+/// which no reader accepts the rest as a run.
+base::Diagnostics removeRunFolder(const std::string& runFolder);
 
 }  // namespace app

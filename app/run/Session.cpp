@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/base/Stop.h"
+#include "sim2d/base/StopFlag.h"
 
 namespace app {
 
@@ -14,23 +14,25 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr double kMostLag = 0.1;  // [s] of wall time that are caught up with
+constexpr double kMaxLag = 0.1;  // [s] maximum wall-clock lag that is caught up
 constexpr double kMeasureSeconds = 0.5;
-constexpr std::size_t kMostPastEntries = 20000;  // changes that nobody has taken
-constexpr std::size_t kMostRefused = 1000;       // inputs that nobody has asked about
+constexpr std::size_t kMaxBlackboardHistory =
+    20000;                                  // maximum number of changes until takeUpdate()
+constexpr std::size_t kMaxRejected = 1000;  // maximum number of rejected inputs until
+                                            // takeUpdate()
 
 }  // namespace
 
-/// Hands the states on. The history gets each as soon as it is there, for whoever watches; the
-/// runner tells them later, when it knows which is the last.
-class Session::Feed : public sim2d::FrameSink {
+/// Forwards the states. The history receives each state immediately; the runner calls append()
+/// later, when it knows which state is the last.
+class Session::FrameDistributor : public sim2d::FrameSink {
  public:
-  Feed(Session& session, const sim2d::World& world, sim2d::FrameSink* sink)
+  FrameDistributor(Session& session, const sim2d::World& world, sim2d::FrameSink* sink)
       : session_(session), world_(world), sink_(sink) {
     if (session_.history_) {
       session_.history_->setHeader(world.header());
       const std::lock_guard<std::mutex> lock(session_.mutex_);
-      session_.news_.history = session_.history_;
+      session_.update_.history = session_.history_;
     }
   }
 
@@ -40,13 +42,13 @@ class Session::Feed : public sim2d::FrameSink {
     }
     if (frame.humans.id != present_) {
       present_ = frame.humans.id;
-      meet();
+      addNewAgents();
     }
     session_.history_->append(frame);
     newest_ = frame.step;
     auto copy = std::make_shared<const sim2d::Frame>(frame);
     const std::lock_guard<std::mutex> lock(session_.mutex_);
-    session_.news_.newest = std::move(copy);
+    session_.update_.newest = std::move(copy);
   }
 
   void append(const sim2d::Frame& frame) override {
@@ -61,8 +63,8 @@ class Session::Feed : public sim2d::FrameSink {
   }
 
  private:
-  /// People from sources are in the header as well.
-  void meet() {
+  /// Adds agents that were spawned by sources to the header.
+  void addNewAgents() {
     const auto isKnown = [this](int id) { return known_.count(id) > 0; };
     if (std::all_of(present_.begin(), present_.end(), isKnown)) {
       return;
@@ -78,29 +80,30 @@ class Session::Feed : public sim2d::FrameSink {
   const sim2d::World& world_;
   sim2d::FrameSink* const sink_;
   std::vector<int> present_;
-  std::set<int> known_;  // people of the header
+  std::set<int> known_;  // agents in the header
   std::int64_t newest_ = -1;
 };
 
-sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const Watcher& watch) {
-  Feed feed(*this, world, sink);
+sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink,
+                              const FrameCallback& watch) {
+  FrameDistributor feed(*this, world, sink);
   const auto wantsStop = [&](const sim2d::Frame& frame) {
     feed.publish(frame);
-    if (change_) {
-      change_(frame, world);
+    if (stepHook_) {
+      stepHook_(frame, world);
     }
     if (watch) {
       watch(frame);
     }
-    return waitForTurn(world);
+    return waitForNextStep(world);
   };
   return sim2d::run(world, rule_, feed, wantsStop,
                     [this, &world] { return takeInputs(world.frame()); });
 }
 
 sim2d::StepInputs Session::takeInputs(const sim2d::Frame& frame) {
-  if (frame.step < repeatUntil_) {
-    return sim2d::inputsOf(repeated_, frame.step + 1);
+  if (frame.step < replayUntil_) {
+    return sim2d::inputsOf(replayedInputs_, frame.step + 1);
   }
   sim2d::StepInputs inputs;
   Steering steering;
@@ -114,50 +117,50 @@ sim2d::StepInputs Session::takeInputs(const sim2d::Frame& frame) {
     inputs.insert(inputs.end(), its.begin(), its.end());
   };
   add(steering);
-  for (const Guest& guest : guests_) {
+  for (const Observer& guest : observers_) {
     add(guest.steer);
   }
   return inputs;
 }
 
-void Session::run(const WorldMaker& makeWorld, const GuestMaker& makeGuests) {
+void Session::run(const WorldFactory& makeWorld, const ObserverFactory& makeObservers) {
   try {
-    runMade(makeWorld(), makeGuests);
+    runCreatedWorld(makeWorld(), makeObservers);
   } catch (const base::Stopped&) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    news_.isStopped = true;
+    update_.isStopped = true;
   }
 }
 
-void Session::runMade(const base::Result<std::unique_ptr<sim2d::World>>& made,
-                      const GuestMaker& makeGuests) {
+void Session::runCreatedWorld(const base::Result<std::unique_ptr<sim2d::World>>& made,
+                              const ObserverFactory& makeObservers) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    news_.remarks = made.diagnostics();
+    update_.remarks = made.diagnostics();
   }
   if (made) {
     const sim2d::RunResult result =
-        runWith(**made, makeGuests ? makeGuests(**made) : std::vector<Guest>());
+        runWithObservers(**made, makeObservers ? makeObservers(**made) : std::vector<Observer>());
     const std::lock_guard<std::mutex> lock(mutex_);
-    news_.result = result;
+    update_.result = result;
   }
 }
 
-/// Guests have gone when it returns or throws.
-sim2d::RunResult Session::runWith(sim2d::World& world, std::vector<Guest> guests) {
-  struct Leave {
-    std::vector<Guest>& guests;
-    explicit Leave(std::vector<Guest>& all) : guests(all) {}
-    ~Leave() { guests.clear(); }
-    Leave(const Leave&) = delete;
-    Leave& operator=(const Leave&) = delete;
-    Leave(Leave&&) = delete;
-    Leave& operator=(Leave&&) = delete;
+/// Destroys the observers when it returns or throws.
+sim2d::RunResult Session::runWithObservers(sim2d::World& world, std::vector<Observer> guests) {
+  struct ObserverCleanup {
+    std::vector<Observer>& guests;
+    explicit ObserverCleanup(std::vector<Observer>& all) : guests(all) {}
+    ~ObserverCleanup() { guests.clear(); }
+    ObserverCleanup(const ObserverCleanup&) = delete;
+    ObserverCleanup& operator=(const ObserverCleanup&) = delete;
+    ObserverCleanup(ObserverCleanup&&) = delete;
+    ObserverCleanup& operator=(ObserverCleanup&&) = delete;
   };
-  guests_ = std::move(guests);
-  const Leave leave(guests_);
+  observers_ = std::move(guests);
+  const ObserverCleanup leave(observers_);
   const auto show = [this](const sim2d::Frame& frame) {
-    for (const Guest& guest : guests_) {
+    for (const Observer& guest : observers_) {
       guest.watch(frame);
     }
   };
@@ -167,18 +170,18 @@ sim2d::RunResult Session::runWith(sim2d::World& world, std::vector<Guest> guests
 }
 
 template <class Change>
-void Session::order(Change change) {
+void Session::applyCommand(Change change) {
   const std::lock_guard<std::mutex> lock(mutex_);
   change();
   changed_.notify_all();
 }
 
 void Session::setPaused(bool paused) {
-  order([&] {
+  applyCommand([&] {
     paused_ = paused;
-    stepsAllowed_ = 0;
+    pendingSteps_ = 0;
     restartClock_ = true;
-    news_.isPaused = paused;
+    update_.isPaused = paused;
   });
 }
 
@@ -187,15 +190,15 @@ bool Session::isPaused() {
   return paused_;
 }
 
-void Session::allowStep() {
-  order([&] { ++stepsAllowed_; });
+void Session::stepOnce() {
+  applyCommand([&] { ++pendingSteps_; });
 }
 
 void Session::setSpeed(double factor) {
-  order([&] {
+  applyCommand([&] {
     speed_ = factor;
     restartClock_ = true;
-    news_.speed = factor;
+    update_.speed = factor;
   });
 }
 
@@ -205,98 +208,99 @@ double Session::speed() {
 }
 
 void Session::stop() {
-  order([&] { stop_ = true; });
+  applyCommand([&] { stop_ = true; });
 }
 
 void Session::refresh() {
-  order([&] { wantsRefresh_ = true; });
+  applyCommand([&] { wantsRefresh_ = true; });
 }
 
 void Session::add(sim2d::Input input) {
-  order([&] { inputs_.push_back(std::move(input)); });
+  applyCommand([&] { inputs_.push_back(std::move(input)); });
 }
 
 void Session::steer(Steering steering) {
-  order([&] { steering_ = std::move(steering); });
+  applyCommand([&] { steering_ = std::move(steering); });
 }
 
 void Session::setBreakpoints(std::vector<sim2d::TreeBreakpoint> points) {
-  order([&] { breakpoints_ = std::move(points); });
+  applyCommand([&] { breakpoints_ = std::move(points); });
 }
 
-void Session::watchEntries(std::optional<int> person) {
-  order([&] {
-    watched_ = person;
-    wantsEntries_ = true;
-    lastEntries_.reset();
-    news_.pastEntries.clear();
+void Session::watchBlackboard(std::optional<int> person) {
+  applyCommand([&] {
+    watchedAgent_ = person;
+    wantsBlackboard_ = true;
+    lastBlackboard_.reset();
+    update_.blackboardHistory.clear();
   });
 }
 
-SessionNews Session::takeNews() {
+SessionUpdate Session::takeUpdate() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(news_, SessionNews());
+  return std::exchange(update_, SessionUpdate());
 }
 
-/// What was asked of the trees between two steps. Under the lock.
-void Session::serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view) {
+/// Applies requests to the trees between two steps. Requires the lock.
+void Session::applyTreeRequests(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view) {
   if (breakpoints_) {
     behavior.setBreakpoints(*std::exchange(breakpoints_, std::nullopt));
   }
-  if (watched_ && std::exchange(wantsEntries_, false)) {
-    const int human = view.indexOf(*watched_);
-    Entries now = human < 0 ? Entries() : behavior.blackboard(human);
-    if (lastEntries_ != now && news_.pastEntries.size() < kMostPastEntries) {
-      news_.pastEntries.push_back({view.step() - 1, now});
-      lastEntries_ = now;
+  if (watchedAgent_ && std::exchange(wantsBlackboard_, false)) {
+    const int human = view.indexOf(*watchedAgent_);
+    BlackboardEntries now = human < 0 ? BlackboardEntries() : behavior.blackboard(human);
+    if (lastBlackboard_ != now && update_.blackboardHistory.size() < kMaxBlackboardHistory) {
+      update_.blackboardHistory.push_back({view.step() - 1, now});
+      lastBlackboard_ = now;
     }
-    news_.entries = std::move(now);
+    update_.entries = std::move(now);
   }
 }
 
-/// Called without the lock: the callback may send commands, or take locks of threads that do.
+/// Calls the callback without the lock, because it may send commands or take locks of threads that
+/// do.
 void Session::refresh(const sim2d::World& world, std::unique_lock<std::mutex>& lock) {
   wantsRefresh_ = false;
-  if (refresh_) {
+  if (refreshCallback_) {
     lock.unlock();
-    refresh_(world.frame());
+    refreshCallback_(world.frame());
     lock.lock();
   }
 }
 
-/// True: the run is to end instead.
-bool Session::waitForTurn(sim2d::World& world) {
+/// Returns true if the run must stop.
+bool Session::waitForNextStep(sim2d::World& world) {
   std::unique_lock<std::mutex> lock(mutex_);
-  const std::optional<sim2d::TreeBreak> broke = world.behavior().takeBreak();
-  if (broke && world.stepIndex() > repeatUntil_) {
+  const std::optional<sim2d::TreeBreakpointHit> broke = world.behavior().takeBreakpointHit();
+  if (broke && world.stepIndex() > replayUntil_) {
     paused_ = true;
-    stepsAllowed_ = 0;
+    pendingSteps_ = 0;
     restartClock_ = true;
-    news_.isPaused.reset();  // what was ordered before
-    news_.broke = broke;
+    update_.isPaused.reset();  // replaces the previous command
+    update_.breakpointHit = broke;
   }
-  wantsEntries_ = true;
-  if (news_.refused.size() < kMostRefused) {
-    base::append(news_.refused, world.refused());
+  wantsBlackboard_ = true;
+  if (update_.refused.size() < kMaxRejected) {
+    base::append(update_.refused, world.refused());
   }
   bool isWaiting = false;  // in a pause
   while (!stop_) {
-    serve(world.behavior(), world.view());
-    if (world.stepIndex() < repeatUntil_) {
+    applyTreeRequests(world.behavior(), world.view());
+    if (world.stepIndex() < replayUntil_) {
       return false;
-    } else if (stepsAllowed_ > 0) {
-      --stepsAllowed_;
+    } else if (pendingSteps_ > 0) {
+      --pendingSteps_;
       return false;
     } else if (wantsRefresh_ || (paused_ && !isWaiting)) {
       isWaiting = paused_;
-      refresh(world, lock);  // and checks again: there may be other commands
+      refresh(world, lock);  // and checks again, because other commands may have arrived
     } else if (paused_) {
       changed_.wait(lock);
     } else {
       if (std::exchange(restartClock_, false)) {
         restartClock(world.time());
       }
-      measure(world.time());
+      updateMeasuredSpeed(world.time());
       if (isDue(world.time(), world.dt())) {
         return false;
       }
@@ -321,17 +325,17 @@ bool Session::isDue(double time, double dt) {
     return true;
   }
   const double late = Seconds(Clock::now() - dueTime(time, dt)).count();
-  if (late > kMostLag) {  // too slow for this speed: do not hurry for ever to catch up
+  if (late > kMaxLag) {  // too slow for this speed: do not try to catch up indefinitely
     wallStart_ = Clock::now();
     simulatedStart_ = time;
   }
   return late >= 0.0;
 }
 
-void Session::measure(double time) {
+void Session::updateMeasuredSpeed(double time) {
   const double wall = Seconds(Clock::now() - measureStart_).count();
   if (wall >= kMeasureSeconds) {
-    news_.measuredSpeed = (time - measuredFrom_) / wall;
+    update_.measuredSpeed = (time - measuredFrom_) / wall;
     measureStart_ = Clock::now();
     measuredFrom_ = time;
   }

@@ -18,136 +18,135 @@
 
 namespace app {
 
-using WorldMaker = std::function<base::Result<std::unique_ptr<sim2d::World>>()>;
+using WorldFactory = std::function<base::Result<std::unique_ptr<sim2d::World>>()>;
 using RecordingPtr = std::shared_ptr<const sim2d::Recording>;
 
-/// Keys and values of a blackboard, as texts.
-using Entries = std::vector<std::pair<std::string, std::string>>;
+/// Keys and values of a blackboard as text.
+using BlackboardEntries = std::vector<std::pair<std::string, std::string>>;
 
-/// Of one person after a step.
-struct StepEntries {
+/// The blackboard of one agent after a step.
+struct BlackboardStep {
   std::int64_t step = 0;
-  Entries entries;
+  BlackboardEntries entries;
 };
 
-/// What a session has to tell, collected until somebody looks.
-struct SessionNews {
-  std::optional<base::Diagnostics> remarks;  // of making the world; errors: it could not be made
-  RecordingPtr history;                      // of this run, once there is a world; it grows
+/// Changes of a session since the last takeUpdate().
+struct SessionUpdate {
+  std::optional<base::Diagnostics> remarks;  // of creating the world; with errors it does not exist
+  RecordingPtr history;                      // of this run, once the world exists; it grows
   sim2d::FramePtr newest;
-  std::optional<double> measuredSpeed;     // [simulated s / wall s]
-  std::optional<sim2d::RunResult> result;  // the run is over
-  bool isStopped = false;                  // the world was not made: its map is another one now
-  std::optional<bool> isPaused;            // as somebody ordered since the last news
-  std::optional<double> speed;             // idem
-  std::optional<sim2d::TreeBreak> broke;   // at a breakpoint: it waits since then
-  std::optional<Entries> entries;          // of the person who is watched, after the newest step
-  std::vector<StepEntries> pastEntries;    // of the same, each change since the last news
-  base::Diagnostics refused;               // inputs that were not possible
+  std::optional<double> measuredSpeed;                    // [simulated s / wall s]
+  std::optional<sim2d::RunResult> result;                 // the run has ended
+  bool isStopped = false;                                 // creation cancelled: the map has changed
+  std::optional<bool> isPaused;                           // set if changed since then
+  std::optional<double> speed;                            // set if changed since then
+  std::optional<sim2d::TreeBreakpointHit> breakpointHit;  // the breakpoint at which the run pauses
+  std::optional<BlackboardEntries> entries;       // of the watched agent after the newest step
+  std::vector<BlackboardStep> blackboardHistory;  // its changes since then
+  base::Diagnostics refused;                      // inputs that could not be applied
 };
 
-/// One run of a world, the same for the commands and the window: it is stepped until its rule is
-/// fulfilled, at the pace that is asked for, with inputs from outside, and remembered if wanted.
-/// One thread runs it; others give orders and inputs, which are heeded between two steps.
+/// One run of a world, for the commands and the window: steps until its stop rule holds, at a set
+/// speed, with external inputs and optional history. One thread calls run(); other threads send
+/// commands and inputs, which take effect between two steps.
 class Session {
  public:
-  using Watcher = std::function<void(const sim2d::Frame&)>;
+  using FrameCallback = std::function<void(const sim2d::Frame&)>;
 
   explicit Session(const sim2d::StopRule& rule) : rule_(rule) {}
   const sim2d::StopRule& rule() const { return rule_; }
 
-  // the thread that runs
-  /// From now on the past can be looked at: each state is recorded as soon as it is there, and the
-  /// newest one is news.
-  /// `mostInMemory`, `folder`: as of the Recording.
-  void keepHistory(int recordEvery, std::size_t mostInMemory = sim2d::Recording::kUsualMemory,
-                   const std::string& folder = {}) {
+  // Run thread only.
+  /// Enables the history: each state is recorded immediately, and takeUpdate() reports the newest
+  /// one. `mostInMemory`, `folder`: see Recording.
+  void enableHistory(int recordEvery, std::size_t mostInMemory = sim2d::Recording::kDefaultMemory,
+                     const std::string& folder = {}) {
     history_ = std::make_shared<sim2d::Recording>(recordEvery, mostInMemory, folder);
   }
-  /// Null without; complete when the run is over.
+  /// Null if disabled; complete when the run has ended.
   RecordingPtr history() const { return history_; }
-  /// Up to that step the inputs are these, whatever pace and pauses are asked for;
-  /// then it is as if it began there.
-  void repeat(sim2d::RecordedInputs inputs, std::int64_t until) {
-    repeated_ = std::move(inputs);
-    repeatUntil_ = until;
+  /// Replays these inputs up to step `until`, regardless of speed and pauses; afterwards the run
+  /// behaves as if it started there.
+  void replayInputs(sim2d::RecordedInputs inputs, std::int64_t until) {
+    replayedInputs_ = std::move(inputs);
+    replayUntil_ = until;
   }
-  /// Sees each state before the next step, in the thread that runs, and may change the world.
-  using Changer = std::function<void(const sim2d::Frame&, sim2d::World&)>;
-  void changeWith(Changer change) { change_ = std::move(change); }
-  /// Receives the newest state again whenever `refresh` is called and each time the run begins to
-  /// wait in a pause; between two steps, in the thread of the run, not while a part is repeated.
-  void refreshWith(Watcher watch) { refresh_ = std::move(watch); }
-  /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of
-  /// them, the last with the event `stop`.
+  /// Receives each state before the next step, in the run thread, and may change the world.
+  using StepHook = std::function<void(const sim2d::Frame&, sim2d::World&)>;
+  void setStepHook(StepHook change) { stepHook_ = std::move(change); }
+  /// Receives the newest state again whenever `refresh` is called and whenever a pause begins;
+  /// between two steps, in the run thread, not during a replay.
+  void setRefreshCallback(FrameCallback watch) { refreshCallback_ = std::move(watch); }
+  /// Call once. `watch` receives each state before the next step and may send commands; `sink`
+  /// receives all states, the last one with the event `stop`.
   sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
-                       const Watcher& watch = {});
-  /// The same with a world that is made first; all that comes of it is news. A guest comes for the
-  /// world and goes before it: it sees each state, the last one too, and is asked for inputs just
-  /// before each step that is not repeated.
-  struct Guest {
-    Watcher watch;
-    std::function<sim2d::StepInputs(const sim2d::Frame&)> steer;  // null: it gives none
+                       const FrameCallback& watch = {});
+  /// Like the above, but creates the world first; takeUpdate() reports the results. Observers are
+  /// created with the world and destroyed before it; each receives every state, including the last,
+  /// and supplies inputs before each step that is not replayed.
+  struct Observer {
+    FrameCallback watch;
+    std::function<sim2d::StepInputs(const sim2d::Frame&)> steer;  // null: no inputs
   };
-  using GuestMaker = std::function<std::vector<Guest>(sim2d::World&)>;
-  void run(const WorldMaker& makeWorld, const GuestMaker& makeGuests = {});
+  using ObserverFactory = std::function<std::vector<Observer>(sim2d::World&)>;
+  void run(const WorldFactory& makeWorld, const ObserverFactory& makeObservers = {});
 
-  // any thread
+  // Any thread.
   void setPaused(bool paused);
   bool isPaused();
-  void allowStep();              // one step although paused
-  void setSpeed(double factor);  // > 0; infinity = as fast as possible, which it is at first
+  void stepOnce();               // one step while paused
+  void setSpeed(double factor);  // > 0; infinity = as fast as possible (default)
   double speed();
   void stop();
   void refresh();                // also while paused
-  void add(sim2d::Input input);  // acts in the next step
-  /// Asked before each step, in the thread that runs, for inputs of that step beside those added.
+  void add(sim2d::Input input);  // takes effect in the next step
+  /// Called before each step in the run thread for inputs in addition to those of add().
   using Steering = std::function<sim2d::StepInputs(const sim2d::Frame&)>;
   void steer(Steering steering);
-  /// It pauses after a step in which one of these is met; not while something is repeated.
+  /// Pauses after a step in which one of these is hit; not during a replay.
   void setBreakpoints(std::vector<sim2d::TreeBreakpoint> points);
-  void watchEntries(std::optional<int> person);  // by id
-  SessionNews takeNews();
+  void watchBlackboard(std::optional<int> person);  // agent id
+  SessionUpdate takeUpdate();
 
  private:
-  class Feed;
-  void runMade(const base::Result<std::unique_ptr<sim2d::World>>& made,
-               const GuestMaker& makeGuests);
-  sim2d::RunResult runWith(sim2d::World& world, std::vector<Guest> guests);
+  class FrameDistributor;
+  void runCreatedWorld(const base::Result<std::unique_ptr<sim2d::World>>& made,
+                       const ObserverFactory& makeObservers);
+  sim2d::RunResult runWithObservers(sim2d::World& world, std::vector<Observer> guests);
   using Clock = std::chrono::steady_clock;
   template <class Change>
-  void order(Change change);
-  bool waitForTurn(sim2d::World& world);
+  void applyCommand(Change change);
+  bool waitForNextStep(sim2d::World& world);
   void refresh(const sim2d::World& world, std::unique_lock<std::mutex>& lock);
-  void serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view);
+  void applyTreeRequests(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view);
   sim2d::StepInputs takeInputs(const sim2d::Frame& frame);
-  void measure(double time);
+  void updateMeasuredSpeed(double time);
   bool isDue(double time, double dt);
   Clock::time_point dueTime(double time, double dt) const;
   void restartClock(double time);
 
   const sim2d::StopRule rule_;
   std::shared_ptr<sim2d::Recording> history_;
-  sim2d::RecordedInputs repeated_;
-  std::int64_t repeatUntil_ = 0;
-  Changer change_;
-  Watcher refresh_;
+  sim2d::RecordedInputs replayedInputs_;
+  std::int64_t replayUntil_ = 0;
+  StepHook stepHook_;
+  FrameCallback refreshCallback_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  // guarded by the mutex
+  // Guarded by mutex_.
   bool paused_ = false, stop_ = false, restartClock_ = true;
   bool wantsRefresh_ = false;
-  int stepsAllowed_ = 0;
+  int pendingSteps_ = 0;
   double speed_ = std::numeric_limits<double>::infinity();
   sim2d::StepInputs inputs_;
   Steering steering_;
-  std::optional<std::vector<sim2d::TreeBreakpoint>> breakpoints_;  // that the world has not got yet
-  std::optional<int> watched_;
-  bool wantsEntries_ = false;
-  std::optional<Entries> lastEntries_;  // of the watched person that were told
-  SessionNews news_;
-  // of the thread that runs alone
-  std::vector<Guest> guests_;
+  std::optional<std::vector<sim2d::TreeBreakpoint>> breakpoints_;  // not yet passed to the world
+  std::optional<int> watchedAgent_;
+  bool wantsBlackboard_ = false;
+  std::optional<BlackboardEntries> lastBlackboard_;  // of the watched agent, as last reported
+  SessionUpdate update_;
+  // Run thread only.
+  std::vector<Observer> observers_;
   Clock::time_point wallStart_;
   double simulatedStart_ = 0.0;
   Clock::time_point measureStart_;

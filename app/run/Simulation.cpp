@@ -4,11 +4,11 @@
 
 namespace app {
 
-void wantNoMore(bool hasFiles, bool showsBehaviors, metrics::Selection& selection) {
+void skipUnwrittenMetrics(bool hasFiles, bool showsBehaviors, metrics::Selection& selection) {
   selection.everyRobot = true;
   selection.series = selection.seriesOnDisk = hasFiles;
   selection.behaviors = showsBehaviors;
-  selection.behaviorSeries = false;  // in none of the files
+  selection.behaviorSeries = false;  // in no file
 }
 
 FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& setup,
@@ -16,7 +16,7 @@ FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& 
                      PlanningClock clock) {
   sim2d::StepTimes times;
   metrics::PlanningTime planning;
-  double planned = 0.0;  // [s] up to the step before
+  double planned = 0.0;  // [s] up to the previous step
   if (clock == PlanningClock::On && !world.frame().robots.id.empty()) {
     world.measure(&times);
   }
@@ -32,12 +32,12 @@ FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& 
   });
   world.measure(nullptr);
   sim2d::TraceHeader header = world.header();
-  noteMetricsFile(setup, header);
-  if (writer.companion() != nullptr) {
-    writer.companion()->conclude(header);
+  storeMetricsSelection(setup, header);
+  if (writer.additionalWriter() != nullptr) {
+    writer.additionalWriter()->conclude(header);
   }
-  return {std::move(header),   std::move(result), planning, writer.evaluation(), {}, false, {},
-          world.robotReports()};
+  return {std::move(header),     std::move(result), planning, writer.evaluation(), {}, false, {},
+          world.plannerReports()};
 }
 
 }  // namespace app

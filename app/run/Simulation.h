@@ -7,16 +7,15 @@
 
 namespace app {
 
-/// Of the metrics what nobody will read is not worked out: per sample only for the files, per
-/// behaviour type only where they are shown.
-void wantNoMore(bool hasFiles, bool showsBehaviors, metrics::Selection& selection);
+/// Removes from the selection what is not written: series per sample without files, results per
+/// behaviour type unless they are shown.
+void skipUnwrittenMetrics(bool hasFiles, bool showsBehaviors, metrics::Selection& selection);
 
 enum class PlanningClock : bool { Off, On };
 
-/// A world run to its end, as `run` and `batch` do it: the writer is fed, planning is timed where
-/// somebody will read it, the metrics are worked out. `wantsStop` sees each state; a writer that
-/// cannot write ends the run too. `setup`: the metrics of the scenario, for the header of the
-/// record.
+/// Runs a world to its end, for `run` and `batch`: feeds the writer, measures planning time if
+/// `clock` is On, and computes the metrics. `wantsStop` receives each state; the run also stops
+/// when the writer fails. `setup`: metrics of the scenario, for the header of the recording.
 FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& setup,
                      RunWriter& writer, const std::function<bool(const sim2d::Frame&)>& wantsStop,
                      PlanningClock clock = PlanningClock::On);

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// A statement of SQL while it is in use.
+/// A prepared SQL statement (RAII).
 struct SqlStatement {
   SqlStatement(sqlite3* database, const char* sql) {
     sqlite3_prepare_v2(database, sql, -1, &prepared, nullptr);

@@ -4,13 +4,13 @@
 #include <optional>
 #include <utility>
 
-#include "app/run/LeafScript.h"
 #include "bt/human/HumanContext.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/robot/Nav2Files.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/world/HumanBehavior.h"
 
 namespace app {
@@ -19,10 +19,10 @@ namespace {
 
 using base::NodeStatus;
 
-/// The world of a tree that is played alone: one person at the origin, nobody and nothing else.
-class PlayView final : public sim2d::WorldView {
+/// The world of a tree that is played alone: one agent at the origin and nothing else.
+class EmptyWorldView final : public sim2d::WorldView {
  public:
-  PlayView(double dt, std::uint64_t seed, const sim2d::Compatibility& compatibility)
+  EmptyWorldView(double dt, std::uint64_t seed, const sim2d::Compatibility& compatibility)
       : dt_(dt), seed_(seed), compatibility_(compatibility) {
     person_.id = 1;
     person_.name = "agent1";
@@ -64,10 +64,10 @@ class PlayView final : public sim2d::WorldView {
   sim2d::ResolvedHuman person_;
 };
 
-/// What the leaves of a tree answer, by a script, and how they were called.
-class LeafAnswers {
+/// The scripted results of leaves and a record of their calls.
+class ScriptedLeaves {
  public:
-  LeafAnswers(const bt::Program& program, LeafScript script) : script_(std::move(script)) {
+  ScriptedLeaves(const bt::Program& program, LeafScript script) : script_(std::move(script)) {
     for (int node = 0; node < program.nodeCount(); ++node) {
       const LeafScript::Entry* named = script_.find(program.label(node));
       answers_.push_back({named ? named : script_.find(program.manifest(node).id)});
@@ -98,22 +98,22 @@ class LeafAnswers {
   std::vector<LeafCall> calls_;
 };
 
-/// The host of a person's tree. Decorators and controls take it for the context of a person, which
-/// it is.
-class PersonHost : public bt::HumanContext {
+/// The host of an agent's tree, derived from HumanContext because decorators and controls cast to
+/// it.
+class AgentHost : public bt::HumanContext {
  public:
-  PersonHost(bt::Society& society, const PlayView& view, sim2d::Intents& intents,
-             LeafAnswers& leaves)
+  AgentHost(bt::CrowdState& society, const EmptyWorldView& view, sim2d::Intents& intents,
+            ScriptedLeaves& leaves)
       : HumanContext(society, view, intents, 0), answers(leaves) {}
-  LeafAnswers& answers;
+  ScriptedLeaves& answers;
 };
 
-/// The host of a navigator's tree: a robot that stands at the origin, with a goal that stays.
-class NavigatorOfPlay : public bt::NavigatorHost {
+/// The host of a navigator's tree: a robot at rest at the origin, with a constant goal.
+class StationaryNavigator : public bt::NavigatorHost {
  public:
-  explicit NavigatorOfPlay(LeafAnswers& leaves)
+  explicit StationaryNavigator(ScriptedLeaves& leaves)
       : answers(leaves), goal_(paths().add({{{1.0, 0.0}, 0.0}})) {}
-  LeafAnswers& answers;
+  ScriptedLeaves& answers;
 
   sim2d::nav2::Distro distro() const override { return sim2d::nav2::Distro::Main; }
   base::Pose2 pose() const override { return {}; }
@@ -126,7 +126,7 @@ class NavigatorOfPlay : public bt::NavigatorHost {
   bt::PathCheckResult checkPath(const bt::PathCheck&) const override { return {true, {}}; }
   std::optional<std::uint8_t> costAt(bool, const base::Pose2&, bool) const override { return 0; }
   sim2d::nav2::TrackingFeedback tracking() const override { return {}; }
-  void monitorCollisions(bool) override {}
+  void enableCollisionMonitor(bool) override {}
   bt::TopicMessage lastMessage(const std::string&) const override { return {}; }
   void begin(bt::RobotAction, const bt::RobotRequest&) override {}
   bt::RobotOutcome outcome(bt::RobotAction) const override { return {}; }
@@ -138,20 +138,20 @@ class NavigatorOfPlay : public bt::NavigatorHost {
   bt::PathId goal_;
 };
 
-LeafAnswers& personsAnswers(bt::LeafContext& leaf) {
-  return static_cast<PersonHost&>(bt::humanOf(leaf)).answers;
+ScriptedLeaves& agentLeaves(bt::LeafContext& leaf) {
+  return static_cast<AgentHost&>(bt::humanOf(leaf)).answers;
 }
-LeafAnswers& robotsAnswers(bt::LeafContext& leaf) {
-  return static_cast<NavigatorOfPlay&>(bt::robotOf(leaf)).answers;
+ScriptedLeaves& robotLeaves(bt::LeafContext& leaf) {
+  return static_cast<StationaryNavigator&>(bt::robotOf(leaf)).answers;
 }
 
-/// Of both kinds of trees, by where a leaf finds its answers.
-template <LeafAnswers& (*answersOf)(bt::LeafContext&)>
+/// A scripted leaf for both kinds of trees; `leavesOf` returns the scripted results of a leaf.
+template <ScriptedLeaves& (*leavesOf)(bt::LeafContext&)>
 bt::StatefulFunctions scriptedLeaf() {
   const bt::LeafFunction answer = [](bt::LeafContext& leaf) {
-    return answersOf(leaf).answer(leaf.node());
+    return leavesOf(leaf).answer(leaf.node());
   };
-  return {answer, answer, [](bt::LeafContext& leaf) { answersOf(leaf).noteHalt(leaf.node()); }};
+  return {answer, answer, [](bt::LeafContext& leaf) { leavesOf(leaf).noteHalt(leaf.node()); }};
 }
 
 class ScriptedPlay final : public TreePlay {
@@ -167,7 +167,7 @@ class ScriptedPlay final : public TreePlay {
         robot_(answers_),
         isOfRobot_(isOfRobot),
         state_(std::move(program)) {
-    society_.minds.resize(1);
+    society_.agentStates.resize(1);
     society_.groups.assign(1, -1);
     if (isOfRobot_) {
       for (const int goal : {0, 1}) {
@@ -183,7 +183,7 @@ class ScriptedPlay final : public TreePlay {
   NodeStatus tick() override {
     view_.beginStep();
     answers_.beginStep();
-    // As their bases: that is what the nodes take the host for.
+    // As base class pointers, which the nodes expect as host.
     bt::HumanContext* const person = &person_;
     bt::NavigatorHost* const robot = &robot_;
     return isOfRobot_ ? state_.tickOnce({view_.step(), view_.dt(), robot})
@@ -198,25 +198,25 @@ class ScriptedPlay final : public TreePlay {
       return {};
     }
     const bt::TreeTable::Entry* tree = table_.find(program().treeOf(fault->node));
-    return {base::within(fault->path, base::error("run.tree-stops", {fault->message},
-                                                  tree ? tree->file : std::string(),
-                                                  program().lineOf(fault->node)))};
+    return {base::withContext(fault->path, base::error("run.tree-stops", {fault->message},
+                                                       tree ? tree->file : std::string(),
+                                                       program().lineOf(fault->node)))};
   }
 
  private:
   bt::TreeTable table_;
-  PlayView view_;
-  bt::Society society_;
+  EmptyWorldView view_;
+  bt::CrowdState society_;
   std::vector<sim2d::HumanControl> controls_;
   sim2d::Intents intents_;
-  LeafAnswers answers_;
-  PersonHost person_;
-  NavigatorOfPlay robot_;
+  ScriptedLeaves answers_;
+  AgentHost person_;
+  StationaryNavigator robot_;
   bool isOfRobot_;
   bt::TreeState state_;
 };
 
-/// As the planner `nav2` names them when its file says nothing else.
+/// The default entry names of the planner `nav2`.
 bt::CompileOptions navigatorOptions(const bt::TreeTable& table) {
   bt::CompileOptions options;
   options.mainTree = table.mainTree;
@@ -242,9 +242,9 @@ base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup)
   }
   const base::Result<std::string> text = base::readTextFile(setup.tree);
   const bool isOfRobot = text && bt::looksLikeNavigatorTree(*text);
-  const bt::NodeLibrary library = isOfRobot
-                                      ? bt::robotNodes().withLeaves(scriptedLeaf<robotsAnswers>())
-                                      : bt::humanNodes().withLeaves(scriptedLeaf<personsAnswers>());
+  const bt::NodeLibrary library =
+      isOfRobot ? bt::robotNodes().withLeafFunctions(scriptedLeaf<robotLeaves>())
+                : bt::humanNodes().withLeafFunctions(scriptedLeaf<agentLeaves>());
   const base::Result<std::shared_ptr<const bt::Program>> program =
       bt::compile(*table, library, isOfRobot ? navigatorOptions(*table) : bt::CompileOptions());
   base::append(problems, program.diagnostics());
@@ -255,6 +255,117 @@ base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup)
   return {std::make_unique<ScriptedPlay>(setup, *std::move(table), *std::move(script), *program,
                                          isOfRobot),
           std::move(problems)};
+}
+
+namespace {
+
+using base::YamlNode;
+
+constexpr const char* kScriptStatuses = "SUCCESS, FAILURE or RUNNING";
+
+std::optional<NodeStatus> scriptStatusOf(const std::string& word) {
+  for (const NodeStatus status : {NodeStatus::Success, NodeStatus::Failure, NodeStatus::Running}) {
+    if (word == base::nodeStatusName(status)) {
+      return status;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Reads a script and reports every problem with file, line and column.
+class ScriptReader {
+ public:
+  explicit ScriptReader(const std::string& path) { script_.path = path; }
+
+  base::Result<LeafScript> read() {
+    const base::Result<std::string> text = base::readTextFile(script_.path);
+    if (!text) {
+      return text.diagnostics();
+    }
+    const YamlNode root = base::parseYaml(*text, script_.path, problems_);
+    if (!base::hasErrors(problems_)) {
+      readRoot(root);
+    }
+    if (base::hasErrors(problems_)) {
+      return problems_;
+    }
+    return {std::move(script_), std::move(problems_)};
+  }
+
+ private:
+  void readRoot(const YamlNode& root) {
+    if (root.isNull()) {
+      return;  // an empty script: every leaf succeeds
+    }
+    if (!root.isMap()) {
+      error(root, "script.no-map");
+      return;
+    }
+    for (const YamlNode& item : root.items) {
+      readEntry(item);
+    }
+  }
+
+  void readEntry(const YamlNode& item) {
+    LeafScript::Entry entry;
+    entry.leaf = item.key;
+    entry.line = item.keyLine;
+    entry.column = item.keyColumn;
+    const std::vector<YamlNode> words = item.isList() ? item.items : std::vector{item};
+    for (const YamlNode& word : words) {
+      readStatus(word, entry);
+    }
+    if (words.empty()) {
+      error(item, "script.empty-list", {item.key});
+    }
+    script_.entries.push_back(std::move(entry));
+  }
+
+  void readStatus(const YamlNode& word, LeafScript::Entry& entry) {
+    const std::optional<NodeStatus> status =
+        word.isScalar() ? scriptStatusOf(word.text) : std::nullopt;
+    if (status) {
+      entry.statuses.push_back(*status);
+      return;
+    }
+    const std::string what = word.isScalar() ? "'" + word.text + "' is" : "this is";
+    error(word, "script.no-status", {what, kScriptStatuses});
+  }
+
+  void error(const YamlNode& node, std::string_view code, base::ProblemValues values = {}) {
+    const bool isValue = !node.isNull() || node.keyLine == 0;  // the key has no value
+    problems_.push_back(base::error(code, std::move(values), script_.path,
+                                    isValue ? node.line : node.keyLine,
+                                    isValue ? node.column : node.keyColumn));
+  }
+
+  LeafScript script_;
+  base::Diagnostics problems_;
+};
+
+}  // namespace
+
+base::Result<LeafScript> readLeafScript(const std::string& path) {
+  return ScriptReader(path).read();
+}
+
+base::Diagnostics unusedNames(const bt::Program& program, const LeafScript& script) {
+  std::vector<std::string> names;
+  for (int node = 0; node < program.nodeCount(); ++node) {
+    if (program.node(node).isStateful) {  // a scripted leaf
+      names.push_back(program.label(node));
+      names.push_back(program.manifest(node).id);
+    }
+  }
+  base::Diagnostics found;
+  for (const LeafScript::Entry& entry : script.entries) {
+    if (std::find(names.begin(), names.end(), entry.leaf) == names.end()) {
+      found.push_back(base::warning("run.unknown-leaf",
+                                    {entry.leaf, base::nearestName(entry.leaf, names)}, script.path,
+                                    entry.line, entry.column));
+    }
+  }
+  return found;
 }
 
 }  // namespace app

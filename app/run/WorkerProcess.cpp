@@ -19,9 +19,9 @@ namespace app {
 
 namespace {
 
-using Length = std::uint32_t;  // both ends are one program on one machine: no byte order
+using Length = std::uint32_t;  // in host byte order: both ends are on one machine
 
-/// All of it; false: the other end is gone.
+/// Sends all bytes; false: the other end has closed.
 bool sendAll(int socket, const std::string& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t count = ::send(socket, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
@@ -40,7 +40,7 @@ bool sendMessage(int socket, const std::string& text) {
   return sendAll(socket, bytes + text);
 }
 
-/// Moves the first whole message from `bytes` to `text`.
+/// Moves the first complete message from `bytes` to `text`.
 bool takeMessage(std::string& bytes, std::string& text) {
   Length length = 0;
   if (bytes.size() < sizeof length) {
@@ -55,9 +55,9 @@ bool takeMessage(std::string& bytes, std::string& text) {
   return true;
 }
 
-/// Appends what is there; 0 = the other end is closed, negative = nothing now.
+/// Appends the available data; 0 = the other end has closed, negative = no data now.
 ssize_t receive(int socket, std::string& bytes, int flags) {
-  std::array<char, 16384> piece;  // NOLINT: is written before it is read
+  std::array<char, 16384> piece;  // NOLINT: written before it is read
   const ssize_t count = ::recv(socket, piece.data(), piece.size(), flags);
   if (count > 0) {
     bytes.append(piece.data(), static_cast<std::size_t>(count));
@@ -67,12 +67,12 @@ ssize_t receive(int socket, std::string& bytes, int flags) {
   return count;
 }
 
-/// In the new process: alone with its socket, which is `kSocket` from now on.
+/// In the worker: keeps only its socket, as file descriptor `kSocket`.
 constexpr int kSocket = 3;
-void leaveParent(int socket, pid_t parent) {
+void isolateFromParent(int socket, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) {
-    ::_exit(0);  // it has ended meanwhile
+    ::_exit(0);  // the parent has ended already
   }
   ::setpgid(0, 0);
   ::signal(SIGINT, SIG_DFL);
@@ -83,20 +83,22 @@ void leaveParent(int socket, pid_t parent) {
     ::dup2(nowhere, standard);
   }
   ::dup2(socket, kSocket);
-  ::close_range(kSocket + 1, ~0U, 0);  // also locks, and the sockets of others
+  ::close_range(kSocket + 1, ~0U, 0);  // including locks and the sockets of other workers
 }
 
-[[noreturn]] void serveForEver(const WorkerProcess::Serve& serve) noexcept {
-  std::string bytes, question;
-  const WorkerProcess::Tell tell = [](const std::string& text) { sendMessage(kSocket, text); };
+[[noreturn]] void serveRequests(const WorkerProcess::RequestHandler& serve) noexcept {
+  std::string bytes, request;
+  const WorkerProcess::SendMessage tell = [](const std::string& text) {
+    sendMessage(kSocket, text);
+  };
   while (true) {
-    if (!takeMessage(bytes, question)) {
+    if (!takeMessage(bytes, request)) {
       if (receive(kSocket, bytes, 0) == 0) {
         ::_exit(0);
       }
       continue;
     }
-    if (!sendMessage(kSocket, serve(question, tell))) {
+    if (!sendMessage(kSocket, serve(request, tell))) {
       ::_exit(0);
     }
   }
@@ -104,7 +106,7 @@ void leaveParent(int socket, pid_t parent) {
 
 }  // namespace
 
-std::optional<WorkerProcess> WorkerProcess::start(const Serve& serve) {
+std::optional<WorkerProcess> WorkerProcess::start(const RequestHandler& serve) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     return std::nullopt;
@@ -112,8 +114,8 @@ std::optional<WorkerProcess> WorkerProcess::start(const Serve& serve) {
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process == 0) {
-    leaveParent(ends[1], parent);
-    serveForEver(serve);
+    isolateFromParent(ends[1], parent);
+    serveRequests(serve);
   }
   ::close(ends[1]);
   if (process < 0) {
@@ -130,33 +132,33 @@ WorkerProcess::~WorkerProcess() {
 WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
       socket_(std::exchange(other.socket_, -1)),
-      heard_(std::move(other.heard_)) {}
+      buffer_(std::move(other.buffer_)) {}
 
 WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(process_, other.process_);
   std::swap(socket_, other.socket_);
-  std::swap(heard_, other.heard_);
+  std::swap(buffer_, other.buffer_);
   return *this;
 }
 
-bool WorkerProcess::ask(const std::string& question) const {
-  return sendMessage(socket_, question);
+bool WorkerProcess::sendRequest(const std::string& request) const {
+  return sendMessage(socket_, request);
 }
 
-WorkerProcess::Heard WorkerProcess::hear(std::string& answer) {
-  if (takeMessage(heard_, answer)) {
-    return Heard::Answer;  // it arrived together with the previous one
+WorkerProcess::ReadResult WorkerProcess::readMessage(std::string& answer) {
+  if (takeMessage(buffer_, answer)) {
+    return ReadResult::Answer;  // it arrived together with the previous one
   }
-  if (receive(socket_, heard_, MSG_DONTWAIT) == 0) {
-    return Heard::End;
+  if (receive(socket_, buffer_, MSG_DONTWAIT) == 0) {
+    return ReadResult::End;
   }
-  return takeMessage(heard_, answer) ? Heard::Answer : Heard::Part;
+  return takeMessage(buffer_, answer) ? ReadResult::Answer : ReadResult::Part;
 }
 
 int WorkerProcess::end() {
   int status = 0;
   if (process_ > 0) {
-    ::kill(process_, SIGKILL);  // no effect when it has ended: it is waited for below
+    ::kill(process_, SIGKILL);  // no effect if it has ended: waitpid follows
     while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
     ::close(socket_);

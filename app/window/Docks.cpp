@@ -18,24 +18,24 @@ namespace app {
 
 namespace {
 
-constexpr int kSideWidth = 320;  // one column: at 1280 x 800 the map has three fifths of the window
-constexpr int kScenarioShare = 2;  // of its height
+constexpr int kSideWidth = 320;    // [px]; at 1280 x 800 the map gets 3/5 of the window
+constexpr int kScenarioShare = 2;  // share of the column's height
 constexpr int kPropertiesShare = 3;
 constexpr int kTitleHeight = 32;
 
-/// The heading of a dock; gives way to the tab when the dock is one of several.
+/// The title bar of a dock. It is hidden if the dock is one of several tabs.
 class DockTitle : public QWidget {
  public:
   explicit DockTitle(QDockWidget& dock) : QWidget(&dock), dock_(dock) {
-    connect(&dock_, &QDockWidget::topLevelChanged, this, &DockTitle::follow);
-    connect(&dock_, &QDockWidget::dockLocationChanged, this, &DockTitle::follow);
-    connect(&dock_, &QDockWidget::visibilityChanged, this, &DockTitle::follow);
+    connect(&dock_, &QDockWidget::topLevelChanged, this, &DockTitle::updateTitle);
+    connect(&dock_, &QDockWidget::dockLocationChanged, this, &DockTitle::updateTitle);
+    connect(&dock_, &QDockWidget::visibilityChanged, this, &DockTitle::updateTitle);
   }
   QSize sizeHint() const override { return {80, isNeeded() ? kTitleHeight : 0}; }
   QSize minimumSizeHint() const override { return sizeHint(); }
 
-  /// After docks beside it came or went.
-  void follow() {
+  /// Call after neighbouring docks were opened or closed.
+  void updateTitle() {
     updateGeometry();
     update();
   }
@@ -61,7 +61,7 @@ class DockTitle : public QWidget {
     if (dock_.isFloating() || window == nullptr) {
       return true;
     }
-    // Docks that are closed keep their place among the tabs but have none.
+    // Closed docks stay in the tab group but have no tab.
     const QList<QDockWidget*> others = window->tabifiedDockWidgets(&dock_);
     return std::all_of(others.begin(), others.end(),
                        [](const QDockWidget* other) { return other->isHidden(); });
@@ -85,14 +85,13 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
   mapOnly_ = new QAction(tr("&Map only"), this);
   mapOnly_->setShortcut(Qt::Key_F9);
   mapOnly_->setCheckable(true);
-  editor::describe(*mapOnly_, tr("Close all panels; once more brings them back"));
+  editor::describe(*mapOnly_, tr("Close all panels; select again to restore them"));
   connect(mapOnly_, &QAction::toggled, this, &Docks::showMapOnly);
-  treeLarge_ = new QAction(tr("Tree in place of the map"), this);
+  treeLarge_ = new QAction(tr("Tree instead of the map"), this);
   treeLarge_->setShortcut(Qt::Key_F8);
   treeLarge_->setCheckable(true);
   editor::describe(*treeLarge_,
-                   tr("The behaviour tree in the middle of the window; once more brings the map "
-                      "back"));
+                   tr("Show the behaviour tree instead of the map; select again to show the map"));
   connect(treeLarge_, &QAction::toggled, this, &Docks::showTreeLarge);
   window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -113,15 +112,15 @@ void Docks::addTimeline() {
   timelineBar_ = new QToolBar(tr("Timeline"), &window_);
   timelineBar_->setObjectName(QStringLiteral("timeline"));
   timelineBar_->setMovable(false);
-  timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
-  editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
+  timelineBar_->toggleViewAction()->setEnabled(false);  // always visible
+  editor::describe(*timelineBar_->toggleViewAction(), tr("Always visible"));
   timelineBar_->addWidget(timeline);
   scrubButtons_ = timelineBar_->addWidget(makeScrubButtons());
   window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
   timelineBar_->installEventFilter(this);
 }
 
-/// What the timeline is moved by, on its colour.
+/// The buttons of the timeline, with its background colour.
 QWidget* Docks::makeScrubButtons() {
   auto* buttons = new QWidget(timelineBar_);
   buttons->setAutoFillBackground(true);
@@ -140,7 +139,7 @@ QWidget* Docks::makeScrubButtons() {
   return buttons;
 }
 
-/// In a narrow window the timeline has all the room; keys and menus stay.
+/// Hides the buttons in a narrow window; shortcuts and menus remain.
 bool Docks::eventFilter(QObject* watched, QEvent* event) {
   constexpr int kRoomForButtons = 1100;  // px
   if (watched == timelineBar_ && event->type() == QEvent::Resize) {
@@ -150,13 +149,13 @@ bool Docks::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void Docks::add(const editor::PanelRegistry::Entry& entry) {
-  const auto& [order, title, area, isTab, room, isOpen] = entry.info;
+  const auto& [order, title, area, isTab, initialHeight, isOpen] = entry.info;
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(title.toLower());
   dock->setTitleBarWidget(new DockTitle(*dock));
   connect(dock->toggleViewAction(), &QAction::toggled, this, [this] {
     for (const QDockWidget* each : docks_) {
-      static_cast<DockTitle*>(each->titleBarWidget())->follow();
+      static_cast<DockTitle*>(each->titleBarWidget())->updateTitle();
     }
   });
   dock->setWidget(entry.make(context_));
@@ -177,35 +176,37 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
     open_.push_back(dock);
   }
   addToggle(*dock);
-  if (room > 0) {
-    giveRoom(*dock, room);
+  if (initialHeight > 0) {
+    ensureHeight(*dock, initialHeight);
   }
 }
 
-/// The height that its area gets when nothing else of it has been seen, or is too low for it.
-void Docks::giveRoom(QDockWidget& dock, int room) {
+/// Sets the height of the dock when it is first shown, if it is alone in its area or too low.
+void Docks::ensureHeight(QDockWidget& dock, int initialHeight) {
   const auto hadRoom = std::make_shared<bool>(false);
-  connect(&dock, &QDockWidget::visibilityChanged, this, [this, &dock, room, hadRoom](bool on) {
-    if (!on || std::exchange(*hadRoom, true)) {
-      return;
-    }
-    const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
-    const bool isAlone = std::all_of(others.begin(), others.end(),
-                                     [](const QDockWidget* other) { return other->isHidden(); });
-    if (isAlone || dock.height() < room) {
-      window_.resizeDocks({&dock}, {room}, Qt::Vertical);
-    }
-  });
+  connect(&dock, &QDockWidget::visibilityChanged, this,
+          [this, &dock, initialHeight, hadRoom](bool on) {
+            if (!on || std::exchange(*hadRoom, true)) {
+              return;
+            }
+            const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
+            const bool isAlone =
+                std::all_of(others.begin(), others.end(),
+                            [](const QDockWidget* other) { return other->isHidden(); });
+            if (isAlone || dock.height() < initialHeight) {
+              window_.resizeDocks({&dock}, {initialHeight}, Qt::Vertical);
+            }
+          });
 }
 
 void Docks::addToggle(QDockWidget& dock) {
   auto* toggle = new QAction(dock.windowTitle(), this);
   const int number = static_cast<int>(docks_.size());
-  if (number <= 10) {  // as the keys stand: 0 behind 9
+  if (number <= 10) {  // Alt+1 … Alt+9, Alt+0
     toggle->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number % 10)));
   }
   toggle->setCheckable(true);
-  editor::describe(*toggle, tr("Open this panel, or close it"));
+  editor::describe(*toggle, tr("Open or close this panel"));
   connect(toggle, &QAction::triggered, &dock, [&dock](bool on) {
     dock.setVisible(on);
     if (on) {
@@ -224,7 +225,7 @@ QList<QAction*> Docks::toggles() const {
   return all;
 }
 
-QList<QAction*> Docks::togglesBelow() const {
+QList<QAction*> Docks::bottomToggles() const {
   QList<QAction*> below;
   for (QDockWidget* each : docks_) {
     if (window_.dockWidgetArea(each) == Qt::BottomDockWidgetArea) {
@@ -234,20 +235,21 @@ QList<QAction*> Docks::togglesBelow() const {
   return below;
 }
 
-/// These alone, until `bringBack`.
-void Docks::keepOpen(const std::vector<const QDockWidget*>& kept) {
-  openBefore_.clear();
+/// Closes all other docks until `restoreDocks`.
+void Docks::showOnly(const std::vector<const QDockWidget*>& kept) {
+  openBeforeMaximized_.clear();
   sizesBefore_ = window_.saveState();
-  std::copy_if(docks_.begin(), docks_.end(), std::back_inserter(openBefore_),
+  std::copy_if(docks_.begin(), docks_.end(), std::back_inserter(openBeforeMaximized_),
                [](const QDockWidget* each) { return !each->isHidden(); });
   for (QDockWidget* each : docks_) {
     each->setVisible(std::find(kept.begin(), kept.end(), each) != kept.end());
   }
 }
 
-void Docks::bringBack() {
+void Docks::restoreDocks() {
   for (QDockWidget* each : docks_) {
-    each->setVisible(std::find(openBefore_.begin(), openBefore_.end(), each) != openBefore_.end());
+    each->setVisible(std::find(openBeforeMaximized_.begin(), openBeforeMaximized_.end(), each) !=
+                     openBeforeMaximized_.end());
   }
   window_.restoreState(std::exchange(sizesBefore_, {}));
 }
@@ -256,7 +258,7 @@ void Docks::showMapOnly(bool on) {
   if (on) {
     treeLarge_->setChecked(false);
   }
-  on ? keepOpen({}) : bringBack();
+  on ? showOnly({}) : restoreDocks();
 }
 
 void Docks::showTreeLarge(bool on) {
@@ -268,16 +270,16 @@ void Docks::showTreeLarge(bool on) {
   if (!on) {
     behaviour->setMaximumWidth(QWIDGETSIZE_MAX);
     centre_->show();
-    bringBack();
+    restoreDocks();
     return;
   }
   mapOnly_->setChecked(false);
   tree->setFloating(false);
-  keepOpen({tree, behaviour});
+  showOnly({tree, behaviour});
   centre_->hide();
   tree->raise();
   behaviour->raise();
-  behaviour->setMaximumWidth(kSideWidth);  // the tree has all the room that the map had
+  behaviour->setMaximumWidth(kSideWidth);  // the tree gets the space of the map
   tree->widget()->setFocus();
 }
 
@@ -313,10 +315,10 @@ void Docks::resetLayout() {
     dock->setFloating(false);
     dock->setVisible(std::find(open_.begin(), open_.end(), dock) != open_.end());
   }
-  placeFirst();
+  setInitialSizes();
 }
 
-void Docks::placeFirst() {
+void Docks::setInitialSizes() {
   QDockWidget* const scenario = dock(QStringLiteral("scenario"));
   QDockWidget* const properties = dock(QStringLiteral("properties"));
   window_.resizeDocks({properties}, {kSideWidth}, Qt::Horizontal);
@@ -368,7 +370,7 @@ void Docks::setShown(bool shown) {
   }
   if (shown) {
     shownBefore_.clear();
-    window_.restoreState(std::exchange(layoutBefore_, {}));  // their sizes; refuses an empty one
+    window_.restoreState(std::exchange(layoutBefore_, {}));  // restores sizes; empty: ignored
   }
 }
 

@@ -12,29 +12,28 @@
 
 namespace app {
 
-/// The panels around the canvas: those of a registry, and the timeline over the whole width.
+/// The dock panels around the canvas from a registry, and the timeline across the full width.
 class Docks : public QObject {
   Q_OBJECT
  public:
   Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegistry& panels);
 
   editor::PanelContext& context() { return context_; }
-  QDockWidget* dock(const QString& name) const;  // any case; null when there is none
-  QStringList names() const;                     // lower case, in order of the menu
+  QDockWidget* dock(const QString& name) const;  // case-insensitive; null: unknown
+  QStringList names() const;                     // lower case, in menu order
   const std::vector<QDockWidget*>& all() const { return docks_; }
-  void show(const QStringList& names);  // exactly these
+  void show(const QStringList& names);  // closes all others
   void resetLayout();
-  void placeFirst();  // sizes, once the window has its own
-  /// Opens a panel, brings it before the others of its place, or closes it; checked while it is
-  /// seen.
+  void setInitialSizes();  // sets the sizes after the window is sized
+  /// The action that opens, raises or closes a panel; checked while the panel is visible.
   QAction* toggleOf(const QDockWidget& dock) const { return toggles_.at(&dock); }
-  QList<QAction*> toggles() const;               // of all panels, in order of the menu
-  QList<QAction*> togglesBelow() const;          // of those below the canvas
-  QAction* mapOnly() const { return mapOnly_; }  // all panels close, and come back as they were
-  /// The tree takes the place of the map, with the values of its nodes beside it.
-  QAction* treeLarge() const { return treeLarge_; }
-  void setShown(bool shown);  // all of them, for the start page and the full screen
-  /// What lies in the middle of the window, which gives way to a large tree; null: nothing does.
+  QList<QAction*> toggles() const;               // of all panels, in menu order
+  QList<QAction*> bottomToggles() const;         // of the panels below the canvas
+  QAction* mapOnly() const { return mapOnly_; }  // closes all panels; unchecking restores them
+  /// Shows the behavior tree instead of the map, with node values beside it.
+  QAction* treeMaximized() const { return treeLarge_; }
+  void setShown(bool shown);  // all panels; for the start page and full screen
+  /// The central widget, which is hidden while the tree is large. Null: none.
   void setCentre(QWidget* centre) { centre_ = centre; }
   template <class T>
   T& panel() const {
@@ -44,11 +43,11 @@ class Docks : public QObject {
  private:
   void add(const editor::PanelRegistry::Entry& entry);
   void addToggle(QDockWidget& dock);
-  void giveRoom(QDockWidget& dock, int room);
+  void ensureHeight(QDockWidget& dock, int initialHeight);
   void showMapOnly(bool on);
   void showTreeLarge(bool on);
-  void keepOpen(const std::vector<const QDockWidget*>& kept);
-  void bringBack();
+  void showOnly(const std::vector<const QDockWidget*>& kept);
+  void restoreDocks();
   void addTimeline();
   QWidget* makeScrubButtons();
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -59,12 +58,12 @@ class Docks : public QObject {
   editor::PanelContext context_;
   std::vector<QDockWidget*> docks_;
   std::map<const QDockWidget*, QAction*> toggles_;
-  std::vector<const QDockWidget*> open_;  // at first
+  std::vector<const QDockWidget*> open_;  // open by default
   QAction *mapOnly_, *treeLarge_;
-  std::vector<QDockWidget*> openBefore_;  // mapOnly, treeLarge
+  std::vector<QDockWidget*> openBeforeMaximized_;  // before mapOnly or treeMaximized
   QByteArray sizesBefore_;
-  std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
-  QByteArray layoutBefore_;                   // with their sizes, once the window is seen
+  std::map<QDockWidget*, bool> shownBefore_;  // visibility before all were hidden
+  QByteArray layoutBefore_;                   // dock state, saved when the window is shown
   QToolBar* timelineBar_;
   QAction* scrubButtons_ = nullptr;  // beside the timeline
   QWidget* centre_ = nullptr;

@@ -9,7 +9,7 @@
 
 #include "app/run/Bundle.h"
 #include "app/window/StartPage.h"
-#include "editor/document/EntityLists.h"
+#include "editor/document/Entity.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/Form.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPauseMs = 400;
 
-// Notices of these take each other's place.
+// Ids of notices; a new notice replaces the one with the same id.
 const QLatin1String kChanged("changed");
 const QLatin1String kGone("gone");
 const QLatin1String kReadOnly("read-only");
@@ -34,7 +34,8 @@ QString namesOf(const QStringList& files) {
   return files.size() == 1 ? first : QObject::tr("%1 and %2 more").arg(first).arg(files.size() - 1);
 }
 
-/// "No space left on device", with the file when it is one among others that could be written.
+/// The reason of the first error ("No space left on device"), with the file name if other files
+/// could be written.
 QString reasonOf(const base::Diagnostics& problems, const QString& saved) {
   const base::Diagnostics errors = errorsOf(problems);
   const QString file = QFileInfo(QString::fromStdString(errors.front().file)).fileName();
@@ -45,8 +46,8 @@ QString reasonOf(const base::Diagnostics& problems, const QString& saved) {
              : QStringLiteral("%1: %2").arg(file, reason);
 }
 
-/// Which map is not there, or what is wrong with it.
-QString mapWords(const editor::ScenarioDocument& document) {
+/// The text about a missing or invalid map.
+QString mapProblemText(const editor::ScenarioDocument& document) {
   const sim2d::Scenario& scenario = document.scenario();
   const base::Diagnostic problem = errorsOf(document.mapState().problems).front();
   const QString file = QString::fromStdString(problem.file);
@@ -57,7 +58,7 @@ QString mapWords(const editor::ScenarioDocument& document) {
   const QString named = QString::fromStdString(
       scenario.desktop.mapFile.value_or(sim2d::mapBaseName(scenario.map.value_or(""))));
   if (named.isEmpty()) {
-    return QObject::tr("The scenario names no map, so there are no walls.");
+    return QObject::tr("The scenario specifies no map, so there are no walls.");
   }
   const bool isFile = scenario.desktop.mapFile.has_value();
   return QObject::tr("Map file %1 not found, so there are no walls.")
@@ -78,23 +79,23 @@ DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBa
   pause_.setInterval(kPauseMs);
   connect(&watcher_, &QFileSystemWatcher::fileChanged, &pause_, qOverload<>(&QTimer::start));
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, &pause_, qOverload<>(&QTimer::start));
-  connect(&pause_, &QTimer::timeout, this, &DocumentGuard::lookNow);
+  connect(&pause_, &QTimer::timeout, this, &DocumentGuard::checkFiles);
   connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
     isThere_ = true;
     watchFiles();
     for (const QLatin1String& id : {kChanged, kGone, kNotSaved, kUnread, kExport}) {
       notices_.drop(id);
     }
-    tellReadOnly();
+    reportReadOnly();
   });
   connect(&document_, &editor::ScenarioDocument::mapChanged, this, [this] {
     watchFiles();
-    tellMap();
+    reportMapProblem();
   });
-  connect(&files_, &FileCommands::notSaved, this, &DocumentGuard::tellNotSaved);
-  connect(&files_, &FileCommands::exported, this, &DocumentGuard::tellExported);
+  connect(&files_, &FileCommands::notSaved, this, &DocumentGuard::reportNotSaved);
+  connect(&files_, &FileCommands::exported, this, &DocumentGuard::reportExported);
   connect(&files_, &FileCommands::notExported, this, [this](const base::Diagnostics& problems) {
-    notices_.warn(kExport, tr("Nothing was exported: %1.").arg(reasonOf(problems, {})),
+    notices_.warn(kExport, tr("Export failed: %1.").arg(reasonOf(problems, {})),
                   {{tr("Export…"), [this] { files_.askExport(); }}});
   });
   if (recoveryFolder.isEmpty()) {
@@ -104,13 +105,13 @@ DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBa
   connect(autosave_.get(), &editor::Autosave::failed, this,
           [this](const base::Diagnostics& problems) {
             notices_.warn(QStringLiteral("autosave"),
-                          tr("No copy for a crash can be kept: %1")
+                          tr("Cannot save a copy for crash recovery: %1")
                               .arg(QString::fromStdString(problems.front().text())));
           });
   offerRecovery();
 }
 
-/// Folders too: a file that is replaced by renaming is another one for the system.
+/// Also watches folders: replacing a file by renaming creates a new file.
 void DocumentGuard::watchFiles() {
   const QStringList before = watcher_.files() + watcher_.directories();
   if (!before.isEmpty()) {
@@ -129,40 +130,41 @@ void DocumentGuard::watchFiles() {
   }
 }
 
-void DocumentGuard::lookNow() {
+void DocumentGuard::checkFiles() {
   const QStringList changed = document_.changedOnDisk();
   watchFiles();
-  const bool isThere = !files_.isLost();
+  const bool isThere = !files_.isFileMissing();
   if (std::exchange(isThere_, isThere) != isThere) {
-    tellGone();
-    Q_EMIT scenarioThere();
+    reportRemoved();
+    Q_EMIT scenarioFileChanged();
   }
   if (!changed.isEmpty()) {
-    tellChanged(changed);
+    reportChanged(changed);
   }
 }
 
 void DocumentGuard::offerRecovery() {
-  for (const QString& folder : editor::Autosave::leftBehind(recoveryFolder_)) {
+  for (const QString& folder : editor::Autosave::orphanedFolders(recoveryFolder_)) {
     const base::Result<editor::DocumentSnapshot> copy = editor::readSnapshot(folder);
     const Notice::Choice discard = {tr("Discard"), [folder] { QDir(folder).removeRecursively(); }};
     if (!copy) {
       notices_.warn(folder,
-                    tr("Unsaved work of an earlier session cannot be read: %1")
+                    tr("Unsaved changes of an earlier session cannot be read: %1")
                         .arg(QString::fromStdString(copy.diagnostics().front().text())),
                     {discard});
       continue;
     }
     const QString name =
         copy->path.isEmpty() ? tr("an unnamed scenario") : QFileInfo(copy->path).fileName();
-    notices_.inform(folder,
-                    tr("The program ended unexpectedly. Unsaved changes to %1 were kept (%2).")
-                        .arg(name, agoText(copy->when.toLocalTime(), QDateTime::currentDateTime())),
-                    {{tr("Restore"), [this, folder] { restore(folder); }}, discard});
+    notices_.inform(
+        folder,
+        tr("The program ended unexpectedly. Unsaved changes to %1 were kept (%2).")
+            .arg(name, relativeTimeText(copy->when.toLocalTime(), QDateTime::currentDateTime())),
+        {{tr("Restore"), [this, folder] { restore(folder); }}, discard});
   }
 }
 
-/// The copy of the dead program goes only when there is one of this program.
+/// The copy of the crashed session is deleted only after this session has its own copy.
 void DocumentGuard::restore(const QString& folder) {
   if (!files_.restore(folder)) {
     offerRecovery();
@@ -172,94 +174,91 @@ void DocumentGuard::restore(const QString& folder) {
   QDir(folder).removeRecursively();
 }
 
-void DocumentGuard::tellChanged(const QStringList& changed) {
+void DocumentGuard::reportChanged(const QStringList& changed) {
   notices_.warn(kChanged,
                 (document_.isDirty()
-                     ? tr("%1 was changed by another program. Reloading loses what is not saved "
-                          "here.")
+                     ? tr("%1 was changed by another program. Reloading discards unsaved changes.")
                      : tr("%1 was changed by another program."))
                     .arg(namesOf(changed)),
                 {{tr("Reload"), [this] { files_.reload(); }},
-                 {tr("Keep mine"), [this] { document_.acceptDisk(); }}});
+                 {tr("Keep mine"), [this] { document_.acceptDiskChanges(); }}});
 }
 
-void DocumentGuard::tellGone() {
+void DocumentGuard::reportRemoved() {
   if (isThere_) {
     notices_.drop(kGone);
     return;
   }
   notices_.warn(kGone,
-                tr("%1 is no longer in its folder: another program has moved or removed it. It is "
-                   "still open here.")
+                tr("%1 was moved or deleted by another program. It is still open here.")
                     .arg(document_.displayName()),
-                {{tr("Save it again"), [this] { files_.save(); }},
+                {{tr("Save again"), [this] { files_.save(); }},
                  {tr("Save as…"), [this] { files_.saveAs(); }}});
 }
 
-void DocumentGuard::tellReadOnly() {
+void DocumentGuard::reportReadOnly() {
   if (!document_.isReadOnly()) {
     notices_.drop(kReadOnly);
     return;
   }
   const auto saveAs = [this] {
     files_.saveAs();
-    tellReadOnly();  // when it was not saved after all
+    reportReadOnly();  // if the user cancelled
   };
-  notices_.warn(
-      kReadOnly,
-      (editor::isBlank(document_.scenario())
-           ? tr("%1 is damaged: nothing of it could be read. It will not be overwritten.")
-           : tr("%1 is damaged and shown as far as it could be read. It will not be overwritten."))
-          .arg(document_.displayName()),
-      {{tr("Save as…"), saveAs}});
+  notices_.warn(kReadOnly,
+                (editor::isBlank(document_.scenario())
+                     ? tr("%1 is damaged and cannot be read. It will not be overwritten.")
+                     : tr("%1 is damaged and only partly loaded. It will not be overwritten."))
+                    .arg(document_.displayName()),
+                {{tr("Save as…"), saveAs}});
 }
 
-/// Once more when no map was chosen after all.
-void DocumentGuard::tellMap() {
+/// Shown again if the user did not choose a map.
+void DocumentGuard::reportMapProblem() {
   if (!document_.mapState().isMissing) {
     notices_.drop(kMap);
     return;
   }
   const auto choose = [this] {
-    files_.askOtherMap();
-    tellMap();
+    files_.askReplaceMap();
+    reportMapProblem();
   };
   const auto clear = [this] {
     workspace_.runner().reset();
     editor::pushOpenPlane(document_);
   };
-  notices_.warn(kMap, mapWords(document_),
-                {{tr("Choose map…"), choose}, {tr("Open plane"), clear}});
+  notices_.warn(kMap, mapProblemText(document_),
+                {{tr("Choose map…"), choose}, {tr("Use open plane"), clear}});
 }
 
-void DocumentGuard::tellExported(const QString& folder, int files) {
+void DocumentGuard::reportExported(const QString& folder, int files) {
   const auto show = [this, folder] {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-      notices_.warn(kExport, tr("No program of this desktop shows folders. The files are in %1.")
+      notices_.warn(kExport, tr("Cannot open a file manager. The files are in %1.")
                                  .arg(QDir::toNativeSeparators(folder)));
     }
   };
   notices_.inform(
       kExport,
-      tr("%1 were exported to %2.")
+      tr("Exported %1 to %2.")
           .arg(editor::counted(static_cast<std::size_t>(files), tr("file"), tr("files")),
                QDir::toNativeSeparators(folder)),
-      {{tr("Show the folder"), show}});
+      {{tr("Show folder"), show}});
 }
 
-void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& problems) {
+void DocumentGuard::reportNotSaved(const QString& name, const base::Diagnostics& problems) {
   const auto saveAs = [this, name, problems] {
-    if (!files_.saveAs() && !notices_.isTold(kNotSaved)) {
-      tellNotSaved(name, problems);
+    if (!files_.saveAs() && !notices_.has(kNotSaved)) {
+      reportNotSaved(name, problems);
     }
   };
   notices_.warn(
       kNotSaved,
-      tr("%1 was not saved: %2. Your changes are still here.").arg(name, reasonOf(problems, name)),
+      tr("%1 was not saved: %2. Your changes are not lost.").arg(name, reasonOf(problems, name)),
       {{tr("Save as…"), saveAs}});
 }
 
-void DocumentGuard::tellUnread(const base::Diagnostics& problems) {
+void DocumentGuard::reportUnreadable(const base::Diagnostics& problems) {
   const base::Diagnostic problem = errorsOf(problems).front();
   const QString reason = QString::fromStdString(problem.message);
   notices_.warn(kUnread,

@@ -11,9 +11,9 @@
 
 namespace app {
 
-/// Keeps work from being lost: copies for a crash, what another program does to the files (the
-/// program's own saving is nothing to tell), files that could be read only in part or not be
-/// written, maps that are not there. Tells by notices.
+/// Protects unsaved work and reports file problems as notices: copies for crash recovery, changes
+/// of files by other programs, files that could be read only partly or not be written, missing
+/// maps.
 class DocumentGuard : public QObject {
   Q_OBJECT
  public:
@@ -21,22 +21,23 @@ class DocumentGuard : public QObject {
   DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
                 const QString& recoveryFolder, QObject* parent = nullptr);
   editor::Autosave* autosave() const { return autosave_.get(); }
-  void lookNow();                                      // what has become of the files
-  void tellUnread(const base::Diagnostics& problems);  // of a file that was to be opened
+  void checkFiles();  // checks the files on disk
+  void reportUnreadable(
+      const base::Diagnostics& problems);  // reports a file that could not be opened
 
  Q_SIGNALS:
-  void scenarioThere();  // the file of the scenario has gone, or is back
+  void scenarioFileChanged();  // the scenario file was removed or restored
 
  private:
   void watchFiles();
   void offerRecovery();
   void restore(const QString& folder);
-  void tellChanged(const QStringList& changed);
-  void tellGone();
-  void tellReadOnly();
-  void tellMap();
-  void tellExported(const QString& folder, int files);
-  void tellNotSaved(const QString& name, const base::Diagnostics& problems);
+  void reportChanged(const QStringList& changed);
+  void reportRemoved();
+  void reportReadOnly();
+  void reportMapProblem();
+  void reportExported(const QString& folder, int files);
+  void reportNotSaved(const QString& name, const base::Diagnostics& problems);
 
   Workspace& workspace_;
   editor::ScenarioDocument& document_;
@@ -44,8 +45,8 @@ class DocumentGuard : public QObject {
   NoticeBar& notices_;
   QString recoveryFolder_;
   QFileSystemWatcher watcher_;
-  QTimer pause_;         // until a program that writes several files is through
-  bool isThere_ = true;  // the file of the scenario
+  QTimer pause_;         // waits for a program that writes several files
+  bool isThere_ = true;  // whether the scenario file exists
   std::unique_ptr<editor::Autosave> autosave_;
 };
 

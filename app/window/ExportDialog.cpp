@@ -11,7 +11,7 @@
 #include <QHeaderView>
 
 #include "app/window/FileDialogs.h"
-#include "editor/document/FreeNames.h"
+#include "editor/document/UniqueNames.h"
 #include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -28,24 +28,24 @@ constexpr int kFileRow = 24;
 
 QString stateText(ExportPlan::State state) {
   return state == ExportPlan::State::New        ? QObject::tr("new")
-         : state == ExportPlan::State::Replaced ? QObject::tr("is replaced")
-                                                : QObject::tr("stays as it is");
+         : state == ExportPlan::State::Replaced ? QObject::tr("replaced")
+                                                : QObject::tr("unchanged");
 }
 
-/// What is started, then its arguments: as a shell takes it.
+/// The command on one line and its arguments on a second, as a shell accepts it.
 QString onTwoLines(const std::string& command) {
-  constexpr int kWords = 4;  // "ros2 launch package file", never in quotes
+  constexpr int kWords = 4;  // "ros2 launch package file", never quoted
   const QString words = QString::fromStdString(command);
   const QString head = words.section(QLatin1Char(' '), 0, kWords - 1);
   const QString rest = words.section(QLatin1Char(' '), kWords);
   return rest.isEmpty() ? words : head + QStringLiteral(" \\\n  ") + rest;
 }
 
-/// With a capital, unless it begins with a name.
+/// The message with an initial capital, unless it starts with a name.
 QString sentence(const base::Diagnostic& problem, const sim2d::Scenario& scenario) {
   const QString text = QString::fromStdString(problem.message);
-  return editor::FreeNames(scenario).isTaken(problem.value("where")) ? text
-                                                                     : editor::capitalized(text);
+  return editor::UniqueNames(scenario).isTaken(problem.value("where")) ? text
+                                                                       : editor::capitalized(text);
 }
 
 }  // namespace
@@ -75,14 +75,14 @@ ExportDialog::ExportDialog(Bundle source, const QString& folder, const editor::T
 }
 
 void ExportDialog::build() {
-  resize(820, editor::heightOnScreen(*this, 620));
-  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8);
-  auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {targets_});
+  resize(820, editor::limitedToScreen(*this, 620));
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {16, 16, 16, 12}, 8);
+  auto* columns = editor::configuredLayout(new QHBoxLayout, {}, 16, {targets_});
   targets_->setFixedWidth(kTargetWidth);
   targets_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   targets_->setIconSize(QSize(16, 16));
   targets_->setAccessibleName(tr("Simulator"));
-  auto* right = editor::arranged(new QVBoxLayout, {}, 8);
+  auto* right = editor::configuredLayout(new QVBoxLayout, {}, 8);
   right->addLayout(makeForm());
   right->addSpacing(4);
   right->addWidget(summary_);
@@ -91,7 +91,7 @@ void ExportDialog::build() {
   files_->setColumnCount(2);
   files_->setUniformRowHeights(true);
   files_->setSelectionMode(QAbstractItemView::NoSelection);
-  files_->setAccessibleName(tr("Files that are written"));
+  files_->setAccessibleName(tr("Files to write"));
   files_->header()->setStretchLastSection(false);
   files_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   files_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -115,16 +115,16 @@ void ExportDialog::build() {
 
 QLayout* ExportDialog::makeForm() {
   QFormLayout* form = formRows();
-  auto* place = editor::arranged(new QHBoxLayout, {}, 8);
+  auto* place = editor::configuredLayout(new QHBoxLayout, {}, 8);
   folder_->setAccessibleName(tr("Folder"));
   place->addWidget(folder_, 1);
   auto* choose = new QPushButton(tr("C&hoose…"), this);
   choose->setAutoDefault(false);
   connect(choose, &QPushButton::clicked, this, [this] {
-    QFileDialog dialog(this, tr("Folder for the export"), folder_->text());
+    QFileDialog dialog(this, tr("Export folder"), folder_->text());
     dialog.setFileMode(QFileDialog::Directory);
     dialog.setOption(QFileDialog::ShowDirsOnly);
-    editor::keepFiles(dialog, true);
+    editor::restrictFileDialog(dialog, true);
     if (dialog.exec() == QDialog::Accepted) {
       folder_->setText(dialog.selectedFiles().value(0));
     }
@@ -134,22 +134,22 @@ QLayout* ExportDialog::makeForm() {
   setTabOrder(choose, dialect_);
   form->addRow(tr("Folder"), place);
   dialect_->addItems(
-      {tr("What the simulator's package reads"), tr("HuNavSim 2.0"), tr("HuNavSim of 2024")});
+      {tr("For the simulator's package"), tr("HuNavSim 2.0"), tr("HuNavSim (2024)")});
   dialect_->setAccessibleName(tr("Format"));
   form->addRow(tr("Format"), dialect_);
-  style_->addItems({tr("Corrected"), tr("As HuNavSim 2.0 makes them")});
+  style_->addItems({tr("Corrected"), tr("As in HuNavSim 2.0")});
   style_->setAccessibleName(tr("Missing trees"));
   form->addRow(tr("Missing trees"), style_);
   return form;
 }
 
-/// The whole command is seen, and can be taken along.
+/// Shows the complete command with a copy button.
 QWidget* ExportDialog::makeStart() {
   auto* start = new QWidget(this);
-  auto* rows = editor::arranged(new QVBoxLayout(start), {}, 4);
+  auto* rows = editor::configuredLayout(new QVBoxLayout(start), {}, 4);
   auto* heading = new QHBoxLayout;
   heading->addWidget(
-      editor::headingLabel(tr("Start it there with"), theme_.font(9.5, QFont::DemiBold), start));
+      editor::headingLabel(tr("Launch command"), theme_.font(9.5, QFont::DemiBold), start));
   heading->addStretch(1);
   copy_ = new QPushButton(tr("Co&py"), start);
   copy_->setAutoDefault(false);
@@ -163,7 +163,7 @@ QWidget* ExportDialog::makeStart() {
   command_->setTabChangesFocus(true);
   command_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  command_->setAccessibleName(tr("Command that starts it there"));
+  command_->setAccessibleName(tr("Launch command"));
   const int line = command_->fontMetrics().lineSpacing();
   const int margin = static_cast<int>(command_->document()->documentMargin());
   command_->setFixedHeight(4 * line + 2 * (margin + command_->frameWidth()));
@@ -177,7 +177,7 @@ void ExportDialog::fillTargets() {
     item->setData(Qt::UserRole, QString::fromStdString(target.name));
     item->setSizeHint(QSize(0, 28));
     item->setToolTip(target.package.empty()
-                         ? tr("The layout of HuNavSim, for any simulator")
+                         ? tr("HuNavSim folder layout, for any simulator")
                          : tr("For %1").arg(QString::fromStdString(target.package)));
   }
 }
@@ -217,26 +217,27 @@ void ExportDialog::showFiles() {
     item->setToolTip(0, QString::fromStdString(file.content.path));
   }
   summary_->setText(replaced == 0
-                        ? tr("Files: %1, none is replaced").arg(plan_.files.size())
+                        ? tr("Files: %1, none replaced").arg(plan_.files.size())
                         : tr("Files: %1, replaced: %2").arg(plan_.files.size()).arg(replaced));
 }
 
 void ExportDialog::showReport() {
   report_->clear();
-  std::vector<ReportLine> lines = groupedByPeople(plan_.report);
-  std::stable_sort(lines.begin(), lines.end(), [](const ReportLine& a, const ReportLine& b) {
-    return static_cast<int>(a.said.severity) > static_cast<int>(b.said.severity);
-  });
+  std::vector<GroupedDiagnostic> lines = groupedByAgents(plan_.report);
+  std::stable_sort(
+      lines.begin(), lines.end(), [](const GroupedDiagnostic& a, const GroupedDiagnostic& b) {
+        return static_cast<int>(a.diagnostic.severity) > static_cast<int>(b.diagnostic.severity);
+      });
   const std::array<QIcon, 3> icons = {
       editor::tintedIcon(QStringLiteral("info"), theme_.color(Role::TextSecondary)),
       editor::tintedIcon(QStringLiteral("warning"), theme_.color(Role::WarningMark)),
       editor::tintedIcon(QStringLiteral("error"), theme_.color(Role::Error))};
-  for (const ReportLine& line : lines) {
-    auto* item = new QListWidgetItem(icons.at(static_cast<std::size_t>(line.said.severity)),
-                                     sentence(line.said, *source_.scenario), report_);
+  for (const GroupedDiagnostic& line : lines) {
+    auto* item = new QListWidgetItem(icons.at(static_cast<std::size_t>(line.diagnostic.severity)),
+                                     sentence(line.diagnostic, *source_.scenario), report_);
     item->setToolTip(QString::fromStdString(base::join(line.people, ", ")));
   }
-  reportTitle_->setText(lines.empty() ? tr("Nothing is lost") : tr("Good to know"));
+  reportTitle_->setText(lines.empty() ? tr("Nothing is lost") : tr("Information"));
   report_->setVisible(!lines.empty());
 }
 

@@ -14,8 +14,8 @@
 
 namespace app {
 
-/// Hands the scenario to another simulator: which one, where to, and before anything is written the
-/// list of files with what becomes of each, and what the other program will not know.
+/// Exports the scenario to another simulator: target, folder, the files to be written with their
+/// state, and the information that the target does not support.
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
@@ -44,7 +44,7 @@ class ExportDialog : public QDialog {
   QTreeWidget* files_;
   QLabel* reportTitle_;
   QListWidget* report_;
-  QWidget* start_ = nullptr;  // the command that starts it there
+  QWidget* start_ = nullptr;  // the command that starts it in the simulator
   QPlainTextEdit* command_;
   QPushButton* copy_ = nullptr;
   QPushButton* export_ = nullptr;

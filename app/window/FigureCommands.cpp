@@ -22,9 +22,9 @@ namespace app {
 namespace {
 
 constexpr double kTwoColumns = 170.0;        // [mm], two columns of a paper
-constexpr double kPxPerMm = 96.0 / 25.4;     // as CSS has them
-constexpr double kSharp = 300.0 / 96.0;      // pixels of the PNG per pixel
-constexpr std::size_t kMostStates = 400000;  // of bodies, in a figure
+constexpr double kPxPerMm = 96.0 / 25.4;     // as in CSS
+constexpr double kSharp = 300.0 / 96.0;      // PNG pixels per CSS pixel
+constexpr std::size_t kMostStates = 400000;  // body states per figure
 
 PictureLayout paperLayout(FigureOptions options = {}) {
   PictureLayout layout;
@@ -34,7 +34,7 @@ PictureLayout paperLayout(FigureOptions options = {}) {
   return layout;
 }
 
-/// The same painting twice: pixels for office programs, vectors for drawing programs.
+/// The figure as pixels for office programs and as vectors for drawing programs.
 std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const QString& title,
                                         const Paint& paint) {
   QImage image = editor::blankImage((size * kSharp).toSize(), QImage::Format_RGB32);
@@ -43,7 +43,7 @@ std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const QString& title
   painter.scale(kSharp, kSharp);
   paint(painter);
   painter.end();
-  image.setDotsPerMeterX(11811);  // 300 per inch
+  image.setDotsPerMeterX(11811);  // 300 dpi
   image.setDotsPerMeterY(11811);
   auto data = std::make_unique<QMimeData>();
   data->setImageData(image);
@@ -86,13 +86,13 @@ FigureCommands::FigureCommands(Workspace& workspace, Docks& docks, const WindowA
   connect(actions_.copyFigure, &QAction::triggered, this, &FigureCommands::copyMap);
   connect(actions_.copyPlot, &QAction::triggered, this, &FigureCommands::copyPlot);
   connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
-          &FigureCommands::follow);
-  connect(&workspace_.feed(), &editor::MetricsFeed::updated, this, &FigureCommands::follow);
-  connect(&workspace_.feed(), &editor::MetricsFeed::cleared, this, &FigureCommands::follow);
-  follow();
+          &FigureCommands::updateEnabled);
+  connect(&workspace_.feed(), &editor::MetricsFeed::updated, this, &FigureCommands::updateEnabled);
+  connect(&workspace_.feed(), &editor::MetricsFeed::cleared, this, &FigureCommands::updateEnabled);
+  updateEnabled();
 }
 
-void FigureCommands::follow() {
+void FigureCommands::updateEnabled() {
   actions_.copyFigure->setEnabled(workspace_.runner().recording() != nullptr);
   actions_.copyPlot->setEnabled(!workspace_.feed().snapshot().curves.empty());
 }
@@ -124,7 +124,7 @@ void FigureCommands::copyMap() {
   auto data = copiedFigure(picture.size(), QString::fromStdString(trace.header.scenario),
                            [&](QPainter& painter) { picture.paint(painter, frame->time); });
   QGuiApplication::clipboard()->setMimeData(data.release());
-  Q_EMIT told(tr("The map at %1 s is copied as PNG and SVG").arg(frame->time, 0, 'f', 1));
+  Q_EMIT message(tr("Copied the map at %1 s as PNG and SVG").arg(frame->time, 0, 'f', 1));
 }
 
 std::string FigureCommands::selectedMetric() const {
@@ -133,7 +133,7 @@ std::string FigureCommands::selectedMetric() const {
   return rows.isEmpty() ? std::string() : rows.front().data(Qt::UserRole).toString().toStdString();
 }
 
-/// Of the metric that is selected; of the first that has a curve, when none is.
+/// Plots the selected metric, or the first one with a curve.
 void FigureCommands::copyPlot() {
   const editor::MetricSnapshot& now = workspace_.feed().snapshot();
   const auto chosen = now.curves.find(selectedMetric());
@@ -153,7 +153,7 @@ void FigureCommands::copyPlot() {
                         paperLayout(), caption);
   QGuiApplication::clipboard()->setMimeData(
       copiedFigure(plot.size(), name, [&](QPainter& painter) { plot.paint(painter); }).release());
-  Q_EMIT told(tr("“%1” over time is copied as PNG and SVG").arg(name));
+  Q_EMIT message(tr("Copied the plot of “%1” as PNG and SVG").arg(name));
 }
 
 }  // namespace app

@@ -13,21 +13,21 @@ class QMimeData;
 
 namespace app {
 
-/// Figures for papers to the clipboard, as PNG of 300 dots per inch and as SVG: the moment of the
-/// run that is shown, with the overlays that are on, and the metric that is selected.
+/// Copies figures for publications to the clipboard as PNG (300 dpi) and SVG: the displayed frame
+/// with its overlays, or the selected metric.
 class FigureCommands : public QObject {
   Q_OBJECT
  public:
   FigureCommands(Workspace& workspace, Docks& docks, const WindowActions& actions, QObject* parent);
 
  Q_SIGNALS:
-  void told(const QString& words);
+  void message(const QString& words);
 
  private:
-  void follow();
+  void updateEnabled();
   void copyMap();
   void copyPlot();
-  std::string selectedMetric() const;  // key; empty: none
+  std::string selectedMetric() const;  // metric key; empty: none
   FigureOptions options() const;
 
   Workspace& workspace_;
@@ -35,7 +35,7 @@ class FigureCommands : public QObject {
   const WindowActions& actions_;
 };
 
-/// The states of a recording up to a time, thinned out so that a figure of them is made at once.
+/// The frames of a recording up to `time`, thinned out so that the figure is created quickly.
 sim2d::Trace figureTrace(const sim2d::Recording& recording, double time);
 
 }  // namespace app

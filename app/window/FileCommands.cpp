@@ -7,10 +7,9 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
-#include "app/cli/RunWords.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
-#include "app/run/RunMaking.h"
+#include "app/run/RunProvenance.h"
 #include "app/window/MapDialogs.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/Layers.h"
@@ -18,24 +17,28 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/QtImageLoader.h"
-#include "editor/look/ClearLater.h"
+#include "editor/look/DeferredActions.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
 
-FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues, Memory& memory,
-                           QWidget& window)
-    : QObject(&window), workspace_(workspace), issues_(issues), memory_(memory), window_(window) {
+FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues,
+                           UserSettings& userSettings, QWidget& window)
+    : QObject(&window),
+      workspace_(workspace),
+      issues_(issues),
+      userSettings_(userSettings),
+      window_(window) {
   connect(&workspace_.document(), &editor::ScenarioDocument::mapChanged, this, [this] {
-    if (mapRefused_) {
-      tell({});
+    if (isMapRejected_) {
+      showProblems({});
     }
   });
-  connect(&workspace_, &Workspace::recordedRunLeft, this, &FileCommands::leaveRun);
+  connect(&workspace_, &Workspace::recordedRunClosed, this, &FileCommands::closeRun);
 }
 
-bool FileCommands::tell(const base::Diagnostics& problems) {
-  mapRefused_ = false;
+bool FileCommands::showProblems(const base::Diagnostics& problems) {
+  isMapRejected_ = false;
   problems_ = problems;
   issues_.setActionIssues(problems);
   const bool fine = !base::hasErrors(problems);
@@ -52,7 +55,7 @@ bool FileCommands::isImage(const QString& path) {
   return kImages.contains(QFileInfo(path).suffix().toLower());
 }
 
-/// By what stands in the file, for images by the name.
+/// Detects the kind by content; for images by file name.
 FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   if (QFileInfo(path).isDir()) {
     return Kind::Run;
@@ -62,7 +65,7 @@ FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   }
   const base::Result<std::string> text = base::readTextFile(path.toStdString());
   if (!text) {
-    return Kind::Scenario;  // whose reader says what is wrong
+    return Kind::Scenario;  // whose reader reports the error
   }
   const std::size_t first = text->find_first_not_of("\xEF\xBB\xBF \t\r\n");
   if (first != std::string::npos && (*text)[first] == '<') {
@@ -80,7 +83,7 @@ bool FileCommands::openFile(const QString& path) {
       askMapOfImage(path);
       return true;
     case Kind::Tree:
-      return giveTree(path, {});
+      return assignTree(path, {});
     case Kind::Run:
       return openRun(path);
     case Kind::Scenario:
@@ -91,17 +94,17 @@ bool FileCommands::openFile(const QString& path) {
 
 bool FileCommands::dropFile(const QString& path, editor::EntityId under) {
   if (kindOf(path) == Kind::Tree) {
-    return giveTree(path, under);
+    return assignTree(path, under);
   }
-  return mayLeave() && openFile(path);
+  return maybeSave() && openFile(path);
 }
 
 bool FileCommands::openScenario(const QString& path) {
   editor::ScenarioDocument& document = workspace_.document();
-  // options beside a file are meant for that file, others for all
+  // Options given with a file apply only to that file, others to all files.
   const bool isMeant = options_.scenario.empty() || options_.scenario == path.toStdString();
-  document.setSearch(isMeant ? QString::fromStdString(options_.map) : QString(),
-                     isMeant ? QString::fromStdString(options_.trees) : QString());
+  document.setSearchOverrides(isMeant ? QString::fromStdString(options_.map) : QString(),
+                              isMeant ? QString::fromStdString(options_.trees) : QString());
   base::Diagnostics problems = document.open(path);
   const bool isShown = document.path() == QFileInfo(path).absoluteFilePath() &&
                        (!base::hasErrors(problems) || document.isReadOnly() ||
@@ -110,23 +113,23 @@ bool FileCommands::openScenario(const QString& path) {
     base::append(problems, applyRunOptions());
   }
   if (isShown) {
-    memory_.noteFile(path);
+    userSettings_.addRecentFile(path);
     Q_EMIT recentChanged();
     Q_EMIT opened();
   }
-  const bool isFine = tell(problems);
+  const bool isFine = showProblems(problems);
   if (isShown) {
-    issues_.setActionIssues({});  // what the document keeps is shown by the panel anyway
+    issues_.setActionIssues({});  // the panel shows the document's problems
   }
   return isFine;
 }
 
 bool FileCommands::restore(const QString& folder) {
-  if (!mayLeave()) {
+  if (!maybeSave()) {
     return false;
   }
   base::Result<editor::DocumentSnapshot> copy = editor::readSnapshot(folder);
-  if (!tell(copy.diagnostics()) || !copy) {
+  if (!showProblems(copy.diagnostics()) || !copy) {
     return false;
   }
   workspace_.document().restore(*std::move(copy));
@@ -134,8 +137,9 @@ bool FileCommands::restore(const QString& folder) {
   return true;
 }
 
-/// To the person it fell on, else to those who are selected, else to the one its name speaks of.
-bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
+/// Assigns the tree to the person it was dropped on, otherwise to the selected people, otherwise to
+/// the person in the file name.
+bool FileCommands::assignTree(const QString& path, editor::EntityId under) {
   editor::ScenarioDocument& document = workspace_.document();
   const base::Result<std::string> text = base::readTextFile(path.toStdString());
   base::Diagnostics problems = text.diagnostics();
@@ -162,7 +166,7 @@ bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
   if (people.empty()) {
     problems.push_back(base::error("document.nobody-for-tree", {}, path.toStdString()));
   }
-  if (!tell(problems)) {
+  if (!showProblems(problems)) {
     return false;
   }
   std::vector<editor::TreeEdit> edits;
@@ -170,7 +174,7 @@ bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
   for (const editor::EntityId id : people) {
     edits.push_back({id, *text});
   }
-  editor::pushTrees(document, std::move(edits), tr("Give a tree"));
+  editor::pushTrees(document, std::move(edits), tr("Assign tree"));
   return true;
 }
 
@@ -188,15 +192,15 @@ base::Diagnostics FileCommands::applyRunOptions() {
     }
   });
   values.emplace_back(static_cast<const sim2d::ScenarioSettings&>(wanted));
-  editor::pushEdit(document, std::move(values), tr("Options of the command line"));
+  editor::pushEdit(document, std::move(values), tr("Apply command-line options"));
   if (!newRobots.empty()) {
-    editor::pushAdd(document, std::move(newRobots), tr("Robot of the command line"));
+    editor::pushAdd(document, std::move(newRobots), tr("Add command-line robot"));
   }
   return problems;
 }
 
 QString FileCommands::folder() const {
-  QStringList files = memory_.recentFiles();
+  QStringList files = userSettings_.recentFiles();
   files.prepend(workspace_.document().path());
   for (const QString& file : files) {
     if (!file.isEmpty() && !workspace_.document().isShipped(file)) {
@@ -209,11 +213,11 @@ QString FileCommands::folder() const {
 QString FileCommands::ask(QFileDialog::FileMode mode, const QString& title, const QString& filter) {
   QFileDialog dialog(&window_, title, folder(), filter);
   dialog.setFileMode(mode);
-  return askFile(dialog, memory_);
+  return askFile(dialog, userSettings_);
 }
 
 void FileCommands::openIfWanted(const QString& path) {
-  if (!path.isEmpty() && mayLeave()) {
+  if (!path.isEmpty() && maybeSave()) {
     openFile(path);
   }
 }
@@ -221,12 +225,12 @@ void FileCommands::openIfWanted(const QString& path) {
 void FileCommands::askOpen() {
   openIfWanted(
       ask(QFileDialog::ExistingFile, tr("Open a scenario or a map"),
-          tr("Scenarios, maps, images of maps (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)")));
+          tr("Scenarios, maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)")));
 }
 
 void FileCommands::fillRecentMenu(QMenu& menu) {
   editor::clearLater(menu);
-  for (const QString& path : memory_.recentFiles()) {
+  for (const QString& path : userSettings_.recentFiles()) {
     QAction* action = menu.addAction(QFileInfo(path).fileName());
     action->setStatusTip(path);
     action->setToolTip(path);
@@ -237,43 +241,43 @@ void FileCommands::fillRecentMenu(QMenu& menu) {
 }
 
 bool FileCommands::openNewFromMap(const QString& mapYaml) {
-  if (!tell(workspace_.document().newOnMap(mapYaml))) {
+  if (!showProblems(workspace_.document().newOnMap(mapYaml))) {
     return false;
   }
   Q_EMIT opened();
   return true;
 }
 
-void FileCommands::newRoom() {
+void FileCommands::newOpenPlane() {
   workspace_.document().clear();
-  tell({});
+  showProblems({});
   Q_EMIT opened();
 }
 
 void FileCommands::newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map) {
   workspace_.document().load(sim2d::Scenario());
   workspace_.document().setMap(std::move(map));
-  tell({});
+  showProblems({});
   Q_EMIT opened();
 }
 
-void FileCommands::askNewRoom() {
+void FileCommands::askNewEmptyRoom() {
   RoomDialog dialog(workspace_.theme(), &window_);
-  if (dialog.exec() == QDialog::Accepted && mayLeave()) {
+  if (dialog.exec() == QDialog::Accepted && maybeSave()) {
     const QSizeF size = dialog.size();
-    dialog.hasWalls() ? newOnMap(editor::emptyRoom(size.width(), size.height())) : newRoom();
+    dialog.hasWalls() ? newOnMap(editor::emptyRoom(size.width(), size.height())) : newOpenPlane();
   }
 }
 
 void FileCommands::askNewFromMap() {
-  const QString path = ask(QFileDialog::ExistingFile, tr("New scenario on a map"),
-                           tr("Maps and images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
+  const QString path = ask(QFileDialog::ExistingFile, tr("New scenario from a map"),
+                           tr("Maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
   if (path.isEmpty()) {
     return;
   }
   if (kindOf(path) == Kind::Image) {
     askMapOfImage(path);
-  } else if (mayLeave()) {
+  } else if (maybeSave()) {
     openNewFromMap(path);
   }
 }
@@ -282,65 +286,63 @@ void FileCommands::askMapOfImage(const QString& path) {
   constexpr double kResolution = 0.05;
   const base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> grid =
       editor::gridOfImage(path, kResolution);
-  if (!tell(grid.diagnostics()) || !grid) {
+  if (!showProblems(grid.diagnostics()) || !grid) {
     return;
   }
   QImage image(path);
-  if (image.isNull()) {  // a format that only the map reader knows
+  if (image.isNull()) {  // a format that only the map reader supports
     image = editor::mapImage(**grid, workspace_.theme());
   }
   ImageMapDialog dialog(*grid, image, workspace_.theme(), &window_);
-  if (dialog.exec() == QDialog::Accepted && mayLeave()) {
+  if (dialog.exec() == QDialog::Accepted && maybeSave()) {
     newOnMap(dialog.map());
   }
 }
 
-void FileCommands::askOtherMap() {
-  const QString path =
-      ask(QFileDialog::ExistingFile, tr("Put a map under the scenario"), tr("Maps (*.yaml *.yml)"));
+void FileCommands::askReplaceMap() {
+  const QString path = ask(QFileDialog::ExistingFile, tr("Change map"), tr("Maps (*.yaml *.yml)"));
   if (!path.isEmpty()) {
-    putOtherMap(path);
+    replaceMap(path);
   }
 }
 
-/// One that cannot be read leaves everything as it is, a run too.
-bool FileCommands::putOtherMap(const QString& path) {
-  const bool isFine = tell(workspace_.document().openMap(path));
+/// A map that cannot be read changes nothing, including a run.
+bool FileCommands::replaceMap(const QString& path) {
+  const bool isFine = showProblems(workspace_.document().openMap(path));
   if (isFine) {
     workspace_.runner().reset();
   }
-  mapRefused_ = !isFine;
+  isMapRejected_ = !isFine;
   return isFine;
 }
 
 void FileCommands::askOpenRun() {
-  openIfWanted(ask(QFileDialog::Directory, tr("Open the folder of a run")));
+  openIfWanted(ask(QFileDialog::Directory, tr("Open run folder")));
 }
 
-/// The same run, made here; null: that is not known, or others' programs took part.
-std::function<editor::RunRequest()> FileCommands::againOf(const QString& folder) const {
-  const base::Result<RunMaking> making =
-      makingOf(folder.toStdString(), readRunWords, editor::loadMapImage);
-  if (!making || !foreignCodeOf(*making->bundle.scenario).empty()) {
+/// A request that repeats the run. Empty: unknown origin, or external programs took part.
+std::function<editor::RunRequest()> FileCommands::replayRequestOf(const QString& folder) const {
+  const base::Result<RunProvenance> made = provenanceOf(folder.toStdString(), editor::loadMapImage);
+  if (!made || !externalCodeOf(*made->bundle.scenario).empty()) {
     return {};
   }
-  return [making = *making] { return editor::requestOf(making.bundle, making.stages); };
+  return [made = *made] { return editor::requestFor(made.bundle, made.branches); };
 }
 
-/// The document is the scenario of the run meanwhile, as far as it is known.
+/// While a run is displayed, the document is its scenario, as far as known.
 bool FileCommands::openRun(const QString& path) {
-  const base::Result<RecordedRun> run =
-      readRecordedRun(path.toStdString(), workspace_.runner().historyMemory(), CutRecords::Shown);
+  const base::Result<RecordedRun> run = readRecordedRun(
+      path.toStdString(), workspace_.runner().historyMemory(), IncompleteRecordings::Shown);
   if (!run) {
-    return tell(run.diagnostics());
+    return showProblems(run.diagnostics());
   }
   editor::ScenarioDocument& document = workspace_.document();
-  if (!workspace_.isOfRecord()) {
-    beforeRun_ = document.path();
+  if (!workspace_.isRecordedRun()) {
+    previousDocument_ = document.path();
   }
   scenarioOfRun_ = QString::fromStdString(run->scenario);
-  document.clear();  // ends what was running
-  document.setSearch({}, {});
+  document.clear();  // stops the current run
+  document.setSearchOverrides({}, {});
   if (!scenarioOfRun_.isEmpty() && base::hasErrors(document.open(scenarioOfRun_))) {
     document.clear();
   }
@@ -356,28 +358,28 @@ bool FileCommands::openRun(const QString& path) {
     }
     document.restore(std::move(shown), true);
   }
-  const QDir folder(path);  // with or without a slash at its end
-  memory_.noteFile(folder.absolutePath());
+  const QDir folder(path);  // with or without a trailing slash
+  userSettings_.addRecentFile(folder.absolutePath());
   Q_EMIT recentChanged();
-  Q_EMIT opened();  // first: the view fits what is drawn while nothing runs
+  Q_EMIT opened();  // before the run, so that the view fits the scenario
   base::Diagnostics remarks = run.diagnostics();
-  base::append(remarks, otherProgram(path.toStdString()));
-  cutOfRun_.reset();
+  base::append(remarks, otherProgramWarning(path.toStdString()));
+  truncationOfRun_.reset();
   for (const base::Diagnostic& each : run.diagnostics()) {
-    cutOfRun_ = run->cut && (each.code == "trace.cut" || each.code == "trace.killed")
-                    ? std::optional(each)
-                    : cutOfRun_;
+    truncationOfRun_ = run->cut && (each.code == "trace.cut" || each.code == "trace.killed")
+                           ? std::optional(each)
+                           : truncationOfRun_;
   }
   const QString name = folder.dirName();
-  workspace_.openRecorded(run->recording, run->cut ? tr("%1 (cut)").arg(name) : name,
-                          run->cut ? std::function<editor::RunRequest()>() : againOf(path));
+  workspace_.openRecorded(run->recording, run->cut ? tr("%1 (truncated)").arg(name) : name,
+                          run->cut ? std::function<editor::RunRequest()>() : replayRequestOf(path));
   Q_EMIT runOpened(folder.absolutePath());
-  return tell(remarks);
+  return showProblems(remarks);
 }
 
-/// Back to what was there before, else to the scenario of the run.
-void FileCommands::leaveRun() {
-  const QString path = beforeRun_.isEmpty() ? scenarioOfRun_ : beforeRun_;
+/// Returns to the previous document, otherwise to the scenario of the run.
+void FileCommands::closeRun() {
+  const QString path = previousDocument_.isEmpty() ? scenarioOfRun_ : previousDocument_;
   if (path.isEmpty() || !QFileInfo::exists(path)) {
     workspace_.document().clear();
     Q_EMIT closed();

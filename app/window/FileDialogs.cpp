@@ -17,23 +17,24 @@ namespace {
 
 constexpr int kRecentFiles = 8;
 constexpr const char* kRecentKey = "files/recent";
-constexpr const char* kNotedKey = "files/noted";  // when, by file
+constexpr const char* kNotedKey = "files/noted";  // time of last use, by file
 constexpr const char* kStateKey = "files/dialog";
 constexpr const char* kSizeKey = "files/dialog-size";
 constexpr QSize kSize(920, 560);
-constexpr int kPlaces = 150;                                  // the column of folders
+constexpr int kPlaces = 150;                                  // width of the folder column
 constexpr std::array<int, 4> kColumns = {330, 90, 100, 160};  // name, size, type, date
 
-/// The desktop's own dialogs see to themselves.
-void dress(QFileDialog& dialog, const Memory& memory) {
+/// Restores size and state of Qt's own dialog. Native dialogs do this themselves.
+void restoreDialog(QFileDialog& dialog, const UserSettings& userSettings) {
   auto* list = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
   if (list == nullptr) {
     return;
   }
-  const QSize size = memory.value(kSizeKey).toSize();
-  dialog.resize(
-      size.isValid() ? size : QSize(kSize.width(), editor::heightOnScreen(dialog, kSize.height())));
-  if (!dialog.restoreState(memory.value(kStateKey).toByteArray())) {
+  const QSize size = userSettings.value(kSizeKey).toSize();
+  dialog.resize(size.isValid()
+                    ? size
+                    : QSize(kSize.width(), editor::limitedToScreen(dialog, kSize.height())));
+  if (!dialog.restoreState(userSettings.value(kStateKey).toByteArray())) {
     dialog.setViewMode(QFileDialog::Detail);
     if (auto* sides = dialog.findChild<QSplitter*>(QStringLiteral("splitter"))) {
       sides->setSizes({kPlaces, kSize.width() - kPlaces});
@@ -47,27 +48,27 @@ void dress(QFileDialog& dialog, const Memory& memory) {
 
 }  // namespace
 
-Memory::Memory(bool remembers) {
-  if (remembers) {
+UserSettings::UserSettings(bool storesSettings) {
+  if (storesSettings) {
     store_ = std::make_unique<QSettings>(QStringLiteral("hunavsim"), QStringLiteral("desktop"));
   }
 }
 
-QVariant Memory::value(const char* key) const {
+QVariant UserSettings::value(const char* key) const {
   return store_ ? store_->value(QString::fromLatin1(key)) : QVariant();
 }
 
-void Memory::setValue(const char* key, const QVariant& value) {
+void UserSettings::setValue(const char* key, const QVariant& value) {
   if (store_) {
     store_->setValue(QString::fromLatin1(key), value);
   }
 }
 
-QStringList Memory::recentFiles() const {
+QStringList UserSettings::recentFiles() const {
   return value(kRecentKey).toStringList();
 }
 
-void Memory::noteFile(const QString& path) {
+void UserSettings::addRecentFile(const QString& path) {
   QStringList files = recentFiles();
   const QString whole = QFileInfo(path).absoluteFilePath();
   files.removeAll(whole);
@@ -77,25 +78,25 @@ void Memory::noteFile(const QString& path) {
   }
   setValue(kRecentKey, files);
   const QVariantMap before = value(kNotedKey).toMap();
-  QVariantMap noted;
+  QVariantMap lastUsed;
   for (const QString& file : files) {
-    noted[file] = file == whole ? QDateTime::currentDateTime() : before.value(file);
+    lastUsed[file] = file == whole ? QDateTime::currentDateTime() : before.value(file);
   }
-  setValue(kNotedKey, noted);
+  setValue(kNotedKey, lastUsed);
 }
 
-QDateTime Memory::noted(const QString& path) const {
+QDateTime UserSettings::lastUsed(const QString& path) const {
   return value(kNotedKey).toMap().value(path).toDateTime();
 }
 
-QString askFile(QFileDialog& dialog, Memory& memory) {
+QString askFile(QFileDialog& dialog, UserSettings& userSettings) {
   const QString folder = dialog.directory().absolutePath();
-  dress(dialog, memory);
-  editor::keepFiles(dialog, dialog.acceptMode() == QFileDialog::AcceptSave);
-  dialog.setDirectory(folder);  // that of the last time would come back with the state
+  restoreDialog(dialog, userSettings);
+  editor::restrictFileDialog(dialog, dialog.acceptMode() == QFileDialog::AcceptSave);
+  dialog.setDirectory(folder);  // restoreState would set the last folder
   const bool isAccepted = dialog.exec() == QDialog::Accepted;
-  memory.setValue(kStateKey, dialog.saveState());
-  memory.setValue(kSizeKey, dialog.size());
+  userSettings.setValue(kStateKey, dialog.saveState());
+  userSettings.setValue(kSizeKey, dialog.size());
   return isAccepted ? dialog.selectedFiles().value(0) : QString();
 }
 

@@ -13,14 +13,14 @@
 
 namespace app {
 
-/// Recent files and what else is remembered between sessions. Without a store (pictures, tests)
+/// Recent files and other settings stored between sessions. Without a store (pictures, tests)
 /// nothing is read or written.
-class Memory {
+class UserSettings {
  public:
-  explicit Memory(bool remembers);
+  explicit UserSettings(bool storesSettings);
   QStringList recentFiles() const;
-  void noteFile(const QString& path);          // opened or saved just now
-  QDateTime noted(const QString& path) const;  // when; invalid: not known
+  void addRecentFile(const QString& path);        // call when a file is opened or saved
+  QDateTime lastUsed(const QString& path) const;  // time of last use; invalid: unknown
   QVariant value(const char* key) const;
   void setValue(const char* key, const QVariant& value);
 
@@ -28,13 +28,12 @@ class Memory {
   std::unique_ptr<QSettings> store_;
 };
 
-/// Asks for a file or folder; empty = cancelled. Large enough for names and dates the first time,
-/// then as it was left.
-QString askFile(QFileDialog& dialog, Memory& memory);
+/// Asks for a file or folder. Empty: cancelled. The dialog has its last size and state.
+QString askFile(QFileDialog& dialog, UserSettings& userSettings);
 
-/// Labels right-aligned beside their fields.
+/// A form with right-aligned labels.
 QFormLayout* formRows();
-/// The button that accepts and one that cancels, below all the rest. Returns the former.
+/// Adds an accept and a cancel button at the bottom. Returns the accept button.
 QPushButton* addButtons(QDialog* dialog, QVBoxLayout& rows, const QString& accept);
 
 }  // namespace app

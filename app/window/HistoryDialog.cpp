@@ -20,13 +20,13 @@ QString megabytesText(std::size_t bytes) {
   return QObject::tr("%1 MB").arg(double(bytes) / double(kMega), 0, 'f', 1);
 }
 
-/// "12.0 MB in memory, 3.1 MB on the disk" of the run that is shown.
+/// The usage of the displayed run: "12.0 MB in memory, 3.1 MB on the disk".
 QString useText(const sim2d::Recording& run) {
   const sim2d::FrameHistory& history = run.history();
-  QString text = QObject::tr("The run that is shown takes %1 of memory and %2 of the disk.")
+  QString text = QObject::tr("The displayed run uses %1 of memory and %2 of disk space.")
                      .arg(megabytesText(history.memory()), megabytesText(history.disk()));
   if (run.first() > 0) {
-    text += QObject::tr(" The disk takes no more: it can be looked back at from %1 on.")
+    text += QObject::tr(" The disk is full: the timeline starts at %1.")
                 .arg(editor::clockText(run.timeOf(run.first())));
   }
   return text;
@@ -34,41 +34,40 @@ QString useText(const sim2d::Recording& run) {
 
 }  // namespace
 
-std::size_t historyMemory(const Memory& memory) {
-  const int chosen = memory.value(kMemoryKey).toInt();  // 0: nothing was
-  return chosen == 0 ? sim2d::Recording::kUsualMemory
+std::size_t historyMemory(const UserSettings& memory) {
+  const int chosen = memory.value(kMemoryKey).toInt();  // 0: never chosen
+  return chosen == 0 ? sim2d::Recording::kDefaultMemory
                      : static_cast<std::size_t>(std::clamp(chosen, kLeast, kMost)) * kMega;
 }
 
 HistoryDialog::HistoryDialog(std::size_t memory, const editor::RecordingPtr& shown,
                              const editor::Theme& theme, QWidget* parent)
     : QDialog(parent), megabytes_(new QSpinBox(this)) {
-  setWindowTitle(tr("Looking back"));
+  setWindowTitle(tr("Run history"));
   megabytes_->setRange(kLeast, kMost);
   megabytes_->setSingleStep(kStep);
   megabytes_->setSuffix(tr(" MB"));
   megabytes_->setAlignment(Qt::AlignRight);
   megabytes_->setValue(static_cast<int>(memory / kMega));
-  megabytes_->setAccessibleName(tr("Memory for a run"));
+  megabytes_->setAccessibleName(tr("Memory per run"));
   megabytes_->setToolTip(
-      tr("Memory for a run\nMegabytes for the moments of a run that the timeline goes back to. "
-         "200 people take about 12 MB a minute."));
-  QLabel* title =
-      editor::headingLabel(tr("Looking back at a run"), theme.font(12.0, QFont::DemiBold), this);
-  QLabel* says = editor::secondaryLabel(
-      tr("Older moments wait in a temporary file until the run is left. When the disk is full, the "
-         "oldest are dropped and the timeline begins later."),
+      tr("Memory per run\nMemory for the steps of a run that the timeline can show. 200 people "
+         "need about 12 MB per minute."));
+  QLabel* title = editor::headingLabel(tr("Run history"), theme.font(12.0, QFont::DemiBold), this);
+  QLabel* explanation = editor::secondaryLabel(
+      tr("Older steps are stored in a temporary file until the run is closed. When the disk is "
+         "full, the oldest are deleted and the timeline starts later."),
       this);
-  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
   QFormLayout* form = formRows();
-  form->addRow(tr("Memory for a run"), megabytes_);
+  form->addRow(tr("Memory per run"), megabytes_);
   rows->addLayout(form);
-  rows->addWidget(says);
+  rows->addWidget(explanation);
   if (shown != nullptr && shown->size() > 0) {
-    says->setText(says->text() + QStringLiteral("\n\n") + useText(*shown));
+    explanation->setText(explanation->text() + QStringLiteral("\n\n") + useText(*shown));
   }
-  QLabel* when = editor::secondaryLabel(tr("Counts for the runs that begin from now on."), this);
-  for (QLabel* label : {says, when}) {
+  QLabel* when = editor::secondaryLabel(tr("Applies to runs started from now on."), this);
+  for (QLabel* label : {explanation, when}) {
     label->setWordWrap(true);
     label->setMinimumWidth(kWidth);
   }
@@ -83,8 +82,8 @@ std::size_t HistoryDialog::memory() const {
   return static_cast<std::size_t>(megabytes_->value()) * kMega;
 }
 
-void askHistory(Memory& memory, editor::SimulationRunner& runner, const editor::Theme& theme,
-                QWidget* parent) {
+void showHistoryDialog(UserSettings& memory, editor::SimulationRunner& runner,
+                       const editor::Theme& theme, QWidget* parent) {
   HistoryDialog dialog(runner.historyMemory(), runner.recording(), theme, parent);
   if (dialog.exec() == QDialog::Accepted) {
     memory.setValue(kMemoryKey, static_cast<int>(dialog.memory() / kMega));

@@ -11,11 +11,10 @@
 
 namespace app {
 
-/// Memory for the states of a run [B]: what was chosen last, in any window; else the usual amount.
-std::size_t historyMemory(const Memory& memory);
+/// RAM for the frames of a run [B]: the last chosen value, otherwise the default.
+std::size_t historyMemory(const UserSettings& memory);
 
-/// How much memory a run may take, so that all of it can be looked back at; what the run that is
-/// shown takes now.
+/// Settings for the memory of a run's history, with the usage of the displayed run.
 class HistoryDialog : public QDialog {
   Q_OBJECT
  public:
@@ -27,8 +26,8 @@ class HistoryDialog : public QDialog {
   QSpinBox* megabytes_;
 };
 
-/// Asks; what is chosen counts for the runs that begin from now on.
-void askHistory(Memory& memory, editor::SimulationRunner& runner, const editor::Theme& theme,
-                QWidget* parent);
+/// Shows the dialog. The value applies to runs started afterwards.
+void showHistoryDialog(UserSettings& memory, editor::SimulationRunner& runner,
+                       const editor::Theme& theme, QWidget* parent);
 
 }  // namespace app

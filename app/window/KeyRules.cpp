@@ -1,6 +1,7 @@
 #include "app/window/KeyRules.h"
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 
 #include <QAbstractButton>
@@ -11,19 +12,20 @@
 #include <QDockWidget>
 #include <QLineEdit>
 
+#include "app/run/ExceptionMessage.h"
 #include "editor/panels/ScenarioPanel.h"
 
 namespace app {
 
 namespace {
 
-bool isOnlyClicked(const QWidget& widget) {
+bool isButtonLike(const QWidget& widget) {
   const auto* box = qobject_cast<const QComboBox*>(&widget);
   return qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
          (box != nullptr && !box->isEditable());
 }
 
-/// Null: nothing is typed there.
+/// The text field of a widget; null: none.
 QLineEdit* lineOf(QWidget& widget) {
   if (auto* line = qobject_cast<QLineEdit*>(&widget)) {
     return line;
@@ -55,7 +57,7 @@ bool isCursorKey(const QKeyEvent& event) {
   return std::count(std::begin(kCursorKeys), std::end(kCursorKeys), event.key()) > 0;
 }
 
-/// The row has a box to tick.
+/// Whether the current row is checkable.
 bool isTickable(const QWidget& widget) {
   const auto* list = qobject_cast<const QAbstractItemView*>(&widget);
   const QModelIndex row = list == nullptr ? QModelIndex() : list->currentIndex();
@@ -66,8 +68,8 @@ bool isPlainSpace(const QKeyEvent& event) {
   return event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
 }
 
-/// The text, that of a number field it may be, would take it and do nothing.
-bool isInVain(const QWidget& widget, const QLineEdit& line, const QKeyEvent& event) {
+/// Whether a text or number field would accept the key without effect.
+bool hasNoEffect(const QWidget& widget, const QLineEdit& line, const QKeyEvent& event) {
   return (isPlainSpace(event) && qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr) ||
          (event.matches(QKeySequence::Undo) && !line.isModified()) ||
          (event.matches(QKeySequence::Redo) && !line.isRedoAvailable());
@@ -86,28 +88,29 @@ KeyRules::KeyRules(QMainWindow& window, Workspace& workspace)
 
 QStringList KeyRules::rules() {
   return {
-      tr("A text that is being typed has all keys that it uses; a number does not use Space. Enter "
-         "finishes it and gives the keyboard back to the map, Esc does so without what was typed; "
-         "Ctrl+Z is the text's own only while something is typed."),
-      tr("A list has the keys that move in it, Space in rows with a box to tick, and Delete if it "
-         "has rows to remove. Only from the list of the scenario does Delete reach what is "
-         "selected on the map."),
-      tr("Buttons, check boxes and choices do not take the keyboard from a click. Who goes "
-         "there by Tab uses them with Space and the arrows."),
-      tr("All else belongs to the commands of the window, such as Space to run and pause, then "
-         "to the tool of the map. Arrows move things only while the map has the keyboard; while a "
-         "robot is driven by hand they drive it, as W, A, S and D do.")};
+      tr("While you edit a text, the text field handles all keys that it uses; number fields do "
+         "not use Space. Enter accepts the text, Esc discards it; both return the keyboard focus "
+         "to the map. Ctrl+Z undoes typing only while an edit is not accepted."),
+      tr("A list handles the keys that move in it, Space in rows with a check box, and Delete if "
+         "its rows can be removed. Only in the scenario list does Delete remove the selection on "
+         "the map."),
+      tr("A click on a button, check box or combo box does not move the keyboard focus. After you "
+         "reach one with Tab, use Space and the arrow keys."),
+      tr("All other keys go to the commands of the window, such as Space to run and pause, then to "
+         "the map tool. The arrow keys move items only while the map has the focus; while you "
+         "drive a robot manually, they drive it, as do W, A, S and D.")};
 }
 
-/// Whether the widget has a key although it does not say so, and a command waits for it.
-bool KeyRules::isOfWidget(QWidget& focus, const QKeyEvent& event) const {
+/// Whether the widget uses a key that it does not claim and that is also a shortcut.
+bool KeyRules::isWidgetKey(QWidget& focus, const QKeyEvent& event) const {
   if (isPlainSpace(event)) {
-    return isOnlyClicked(focus) || isTickable(focus) || &focus == &workspace_.view();
+    return isButtonLike(focus) || isTickable(focus) || &focus == &workspace_.view();
   }
   return isRemoving(event) && isList(focus) && !isInScenarioPanel(focus);
 }
 
-/// In the window, or in one of its panels that floats: commands of the window act there too.
+/// Whether the widget is in the window or in one of its floating panels, where window shortcuts
+/// also apply.
 bool KeyRules::isInWindow(const QWidget& widget) const {
   const QWidget* top = widget.window();
   return top == &window_ ||
@@ -119,14 +122,14 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   if (widget == nullptr || !isInWindow(*widget)) {
     return false;
   }
-  // Who was asked for its size before it came into the window was polished there.
+  // A widget whose size hint was requested earlier was already polished.
   const bool isNew = event->type() == QEvent::Polish || event->type() == QEvent::Show;
-  if (isNew && isOnlyClicked(*widget) && widget->focusPolicy() != Qt::NoFocus) {
+  if (isNew && isButtonLike(*widget) && widget->focusPolicy() != Qt::NoFocus) {
     widget->setFocusPolicy(Qt::TabFocus);
   }
   if (event->type() == QEvent::FocusIn) {
     if (QLineEdit* line = lineOf(*widget)) {
-      line->setModified(false);  // what was typed earlier is undone by the command of the window
+      line->setModified(false);  // earlier input is undone by the window
     }
   }
   if (event->type() != QEvent::ShortcutOverride) {
@@ -134,22 +137,22 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   }
   auto& key = static_cast<QKeyEvent&>(*event);
   const QLineEdit* line = lineOf(*widget);
-  if (line != nullptr && isInVain(*widget, *line, key)) {
+  if (line != nullptr && hasNoEffect(*widget, *line, key)) {
     key.ignore();
     return true;
   }
-  if (isOfWidget(*widget, key)) {
+  if (isWidgetKey(*widget, key)) {
     key.accept();
     return true;
   }
   return false;
 }
 
-void KeyRules::takeLeft(QKeyEvent& event) {
+void KeyRules::handleUnusedKey(QKeyEvent& event) {
   QWidget* focus = window_.focusWidget();
   editor::MapView& view = workspace_.view();
   if (!view.isVisible() || focus == nullptr || focus == &view) {
-    return;  // the tool has seen it
+    return;  // the tool has received it
   }
   if (QLineEdit* line = lineOf(*focus)) {
     const bool isLeft = event.key() == Qt::Key_Escape;
@@ -163,8 +166,20 @@ void KeyRules::takeLeft(QKeyEvent& event) {
     return;
   }
   const bool isOfList = isRemoving(event) && isList(*focus);
-  if (!isOfList && !isCursorKey(event)) {  // at its ends a list has nothing for the arrows to do
+  if (!isOfList && !isCursorKey(event)) {  // arrow keys have no effect at the ends of a list
     QCoreApplication::sendEvent(&view.mapScene(), &event);
+  }
+}
+
+bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
+  try {
+    return QApplication::notify(receiver, event);
+  } catch (const std::exception& problem) {
+    if (!handler_) {
+      throw;
+    }
+    handler_(exceptionMessage(problem));
+    return false;
   }
 }
 

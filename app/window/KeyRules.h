@@ -1,5 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMainWindow>
 
@@ -7,27 +12,43 @@
 
 namespace app {
 
-/// One rule for keys in the whole window, whatever has the focus; `rules` says it.
+/// Key handling for the whole window, independent of the focus; described by `rules`.
 class KeyRules : public QObject {
   Q_OBJECT
  public:
   KeyRules(QMainWindow& window, Workspace& workspace);  // the window owns it
 
-  /// In the order in which they count, for users too.
+  /// The rules in order of precedence, as text for users.
   static QStringList rules();
 
-  /// What nobody in the window has wanted.
-  void takeLeft(QKeyEvent& event);
+  /// Handles a key that no widget of the window has used.
+  void handleUnusedKey(QKeyEvent& event);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   bool isInWindow(const QWidget& widget) const;
-  bool isOfWidget(QWidget& focus, const QKeyEvent& event) const;
+  bool isWidgetKey(QWidget& focus, const QKeyEvent& event) const;
 
   QMainWindow& window_;
   Workspace& workspace_;
+};
+
+/// An application that reports exceptions thrown while an event is handled. GUI thread.
+class GuardedApplication : public QApplication {
+ public:
+  GuardedApplication(int& argc, char** argv) : QApplication(argc, argv) {}
+
+  /// Sets the handler for exceptions. Without a handler, the exception is rethrown.
+  void setExceptionHandler(std::function<void(const std::string& why)> handler) {
+    handler_ = std::move(handler);
+  }
+
+  bool notify(QObject* receiver, QEvent* event) override;
+
+ private:
+  std::function<void(const std::string& why)> handler_;
 };
 
 }  // namespace app

@@ -13,30 +13,29 @@
 #include <QMimeData>
 #include <QScreen>
 
-#include "app/window/CodeQuestion.h"
 #include "app/window/DocumentGuard.h"
+#include "app/window/ExternalCodePrompt.h"
 #include "app/window/FigureCommands.h"
 #include "app/window/FileDialogs.h"
 #include "app/window/HistoryDialog.h"
 #include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
-#include "app/window/RunMemory.h"
+#include "app/window/PlaybackSettings.h"
 #include "app/window/RunSharing.h"
 #include "app/window/ShortcutsDialog.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
-#include "editor/look/DeleteWhenClosed.h"
+#include "editor/look/AppStyle.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
-#include "editor/look/HouseStyle.h"
 #include "editor/look/Icons.h"
-#include "editor/look/Later.h"
-#include "editor/look/Typing.h"
+#include "editor/look/PendingEdit.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/TextViewer.h"
-#include "editor/trees/TreeStudio.h"
+#include "editor/trees/TreeEditor.h"
 
 namespace app {
 
@@ -48,19 +47,19 @@ constexpr const char* kGeometryKey = "window/geometry";
 constexpr const char* kWindowStateKey = "window/state";
 constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 2;
-constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 %, the time line too
+constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 % with the timeline
 constexpr const char* kCutNotice = "cut-run";
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
 constexpr int kMessageMs = 8000;
-constexpr int kLeastMiddle = 160;  // whatever notices want: the canvas gives up room, no panel does
+constexpr int kLeastMiddle = 160;  // [px]; notices shrink the canvas, not the panels
 
 }  // namespace
 
 MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
     : QMainWindow(parent),
       workspace_(setup.theme, setup.tools),
-      memory_(setup.remembers),
+      userSettings_(setup.storesSettings),
       followsSystem_(setup.followsSystem),
       actions_(new WindowActions(workspace_, this)),
       keys_(new KeyRules(*this, workspace_)),
@@ -68,82 +67,85 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       centre_(new QStackedWidget(this)),
       canvas_(new QSplitter(Qt::Horizontal, this)),
       docks_(new Docks(*this, workspace_, setup.panels)),
-      files_(new FileCommands(workspace_, docks_->panel<editor::IssuesPanel>(), memory_, *this)),
+      files_(
+          new FileCommands(workspace_, docks_->panel<editor::IssuesPanel>(), userSettings_, *this)),
       status_(new StatusLine(*statusBar(), workspace_)),
       toolBar_(makeToolBar(*this, workspace_, *actions_)),
       saved_(new QLabel(this)) {
   setObjectName(QStringLiteral("window"));
   setMinimumSize(kLeastWindow);
-  resize(std::min(usualSize().width(), screen()->availableGeometry().width()),
-         editor::heightOnScreen(*this, usualSize().height()));
+  resize(std::min(defaultSize().width(), screen()->availableGeometry().width()),
+         editor::limitedToScreen(*this, defaultSize().height()));
   setContextMenuPolicy(Qt::NoContextMenu);
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
   workspace_.document().setShippedMaps(setup.shippedMaps);
   workspace_.setRunSettings({setup.compatibility, setup.options.threads, setup.options.exact});
   if (setup.options.allowCode) {
-    workspace_.allowCodeOf(QString::fromStdString(setup.options.scenario));
+    workspace_.allowAllCodeOf(QString::fromStdString(setup.options.scenario));
   }
-  new CodeQuestion(workspace_, *notices_, notices_);  // goes with them, before the workspace
+  new ExternalCodePrompt(workspace_, *notices_,
+                         notices_);  // deleted with them, before the workspace
   files_->setOptions(setup.options, setup.compatibility);
-  workspace_.runner().setHistory(historyMemory(memory_));
-  actions_->remember(memory_);
+  workspace_.runner().setHistory(historyMemory(userSettings_));
+  actions_->restoreAndStore(userSettings_);
   placeParts(setup);
   connectFiles();
   connectView();
   connectRun();
-  const auto* runs = new RunMemory(workspace_, memory_, this);
-  connect(files_, &FileCommands::runOpened, runs, &RunMemory::followRun);
-  new RunSharing(workspace_, *actions_->watchLive, *actions_->onRos2, *notices_, notices_);
+  const auto* runs = new PlaybackSettings(workspace_, userSettings_, this);
+  connect(files_, &FileCommands::runOpened, runs, &PlaybackSettings::restoreLoop);
+  new RunSharing(workspace_, *actions_->publishFoxglove, *actions_->publishRos2, *notices_,
+                 notices_);
   const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
-  connect(figures, &FigureCommands::told, this,
+  connect(figures, &FigureCommands::message, this,
           [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });
-  restoreGeometry(memory_.value(kGeometryKey).toByteArray());
+  restoreGeometry(userSettings_.value(kGeometryKey).toByteArray());
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder, this);
-  connect(guard_, &DocumentGuard::scenarioThere, this, &MainWindow::showTitle);
+  connect(guard_, &DocumentGuard::scenarioFileChanged, this, &MainWindow::showTitle);
   showStart(true);
   showTitle();
-  const QString theme = memory_.value(kThemeKey).toString();
+  const QString theme = userSettings_.value(kThemeKey).toString();
   const bool isDark = theme == QLatin1String("dark");
   if (followsSystem_ && (isDark || theme == QLatin1String("light"))) {
     setTheme(isDark ? editor::Theme::dark() : editor::Theme::light());
-    actions_->systemTheme->setChecked(false);  // remembers the theme: it is there by now
+    actions_->systemTheme->setChecked(false);  // stores the theme, so after setting it
   }
 }
 
 void MainWindow::placeParts(const WindowSetup& setup) {
   addToolBar(Qt::TopToolBarArea, toolBar_);
   recent_ = makeMenus(*this, workspace_, *actions_, *docks_);
-  status_->addPanels(docks_->togglesBelow());
+  status_->addPanels(docks_->bottomToggles());
   saved_->setContentsMargins(0, 0, 12, 0);
   saved_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   saved_->setFixedSize(kSavedWidth, kMenuHeight);
   saved_->setForegroundRole(QPalette::PlaceholderText);
   menuBar()->setCornerWidget(saved_);
-  startPage_ = new StartPage(workspace_, *actions_, memory_, setup.demos, this);
+  startPage_ = new StartPage(workspace_, *actions_, userSettings_, setup.demos, this);
   centre_->addWidget(startPage_);
   canvas_->addWidget(&workspace_.view());
   canvas_->setChildrenCollapsible(false);
   canvas_->setFocusProxy(&workspace_.view());
   centre_->addWidget(canvas_);
-  workspace_.view().setAcceptDrops(false);  // files fall through to the window
+  workspace_.view().setAcceptDrops(false);  // drops are handled by the window
   setAcceptDrops(true);
   auto* middle = new QWidget(this);
-  editor::arranged(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
+  editor::configuredLayout(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
   middle->setMinimumHeight(kLeastMiddle);
   docks_->setCentre(middle);
-  connect(notices_, &NoticeBar::keyboardFree, this,
+  connect(notices_, &NoticeBar::focusReleased, this,
           [this] { centre_->currentWidget()->setFocus(); });
   setCentralWidget(middle);
   auto* above = qobject_cast<QVBoxLayout*>(middle->layout());
-  connect(docks_->treeLarge(), &QAction::toggled, this, [this, above](bool on) {
-    auto* tree = on ? findChild<editor::TreeStudio*>() : nullptr;  // notices stay in sight
+  connect(docks_->treeMaximized(), &QAction::toggled, this, [this, above](bool on) {
+    auto* tree = on ? findChild<editor::TreeEditor*>() : nullptr;  // keeps notices visible
     QVBoxLayout* to = tree == nullptr ? above : qobject_cast<QVBoxLayout*>(tree->layout());
     to->insertWidget(0, notices_);
     notices_->setVisible(!notices_->notices().empty());
   });
 }
 
-/// Who listens to the workspace goes before it: its end still makes changes that are told.
+/// Objects connected to the workspace are deleted before it, because its destructor emits signals.
 MainWindow::~MainWindow() {
   workspace_.document().disconnect(this);
   workspace_.runner().disconnect(this);
@@ -160,30 +162,31 @@ MainWindow::~MainWindow() {
 
 void MainWindow::connectFiles() {
   FileCommands* files = files_;
-  connect(actions_->newRoom, &QAction::triggered, this, [files] {
-    if (files->mayLeave()) {
-      files->newRoom();
+  connect(actions_->newOpenPlane, &QAction::triggered, this, [files] {
+    if (files->maybeSave()) {
+      files->newOpenPlane();
     }
   });
   connect(actions_->newFromMap, &QAction::triggered, files, &FileCommands::askNewFromMap);
   connect(actions_->open, &QAction::triggered, files, &FileCommands::askOpen);
   connect(actions_->openRun, &QAction::triggered, files, &FileCommands::askOpenRun);
-  connect(actions_->openMap, &QAction::triggered, files, &FileCommands::askOtherMap);
+  connect(actions_->openMap, &QAction::triggered, files, &FileCommands::askReplaceMap);
   connect(actions_->save, &QAction::triggered, files, &FileCommands::save);
   connect(actions_->saveAs, &QAction::triggered, files, &FileCommands::saveAs);
   connect(actions_->exportTo, &QAction::triggered, files, &FileCommands::askExport);
-  connect(actions_->newWalledRoom, &QAction::triggered, files, &FileCommands::askNewRoom);
+  connect(actions_->newEmptyRoom, &QAction::triggered, files, &FileCommands::askNewEmptyRoom);
   connect(actions_->close, &QAction::triggered, this, [this] {
-    if (files_->mayLeave()) {
+    if (files_->maybeSave()) {
       workspace_.document().clear();
       showStart(true);
     }
   });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
-  connect(actions_->history, &QAction::triggered, this,
-          [this] { askHistory(memory_, workspace_.runner(), workspace_.theme(), this); });
-  connect(actions_->about, &QAction::triggered, this, &MainWindow::tellAbout);
+  connect(actions_->history, &QAction::triggered, this, [this] {
+    showHistoryDialog(userSettings_, workspace_.runner(), workspace_.theme(), this);
+  });
+  connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(recent_, &QMenu::aboutToShow, this, [this] { files_->fillRecentMenu(*recent_); });
   files_->fillRecentMenu(*recent_);
   connect(files, &FileCommands::recentChanged, this, [this] {
@@ -198,23 +201,23 @@ void MainWindow::connectFiles() {
   connect(files, &FileCommands::closed, this, [this] { showStart(true); });
   connect(files, &FileCommands::issuesRaised, this, [this] {
     if (isOnStartPage()) {
-      guard_->tellUnread(files_->problems());
-      startPage_->fillRecent();  // it may have gone
+      guard_->reportUnreadable(files_->problems());
+      startPage_->fillRecent();  // the file may be missing
       return;
     }
     showIssues();
   });
-  connect(startPage_, &StartPage::fileWanted, files, &FileCommands::openFile);
+  connect(startPage_, &StartPage::fileRequested, files, &FileCommands::openFile);
   StudyPanel& study = docks_->panel<StudyPanel>();
-  CodeQuestion::askFor(study, *notices_);
-  connect(&study, &StudyPanel::runWanted, this, [files](const QString& run) {
-    if (files->mayLeave()) {
+  ExternalCodePrompt::attachTo(study, *notices_);
+  connect(&study, &StudyPanel::openRunRequested, this, [files](const QString& run) {
+    if (files->maybeSave()) {
       files->openFile(run);
     }
   });
   editor::ScenarioDocument& document = workspace_.document();
   connect(&document, &editor::ScenarioDocument::aboutToBeReplaced, this,
-          [this] { editor::finishTyping(*this); });
+          [this] { editor::commitPendingEdit(*this); });
   connect(&document, &editor::ScenarioDocument::pathChanged, this, &MainWindow::showTitle);
   connect(&document, &editor::ScenarioDocument::dirtyChanged, this, &MainWindow::showTitle);
 }
@@ -233,14 +236,14 @@ void MainWindow::connectView() {
   connect(actions_->switchTheme, &QAction::triggered, this, [this] {
     actions_->systemTheme->setChecked(false);
     setTheme(workspace_.theme().isDark() ? editor::Theme::light() : editor::Theme::dark());
-    rememberTheme();
+    saveTheme();
   });
   connect(actions_->systemTheme, &QAction::toggled, this, [this](bool on) {
     followsSystem_ = on;
     if (on) {
       setTheme(editor::Theme::fromSystem(QApplication::style()->standardPalette()));
     }
-    rememberTheme();
+    saveTheme();
   });
   connect(actions_->rename, &QAction::triggered, this, [this] {
     const std::vector<editor::EntityId>& selection = workspace_.document().selection();
@@ -248,34 +251,35 @@ void MainWindow::connectView() {
       docks_->panel<editor::ScenarioPanel>().rename(selection.front());
     }
   });
-  connect(&docks_->context(), &editor::PanelContext::besideWanted, this, &MainWindow::showBeside);
-  connect(&docks_->context(), &editor::PanelContext::fileWanted, this, &MainWindow::showFile);
+  connect(&docks_->context(), &editor::PanelContext::sideViewRequested, this,
+          &MainWindow::showSideBySide);
+  connect(&docks_->context(), &editor::PanelContext::fileRequested, this, &MainWindow::showFile);
   const auto assign = [this] {
     editor::openGoalAssignment(workspace_.document(), workspace_.theme(), this);
   };
   connect(actions_->assignGoals, &QAction::triggered, this, assign);
-  connect(&docks_->context(), &editor::PanelContext::goalsWanted, this, assign);
+  connect(&docks_->context(), &editor::PanelContext::goalsRequested, this, assign);
 }
 
 void MainWindow::connectRun() {
   SimulationRunner& runner = workspace_.runner();
-  connect(&runner, &SimulationRunner::stateChanged, this, &MainWindow::followState);
+  connect(&runner, &SimulationRunner::stateChanged, this, &MainWindow::updateActions);
   connect(&runner, &SimulationRunner::inputsRefused, this,
           [this](const base::Diagnostics& problems) {
             statusBar()->showMessage(QString::fromStdString(problems.front().message), kMessageMs);
           });
   connect(files_, &FileCommands::runOpened, this, [this](const QString& /*folder*/) {
-    const std::optional<base::Diagnostic> cut = files_->cutOfRun();
+    const std::optional<base::Diagnostic> cut = files_->truncationOfRun();
     cut ? notices_->warn(QString::fromLatin1(kCutNotice), QString::fromStdString(cut->message))
         : notices_->drop(QString::fromLatin1(kCutNotice));
   });
   connect(&runner, &SimulationRunner::stateChanged, this, [this] {
-    if (!workspace_.isOfRecord()) {
+    if (!workspace_.isRecordedRun()) {
       notices_->drop(QString::fromLatin1(kCutNotice));
     }
   });
-  connect(&workspace_, &Workspace::editRefused, this, [this] {
-    statusBar()->showMessage(tr("A recorded run is not edited: Ctrl+R leaves it"), kMessageMs);
+  connect(&workspace_, &Workspace::editReverted, this, [this] {
+    statusBar()->showMessage(tr("A recorded run cannot be edited: Ctrl+R closes it"), kMessageMs);
   });
   const auto raise = [this](const base::Diagnostics& problems) {
     Q_EMIT docks_->context().problemsFound(problems);
@@ -290,12 +294,12 @@ void MainWindow::connectRun() {
     Q_EMIT docks_->context().problemsFound(remarks);
   };
   connect(&runner, &SimulationRunner::warned, this, list);
-  connect(&runner, &SimulationRunner::broke, this, &MainWindow::showBreak);
-  connect(&runner, &SimulationRunner::historyCut, this, list);
+  connect(&runner, &SimulationRunner::breakpointHit, this, &MainWindow::showBreakpoint);
+  connect(&runner, &SimulationRunner::historyTruncated, this, list);
 }
 
-/// The person whose tree stopped the run, with the node.
-void MainWindow::showBreak(const sim2d::TreeBreak& at) {
+/// Selects the person and the node at which a breakpoint stopped the run.
+void MainWindow::showBreakpoint(const sim2d::TreeBreakpointHit& at) {
   editor::ScenarioDocument& document = workspace_.document();
   for (const sim2d::Human& human : document.scenario().humans) {
     if (human.id == at.person) {
@@ -309,8 +313,8 @@ void MainWindow::showBreak(const sim2d::TreeBreak& at) {
   outline.selectNode(outline.nodeNamed(at.at.path));
 }
 
-void MainWindow::followState() {
-  const bool isRecorded = workspace_.isOfRecord();
+void MainWindow::updateActions() {
+  const bool isRecorded = workspace_.isRecordedRun();
   for (QAction* action : {actions_->save, actions_->saveAs, actions_->exportTo}) {
     action->setEnabled(!isOnStartPage() && !isRecorded);
   }
@@ -323,14 +327,14 @@ void MainWindow::followState() {
   showTitle();
 }
 
-void MainWindow::showBeside(QWidget* view, int columns) {
+void MainWindow::showSideBySide(QWidget* view, int columns) {
   if (view != nullptr) {
     canvas_->addWidget(view);
     const int column = canvas_->width() / (columns + 1);
     canvas_->setSizes({column, columns * column});
     view->show();
   }
-  editor::later(*canvas_, [this] { workspace_.view().fitAll(false); });  // once it has its size
+  editor::later(*canvas_, [this] { workspace_.view().fitAll(false); });  // after layout
 }
 
 void MainWindow::showStart(bool start) {
@@ -338,12 +342,12 @@ void MainWindow::showStart(bool start) {
   docks_->setShown(!start);
   toolBar_->setVisible(!start);
   status_->setIdle(start);
-  followState();
+  updateActions();
   if (!start) {
     workspace_.view().setFocus();
-    if (!std::exchange(placed_, true) &&  // when the docks are first seen: as they were last time
-        !restoreState(memory_.value(kWindowStateKey).toByteArray(), kLayoutVersion)) {
-      docks_->placeFirst();
+    if (!std::exchange(placed_, true) &&  // first display: restore the last layout
+        !restoreState(userSettings_.value(kWindowStateKey).toByteArray(), kLayoutVersion)) {
+      docks_->setInitialSizes();
     }
   }
 }
@@ -356,14 +360,14 @@ void MainWindow::showTitle() {
     saved_->clear();
     return;
   }
-  if (workspace_.isOfRecord()) {
+  if (workspace_.isRecordedRun()) {
     setWindowTitle(tr("%1 (recorded run) – HuNavSim Desktop").arg(workspace_.recordedName()));
     setWindowModified(false);
     saved_->setText(tr("Recorded run"));
     return;
   }
   setWindowTitle(document.displayName() + QStringLiteral("[*] – HuNavSim Desktop"));
-  const bool isOnlyHere = document.isDirty() || files_->isLost();
+  const bool isOnlyHere = document.isDirty() || files_->isFileMissing();
   setWindowModified(isOnlyHere);
   setWindowFilePath(document.path());
   saved_->setText(isOnlyHere              ? tr("Not saved")
@@ -372,7 +376,7 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::setTheme(const editor::Theme& theme) {
-  editor::dressApplication(theme);
+  editor::applyTheme(theme);
   workspace_.setTheme(theme);
   actions_->setTheme(theme);
   Q_EMIT docks_->context().themeChanged(theme);
@@ -387,15 +391,15 @@ void MainWindow::setTheme(const editor::Theme& theme) {
 void MainWindow::showFullScreenMap(bool on) {
   if (!isOnStartPage()) {
     menuBar()->setVisible(!on);
-    docks_->setShown(!on);  // first: it remembers the tool bar as well
+    docks_->setShown(!on);  // first, because it saves the tool bar state
     toolBar_->setVisible(!on);
     statusBar()->setVisible(!on);
-    addAction(actions_->fullScreen);  // its key works without the menu bar
+    addAction(actions_->fullScreen);  // keeps the shortcut without a menu bar
   }
   on ? showFullScreen() : showNormal();
 }
 
-void MainWindow::tellAbout() {
+void MainWindow::showAbout() {
   QMessageBox::about(this, tr("About HuNavSim Desktop"),
                      tr("<b>HuNavSim Desktop %1</b><br>Scenarios for human-aware navigation: draw, "
                         "simulate, measure.")
@@ -407,12 +411,12 @@ void MainWindow::showShortcuts() {
     keysDialog_ = new ShortcutsDialog(*menuBar(), this);
     editor::deleteWhenClosed(*keysDialog_);
   }
-  keysDialog_->show();  // beside the window, to try the keys out
+  keysDialog_->show();  // non-modal, so that keys can be tried
   keysDialog_->raise();
   keysDialog_->activateWindow();
 }
 
-/// A name without a folder is one beside the scenario.
+/// A file name without a folder is relative to the scenario.
 void MainWindow::showFile(const QString& file, int line) {
   if (viewer_ == nullptr) {
     viewer_ = new editor::TextViewer(workspace_.theme(), this);
@@ -426,27 +430,27 @@ void MainWindow::showFile(const QString& file, int line) {
   }
 }
 
-void MainWindow::remember() {
-  docks_->treeLarge()->setChecked(false);  // the next start begins with the map
-  memory_.setValue(kGeometryKey, saveGeometry());
+void MainWindow::saveLayout() {
+  docks_->treeMaximized()->setChecked(false);  // the next session starts with the map
+  userSettings_.setValue(kGeometryKey, saveGeometry());
   if (!isOnStartPage()) {
-    memory_.setValue(kWindowStateKey, saveState(kLayoutVersion));
+    userSettings_.setValue(kWindowStateKey, saveState(kLayoutVersion));
   }
 }
 
-/// What is chosen in the window; not a theme given to one start of the program.
-void MainWindow::rememberTheme() {
-  memory_.setValue(kThemeKey, followsSystem_                ? QStringLiteral("system")
-                              : workspace_.theme().isDark() ? QStringLiteral("dark")
-                                                            : QStringLiteral("light"));
+/// Stores a theme chosen in the window, not one given on the command line.
+void MainWindow::saveTheme() {
+  userSettings_.setValue(kThemeKey, followsSystem_                ? QStringLiteral("system")
+                                    : workspace_.theme().isDark() ? QStringLiteral("dark")
+                                                                  : QStringLiteral("light"));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->mayLeave()) {
+  if (!files_->maybeSave()) {
     event->ignore();
     return;
   }
-  remember();
+  saveLayout();
   event->accept();
 }
 
@@ -457,7 +461,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   }
 }
 
-/// A file is opened, or given to the person it falls on.
+/// Opens the file, or assigns a tree to the person it is dropped on.
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   const editor::MapView& view = workspace_.view();
@@ -466,14 +470,14 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QPoint at = view.viewport()->mapFrom(this, event->pos());
     under = workspace_.scene().entityAt(view.worldAt(at));
   }
-  // later: the program that drags waits until this is through, and there may be questions
+  // Deferred: the drag source is blocked until this returns, and dialogs may follow.
   const QString path = event->mimeData()->urls().front().toLocalFile();
   editor::later(*files_, [this, path, under] { files_->dropFile(path, under); });
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   event->ignore();
-  keys_->takeLeft(*event);
+  keys_->handleUnusedKey(*event);
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -29,33 +29,33 @@ class StatusLine;
 
 struct WindowSetup {
   editor::Theme theme = editor::Theme::light();
-  bool followsSystem = true;  // its colours
-  bool remembers = true;      // layout and recent files; not for pictures and tests
+  bool followsSystem = true;   // its colour scheme
+  bool storesSettings = true;  // store layout and recent files; off for tests
   QString shippedMaps;
   std::vector<ShippedScenario> demos;
-  RunOptions options;
-  sim2d::Compatibility compatibility;  // of the options
+  RunSpec options;
+  sim2d::Compatibility compatibility;  // set by the options
   editor::ToolRegistry tools = editor::standardTools();
   editor::PanelRegistry panels = windowPanels();
-  QString recoveryFolder;  // for copies of unsaved work; empty: none are kept
+  QString recoveryFolder;  // for copies of unsaved work; empty: none
 };
 
-/// Wires the parts together and asks before changes are lost. Closed windows keep the document
-/// until they are destroyed.
+/// The main window: connects all parts and asks before changes are lost. A closed window keeps its
+/// document until it is destroyed.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   explicit MainWindow(const WindowSetup& setup, QWidget* parent = nullptr);
   ~MainWindow() override;
   Q_DISABLE_COPY_MOVE(MainWindow)
-  /// Of the first start where the screen has room for it, and of pictures.
-  static QSize usualSize() { return {1280, 800}; }
+  /// The initial size if the screen is large enough, and the size of pictures.
+  static QSize defaultSize() { return {1280, 800}; }
 
   Workspace& workspace() { return workspace_; }
   Docks& docks() { return *docks_; }
   FileCommands& files() { return *files_; }
   WindowActions& actions() { return *actions_; }
-  editor::TextViewer* viewer() const { return viewer_; }  // null before its first use
+  editor::TextViewer* viewer() const { return viewer_; }  // null until first used
   NoticeBar& notices() { return *notices_; }
   DocumentGuard& guard() { return *guard_; }
   bool open(const QString& path) { return files_->openFile(path); }
@@ -77,25 +77,25 @@ class MainWindow : public QMainWindow {
   void showStart(bool start);
   void showTitle();
   void showIssues();
-  void followState();
-  void showBeside(QWidget* view, int columns);
-  void showBreak(const sim2d::TreeBreak& at);
+  void updateActions();
+  void showSideBySide(QWidget* view, int columns);
+  void showBreakpoint(const sim2d::TreeBreakpointHit& at);
   void showFullScreenMap(bool on);
-  void tellAbout();
+  void showAbout();
   void showShortcuts();
   void showFile(const QString& file, int line);
-  void remember();
-  void rememberTheme();
+  void saveLayout();
+  void saveTheme();
 
   Workspace workspace_;
-  Memory memory_;
+  UserSettings userSettings_;
   bool followsSystem_;
   bool placed_ = false;
   WindowActions* actions_;
   KeyRules* keys_;
   NoticeBar* notices_;
   QStackedWidget* centre_;
-  QSplitter* canvas_;  // the map, and what stands beside it
+  QSplitter* canvas_;  // the map and views beside it
   StartPage* startPage_ = nullptr;
   Docks* docks_;
   FileCommands* files_;

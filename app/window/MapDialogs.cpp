@@ -23,8 +23,8 @@ constexpr int kHintWidth = 272;
 constexpr int kLabelWidth = 96;
 constexpr double kFinest = 0.001;  // [m] per pixel
 constexpr double kCoarsest = 10.0;
-constexpr double kReach = 10.0;   // of a point that can be dragged [px]
-constexpr double kMargin = 12.0;  // around the image: a point on its edge is seen whole [px]
+constexpr double kReach = 10.0;   // [px], distance for dragging a point
+constexpr double kMargin = 12.0;  // [px] around the image, for points on its edge
 
 QDoubleSpinBox* metres(double value, double least, double most, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
@@ -49,7 +49,8 @@ RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
   setMinimumWidth(300);
   QLabel* title =
       editor::headingLabel(tr("New empty room"), theme.font(12.0, QFont::DemiBold), this);
-  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title, walls_});
+  auto* rows =
+      editor::configuredLayout(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title, walls_});
   QFormLayout* form = formRows();
   form->setContentsMargins(24, 0, 0, 4);
   form->addRow(tr("Width"), width_);
@@ -72,7 +73,7 @@ ScaleView::ScaleView(QImage image, const editor::Theme& theme, QWidget* parent)
   setMinimumSize(320, 240);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setCursor(Qt::CrossCursor);
-  setAccessibleName(tr("Image of the map"));
+  setAccessibleName(tr("Map image"));
 }
 
 void ScaleView::setPoints(std::vector<QPointF> points) {
@@ -100,32 +101,32 @@ QPointF ScaleView::toWidget(const QPointF& image) const {
 }
 
 void ScaleView::mousePressEvent(QMouseEvent* event) {
-  held_ = -1;
+  draggedPoint_ = -1;
   if (event->button() != Qt::LeftButton) {
     return;
   }
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const QPointF away = toWidget(points_[i]) - event->localPos();
     if (std::hypot(away.x(), away.y()) <= kReach) {
-      held_ = static_cast<int>(i);
+      draggedPoint_ = static_cast<int>(i);
       return;
     }
   }
   if (imageRect().contains(event->localPos())) {
     std::vector<QPointF> points = points_.size() == 2 ? std::vector<QPointF>() : points_;
     points.push_back(toImage(event->localPos()));
-    held_ = static_cast<int>(points.size()) - 1;
+    draggedPoint_ = static_cast<int>(points.size()) - 1;
     setPoints(std::move(points));
   }
 }
 
 void ScaleView::mouseMoveEvent(QMouseEvent* event) {
-  if (held_ >= 0 && event->buttons().testFlag(Qt::LeftButton)) {
+  if (draggedPoint_ >= 0 && event->buttons().testFlag(Qt::LeftButton)) {
     const QRectF rect = imageRect();
     const QPointF inside(std::clamp(event->localPos().x(), rect.left(), rect.right()),
                          std::clamp(event->localPos().y(), rect.top(), rect.bottom()));
     std::vector<QPointF> points = points_;
-    points[static_cast<std::size_t>(held_)] = toImage(inside);
+    points[static_cast<std::size_t>(draggedPoint_)] = toImage(inside);
     setPoints(std::move(points));
   }
 }
@@ -161,8 +162,8 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
       grid_(std::move(grid)),
       theme_(theme),
       view_(new ScaleView(std::move(image), theme, this)),
-      byPoints_(new QRadioButton(tr("By two points of the image"), this)),
-      byNumber_(new QRadioButton(tr("By its resolution"), this)),
+      byPoints_(new QRadioButton(tr("By two points in the image"), this)),
+      byNumber_(new QRadioButton(tr("By resolution"), this)),
       distance_(metres(5.0, 0.01, 10000.0, this)),
       resolution_(metres(grid_->resolution(), kFinest, kCoarsest, this)),
       firstX_(metres(0.0, -100000.0, 100000.0, this)),
@@ -171,13 +172,13 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
       place_(editor::headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
       size_(editor::secondaryLabel(QString(), this)) {
   setWindowTitle(tr("Map from an image"));
-  resize(900, editor::heightOnScreen(*this, 560));
+  resize(900, editor::limitedToScreen(*this, 560));
   resolution_->setDecimals(5);
   resolution_->setSingleStep(0.01);
   resolution_->setSuffix(tr(" m per pixel"));
   byPoints_->setChecked(true);
-  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 12);
-  auto* columns = editor::arranged(new QHBoxLayout, {}, 16);
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {16, 16, 16, 12}, 12);
+  auto* columns = editor::configuredLayout(new QHBoxLayout, {}, 16);
   columns->addWidget(view_, 1);
   columns->addLayout(makeSide());
   rows->addLayout(columns, 1);
@@ -192,9 +193,8 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
 }
 
 QLayout* ImageMapDialog::makeSide() {
-  QLabel* title =
-      editor::headingLabel(tr("How large is it?"), theme_.font(12.0, QFont::DemiBold), this);
-  auto* side = editor::arranged(new QVBoxLayout, {}, 8, {title, byPoints_});
+  QLabel* title = editor::headingLabel(tr("Map scale"), theme_.font(12.0, QFont::DemiBold), this);
+  auto* side = editor::configuredLayout(new QVBoxLayout, {}, 8, {title, byPoints_});
   const auto addFields = [&](const std::vector<std::pair<QString, QDoubleSpinBox*>>& fields) {
     auto* form = new QGridLayout;
     form->setHorizontalSpacing(8);
@@ -212,7 +212,7 @@ QLayout* ImageMapDialog::makeSide() {
   };
   hint_->setWordWrap(true);
   hint_->setFixedWidth(kHintWidth);
-  hint_->setMinimumHeight(2 * hint_->fontMetrics().lineSpacing());  // nothing moves with its words
+  hint_->setMinimumHeight(2 * hint_->fontMetrics().lineSpacing());  // constant height for any text
   hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   side->addWidget(hint_);
   addFields({{tr("Distance 1 – 2"), distance_}});
@@ -253,11 +253,11 @@ bool ImageMapDialog::isMeasured() const {
 QString ImageMapDialog::hint() const {
   const std::size_t count = view_->points().size();
   if (count < 2) {
-    return count == 0 ? tr("Click two points whose distance you know, such as the ends of a wall.")
-                      : tr("Now click the second point.");
+    return count == 0 ? tr("Click two points with a known distance, such as the ends of a wall.")
+                      : tr("Click the second point.");
   }
-  return isInRange() ? tr("Type the distance between the two points. They can be dragged.")
-                     : tr("%1 m per pixel is not possible, only %2 to %3.")
+  return isInRange() ? tr("Enter the distance between the two points. You can drag them.")
+                     : tr("%1 m per pixel is out of range (%2 to %3).")
                            .arg(resolution(), 0, 'g', 3)
                            .arg(kFinest)
                            .arg(kCoarsest);
@@ -275,7 +275,7 @@ void ImageMapDialog::measure() {
   create_->setEnabled(isMeasured());
   hint_->setText(hint());
   hint_->setEnabled(points);
-  place_->setText(count == 0 ? tr("Where is the lower left corner?") : tr("Where is point 1?"));
+  place_->setText(count == 0 ? tr("Position of lower left corner") : tr("Position of point 1"));
   size_->setText(isMeasured() ? tr("The map will be %1 × %2 m.")
                                     .arg(grid_->width() * resolution(), 0, 'f', 1)
                                     .arg(grid_->height() * resolution(), 0, 'f', 1)

@@ -16,12 +16,12 @@
 
 namespace app {
 
-/// Size of a new empty room.
+/// Asks for the size of a new empty room.
 class RoomDialog : public QDialog {
   Q_OBJECT
  public:
   explicit RoomDialog(const editor::Theme& theme, QWidget* parent = nullptr);
-  QSizeF size() const { return {width_->value(), height_->value()}; }  // of the free ground [m]
+  QSizeF size() const { return {width_->value(), height_->value()}; }  // [m], inner size
   bool hasWalls() const { return walls_->isChecked(); }
 
  private:
@@ -31,12 +31,12 @@ class RoomDialog : public QDialog {
   QDoubleSpinBox* height_;
 };
 
-/// A picture of a map on which two points are marked by clicks; they can be dragged.
+/// Shows a map image in which the user marks two points by clicking and dragging.
 class ScaleView : public QWidget {
   Q_OBJECT
  public:
   ScaleView(QImage image, const editor::Theme& theme, QWidget* parent = nullptr);
-  /// In pixels of the image from its lower left corner, in the order of clicking.
+  /// The points in image pixels from the lower left corner, in order of clicking.
   const std::vector<QPointF>& points() const { return points_; }
   void setPoints(std::vector<QPointF> points);
   QSize sizeHint() const override { return {560, 420}; }
@@ -50,37 +50,37 @@ class ScaleView : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
-  QRectF imageRect() const;  // where it is drawn
+  QRectF imageRect() const;  // in widget coordinates
   QPointF toImage(const QPointF& widget) const;
   QPointF toWidget(const QPointF& image) const;
 
   QImage image_;
   editor::Theme theme_;
   std::vector<QPointF> points_;
-  int held_ = -1;
+  int draggedPoint_ = -1;
 };
 
-/// Resolution and place of an image that is to become a map: by two points whose distance is known,
-/// or by number.
+/// Asks for the resolution and origin of an image that becomes a map: by two points with a known
+/// distance, or by number.
 class ImageMapDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `grid`: the cells of the image, `image`: what is shown.
+  /// `grid`: the cells of the image; `image`: the displayed image.
   ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid, QImage image,
                  const editor::Theme& theme, QWidget* parent = nullptr);
   ScaleView& view() { return *view_; }
-  double resolution() const;  // [m] per pixel, as measured
-  bool isMeasured() const;    // enough is said to make a map, and of a size that a map can have
-  /// With the resolution and so placed that the first point has its coordinates; without points:
-  /// the lower left corner of the image.
+  double resolution() const;  // [m/pixel]
+  bool isMeasured() const;    // the input is complete and valid
+  /// The map with this resolution. The first point has the entered coordinates; without points, the
+  /// lower left corner of the image has them.
   std::shared_ptr<const sim2d::OccupancyGrid> map() const;
 
  private:
   QLayout* makeSide();
-  void measure();          // and shows what comes of it
-  double pixels() const;   // between the two points; 0: there are not two
-  bool isInRange() const;  // the resolution
-  QString hint() const;    // what to do with the points
+  void measure();          // updates the result
+  double pixels() const;   // [pixels] between the points; 0: fewer than two
+  bool isInRange() const;  // whether the resolution is valid
+  QString hint() const;    // instruction for the user
 
   std::shared_ptr<const sim2d::OccupancyGrid> grid_;
   editor::Theme theme_;

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "editor/look/ClearLater.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 
@@ -20,9 +20,10 @@ namespace {
 
 constexpr int kLeastHeight = 40;
 constexpr int kIcon = 18;
-constexpr int kWords = 320;  // that a line of them should have; else the buttons go below
+constexpr int kWords = 320;  // [px], min. text width beside the buttons
 
-/// Icon, words, buttons and a cross on one line; where that is too narrow, the buttons are below.
+/// Icon, text, buttons and a close button in one row; in narrow windows the buttons are below the
+/// text.
 class NoticeRow : public QWidget {
  public:
   NoticeRow(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)), choices_(this) {
@@ -32,7 +33,7 @@ class NoticeRow : public QWidget {
     grid_->setHorizontalSpacing(8);
     grid_->setVerticalSpacing(4);
     grid_->setColumnStretch(WordsColumn, 1);
-    buttons_ = editor::arranged(new QHBoxLayout(&choices_), {}, 8);
+    buttons_ = editor::configuredLayout(new QHBoxLayout(&choices_), {}, 8);
     grid_->addWidget(&choices_, 0, ChoicesColumn);
   }
 
@@ -63,7 +64,9 @@ class NoticeRow : public QWidget {
 }  // namespace
 
 NoticeBar::NoticeBar(const editor::Theme& theme, QWidget* parent)
-    : QWidget(parent), theme_(theme), rows_(editor::arranged(new QVBoxLayout(this), {}, 0)) {
+    : QWidget(parent),
+      theme_(theme),
+      rows_(editor::configuredLayout(new QVBoxLayout(this), {}, 0)) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   hide();
 }
@@ -73,7 +76,7 @@ std::vector<Notice>::iterator NoticeBar::find(const QString& id) {
                       [&](const Notice& notice) { return notice.id == id; });
 }
 
-void NoticeBar::tell(Notice notice) {
+void NoticeBar::post(Notice notice) {
   if (const auto same = find(notice.id); same != notices_.end()) {
     *same = std::move(notice);
   } else {
@@ -106,7 +109,7 @@ void NoticeBar::setTheme(const editor::Theme& theme) {
 
 void NoticeBar::rebuild() {
   if (QWidget* focus = window()->focusWidget(); focus != nullptr && isAncestorOf(focus)) {
-    Q_EMIT keyboardFree();  // before Qt hands it to whatever is next
+    Q_EMIT focusReleased();  // before Qt moves the focus
   }
   editor::clearLater(*rows_);
   for (const Notice& notice : notices_) {
@@ -133,7 +136,7 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
                       .pixmap(kIcon, kIcon));
   row->add(icon, NoticeRow::IconColumn);
   auto* text = new QLabel(notice.text, row);
-  text->setTextFormat(Qt::PlainText);  // names of files and programs stand in it
+  text->setTextFormat(Qt::PlainText);  // may contain file and program names
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text->setWordWrap(true);
@@ -147,8 +150,8 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
   auto* close = new QToolButton(row);
   close->setIcon(editor::themedIcon(QStringLiteral("close"), theme_));
   close->setAutoRaise(true);
-  close->setToolTip(tr("Later"));
-  close->setAccessibleName(tr("Later"));
+  close->setToolTip(tr("Dismiss"));
+  close->setAccessibleName(tr("Dismiss"));
   connect(close, &QToolButton::clicked, this, [this, id = notice.id] { drop(id); });
   row->add(close, NoticeRow::CrossColumn);
   return row;

@@ -11,39 +11,39 @@
 
 namespace app {
 
-/// Something that the user should know and may decide on, without a box in the way.
+/// A non-modal message with optional choices.
 struct Notice {
-  QString id;  // a later one of the same takes its place
+  QString id;  // a later notice with the same id replaces it
   bool isWarning = false;
   QString text;
   struct Choice {
     QString text;
     std::function<void()> action;
   };
-  std::vector<Choice> choices;  // each ends the notice
+  std::vector<Choice> choices;  // each closes the notice
 };
 
-/// Notices above the canvas, one line each; takes no room when there are none.
+/// Shows notices above the canvas, one per row; hidden if there are none.
 class NoticeBar : public QWidget {
   Q_OBJECT
  public:
   explicit NoticeBar(const editor::Theme& theme, QWidget* parent = nullptr);
-  void tell(Notice notice);
+  void post(Notice notice);
   using Choices = std::vector<Notice::Choice>;
   void inform(const QString& id, const QString& text, Choices choices) {
-    tell({id, false, text, std::move(choices)});
+    post({id, false, text, std::move(choices)});
   }
   void warn(const QString& id, const QString& text, Choices choices = {}) {
-    tell({id, true, text, std::move(choices)});
+    post({id, true, text, std::move(choices)});
   }
   void drop(const QString& id);
-  bool isTold(const QString& id) { return find(id) != notices_.end(); }
+  bool has(const QString& id) { return find(id) != notices_.end(); }
   const std::vector<Notice>& notices() const { return notices_; }
   void choose(const QString& id, int choice);
   void setTheme(const editor::Theme& theme);
 
  Q_SIGNALS:
-  void keyboardFree();  // it was on a button that goes now
+  void focusReleased();  // a focused button is about to be deleted
 
  private:
   std::vector<Notice>::iterator find(const QString& id);

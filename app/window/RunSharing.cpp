@@ -4,7 +4,7 @@
 #include <QGuiApplication>
 #include <QPointer>
 
-#include "app/cli/RunGuests.h"
+#include "app/cli/RunObservers.h"
 
 namespace app {
 
@@ -20,48 +20,48 @@ constexpr const char* kWarning = "run-guests";
 RunSharing::RunSharing(Workspace& workspace, QAction& foxglove, QAction& ros2, NoticeBar& notices,
                        QObject* parent)
     : QObject(parent), workspace_(workspace), foxglove_(foxglove), ros2_(ros2), notices_(notices) {
-  ros2_.setVisible(speaksRos2());
+  ros2_.setVisible(hasRos2Support());
   for (QAction* const action : {&foxglove_, &ros2_}) {
     connect(action, &QAction::toggled, this, &RunSharing::choose);
   }
   const SimulationRunner* runner = &workspace_.runner();
-  connect(runner, &SimulationRunner::stateChanged, this, &RunSharing::followRun);
-  connect(runner, &SimulationRunner::finished, this, &RunSharing::followRun);
-  connect(runner, &SimulationRunner::branchesChanged, this, &RunSharing::followRun);
+  connect(runner, &SimulationRunner::stateChanged, this, &RunSharing::updateNotices);
+  connect(runner, &SimulationRunner::finished, this, &RunSharing::updateNotices);
+  connect(runner, &SimulationRunner::branchesChanged, this, &RunSharing::updateNotices);
 }
 
-/// Guests speak in other threads: their words are taken over to this one.
+/// Guests call back in other threads; their messages are queued to this thread.
 void RunSharing::choose() {
   if (!foxglove_.isChecked() && !ros2_.isChecked()) {
-    workspace_.runner().setGuests({});
+    workspace_.runner().setObserverFactory({});
     return;
   }
-  RunGuests guests;
+  RunObservers guests;
   if (foxglove_.isChecked()) {
     guests.foxglove = static_cast<std::uint16_t>(kUsualPort);
   }
   guests.ros2 = ros2_.isChecked();
   const QPointer<RunSharing> here(this);
   const auto later = [here](auto act) {
-    const auto tell = [here, act] {
+    const auto report = [here, act] {
       if (here) {
         act(*here);
       }
     };
     if (QCoreApplication* const application = QCoreApplication::instance()) {
-      const QObject sender;  // its end is the signal; clang-tidy takes invokeMethod for a leak
-      connect(&sender, &QObject::destroyed, application, tell, Qt::QueuedConnection);
+      const QObject sender;  // its destruction is the signal; avoids a clang-tidy warning
+      connect(&sender, &QObject::destroyed, application, report, Qt::QueuedConnection);
     }
   };
-  guests.isWatched = [later](const std::string& url) {
-    later([url](RunSharing& sharing) { sharing.tellWatched(QString::fromStdString(url)); });
+  guests.liveViewOpened = [later](const std::string& url) {
+    later([url](RunSharing& sharing) { sharing.reportUrl(QString::fromStdString(url)); });
   };
-  guests.tell = [later](const base::Diagnostics& said) {
-    later([said](RunSharing& sharing) { sharing.tellWarning(said); });
+  guests.report = [later](const base::Diagnostics& diagnostics) {
+    later([diagnostics](RunSharing& sharing) { sharing.reportWarning(diagnostics); });
   };
-  workspace_.runner().setGuests(
+  workspace_.runner().setObserverFactory(
       [guests](Session& session, sim2d::World& world, const std::shared_ptr<const Bundle>& bundle) {
-        return letIn(guests, session, world, bundle);
+        return attachObservers(guests, session, world, bundle);
       });
 }
 
@@ -70,21 +70,21 @@ bool RunSharing::isLive() const {
   return runner.state() != SimulationRunner::State::Editing && !runner.isFinished();
 }
 
-void RunSharing::tellWatched(const QString& url) {
+void RunSharing::reportUrl(const QString& url) {
   if (!isLive()) {
-    return;  // it was left meanwhile
+    return;  // the run was closed meanwhile
   }
   notices_.inform(QString::fromLatin1(kWatched),
-                  tr("This run can be watched at %1 (Foxglove: Open connection)").arg(url),
+                  tr("Watch this run at %1 (Foxglove: Open connection)").arg(url),
                   {{tr("Copy address"), [url] { QGuiApplication::clipboard()->setText(url); }}});
 }
 
-/// The newest counts; the first of what was said at once.
-void RunSharing::tellWarning(const base::Diagnostics& said) {
-  notices_.warn(QString::fromLatin1(kWarning), QString::fromStdString(said.front().message));
+/// Shows the newest warning, or the first of several.
+void RunSharing::reportWarning(const base::Diagnostics& diagnostics) {
+  notices_.warn(QString::fromLatin1(kWarning), QString::fromStdString(diagnostics.front().message));
 }
 
-void RunSharing::followRun() {
+void RunSharing::updateNotices() {
   const int branch = workspace_.runner().branch();
   const bool isAnother = branch != branch_;
   branch_ = branch;

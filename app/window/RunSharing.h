@@ -7,28 +7,28 @@
 
 namespace app {
 
-/// Whether runs that begin from now on are told to others while they go on: in Foxglove's live
-/// view, on topics of ROS 2. Each start of the program begins with neither.
+/// Publishes runs started afterwards to Foxglove's live view and on ROS 2 topics. Both are off when
+/// the program starts.
 class RunSharing : public QObject {
   Q_OBJECT
  public:
-  static constexpr int kUsualPort = 8765;  // Foxglove's
+  static constexpr int kUsualPort = 8765;  // Foxglove's default
 
   RunSharing(Workspace& workspace, QAction& foxglove, QAction& ros2, NoticeBar& notices,
              QObject* parent);
 
  private:
   void choose();
-  void tellWatched(const QString& url);
-  void tellWarning(const base::Diagnostics& said);
-  void followRun();
+  void reportUrl(const QString& url);
+  void reportWarning(const base::Diagnostics& diagnostics);
+  void updateNotices();
   bool isLive() const;
 
   Workspace& workspace_;
   QAction& foxglove_;
   QAction& ros2_;
   NoticeBar& notices_;
-  int branch_ = -1;  // of the run that goes on
+  int branch_ = -1;  // branch of the current run
 };
 
 }  // namespace app

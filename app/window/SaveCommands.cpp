@@ -6,25 +6,25 @@
 #include "app/window/FileCommands.h"
 #include "app/window/TreeChoiceDialog.h"
 #include "editor/document/Autosave.h"
-#include "editor/look/Typing.h"
+#include "editor/look/PendingEdit.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 
-/// Saving and exporting, and the questions before something is lost.
+/// The part of FileCommands that saves and exports, with the questions before data is lost.
 namespace app {
 
 namespace {
 
-constexpr const char* kExportKey = "files/export";  // a scenario and its folder
+constexpr const char* kExportKey = "files/export";  // scenario and its export folder
 
-/// Links lead to one file as well; a file need not be there.
+/// Whether both are the same file, also through links. The files need not exist.
 bool isSameFile(const QFileInfo& a, const QFileInfo& b) {
   const QString real = a.canonicalFilePath();
   return a.absoluteFilePath() == b.absoluteFilePath() ||
          (!real.isEmpty() && real == b.canonicalFilePath());
 }
 
-/// Of the image of a map; empty when the map cannot be read.
+/// The path of a map's image; empty if the map cannot be read.
 QString imageOf(const QString& map) {
   const base::Result<std::string> text = base::readTextFile(map.toStdString());
   const auto description = text ? sim2d::parseMapDescription(*text, map.toStdString())
@@ -33,7 +33,7 @@ QString imageOf(const QString& map) {
                      : QString();
 }
 
-/// A damaged map is one as well.
+/// Whether the file is a map, even a damaged one.
 bool isMapYaml(const QString& path) {
   const base::Result<std::string> text = base::readTextFile(path.toStdString());
   const auto has = [&text](const char* words) { return text->find(words) != std::string::npos; };
@@ -43,60 +43,61 @@ bool isMapYaml(const QString& path) {
 
 }  // namespace
 
-bool FileCommands::saveTo(const QString& path, const editor::TreesToReplace& trees) {
+bool FileCommands::saveTo(const QString& path, const editor::TreeReplacements& trees) {
   const base::Diagnostics problems = workspace_.document().save(path, trees);
   if (base::hasErrors(problems)) {
     problems_ = problems;
     Q_EMIT notSaved(QFileInfo(path).fileName(), problems);
     return false;
   }
-  tell(problems);
-  memory_.noteFile(path);
+  showProblems(problems);
+  userSettings_.addRecentFile(path);
   Q_EMIT recentChanged();
   return true;
 }
 
-/// One box with all that saving over the file would lose.
-bool FileCommands::mayWriteOver() {
+/// One message box with everything that saving over the file would lose.
+bool FileCommands::confirmOverwrite() {
   const editor::ScenarioDocument& document = workspace_.document();
   QStringList losses;
   if (document.changedOnDisk().contains(document.path())) {
-    losses << tr("Another program has changed %1 since it was opened; saving replaces what it "
-                 "wrote.")
+    losses << tr("%1 was changed by another program after it was opened; saving overwrites those "
+                 "changes.")
                   .arg(document.displayName());
   }
   if (document.commentCount() > 0) {
-    losses << (document.commentCount() == 1
-                   ? tr("%1 has a comment, which saving does not keep.").arg(document.displayName())
-                   : tr("%1 has %2 comments, which saving does not keep.")
-                         .arg(document.displayName())
-                         .arg(document.commentCount()));
+    losses
+        << (document.commentCount() == 1
+                ? tr("%1 has a comment, which is lost when you save.").arg(document.displayName())
+                : tr("%1 has %2 comments, which are lost when you save.")
+                      .arg(document.displayName())
+                      .arg(document.commentCount()));
   }
   if (losses.isEmpty()) {
     return true;
   }
   losses << tr("Save anyway?");
   return QMessageBox::question(
-             &window_, tr("Save over the file?"), losses.join(QStringLiteral("\n\n")),
+             &window_, tr("Overwrite the file?"), losses.join(QStringLiteral("\n\n")),
              QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Save;
 }
 
 bool FileCommands::saveAsking(const QString& path) {
-  const std::optional<editor::TreesToReplace> trees = TreeChoiceDialog::ask(
-      workspace_.document().treeQuestions(path), workspace_.theme(), &window_);
+  const std::optional<editor::TreeReplacements> trees = TreeChoiceDialog::ask(
+      workspace_.document().treeConflicts(path), workspace_.theme(), &window_);
   return trees && saveTo(path, *trees);
 }
 
 bool FileCommands::save() {
-  editor::finishTyping(window_);
+  editor::commitPendingEdit(window_);
   const editor::ScenarioDocument& document = workspace_.document();
   if (document.path().isEmpty() || document.isReadOnly()) {
     return saveAs();
   }
-  return mayWriteOver() && saveAsking(document.path());
+  return confirmOverwrite() && saveAsking(document.path());
 }
 
-QString FileCommands::nameForSaving() const {
+QString FileCommands::suggestedPath() const {
   const editor::ScenarioDocument& document = workspace_.document();
   const QFileInfo old(document.path());
   if (document.path().isEmpty()) {
@@ -115,17 +116,17 @@ QString FileCommands::nameForSaving() const {
 }
 
 bool FileCommands::saveAs() {
-  const QFileInfo proposed(nameForSaving());
+  const QFileInfo proposed(suggestedPath());
   QFileDialog dialog(&window_, tr("Save the scenario"), proposed.absolutePath(),
                      tr("Scenarios (*.yaml)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(QStringLiteral("yaml"));
   dialog.selectFile(proposed.fileName());
-  const QString path = askFile(dialog, memory_);
-  return !path.isEmpty() && saveUnder(path);
+  const QString path = askFile(dialog, userSettings_);
+  return !path.isEmpty() && saveAsPath(path);
 }
 
-/// The map in use, another one, or an image.
+/// Whether the file is the current map, another map, or an image.
 bool FileCommands::isMap(const QString& path) const {
   const QString map = workspace_.document().mapPath();
   if (!map.isEmpty() && isSameFile(QFileInfo(path), QFileInfo(map))) {
@@ -138,39 +139,39 @@ bool FileCommands::isMap(const QString& path) const {
          (!map.isEmpty() && isSameFile(QFileInfo(path), QFileInfo(imageOf(map))));
 }
 
-bool FileCommands::saveUnder(const QString& path) {
+bool FileCommands::saveAsPath(const QString& path) {
   if (isMap(path)) {
     QMessageBox::warning(
         &window_, tr("This file is a map"),
-        tr("%1 is a map or its image. Saving the scenario there would destroy it. Choose another "
-           "name, such as %2.")
-            .arg(QFileInfo(path).fileName(), QFileInfo(nameForSaving()).fileName()));
+        tr("%1 is a map or a map image. Saving the scenario there would overwrite it. Choose "
+           "another name, such as %2.")
+            .arg(QFileInfo(path).fileName(), QFileInfo(suggestedPath()).fileName()));
     return false;
   }
   return saveAsking(path);
 }
 
-bool FileCommands::isLost() const {
+bool FileCommands::isFileMissing() const {
   const QString path = workspace_.document().path();
   return !path.isEmpty() && !QFileInfo::exists(path);
 }
 
-bool FileCommands::mayLeave() {
-  editor::finishTyping(window_);
+bool FileCommands::maybeSave() {
+  editor::commitPendingEdit(window_);
   const editor::ScenarioDocument& document = workspace_.document();
-  if (!document.isDirty() && !isLost()) {
+  if (!document.isDirty() && !isFileMissing()) {
     return true;
   }
   const auto answer = QMessageBox::question(
-      &window_, document.isDirty() ? tr("Unsaved changes") : tr("The file is gone"),
+      &window_, document.isDirty() ? tr("Unsaved changes") : tr("File not found"),
       (document.isDirty() ? tr("Save the changes to %1 first?")
-                          : tr("%1 is no longer in its folder. Save it again first?"))
+                          : tr("%1 was moved or deleted. Save it again first?"))
           .arg(document.displayName()),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
-/// The document as it is in the window, saved or not.
+/// The current document, saved or not.
 Bundle FileCommands::exportSource() const {
   const editor::ScenarioDocument& document = workspace_.document();
   Bundle source;
@@ -189,10 +190,10 @@ Bundle FileCommands::exportSource() const {
   return source;
 }
 
-/// Where this scenario was exported last, else beside it.
+/// The folder of the scenario's last export, otherwise next to the scenario.
 QString FileCommands::exportFolder() const {
   const QString path = workspace_.document().path();
-  const QStringList last = memory_.value(kExportKey).toStringList();
+  const QStringList last = userSettings_.value(kExportKey).toStringList();
   const bool isOurs = last.size() == 2 && !path.isEmpty() && last.front() == path;
   return isOurs ? last.back() : folder() + QStringLiteral("/export");
 }
@@ -200,7 +201,7 @@ QString FileCommands::exportFolder() const {
 void FileCommands::askExport() {
   ExportDialog dialog(exportSource(), exportFolder(), workspace_.theme(), &window_);
   if (dialog.exec() == QDialog::Accepted && exportPlan(dialog.plan())) {
-    memory_.setValue(kExportKey, QStringList{workspace_.document().path(), dialog.folder()});
+    userSettings_.setValue(kExportKey, QStringList{workspace_.document().path(), dialog.folder()});
   }
 }
 

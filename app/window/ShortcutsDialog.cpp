@@ -16,16 +16,16 @@ constexpr QSize kUsual(640, 560);
 constexpr int kNameWidth = 200;
 constexpr int kKeyWidth = 150;
 
-/// Without the marks of menus, what would be undone, and the key that a tool hears.
+/// The command name without menu mnemonics, undo texts and the tool's key.
 QString nameOf(const QAction& action) {
-  const QString lasting = action.property(WindowActions::kName).toString();
+  const QString lasting = action.property(WindowActions::kNameProperty).toString();
   return (lasting.isEmpty() ? action.text() : lasting)
       .section(QLatin1Char('\t'), 0, 0)
       .remove(QLatin1Char('&'))
       .remove(QChar(0x2026));
 }
 
-/// Of the command, or of the tool that hears it; empty: none.
+/// The keys of the command or of its tool; empty: none.
 QString keysOf(const QAction& action) {
   const QString heard = action.text().section(QLatin1Char('\t'), 1);
   return heard.isEmpty() ? QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText)
@@ -54,8 +54,8 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, QWidget* parent)
     addMenu(*group, *top->menu());
     group->setExpanded(true);
   }
-  nothing_ = new editor::NothingFound(*search_, *list_, this);
-  auto* layout = editor::arranged(new QVBoxLayout(this), {12, 12, 12, 12}, 8, {search_});
+  nothing_ = new editor::NoMatchesPlaceholder(*search_, *list_, this);
+  auto* layout = editor::configuredLayout(new QVBoxLayout(this), {12, 12, 12, 12}, 8, {search_});
   layout->addWidget(list_, 1);
   layout->addWidget(nothing_, 1);
   for (const QString& rule : KeyRules::rules()) {
@@ -93,7 +93,7 @@ void ShortcutsDialog::filter(const QString& text) {
     group.setHidden(!isHere);
     isAny = isAny || isHere;
   }
-  nothing_->showFor(isAny);
+  nothing_->setMatchFound(isAny);
 }
 
 }  // namespace app

@@ -6,13 +6,13 @@
 #include <QTreeWidget>
 
 namespace editor {
-class NothingFound;
+class NoMatchesPlaceholder;
 }  // namespace editor
 
 namespace app {
 
-/// All keys of the window, as its commands and tools say them themselves, with a search; below them
-/// who has a key that several want.
+/// A searchable list of all shortcuts, taken from the commands and tools, and the rules of
+/// precedence.
 class ShortcutsDialog : public QDialog {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class ShortcutsDialog : public QDialog {
 
   QLineEdit* search_;
   QTreeWidget* list_;
-  editor::NothingFound* nothing_;
+  editor::NoMatchesPlaceholder* nothing_;
 };
 
 }  // namespace app

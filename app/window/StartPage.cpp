@@ -8,10 +8,9 @@
 #include <QPainterPath>
 
 #include "editor/canvas/RouteModel.h"
-#include "editor/look/ClearLater.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/look/Later.h"
 
 namespace app {
 
@@ -21,13 +20,13 @@ namespace {
 
 constexpr int kColumnWidth = 1120;
 constexpr int kGap = 24;
-constexpr double kFiner = 1.75;  // lines are finer than on the canvas
+constexpr double kThumbnailScale = 1.75;  // lines are thinner than on the canvas
 constexpr double kRadius = 8.0;
 constexpr int kWordsLeft = 78;
 constexpr int kNameLeft = 40;
-constexpr int kKeysGap = 16;  // between the title and the shortcut
+constexpr int kKeysGap = 16;  // between title and shortcut
 
-/// The scenario as the canvas draws it, fitted into `size`.
+/// Renders the scenario as on the canvas, fitted to `size`.
 QPixmap thumbnailOf(const QString& path, const editor::Theme& theme, const QSize& size,
                     double ratio, int& people) {
   editor::ScenarioDocument document;
@@ -39,12 +38,12 @@ QPixmap thumbnailOf(const QString& path, const editor::Theme& theme, const QSize
   editor::CanvasOptions options;
   options.names = false;
   options.grid = false;
-  options.goals = false;  // pins are as large as people here; routes say where they go
+  options.goals = false;  // pins are as large as people; routes show the goals
   scene.setOptions(options);
   scene.routes().finish();
   const QRectF content = scene.contentRect();
-  const QSizeF large = QSizeF(size) * kFiner;  // lines keep their size there
-  const double margin = 10.0 * kFiner;
+  const QSizeF large = QSizeF(size) * kThumbnailScale;  // line widths are constant
+  const double margin = 10.0 * kThumbnailScale;
   const double scale = std::min((large.width() - 2.0 * margin) / content.width(),
                                 (large.height() - 2.0 * margin) / content.height());
   scene.setPixelsPerMetre(scale);
@@ -69,7 +68,7 @@ QString homeRelative(const QString& folder) {
                                                     : folder;
 }
 
-/// Of a shipped scenario, by the name of its file.
+/// The title of a shipped scenario, from its file name.
 QString titleOf(const std::string& name) {
   QString title = QString::fromStdString(name).remove(QStringLiteral("_agents"));
   return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' ')));
@@ -77,7 +76,7 @@ QString titleOf(const std::string& name) {
 
 }  // namespace
 
-QString agoText(const QDateTime& then, const QDateTime& now) {
+QString relativeTimeText(const QDateTime& then, const QDateTime& now) {
   const qint64 minutes = then.secsTo(now) / 60;
   if (minutes < 1) {
     return QObject::tr("just now");
@@ -101,19 +100,19 @@ QString agoText(const QDateTime& then, const QDateTime& now) {
                                            : QStringLiteral("d MMM yyyy"));
 }
 
-ActionCard::ActionCard(Words words, const editor::Theme& theme, QWidget* parent)
-    : StartCard(theme, parent), words_(std::move(words)) {
-  setAccessibleName(words_.title);
-  setToolTip(words_.shortcut);
+ActionCard::ActionCard(Labels words, const editor::Theme& theme, QWidget* parent)
+    : StartCard(theme, parent), labels_(std::move(words)) {
+  setAccessibleName(labels_.title);
+  setToolTip(labels_.shortcut);
 }
 
 void ActionCard::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(theme_.color(isLit() ? Role::Accent : Role::FieldEdge), 1.0));
-  painter.setBrush(theme_.color(isLit() ? Role::RowSelected : Role::Panel));
+  painter.setPen(QPen(theme_.color(isHighlighted() ? Role::Accent : Role::FieldEdge), 1.0));
+  painter.setBrush(theme_.color(isHighlighted() ? Role::RowSelected : Role::Panel));
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
-  editor::tintedIcon(words_.icon, theme_.color(Role::Accent))
+  editor::tintedIcon(labels_.icon, theme_.color(Role::Accent))
       .paint(&painter, QRect(24, 28, 32, 32));
   const QRect room = rect().adjusted(kWordsLeft, 10, -14, -10);
   painter.setPen(theme_.color(Role::Text));
@@ -121,28 +120,29 @@ void ActionCard::paintEvent(QPaintEvent*) {
   const QFontMetrics titleMetrics = painter.fontMetrics();
   painter.setFont(theme_.font(9.5));
   const int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-  const int lines = painter.fontMetrics().boundingRect(room, flags, words_.line).height();
+  const int lines = painter.fontMetrics().boundingRect(room, flags, labels_.line).height();
   const int titleHeight = titleMetrics.height() + 4;
   QRect words(room.left(), room.center().y() - (titleHeight + lines) / 2, room.width(),
               titleHeight + lines);
   painter.setPen(theme_.color(Role::TextSecondary));
-  painter.drawText(words.adjusted(0, titleHeight, 0, 0), flags, words_.line);
+  painter.drawText(words.adjusted(0, titleHeight, 0, 0), flags, labels_.line);
   painter.setFont(theme_.font(9.0));
-  const int keys = painter.fontMetrics().horizontalAdvance(words_.shortcut) + kKeysGap;
-  if (titleMetrics.horizontalAdvance(words_.title) + keys <= words.width()) {  // else the tip says
+  const int keys = painter.fontMetrics().horizontalAdvance(labels_.shortcut) + kKeysGap;
+  if (titleMetrics.horizontalAdvance(labels_.title) + keys <= words.width()) {  // else in tooltip
     painter.drawText(QRect(0, 10, width() - 14, 18), Qt::AlignVCenter | Qt::AlignRight,
-                     words_.shortcut);
+                     labels_.shortcut);
   }
   painter.setPen(theme_.color(Role::Text));
   painter.setFont(theme_.font(12.0, QFont::DemiBold));
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
-                   titleMetrics.elidedText(words_.title, Qt::ElideRight, words.width()));
+                   titleMetrics.elidedText(labels_.title, Qt::ElideRight, words.width()));
 }
 
 RecentRow::RecentRow(QString path, const QDateTime& used, const editor::Theme& theme,
                      QWidget* parent)
     : StartCard(theme, parent), path_(std::move(path)), exists_(QFileInfo::exists(path_)) {
-  when_ = exists_ && used.isValid() ? agoText(used, QDateTime::currentDateTime()) : QString();
+  when_ =
+      exists_ && used.isValid() ? relativeTimeText(used, QDateTime::currentDateTime()) : QString();
   setToolTip(path_);
   setAccessibleName(QFileInfo(path_).fileName());
   setAccessibleDescription(exists_ ? when_ : tr("File not found"));
@@ -152,7 +152,7 @@ RecentRow::RecentRow(QString path, const QDateTime& used, const editor::Theme& t
 void RecentRow::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (isLit() && exists_) {
+  if (isHighlighted() && exists_) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme_.color(Role::RowHover));
     painter.drawRoundedRect(QRectF(rect()).adjusted(0, 0, 0, -1), 4.0, 4.0);
@@ -207,7 +207,8 @@ void DemoCard::paintEvent(QPaintEvent*) {
     painter.drawPixmap(QRect(QPoint(), pictureSize()), picture_);
     painter.setClipping(false);
   }
-  painter.setPen(QPen(theme_.color(isLit() ? Role::Accent : Role::Line), isLit() ? 1.5 : 1.0));
+  painter.setPen(
+      QPen(theme_.color(isHighlighted() ? Role::Accent : Role::Line), isHighlighted() ? 1.5 : 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawRoundedRect(frame, kRadius, kRadius);
   const QRect words(0, pictureSize().height() + 6, width(), 22);
@@ -222,11 +223,11 @@ void DemoCard::paintEvent(QPaintEvent*) {
   }
 }
 
-StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memory,
+StartPage::StartPage(Workspace& workspace, WindowActions& actions, UserSettings& userSettings,
                      const std::vector<ShippedScenario>& demos, QWidget* parent)
     : QScrollArea(parent),
       workspace_(workspace),
-      memory_(memory),
+      userSettings_(userSettings),
       page_(new QWidget),
       column_(new QVBoxLayout),
       recent_(new QVBoxLayout) {
@@ -245,11 +246,11 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memor
   sides->addWidget(middle, 1000);
   sides->addStretch(1);
   const editor::Theme& theme = workspace.theme();
-  editor::arranged(column_, {0, 48, 0, 24}, 0,
-                   {editor::headingLabel(tr("Start"), theme.font(21.0, QFont::DemiBold))});
+  editor::configuredLayout(column_, {0, 48, 0, 24}, 0,
+                           {editor::headingLabel(tr("Start"), theme.font(21.0, QFont::DemiBold))});
   column_->addSpacing(8);
   auto* line = editor::secondaryLabel(
-      tr("Draw people and a robot on a map, press Space, and watch them live."));
+      tr("Place people and a robot on a map, then press Space to simulate them."));
   line->setFont(theme.font(10.5));
   column_->addWidget(line);
   column_->addSpacing(24);
@@ -265,18 +266,18 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memor
 }
 
 void StartPage::addActions(WindowActions& actions) {
-  auto* row = editor::arranged(new QHBoxLayout, {}, kGap);
+  auto* row = editor::configuredLayout(new QHBoxLayout, {}, kGap);
   const auto add = [&](QAction* action, const QString& icon, const QString& title,
-                       const QString& says) {
-    auto* card =
-        new ActionCard({icon, title, says, action->shortcut().toString(QKeySequence::NativeText)},
-                       workspace_.theme(), page_);
+                       const QString& description) {
+    auto* card = new ActionCard(
+        {icon, title, description, action->shortcut().toString(QKeySequence::NativeText)},
+        workspace_.theme(), page_);
     connect(card, &QAbstractButton::clicked, action, &QAction::trigger);
     row->addWidget(card, 1);
   };
   add(actions.newFromMap, QStringLiteral("start-map"), tr("New from a map"),
-      tr("nav2 map or image of a floor plan"));
-  add(actions.newWalledRoom, QStringLiteral("start-room"), tr("New empty room"),
+      tr("Nav2 map or floor plan image"));
+  add(actions.newEmptyRoom, QStringLiteral("start-room"), tr("New empty room"),
       tr("Four walls, or an open plane"));
   add(actions.open, QStringLiteral("file-open"), tr("Open…"), tr("Scenario or map"));
   column_->addLayout(row);
@@ -284,15 +285,15 @@ void StartPage::addActions(WindowActions& actions) {
 
 void StartPage::addDemos(const std::vector<ShippedScenario>& demos) {
   const QFont bold = workspace_.theme().font(12.0, QFont::DemiBold);
-  // thirds, with the gaps of the cards above
-  auto* both = editor::arranged(new QHBoxLayout, {}, 0);
-  auto* left = editor::arranged(new QVBoxLayout, {0, 0, 2 * kGap / 3, 0}, 0,
-                                {editor::headingLabel(tr("Recent"), bold)});
+  // Three columns aligned with the cards above.
+  auto* both = editor::configuredLayout(new QHBoxLayout, {}, 0);
+  auto* left = editor::configuredLayout(new QVBoxLayout, {0, 0, 2 * kGap / 3, 0}, 0,
+                                        {editor::headingLabel(tr("Recent"), bold)});
   left->addSpacing(8);
   left->addLayout(recent_);
   left->addStretch();
   both->addLayout(left, 1);
-  auto* right = editor::arranged(new QVBoxLayout, {kGap / 3, 0, 0, 0}, 0);
+  auto* right = editor::configuredLayout(new QVBoxLayout, {kGap / 3, 0, 0, 0}, 0);
   if (!demos.empty()) {
     right->addWidget(editor::headingLabel(tr("Demos"), bold));
     right->addSpacing(12);
@@ -305,7 +306,7 @@ void StartPage::addDemos(const std::vector<ShippedScenario>& demos) {
     const QString path = QString::fromStdString(demo.path);
     auto* card = new DemoCard(titleOf(demo.name), workspace_.theme(), page_);
     card->setToolTip(path);
-    connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileWanted(path); });
+    connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileRequested(path); });
     grid->addWidget(card, i / 2, i % 2);
     thumbnails_.emplace_back(card, path);
   }
@@ -319,13 +320,13 @@ void StartPage::addDemos(const std::vector<ShippedScenario>& demos) {
 
 void StartPage::fillRecent() {
   editor::clearLater(*recent_);
-  for (const QString& path : memory_.recentFiles()) {
-    auto* row = new RecentRow(path, memory_.noted(path), workspace_.theme(), page_);
-    connect(row, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileWanted(path); });
+  for (const QString& path : userSettings_.recentFiles()) {
+    auto* row = new RecentRow(path, userSettings_.lastUsed(path), workspace_.theme(), page_);
+    connect(row, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileRequested(path); });
     recent_->addWidget(row);
   }
   if (recent_->count() == 0) {
-    recent_->addWidget(editor::secondaryLabel(tr("Nothing opened yet. Try a demo.")));
+    recent_->addWidget(editor::secondaryLabel(tr("No recent files. Try a demo.")));
   }
 }
 
@@ -339,7 +340,7 @@ void StartPage::showTheme() {
 
 void StartPage::showEvent(QShowEvent* event) {
   QScrollArea::showEvent(event);
-  fillRecent();  // files come and go meanwhile
+  fillRecent();  // files may have changed
   paintThumbnails();
 }
 
@@ -348,7 +349,7 @@ void StartPage::paintThumbnails() {
   editor::later(*this, [this] { paintNextThumbnail(); });
 }
 
-/// One at a time, so that the page is there at once.
+/// One thumbnail at a time, so that the page appears immediately.
 void StartPage::paintNextThumbnail() {
   if (painted_ == thumbnails_.size()) {
     return;

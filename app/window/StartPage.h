@@ -15,7 +15,7 @@
 
 namespace app {
 
-/// A large button of the start page; draws itself in the colours of the theme.
+/// A large button of the start page in the colours of the theme.
 class StartCard : public QAbstractButton {
   Q_OBJECT
  public:
@@ -26,18 +26,18 @@ class StartCard : public QAbstractButton {
   }
 
  protected:
-  bool isLit() const { return underMouse() || hasFocus(); }
-  const editor::Theme& theme_;  // of the workspace, which changes it
+  bool isHighlighted() const { return underMouse() || hasFocus(); }
+  const editor::Theme& theme_;  // owned and changed by the workspace
 };
 
-/// Icon, title, one line, shortcut.
+/// A card with icon, title, description and shortcut.
 class ActionCard : public StartCard {
   Q_OBJECT
  public:
-  struct Words {
+  struct Labels {
     QString icon, title, line, shortcut;
   };
-  ActionCard(Words words, const editor::Theme& theme, QWidget* parent);
+  ActionCard(Labels words, const editor::Theme& theme, QWidget* parent);
   QSize sizeHint() const override { return {357, 88}; }
   QSize minimumSizeHint() const override { return {240, 88}; }
 
@@ -45,10 +45,10 @@ class ActionCard : public StartCard {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  Words words_;
+  Labels labels_;
 };
 
-/// A recent file: name, folder, when it was used; pale with a warning when it is gone.
+/// A recent file: name, folder, time of last use; greyed with a warning if it is missing.
 class RecentRow : public StartCard {
   Q_OBJECT
  public:
@@ -63,7 +63,7 @@ class RecentRow : public StartCard {
   bool exists_;
 };
 
-/// A scenario seen from above, its name and the number of people.
+/// A demo scenario: thumbnail, name and number of people.
 class DemoCard : public StartCard {
   Q_OBJECT
  public:
@@ -82,21 +82,20 @@ class DemoCard : public StartCard {
   int people_ = -1;
 };
 
-/// "2 min ago", "Yesterday", "12 Nov"
-QString agoText(const QDateTime& then, const QDateTime& now);
+/// The time of last use as text: "2 min ago", "Yesterday", "12 Nov".
+QString relativeTimeText(const QDateTime& then, const QDateTime& now);
 
-/// What stands in the place of the canvas while nothing is open: three actions, recent files, demo
-/// scenarios.
+/// The page shown while nothing is open: three actions, recent files, demo scenarios.
 class StartPage : public QScrollArea {
   Q_OBJECT
  public:
-  StartPage(Workspace& workspace, WindowActions& actions, Memory& memory,
+  StartPage(Workspace& workspace, WindowActions& actions, UserSettings& userSettings,
             const std::vector<ShippedScenario>& demos, QWidget* parent = nullptr);
-  void showTheme();  // that has changed
+  void showTheme();  // call after a theme change
   void fillRecent();
 
  Q_SIGNALS:
-  void fileWanted(const QString& path);
+  void fileRequested(const QString& path);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -108,12 +107,12 @@ class StartPage : public QScrollArea {
   void paintNextThumbnail();
 
   Workspace& workspace_;
-  Memory& memory_;
+  UserSettings& userSettings_;
   QWidget* page_;
   QVBoxLayout* column_;
   QVBoxLayout* recent_;
   std::vector<std::pair<DemoCard*, QString>> thumbnails_;
-  std::size_t painted_ = 0;  // of them
+  std::size_t painted_ = 0;  // number of painted thumbnails
 };
 
 }  // namespace app

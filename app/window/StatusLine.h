@@ -8,37 +8,37 @@
 
 namespace app {
 
-/// The status bar: state, what a click does; place of the cursor, zoom, seed, speed.
+/// The status bar: state and hint; cursor position, zoom, seed, speed.
 class StatusLine : public QObject {
   Q_OBJECT
  public:
   StatusLine(QStatusBar& bar, Workspace& workspace);
   void setTheme() { showState(); }
-  void setIdle(bool idle);                         // nothing is open
-  void addPanels(const QList<QAction*>& toggles);  // of panels that are closed at first
+  void setIdle(bool idle);                         // whether nothing is open
+  void addPanels(const QList<QAction*>& toggles);  // adds panels that are closed by default
 
  protected:
-  /// What a menu entry does is said in the place of what a click does; nothing moves.
+  /// Shows the status tip of a menu entry instead of the hint.
   bool eventFilter(QObject* window, QEvent* event) override;
 
  private:
   void showState();
-  QString watched() const;
-  void showPlace(const base::Vec2& world);
-  void showPlaceOfMouse();  // none while it is elsewhere
+  QString watchedName() const;
+  void showPosition(const base::Vec2& world);
+  void showMousePosition();  // empty if the mouse is not over the map
   void showNumbers();
   QLabel* addRight(int width);
 
   QStatusBar& bar_;
   Workspace& workspace_;
   bool idle_ = false;
-  QString tip_;         // of the menu entry or button under the mouse
-  QString runEnd_;      // of the run that goes on, as it began
-  bool isRun_ = false;  // not editing
+  QString tip_;         // status tip of the hovered menu entry or button
+  QString runEnd_;      // end condition of the run, when it started
+  bool isRun_ = false;  // a run is displayed
   QLabel *dot_, *state_;
   editor::ElidedLabel* hint_;
   QWidget* panels_ = nullptr;
-  QLabel *x_, *y_, *ground_, *zoom_, *seed_, *speed_;
+  QLabel *x_, *y_, *cellLabel_, *zoom_, *seed_, *speed_;
 };
 
 }  // namespace app

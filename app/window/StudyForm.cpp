@@ -18,14 +18,14 @@
 #include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlText.h"
+#include "sim2d/base/yaml/YamlEmitter.h"
 #include "sim2d/world/Registries.h"
 
 namespace app {
 
 namespace {
 
-constexpr int kMostScenarioRows = 6;  // seen at once
+constexpr int kMostScenarioRows = 6;  // visible rows
 constexpr int kPlannerWidth = 118;
 constexpr int kValueLines = 2;
 
@@ -33,15 +33,15 @@ QString quoted(const QString& text) {
   return QString::fromStdString(base::quotedText(text.toStdString()));
 }
 
-/// Nothing to compare by its name alone: it wants a program, a file or a hand.
-bool needsMore(const QString& planner) {
+/// Whether the planner needs a program, a file or manual control and cannot be selected by name.
+bool needsConfiguration(const QString& planner) {
   static const QStringList kAll = {QStringLiteral("external"), QStringLiteral("library"),
                                    QStringLiteral("replay"), QStringLiteral("teleop"),
                                    QStringLiteral("ros2")};
   return kAll.contains(planner);
 }
 
-/// "1, 2, 3 …" to the count alone, else as a list.
+/// The number of seeds if they are 1, 2, 3 …, otherwise a list.
 QString seedsText(const std::vector<long long>& seeds) {
   bool isCount = true;
   QStringList all;
@@ -53,8 +53,8 @@ QString seedsText(const std::vector<long long>& seeds) {
                  : QLatin1Char('[') + all.join(QStringLiteral(", ")) + QLatin1Char(']');
 }
 
-/// As high as its rows at its width: none of them is out of sight.
-class TallList : public QListWidget {
+/// A list that is high enough to show all rows.
+class AutoHeightList : public QListWidget {
  public:
   using QListWidget::QListWidget;
 
@@ -80,23 +80,23 @@ class TallList : public QListWidget {
 StudyForm::StudyForm(editor::PanelContext& context)
     : context_(context),
       scenarios_(new QListWidget(this)),
-      none_(new QLabel(tr("None yet: add them, or drop files here"), this)),
-      planners_(new TallList(this)),
+      emptyLabel_(new QLabel(tr("No scenarios: add or drop files here"), this)),
+      planners_(new AutoHeightList(this)),
       seeds_(new QLineEdit(QStringLiteral("30"), this)),
       duration_(new QLineEdit(this)),
       record_(new editor::ChoiceField(this)),
       values_(new QPlainTextEdit(this)) {
-  auto* rows = editor::arranged(new QVBoxLayout(this), {12, 6, 12, 6}, 6);
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {12, 6, 12, 6}, 6);
   rows->addWidget(makeScenarios());
   rows->addWidget(makePlanners());
   rows->addLayout(makeNumbers());
-  rows->addWidget(editor::secondaryLabel(tr("Other values, one path a line"), this));
+  rows->addWidget(editor::secondaryLabel(tr("Other parameters, one per line"), this));
   styleValues();
   rows->addWidget(values_);
   rows->addStretch();
   setAcceptDrops(true);
   const auto tell = [this] {
-    if (!showing_) {
+    if (!isLoading_) {
       Q_EMIT changed();
     }
   };
@@ -109,24 +109,24 @@ StudyForm::StudyForm(editor::PanelContext& context)
 
 QLayout* StudyForm::makeNumbers() {
   seeds_->setAccessibleName(tr("Seeds"));
-  seeds_->setToolTip(tr("How many, or which: 30, or [3, 7, 11]"));
+  seeds_->setToolTip(tr("Number or list of seeds: 30 or [3, 7, 11]"));
   duration_->setAccessibleName(tr("Duration"));
-  duration_->setPlaceholderText(tr("of each scenario"));
-  duration_->setToolTip(tr("Of each run at most [s]; empty: what the scenario says"));
-  record_->addItems({tr("metrics alone"), tr("runs with an error"), tr("failures, to be played"),
-                     tr("all runs")});
+  duration_->setPlaceholderText(tr("from scenario"));
+  duration_->setToolTip(tr("Maximum duration of each run [s]; empty: as in the scenario"));
+  record_->addItems(
+      {tr("metrics only"), tr("runs with an error"), tr("failures only"), tr("all runs")});
   record_->setCurrentIndex(static_cast<int>(Experiment::Record::Unsuccessful));
-  record_->setAccessibleName(tr("Keep"));
+  record_->setAccessibleName(tr("Keep recordings"));
   record_->setToolTip(
-      tr("Files of which runs stay in the folder of the results. Failures are runs with an error "
-         "and those whose robot did not succeed."));
-  auto* both = editor::arranged(new QHBoxLayout, {}, 8);
+      tr("Runs whose files are kept in the results folder. Failures are runs with an error and "
+         "runs whose robot did not succeed."));
+  auto* both = editor::configuredLayout(new QHBoxLayout, {}, 8);
   both->addWidget(seeds_, 2);
   both->addWidget(new QLabel(tr("Duration"), this));
   both->addWidget(duration_, 3);
   QFormLayout* form = formRows();
   form->addRow(tr("Seeds"), both);
-  form->addRow(tr("Keep"), record_);
+  form->addRow(tr("Keep recordings"), record_);
   return form;
 }
 
@@ -137,30 +137,29 @@ void StudyForm::styleValues() {
   values_->setLineWrapMode(QPlainTextEdit::NoWrap);
   values_->setTabChangesFocus(true);
   values_->setFixedHeight(kValueLines * values_->fontMetrics().lineSpacing() + 16);
-  values_->setAccessibleName(tr("Other values"));
+  values_->setAccessibleName(tr("Other parameters"));
   values_->setToolTip(
-      tr("A list: each of them. {normal: [mean, deviation, least, most]}, "
-         "{uniform: [from, to]}, {choice: […]}: drawn for each seed, the same "
-         "for all planners."));
+      tr("A list tests each value. {normal: [mean, deviation, minimum, maximum]}, {uniform: [from, "
+         "to]} and {choice: […]} are sampled for each seed, equally for all planners."));
 }
 
 QWidget* StudyForm::makeScenarios() {
   auto* part = new QWidget(this);
-  auto* rows = editor::arranged(new QVBoxLayout(part), {}, 4);
-  auto* head = editor::arranged(new QHBoxLayout, {}, 12);
+  auto* rows = editor::configuredLayout(new QVBoxLayout(part), {}, 4);
+  auto* head = editor::configuredLayout(new QHBoxLayout, {}, 12);
   head->addWidget(editor::secondaryLabel(tr("Scenarios"), part), 1);
-  addThis_ = editor::linkButton(tr("Add this one"), tr("The scenario that is open"), part,
+  addThis_ = editor::linkButton(tr("Add current"), tr("Add the open scenario"), part,
                                 [this] { addScenario(context_.document.path()); });
   head->addWidget(addThis_);
   head->addWidget(
-      editor::linkButton(tr("Add…"), tr("Scenario files"), part, [this] { askScenarios(); }));
+      editor::linkButton(tr("Add…"), tr("Add scenario files"), part, [this] { askScenarios(); }));
   rows->addLayout(head);
   editor::styleList(*scenarios_, tr("Scenarios"));
   scenarios_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  scenarios_->setToolTip(tr("Delete takes out what is selected"));
+  scenarios_->setToolTip(tr("Press Delete to remove the selection"));
   rows->addWidget(scenarios_);
-  none_->setFixedHeight(editor::kListRowHeight);
-  rows->addWidget(none_);
+  emptyLabel_->setFixedHeight(editor::kListRowHeight);
+  rows->addWidget(emptyLabel_);
   auto* remove =
       new QShortcut(QKeySequence::Delete, scenarios_, nullptr, nullptr, Qt::WidgetShortcut);
   connect(remove, &QShortcut::activated, this, [this] {
@@ -171,7 +170,7 @@ QWidget* StudyForm::makeScenarios() {
   fitScenarios();
   const auto follow = [this] {
     addThis_->setEnabled(!context_.document.path().isEmpty());
-    addThis_->setToolTip(addThis_->isEnabled() ? tr("The scenario that is open")
+    addThis_->setToolTip(addThis_->isEnabled() ? tr("Add the open scenario")
                                                : tr("Save the scenario first"));
   };
   connect(&context_.document, &editor::ScenarioDocument::pathChanged, this, follow);
@@ -181,13 +180,13 @@ QWidget* StudyForm::makeScenarios() {
 
 QWidget* StudyForm::makePlanners() {
   auto* part = new QWidget(this);
-  auto* rows = editor::arranged(new QVBoxLayout(part), {}, 4);
-  rows->addWidget(editor::secondaryLabel(tr("Planners, side by side"), part));
+  auto* rows = editor::configuredLayout(new QVBoxLayout(part), {}, 4);
+  rows->addWidget(editor::secondaryLabel(tr("Planners to compare"), part));
   editor::styleList(*planners_, tr("Planners"));
-  const sim2d::Registries registries = programRegistries();
+  const sim2d::Registries registries = builtinRegistries();
   for (const auto& planner : registries.planners.entries()) {
     const QString name = QString::fromStdString(planner.name);
-    if (needsMore(name)) {
+    if (needsConfiguration(name)) {
       continue;
     }
     addPlanner(name, QString::fromStdString(planner.help));
@@ -195,7 +194,7 @@ QWidget* StudyForm::makePlanners() {
   planners_->setFlow(QListView::LeftToRight);
   planners_->setWrapping(true);
   planners_->setGridSize({kPlannerWidth, editor::kListRowHeight});
-  planners_->setResizeMode(QListView::Adjust);  // in as many columns as there is room for
+  planners_->setResizeMode(QListView::Adjust);  // in as many columns as fit
   planners_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   rows->addWidget(planners_);
   return part;
@@ -219,14 +218,14 @@ void StudyForm::addItem(const QString& shown, const QString& path) {
 void StudyForm::fitScenarios() {
   const int rows = std::clamp(scenarios_->count(), 1, kMostScenarioRows);
   scenarios_->setFixedHeight(rows * editor::kListRowHeight);
-  none_->setVisible(scenarios_->count() == 0);
+  emptyLabel_->setVisible(scenarios_->count() == 0);
   scenarios_->setVisible(scenarios_->count() > 0);
 }
 
 void StudyForm::addScenario(const QString& path) {
   if (!path.isEmpty() && !scenarios().contains(path)) {
     addItem(QFileInfo(path).completeBaseName(), path);
-    if (!showing_) {
+    if (!isLoading_) {
       Q_EMIT changed();
     }
   }
@@ -241,10 +240,9 @@ QStringList StudyForm::scenarios() const {
 }
 
 void StudyForm::askScenarios() {
-  QFileDialog dialog(this, tr("Scenarios of the study"), context_.folder(),
-                     tr("Scenarios (*.yaml *.yml)"));
+  QFileDialog dialog(this, tr("Add scenarios"), context_.folder(), tr("Scenarios (*.yaml *.yml)"));
   dialog.setFileMode(QFileDialog::ExistingFiles);
-  editor::keepFiles(dialog, false);
+  editor::restrictFileDialog(dialog, false);
   if (dialog.exec() == QDialog::Accepted) {
     for (const QString& path : dialog.selectedFiles()) {
       addScenario(path);
@@ -267,17 +265,17 @@ void StudyForm::dropEvent(QDropEvent* event) {
   }
 }
 
-/// That of the file; else of the first robot of the scenario that is open.
+/// The planner path of the file, otherwise of the first robot of the open scenario.
 QString StudyForm::plannerPath() const {
-  if (!robotPath_.isEmpty()) {
-    return robotPath_;
+  if (!plannerPath_.isEmpty()) {
+    return plannerPath_;
   }
   const auto& robots = context_.document.scenario().robots;
   const std::string name = robots.empty() ? "robot1" : robots.front().name;
   return QString::fromStdString(name) + QStringLiteral(".planner");
 }
 
-/// Those of the file in its order, then others.
+/// The selected planners: first those of the file in file order.
 QStringList StudyForm::chosenPlanners() const {
   QStringList chosen;
   for (int row = 0; row < planners_->count(); ++row) {
@@ -286,17 +284,17 @@ QStringList StudyForm::chosenPlanners() const {
     }
   }
   const auto place = [this](const QString& name) {
-    const int at = planned_.indexOf(name);
-    return at < 0 ? planned_.size() : at;
+    const int at = plannerOrder_.indexOf(name);
+    return at < 0 ? plannerOrder_.size() : at;
   };
   std::stable_sort(chosen.begin(), chosen.end(),
                    [place](const QString& a, const QString& b) { return place(a) < place(b); });
   return chosen;
 }
 
-/// Also those of the file that are not offered, as "external": else they would be lost.
+/// Also adds planners of the file that are not offered, such as "external", so that they are kept.
 void StudyForm::showPlanners(const QStringList& chosen) {
-  planned_ = chosen;
+  plannerOrder_ = chosen;
   for (const QString& name : chosen) {
     if (planners_->findItems(name, Qt::MatchExactly | Qt::MatchCaseSensitive).isEmpty()) {
       addPlanner(name, {});
@@ -308,7 +306,7 @@ void StudyForm::showPlanners(const QStringList& chosen) {
   }
 }
 
-QString StudyForm::textFor(const QString& folder) const {
+QString StudyForm::yamlFor(const QString& folder) const {
   QStringList lines = {QStringLiteral("hunavsim_experiment: 1"), QStringLiteral("scenarios:")};
   for (const QString& path : scenarios()) {
     const bool isFile = QFileInfo(path).isAbsolute();
@@ -342,7 +340,7 @@ QString StudyForm::textFor(const QString& folder) const {
 }
 
 void StudyForm::show(const Experiment& experiment) {
-  showing_ = true;
+  isLoading_ = true;
   scenarios_->clear();
   fitScenarios();
   for (std::size_t k = 0; k < experiment.scenarios.size(); ++k) {
@@ -350,13 +348,13 @@ void StudyForm::show(const Experiment& experiment) {
     const QString path = QString::fromStdString(experiment.scenarioPaths[k]);
     addItem(QFileInfo(path).completeBaseName(), QFileInfo(path).absoluteFilePath());
   }
-  robotPath_.clear();
+  plannerPath_.clear();
   QStringList planners;
   QStringList values;
   for (const ExperimentValue& value : experiment.values) {
     const QString path = QString::fromStdString(value.path);
-    if (!value.isDrawn() && robotPath_.isEmpty() && path.endsWith(QLatin1String(".planner"))) {
-      robotPath_ = path;
+    if (!value.isDrawn() && plannerPath_.isEmpty() && path.endsWith(QLatin1String(".planner"))) {
+      plannerPath_ = path;
       for (const std::string& text : value.texts) {
         planners.append(QString::fromStdString(text));
       }
@@ -370,18 +368,19 @@ void StudyForm::show(const Experiment& experiment) {
   seeds_->setText(seedsText(experiment.seeds));
   duration_->clear();
   others_.clear();
-  for (const auto& [option, text] : experiment.options) {
-    const QString words = QString::fromStdString(text);
-    if (option == "--duration") {
-      duration_->setText(words);
+  for (const RunOption& option : kRunOptions) {
+    if ((option.use & RunOption::InExperiment) == 0 || !option.isGiven(experiment.common)) {
+      continue;
+    }
+    const QString text = QString::fromStdString(option.texts(experiment.common).front());
+    if (option.key() == "duration") {
+      duration_->setText(text);
     } else {
-      QString key = QString::fromStdString(option.substr(2));
-      others_.append(key.replace(QLatin1Char('-'), QLatin1Char('_')) + QStringLiteral(": ") +
-                     words);
+      others_.append(QString::fromStdString(option.key()) + QStringLiteral(": ") + text);
     }
   }
   record_->setCurrentIndex(static_cast<int>(experiment.record));
-  showing_ = false;
+  isLoading_ = false;
   Q_EMIT changed();
 }
 

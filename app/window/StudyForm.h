@@ -12,17 +12,17 @@
 
 namespace app {
 
-/// An experiment as fields: which scenarios, planners, values and seeds. GUI thread.
+/// A form for an experiment: scenarios, planners, values and seeds. GUI thread.
 class StudyForm : public QWidget {
   Q_OBJECT
  public:
   explicit StudyForm(editor::PanelContext& context);
 
-  /// The experiment as a file says it; scenarios below `folder` by their way from there.
-  QString textFor(const QString& folder) const;
+  /// The experiment as YAML; scenarios below `folder` have relative paths.
+  QString yamlFor(const QString& folder) const;
   void show(const Experiment& experiment);
-  void addScenario(const QString& path);  // once
-  QStringList scenarios() const;          // absolute files, or names of shipped ones
+  void addScenario(const QString& path);  // ignored if present
+  QStringList scenarios() const;          // absolute paths, or names of shipped scenarios
   void setEditable(bool editable);
 
  Q_SIGNALS:
@@ -47,17 +47,17 @@ class StudyForm : public QWidget {
 
   editor::PanelContext& context_;
   QListWidget* scenarios_;
-  QLabel* none_;
+  QLabel* emptyLabel_;
   QListWidget* planners_;
   QLineEdit* seeds_;
   QLineEdit* duration_;
   QComboBox* record_;
   QPlainTextEdit* values_;
   QAbstractButton* addThis_ = nullptr;
-  QString robotPath_;    // of the planner in a file that was opened
-  QStringList planned_;  // in its order
-  QStringList others_;   // lines of the file that have no field
-  bool showing_ = false;
+  QString plannerPath_;       // planner path in the opened file
+  QStringList plannerOrder_;  // planners in file order
+  QStringList others_;        // lines of the file without a field
+  bool isLoading_ = false;
 };
 
 }  // namespace app

@@ -7,8 +7,8 @@
 #include <QSaveFile>
 #include <QSplitter>
 
-#include "app/window/StudyEarlier.h"
-#include "app/window/StudyWords.h"
+#include "app/window/RestoredStudy.h"
+#include "app/window/StudyRows.h"
 #include "editor/look/FileDialog.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -32,79 +32,80 @@ StudyPanel::StudyPanel(editor::PanelContext& context)
       results_(new StudyResults(this)),
       process_(this),
       name_(new editor::ElidedLabel(this)),
-      says_(new QLabel(this)),
+      messageLabel_(new QLabel(this)),
       progress_(new QProgressBar(this)),
       start_(new QPushButton(this)),
       report_(new QPushButton(tr("Report"), this)),
-      anew_(editor::linkButton(tr("Begin anew"), tr("Throws away the results in the folder"), this,
-                               [this] { start(StudyProcess::Begin::Anew); })) {
-  auto* rows = editor::arranged(new QVBoxLayout(this), {}, 0);
+      restartButton_(editor::linkButton(tr("Restart"), tr("Delete the results in the folder"), this,
+                                        [this] { start(StudyProcess::Begin::Restart); })) {
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {}, 0);
   rows->addWidget(makeHead());
   rows->addWidget(editor::dividerLine(this));
   auto* halves = new QSplitter(Qt::Horizontal, this);
   halves->setChildrenCollapsible(false);
   halves->addWidget(editor::scrollArea(form_, halves));
   auto* right = new QWidget(halves);
-  editor::arranged(new QVBoxLayout(right), {}, 0, {makeState()})->addWidget(results_, 1);
+  editor::configuredLayout(new QVBoxLayout(right), {}, 0, {makeState()})->addWidget(results_, 1);
   halves->addWidget(right);
   halves->setStretchFactor(0, 0);
   halves->setStretchFactor(1, 1);
   halves->setSizes({kFormWidth, 3 * kFormWidth});
   rows->addWidget(halves, 1);
-  setMinimumSize(kLeastSize);  // it asks for no more room than its neighbours while it is hidden
-  listen();
-  anew_->hide();
-  follow();
+  setMinimumSize(kLeastSize);  // does not enlarge its dock area while hidden
+  connectSignals();
+  restartButton_->hide();
+  updateControls();
   check();
 }
 
-void StudyPanel::listen() {
+void StudyPanel::connectSignals() {
   check_.setSingleShot(true);
   check_.setInterval(kCheckMs);
   connect(&check_, &QTimer::timeout, this, &StudyPanel::check);
   connect(form_, &StudyForm::changed, this, [this] {
-    isEdited_ = written_.isNull() || form_->textFor(QFileInfo(file_).absolutePath()) != written_;
+    isEdited_ = written_.isNull() || form_->yamlFor(QFileInfo(file_).absolutePath()) != written_;
     checkSoon();
   });
   connect(&context_.document, &editor::ScenarioDocument::dirtyChanged, this,
           &StudyPanel::checkSoon);
-  connect(&context_, &editor::PanelContext::themeChanged, this, &StudyPanel::paintWords);
-  connect(results_, &StudyResults::playWanted, this, &StudyPanel::play);
-  connect(&process_, &StudyProcess::began, this, [this](const StudyBegin& begin) {
-    if (begun_) {
-      showResultsOf(*begun_);
+  connect(&context_, &editor::PanelContext::themeChanged, this, &StudyPanel::updateMessageColor);
+  connect(results_, &StudyResults::playRequested, this, &StudyPanel::play);
+  connect(&process_, &StudyProcess::began, this, [this](const StudyHeader& begin) {
+    if (runningExperiment_) {
+      showResultsOf(*runningExperiment_);
     }
     total_ = begin.runs;
     before_ = begin.finished;
     since_.start();
   });
-  connect(&process_, &StudyProcess::rowsCame, this, [this](const std::vector<StudyRow>& came) {
+  connect(&process_, &StudyProcess::rowsReceived, this, [this](const std::vector<StudyRow>& came) {
     results_->add(came);
     showProgress();
-    follow();
+    updateControls();
   });
   connect(&process_, &StudyProcess::ended, this, &StudyPanel::finish);
 }
 
 StudyPanel::~StudyPanel() {
-  helper_.disconnect(this);
+  helperProcess_.disconnect(this);
 }
 
 QWidget* StudyPanel::makeHead() {
   auto* head = new QWidget(this);
-  auto* row = editor::arranged(new QHBoxLayout(head), {12, 6, 12, 6}, 12);
+  auto* row = editor::configuredLayout(new QHBoxLayout(head), {12, 6, 12, 6}, 12);
   name_->setMinimumWidth(kLeastName);
   row->addWidget(name_, 1);
-  open_ =
-      editor::linkButton(tr("Open…"), tr("An experiment file"), head, [this] { askFile(false); });
+  open_ = editor::linkButton(tr("Open…"), tr("Open an experiment file"), head,
+                             [this] { askFile(false); });
   saveAs_ = editor::linkButton(tr("Save as…"),
-                               tr("Where the experiment is kept, and beside it its results"), head,
-                               [this] { askFile(true); });
+                               tr("Save the experiment as a file; its results are stored beside "
+                                  "it"),
+                               head, [this] { askFile(true); });
   row->addWidget(open_);
   row->addWidget(saveAs_);
   row->addWidget(start_);
   row->addWidget(report_);
-  report_->setToolTip(tr("A page with tables, intervals, tests and pictures"));
+  report_->setToolTip(tr("Write a page with tables, confidence intervals, tests and figures"));
   connect(start_, &QPushButton::clicked, this, [this] { isRunning() ? stop() : start(); });
   connect(report_, &QPushButton::clicked, this, &StudyPanel::openReport);
   return head;
@@ -112,21 +113,21 @@ QWidget* StudyPanel::makeHead() {
 
 QWidget* StudyPanel::makeState() {
   auto* state = new QWidget(this);
-  says_->setWordWrap(true);
+  messageLabel_->setWordWrap(true);
   progress_->setRange(0, kProgressSteps);
   progress_->setTextVisible(false);
   progress_->setFixedSize(kBarSize);
-  auto* row = editor::arranged(new QHBoxLayout(state), {12, 8, 12, 4}, 12);
-  row->addWidget(says_, 1);
-  row->addWidget(anew_);
+  auto* row = editor::configuredLayout(new QHBoxLayout(state), {12, 8, 12, 4}, 12);
+  row->addWidget(messageLabel_, 1);
+  row->addWidget(restartButton_);
   row->addWidget(progress_);
   return state;
 }
 
-void StudyPanel::follow() {
+void StudyPanel::updateControls() {
   const std::size_t finished = results_->runs().rows().size();
   const bool goesOn = finished > 0 && finished < total_ && !isEdited_;
-  start_->setText(isRunning() ? tr("Stop") : goesOn ? tr("Go on") : tr("Start"));
+  start_->setText(isRunning() ? tr("Stop") : goesOn ? tr("Resume") : tr("Start"));
   start_->setDefault(!isRunning());
   report_->setEnabled(
       !isRunning() && !file_.isEmpty() &&
@@ -135,20 +136,21 @@ void StudyPanel::follow() {
   saveAs_->setEnabled(!isRunning());
   progress_->setVisible(isRunning());
   form_->setEditable(!isRunning());
-  name_->setWords(file_.isEmpty() ? tr("New study") : QFileInfo(file_).fileName());
+  name_->setFullText(file_.isEmpty() ? tr("New study") : QFileInfo(file_).fileName());
 }
 
-void StudyPanel::say(const QString& text, bool isProblem) {
-  saysProblem_ = isProblem;
-  says_->setText(text);
-  paintWords();
+void StudyPanel::showMessage(const QString& text, bool isProblem) {
+  isMessageProblem_ = isProblem;
+  messageLabel_->setText(text);
+  updateMessageColor();
 }
 
-void StudyPanel::paintWords() {
+void StudyPanel::updateMessageColor() {
   QPalette colors = palette();
-  colors.setColor(QPalette::WindowText,
-                  context_.theme().color(saysProblem_ ? editor::Role::Error : editor::Role::Text));
-  says_->setPalette(colors);
+  colors.setColor(
+      QPalette::WindowText,
+      context_.theme().color(isMessageProblem_ ? editor::Role::Error : editor::Role::Text));
+  messageLabel_->setPalette(colors);
 }
 
 QString StudyPanel::resultsFolder() const {
@@ -158,13 +160,13 @@ QString StudyPanel::resultsFolder() const {
 
 void StudyPanel::setFile(const QString& path) {
   file_ = path;
-  isEdited_ = true;  // until it is written
+  isEdited_ = true;  // until saved
   written_ = QString();
-  anew_->hide();
-  code_.forget();
-  Q_EMIT codeWanted({});
-  showEarlier();
-  follow();
+  restartButton_->hide();
+  code_.reset();
+  Q_EMIT codePermissionNeeded({});
+  showRestored();
+  updateControls();
   checkSoon();
 }
 
@@ -178,7 +180,7 @@ void StudyPanel::askFile(bool toSave) {
   if (toSave) {
     dialog.selectFile(file_.isEmpty() ? QStringLiteral("study.yaml") : QFileInfo(file_).fileName());
   }
-  editor::keepFiles(dialog, toSave);
+  editor::restrictFileDialog(dialog, toSave);
   if (dialog.exec() != QDialog::Accepted) {
     return;
   }
@@ -197,39 +199,39 @@ bool StudyPanel::openFile(const QString& path) {
   }
   const base::Result<Experiment> read = readExperiment(path.toStdString());
   if (!read) {
-    say(QString::fromStdString(read.diagnostics().front().text()), true);
+    showMessage(QString::fromStdString(read.diagnostics().front().text()), true);
     return false;
   }
   setFile(path);
   form_->show(*read);
-  written_ = form_->textFor(QFileInfo(path).absolutePath());
+  written_ = form_->yamlFor(QFileInfo(path).absolutePath());
   isEdited_ = false;
-  follow();
+  updateControls();
   return true;
 }
 
-/// What lies in its folder, without a run.
-void StudyPanel::showEarlier() {
-  const StudyEarlier earlier = earlierIn(resultsFolder());
+/// Shows the existing results in the folder.
+void StudyPanel::showRestored() {
+  const RestoredStudy earlier = restoredStudyIn(resultsFolder());
   const base::Result<Experiment> of =
       earlier.experiment ? parseExperiment(*earlier.experiment, file_.toStdString())
                          : readExperiment(file_.toStdString());
-  shown_ = of && earlier.experiment ? std::optional(*of) : std::nullopt;
+  displayedExperiment_ = of && earlier.experiment ? std::optional(*of) : std::nullopt;
   total_ = earlier.runs;
   before_ = earlier.rows.size();
-  trouble_ = earlier.trouble;
+  folderProblem_ = earlier.trouble;
   results_->begin(earlier.paths, of ? comparedPath(*of) : QString());
   results_->add(earlier.rows);
 }
 
-/// Empty, until its rows come.
+/// Clears the results for a new study.
 void StudyPanel::showResultsOf(const Experiment& experiment) {
   QStringList paths;
   for (const ExperimentValue& value : experiment.values) {
     paths.append(QString::fromStdString(value.path));
   }
-  shown_ = experiment;
-  trouble_.clear();
+  displayedExperiment_ = experiment;
+  folderProblem_.clear();
   results_->begin(paths, comparedPath(experiment));
 }
 
@@ -237,61 +239,60 @@ base::Result<Experiment> StudyPanel::experiment() const {
   const QString folder = file_.isEmpty() ? context_.folder() : QFileInfo(file_).absolutePath();
   const QString path =
       file_.isEmpty() ? QDir(folder).filePath(QStringLiteral("study.yaml")) : file_;
-  return parseExperiment(form_->textFor(folder).toStdString(), path.toStdString());
+  return parseExperiment(form_->yamlFor(folder).toStdString(), path.toStdString());
 }
 
-/// What it would be, or what is wrong with it, while nothing runs.
+/// Shows the size of the study or its problems, while nothing is running.
 void StudyPanel::check() {
   if (isRunning()) {
     return;
   }
-  anew_->hide();  // with the words that it was an answer to
+  restartButton_->hide();  // together with its message
   const base::Result<Experiment> checked = experiment();
   const bool hasScenarios = !form_->scenarios().isEmpty();
   start_->setEnabled(bool(checked));
   if (!hasScenarios) {
-    say(editor::capitalized(trouble_), !trouble_.isEmpty());
+    showMessage(editor::capitalized(folderProblem_), !folderProblem_.isEmpty());
     return;
   }
   if (!checked) {
-    say(QString::fromStdString(checked.diagnostics().front().message), true);
+    showMessage(QString::fromStdString(checked.diagnostics().front().message), true);
     return;
   }
-  say(wordsOn(checked).join(QStringLiteral(": ")), !trouble_.isEmpty());
-  follow();
+  showMessage(messagesFor(checked).join(QStringLiteral(": ")), !folderProblem_.isEmpty());
+  updateControls();
 }
 
-/// Of an experiment that can be run: how large it is, and what else there is to know.
-QStringList StudyPanel::wordsOn(const base::Result<Experiment>& checked) const {
+/// The text for a valid experiment: its size and further information.
+QStringList StudyPanel::messagesFor(const base::Result<Experiment>& checked) const {
   QStringList words = {sizeText(*checked)};
   if (!checked.diagnostics().empty()) {
     words.append(QString::fromStdString(checked.diagnostics().front().message));
   }
   if (context_.document.isDirty() && form_->scenarios().contains(context_.document.path())) {
-    words.append(
-        tr("changes of %1 that are not saved do not count").arg(context_.document.displayName()));
+    words.append(tr("unsaved changes of %1 are not used").arg(context_.document.displayName()));
   }
   const std::size_t finished = results_->runs().rows().size();
-  if (!trouble_.isEmpty()) {
-    words.append(trouble_);
+  if (!folderProblem_.isEmpty()) {
+    words.append(folderProblem_);
   } else if (finished > 0 && !isEdited_) {
     words.append(tr("%1 of %2 finished").arg(finished).arg(total_));
   }
   return words;
 }
 
-/// A file whose study is as it was read stays as it is, with its comments.
+/// Saves the file. An unchanged file is not rewritten, which keeps its comments.
 bool StudyPanel::save() {
   if (!isEdited_) {
     return true;
   }
-  const QByteArray text = form_->textFor(QFileInfo(file_).absolutePath()).toUtf8();
+  const QByteArray text = form_->yamlFor(QFileInfo(file_).absolutePath()).toUtf8();
   QSaveFile file(file_);
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-    say(tr("%1 cannot be written: %2").arg(file_, file.errorString()), true);
+    showMessage(tr("%1 cannot be written: %2").arg(file_, file.errorString()), true);
     return false;
   }
-  written_ = form_->textFor(QFileInfo(file_).absolutePath());
+  written_ = form_->yamlFor(QFileInfo(file_).absolutePath());
   isEdited_ = false;
   return true;
 }

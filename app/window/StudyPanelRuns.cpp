@@ -6,9 +6,9 @@
 #include <QFileInfo>
 #include <QUrl>
 
-#include "app/window/StudyEarlier.h"
+#include "app/window/RestoredStudy.h"
 #include "app/window/StudyPanel.h"
-#include "app/window/StudyWords.h"
+#include "app/window/StudyRows.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -21,32 +21,34 @@ int cores() {
 
 }  // namespace
 
-/// Before the file is written: it stays that of the results beside it, until they go.
-bool StudyPanel::mayWrite(StudyProcess::Begin begin) {
+/// Checks the results folder before the file is written, because the file belongs to the existing
+/// results.
+bool StudyPanel::canUseFolder(StudyProcess::Begin begin) {
   const QString folder = resultsFolder();
-  const QString busy = whoWritesInto(folder);
+  const QString busy = folderWriter(folder);
   QString problem = busy;
-  if (problem.isEmpty() && begin == StudyProcess::Begin::GoOn) {
+  if (problem.isEmpty() && begin == StudyProcess::Begin::Resume) {
     const base::Result<std::string> text =
-        isEdited_ ? form_->textFor(QFileInfo(file_).absolutePath()).toStdString()
+        isEdited_ ? form_->yamlFor(QFileInfo(file_).absolutePath()).toStdString()
                   : base::readTextFile(file_.toStdString());
-    problem = text ? whyNotGoOn(folder, *text) : QString();  // else the batch tells it
+    problem = text ? resumeObstacle(folder, *text) : QString();  // otherwise `batch` reports it
   }
   if (!problem.isEmpty()) {
-    say(editor::capitalized(problem), true);
-    anew_->setVisible(busy.isEmpty());
+    showMessage(editor::capitalized(problem), true);
+    restartButton_->setVisible(busy.isEmpty());
   }
   return problem.isEmpty();
 }
 
-/// Else it is asked for, and `then` is done after a yes.
-bool StudyPanel::mayRun(const std::vector<ForeignCode>& code, const std::function<void()>& then) {
+/// If the code is not allowed, asks for it; `then` is called on consent.
+bool StudyPanel::isCodeAllowed(const std::vector<ExternalCode>& code,
+                               const std::function<void()>& then) {
   if (code_.allows(code)) {
     return true;
   }
-  code_.ask(then);
-  say(tr("Its runs start programs of others: allow them above the map"));
-  Q_EMIT codeWanted(code);
+  code_.onAllowed(then);
+  showMessage(tr("Its runs start external programs: allow them above the map"));
+  Q_EMIT codePermissionNeeded(code);
   return false;
 }
 
@@ -62,23 +64,23 @@ void StudyPanel::start(StudyProcess::Begin begin) {
     check();
     return;
   }
-  check_.stop();  // it would take the place of what is said here
+  check_.stop();  // it would replace the message set here
   start_->setEnabled(true);
-  const std::vector<ForeignCode> code = codeOf(*checked);
-  if (!mayWrite(begin) || !mayRun(code, [this, begin] { start(begin); }) || !save()) {
+  const std::vector<ExternalCode> code = externalCodeOfStudy(*checked);
+  if (!canUseFolder(begin) || !isCodeAllowed(code, [this, begin] { start(begin); }) || !save()) {
     return;
   }
-  begun_ = *checked;
-  begun_->allowCode = !code.empty();
-  anew_->hide();
-  process_.start(file_, resultsFolder(), cores(), begin, begun_->allowCode);
-  say(tr("Begins…"));
-  follow();
+  runningExperiment_ = *checked;
+  runningExperiment_->allowCode = !code.empty();
+  restartButton_->hide();
+  process_.start(file_, resultsFolder(), cores(), begin, runningExperiment_->allowCode);
+  showMessage(tr("Starting…"));
+  updateControls();
 }
 
 void StudyPanel::stop() {
   process_.stop();
-  say(tr("Stops…"));
+  showMessage(tr("Stopping…"));
 }
 
 void StudyPanel::showProgress() {
@@ -101,7 +103,7 @@ void StudyPanel::showProgress() {
       total_ == 0
           ? 0
           : static_cast<int>(static_cast<std::size_t>(progress_->maximum()) * finished / total_));
-  say(text);
+  showMessage(text);
   Q_EMIT counted(static_cast<int>(finished));
 }
 
@@ -109,76 +111,78 @@ void StudyPanel::finish(bool isComplete, const QString& problems) {
   results_->compare();
   if (!problems.isEmpty()) {
     const QStringList lines = problems.split(QLatin1Char('\n'));
-    say(withoutSeverity(lines.front()), true);
-    says_->setToolTip(problems);
-    anew_->setVisible(QFileInfo::exists(resultsFolder()));
+    showMessage(withoutSeverity(lines.front()), true);
+    messageLabel_->setToolTip(problems);
+    restartButton_->setVisible(QFileInfo::exists(resultsFolder()));
   } else {
     showProgress();
-    says_->setToolTip({});
+    messageLabel_->setToolTip({});
     if (!isComplete) {
-      say(says_->text() + tr(": stopped, what is finished is kept"));
+      showMessage(messageLabel_->text() + tr(": stopped, finished runs are kept"));
     }
   }
-  follow();
+  updateControls();
 }
 
-/// One after the other: the second click waits for nothing.
+/// Runs one process at a time; requests while it is running are ignored.
 void StudyPanel::runProgram(const QStringList& words, const QString& saying,
                             const std::function<void()>& then) {
-  if (helper_.state() != QProcess::NotRunning) {
+  if (helperProcess_.state() != QProcess::NotRunning) {
     return;
   }
-  say(saying);
-  helper_.disconnect(this);
-  connect(&helper_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+  showMessage(saying);
+  helperProcess_.disconnect(this);
+  connect(&helperProcess_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart) {
-      say(helper_.errorString(), true);
+      showMessage(helperProcess_.errorString(), true);
     }
   });
-  connect(&helper_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
+  connect(&helperProcess_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
           [this, then](int code, QProcess::ExitStatus status) {
             const bool isFine = status == QProcess::NormalExit && code <= 1;
             if (isFine) {
               showProgress();
               then();
             } else {
-              say(QString::fromUtf8(helper_.readAllStandardError()).trimmed(), true);
+              showMessage(QString::fromUtf8(helperProcess_.readAllStandardError()).trimmed(), true);
             }
           });
-  helper_.start(process_.program(), words);
+  helperProcess_.start(process_.program(), words);
 }
 
-/// The folder of a run that was kept, else the run is made once more.
+/// Plays the kept folder of a run; otherwise the run is repeated first.
 void StudyPanel::play(int run) {
   const QString kept = QDir(resultsFolder()).filePath(QStringLiteral("runs/%1").arg(run));
   if (QFileInfo::exists(kept)) {
-    Q_EMIT runWanted(kept);
+    Q_EMIT openRunRequested(kept);
     return;
   }
-  if (!shown_ || static_cast<std::size_t>(run) >= shown_->runCount()) {
-    say(tr("Run %1 was not kept, and its experiment cannot be read any more").arg(run), true);
+  if (!displayedExperiment_ || static_cast<std::size_t>(run) >= displayedExperiment_->runCount()) {
+    showMessage(tr("Run %1 was not recorded, and its experiment can no longer be read").arg(run),
+                true);
     return;
   }
-  const std::vector<ForeignCode> code = codeOf(*shown_);
-  if (!mayRun(code, [this, run] { play(run); })) {
+  const std::vector<ExternalCode> code = externalCodeOfStudy(*displayedExperiment_);
+  if (!isCodeAllowed(code, [this, run] { play(run); })) {
     return;
   }
-  shown_->allowCode = !code.empty();
+  displayedExperiment_->allowCode = !code.empty();
   QStringList words;
-  for (const std::string& word : shown_->wordsOf(static_cast<std::size_t>(run))) {
+  for (const std::string& word :
+       commandLineOf(displayedExperiment_->specOf(static_cast<std::size_t>(run)))) {
     words.append(QString::fromStdString(word));
   }
   played_ = std::make_unique<QTemporaryDir>();
   const QString folder = played_->filePath(QStringLiteral("run_%1").arg(run));
   words << QStringLiteral("--quiet") << QStringLiteral("-o") << folder;
-  runProgram(words, tr("Makes run %1 once more…").arg(run),
-             [this, folder] { Q_EMIT runWanted(folder); });
+  runProgram(words, tr("Replaying run %1…").arg(run),
+             [this, folder] { Q_EMIT openRunRequested(folder); });
 }
 
 void StudyPanel::openReport() {
   const QString folder = resultsFolder();
   runProgram({QStringLiteral("report"), folder, QStringLiteral("--quiet")},
-             tr("Writes the report…"), [folder] {
+             tr("Writing the report…"), [folder] {
                QDesktopServices::openUrl(
                    QUrl::fromLocalFile(QDir(folder).filePath(QStringLiteral("report.html"))));
              });

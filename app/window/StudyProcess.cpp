@@ -10,7 +10,7 @@ namespace app {
 
 namespace {
 
-constexpr int kWaitMs = 5000;  // for a batch that is interrupted to put away what it has
+constexpr int kWaitMs = 5000;  // for an interrupted batch to save its results
 
 }  // namespace
 
@@ -18,7 +18,7 @@ StudyProcess::StudyProcess(QObject* parent)
     : QObject(parent), program_(QString::fromStdString(programPath())) {
   connect(&process_, &QProcess::readyReadStandardOutput, this, &StudyProcess::read);
   connect(&process_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
-          &StudyProcess::tellEnd);
+          &StudyProcess::reportEnd);
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart) {
       Q_EMIT ended(false, process_.errorString());
@@ -31,7 +31,7 @@ StudyProcess::~StudyProcess() {
   if (isRunning()) {
     stop();
     if (!process_.waitForFinished(kWaitMs)) {
-      process_.kill();  // its results are in the database already
+      process_.kill();  // results are already in the database
       process_.waitForFinished(kWaitMs);
     }
   }
@@ -39,7 +39,7 @@ StudyProcess::~StudyProcess() {
 
 void StudyProcess::start(const QString& experiment, const QString& folder, int jobs, Begin begin,
                          bool allowCode) {
-  rest_.clear();
+  incompleteLine_.clear();
   isStopped_ = false;
   QStringList words = {
       QStringLiteral("batch"),
@@ -49,14 +49,15 @@ void StudyProcess::start(const QString& experiment, const QString& folder, int j
       QStringLiteral("--rows"),
       QStringLiteral("--jobs"),
       QString::number(jobs),
-      begin == Begin::Anew ? QStringLiteral("--force") : QStringLiteral("--resume")};
+      begin == Begin::Restart ? QStringLiteral("--force") : QStringLiteral("--resume")};
   if (allowCode) {
     words.append(QStringLiteral("--allow-code"));
   }
   process_.start(program_, words);
 }
 
-/// Until it is another program it is a copy of this one: the signal would be taken as if for us.
+/// Waits for exec: before it, the child is a copy of this program and would handle the signal as
+/// such.
 void StudyProcess::stop() {
   process_.waitForStarted(kWaitMs);
   if (isRunning() && process_.processId() > 0) {
@@ -66,35 +67,36 @@ void StudyProcess::stop() {
 }
 
 void StudyProcess::read() {
-  rest_ += process_.readAllStandardOutput();
+  incompleteLine_ += process_.readAllStandardOutput();
   std::vector<StudyRow> rows;
   int begin = 0;
-  for (int end = rest_.indexOf('\n'); end >= 0; end = rest_.indexOf('\n', begin)) {
-    const QByteArray line = rest_.mid(begin, end - begin);
+  for (int end = incompleteLine_.indexOf('\n'); end >= 0;
+       end = incompleteLine_.indexOf('\n', begin)) {
+    const QByteArray line = incompleteLine_.mid(begin, end - begin);
     if (std::optional<StudyRow> row = studyRowOf(line)) {
       rows.push_back(*std::move(row));
-    } else if (const std::optional<StudyBegin> first = studyBeginOf(line)) {
+    } else if (const std::optional<StudyHeader> first = studyHeaderOf(line)) {
       Q_EMIT began(*first);
     }
     begin = end + 1;
   }
-  rest_.remove(0, begin);
+  incompleteLine_.remove(0, begin);
   if (!rows.empty()) {
-    Q_EMIT rowsCame(rows);
+    Q_EMIT rowsReceived(rows);
   }
 }
 
-/// 0: all is well; 1: it was interrupted, or runs have failed, which rows tell. Who is stopped
-/// before it listens to signals ends by one.
-void StudyProcess::tellEnd() {
+/// Exit code 0: success; 1: interrupted, or runs failed (see rows). If stopped before it installs
+/// its signal handler, the process is killed by the signal.
+void StudyProcess::reportEnd() {
   read();
-  const QString said = QString::fromUtf8(process_.readAllStandardError()).trimmed();
+  const QString errorOutput = QString::fromUtf8(process_.readAllStandardError()).trimmed();
   const bool isNormal = process_.exitStatus() == QProcess::NormalExit;
   const bool isFine = isNormal ? process_.exitCode() <= 1 : isStopped_;
-  Q_EMIT ended(isFine && isNormal && !said.contains(QLatin1String("interrupted:")),
-               isFine           ? QString()
-               : said.isEmpty() ? tr("The batch has crashed.")
-                                : said);
+  Q_EMIT ended(isFine && isNormal && !errorOutput.contains(QLatin1String("interrupted:")),
+               isFine                  ? QString()
+               : errorOutput.isEmpty() ? tr("The batch process crashed.")
+                                       : errorOutput);
 }
 
 }  // namespace app

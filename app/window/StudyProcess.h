@@ -7,38 +7,38 @@
 
 namespace app {
 
-/// `hunavsim batch` beside the window: its own process, so that a run that crashes takes nothing
-/// with it. GUI thread.
+/// Runs `hunavsim batch` as a child process, so that a crash does not affect the window. GUI
+/// thread.
 class StudyProcess : public QObject {
   Q_OBJECT
  public:
-  enum class Begin { GoOn, Anew };
+  enum class Begin { Resume, Restart };
 
   explicit StudyProcess(QObject* parent);
-  /// Interrupts it and waits; what is finished is kept.
+  /// Interrupts the process and waits; finished runs are kept.
   ~StudyProcess() override;
   Q_DISABLE_COPY_MOVE(StudyProcess)
 
-  void setProgram(const QString& path) { program_ = path; }  // another than this one
+  void setProgram(const QString& path) { program_ = path; }  // replaces this program
   const QString& program() const { return program_; }
   bool isRunning() const { return process_.state() != QProcess::NotRunning; }
   void start(const QString& experiment, const QString& folder, int jobs, Begin begin,
              bool allowCode);
-  void stop();  // like Ctrl-C: `ended` follows
+  void stop();  // as Ctrl-C; `ended` is emitted
 
  Q_SIGNALS:
-  void began(const app::StudyBegin& begin);
-  void rowsCame(const std::vector<app::StudyRow>& rows);  // several at once
-  /// All runs are finished, or why not: what it said on standard error.
+  void began(const app::StudyHeader& begin);
+  void rowsReceived(const std::vector<app::StudyRow>& rows);  // batched
+  /// All runs are finished; otherwise `problems` is the text of standard error.
   void ended(bool isComplete, const QString& problems);
 
  private:
   void read();
-  void tellEnd();
+  void reportEnd();
 
   QString program_;
   QProcess process_;
-  QByteArray rest_;  // of a line that has not come whole
+  QByteArray incompleteLine_;  // incomplete line
   bool isStopped_ = false;
 };
 

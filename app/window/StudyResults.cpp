@@ -17,17 +17,17 @@ constexpr int kCompareMs = 500;
 constexpr int kHeadHeight = 40;
 constexpr int kLeastColumn = 48;
 constexpr int kMostColumn = 240;
-constexpr int kColumnMargin = 32;  // beside a title, with the arrow of the order
+constexpr int kColumnMargin = 32;  // beside a title, including the sort arrow
 enum Page { NothingPage, ComparisonPage, RunsPage };
 
-/// Titles of metrics take two lines.
+/// Metric titles wrap to two lines.
 void styleHead(QHeaderView& head) {
   head.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter | Qt::Alignment(Qt::TextWordWrap));
   head.setFixedHeight(kHeadHeight);
   head.setMinimumSectionSize(kLeastColumn);
 }
 
-/// As wide as what is in them, at least as wide as half of their titles and each word of them.
+/// Fits the columns to their cells, half of their title and its longest word.
 void fitColumns(QTableView& table) {
   const QFontMetrics metrics(table.horizontalHeader()->font());
   for (int column = 0; column < table.model()->columnCount(); ++column) {
@@ -64,14 +64,14 @@ StudyResults::StudyResults(QWidget* parent)
   tabs_->setExpanding(false);
   strip_->setAutoFillBackground(true);
   strip_->setBackgroundRole(QPalette::Window);
-  editor::arranged(new QHBoxLayout(strip_), {}, 0, {tabs_})->addStretch();
+  editor::configuredLayout(new QHBoxLayout(strip_), {}, 0, {tabs_})->addStretch();
   pages_->addWidget(
-      editor::emptyState(tr("Choose scenarios and planners at the left, then press Start.\n"
-                            "All planners meet the same people in each seed."),
+      editor::emptyState(tr("Choose scenarios and planners on the left, then press Start.\nFor "
+                            "each seed, all planners run with the same people."),
                          this));
   makeComparison();
   makeRuns();
-  editor::arranged(new QVBoxLayout(this), {}, 0, {strip_})->addWidget(pages_, 1);
+  editor::configuredLayout(new QVBoxLayout(this), {}, 0, {strip_})->addWidget(pages_, 1);
   compareSoon_.setSingleShot(true);
   compareSoon_.setInterval(kCompareMs);
   connect(&compareSoon_, &QTimer::timeout, this, &StudyResults::compare);
@@ -84,7 +84,7 @@ void StudyResults::makeComparison() {
   styleHead(*comparison_->horizontalHeader());
   comparison_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   comparison_->setSelectionMode(QAbstractItemView::NoSelection);
-  comparison_->setToolTip(tr("Means with intervals of 95 %"));
+  comparison_->setToolTip(tr("Means with 95 % confidence intervals"));
   pages_->addWidget(comparison_);
 }
 
@@ -97,12 +97,12 @@ void StudyResults::makeRuns() {
   runTable_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   runTable_->setSortingEnabled(true);
   runTable_->sortByColumn(0, Qt::AscendingOrder);
-  runTable_->setToolTip(tr("Double click plays a run"));
+  runTable_->setToolTip(tr("Double-click a run to play it"));
   pages_->addWidget(runTable_);
   connect(runTable_, &QTableView::activated, this, [this](const QModelIndex& at) {
     const auto row = static_cast<std::size_t>(sorted_.mapToSource(at).row());
-    if (row < runs_.rows().size()) {  // else the index was invalid
-      Q_EMIT playWanted(runs_.rows()[row].run);
+    if (row < runs_.rows().size()) {  // false for an invalid index
+      Q_EMIT playRequested(runs_.rows()[row].run);
     }
   });
 }

@@ -11,23 +11,23 @@
 
 namespace app {
 
-/// The results of a study as they come: options side by side with intervals, and every run. GUI
+/// The results of a running study: a comparison of options with intervals, and all runs. GUI
 /// thread.
 class StudyResults : public QWidget {
   Q_OBJECT
  public:
   explicit StudyResults(QWidget* parent);
 
-  /// Empties both. `paths`: of values, each a column of the runs; `compared`: the one whose options
-  /// stand side by side, empty = scenarios.
+  /// Clears both tables. `paths`: value paths, one column each in the runs table; `compared`: the
+  /// path that is compared, empty: scenarios.
   void begin(const QStringList& paths, const QString& compared);
   void add(const std::vector<StudyRow>& rows);
-  void compare();  // at once what else is done now and then
+  void compare();  // updates the comparison immediately instead of delayed
   const StudyRunsModel& runs() const { return runs_; }
   QTableWidget& comparison() const { return *comparison_; }
 
  Q_SIGNALS:
-  void playWanted(int run);
+  void playRequested(int run);
 
  private:
   void makeComparison();

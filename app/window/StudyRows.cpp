@@ -6,20 +6,22 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QObject>
 
+#include "editor/look/Form.h"
 #include "metrics/MetricRegistry.h"
 #include "metrics/statistics/Bootstrap.h"
-#include "metrics/statistics/Rates.h"
+#include "metrics/statistics/SuccessRates.h"
 #include "metrics/statistics/Summary.h"
 
 namespace app {
 
 namespace {
 
-/// Columns before those of the values, and behind them before those of the metrics.
+/// The first columns; they are followed by values, end reason and metrics.
 enum FirstColumn { RunColumn, ScenarioColumn, SeedColumn, FirstColumns };
-constexpr int kEndColumns = 1;               // how it ended
-constexpr std::size_t kMostResampled = 300;  // values; the table is made anew twice a second
+constexpr int kEndColumns = 1;               // end reason
+constexpr std::size_t kMostResampled = 300;  // values; the table is updated twice a second
 
 QString numberText(double value) {
   const double size = std::abs(value);
@@ -72,13 +74,13 @@ std::optional<StudyRow> studyRowOf(const QByteArray& line) {
   return row;
 }
 
-std::optional<StudyBegin> studyBeginOf(const QByteArray& line) {
+std::optional<StudyHeader> studyHeaderOf(const QByteArray& line) {
   const QJsonObject json = QJsonDocument::fromJson(line).object();
   const QJsonValue runs = json[QLatin1String("runs")];
   return runs.isDouble()
-             ? std::optional(
-                   StudyBegin{static_cast<std::size_t>(runs.toDouble()),
-                              static_cast<std::size_t>(json[QLatin1String("finished")].toDouble())})
+             ? std::optional(StudyHeader{
+                   static_cast<std::size_t>(runs.toDouble()),
+                   static_cast<std::size_t>(json[QLatin1String("finished")].toDouble())})
              : std::nullopt;
 }
 
@@ -218,7 +220,7 @@ QVariant StudyRunsModel::shown(const StudyRow& row, int column) const {
   return found == row.metrics.end() ? QVariant() : QVariant(found->second);
 }
 
-/// Numbers are numbers in the role they are sorted by.
+/// The sort role returns numbers as numbers.
 QVariant StudyRunsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) {
     return {};
@@ -271,6 +273,34 @@ QVariant StudyRunsModel::headerData(int section, Qt::Orientation orientation, in
     return tr("Ended");
   }
   return studyMetrics()[static_cast<std::size_t>(metric)].heading();
+}
+
+QString studyTimeText(double seconds) {
+  const auto minutes = static_cast<long long>(seconds / 60.0);
+  return seconds < 100.0 ? QObject::tr("%1 s").arg(qRound(seconds))
+         : minutes < 100 ? QObject::tr("%1 min").arg(minutes)
+                         : QObject::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+}
+
+QString sizeText(const Experiment& experiment) {
+  QStringList parts = {editor::counted(experiment.scenarios.size(), QObject::tr("scenario"),
+                                       QObject::tr("scenarios"))};
+  for (const ExperimentValue& value : experiment.values) {
+    if (!value.isDrawn() && value.texts.size() > 1) {
+      const QString path = QString::fromStdString(value.path);
+      parts.append(path.endsWith(QLatin1String(".planner"))
+                       ? QObject::tr("%1 planners").arg(value.texts.size())
+                       : QStringLiteral("%1 %2").arg(value.texts.size()).arg(path));
+    }
+  }
+  parts.append(editor::counted(experiment.seeds.size(), QObject::tr("seed"), QObject::tr("seeds")));
+  return parts.join(QStringLiteral(" × ")) + QStringLiteral(" = ") +
+         editor::counted(experiment.runCount(), QObject::tr("run"), QObject::tr("runs"));
+}
+
+QString withoutSeverity(const QString& line) {
+  const QString head = QStringLiteral("error: ");
+  return editor::capitalized(line.startsWith(head) ? line.mid(head.size()) : line);
 }
 
 }  // namespace app

@@ -12,56 +12,57 @@
 
 namespace app {
 
-/// A finished run of a study, as `batch --rows` tells it.
+/// A finished run of a study, as output by `batch --rows`.
 struct StudyRow {
   int run = 0;
   QString scenario;
   qlonglong seed = 0;
   std::map<QString, QString> values;  // by path
   bool isOk = true;
-  QString reason;                     // how it ended
-  std::map<QString, double> metrics;  // by column; what is undefined is left out
+  QString reason;                     // end reason
+  std::map<QString, double> metrics;  // by column; defined values only
 };
 
-/// Nothing: the line is no row.
+/// Parses a row. Nothing: not a row.
 std::optional<StudyRow> studyRowOf(const QByteArray& line);
 
-/// What the same says first: how many runs there are, and how many were finished before.
-struct StudyBegin {
+/// The first line of the output: number of runs, and number finished before.
+struct StudyHeader {
   std::size_t runs = 0, finished = 0;
 };
-std::optional<StudyBegin> studyBeginOf(const QByteArray& line);
+std::optional<StudyHeader> studyHeaderOf(const QByteArray& line);
 
-/// The value path whose options a study compares: a planner, else the first list of several values;
-/// empty: scenarios are compared.
+/// The value path that a study compares: a planner, otherwise the first list with several values;
+/// empty: scenarios.
 QString comparedPath(const Experiment& experiment);
 
-/// "Planner" of "robot1.planner"; other paths as they are.
+/// The title of a path: "Planner" for "robot1.planner", otherwise the path.
 QString pathTitle(const QString& path);
 
-/// A metric that the study panel shows.
+/// A metric displayed in the study panel.
 struct StudyMetric {
   QString key, title, unit;
-  bool isRate = false;      // shown in per cent, with Wilson's interval
+  bool isRate = false;      // in per cent, with Wilson interval
   QString heading() const;  // "Path length [m]"
 };
 const std::vector<StudyMetric>& studyMetrics();
 
-/// Mean of a metric over rows, with its 95 % interval: "12.3 [11.8, 12.9]", for up to 300 values
-/// that of the report (BCa), beyond, where both are alike, Student's, which costs nothing. A failed
-/// run succeeds in nothing and has no other value. Empty: no row has one.
+/// The mean of a metric with its 95 % interval: "12.3 [11.8, 12.9]". Up to 300 values: BCa as in
+/// the report; above, Student's t, which is almost equal and fast. For a failed run, success is 0
+/// and other values are undefined. Empty: no values.
 QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow*>& rows);
 
-/// The finished runs of a study by number, as they come: a row each. GUI thread.
+/// A table model of the finished runs of a study, ordered by number. GUI thread.
 class StudyRunsModel : public QAbstractTableModel {
   Q_OBJECT
  public:
   using QAbstractTableModel::QAbstractTableModel;
 
-  void begin(const QStringList& paths);  // empties it
-  void add(StudyRow row);                // replaces the one of its number
+  void begin(const QStringList& paths);  // clears the model
+  void add(StudyRow row);                // replaces the row with the same number
   const std::vector<StudyRow>& rows() const { return rows_; }
-  /// Rows by the value of a path; empty: by scenario. Options in the order in which they came.
+  /// Rows grouped by the value of a path; empty: by scenario. Groups are in order of first
+  /// appearance.
   std::vector<std::pair<QString, std::vector<const StudyRow*>>> byOption(const QString& path) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -75,5 +76,12 @@ class StudyRunsModel : public QAbstractTableModel {
   QStringList paths_;
   std::vector<StudyRow> rows_;
 };
+
+/// A duration: "48 s", "12 min", "3 h 20 min".
+QString studyTimeText(double seconds);
+/// The size of a study: "2 scenarios × 3 planners × 30 seeds = 180 runs".
+QString sizeText(const Experiment& experiment);
+/// "error: this went wrong" -> "This went wrong".
+QString withoutSeverity(const QString& line);
 
 }  // namespace app

@@ -10,7 +10,7 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/BehaviorMenu.h"
+#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/ScenarioPanel.h"
 
 namespace app {
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kToolBarHeight = 44;
 
-/// With a line before each group but the first of the menu.
+/// Adds groups with separators between them.
 void addGroups(QMenu& menu, const std::vector<QList<QAction*>>& groups) {
   for (const QList<QAction*>& group : groups) {
     if (!menu.isEmpty()) {
@@ -35,7 +35,7 @@ QWidget* spacer(int width, QWidget* parent) {
   return gap;
 }
 
-/// Several tools on one button: it shows the one used last, its arrow opens the list.
+/// A button for several tools: it shows the last used one; its arrow opens the list.
 QToolButton* makeToolGroup(const QList<QAction*>& actions, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setPopupMode(QToolButton::MenuButtonPopup);
@@ -53,7 +53,7 @@ QToolButton* makeToolGroup(const QList<QAction*>& actions, QWidget* parent) {
   return button;
 }
 
-/// Tools of one kind share a button, at the place of the first of them.
+/// Tools of one group share a button at the position of the first one.
 void addTools(QToolBar& bar, Workspace& workspace) {
   std::map<QString, QList<QAction*>> buttons;
   for (const editor::ToolManager::Entry& entry : workspace.tools().entries()) {
@@ -69,14 +69,14 @@ void addTools(QToolBar& bar, Workspace& workspace) {
   }
 }
 
-/// Everything that can be shown or hidden, in one list.
+/// A button with the list of all layers and overlays.
 QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setPopupMode(QToolButton::InstantPopup);
-  button->setToolTip(QObject::tr("Layers\nWhat the map shows"));
+  button->setToolTip(QObject::tr("Layers\nChoose what the map shows"));
   button->setAccessibleName(QObject::tr("Layers"));
   auto* menu = new QMenu(button);
-  addGroups(*menu, {actions.layers, actions.overlays, actions.ofRuns->all});
+  addGroups(*menu, {actions.layers, actions.overlays, actions.runOverlays->all});
   button->setMenu(menu);
   return button;
 }
@@ -94,7 +94,7 @@ void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
     for (QAction* action : menu->actions()) {
       action->setEnabled(people && editing);
     }
-    menu->actions().back()->setEnabled(editing && !document.scenario().humans.empty());  // a mix
+    menu->actions().back()->setEnabled(editing && !document.scenario().humans.empty());  // mix
   });
 }
 
@@ -107,9 +107,9 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   bar->setIconSize(QSize(24, 24));
   bar->setFixedHeight(kToolBarHeight);
   bar->toggleViewAction()->setEnabled(false);
-  editor::describe(*bar->toggleViewAction(), QObject::tr("Always seen"));
+  editor::describe(*bar->toggleViewAction(), QObject::tr("Always visible"));
   bar->addWidget(spacer(8, bar));
-  bar->addActions({actions.newRoom, actions.open, actions.save});
+  bar->addActions({actions.newOpenPlane, actions.open, actions.save});
   bar->addSeparator();
   bar->addActions({actions.undo, actions.redo});
   bar->addSeparator();
@@ -140,7 +140,7 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
 QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks) {
   QMenuBar& bar = *window.menuBar();
   QMenu& file = *bar.addMenu(QObject::tr("&File"));
-  addGroups(file, {{actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open,
+  addGroups(file, {{actions.newOpenPlane, actions.newEmptyRoom, actions.newFromMap, actions.open,
                     actions.openRun}});
   QMenu* recent = file.addMenu(QObject::tr("Open recen&t"));
   addGroups(file,
@@ -158,10 +158,11 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   QMenu& view = *bar.addMenu(QObject::tr("&View"));
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
   view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
-  view.addMenu(QObject::tr("Over a run"))->addActions(actions.ofRuns->all);
+  view.addMenu(QObject::tr("Run overlays"))->addActions(actions.runOverlays->all);
   view.addMenu(QObject::tr("Trail length"))->addActions(workspace.scrub().trailLengths());
-  addGroups(view, {docks.toggles() << docks.mapOnly() << docks.treeLarge() << actions.resetLayout,
-                   {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
+  addGroups(view,
+            {docks.toggles() << docks.mapOnly() << docks.treeMaximized() << actions.resetLayout,
+             {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
 
   addGroups(*bar.addMenu(QObject::tr("&Scenario")),
             {workspace.tools().actions().actions(),
@@ -169,10 +170,10 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
   const editor::PlaybackActions& playback = workspace.playback();
   addGroups(*bar.addMenu(QObject::tr("&Run")),
-            {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.goOn,
-              playback.reset, workspace.drive().toggle()},
+            {{playback.playPause, playback.step, playback.stepBack, playback.newest,
+              playback.branchHere, playback.reset, workspace.drive().toggle()},
              workspace.scrub().all(),
-             {actions.watchLive, actions.onRos2},
+             {actions.publishFoxglove, actions.publishRos2},
              {actions.history}});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
@@ -181,7 +182,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
 namespace {
 
-/// Closes when the selection changes, or between editing and a run.
+/// A menu that closes when the selection changes or when switching between editing and a run.
 QMenu* canvasMenu(Workspace& workspace) {
   auto* menu = new QMenu(&workspace.view());
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -192,9 +193,10 @@ QMenu* canvasMenu(Workspace& workspace) {
   return menu;
 }
 
-/// Driven is who is selected. Another is selected when the word is chosen: the map may make room
-/// for its legend then, which would move it away from under the menu.
-void offerToDrive(QMenu& menu, Workspace& workspace, base::EntityId robot) {
+/// Adds the command to drive the robot. Manual driving applies to the selected robot. The selection
+/// is changed only when the command is chosen, because the map's legend could move the robot away
+/// from under the menu.
+void addDriveAction(QMenu& menu, Workspace& workspace, base::EntityId robot) {
   QAction* const toggle = workspace.drive().toggle();
   if (workspace.document().isSelected(robot)) {
     menu.addAction(toggle);
@@ -208,17 +210,17 @@ void offerToDrive(QMenu& menu, Workspace& workspace, base::EntityId robot) {
   drive->setToolTip(toggle->toolTip());
 }
 
-/// In a run: what hands can do to people and robots.
-void offerHands(Workspace& workspace, const QPoint& at) {
+/// The context menu in a run: manual interaction with people and robots.
+void showInteractionMenu(Workspace& workspace, const QPoint& at) {
   editor::MapView& view = workspace.view();
   const base::Vec2 place = view.worldAt(at);
   QMenu* const menu = canvasMenu(workspace);
   const editor::FrameLayer& layer = workspace.scene().frameLayer();
   const std::optional<int> agent = layer.agentAt(place);
   if (agent && *agent < 0 && workspace.runner().isLive()) {
-    offerToDrive(*menu, workspace, layer.entityOf(*agent));
+    addDriveAction(*menu, workspace, layer.entityOf(*agent));
   }
-  workspace.hands().fillMenu(*menu, agent, place);
+  workspace.interaction().fillMenu(*menu, agent, place);
   if (menu->isEmpty()) {
     delete menu;
     return;
@@ -234,7 +236,7 @@ void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const
   const auto offer = [&workspace, &actions, &docks, &view](const QPoint& at) {
     const bool editing = workspace.runner().state() == editor::SimulationRunner::State::Editing;
     if (!editing) {
-      offerHands(workspace, at);
+      showInteractionMenu(workspace, at);
       return;
     }
     if (!workspace.tools().isSelecting()) {

@@ -9,14 +9,14 @@
 
 namespace app {
 
-/// The one tool bar: file, undo | tools | run | view.
+/// The tool bar: file, undo | tools | run | view.
 QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& actions);
 
-/// All commands with their shortcuts. Returns the menu of recent files, for whoever knows them.
+/// Creates the menus with all commands. Returns the menu for recent files, which the caller fills.
 QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks);
 
-/// The menu of the right mouse button on the map, while the tool to select is at hand: other tools
-/// end their lines with that button.
+/// The context menu of the map while the select tool is active; other tools end their lines with
+/// the right button.
 void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const Docks& docks);
 
 }  // namespace app

@@ -21,7 +21,7 @@ namespace app {
 
 using editor::DiffLine;
 using editor::Role;
-using editor::TreeQuestion;
+using editor::TreeConflict;
 
 namespace {
 
@@ -29,17 +29,17 @@ constexpr int kListWidth = 200;
 constexpr int kWidth = 560;  // the question fits on one line
 constexpr int kDiffHeight = 460;
 constexpr int kTreeRow = 24;
-constexpr int kContext = 3;  // equal lines shown around a change
+constexpr int kContext = 3;  // unchanged lines shown around a change
 constexpr int kSignWidth = 16;
 constexpr int kPadding = 8;
 
-bool isOnDisk(const TreeQuestion& question) {
-  return question.why == TreeQuestion::Why::ChangedOnDisk;
+bool isOnDisk(const TreeConflict& question) {
+  return question.why == TreeConflict::Why::ChangedOnDisk;
 }
 
 }  // namespace
 
-/// The lines of two texts with what was taken out and put in; long equal parts are folded.
+/// Shows the differences of two texts line by line; long unchanged parts are folded.
 class DiffView : public QAbstractScrollArea {
  public:
   explicit DiffView(const editor::Theme& theme, QWidget* parent)
@@ -109,7 +109,7 @@ class DiffView : public QAbstractScrollArea {
  private:
   struct Row {
     DiffLine line;
-    int folded = 0;  // > 0: stands for so many equal lines
+    int folded = 0;  // > 0: number of folded unchanged lines
   };
 
   int rowHeight() const { return fontMetrics().height() + 2; }
@@ -174,7 +174,7 @@ class DiffView : public QAbstractScrollArea {
   int removed_ = 0, added_ = 0, widest_ = 0;
 };
 
-TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const editor::Theme& theme,
+TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeConflict> questions, const editor::Theme& theme,
                                    QWidget* parent)
     : QDialog(parent),
       questions_(std::move(questions)),
@@ -183,12 +183,12 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
       why_(new QLabel(this)),
       keep_(new QRadioButton(this)),
       replace_(new QRadioButton(this)),
-      all_(new QCheckBox(tr("The same for all %1").arg(questions_.size()), this)),
+      all_(new QCheckBox(tr("Apply to all %1").arg(questions_.size()), this)),
       differences_(
           editor::linkButton({}, {}, this, [this] { showDifferences(diff_->isHidden()); })),
       legend_(editor::secondaryLabel(QString(), this)),
       diff_(new DiffView(theme, this)) {
-  setWindowTitle(tr("Trees written by hand"));
+  setWindowTitle(tr("Custom trees"));
   build();
   for (int i = 0; i < static_cast<int>(questions_.size()); ++i) {
     list_->addItem(QString::fromStdString(questions_[static_cast<std::size_t>(i)].name));
@@ -208,15 +208,15 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
 }
 
 void TreeChoiceDialog::build() {
-  QLabel* title = editor::headingLabel(tr("Saving would replace what somebody wrote"),
+  QLabel* title = editor::headingLabel(tr("Saving would overwrite custom trees"),
                                        theme_.font(12.0, QFont::DemiBold), this);
-  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
-  auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {list_});
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
+  auto* columns = editor::configuredLayout(new QHBoxLayout, {}, 16, {list_});
   list_->setFixedWidth(kListWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setIconSize(QSize(16, 16));
   list_->setVisible(questions_.size() > 1);
-  auto* right = editor::arranged(new QVBoxLayout, {}, 4, {why_});
+  auto* right = editor::configuredLayout(new QVBoxLayout, {}, 4, {why_});
   why_->setWordWrap(true);
   right->addSpacing(4);
   right->addWidget(keep_);
@@ -238,30 +238,30 @@ void TreeChoiceDialog::build() {
 }
 
 void TreeChoiceDialog::showQuestion(int index) {
-  const TreeQuestion& question = questions_[static_cast<std::size_t>(index)];
+  const TreeConflict& question = questions_[static_cast<std::size_t>(index)];
   const QString name = QString::fromStdString(question.name).toHtmlEscaped();
   const QString file = QFileInfo(QString::fromStdString(question.path)).fileName();
   why_->setText(isOnDisk(question)
-                    ? tr("<b>%1</b>: another program has changed the file %2.")
+                    ? tr("<b>%1</b>: the file %2 was changed by another program.")
                           .arg(name, file.toHtmlEscaped())
-                    : tr("<b>%1</b>: behaviour or goals have changed since this tree was written "
-                         "by hand.")
+                    : tr("<b>%1</b>: behaviour or goals changed after this custom tree was "
+                         "written.")
                           .arg(name));
-  keep_->setText(isOnDisk(question) ? tr("Keep what is in the file") : tr("Keep mine"));
-  replace_->setText(isOnDisk(question) ? tr("Replace it with the tree of this window")
-                                       : tr("Take the generated one"));
+  keep_->setText(isOnDisk(question) ? tr("Keep the tree in the file") : tr("Keep the custom tree"));
+  replace_->setText(isOnDisk(question) ? tr("Replace it with the tree in this window")
+                                       : tr("Use the generated tree"));
   (replaced_.count(question.human) == 0 ? keep_ : replace_)->setChecked(true);
   diff_->setTexts(question.mine, question.replacement);
   legend_->setText(isOnDisk(question) ? tr("− in the file   + in this window")
-                                      : tr("− mine   + generated"));
+                                      : tr("− custom   + generated"));
   showDifferences(!diff_->isHidden());
 }
 
 void TreeChoiceDialog::showDifferences(bool on) {
   diff_->setVisible(on);
   legend_->setVisible(on);
-  differences_->setText(on ? tr("Hide the differences")
-                           : tr("Show the differences (−%1 +%2 lines)")
+  differences_->setText(on ? tr("Hide differences")
+                           : tr("Show differences (−%1 +%2 lines)")
                                  .arg(diff_->removedCount())
                                  .arg(diff_->addedCount()));
   const int least = questions_.size() > 1 ? kWidth + kListWidth : kWidth;
@@ -275,7 +275,7 @@ void TreeChoiceDialog::showDifferences(bool on) {
   }
 }
 
-/// The buttons must not leave the screen when the dialog grows.
+/// Keeps the buttons on the screen when the dialog grows.
 void TreeChoiceDialog::moveOnScreen(const QPoint& corner) {
   const QRect room = screen()->availableGeometry();
   move(std::clamp(corner.x(), room.left(), std::max(room.left(), room.right() - width())),
@@ -304,14 +304,14 @@ void TreeChoiceDialog::updateRow(int index) {
   list_->item(index)->setIcon(
       editor::tintedIcon(keeps ? QStringLiteral("tree") : QStringLiteral("file-save"),
                          theme_.color(keeps ? Role::TextSecondary : Role::WarningMark)));
-  list_->item(index)->setToolTip(keeps ? tr("is kept") : tr("is replaced"));
+  list_->item(index)->setToolTip(keeps ? tr("kept") : tr("replaced"));
 }
 
-std::optional<editor::TreesToReplace> TreeChoiceDialog::ask(std::vector<TreeQuestion> questions,
-                                                            const editor::Theme& theme,
-                                                            QWidget* parent) {
+std::optional<editor::TreeReplacements> TreeChoiceDialog::ask(std::vector<TreeConflict> questions,
+                                                              const editor::Theme& theme,
+                                                              QWidget* parent) {
   if (questions.empty()) {
-    return editor::TreesToReplace();
+    return editor::TreeReplacements();
   }
   TreeChoiceDialog dialog(std::move(questions), theme, parent);
   return dialog.exec() == QDialog::Accepted ? std::make_optional(dialog.replaced()) : std::nullopt;

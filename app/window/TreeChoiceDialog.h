@@ -17,21 +17,21 @@ namespace app {
 
 class DiffView;
 
-/// Asks before saving replaces trees that somebody wrote by hand: keep, take the other one, and
-/// what the difference is. Closing it means not to save.
+/// Asks before saving replaces manually edited trees: keep, replace, show differences. Closing the
+/// dialog cancels saving.
 class TreeChoiceDialog : public QDialog {
   Q_OBJECT
  public:
-  TreeChoiceDialog(std::vector<editor::TreeQuestion> questions, const editor::Theme& theme,
+  TreeChoiceDialog(std::vector<editor::TreeConflict> questions, const editor::Theme& theme,
                    QWidget* parent = nullptr);
-  const editor::TreesToReplace& replaced() const { return replaced_; }
+  const editor::TreeReplacements& replaced() const { return replaced_; }
   void choose(int question, bool isReplaced);
   void showDifferences(bool on);
   void moveOnScreen(const QPoint& corner);
 
-  /// Nothing when cancelled.
-  static std::optional<editor::TreesToReplace> ask(std::vector<editor::TreeQuestion> questions,
-                                                   const editor::Theme& theme, QWidget* parent);
+  /// Nothing: cancelled.
+  static std::optional<editor::TreeReplacements> ask(std::vector<editor::TreeConflict> questions,
+                                                     const editor::Theme& theme, QWidget* parent);
 
  private:
   void build();
@@ -39,8 +39,8 @@ class TreeChoiceDialog : public QDialog {
   void take(bool isReplaced);
   void updateRow(int index);
 
-  std::vector<editor::TreeQuestion> questions_;
-  editor::TreesToReplace replaced_;
+  std::vector<editor::TreeConflict> questions_;
+  editor::TreeReplacements replaced_;
   editor::Theme theme_;
   QListWidget* list_;
   QLabel* why_;

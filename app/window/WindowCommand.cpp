@@ -21,12 +21,12 @@
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/window/DocumentGuard.h"
-#include "app/window/GuardedApplication.h"
+#include "app/window/KeyRules.h"
 #include "app/window/MainWindow.h"
 #include "editor/canvas/RouteModel.h"
+#include "editor/look/AppStyle.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
-#include "editor/look/HouseStyle.h"
-#include "editor/look/Later.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -35,12 +35,12 @@ namespace {
 
 using editor::SimulationRunner;
 
-constexpr int kPatienceMs = 10 * 60 * 1000;
+constexpr int kTimeoutMs = 10 * 60 * 1000;
 constexpr double kDefaultStep = 0.05;  // [s]
-constexpr int kSettleMs = 250;         // animations and routes
+constexpr int kSettleMs = 250;         // for animations and routes
 
-/// Before the application exists. Pictures depend on no screen: 96 dots per inch, and as many
-/// pixels per point as wanted.
+/// Call before the application is created. Pictures do not depend on the screen: 96 dpi, with the
+/// requested scale.
 void prepareScreen(const WindowOptions& options) {
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   if (options.screenshot.empty()) {
@@ -61,7 +61,7 @@ void prepareScreen(const WindowOptions& options) {
   }
 }
 
-base::Diagnostics checkWords(const WindowOptions& options) {
+base::Diagnostics checkOptions(const WindowOptions& options) {
   base::Diagnostics problems;
   const auto want = [&problems](bool isFine, const char* code) {
     if (!isFine) {
@@ -84,7 +84,7 @@ editor::Theme themeOf(const WindowOptions& options) {
                                    : editor::Theme::light();
 }
 
-/// For the start page: whole scenes first, then one per reaction; none of the many of the realism
+/// The demos of the start page: complete scenes first, then one per reaction; without the realism
 /// tests.
 std::vector<ShippedScenario> demos() {
   std::vector<ShippedScenario> scenarios = shippedScenarios();
@@ -108,36 +108,36 @@ base::Diagnostics checkDocks(const QStringList& known, const std::vector<std::st
   return problems;
 }
 
-/// What a run of the file would say, when the window shows it in part.
-base::Diagnostics whyNotOpened(MainWindow& window) {
+/// The problems of a file that could not be opened completely, as `run` reports them.
+base::Diagnostics openProblems(MainWindow& window) {
   const editor::ScenarioDocument& document = window.workspace().document();
   base::Diagnostics problems =
       document.path().isEmpty() ? base::Diagnostics() : check(document.bundle()).problems;
   return base::hasErrors(problems) ? problems : window.files().problems();
 }
 
-void pass(int milliseconds) {
+void processEvents(int milliseconds) {
   QEventLoop loop;
   editor::later(
       loop, [&loop] { loop.quit(); }, milliseconds);
   loop.exec();
 }
 
-/// Lets the program work until `done`; false when that takes too long.
+/// Processes events until `done`. False: timeout.
 bool waitFor(const std::function<bool()>& done) {
   QElapsedTimer clock;
   clock.start();
   while (!done()) {
-    if (clock.elapsed() > kPatienceMs) {
+    if (clock.elapsed() > kTimeoutMs) {
       return false;
     }
-    pass(10);
+    processEvents(10);
   }
   return true;
 }
 
-/// Trails grow by what is shown.
-void showStates(Workspace& workspace, const sim2d::Recording& recording, std::size_t count) {
+/// Shows frames, because trails consist of displayed frames.
+void replayFrames(Workspace& workspace, const sim2d::Recording& recording, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     workspace.scene().showFrame(recording.frame(k), &recording);
   }
@@ -147,21 +147,22 @@ base::Diagnostics playTo(Workspace& workspace, double time) {
   SimulationRunner& runner = workspace.runner();
   const sim2d::Recording& recording = *runner.recording();
   const std::size_t index = recording.indexAtTime(time);
-  showStates(workspace, recording, index);
+  replayFrames(workspace, recording, index);
   runner.seek(recording.stepOf(index));
   const bool isMeasured = waitFor([&] { return workspace.feed().isCurrent(); });
   return isMeasured ? base::Diagnostics() : base::Diagnostics{base::error("run.not-measured")};
 }
 
-/// Exactly so many steps, as fast as possible; then paused at that moment.
+/// Runs exactly to `time` as fast as possible and pauses.
 base::Diagnostics runTo(Workspace& workspace, double time) {
   SimulationRunner& runner = workspace.runner();
   if (runner.isRecorded()) {
     return playTo(workspace, time);
   }
-  const std::vector<ForeignCode> code = workspace.codeToAllow();
+  const std::vector<ExternalCode> code = workspace.unapprovedCode();
   if (!code.empty()) {
-    return tellForeignCode(code, base::Severity::Error, workspace.document().path().toStdString());
+    return externalCodeProblems(code, base::Severity::Error,
+                                workspace.document().path().toStdString());
   }
   base::Diagnostics problems;
   QObject listener;
@@ -173,7 +174,7 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   const double dt = workspace.document().scenario().desktop.dt.value_or(kDefaultStep);
   const long long steps = std::llround(time / dt);
   for (long long i = 0; i < steps; ++i) {
-    runner.stepOnce();  // the first one makes the world
+    runner.stepOnce();  // the first step creates the world
   }
   const bool there = waitFor([&] {
     const editor::FramePtr newest = runner.newestFrame();
@@ -186,12 +187,13 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
     return {base::error("run.too-slow")};
   }
   if (const editor::RecordingPtr recording = runner.recording()) {
-    showStates(workspace, *recording, recording->size());
+    replayFrames(workspace, *recording, recording->size());
   }
   return {};
 }
 
-/// What no recording holds and overlays show: ways of people, what robots sense and weigh.
+/// Shows the newest frame for overlays that are not recorded: paths of people, sensor data and
+/// candidates.
 void showNewest(Workspace& workspace, const WindowOptions& options) {
   const SimulationRunner& runner = workspace.runner();
   if (!options.overlays.empty() && !runner.isRecorded() && runner.newestFrame() != nullptr) {
@@ -204,7 +206,7 @@ base::Diagnostics showTreeOf(MainWindow& window, const std::string& person) {
   for (const sim2d::Human& human : document.scenario().humans) {
     if (human.name == person) {
       document.setSelection({human.key});
-      window.docks().treeLarge()->setChecked(true);
+      window.docks().treeMaximized()->setChecked(true);
       return {};
     }
   }
@@ -227,7 +229,7 @@ base::Diagnostics save(const QPixmap& picture, const std::string& file) {
                                    {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
-/// A person or robot; empty name: nobody.
+/// Selects a person or robot; empty name: none.
 base::Diagnostics selectNamed(editor::ScenarioDocument& document, const std::string& name) {
   const auto select = [&](const auto& bodies) {
     const auto found = std::find_if(bodies.begin(), bodies.end(),
@@ -246,9 +248,10 @@ base::Diagnostics selectNamed(editor::ScenarioDocument& document, const std::str
 }  // namespace
 
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options) {
-  window.workspace().document().checkNow();  // the issues are those of the file
-  pass(kSettleMs);
-  window.actions().ofRuns->show(options.overlays);  // some are gathered while they are on
+  window.workspace().document().checkNow();  // the issues belong to the file
+  processEvents(kSettleMs);
+  window.actions().runOverlays->show(
+      options.overlays);  // some overlays collect data only while enabled
   if (!window.isOnStartPage() && options.at > 0.0) {
     if (base::Diagnostics problems = runTo(window.workspace(), options.at); !problems.empty()) {
       return problems;
@@ -266,15 +269,15 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
     }
     window.docks().show(names);
   }
-  window.workspace().scene().routes().finish();  // on a busy machine they may take longer
-  pass(kSettleMs);
+  window.workspace().scene().routes().finish();  // may take longer on a busy machine
+  processEvents(kSettleMs);
   return save(window.grab(), options.screenshot);
 }
 
 namespace {
 
-/// What could not be foreseen: unsaved work is kept for the next start.
-[[noreturn]] void endBroken(MainWindow& window, const std::string& why) {
+/// Handles an unexpected exception: saves unsaved work for the next start and exits.
+[[noreturn]] void exitAfterException(MainWindow& window, const std::string& why) {
   bool isKept = false;
   try {
     if (editor::Autosave* const autosave = window.guard().autosave()) {
@@ -283,13 +286,15 @@ namespace {
                QFileInfo::exists(autosave->folder() + QStringLiteral("/recovery.json"));
     }
   } catch (const std::exception&) {
-    isKept = false;  // there is nothing left to do it with
+    isKept = false;  // recovery failed
   }
   printError("error: " + why);
   if (isKept) {
-    printError("note: unsaved work is kept; the next start of the window offers it");
+    printError(
+        "note: unsaved changes are kept; the window offers to restore them at the next "
+        "start");
   }
-  std::_Exit(ExitRunFailed);  // in order the copy would go away
+  std::_Exit(ExitRunFailed);  // a normal exit would delete the copy
 }
 
 void requireScenario(const std::string& name, bool isForPicture,
@@ -307,28 +312,28 @@ void requireScenario(const std::string& name, bool isForPicture,
   }
 }
 
-/// Once the application has its name.
-WindowSetup setupOf(const WindowOptions& options, const RunOptions& run) {
+/// Call after the application name is set.
+WindowSetup setupOf(const WindowOptions& options, const RunSpec& run) {
   WindowSetup setup;
   setup.theme = themeOf(options);
   setup.followsSystem = options.theme.empty();
-  setup.remembers = options.screenshot.empty();
+  setup.storesSettings = options.screenshot.empty();
   setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
   setup.demos = demos();
   setup.options = run;
-  if (setup.remembers) {
+  if (setup.storesSettings) {
     setup.recoveryFolder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                            QStringLiteral("/recovery");
   }
   return setup;
 }
 
-int windowCommand(const Invocation& given, const RunOptions& run, const WindowOptions& options,
+int windowCommand(const Invocation& given, const RunSpec& run, const WindowOptions& options,
                   const std::vector<std::string>& commands) {
-  base::Diagnostics wrongWords = checkWords(options);
+  base::Diagnostics wrongOptions = checkOptions(options);
   const base::Result<RunSettings> settings = runSettingsOf(run);
-  base::append(wrongWords, settings.diagnostics());
-  requireFine(wrongWords, ExitWrongCommandLine, base::Severity::Warning);
+  base::append(wrongOptions, settings.diagnostics());
+  requireFine(wrongOptions, ExitWrongCommandLine, base::Severity::Warning);
   const bool picture = !options.screenshot.empty();
   requireScenario(run.scenario, picture, commands);
   const QString scenario = QString::fromStdString(run.scenario);
@@ -340,17 +345,18 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
   QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
   WindowSetup setup = setupOf(options, run);
   setup.compatibility = settings->compatibility;
-  editor::dressApplication(setup.theme);
+  editor::applyTheme(setup.theme);
   MainWindow window(setup);
   requireFine(checkDocks(window.docks().names(), options.docks), ExitWrongCommandLine);
-  if (picture || !options.size.empty()) {  // whatever the screen
-    window.resize(sizeFromText(options.size).value_or(MainWindow::usualSize()));
+  if (picture || !options.size.empty()) {  // independent of the screen
+    window.resize(sizeFromText(options.size).value_or(MainWindow::defaultSize()));
   }
-  application.whenBroken([&window](const std::string& why) { endBroken(window, why); });
+  application.setExceptionHandler(
+      [&window](const std::string& why) { exitAfterException(window, why); });
   window.show();
   const bool isOpened = scenario.isEmpty() || window.open(scenario);
-  if (!isOpened && (picture || QFileInfo(scenario).isDir())) {  // broken ones are for the window
-    requireFine(whyNotOpened(window), ExitBadInput, base::Severity::Warning);
+  if (!isOpened && (picture || QFileInfo(scenario).isDir())) {  // the window shows damaged files
+    requireFine(openProblems(window), ExitBadInput, base::Severity::Warning);
     return ExitFine;
   }
   if (!options.tree.empty()) {
@@ -358,18 +364,18 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
   }
   if (!picture) {
     const int code = QApplication::exec();
-    application.whenBroken({});  // the window goes first
+    application.setExceptionHandler({});  // the window is destroyed first
     return code;
   }
-  if (const std::optional<base::Diagnostic>& cut = window.files().cutOfRun()) {
+  if (const std::optional<base::Diagnostic>& cut = window.files().truncationOfRun()) {
     printDiagnostics({*cut});
   }
   requireFine(takeScreenshot(window, options), ExitBadInput, base::Severity::Warning);
   return ExitFine;
 }
 
-/// `--dock issues events FILE`: all words behind the option are names of docks to it. The last is
-/// the scenario when there is none yet, and it names one.
+/// For `--dock issues events FILE`: all arguments after the option are parsed as dock names. The
+/// last one is the scenario if none was given and the file exists.
 void takeScenarioFromDocks(std::vector<std::string>& docks, std::string& scenario) {
   if (docks.size() < 2 || !scenario.empty()) {
     return;
@@ -399,7 +405,7 @@ std::optional<QSize> sizeFromText(const std::string& text) {
 }
 
 void addWindow(CommandRegistry& commands) {
-  const auto run = std::make_shared<RunOptions>();
+  const auto run = std::make_shared<RunSpec>();
   const auto window = std::make_shared<WindowOptions>();
   commands.setDefault([run, window, &commands](const Invocation& given) {
     takeScenarioFromDocks(window->docks, run->scenario);
@@ -409,21 +415,24 @@ void addWindow(CommandRegistry& commands) {
   root.add_option("scenario", run->scenario, "Scenario to open in the window")
       ->transform(scenarioFile);
   addRunOptions(root, *run);
-  root.add_option("--screenshot", window->screenshot, "Save a picture of the window and leave");
-  root.add_option("--at", window->at, "Simulated time of the picture [s]");
-  root.add_option("--size", window->size, "Size of the window, WxH");
-  root.add_option("--scale", window->scale, "Pixels per point");
+  root.add_option("--screenshot", window->screenshot, "Save a screenshot of the window and exit");
+  root.add_option("--at", window->at, "Simulated time of the screenshot [s]");
+  root.add_option("--size", window->size, "Window size, WxH");
+  root.add_option("--scale", window->scale, "Scale factor of the window");
   root.add_option("--theme", window->theme, "light or dark")->check(oneOf({"light", "dark"}));
   root.add_option(
           "--overlay", window->overlays,
-          "What a picture shows over the run: density, sight, gaussian, velocities, plans, "
-          "contacts, thoughts, zones, forces, ways, local-costs, global-costs; several with "
-          "commas")
+          "Run overlays in the screenshot: density, sight, gaussian, velocities, plans, contacts, "
+          "thoughts, zones, forces, ways, local-costs, global-costs; separate several with commas")
       ->delimiter(',')
       ->check(oneOf(OverlayActions::names()));
-  root.add_option("--select", window->select, "Who is selected in a picture, by name");
-  root.add_option("--tree", window->tree, "Person whose behaviour tree is shown large");
-  root.add_option("--dock", window->docks, "Docks to show, by their names in the View menu");
+  root.add_option("--select", window->select,
+                  "Person or robot to select in the screenshot, by "
+                  "name");
+  root.add_option("--tree", window->tree,
+                  "Person whose behaviour tree is shown instead of the "
+                  "map");
+  root.add_option("--dock", window->docks, "Panels to show, by their names in the View menu");
 }
 
 }  // namespace app

@@ -13,26 +13,26 @@ namespace app {
 
 class MainWindow;
 
-/// Options of the window beside those of `run`.
+/// Window options in addition to those of `run`.
 struct WindowOptions {
-  std::string screenshot;             // picture to save; empty: stay open
-  double at = 5.0;                    // simulated time of the picture [s]
-  std::string size;                   // "1280x800"; empty: as last used, 1280x800 for a picture
-  double scale = 1.0;                 // pixels per point of the picture
-  std::string theme;                  // "light", "dark"; empty: the system's
-  std::vector<std::string> docks;     // shown; empty: as last used
-  std::vector<std::string> overlays;  // switched on beside those of last time
-  std::string select;                 // a person or robot by name
-  std::string tree;                   // person whose tree takes the place of the map; empty: none
+  std::string screenshot;             // picture file; empty: interactive
+  double at = 5.0;                    // [s], simulation time of the picture
+  std::string size;                   // "1280x800"; empty: last size; for a picture, 1280x800
+  double scale = 1.0;                 // device pixels per pixel of the picture
+  std::string theme;                  // "light", "dark"; empty: system theme
+  std::vector<std::string> docks;     // visible docks; empty: last layout
+  std::vector<std::string> overlays;  // enabled in addition to stored ones
+  std::string select;                 // selected person or robot, by name
+  std::string tree;                   // person whose tree replaces the map; empty: none
 };
 
-/// "1280x800"; nothing when it is no size of a window.
+/// Parses "1280x800". Nothing: not a valid window size.
 std::optional<QSize> sizeFromText(const std::string& text);
 
-/// Runs the scenario of the window to a time and saves a picture of the whole window. Empty = done.
+/// Runs the scenario to a time and saves a picture of the whole window. Empty on success.
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options);
 
-/// Opens the window, on the scenario if one is given: what the program does without a command.
+/// Adds the default command, which opens the window, with a scenario if given.
 void addWindow(CommandRegistry& commands);
 
 }  // namespace app

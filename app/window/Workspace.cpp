@@ -6,8 +6,8 @@
 #include <QActionGroup>
 
 #include "editor/canvas/FrameLayer.h"
-#include "editor/panels/RunLayers.h"
-#include "editor/tools/ToolOptionsBar.h"
+#include "editor/panels/RunOverlayUpdater.h"
+#include "editor/tools/ToolManager.h"
 
 namespace app {
 
@@ -16,8 +16,8 @@ using editor::SimulationRunner;
 
 namespace {
 
-constexpr int kSmoothMs = 16;         // as often as screens show
-constexpr double kLongestStep = 0.5;  // [s] on the wall; a longer one is not walked smoothly
+constexpr int kSmoothMs = 16;         // about the display rate
+constexpr double kLongestStep = 0.5;  // [s], wall clock; longer steps are not interpolated
 
 }  // namespace
 
@@ -31,69 +31,70 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
       feed_(document_, runner_),
       playback_(runner_, theme),
       scrub_(runner_, events_, scene_),
-      hands_(runner_, scene_) {
-  new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
-  new editor::RunLayers(runner_, events_, *view_);
-  // The tool just chosen hears its keys, wherever the choice was made.
+      interaction_(runner_, scene_) {
+  new editor::ToolOptionsBar(tools_, *view_);  // owned by the view
+  new editor::RunOverlayUpdater(runner_, events_, *view_);
+  // Gives keyboard focus to the map when a tool is chosen.
   connect(&tools_.actions(), &QActionGroup::triggered, view_, [this] { view_->setFocus(); });
-  runner_.setGate([this](bool paused) {
-    const bool mayRun = codeToAllow().empty();
+  runner_.setStartCondition([this](bool paused) {
+    const bool mayRun = unapprovedCode().empty();
     if (!mayRun) {
-      Q_EMIT codeWanted(paused);
+      Q_EMIT codePermissionNeeded(paused);
     }
     return mayRun;
   });
   runner_.setRequest([this] {
     editor::RunSettings settings = runSettings_;
-    settings.code = codeToAllow().empty() ? sim2d::CodeUse::Allowed : sim2d::CodeUse::Refused;
+    settings.code = unapprovedCode().empty() ? sim2d::ExternalCodePolicy::Allowed
+                                             : sim2d::ExternalCodePolicy::Refused;
     return editor::runRequestOf(document_, settings);
   });
   connect(&runner_, &SimulationRunner::frameShown, this, &Workspace::showFrame);
-  smooth_.setInterval(kSmoothMs);
-  smooth_.setTimerType(Qt::PreciseTimer);
-  connect(&smooth_, &QTimer::timeout, this, &Workspace::showBetween);
+  interpolationTimer_.setInterval(kSmoothMs);
+  interpolationTimer_.setTimerType(Qt::PreciseTimer);
+  connect(&interpolationTimer_, &QTimer::timeout, this, &Workspace::interpolate);
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &Workspace::showState);
-  connect(&events_, &editor::RunEvents::added, this, &Workspace::hearEvents);
-  connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::followRecorded);
-  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &Workspace::refuseEdits,
+  connect(&events_, &editor::RunEvents::added, this, &Workspace::showSpeech);
+  connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::handleRunClosed);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &Workspace::revertEdits,
           Qt::QueuedConnection);
   connect(view_, &editor::MapView::spaceTapped, playback_.playPause, &QAction::trigger);
   connect(&document_, &editor::ScenarioDocument::changed, this,
           [this](const editor::Change& change) {
             if (change.what == editor::Change::What::Everything) {
               isReplaced_ = true;
-              runner_.reset();  // a run of another file
+              runner_.reset();  // run of another file
               isReplaced_ = false;
-              forgetUnsavedCode();
+              clearUnsavedPermissions();
             }
           });
-  drive_ = std::make_unique<editor::HandDrive>(document_, runner_, scene_, *view_);
+  drive_ = std::make_unique<editor::ManualDriveController>(document_, runner_, scene_, *view_);
 }
 
-std::vector<ForeignCode> Workspace::codeToAllow() const {
+std::vector<ExternalCode> Workspace::unapprovedCode() const {
   const QString file = QFileInfo(document_.path()).canonicalFilePath();
-  if (freeFile_ && (freeFile_->isEmpty() || *freeFile_ == file)) {
+  if (trustedFile_ && (trustedFile_->isEmpty() || *trustedFile_ == file)) {
     return {};
   }
-  std::vector<ForeignCode> code = foreignCodeOf(document_.scenario());
+  std::vector<ExternalCode> code = externalCodeOf(document_.scenario());
   code.erase(std::remove_if(code.begin(), code.end(),
-                            [&](const ForeignCode& each) {
+                            [&](const ExternalCode& each) {
                               return allowedCode_.count({file, each.words}) != 0;
                             }),
              code.end());
   return code;
 }
 
-void Workspace::allowCode(const std::vector<ForeignCode>& code) {
+void Workspace::allowCode(const std::vector<ExternalCode>& code) {
   const QString file = QFileInfo(document_.path()).canonicalFilePath();
-  for (const ForeignCode& each : code) {
+  for (const ExternalCode& each : code) {
     allowedCode_.emplace(file, each.words);
   }
 }
 
-/// Another document without a file is not the one that was meant.
-void Workspace::forgetUnsavedCode() {
+/// Called for another unsaved document, to which the permissions do not apply.
+void Workspace::clearUnsavedPermissions() {
   for (auto at = allowedCode_.begin(); at != allowedCode_.end();) {
     at = at->first.isEmpty() ? allowedCode_.erase(at) : std::next(at);
   }
@@ -105,25 +106,25 @@ void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name
   runner_.openRecorded(std::move(recording), std::move(again));
 }
 
-void Workspace::followRecorded() {
+void Workspace::handleRunClosed() {
   if (!recordedName_.isEmpty() && runner_.state() == SimulationRunner::State::Editing) {
     recordedName_.clear();
     if (!isReplaced_) {
-      Q_EMIT recordedRunLeft();
+      Q_EMIT recordedRunClosed();
     }
   }
 }
 
-/// Forms and lists stay in use, to look at people and trees; what they change is taken back.
-void Workspace::refuseEdits() {
-  if (isOfRecord() && document_.undoStack().canUndo()) {
+/// Forms and lists remain enabled for inspection; their changes are undone.
+void Workspace::revertEdits() {
+  if (isRecordedRun() && document_.undoStack().canUndo()) {
     document_.undoStack().undo();
-    Q_EMIT editRefused();
+    Q_EMIT editReverted();
   }
 }
 
-/// A frame is shown as the end of a step that begins at the frame before, so that people move as
-/// often as the screen shows them.
+/// Shows a frame as the end of a step that starts at the previous frame, so that people move at the
+/// display rate.
 void Workspace::showFrame(const editor::FramePtr& frame) {
   scene_.showFrame(frame, runner_.recording().get());
   const double step = frame ? frame->time - shownTime_ : 0.0;
@@ -133,23 +134,23 @@ void Workspace::showFrame(const editor::FramePtr& frame) {
                         period_ > 1e-3 * kSmoothMs && period_ < kLongestStep;
   if (isSmooth) {
     sinceFrame_.start();
-    scene_.setFrameShare(0.0);
-    smooth_.start();
+    scene_.setFrameInterpolation(0.0);
+    interpolationTimer_.start();
   } else {
-    smooth_.stop();
+    interpolationTimer_.stop();
   }
 }
 
-void Workspace::showBetween() {
+void Workspace::interpolate() {
   const double share = 1e-9 * static_cast<double>(sinceFrame_.nsecsElapsed()) / period_;
-  scene_.setFrameShare(std::min(share, 1.0));
+  scene_.setFrameInterpolation(std::min(share, 1.0));
   if (share >= 1.0) {
-    smooth_.stop();
+    interpolationTimer_.stop();
   }
 }
 
 Workspace::~Workspace() {
-  document_.stopMapWork();
+  document_.stopMapTasks();
 }
 
 void Workspace::setTheme(const editor::Theme& theme) {
@@ -163,8 +164,8 @@ void Workspace::setTheme(const editor::Theme& theme) {
 void Workspace::showState() {
   const SimulationRunner::State state = runner_.state();
   if (state != SimulationRunner::State::Running) {
-    smooth_.stop();
-    scene_.setFrameShare(1.0);
+    interpolationTimer_.stop();
+    scene_.setFrameInterpolation(1.0);
   }
   view_->setCanvasState(state == SimulationRunner::State::Editing         ? CanvasState::Editing
                         : runner_.isLookingBack() || runner_.isRecorded() ? CanvasState::Past
@@ -173,12 +174,12 @@ void Workspace::showState() {
   tools_.setEditingEnabled(state == SimulationRunner::State::Editing);
 }
 
-void Workspace::hearEvents(int first, int last) {
+void Workspace::showSpeech(int first, int last) {
   for (int i = first; i <= last; ++i) {
     const editor::RunEvent& event = events_.events()[static_cast<std::size_t>(i)];
     const sim2d::EventKind kind = event.event.kind;
     if (kind == sim2d::EventKind::Say || kind == sim2d::EventKind::Heard) {
-      scene_.frameLayer().hear({event.event}, event.time);
+      scene_.frameLayer().addSpeech({event.event}, event.time);
     }
   }
 }

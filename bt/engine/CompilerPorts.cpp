@@ -2,10 +2,10 @@
 
 #include "bt/engine/Compiler.h"
 #include "bt/engine/Ticker.h"
-#include "bt/tree/TextValue.h"
+#include "bt/tree/PortTextConversion.h"
 #include "sim2d/base/Text.h"
 
-/// The part of the compiler that knows blackboards and binds ports, entries and scripts.
+/// The part of the compiler that manages blackboards and binds ports, entries and scripts.
 namespace bt {
 namespace {
 
@@ -18,8 +18,8 @@ std::string shownType(PortType type, PortType element) {
 
 }  // namespace
 
-int Scopes::add(int parent, bool autoRemap, const std::string& path) {
-  constexpr std::size_t kShownPath = 300;  // the end of a longer one tells more than its beginning
+int BlackboardScopes::add(int parent, bool autoRemap, const std::string& path) {
+  constexpr std::size_t kShownPath = 300;  // of a longer path the end is shown
   Program::Scope scope;
   scope.parent = parent;
   scope.autoRemap = autoRemap;
@@ -28,8 +28,8 @@ int Scopes::add(int parent, bool autoRemap, const std::string& path) {
   return static_cast<int>(scopes_.size()) - 1;
 }
 
-/// Whole numbers become Int, other numbers Double, the rest text, which declares no type.
-void Scopes::setConstant(int scope, const std::string& key, const std::string& text) {
+/// Integers become Int, other numbers Double, anything else text, which declares no type.
+void BlackboardScopes::setConstant(int scope, const std::string& key, const std::string& text) {
   const int index = addSlot(scope, key);
   Slot& target = slot(index);
   if (const std::optional<long long> whole = base::parseInt(text); whole && intFromText(text)) {
@@ -42,12 +42,12 @@ void Scopes::setConstant(int scope, const std::string& key, const std::string& t
     target.value = Value::of(std::string_view(text));
   }
   target.exists = true;
-  target.version = 1;  // it counts as written
+  target.version = 1;  // counts as written
   use(index).literal = true;
   use(index).written = true;
 }
 
-int Scopes::addSlot(int scope, const std::string& key) {
+int BlackboardScopes::addSlot(int scope, const std::string& key) {
   Program::Scope& owner = scopes_[static_cast<std::size_t>(scope)];
   const std::string& path = paths_[static_cast<std::size_t>(scope)];
   const int index = static_cast<int>(slots_.size());
@@ -59,7 +59,7 @@ int Scopes::addSlot(int scope, const std::string& key) {
   return index;
 }
 
-std::vector<Program::Entry> Scopes::aliases() const {
+std::vector<Program::Entry> BlackboardScopes::aliases() const {
   std::vector<Program::Entry> all;
   for (std::size_t scope = 1; scope < scopes_.size(); ++scope) {
     for (const auto& [key, slot] : scopes_[scope].slots) {
@@ -71,7 +71,7 @@ std::vector<Program::Entry> Scopes::aliases() const {
   return all;
 }
 
-int Scopes::slotOf(int scope, const std::string& key) {
+int BlackboardScopes::slotOf(int scope, const std::string& key) {
   if (!key.empty() && key[0] == '@') {
     return slotOf(0, key.substr(1));
   }
@@ -94,7 +94,7 @@ int Scopes::slotOf(int scope, const std::string& key) {
   return index;
 }
 
-void Compiler::bindPorts(const NodeSpec& spec, const Place& place) {
+void Compiler::bindPorts(const NodeSpec& spec, const CompileContext& place) {
   firstPorts_.push_back(program_->bindings_.size());
   if (spec.isSubTree()) {
     return;
@@ -109,8 +109,9 @@ void Compiler::bindPorts(const NodeSpec& spec, const Place& place) {
   }
 }
 
-PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const Place& place) {
-  const std::string* const given = findText(spec.ports, port.key);
+PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port,
+                               const CompileContext& place) {
+  const std::string* const given = findAttribute(spec.ports, port.key);
   const PortBinding missing = {0, PortBinding::Kind::Missing, false, port.portType};
   if (!given && !port.fallbackText()) {
     return missing;
@@ -129,7 +130,7 @@ PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const
   return constantPort(text, port.portType, !given);
 }
 
-/// The element type of a port that takes a queue.
+/// The element type of a port that accepts a queue.
 PortType Compiler::elementOf(const NodeSpec& spec, const PortSpec& port) const {
   const PortSpec* const value = port.portType == PortType::Queue
                                     ? library_.catalogue().find(spec.id)->port("value")
@@ -141,7 +142,7 @@ PortBinding Compiler::constantPort(const std::string& text, PortType type, bool 
   PortBinding binding;
   binding.isDefault = isDefault;
   binding.type = type;
-  // Only a default may not fit: checkTrees() refuses a given text. A queue stays as it is written.
+  // Only a default may not fit: checkTrees() rejects a given text. A queue stays as written.
   const PortType asType = type == PortType::Queue ? PortType::String : type;
   if (const std::optional<Value> value = convertTo(Value::of(std::string_view(text)), asType)) {
     binding.kind = PortBinding::Kind::Constant;
@@ -151,7 +152,7 @@ PortBinding Compiler::constantPort(const std::string& text, PortType type, bool 
   return binding;
 }
 
-/// A constant of a SubTree is a number until its first reader says which kind of number.
+/// A constant of a SubTree is an untyped number until its first reader declares the type.
 bool Compiler::adaptLiteral(int slot, PortType type) {
   Slot& entry = scopes_.slot(slot);
   const bool fits =
@@ -167,9 +168,9 @@ bool Compiler::adaptLiteral(int slot, PortType type) {
 }
 
 int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::string& key,
-                        const Place& place) {
+                        const CompileContext& place) {
   const int slot = scopes_.slotOf(place.scope, key);
-  Scopes::Use& use = scopes_.use(slot);
+  BlackboardScopes::Use& use = scopes_.use(slot);
   if (port.direction != PortDirection::Input) {
     use.written = true;
   }
@@ -180,36 +181,36 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
   return slot;
 }
 
-/// The first port that names an entry creates it with its type; later ports must have the same
-/// type, unless one of the two accepts any type or the entry holds text.
+/// The first port that names an entry declares its type. Later ports must have the same type,
+/// unless one of the two accepts any type or the entry contains text.
 void Compiler::declare(int slot, const NodeSpec& spec, const PortSpec& port, PortType element,
-                       const std::string& key, const Place& place) {
+                       const std::string& key, const CompileContext& place) {
   Slot& entry = scopes_.slot(slot);
-  Scopes::Use& use = scopes_.use(slot);
+  BlackboardScopes::Use& use = scopes_.use(slot);
   if (!entry.exists) {
     entry.exists = true;
     entry.type = port.portType;
     entry.element = element;
-    use.firstTyped = spec.label() + "." + port.key;
+    use.typeDeclaredBy = spec.label() + "." + port.key;
     return;
   }
   const bool isLoose = entry.type == PortType::Any || entry.type == PortType::String ||
                        port.portType == PortType::Any;
   const bool isSame = entry.type == port.portType && entry.element == element;
   if (!isLoose && !isSame && use.literal) {
-    noteConstant(spec, port, slot, key, place);
+    addConstantDifference(spec, port, slot, key, place);
   }
   if (!isLoose && !isSame && !adaptLiteral(slot, port.portType)) {
     error(
         spec, place,
         base::error("tree.key-type", {port.key, shownType(port.portType, element), "{" + key + "}",
-                                      shownType(entry.type, entry.element), use.firstTyped}));
+                                      shownType(entry.type, entry.element), use.typeDeclaredBy}));
   }
 }
 
 void Compiler::noteRead(int slot, const NodeSpec& spec, const std::string& key,
-                        const Place& place) {
-  Scopes::Use& use = scopes_.use(slot);
+                        const CompileContext& place) {
+  BlackboardScopes::Use& use = scopes_.use(slot);
   if (!use.read) {
     use.read = true;
     use.firstRead = "{" + key + "}";
@@ -218,15 +219,16 @@ void Compiler::noteRead(int slot, const NodeSpec& spec, const std::string& key,
   }
 }
 
-int Compiler::addScript(const NodeSpec& spec, const std::string& source, const Place& place) {
+int Compiler::addScript(const NodeSpec& spec, const std::string& source,
+                        const CompileContext& place) {
   const base::Result<Script> script = compileScript(
       source, [&](const std::string& key) { return scopes_.slotOf(place.scope, key); });
   if (!script) {
     error(spec, place, script.diagnostics().front());
     return kMissing;
   }
-  if (script->cutAt > 0) {
-    error(spec, place, base::warning("tree.script-cut", {source, script->cutAt}));
+  if (script->unparsedColumn > 0) {
+    error(spec, place, base::warning("tree.script-cut", {source, script->unparsedColumn}));
   }
   for (const int slot : script->written) {
     scopes_.use(slot).written = true;
@@ -236,10 +238,10 @@ int Compiler::addScript(const NodeSpec& spec, const std::string& source, const P
   return static_cast<int>(program_->scripts_.size()) - 1;
 }
 
-int Compiler::scriptOfPort(const NodeSpec& spec, const char* port, const Place& place) {
-  const std::string* const text = findText(spec.ports, port);
+int Compiler::scriptOfPort(const NodeSpec& spec, const char* port, const CompileContext& place) {
+  const std::string* const text = findAttribute(spec.ports, port);
   if (!text) {
-    return kMissing;  // a missing port is a fault when it is reached
+    return kMissing;  // a fault at run time
   }
   if (text->empty()) {
     return spec.id == "Script" ? kEmptyScript : kMissing;
@@ -251,23 +253,23 @@ int Compiler::scriptOfPort(const NodeSpec& spec, const char* port, const Place& 
   return addScript(spec, *text, place);
 }
 
-int Compiler::bindConditions(const NodeSpec& spec, const Place& place) {
+int Compiler::bindConditions(const NodeSpec& spec, const CompileContext& place) {
   if (spec.conditions.empty()) {
     return -1;
   }
   Program::Conditions conditions;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const std::string* const text = findText(spec.conditions, kConditionNames[i]);
+    const std::string* const text = findAttribute(spec.conditions, kConditionNames[i]);
     conditions[i] = text ? addScript(spec, *text, place) : kMissing;
   }
   program_->conditions_.push_back(conditions);
   return static_cast<int>(program_->conditions_.size()) - 1;
 }
 
-/// What a port that names an entry stands for: plainly, as "{key}" the same where an entry is
-/// looked at; where one is written or removed, "{key}" is the entry that holds the name.
-int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place& place) {
-  const std::string* const text = findText(spec.ports, port);
+/// The slot of a port that names an entry. "{key}" is equivalent to "key" for nodes that observe an
+/// entry; for nodes that write or remove one, "{key}" is the entry that contains the name.
+int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const CompileContext& place) {
+  const std::string* const text = findAttribute(spec.ports, port);
   if (!text || text->empty()) {
     return kMissing;
   }
@@ -283,11 +285,11 @@ int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place&
   }
   if (reference && (sets || unsets)) {
     noteRead(slot, spec, *reference, place);
-    program_->keysInEntries_.push_back({slot, place.scope});
-    return kFirstKeyInEntry + 1 - static_cast<int>(program_->keysInEntries_.size());
+    program_->indirectKeys_.push_back({slot, place.scope});
+    return kFirstIndirectKey + 1 - static_cast<int>(program_->indirectKeys_.size());
   }
   if (unsets && (text->front() == '@' || !scopes_.isOwn(place.scope, slot))) {
-    return kNobodysEntry;
+    return kUnusedEntry;
   }
   if (sets) {
     scopes_.use(slot).written = true;
@@ -295,14 +297,15 @@ int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place&
   return slot;
 }
 
-void Compiler::checkQueue(const NodeSpec& spec, const Place& place) {
+void Compiler::checkQueue(const NodeSpec& spec, const CompileContext& place) {
   const NodeManifest& manifest = *library_.catalogue().find(spec.id);
-  const std::string* const text = manifest.port("queue") ? findText(spec.ports, "queue") : nullptr;
+  const std::string* const text =
+      manifest.port("queue") ? findAttribute(spec.ports, "queue") : nullptr;
   if (!text || text->empty() || referencedKey(*text, "queue")) {
     return;
   }
   const PortType type = manifest.port("value")->portType;
-  for (const std::string& element : elementsOf(*text)) {
+  for (const std::string& element : splitQueue(*text)) {
     if (!isConvertible(element, type)) {
       error(spec, place, base::error("tree.queue-element", {element, portTypeName(type)}));
     }

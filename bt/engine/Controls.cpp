@@ -1,12 +1,14 @@
 #include <algorithm>
+#include <cmath>
 
 #include "bt/engine/Ticker.h"
+#include "sim2d/base/Text.h"
 
 /// Control nodes, after BehaviorTree.CPP 4.10.
 namespace bt {
 
-/// Sequence (`stop` = FAILURE) and Fallback (SUCCESS). `yields`: at most one child that completes
-/// at once per tick. `remembers`: the next round goes on at the child that stopped it.
+/// Sequence (`stop` = FAILURE) and Fallback (SUCCESS). `yields`: at most one child per tick that
+/// completes immediately. `remembers`: the next round resumes at the child that stopped it.
 template <base::NodeStatus stop, bool yields, bool remembers>
 base::NodeStatus Ticker::sequence(int node) {
   auto& own = memory<SequenceMemory>(node);
@@ -15,7 +17,7 @@ base::NodeStatus Ticker::sequence(int node) {
   }
   stored(node) = Status::Running;
   const int end = endOf(node);
-  int child = std::max(own.next, node + 1);  // 0: at the first
+  int child = std::max(own.next, node + 1);  // 0: start at the first
   while (child < end) {
     const Status before = stored(child);
     const Status status = tickChild(child);
@@ -42,7 +44,7 @@ base::NodeStatus Ticker::sequence(int node) {
   const bool allSkipped = own.skipped == program_.node(node).children;
   resetChildren(node);
   own = SequenceMemory();
-  return allSkipped ? Status::Skipped : kPasses<stop>;
+  return allSkipped ? Status::Skipped : kContinueStatus<stop>;
 }
 
 /// Starts at the first child in every tick.
@@ -53,7 +55,7 @@ base::NodeStatus Ticker::reactive(int node) {
   bool allSkipped = true;
   for (int child = node + 1; child < end; child = endOf(child)) {
     const Status status = tickChild(child);
-    if (status == kPasses<stop>) {
+    if (status == kContinueStatus<stop>) {
       allSkipped = false;
       continue;
     }
@@ -71,7 +73,7 @@ base::NodeStatus Ticker::reactive(int node) {
     resetChild(child);
   }
   resetChildren(node);
-  return allSkipped ? Status::Skipped : kPasses<stop>;
+  return allSkipped ? Status::Skipped : kContinueStatus<stop>;
 }
 
 void Ticker::resetOthers(int node, int kept) {
@@ -82,9 +84,9 @@ void Ticker::resetOthers(int node, int kept) {
   }
 }
 
-/// A number of children; negative ones count from all. Below 0 = a fault was noted.
+/// A number of children; negative values count from the total. Negative result: a fault was raised.
 int Ticker::threshold(int node, int port) {
-  const std::optional<int> given = need<int>(node, port);
+  const std::optional<int> given = readRequired<int>(node, port);
   if (!given) {
     return -1;
   }
@@ -98,7 +100,7 @@ int Ticker::threshold(int node, int port) {
   return value;
 }
 
-/// IDLE as long as nothing is decided.
+/// IDLE: undecided.
 base::NodeStatus Ticker::decideParallel(int node, int skipped, const Thresholds& limits) {
   const auto& own = memory<ParallelMemory>(node);
   const int counted = own.successes + (limits.countsSkipped ? skipped : 0);
@@ -111,8 +113,8 @@ base::NodeStatus Ticker::decideParallel(int node, int skipped, const Thresholds&
   return hasFailed ? Status::Failure : Status::Idle;
 }
 
-/// Ticks the children that have not finished in this run, with limits until the result is decided.
-/// IDLE = it is not decided.
+/// Ticks the children that have not finished in this run; with limits, until the result is decided.
+/// IDLE: undecided.
 base::NodeStatus Ticker::tickParallelChildren(int node, int& skipped, const Thresholds* limits) {
   auto& own = memory<ParallelMemory>(node);
   auto* const bits = static_cast<unsigned char*>(memoryOf(node)) + sizeof(ParallelMemory);
@@ -150,7 +152,7 @@ base::NodeStatus Ticker::parallel(int node) {
   if (limits.failures < 0) {
     return kFault;
   }
-  limits.countsSkipped = need<int>(node, 0).value_or(0) < 0;
+  limits.countsSkipped = readRequired<int>(node, 0).value_or(0) < 0;
   stored(node) = Status::Running;
   int skipped = 0;
   const Status decided = tickParallelChildren(node, skipped, &limits);
@@ -193,12 +195,191 @@ base::NodeStatus Ticker::customControl(int node) {
     return kFault;
   }
   if (status == Status::Idle) {
-    return fault(node, "it returned IDLE");
+    return fault(node, "the node returned IDLE");
   }
   if (status != Status::Running) {
     resetChildren(node);
   }
   return status;
+}
+
+/// Control nodes that select one of their children.
+
+base::NodeStatus Ticker::ifThenElse(int node) {
+  stored(node) = Status::Running;
+  auto& branch = memory<std::int32_t>(node);
+  const int condition = node + 1;
+  const int first = endOf(condition);
+  if (branch == 0) {
+    const Status status = tickChild(condition);
+    if (status == Status::Running) {
+      return status;
+    }
+    if (status == Status::Success) {
+      branch = first;
+    } else if (status == Status::Failure && endOf(first) == endOf(node)) {
+      resetChildren(node);  // BehaviorTree.CPP keeps a stale FAILURE of a stateful condition
+      return status;
+    } else if (status == Status::Failure) {
+      branch = endOf(first);
+    } else {
+      return unexpected(condition, status);
+    }
+  }
+  const Status status = tickChild(branch);
+  if (status == Status::Running || status == kFault) {
+    return status;
+  }
+  resetChildren(node);
+  branch = 0;
+  return status;
+}
+
+base::NodeStatus Ticker::whileDoElse(int node) {
+  stored(node) = Status::Running;
+  const int condition = node + 1;
+  const int first = endOf(condition);
+  const int second = endOf(first);
+  const bool hasElse = second < endOf(node);
+  const Status asked = tickChild(condition);
+  if (asked == Status::Running) {
+    return asked;
+  }
+  if (asked != Status::Success && asked != Status::Failure) {
+    return unexpected(condition, asked);
+  }
+  if (asked == Status::Success && hasElse) {
+    resetChild(second);
+  } else if (asked == Status::Failure) {
+    resetChild(first);
+    if (!hasElse) {
+      resetChildren(node);  // as above
+      return asked;
+    }
+  }
+  const int chosen = asked == Status::Success ? first : second;
+  const Status status = tickChild(chosen);
+  if (status == Status::Running || status == kFault) {
+    return status;
+  }
+  resetChildren(node);
+  return status;
+}
+
+namespace {
+
+/// Compares as text, otherwise as numbers.
+bool sameCase(std::string_view a, std::string_view b) {
+  if (a == b) {
+    return true;
+  }
+  const std::optional<double> x = base::parseDouble(a);
+  const std::optional<double> y = base::parseDouble(b);
+  return x && y && std::fabs(*x - *y) <= kScriptTolerance;
+}
+
+}  // namespace
+
+/// The child node that the variable selects.
+int Ticker::selectedCase(int node) {
+  const std::optional<std::string_view> variable = textOf(node, 0);
+  const int last = program_.node(node).children;  // cases and default
+  int child = node + 1;
+  for (int i = 1; i < last; ++i, child = endOf(child)) {
+    const std::optional<std::string_view> value = textOf(node, i);
+    if (variable && value && sameCase(*variable, *value)) {
+      return child;
+    }
+  }
+  return child;
+}
+
+base::NodeStatus Ticker::switchCase(int node) {
+  auto& branch = memory<std::int32_t>(node);
+  const int child = selectedCase(node);
+  if (branch != 0 && branch != child) {
+    resetChild(branch);
+  }
+  const Status status = tickChild(child);
+  if (status == Status::Idle || status == kFault) {
+    return unexpected(child, status);
+  }
+  branch = status == Status::Running ? child : 0;
+  if (status == Status::Success || status == Status::Failure) {
+    resetChildren(node);
+  }
+  return status;
+}
+
+int Ticker::lastChild(int node) const {
+  int last = node + 1;
+  while (endOf(last) < endOf(node)) {
+    last = endOf(last);
+  }
+  return last;
+}
+
+base::NodeStatus Ticker::tryCatch(int node) {
+  stored(node) = Status::Running;
+  const int last = lastChild(node);
+  if (memory<TryCatchMemory>(node).catching) {
+    return catchChild(node, last);
+  }
+  return tryChildren(node, last);
+}
+
+base::NodeStatus Ticker::tryChildren(int node, int last) {
+  auto& own = memory<TryCatchMemory>(node);
+  int child = own.next != 0 ? own.next : node + 1;
+  while (child < last) {
+    own.next = child;
+    const Status status = tickChild(child);
+    if (status == Status::Running) {
+      return status;
+    }
+    if (status == Status::Failure) {
+      for (int tried = node + 1; tried < last; tried = endOf(tried)) {
+        resetChild(tried);
+      }
+      own.catching = true;
+      return catchChild(node, last);
+    }
+    if (status != Status::Success && status != Status::Skipped) {
+      return unexpected(child, status);
+    }
+    own.skipped += status == Status::Skipped ? 1 : 0;
+    child = endOf(child);
+  }
+  const bool allSkipped = own.skipped == program_.node(node).children - 1;
+  resetChildren(node);
+  own = TryCatchMemory();
+  return allSkipped ? Status::Skipped : Status::Success;
+}
+
+base::NodeStatus Ticker::catchChild(int node, int last) {
+  const Status status = tickChild(last);
+  if (status == Status::Running) {
+    return status;
+  }
+  if (status == Status::Idle || status == kFault) {
+    return unexpected(last, status);
+  }
+  resetChildren(node);
+  memory<TryCatchMemory>(node) = TryCatchMemory();
+  return Status::Failure;
+}
+
+void Ticker::haltTryCatch(Ticker& ticker, int node) {
+  const bool trying = !ticker.memory<TryCatchMemory>(node).catching;
+  forget<TryCatchMemory>(ticker, node);
+  const Value* const port = ticker.portValue(node, 0);
+  const bool catches = port && valueAs<bool>(*port).value_or(false);
+  if (!trying || !catches || ticker.isFaulty()) {
+    return;
+  }
+  const int last = ticker.lastChild(node);
+  ticker.tickChild(last);
+  ticker.resetChild(last);
 }
 
 }  // namespace bt

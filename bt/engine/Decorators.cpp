@@ -2,8 +2,7 @@
 
 #include "bt/engine/Ticker.h"
 
-/// Decorators, after BehaviorTree.CPP 4.10 but with simulated time. A child that is done is reset
-/// by tickNode().
+/// Decorators of BehaviorTree.CPP 4.10 with simulated time. tickNode() resets a child that is done.
 namespace bt {
 
 base::NodeStatus Ticker::inverter(int node) {
@@ -20,9 +19,9 @@ base::NodeStatus Ticker::force(int node) {
   return isDone(status) ? result : status;
 }
 
-/// The child once more, which may go on when it returns `again`.
+/// Ticks the child again; the decorator may continue if it returns `again`.
 template <base::NodeStatus again>
-base::NodeStatus Ticker::tickRound(int child, std::int32_t& count) {
+base::NodeStatus Ticker::tickRepetition(int child, std::int32_t& count) {
   const Status status = tickNode(child);
   if (status == Status::Running) {
     return status;
@@ -38,11 +37,12 @@ base::NodeStatus Ticker::tickRound(int child, std::int32_t& count) {
   return status;
 }
 
-/// Repeat (`again` = SUCCESS) and RetryUntilSuccessful (FAILURE): the child as often as it ends so.
+/// Repeat (`again` = SUCCESS) and RetryUntilSuccessful (FAILURE): repeats the child while it
+/// returns `again`.
 template <base::NodeStatus again>
 base::NodeStatus Ticker::repeat(int node) {
   constexpr bool kIsRetry = again == Status::Failure;
-  std::optional<int> limit = need<int>(node, 0);
+  std::optional<int> limit = readRequired<int>(node, 0);
   if (!limit && !kIsRetry) {
     return kFault;
   }
@@ -51,11 +51,11 @@ base::NodeStatus Ticker::repeat(int node) {
   stored(node) = Status::Running;
   while (limit && (count < *limit || *limit == -1)) {
     const Status before = stored(child);
-    const Status status = tickRound<again>(child, count);
+    const Status status = tickRepetition<again>(child, count);
     if (status != again) {
       return status;
     }
-    limit = kIsRetry ? need<int>(node, 0) : limit;  // the child may have changed it
+    limit = kIsRetry ? readRequired<int>(node, 0) : limit;  // the child may have changed it
     if (!limit) {
       return kFault;
     }
@@ -72,11 +72,11 @@ base::NodeStatus Ticker::keepRunning(int node) {
   return untilFailure(tickOnlyChild(node));
 }
 
-/// Delay, and with `isTimeout` Timeout, which fails when the child takes longer.
+/// Delay and, with `isTimeout`, Timeout, which fails if the child takes longer.
 template <bool isTimeout>
 base::NodeStatus Ticker::timer(int node) {
   auto& own = memory<TimerMemory>(node);
-  const std::optional<std::int64_t> limit = need<std::int64_t>(node, 0);
+  const std::optional<std::int64_t> limit = readRequired<std::int64_t>(node, 0);
   if (!limit) {
     return kFault;
   }
@@ -119,7 +119,7 @@ base::NodeStatus Ticker::customDecorator(int node) {
   if (isFaulty()) {
     return kFault;
   }
-  return status == Status::Idle ? fault(node, "it returned IDLE") : status;
+  return status == Status::Idle ? fault(node, "the node returned IDLE") : status;
 }
 
 base::NodeStatus Ticker::precondition(int node) {
@@ -128,25 +128,25 @@ base::NodeStatus Ticker::precondition(int node) {
   if (script == kMissing) {
     return fault(node, "input 'if' is missing");
   }
-  const std::optional<Status> otherwise = need<Status>(node, 1);  // a fault also if it is true
+  const std::optional<Status> otherwise = readRequired<Status>(node, 1);  // a fault in any case
   if (!otherwise) {
     return kFault;
   }
   if (!isRunning) {
     bool truth = false;
-    if (!truthOf(node, script, truth)) {
+    if (!evaluateCondition(node, script, truth)) {
       return kFault;
     }
     if (!truth) {
       return *otherwise == Status::Idle ? unexpected(node, Status::Idle) : *otherwise;
     }
   }
-  const Status status = tickOnlyChild(node, false);  // it stays IDLE when the child is skipped
+  const Status status = tickOnlyChild(node, false);  // stays IDLE if the child is skipped
   isRunning = status == Status::Running;
   return status;
 }
 
-/// Writes one element to the port `value`; false = a fault was noted.
+/// Writes one element to the port `value`. False: a fault was raised.
 bool Ticker::storeElement(int node, std::string_view element) {
   const PortBinding& binding = nodes_[node].ports[2];
   if (binding.kind != PortBinding::Kind::Entry) {
@@ -160,7 +160,7 @@ bool Ticker::storeElement(int node, std::string_view element) {
   return true;
 }
 
-/// Takes the next element. False = there is none, nothing = a fault was noted.
+/// Takes the next element. False: none left; empty: a fault was raised.
 std::optional<bool> Ticker::takeElement(int node) {
   const PortBinding& binding = nodes_[node].ports[0];
   if (binding.kind == PortBinding::Kind::Entry) {
@@ -174,8 +174,7 @@ std::optional<bool> Ticker::takeElement(int node) {
   return takeWritten(node, *list);
 }
 
-/// A queue that is written in the file starts again from its first element with each start of the
-/// node.
+/// A constant queue restarts at its first element with each start of the node.
 std::optional<bool> Ticker::takeWritten(int node, const Value& list) {
   auto& own = memory<LoopMemory>(node);
   std::string_view rest = list.text;
@@ -193,7 +192,7 @@ std::optional<bool> Ticker::takeWritten(int node, const Value& list) {
   return true;
 }
 
-/// An element that is taken from an entry is removed from it.
+/// Removes the taken element from the entry.
 std::optional<bool> Ticker::takeFromEntry(int node) {
   Slot& entry = boundSlot(slots(), nodes_[node].ports[0]);
   Value& list = entry.value;
@@ -205,7 +204,7 @@ std::optional<bool> Ticker::takeFromEntry(int node) {
   }
   if (list.type != ValueType::List || list.element != element) {
     fault(node, list.type == ValueType::Unset ? "the entry of 'queue' has no value"
-                                              : "the entry of 'queue' holds no such queue");
+                                              : "the entry of 'queue' is not a queue of this type");
     return std::nullopt;
   }
   if (list.integer == 0) {
@@ -225,7 +224,7 @@ base::NodeStatus Ticker::loop(int node) {
   if (!own.running) {
     const std::optional<bool> taken = takeElement(node);
     if (!taken || !*taken) {
-      const Status atEnd = taken ? need<Status>(node, 1).value_or(kFault) : kFault;
+      const Status atEnd = taken ? readRequired<Status>(node, 1).value_or(kFault) : kFault;
       return atEnd == Status::Idle ? unexpected(node, atEnd) : atEnd;
     }
   }

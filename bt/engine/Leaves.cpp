@@ -1,6 +1,6 @@
 #include "bt/engine/Ticker.h"
 
-/// Leaves of BehaviorTree.CPP, and calls of the library's functions.
+/// Leaves of BehaviorTree.CPP, and calls of library functions.
 namespace bt {
 
 base::NodeStatus Ticker::librarySynchronous(int node) {
@@ -25,7 +25,8 @@ base::NodeStatus Ticker::scriptCondition(int node) {
     return fault(node, "input 'code' is missing");
   }
   bool truth = false;
-  return !truthOf(node, script, truth) ? kFault : (truth ? Status::Success : Status::Failure);
+  return !evaluateCondition(node, script, truth) ? kFault
+                                                 : (truth ? Status::Success : Status::Failure);
 }
 
 base::NodeStatus Ticker::wasEntryUpdated(int node) {
@@ -57,7 +58,7 @@ base::NodeStatus Ticker::stateful(int node) {
   return status == Status::Running ? status : unexpected(node, status);
 }
 
-/// There is room: see TreeState. A node that is restarted within one tick may still fill it.
+/// The capacity is reserved in TreeState. A node restarted within a tick may exceed it.
 void Ticker::note(int node, LeafEvent::Kind kind) {
   state_.events_.push_back({node, kind});
 }
@@ -68,7 +69,7 @@ base::NodeStatus Ticker::sleep(int node) {
   if (before != Status::Idle && before != Status::Running) {
     return before;
   }
-  const std::optional<std::int64_t> limit = need<std::int64_t>(node, 0);
+  const std::optional<std::int64_t> limit = readRequired<std::int64_t>(node, 0);
   if (!limit) {
     return kFault;
   }
@@ -83,21 +84,20 @@ base::NodeStatus Ticker::sleep(int node) {
   return Status::Success;
 }
 
-/// The entry that a node works on: its slot, null when no node uses it; a fault when the name of
-/// the entry is missing.
+/// The slot of the entry that a node operates on; nullptr if no node uses it. A missing entry name
+/// is a fault.
 std::optional<Slot*> Ticker::target(int node, const char* port, bool isOwn) {
   int slot = nodes_[node].detail;
-  if (slot <= kFirstKeyInEntry) {
-    const Program::KeyInEntry& key = program_.keyInEntry(slot);
-    const std::string name = engineText(state_.get(key.slot));
-    slot =
-        name.empty() ? kMissing : program_.slotOf(key.scope, name, isOwn).value_or(kNobodysEntry);
+  if (slot <= kFirstIndirectKey) {
+    const Program::IndirectKey& key = program_.indirectKey(slot);
+    const std::string name = portText(state_.get(key.slot));
+    slot = name.empty() ? kMissing : program_.slotOf(key.scope, name, isOwn).value_or(kUnusedEntry);
   }
   if (slot == kMissing) {
     fault(node, std::string("input '") + port + "' is missing");
     return std::nullopt;
   }
-  return slot == kNobodysEntry ? nullptr : slots() + slot;
+  return slot == kUnusedEntry ? nullptr : slots() + slot;
 }
 
 base::NodeStatus Ticker::setBlackboard(int node) {
@@ -126,17 +126,17 @@ base::NodeStatus Ticker::setBlackboard(int node) {
   if (*to == nullptr) {
     return Status::Success;  // no node reads it
   }
-  return setEntry(node, **to, from.value) ? Status::Success : kFault;
+  return setBlackboardEntry(node, **to, from.value) ? Status::Success : kFault;
 }
 
 /// Text is converted to the declared type; any other value must have the type of the entry.
-bool Ticker::setEntry(int node, Slot& to, const Value& value) {
+bool Ticker::setBlackboardEntry(int node, Slot& to, const Value& value) {
   const bool isText = value.type == ValueType::String;
   if (!isText || !to.exists || to.type == PortType::String || to.type == PortType::Any) {
     if (storeAny(to, value)) {
       return true;
     }
-    fault(node, "'" + value.toText() + "' has another type than the entry");
+    fault(node, "'" + value.toText() + "' has a different type than the entry");
     return false;
   }
   const std::optional<Value> converted =
@@ -148,14 +148,14 @@ bool Ticker::setEntry(int node, Slot& to, const Value& value) {
   return false;
 }
 
-/// Entries of other blackboards stay.
+/// Entries of other blackboards are not removed.
 base::NodeStatus Ticker::unsetBlackboard(int node) {
   const std::optional<Slot*> slot = target(node, "key", true);
   if (!slot) {
     return kFault;
   }
   if (*slot != nullptr) {
-    remove(**slot);  // the next entry of this name is a new one
+    remove(**slot);  // the next entry with this name is a new one
   }
   return Status::Success;
 }
@@ -170,7 +170,7 @@ bool Ticker::wasUpdated(int node, UpdateMemory& own) {
   if (!entry.exists) {
     return false;
   }
-  const std::uint32_t seen = entry.version + 1;  // 0: it was never read
+  const std::uint32_t seen = entry.version + 1;  // 0: never read
   const bool updated = seen != own.seen;
   own.seen = seen;
   return updated;

@@ -12,22 +12,22 @@ namespace {
 
 using base::Token;
 using Kind = ScriptExpression::Kind;
-using Sign = ScriptSign;
+using Sign = ScriptOperator;
 using Signs = std::map<std::string_view, Sign>;
 
-const Signs& assignmentSigns() {
+const Signs& assignmentOperators() {
   static const Signs kTable = {{":=", Sign::Create},   {"=", Sign::Assign},
                                {"+=", Sign::Add},      {"-=", Sign::Subtract},
                                {"*=", Sign::Multiply}, {"/=", Sign::Divide}};
   return kTable;
 }
 
-const Signs& unarySigns() {
+const Signs& unaryOperators() {
   static const Signs kTable = {{"-", Sign::Negate}, {"~", Sign::BitNot}, {"!", Sign::Not}};
   return kTable;
 }
 
-/// The signs between two values, loosest level first.
+/// Binary operators, lowest precedence first.
 const std::vector<Signs>& binaryLevels() {
   static const std::vector<Signs> kTable = {
       {{"||", Sign::Or}},
@@ -48,7 +48,7 @@ constexpr std::size_t kComparisonLevel = 2;
 
 constexpr int kMaxScriptNesting = 100;
 
-const base::LexerRules& scriptWords() {
+const base::LexerRules& scriptLexerRules() {
   static const base::LexerRules kRules = {
       {":=", "+=", "-=", "*=", "/=", "==", "!=", "<=", ">=", "&&", "||", "..", "=", "<", ">",
        "+",  "-",  "*",  "/",  "|",  "&",  "^",  "~",  "!",  "?",  ":",  ";",  "(", ")"},
@@ -60,18 +60,18 @@ const base::LexerRules& scriptWords() {
   return kRules;
 }
 
-/// Without a point or exponent it is a whole number.
+/// A number without a point or exponent is an integer.
 Value numberOf(const Token& token) {
   const bool isHexadecimal = token.text.rfind("0x", 0) == 0 || token.text.rfind("0X", 0) == 0;
   const bool isWord = token.text == "true" || token.text == "false";
   const bool isWhole =
       isHexadecimal || isWord || token.text.find_first_of(".eE") == std::string::npos;
-  constexpr double kLargest = 9.2e18;  // of 64 bits
+  constexpr double kLargest = 9.2e18;  // 64-bit limit
   return isWhole && token.number < kLargest ? Value::of(static_cast<std::int64_t>(token.number))
                                             : Value::of(token.number);
 }
 
-/// Recursive descent; one function per level of the grammar.
+/// Recursive descent parser with one function per grammar level.
 class ScriptCompiler {
  public:
   ScriptCompiler(std::string_view source, std::vector<Token> tokens,
@@ -88,7 +88,7 @@ class ScriptCompiler {
     return token().kind == Token::Kind::Sign && token().text == sign;
   }
   bool take(std::string_view sign);
-  std::optional<Sign> take(const Signs& signs);
+  std::optional<Sign> take(const Signs& operators);
   void fail(const std::string& message);
 
   void statements();
@@ -113,16 +113,17 @@ bool ScriptCompiler::take(std::string_view sign) {
   return found;
 }
 
-std::optional<Sign> ScriptCompiler::take(const Signs& signs) {
-  const auto found = token().kind == Token::Kind::Sign ? signs.find(token().text) : signs.end();
-  if (found == signs.end()) {
+std::optional<Sign> ScriptCompiler::take(const Signs& operators) {
+  const auto found =
+      token().kind == Token::Kind::Sign ? operators.find(token().text) : operators.end();
+  if (found == operators.end()) {
     return std::nullopt;
   }
   ++position_;
   return found->second;
 }
 
-/// Only the first error counts. The rest of the tokens is given up, so every level returns soon.
+/// Keeps the first error and skips the remaining tokens so that all levels return.
 void ScriptCompiler::fail(const std::string& message) {
   if (!error_) {
     error_ = message + " at column " + std::to_string(token().column);
@@ -135,12 +136,12 @@ void ScriptCompiler::statements() {
   }
   while (token().kind != Token::Kind::End) {
     script_.statements.push_back(assignment());
-    const bool isAssigned = assignmentSigns().count(token().text) > 0;
+    const bool isAssigned = assignmentOperators().count(token().text) > 0;
     if (token().kind == Token::Kind::Sign && isAssigned) {
       fail("name of an entry expected before '" + token().text + "'");
     }
     if (token().kind != Token::Kind::End && !isSign(";")) {
-      script_.cutAt = token().column;
+      script_.unparsedColumn = token().column;
       return;
     }
     while (take(";")) {
@@ -160,16 +161,16 @@ ScriptExpression ScriptCompiler::nested(ScriptExpression (ScriptCompiler::*part)
 ScriptExpression ScriptCompiler::assignment() {
   const Token& next = tokens_[std::min(position_ + 1, tokens_.size() - 1)];
   const bool isNamed = token().kind == Token::Kind::Name && next.kind == Token::Kind::Sign;
-  const auto sign = assignmentSigns().find(next.text);
-  if (!isNamed || sign == assignmentSigns().end()) {
+  const auto sign = assignmentOperators().find(next.text);
+  if (!isNamed || sign == assignmentOperators().end()) {
     return conditional();
   }
   const std::string key = token().text;
   position_ += 2;
   ScriptExpression expression;
   expression.kind = Kind::Assign;
-  expression.signs = {sign->second};
-  expression.parts.push_back(nested(&ScriptCompiler::assignment));
+  expression.operators = {sign->second};
+  expression.operands.push_back(nested(&ScriptCompiler::assignment));
   expression.slot = slotOf_(key);
   script_.written.push_back(expression.slot);
   return expression;
@@ -182,12 +183,12 @@ ScriptExpression ScriptCompiler::conditional() {
   }
   ScriptExpression choice;
   choice.kind = Kind::Choose;
-  choice.parts.push_back(std::move(test));
-  choice.parts.push_back(nested(&ScriptCompiler::assignment));
+  choice.operands.push_back(std::move(test));
+  choice.operands.push_back(nested(&ScriptCompiler::assignment));
   if (!take(":")) {
     fail("':' expected");
   }
-  choice.parts.push_back(nested(&ScriptCompiler::conditional));
+  choice.operands.push_back(nested(&ScriptCompiler::conditional));
   return choice;
 }
 
@@ -197,23 +198,23 @@ ScriptExpression ScriptCompiler::binary(std::size_t level) {
   }
   ScriptExpression all;
   all.kind = level == kComparisonLevel ? Kind::Compare : Kind::Combine;
-  all.parts.push_back(binary(level + 1));
+  all.operands.push_back(binary(level + 1));
   while (const std::optional<Sign> sign = take(binaryLevels()[level])) {
-    all.signs.push_back(*sign);
-    all.parts.push_back(binary(level + 1));
+    all.operators.push_back(*sign);
+    all.operands.push_back(binary(level + 1));
   }
-  return all.signs.empty() ? std::move(all.parts.front()) : std::move(all);
+  return all.operators.empty() ? std::move(all.operands.front()) : std::move(all);
 }
 
 ScriptExpression ScriptCompiler::unary() {
-  const std::optional<Sign> sign = take(unarySigns());
+  const std::optional<Sign> sign = take(unaryOperators());
   if (!sign) {
     return primary();
   }
   ScriptExpression expression;
   expression.kind = Kind::Unary;
-  expression.signs = {*sign};
-  expression.parts.push_back(nested(&ScriptCompiler::unary));
+  expression.operators = {*sign};
+  expression.operands.push_back(nested(&ScriptCompiler::unary));
   return expression;
 }
 
@@ -241,7 +242,7 @@ ScriptExpression ScriptCompiler::primary() {
 base::Result<Script> ScriptCompiler::run() {
   statements();
   if (!error_ && script_.statements.empty()) {
-    error_ = "it is empty";
+    error_ = "the script is empty";
   }
   if (error_) {
     return base::error("tree.bad-script", {script_.source, *error_});
@@ -253,7 +254,7 @@ base::Result<Script> ScriptCompiler::run() {
 
 base::Result<Script> compileScript(std::string_view source,
                                    const std::function<int(const std::string& key)>& slotOf) {
-  std::vector<Token> tokens = base::tokensOf(source, scriptWords());
+  std::vector<Token> tokens = base::tokenize(source, scriptLexerRules());
   for (Token& token : tokens) {
     if (token.kind == Token::Kind::Unreadable) {
       return base::error("tree.script-not-read", {source, token.column});

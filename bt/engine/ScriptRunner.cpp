@@ -2,14 +2,14 @@
 #include <utility>
 
 #include "bt/engine/Script.h"
-#include "bt/tree/TextValue.h"
+#include "bt/tree/PortTextConversion.h"
 
 namespace bt {
 namespace {
 
 using Kind = ScriptExpression::Kind;
 
-constexpr std::size_t kMostText = std::size_t{1} << 20U;  // [B] a script that doubles a text ends
+constexpr std::size_t kMaxText = std::size_t{1} << 20U;  // [B] stops scripts that double a text
 
 void setNumber(Value& value, double number) {
   value.type = ValueType::Double;
@@ -17,19 +17,19 @@ void setNumber(Value& value, double number) {
   value.text.clear();
 }
 
-/// Compares as the original does, which matters for NaN (0 / 0).
+/// Compares like BehaviorTree.CPP, which matters for NaN (0 / 0).
 template <class T>
-bool ordered(ScriptSign sign, const T& left, const T& right) {
+bool ordered(ScriptOperator sign, const T& left, const T& right) {
   switch (sign) {
-    case ScriptSign::Less:
+    case ScriptOperator::Less:
       return !(left >= right);
-    case ScriptSign::Greater:
+    case ScriptOperator::Greater:
       return !(left <= right);
-    case ScriptSign::LessEqual:
+    case ScriptOperator::LessEqual:
       return !(left > right);
-    case ScriptSign::GreaterEqual:
+    case ScriptOperator::GreaterEqual:
       return !(left < right);
-    case ScriptSign::NotEqual:
+    case ScriptOperator::NotEqual:
       return left != right;
     default:
       return left == right;
@@ -49,13 +49,13 @@ std::optional<double> numberOf(const Value& value) {
                 : doubleFromText(value.text);
 }
 
-/// Nothing = text, or a whole number other than 0 and 1.
-std::optional<bool> truthOf(const Value& value) {
+/// Empty: text, or an integer other than 0 and 1.
+std::optional<bool> conditionValue(const Value& value) {
   return value.isNumber() ? valueAs<bool>(value) : std::nullopt;
 }
 
-/// Nothing = text that is not a number compared with a number, or no value.
-std::optional<bool> compareValues(ScriptSign sign, const Value& left, const Value& right) {
+/// Empty: non-numeric text compared with a number, or no value.
+std::optional<bool> compareValues(ScriptOperator sign, const Value& left, const Value& right) {
   if (left.type == ValueType::String && right.type == ValueType::String) {
     return ordered(sign, left.text, right.text);
   }
@@ -67,21 +67,21 @@ std::optional<bool> compareValues(ScriptSign sign, const Value& left, const Valu
   if (!a || !b) {
     return std::nullopt;
   }
-  if (sign == ScriptSign::Equal || sign == ScriptSign::NotEqual) {
+  if (sign == ScriptOperator::Equal || sign == ScriptOperator::NotEqual) {
     const bool same = std::fabs(*a - *b) <= kScriptTolerance;
-    return same == (sign == ScriptSign::Equal);
+    return same == (sign == ScriptOperator::Equal);
   }
   return ordered(sign, *a, *b);
 }
 
-std::string unfitting(const Slot& slot, const Value& value) {
+std::string typeMismatchMessage(const Slot& slot, const Value& value) {
   const bool isCut = slot.value.isWhole() && value.type == ValueType::Double;
   return "the value '" + value.toText() + "' does not fit the type of the entry" +
-         (isCut ? ", which holds a whole number (begin with 1.0 instead of 1)" : "");
+         (isCut ? ", which is an integer (start with 1.0 instead of 1)" : "");
 }
 
 std::optional<std::int64_t> bitsOf(const Value& value) {
-  constexpr double kLargest = 9007199254740992.0;  // 2^53: whole numbers are exact up to it
+  constexpr double kLargest = 9007199254740992.0;  // 2^53: integers are exact up to it
   const double number = value.number();
   if (!value.isNumber() || !(std::fabs(number) <= kLargest) || number != std::floor(number)) {
     return std::nullopt;
@@ -101,7 +101,7 @@ bool ScriptRunner::run() {
 }
 
 std::optional<bool> ScriptRunner::truth() const {
-  return truthOf(result_);
+  return conditionValue(result_);
 }
 
 bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
@@ -112,10 +112,11 @@ bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
     case Kind::Load:
       return load(slots_[expression.slot], result);
     case Kind::Assign:
-      return evaluate(expression.parts.front(), result) &&
-             assign(slots_[expression.slot], expression.signs.front(), result);
+      return evaluate(expression.operands.front(), result) &&
+             assign(slots_[expression.slot], expression.operators.front(), result);
     case Kind::Unary:
-      return evaluate(expression.parts.front(), result) && unary(expression.signs.front(), result);
+      return evaluate(expression.operands.front(), result) &&
+             unary(expression.operators.front(), result);
     case Kind::Compare:
       return compare(expression, result);
     case Kind::Choose:
@@ -127,11 +128,11 @@ bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
 }
 
 bool ScriptRunner::chain(const ScriptExpression& expression, Value& result) {
-  bool isFine = evaluate(expression.parts.front(), result);
-  for (std::size_t i = 0; isFine && i < expression.signs.size(); ++i) {
+  bool isFine = evaluate(expression.operands.front(), result);
+  for (std::size_t i = 0; isFine && i < expression.operators.size(); ++i) {
     Value right;
-    isFine =
-        evaluate(expression.parts[i + 1], right) && combine(expression.signs[i], result, right);
+    isFine = evaluate(expression.operands[i + 1], right) &&
+             combine(expression.operators[i], result, right);
   }
   return isFine;
 }
@@ -141,21 +142,21 @@ bool ScriptRunner::load(const Slot& slot, Value& result) {
   return slot.exists || fail("a variable of the script has no value");
 }
 
-bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
-  if (!slot.exists && sign != ScriptSign::Create) {
-    return fail("an entry that is assigned does not exist (create it with ':=')");
+bool ScriptRunner::assign(Slot& slot, ScriptOperator sign, Value& value) {
+  if (!slot.exists && sign != ScriptOperator::Create) {
+    return fail("the assigned entry does not exist (create it with ':=')");
   }
   if (value.type == ValueType::Unset) {
     return fail("the assigned expression has no value");
   }
-  if (sign == ScriptSign::Create || sign == ScriptSign::Assign) {
+  if (sign == ScriptOperator::Create || sign == ScriptOperator::Assign) {
     const bool isText = value.type == ValueType::String;
     if (!bt::assign(slot, value, isText ? numberOf(value) : std::nullopt)) {
-      return fail(unfitting(slot, value));
+      return fail(typeMismatchMessage(slot, value));
     }
   } else {
     if (slot.value.type == ValueType::Unset) {
-      return fail("an entry that is changed has no value");
+      return fail("the changed entry has no value");
     }
     Value changed;
     copyValue(changed, slot.value);
@@ -163,7 +164,7 @@ bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
       return false;
     }
     if (!copyInto(slot.value, changed)) {
-      return fail(unfitting(slot, changed));
+      return fail(typeMismatchMessage(slot, changed));
     }
     ++slot.version;
   }
@@ -171,25 +172,25 @@ bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
   return true;
 }
 
-bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
+bool ScriptRunner::combine(ScriptOperator sign, Value& left, const Value& right) {
   switch (sign) {
-    case ScriptSign::Concat:
+    case ScriptOperator::Concat:
       return join(left, right);
-    case ScriptSign::And:
-    case ScriptSign::Or: {
-      const std::optional<bool> a = truthOf(left);
-      const std::optional<bool> b = truthOf(right);
+    case ScriptOperator::And:
+    case ScriptOperator::Or: {
+      const std::optional<bool> a = conditionValue(left);
+      const std::optional<bool> b = conditionValue(right);
       if (!a || !b) {
         return fail(
             "'&&' and '||' take neither text nor whole numbers other than 0 and 1 "
             "(compare: 'n != 0')");
       }
-      setNumber(left, (sign == ScriptSign::And ? *a && *b : *a || *b) ? 1.0 : 0.0);
+      setNumber(left, (sign == ScriptOperator::And ? *a && *b : *a || *b) ? 1.0 : 0.0);
       return true;
     }
-    case ScriptSign::BitAnd:
-    case ScriptSign::BitOr:
-    case ScriptSign::BitXor:
+    case ScriptOperator::BitAnd:
+    case ScriptOperator::BitOr:
+    case ScriptOperator::BitXor:
       return bits(sign, left, right);
     default:
       return arithmetic(sign, left, right);
@@ -198,21 +199,21 @@ bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
 
 bool ScriptRunner::join(Value& left, const Value& right) {
   if (!isOperand(left) || !isOperand(right)) {
-    return fail("'..' joins something that has no value");
+    return fail("an operand of '..' has no value");
   }
   if (left.isNumber() && right.isNumber()) {
-    left = Value();  // as in the original, which reports it where the result is used
+    left = Value();  // as in BehaviorTree.CPP, which reports it where the result is used
     return true;
   }
   if (left.isNumber()) {
-    left = Value::of(std::string_view(engineText(left)));
+    left = Value::of(std::string_view(portText(left)));
   }
-  left.text += engineText(right);
-  return left.text.size() <= kMostText || fail("a text of more than 1 MB");
+  left.text += portText(right);
+  return left.text.size() <= kMaxText || fail("the text has more than 1 MB");
 }
 
-bool ScriptRunner::arithmetic(ScriptSign sign, Value& left, const Value& right) {
-  if (sign == ScriptSign::Add && left.type == ValueType::String &&
+bool ScriptRunner::arithmetic(ScriptOperator sign, Value& left, const Value& right) {
+  if (sign == ScriptOperator::Add && left.type == ValueType::String &&
       right.type == ValueType::String) {
     return join(left, right);
   }
@@ -221,65 +222,65 @@ bool ScriptRunner::arithmetic(ScriptSign sign, Value& left, const Value& right) 
   }
   const double a = left.number();
   const double b = right.number();
-  setNumber(left, sign == ScriptSign::Add        ? a + b
-                  : sign == ScriptSign::Subtract ? a - b
-                  : sign == ScriptSign::Multiply ? a * b
-                                                 : a / b);
+  setNumber(left, sign == ScriptOperator::Add        ? a + b
+                  : sign == ScriptOperator::Subtract ? a - b
+                  : sign == ScriptOperator::Multiply ? a * b
+                                                     : a / b);
   return true;
 }
 
-bool ScriptRunner::bits(ScriptSign sign, Value& left, const Value& right) {
+bool ScriptRunner::bits(ScriptOperator sign, Value& left, const Value& right) {
   const std::optional<std::int64_t> a = bitsOf(left);
   const std::optional<std::int64_t> b = bitsOf(right);
   if (!a || !b) {
-    return fail("bits of something that is no whole number");
+    return fail("bitwise operation on a value that is not an integer");
   }
-  const std::int64_t result = sign == ScriptSign::BitAnd  ? (*a & *b)
-                              : sign == ScriptSign::BitOr ? (*a | *b)
-                                                          : (*a ^ *b);
+  const std::int64_t result = sign == ScriptOperator::BitAnd  ? (*a & *b)
+                              : sign == ScriptOperator::BitOr ? (*a | *b)
+                                                              : (*a ^ *b);
   setNumber(left, static_cast<double>(result));
   return true;
 }
 
-bool ScriptRunner::unary(ScriptSign sign, Value& value) {
+bool ScriptRunner::unary(ScriptOperator sign, Value& value) {
   if (!value.isNumber()) {
-    return fail("a sign before text");
+    return fail("a sign is applied to text");
   }
-  if (sign == ScriptSign::Negate) {
+  if (sign == ScriptOperator::Negate) {
     setNumber(value, -value.number());
-  } else if (sign == ScriptSign::Not) {
+  } else if (sign == ScriptOperator::Not) {
     setNumber(value, value.number() == 0.0 ? 1.0 : 0.0);
   } else {
     Value whole;
     setNumber(whole, std::trunc(value.number()));
     const std::optional<std::int64_t> number = bitsOf(whole);
     if (!number) {
-      return fail("bits of a number that is too large");
+      return fail("bitwise operation on a number that is too large");
     }
     setNumber(value, static_cast<double>(~*number));
   }
   return true;
 }
 
-/// What stands behind a comparison that does not hold is not looked at.
+/// Operands after a comparison that does not hold are not evaluated.
 bool ScriptRunner::compare(const ScriptExpression& expression, Value& result) {
-  if (!evaluate(expression.parts.front(), result)) {
+  if (!evaluate(expression.operands.front(), result)) {
     return false;
   }
-  for (std::size_t i = 0; i < expression.signs.size(); ++i) {
+  for (std::size_t i = 0; i < expression.operators.size(); ++i) {
     Value next;
-    if (!evaluate(expression.parts[i + 1], next)) {
+    if (!evaluate(expression.operands[i + 1], next)) {
       return false;
     }
-    const std::optional<bool> holds = compareValues(expression.signs[i], result, next);
+    const std::optional<bool> holds = compareValues(expression.operators[i], result, next);
     if (!holds) {
-      return fail("text that is no number is compared with a number");
+      return fail("text that is not a number is compared with a number");
     }
     if (!*holds) {
       setNumber(result, 0.0);
       return true;
     }
-    if (i + 1 < expression.signs.size()) {
+    if (i + 1 < expression.operators.size()) {
       result = std::move(next);
     }
   }
@@ -288,7 +289,7 @@ bool ScriptRunner::compare(const ScriptExpression& expression, Value& result) {
 }
 
 bool ScriptRunner::choose(const ScriptExpression& expression, Value& result) {
-  if (!evaluate(expression.parts[0], result)) {
+  if (!evaluate(expression.operands[0], result)) {
     return false;
   }
   const bool isText = result.type == ValueType::String;
@@ -299,7 +300,7 @@ bool ScriptRunner::choose(const ScriptExpression& expression, Value& result) {
     return fail("a condition has no value");
   }
   const bool holds = isText || result.number() != 0.0;  // any text
-  return evaluate(expression.parts[holds ? 1 : 2], result);
+  return evaluate(expression.operands[holds ? 1 : 2], result);
 }
 
 }  // namespace bt

@@ -1,14 +1,70 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
-#include "bt/engine/NodeCodes.h"
+#include "bt/engine/Program.h"
 #include "bt/engine/TreeState.h"
 
+/// Per-agent memory of the engine's nodes, and the table of nodes that the engine runs itself.
 namespace bt {
 
-/// Runs one tick or halt of one tree. Private to the engine; leaves reach it through LeafContext.
+/// A node type and the functions that run it.
+struct BuiltinNode {
+  std::string_view id;  // in XML; empty for library nodes
+  std::size_t memory;   // [bytes] of its struct below
+  NodeRunner run;
+  NodeHalter halt = nullptr;
+  NodeRunner instant = nullptr;      // replaces `run` if all children are instant
+  const char* scriptPort = nullptr;  // port whose text is the script in `detail`
+  const char* keyPort = nullptr;     // port whose text names the slot in `detail`
+  bool hasChildBits = false;         // one bit per child follows its memory
+};
+
+inline int roundUpToWord(std::size_t bytes) {
+  return static_cast<int>((bytes + 7) / 8 * 8);
+}
+
+/// Node memory; all zero in a new tree. IfThenElse and Switch store the node of the chosen child
+/// (0: none yet), Repeat and Retry a count, RunOnce the result (IDLE: has not run), Precondition
+/// whether the child is running.
+struct SequenceMemory {
+  std::int32_t next = 0;  // node to resume at; 0: the first child
+  std::int32_t skipped = 0;
+};
+struct TryCatchMemory {
+  std::int32_t next = 0;
+  std::int32_t skipped = 0;
+  bool catching = false;
+};
+/// Followed by one bit per child: completed in this run.
+struct ParallelMemory {
+  std::int32_t successes = 0;
+  std::int32_t failures = 0;
+};
+/// Size of a Parallel's memory with its bits.
+inline int parallelBytes(int children) {
+  return roundUpToWord(sizeof(ParallelMemory)) +
+         roundUpToWord((static_cast<std::size_t>(children) + 7) / 8);
+}
+struct TimerMemory {
+  std::int64_t startStep = 0;
+  bool started = false;
+};
+struct LoopMemory {
+  std::int32_t taken = 0;  // elements taken from a constant queue since the start
+  bool running = false;
+};
+struct UpdateMemory {
+  std::uint32_t seen = 0;  // version of the entry plus 1; 0: never read
+  bool running = false;
+};
+
+/// Executes one tick or halt of one tree. Private to the engine; leaves access it through
+/// LeafContext.
 class Ticker {
  public:
   Ticker(const Program& program, TreeState& state, const TickInput& input)
@@ -21,19 +77,19 @@ class Ticker {
         isFaulty_(state.fault_ != nullptr),
         leaf_(*this, input, 0) {}
 
-  /// Nullptr for nodes that a library runs.
+  /// nullptr for library nodes.
   static const BuiltinNode* builtin(std::string_view id);
   static BuiltinNode libraryNode(const NodeFunctions& functions);
-  /// The whole tick of a node: conditions, its code, book-keeping.
+  /// A complete tick of a node: conditions, its code, status updates.
   base::NodeStatus tickNode(int node);
-  /// Halted if it is RUNNING, then IDLE.
+  /// Halts the node if it is RUNNING, then sets it to IDLE.
   void resetChild(int node);
 
   [[gnu::cold]] base::NodeStatus fault(int node, std::string message);
   bool isFaulty() const { return isFaulty_; }
-  /// What a tick returns once the tree is faulty; passed up to the root.
+  /// Returned by ticks of a faulty tree; passed up to the root.
   static constexpr auto kFault = static_cast<base::NodeStatus>(5);
-  /// In one tick of the root: five times what the largest tree has nodes.
+  /// Limit per tick of the root: five times the size of the largest tree.
   static constexpr int kMostRounds = 1000000;
 
   void* memoryOf(int node) {
@@ -55,13 +111,13 @@ class Ticker {
   const Program::Conditions& conditionsOf(const Program::Node& node) const {
     return program_.conditions()[static_cast<std::size_t>(node.conditions)];
   }
-  /// Of a node that a library runs.
+  /// Functions of a library node.
   const NodeFunctions& functionsOf(int node) const {
     return program_.functions(nodes_[node].detail);
   }
   int endOf(int node) const { return nodes_[node].end; }
   void resetChildren(int node);
-  void resetFrom(int first, int node);  // the children of `node` from `first` on
+  void resetFrom(int first, int node);  // the children of `node`, starting at `first`
   void resetOthers(int node, int kept);
 
   template <Status (Ticker::*function)(int)>
@@ -79,15 +135,15 @@ class Ticker {
   template <class T>
   static void forget(Ticker& ticker, int node);
   template <class T>
-  static void stopChild(Ticker& ticker, int node);
+  static void clearRunningFlag(Ticker& ticker, int node);
   static void noteHalt(Ticker& ticker, int node);
   static void haltStateful(Ticker& ticker, int node);
   static void haltParent(Ticker& ticker, int node);
   static void haltParallel(Ticker& ticker, int node);
   static void haltTryCatch(Ticker& ticker, int node);
-  /// For what a parent cannot go on with: IDLE of a child is a fault.
+  /// Handles a status that a parent cannot process: IDLE of a child is a fault.
   [[gnu::cold]] Status unexpected(int child, Status status);
-  /// Ticks the child of a decorator; `marks`: the decorator counts as RUNNING meanwhile.
+  /// Ticks the child of a decorator. `marks`: the decorator is RUNNING during the tick.
   Status tickOnlyChild(int node, bool marks = true) {
     if (marks) {
       stored(node) = Status::Running;
@@ -96,15 +152,16 @@ class Ticker {
     return status == Status::Idle ? unexpected(node + 1, status) : status;
   }
 
-  template <Status stop>  // what a child returns so that its parent goes on
-  static constexpr Status kPasses = stop == Status::Failure ? Status::Success : Status::Failure;
+  template <Status stop>  // status of a child for which its parent continues
+  static constexpr Status kContinueStatus =
+      stop == Status::Failure ? Status::Success : Status::Failure;
   template <Status stop, bool yields = false, bool remembers = false>
   Status sequence(int node);
   template <Status stop>
   Status reactive(int node);
   Status parallel(int node);
   Status parallelAll(int node);
-  /// Counts of a Parallel, read when a tick begins. countsSkipped: skipped children count as
+  /// Limits of a Parallel, read at the start of a tick. countsSkipped: skipped children count as
   /// successes.
   struct Thresholds {
     int successes = 0;
@@ -128,11 +185,11 @@ class Ticker {
   template <Status result>
   Status force(int node);
   template <Status again>
-  Status tickRound(int child, std::int32_t& count);
+  Status tickRepetition(int child, std::int32_t& count);
   template <Status again>
   Status repeat(int node);
   Status keepRunning(int node);
-  /// Goes on, however the child ended, unless it failed or the tree is faulty.
+  /// Status of a decorator that runs until its child fails or the tree is faulty.
   static Status untilFailure(Status status) {
     return status == Status::Failure || status == kFault ? status : Status::Running;
   }
@@ -152,11 +209,11 @@ class Ticker {
 
   [[gnu::always_inline]] Status synchronous(const Program::Node& here, int node,
                                             LeafFunction function) {
-    leaf_.moveTo(here);
+    leaf_.switchToNode(here);
     const Status status = function(leaf_);
     return isDone(status) && !isFaulty() ? status : unexpected(node, status);
   }
-  /// tickNode put in place, for the children of a control.
+  /// Inlined tickNode, for the children of a control.
   Status tickChild(int node) {
     const Program::Node& here = nodes_[node];
     if (here.isInstant) {
@@ -175,7 +232,7 @@ class Ticker {
     }
     return status;
   }
-  /// The same for what is always done within the tick.
+  /// The same for instant nodes.
   [[gnu::always_inline]] Status tickInstant(const Program::Node& here, int node) {
     const Status status = here.tick ? synchronous(here, node, here.tick) : here.run(*this, node);
     if (status != kFault) {
@@ -184,7 +241,7 @@ class Ticker {
     return status;
   }
   template <Status stop>
-  static Status instants(Ticker& ticker, int node);
+  static Status instantSequence(Ticker& ticker, int node);
   static Status instantInverter(Ticker& ticker, int node);
   template <Status result>
   static Status instantForce(Ticker& ticker, int node);
@@ -200,18 +257,20 @@ class Ticker {
   std::optional<Slot*> target(int node, const char* port, bool isOwn);
   Status setBlackboard(int node);
   Status unsetBlackboard(int node);
-  bool setEntry(int node, Slot& to, const Value& value);
+  bool setBlackboardEntry(int node, Slot& to, const Value& value);
   bool wasUpdated(int node, UpdateMemory& memory);
   void note(int node, LeafEvent::Kind kind);
 
-  /// False with a fault when it fails. `truth` takes the result as a condition.
+  /// Returns false, with a fault, on an error. `truth` receives the result as a condition.
   bool runScript(int node, int script, bool* truth = nullptr);
-  bool truthOf(int node, int script, bool& truth) { return runScript(node, script, &truth); }
+  bool evaluateCondition(int node, int script, bool& truth) {
+    return runScript(node, script, &truth);
+  }
 
-  /// Ports of nodes that the engine runs; nothing = a fault was noted.
+  /// Reads a port of a node that the engine runs; empty: a fault was raised.
   template <class T>
-  [[gnu::always_inline]] std::optional<T> need(int node, int port) {
-    leaf_.moveTo(nodes_[node]);
+  [[gnu::always_inline]] std::optional<T> readRequired(int node, int port) {
+    leaf_.switchToNode(nodes_[node]);
     const T value = leaf_.require<T>(port);
     return isFaulty() ? std::nullopt : std::optional<T>(value);
   }
@@ -225,12 +284,12 @@ class Ticker {
   const Program& program_;
   TreeState& state_;
   const TickInput& input_;
-  const Program::Node* nodes_;  // and two columns of the state, for speed
+  const Program::Node* nodes_;  // cached, together with two status arrays, for speed
   Status* stored_;
   Status* returned_;
   bool isFaulty_;
-  int rounds_ = 0;    // of children that decorators and the library's nodes have ticked
-  LeafContext leaf_;  // of the synchronous leaf that is ticked, or the node whose ports are read
+  int rounds_ = 0;    // child ticks by decorators and library nodes
+  LeafContext leaf_;  // of the current synchronous leaf or the node whose ports are read
 };
 
 }  // namespace bt

@@ -9,7 +9,7 @@
 namespace bt {
 namespace {
 
-/// Of a number or truth; nothing of a text.
+/// The port type of a number or bool; empty for text.
 std::optional<PortType> typeOf(const Value& value) {
   switch (value.type) {
     case ValueType::Int:
@@ -29,8 +29,8 @@ std::optional<PortType> typeOf(const Value& value) {
   return std::nullopt;
 }
 
-/// Room for two events of every leaf that may last and some more; a tick seldom has more.
-std::size_t roomForEvents(const Program& program) {
+/// Two events per stateful leaf and one more; a tick seldom has more.
+std::size_t eventCapacity(const Program& program) {
   const auto count = std::count_if(
       program.nodes().begin(), program.nodes().end(),
       [](const Program::Node& node) { return node.children == 0 && node.halt != nullptr; });
@@ -45,7 +45,7 @@ TreeState::TreeState(std::shared_ptr<const Program> program) : program_(std::mov
       (2 * nodeCount() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
   memory_.reset(new std::uint64_t[memoryWords() + statusWords]);
   slots_ = std::make_unique<Slot[]>(program_->initialSlots().size());
-  events_.reserve(roomForEvents(*program_));
+  events_.reserve(eventCapacity(*program_));
   reset();
 }
 
@@ -82,7 +82,7 @@ void TreeState::halt(const TickInput& input) {
   Ticker(*program_, *this, input).resetChild(0);
 }
 
-std::optional<bool> TreeState::truthOf(const Script& condition) const {
+std::optional<bool> TreeState::evaluateCondition(const Script& condition) const {
   assert(condition.written.empty());
   ScriptRunner runner(condition, slots_.get());
   return runner.run() ? runner.truth() : std::nullopt;

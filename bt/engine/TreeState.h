@@ -9,29 +9,29 @@
 #include <utility>
 #include <vector>
 
-#include "bt/engine/LeafContext.h"
+#include "bt/engine/NodeLibrary.h"
 #include "bt/engine/Program.h"
 
-/// One agent's running tree: a few bytes per node and the blackboard. A tick allocates nothing.
-/// Rules of BehaviorTree.CPP 4.10 (tickExactlyOnce), with simulated time. One thread at a time;
+/// The running tree of one agent: a few bytes per node and the blackboard. A tick does not
+/// allocate. Follows BehaviorTree.CPP 4.10 (tickExactlyOnce) with simulated time. Not synchronised;
 /// different agents may be ticked by different threads.
 namespace bt {
 
-/// Why a tree stopped for good: missing input, bad script …
+/// The reason why a tree stopped permanently: missing input, invalid script …
 struct TreeFault {
   int node = 0;
   std::string path;
   std::string message;
 };
 
-/// A stateful leaf began or ended in this tick.
+/// A stateful leaf started or ended in this tick.
 struct LeafEvent {
   enum class Kind : std::uint8_t { Started, Succeeded, Failed, Halted };
   int node = 0;
   Kind kind = Kind::Started;
 };
 
-/// Of all nodes of a program, in its order.
+/// The statuses of all nodes of a program, in its order.
 class StatusList {
  public:
   StatusList(const base::NodeStatus* first, std::size_t count) : first_(first), count_(count) {}
@@ -53,36 +53,37 @@ class TreeState {
  public:
   explicit TreeState(std::shared_ptr<const Program> program);
 
-  /// One step of the tree. SUCCESS and FAILURE of the root leave the tree ready to start again.
-  /// A faulty tree returns IDLE and does nothing.
+  /// One tick of the tree. After SUCCESS and FAILURE of the root the tree can start again. A faulty
+  /// tree returns IDLE and does nothing.
   base::NodeStatus tickOnce(const TickInput& input);
-  /// Halts what is RUNNING.
+  /// Halts all RUNNING nodes.
   void halt(const TickInput& input);
-  /// As newly made (RunOnce forgets, entries have their first values); nobody is halted.
+  /// Restores the initial state (RunOnce nodes, entries); no halt function is called.
   void reset();
 
   const Program& program() const { return *program_; }
 
-  /// What each node returned in the last tick; IDLE = it was not ticked. Good until the next.
+  /// Result of each node in the last tick; IDLE: not ticked. Valid until the next tick.
   StatusList statuses() const { return {returned(), nodeCount()}; }
-  /// Of the last tick (and of a halt() after it), in the order in which they happened.
+  /// Events of the last tick (and of a halt() after it) in chronological order.
   const std::vector<LeafEvent>& events() const { return events_; }
   const TreeFault* fault() const { return fault_.get(); }  // null: none
 
-  /// Entries by slot (Program::findSlot, hostSlot). False = the value does not fit its type.
+  /// Access to entries by slot (Program::findSlot, hostSlot). False: the value does not fit the
+  /// type.
   template <class T>
   bool set(int slot, const T& value) {  // int, double or Value
     return store(slots_[static_cast<std::size_t>(slot)], value);
   }
-  /// The entry of that key, as entries() names it, from a text: of its type; where none is fixed,
-  /// of the type of its value if the text fits that. False: there is no such entry, or it does not
-  /// fit.
+  /// Sets the entry with that key, named as in entries(), from text. The text is converted to the
+  /// type of the entry or, without a declared type, to the type of its value if possible. Returns
+  /// false if there is no such entry or if the text does not fit.
   bool setFromText(const std::string& key, const std::string& text);
   const Value& get(int slot) const { return slots_[static_cast<std::size_t>(slot)].value; }
-  /// What a script that changes nothing says of the entries; nothing: one has no value, or it is no
-  /// truth. Its slots are those of the program.
-  std::optional<bool> truthOf(const Script& condition) const;
-  /// Keys and texts of what is set, in the order of the program.
+  /// Evaluates a condition that assigns nothing; empty: an entry has no value, or the result is not
+  /// a truth value. Its slots are those of the program.
+  std::optional<bool> evaluateCondition(const Script& condition) const;
+  /// Keys and values of all entries that are set, in the order of the program.
   std::vector<std::pair<std::string, std::string>> entries() const;
 
  private:
@@ -99,7 +100,7 @@ class TreeState {
   void clearReturned() { std::fill_n(returned(), nodeCount(), base::NodeStatus::Idle); }
 
   std::shared_ptr<const Program> program_;
-  std::unique_ptr<std::uint64_t[]> memory_;  // of the nodes; then what they keep, and returned
+  std::unique_ptr<std::uint64_t[]> memory_;  // node memory, then stored and returned statuses
   std::unique_ptr<Slot[]> slots_;
   std::vector<LeafEvent> events_;
   std::unique_ptr<TreeFault> fault_;

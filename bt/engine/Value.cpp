@@ -6,15 +6,15 @@
 #include <limits>
 #include <utility>
 
-#include "bt/tree/TextValue.h"
+#include "bt/tree/PortTextConversion.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
 namespace {
 
-constexpr double kLargestLong = 9.2e18;  // a larger real does not fit into int64_t
+constexpr double kLargestLong = 9.2e18;  // larger reals do not fit into int64_t
 
-/// A whole number within the limits, or nothing.
+/// An integer within the limits, or empty.
 std::optional<std::int64_t> wholeNumber(const Value& value, double lowest, double highest) {
   const double number = value.number();
   if (!(number >= lowest && number <= highest) || number != std::floor(number)) {
@@ -49,15 +49,15 @@ std::string Value::toText() const {
   return {};
 }
 
-std::string engineText(const Value& value) {
+std::string portText(const Value& value) {
   if (value.isWhole()) {
     return std::to_string(value.integer);
   }
   if (value.type != ValueType::Double) {
     return value.toText();
   }
-  constexpr int kDigits = 6;          // as std::to_string, whatever the locale
-  std::array<char, 400> buffer = {};  // the largest double has 309 digits in front
+  constexpr int kDigits = 6;          // like std::to_string, independent of the locale
+  std::array<char, 400> buffer = {};  // the largest double has 309 digits before the point
   const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
                                                  value.real, std::chars_format::fixed, kDigits);
   return {buffer.data(), end.ptr};
@@ -66,7 +66,7 @@ std::string engineText(const Value& value) {
 void copyValue(Value& to, const Value& from) {
   to.type = from.type;
   to.element = from.element;
-  to.integer = from.integer;  // or the bits of a real
+  to.integer = from.integer;  // also copies the bits of a real
   if (from.isNumber()) {
     to.text.clear();
   } else {
@@ -124,7 +124,7 @@ std::optional<std::string_view> valueAs(const Value& value) {
     return std::nullopt;
   }
   if (value.isNumber() && value.text.empty()) {
-    value.text = engineText(value);
+    value.text = portText(value);
   }
   return value.text;
 }
@@ -142,14 +142,14 @@ std::optional<base::NodeStatus> valueAs(const Value& value) {
 
 namespace {
 
-/// A text as a queue. Nothing: an element is not of that type.
-std::optional<Value> listFrom(const Value& text, PortType element) {
+/// Text as a queue. Empty: an element does not have that type.
+std::optional<Value> queueFromText(const Value& text, PortType element) {
   if (text.type != ValueType::String) {
     return std::nullopt;
   }
   Value list(ValueType::List, 0, text.text);
   list.element = element;
-  for (const std::string& part : elementsOf(text.text)) {
+  for (const std::string& part : splitQueue(text.text)) {
     if (!isConvertible(part, element)) {
       return std::nullopt;
     }
@@ -159,7 +159,7 @@ std::optional<Value> listFrom(const Value& text, PortType element) {
 }
 
 /// The type that a value of this type declares for an entry.
-PortType declaredBy(const Value& value) {
+PortType declaredType(const Value& value) {
   switch (value.type) {
     case ValueType::Int:
       return PortType::Int;
@@ -181,7 +181,7 @@ PortType declaredBy(const Value& value) {
 }
 
 bool isDeclaredAs(const Slot& slot, const Value& value) {
-  return declaredBy(value) == slot.type &&
+  return declaredType(value) == slot.type &&
          (slot.type != PortType::Queue || slot.element == value.element);
 }
 
@@ -192,12 +192,12 @@ bool noteWrite(Slot& slot) {
 }
 
 void declare(Slot& slot, const Value& value) {
-  slot.type = declaredBy(value);
+  slot.type = declaredType(value);
   slot.element = value.element;
   slot.isObject = false;
 }
 
-/// A number may be written where another kind of number was declared, if it fits.
+/// A number may be written to an entry of another numeric type if it fits.
 bool isSafe(const Value& value, PortType type) {
   switch (type) {
     case PortType::Int:
@@ -238,7 +238,7 @@ std::optional<Value> convertTo(const Value& value, PortType type, PortType eleme
                  ? std::nullopt
                  : std::optional(Value::of(std::string_view(*valueAs<std::string_view>(value))));
     case PortType::Queue:
-      return value.type == ValueType::List ? std::optional(value) : listFrom(value, element);
+      return value.type == ValueType::List ? std::optional(value) : queueFromText(value, element);
   }
   return std::nullopt;
 }
@@ -277,7 +277,7 @@ bool assign(Slot& slot, const Value& value, const std::optional<double>& number)
   const bool isDeclared = slot.type != PortType::Any || slot.isObject;
   if (value.type == ValueType::String && slot.value.type != ValueType::String &&
       (isDeclared || !isEmpty)) {
-    // Only text is converted, to the declared type; without one to a number.
+    // Only text is converted: to the declared type, otherwise to a number.
     const bool hasConverter = slot.type != PortType::Any && slot.type != PortType::Status;
     if (hasConverter) {
       const std::optional<Value> converted = convertTo(value, slot.type, slot.element);
@@ -316,7 +316,7 @@ bool store(Slot& slot, const Value& value) {
     const bool wasThere = slot.exists;
     declare(slot, value);
     if (!wasThere && value.type == ValueType::String) {
-      slot.type = PortType::Any;  // a text that creates an entry declares no type
+      slot.type = PortType::Any;  // text that creates an entry declares no type
     }
     copyValue(slot.value, value);
     return noteWrite(slot);

@@ -13,18 +13,18 @@
 /// BT::Blackboard of BehaviorTree.CPP 4.10.
 namespace bt {
 
-/// The type with which a value was made. Long: a whole number written in a script (int64_t), which
-/// no port has. List: the remaining elements of a queue.
+/// The type with which a value was created. Long: an integer written in a script (int64_t); no port
+/// has this type. List: the remaining elements of a queue.
 enum class ValueType : std::uint8_t { Unset, Int, Long, Unsigned, Bool, Double, String, List };
 
 struct Value {
   ValueType type = ValueType::Unset;
-  PortType element = PortType::Any;  // of a List
+  PortType element = PortType::Any;  // for List
   union {
-    std::int64_t integer = 0;  // whole numbers and Bool; number of remaining elements of a List
+    std::int64_t integer = 0;  // integers and Bool; number of remaining elements of a List
     double real;               // Double
   };
-  mutable std::string text;  // String; elements with ';' between; of a number its text, once asked
+  mutable std::string text;  // String; elements separated by ';'; cached text of a number
 
   Value() = default;
   Value(ValueType itsType, std::int64_t whole, std::string_view itsText = {})
@@ -43,14 +43,14 @@ struct Value {
   double number() const { return type == ValueType::Double ? real : static_cast<double>(integer); }
   std::string toText() const;  // for display: "0.5", "true"; "" when unset
 };
-/// The text that string ports and '..' see: "0.500000" for a real, "1" for true.
-std::string engineText(const Value& value);
-/// Copies without touching the text of numbers.
+/// The text for string ports and '..': "0.500000" for a real, "1" for true.
+std::string portText(const Value& value);
+/// Copies without the cached text of numbers.
 void copyValue(Value& to, const Value& from);
 
-/// Reads with the conversions that ports allow: text is parsed, a real becomes a whole number only
-/// when it is one, a whole number becomes a bool only when it is 0 or 1 (a real always), a number
-/// becomes text. Nothing = does not fit.
+/// Reads a value with the conversions that ports allow: text is parsed; a real becomes an integer
+/// only if it is integral; an integer becomes a bool only if it is 0 or 1 (a real always); a number
+/// becomes text. Empty: does not fit.
 namespace detail {
 std::optional<int> convertedToInt(const Value& value);
 std::optional<double> convertedToDouble(const Value& value);
@@ -67,7 +67,7 @@ inline std::optional<double> valueAs(const Value& value) {
   return value.type == ValueType::Double ? value.real : detail::convertedToDouble(value);
 }
 template <>
-std::optional<std::int64_t> valueAs(const Value& value);  // of Unsigned
+std::optional<std::int64_t> valueAs(const Value& value);  // for Unsigned
 template <>
 std::optional<bool> valueAs(const Value& value);
 template <>
@@ -75,38 +75,38 @@ std::optional<std::string_view> valueAs(const Value& value);
 template <>
 std::optional<base::NodeStatus> valueAs(const Value& value);
 
-/// `value` as a port of this type reads it, or nothing. `element`: element type of a queue.
+/// `value` as read by a port of this type, or empty. `element`: element type of a queue.
 std::optional<Value> convertTo(const Value& value, PortType type, PortType element = PortType::Any);
 
-/// One entry of the blackboard. `type` is the type that the first port or typed value declared;
-/// later values must fit it or the present value, see below.
+/// One entry of the blackboard. `type` is declared by the first port or typed value; later values
+/// must fit it or the present value, see below.
 struct Slot {
   Value value;
   PortType type = PortType::Any;     // Any: not declared yet
-  PortType element = PortType::Any;  // of a Queue
+  PortType element = PortType::Any;  // for Queue
   bool exists = false;               // created at load or written since
-  bool isObject = false;             // declared as BT::Any: its first value is not text of a script
+  bool isObject = false;             // declared as BT::Any: first value is not text from a script
   std::uint32_t version = 0;         // counts the writes
 };
 
-/// Blackboard::set<T> of a value of type T: a leaf writes to an output port, or the host to an
-/// entry. False = the value does not fit the type of the entry; nothing is written then.
+/// Blackboard::set<T> with a value of type T: a leaf writes to an output port, or the host to an
+/// entry. Returns false, without writing, if the value does not fit the type of the entry.
 bool store(Slot& slot, const Value& value);
-bool store(Slot& slot, double value);  // the two that are written in every step; no allocation
+bool store(Slot& slot, double value);  // overloads for writes in every step, without allocation
 bool store(Slot& slot, int value);
-/// Any::copyInto: the present value keeps its type. False = the new value does not fit.
+/// Any::copyInto: the present value keeps its type. Returns false if the new value does not fit.
 bool copyInto(Value& to, const Value& from);
-/// The assignment of a script. `number`: the number in a text; nothing = the text is not a number.
+/// Assignment in a script. `number` is the number in a text value; empty: not a number.
 bool assign(Slot& slot, const Value& value, const std::optional<double>& number);
-/// Blackboard::set<Any>, as SetBlackboard does: the type must be that of the entry.
+/// Blackboard::set<Any>, as in SetBlackboard: the type must be that of the entry.
 bool storeAny(Slot& slot, const Value& value);
-/// As if the entry had never existed.
+/// Removes the entry as if it had never existed.
 void remove(Slot& slot);
 
-/// Where a port takes its value. Eight bytes, as ports are most of what a tick reads.
+/// The source of a port's value. Eight bytes, since ports dominate the memory traffic of a tick.
 struct PortBinding {
   enum class Kind : std::uint8_t { Missing, Constant, Entry };
-  std::uint32_t offset = 0;  // [bytes] in its column; of what is missing: constant 0, unset
+  std::uint32_t offset = 0;  // [bytes] in its column; Missing: constant 0, which is unset
   Kind kind = Kind::Missing;
   bool isDefault = false;  // the constant is the default of the manifest
   PortType type = PortType::Any;
@@ -115,7 +115,7 @@ static_assert(sizeof(PortBinding) == 8);
 constexpr std::uint32_t offsetOf(std::size_t index) {
   return static_cast<std::uint32_t>(index * sizeof(Slot));
 }
-/// `column`: the constants of the program or the entries of a tree, as the binding's kind says.
+/// `column`: the constants of the program or the entries of a tree, according to binding.kind.
 inline const Slot& boundSlot(const Slot* column, const PortBinding& binding) {
   return *reinterpret_cast<const Slot*>(reinterpret_cast<const std::byte*>(column) +
                                         binding.offset);

@@ -12,18 +12,18 @@ namespace {
 
 using base::NodeStatus;
 
-/// What a node means while it runs, or where it held.
-const std::map<std::string, std::string, std::less<>>& nodeWords() {
+/// Descriptions of nodes: what a running action does, what a condition states.
+const std::map<std::string, std::string, std::less<>>& nodeDescriptions() {
   static const std::map<std::string, std::string, std::less<>> kWords = {
       {"RegularNav", "walks to the goal"},
       {"UpdateGoal", "turns to the next goal"},
       {"GoTo", "walks to a place"},
-      {"UseObject", "uses something"},
-      {"WanderInArea", "wanders about"},
+      {"UseObject", "uses an object"},
+      {"WanderInArea", "wanders in an area"},
       {"GoToNearestExit", "walks to the exit"},
       {"WaitInQueue", "waits in a queue"},
       {"SetGroupWalk", "walks with the group"},
-      {"ConversationFormation", "talks with others"},
+      {"ConversationFormation", "talks with other people"},
       {"SurprisedNav", "stops and looks at the robot"},
       {"CuriousNav", "approaches the robot"},
       {"ScaredNav", "flees from the robot"},
@@ -33,13 +33,13 @@ const std::map<std::string, std::string, std::less<>>& nodeWords() {
       {"BlockRobot", "blocks the robot"},
       {"YieldToRobot", "lets the robot pass"},
       {"PassOnSide", "passes the robot"},
-      {"ApproachAgent", "approaches somebody"},
-      {"FollowAgent", "follows somebody"},
-      {"BlockAgent", "blocks somebody"},
-      {"FleeFrom", "flees from somebody"},
-      {"WaitForAgent", "waits for somebody"},
+      {"ApproachAgent", "approaches a person"},
+      {"FollowAgent", "follows a person"},
+      {"BlockAgent", "blocks a person"},
+      {"FleeFrom", "flees from a person"},
+      {"WaitForAgent", "waits for a person"},
       {"LookAtRobot", "looks at the robot"},
-      {"LookAtAgent", "looks at somebody"},
+      {"LookAtAgent", "looks at a person"},
       {"LookAtPoint", "looks at a place"},
       {"SaySomething", "speaks"},
       {"StopMovement", "stops"},
@@ -47,20 +47,20 @@ const std::map<std::string, std::string, std::less<>>& nodeWords() {
       {"TimeDelay", "waits"},
       {"IsRobotVisible", "the robot is in sight"},
       {"IsRobotClose", "the robot is close"},
-      {"IsRobotFacingAgent", "the robot faces them"},
-      {"IsAgentVisible", "somebody is in sight"},
-      {"IsAgentClose", "somebody is close"},
+      {"IsRobotFacingAgent", "the robot faces the person"},
+      {"IsAgentVisible", "a person is in sight"},
+      {"IsAgentClose", "a person is close"},
       {"IsAgentGroupFormed", "the group is together"},
       {"IsCrowded", "it is crowded"},
       {"IsGoalReached", "the goal is reached"},
-      {"IsAtPosition", "they are at the place"},
-      {"IsSpeaking", "somebody speaks"},
-      {"IsAnyoneSpeaking", "somebody speaks"},
-      {"IsLookingAtMe", "somebody looks at them"},
-      {"IsAnyoneLookingAtMe", "somebody looks at them"},
-      {"IsTimeBetween", "it is time"},
-      {"TimeExpiredCondition", "the time is up"},
-      {"RandomChanceCondition", "chance has it"}};
+      {"IsAtPosition", "the person is at the place"},
+      {"IsSpeaking", "a person speaks"},
+      {"IsAnyoneSpeaking", "a person speaks"},
+      {"IsLookingAtMe", "a person looks at this person"},
+      {"IsAnyoneLookingAtMe", "a person looks at this person"},
+      {"IsTimeBetween", "the time is within its limits"},
+      {"TimeExpiredCondition", "the timer has expired"},
+      {"RandomChanceCondition", "a random draw succeeded"}};
   return kWords;
 }
 
@@ -83,16 +83,16 @@ bool isBelowBranch(std::string_view path, std::string_view ancestor) {
 }
 
 bool isConditionName(std::string_view name) {
-  const auto found = nodeWords().find(name);
-  const bool isKnown = found != nodeWords().end();
+  const auto found = nodeDescriptions().find(name);
+  const bool isKnown = found != nodeDescriptions().end();
   return name.substr(0, 2) == "Is" || (isKnown && name.find("Condition") != std::string_view::npos);
 }
 
 }  // namespace
 
-std::string wordsOfNode(const std::string& name) {
-  const auto found = nodeWords().find(name);
-  if (found != nodeWords().end()) {
+std::string nodeDescription(const std::string& name) {
+  const auto found = nodeDescriptions().find(name);
+  if (found != nodeDescriptions().end()) {
     return found->second;
   }
   if (name.find(' ') != std::string::npos) {
@@ -111,8 +111,8 @@ std::string wordsOfNode(const std::string& name) {
 
 namespace {
 
-/// The last leaf that runs; else the last action that was done within the step and has words, as
-/// walking is; `count`: none.
+/// The last running leaf, otherwise the last completed action with a description, such as walking.
+/// `count`: none.
 std::size_t actingLeaf(const sim2d::TreeStatuses& tree, std::size_t count) {
   const std::vector<std::string>& paths = *tree.paths;
   std::size_t running = count, done = count;
@@ -124,7 +124,7 @@ std::size_t actingLeaf(const sim2d::TreeStatuses& tree, std::size_t count) {
     if (tree.statuses[node] == NodeStatus::Running) {
       running = node;
     } else if (tree.statuses[node] == NodeStatus::Success && !isConditionName(name) &&
-               nodeWords().find(name) != nodeWords().end()) {
+               nodeDescriptions().find(name) != nodeDescriptions().end()) {
       done = node;
     }
   }
@@ -147,13 +147,14 @@ ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree) {
   if (leaf == count) {
     return branch;
   }
-  branch.doing = wordsOfNode(std::string(ownName(paths[leaf])));
+  branch.doing = nodeDescription(std::string(ownName(paths[leaf])));
   for (std::size_t node = 0; node < leaf; ++node) {
     const std::string_view name = ownName(paths[node]);
     const bool isOnTheWay = isBelowBranch(paths[leaf], paths[node]) ||
                             isBelowBranch(paths[leaf], branchAbove(paths[node]));
     if (isOnTheWay && isConditionName(name) && hasStatus(node, NodeStatus::Success)) {
-      branch.because += (branch.because.empty() ? "" : " and ") + wordsOfNode(std::string(name));
+      branch.because +=
+          (branch.because.empty() ? "" : " and ") + nodeDescription(std::string(name));
     }
   }
   return branch;

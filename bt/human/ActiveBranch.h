@@ -8,22 +8,22 @@
 
 namespace bt {
 
-/// Why somebody acts, in words: "approaches the robot" because "the robot is visible".
+/// What a person does and why, as text: "approaches the robot" because "the robot is visible".
 struct ActiveBranch {
-  std::string doing;    // of the leaf that acts; empty: none does
-  std::string because;  // the conditions that held on the way to it; empty: there was none
+  std::string doing;    // of the acting leaf; empty: none
+  std::string because;  // conditions that held on its path; empty: none
 
   std::string words() const { return because.empty() ? doing : doing + ", because " + because; }
 };
 
-/// From what the nodes of a tree returned last and their names as records have them: the last leaf
-/// that runs, else the last action that was done within the step, as walking is, and the conditions
-/// that succeeded before it among its own ancestors and their elder siblings. Nodes of ours and
-/// HuNavSim's have words of their own; others are called by their names.
+/// Derives the active branch from the last statuses and the recorded names of a tree's nodes: the
+/// last running leaf, otherwise the last action completed within the step (such as walking), and
+/// the conditions that succeeded before it among its ancestors and their preceding siblings. Nodes
+/// of HuNavSim and of this program have descriptions; others are shown by name.
 ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree);
 
-/// "ApproachRobot" -> "approaches the robot"; "MyOwnNode" -> "my own node". Without words of its
-/// own a name with spaces stays as it is.
-std::string wordsOfNode(const std::string& name);
+/// "ApproachRobot" -> "approaches the robot"; "MyOwnNode" -> "my own node". A name that contains
+/// spaces and has no description is returned unchanged.
+std::string nodeDescription(const std::string& name);
 
 }  // namespace bt

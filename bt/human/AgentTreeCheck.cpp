@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "bt/human/Ports.h"
-#include "bt/tree/TextValue.h"
+#include "bt/human/HumanContext.h"
+#include "bt/tree/PortTextConversion.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
@@ -15,16 +15,16 @@ using base::Diagnostics;
 
 namespace {
 
-struct Found {
+struct CollectedNode {
   const NodeSpec* node;
   const std::string* file;
 };
 
-/// All nodes of the tree that is run and of those it calls, each tree once.
-class Walk {
+/// Collects the nodes of the main tree and of the trees it calls, each tree once.
+class NodeCollector {
  public:
-  explicit Walk(const TreeTable& table) : table_(table) { enter(table.mainTree); }
-  std::vector<Found> take() { return std::move(found_); }
+  explicit NodeCollector(const TreeTable& table) : table_(table) { enter(table.mainTree); }
+  std::vector<CollectedNode> take() { return std::move(found_); }
 
  private:
   void enter(const std::string& treeId) {
@@ -45,7 +45,7 @@ class Walk {
 
   const TreeTable& table_;
   std::set<std::string> seen_;
-  std::vector<Found> found_;
+  std::vector<CollectedNode> found_;
 };
 
 struct Problem {
@@ -53,7 +53,7 @@ struct Problem {
   base::ProblemValues values;
 };
 
-/// Of the constant of a port that is no list.
+/// Checks a constant of a port that is not a list.
 std::optional<Problem> problemOf(const NodeSpec& node, const Attribute& port,
                                  const sim2d::Scenario& scenario) {
   if (port.name == "goal_id") {
@@ -91,7 +91,7 @@ std::vector<Problem> problemsOf(const NodeSpec& node, const NodeManifest& manife
     if (std::optional<Problem> problem = problemOf(node, port, scenario)) {
       problems.push_back(*std::move(problem));
     }
-    const bool hasIds = isPersonPort(port.name);
+    const bool hasIds = isAgentPort(port.name);
     for (const int id :
          hasIds ? parseIds(port.text).value_or(std::vector<int>{}) : std::vector<int>{}) {
       if (!scenario.humanById(id)) {
@@ -111,9 +111,9 @@ std::string listText(const std::vector<int>& ids) {
   return "[" + base::join(words, ", ") + "]";
 }
 
-/// Goals that have several numbers count as one.
-bool areSamePlaces(const std::vector<int>& a, const std::vector<int>& b,
-                   const sim2d::Scenario& scenario) {
+/// Goals with equal positions count as equal.
+bool haveSamePositions(const std::vector<int>& a, const std::vector<int>& b,
+                       const sim2d::Scenario& scenario) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&scenario](int one, int other) {
     const sim2d::GlobalGoal* const first = scenario.goal(one);
     const sim2d::GlobalGoal* const second = scenario.goal(other);
@@ -123,10 +123,11 @@ bool areSamePlaces(const std::vector<int>& a, const std::vector<int>& b,
 
 }  // namespace
 
-std::vector<int> goalsOfTree(const TreeTable& table) {
+std::vector<int> treeGoals(const TreeTable& table) {
   std::vector<int> goals;
-  for (const auto& [node, file] : Walk(table).take()) {
-    const std::string* text = node->id == "SetGoal" ? findText(node->ports, "goal_id") : nullptr;
+  for (const auto& [node, file] : NodeCollector(table).take()) {
+    const std::string* text =
+        node->id == "SetGoal" ? findAttribute(node->ports, "goal_id") : nullptr;
     const std::optional<int> id = text ? intFromText(*text) : std::nullopt;
     if (id) {
       goals.push_back(*id);
@@ -138,19 +139,19 @@ std::vector<int> goalsOfTree(const TreeTable& table) {
 Diagnostics checkAgentTree(const TreeTable& table, const sim2d::Human& human,
                            const sim2d::Scenario& scenario, const NodeCatalogue& catalogue) {
   Diagnostics found;
-  for (const auto& [node, file] : Walk(table).take()) {
+  for (const auto& [node, file] : NodeCollector(table).take()) {
     const NodeManifest* manifest = catalogue.find(node->id);
     if (!manifest || manifest->origin == NodeOrigin::BehaviorTreeCpp) {
       continue;
     }
     for (Problem& problem : problemsOf(*node, *manifest, scenario)) {
-      found.push_back(
-          base::within(node->label(),
-                       base::warning(problem.code, std::move(problem.values), *file, node->line)));
+      found.push_back(base::withContext(
+          node->label(),
+          base::warning(problem.code, std::move(problem.values), *file, node->line)));
     }
   }
-  const std::vector<int> goals = goalsOfTree(table);
-  if (!goals.empty() && !areSamePlaces(goals, human.goals, scenario)) {
+  const std::vector<int> goals = treeGoals(table);
+  if (!goals.empty() && !haveSamePositions(goals, human.goals, scenario)) {
     found.push_back(base::warning(
         "tree.other-goals", {human.name, listText(goals), listText(human.goals)}, table.file));
   }

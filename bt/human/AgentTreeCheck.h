@@ -6,13 +6,12 @@
 
 namespace bt {
 
-/// Whether a tree fits the person who has it: ids of people, goals and areas that are written as
-/// constants exist, and the goals that it sets are those of the scenario, in order. Warnings only,
-/// with the lines of the tree.
+/// Checks whether a tree fits its person: constant ids of people, goals and areas exist, and the
+/// tree sets the goals of the scenario in the same order. Returns only warnings, with line numbers.
 base::Diagnostics checkAgentTree(const TreeTable& table, const sim2d::Human& human,
                                  const sim2d::Scenario& scenario, const NodeCatalogue& catalogue);
 
-/// The goals that SetGoal nodes give the person, in the order of the tree; SubTrees followed.
-std::vector<int> goalsOfTree(const TreeTable& table);
+/// The goals that SetGoal nodes assign to the person, in tree order, including SubTrees.
+std::vector<int> treeGoals(const TreeTable& table);
 
 }  // namespace bt

@@ -32,9 +32,9 @@ void Breakpoints::set(std::vector<TreeBreakpoint> points) {
   }
 }
 
-const Breakpoints::Place& Breakpoints::placeIn(Watch& watch, const Program& program) {
+const Breakpoints::ResolvedBreakpoint& Breakpoints::placeIn(Watch& watch, const Program& program) {
   const auto [found, isNew] = watch.places.try_emplace(&program);
-  Place& place = found->second;
+  ResolvedBreakpoint& place = found->second;
   if (!isNew) {
     return place;
   }
@@ -54,14 +54,15 @@ const Breakpoints::Place& Breakpoints::placeIn(Watch& watch, const Program& prog
   return place;
 }
 
-bool Breakpoints::holds(const Watch& watch, const Place& place, const TreeState& tree) {
+bool Breakpoints::holds(const Watch& watch, const ResolvedBreakpoint& place,
+                        const TreeState& tree) {
   if (place.node < 0) {
     return false;
   }
   const NodeStatus now = tree.statuses()[static_cast<std::size_t>(place.node)];
   const bool isLike = watch.point.status ? now == *watch.point.status : now != NodeStatus::Idle;
   return isLike && (watch.point.condition.empty() ||
-                    (place.condition && tree.truthOf(*place.condition).value_or(false)));
+                    (place.condition && tree.evaluateCondition(*place.condition).value_or(false)));
 }
 
 void Breakpoints::look(int person, const TreeState& tree) {
@@ -69,11 +70,11 @@ void Breakpoints::look(int person, const TreeState& tree) {
     if (watch.point.person.value_or(person) != person) {
       continue;
     }
-    const Place& place = placeIn(watch, tree.program());
+    const ResolvedBreakpoint& place = placeIn(watch, tree.program());
     if (!holds(watch, place, tree)) {
       watch.people.erase(person);
-    } else if (watch.people.insert(person).second && !met_) {
-      met_ = {watch.point, person, tree.statuses()[static_cast<std::size_t>(place.node)]};
+    } else if (watch.people.insert(person).second && !hit_) {
+      hit_ = {watch.point, person, tree.statuses()[static_cast<std::size_t>(place.node)]};
     }
   }
 }

@@ -15,40 +15,40 @@
 
 namespace bt {
 
-/// What is wrong with the condition of a breakpoint: it cannot be read, or it would change entries.
+/// Problems of a breakpoint's condition: a syntax error, or an assignment.
 base::Diagnostics checkBreakpoint(const sim2d::TreeBreakpoint& point);
 
-/// Looks at trees after their ticks for what a run is to stop at. One thread. A condition on
-/// entries that a tree does not have, or that have no value yet, does not hold.
+/// Checks trees after their ticks for breakpoints. Not synchronised. A condition on entries that a
+/// tree does not have, or that have no value, is false.
 class Breakpoints {
  public:
-  /// Those with problems (checkBreakpoint) are never met.
+  /// Breakpoints with problems (checkBreakpoint) are ignored.
   void set(std::vector<sim2d::TreeBreakpoint> points);
   bool isEmpty() const { return watches_.empty(); }
-  /// After a tick of this person's tree.
+  /// Call after each tick of this person's tree.
   void look(int person, const TreeState& tree);
-  /// A new mind: nothing was met yet.
+  /// Resets the state of a person who has a new tree.
   void forget(int person);
-  /// The first that was met since the last call.
-  std::optional<sim2d::TreeBreak> take() { return std::exchange(met_, std::nullopt); }
+  /// Returns and clears the first breakpoint hit since the last call.
+  std::optional<sim2d::TreeBreakpointHit> take() { return std::exchange(hit_, std::nullopt); }
 
  private:
-  /// Of one program.
-  struct Place {
-    std::shared_ptr<const std::vector<std::string>> paths;  // keeps the key of the map alive
-    int node = -1;                                          // -1: it has no such node
-    std::optional<Script> condition;                        // none: an entry of it is missing
+  /// A breakpoint resolved for one program.
+  struct ResolvedBreakpoint {
+    std::shared_ptr<const std::vector<std::string>> paths;  // keeps the map key unique
+    int node = -1;                                          // -1: no such node
+    std::optional<Script> condition;                        // empty: an entry of it is missing
   };
   struct Watch {
     sim2d::TreeBreakpoint point;
-    std::map<const Program*, Place> places;
-    std::set<int> people;  // for whom it holds now
+    std::map<const Program*, ResolvedBreakpoint> places;
+    std::set<int> people;  // ids of people for whom it currently holds
   };
-  static const Place& placeIn(Watch& watch, const Program& program);
-  static bool holds(const Watch& watch, const Place& place, const TreeState& tree);
+  static const ResolvedBreakpoint& placeIn(Watch& watch, const Program& program);
+  static bool holds(const Watch& watch, const ResolvedBreakpoint& place, const TreeState& tree);
 
   std::vector<Watch> watches_;
-  std::optional<sim2d::TreeBreak> met_;
+  std::optional<sim2d::TreeBreakpointHit> hit_;
 };
 
 }  // namespace bt

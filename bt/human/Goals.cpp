@@ -14,7 +14,7 @@ constexpr double kSmallRadius = 0.1;  // [m]
 
 }  // namespace
 
-bool isGoalReached(HumanContext& context, Person human) {
+bool isGoalReached(HumanContext& context, AgentIndex human) {
   const std::vector<GoalItem>& goals = context.control(human).goals;
   if (goals.empty()) {
     return false;
@@ -23,7 +23,7 @@ bool isGoalReached(HumanContext& context, Person human) {
   return distance <= goals.front().radius + kGoalTolerance;
 }
 
-bool advanceGoal(HumanContext& context, Person human) {
+bool advanceGoal(HumanContext& context, AgentIndex human) {
   std::vector<GoalItem>& goals = context.control(human).goals;
   if (goals.empty()) {
     return false;
@@ -44,35 +44,35 @@ bool advanceGoal(HumanContext& context, Person human) {
   return true;
 }
 
-void addGoal(HumanContext& context, Person human, GoalItem goal) {
+void addGoal(HumanContext& context, AgentIndex human, GoalItem goal) {
   std::vector<GoalItem>& goals = context.control(human).goals;
   const double radius = context.view().constants(human).goalRadius;
-  const bool isOriginal = context.isOriginal(9);
-  goal.radius = radius > 0.0 && !isOriginal ? radius : kSmallRadius;
-  const bool isFirst = human == context.self() && context.mind().isFirstTick;
-  if (isFirst && !isOriginal && !context.mind().hasOwnGoals) {
+  const bool hasQuirk = context.hasQuirk(9);
+  goal.radius = radius > 0.0 && !hasQuirk ? radius : kSmallRadius;
+  const bool isFirst = human == context.self() && context.agentState().isFirstTick;
+  if (isFirst && !hasQuirk && !context.agentState().hasOwnGoals) {
     goals.clear();
-    context.mind().hasOwnGoals = true;
+    context.agentState().hasOwnGoals = true;
   }
   const auto isThisPoint = [&goal](const GoalItem& other) {
     return other.id == goal.id && other.position == goal.position;
   };
   const bool isNew = std::none_of(goals.begin(), goals.end(), isThisPoint);
-  if (isNew || isFirst || isOriginal) {
+  if (isNew || isFirst || hasQuirk) {
     goals.push_back(goal);
   }
 }
 
-SavedPerson savePerson(HumanContext& context, int human) {
+SavedAgent saveAgent(HumanContext& context, int human) {
   const sim2d::HumanControl& control = context.control(human);
-  return {human, context.mindOf(human).visit, control.goals, control.group};
+  return {human, context.agentStateOf(human).visit, control.goals, control.group};
 }
 
-bool isStillThere(const HumanContext& context, const SavedPerson& saved) {
-  return context.mindOf(saved.human).visit == saved.visit;
+bool isStillThere(const HumanContext& context, const SavedAgent& saved) {
+  return context.agentStateOf(saved.human).visit == saved.visit;
 }
 
-void restoreGoals(HumanContext& context, const SavedPerson& saved) {
+void restoreGoals(HumanContext& context, const SavedAgent& saved) {
   if (isStillThere(context, saved)) {
     context.control(saved.human).goals = saved.goals;
   }
@@ -80,13 +80,13 @@ void restoreGoals(HumanContext& context, const SavedPerson& saved) {
 
 void restoreAllGoals(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
-  for (const SavedPerson& saved : context.notes(leaf).saved) {
+  for (const SavedAgent& saved : context.groupNodeState(leaf).saved) {
     restoreGoals(context, saved);
   }
-  context.dropNotes(leaf);
+  context.dropGroupNodeState(leaf);
 }
 
-void setGroup(HumanContext& context, Person human, int group) {
+void setGroup(HumanContext& context, AgentIndex human, int group) {
   int& present = context.control(human).group;
   if (present != group) {
     present = group;
@@ -101,7 +101,7 @@ std::optional<Members> argument(LeafContext& leaf, int othersPort) {
   const std::string text = leaf.text(othersPort).value_or("");
   const std::optional<std::vector<int>> ids = parseIds(text);
   if (!ids) {
-    leaf.fault("non_main_agent_ids is no list of ids: '" + text + "'");
+    leaf.fault("non_main_agent_ids is not a list of ids: '" + text + "'");
     return std::nullopt;
   }
   if (!main) {
@@ -109,7 +109,7 @@ std::optional<Members> argument(LeafContext& leaf, int othersPort) {
   }
   Members members = {*main};
   for (const int id : *ids) {
-    const std::optional<int> member = context.personById(leaf, id);
+    const std::optional<int> member = context.agentById(leaf, id);
     if (!member) {
       return std::nullopt;
     }
@@ -120,8 +120,8 @@ std::optional<Members> argument(LeafContext& leaf, int othersPort) {
   return members;
 }
 
-std::vector<Spot> circleSpots(const sim2d::WorldView& view, const Members& members,
-                              const Vec2& centre) {
+std::vector<FormationSpot> assignCirclePositions(const sim2d::WorldView& view,
+                                                 const Members& members, const Vec2& centre) {
   struct Pairing {
     double distance;
     std::size_t member, place;
@@ -141,10 +141,10 @@ std::vector<Spot> circleSpots(const sim2d::WorldView& view, const Members& membe
   std::sort(pairings.begin(), pairings.end(), [](const Pairing& a, const Pairing& b) {
     return std::tie(a.distance, a.member, a.place) < std::tie(b.distance, b.member, b.place);
   });
-  std::vector<Spot> spots(count);
+  std::vector<FormationSpot> spots(count);
   std::vector<char> isTaken(count, 0);
   for (const Pairing& pairing : pairings) {
-    Spot& spot = spots[pairing.member];
+    FormationSpot& spot = spots[pairing.member];
     if (spot.human < 0 && !isTaken[pairing.place]) {
       spot = {members[pairing.member], places[pairing.place]};
       isTaken[pairing.place] = 1;

@@ -3,42 +3,45 @@
 #include <optional>
 #include <vector>
 
-#include "bt/human/Ports.h"
+#include "bt/human/HumanContext.h"
 
-/// Goals and groups of people, as nodes change them.
+/// Functions by which nodes change goals and groups of people.
 namespace bt {
 
-/// A goal counts as reached this far outside its radius [m].
+/// Tolerance added to a goal's radius [m].
 constexpr double kGoalTolerance = 0.1;
 
-/// The front goal is within its radius + 0.1 m; false without goals.
-bool isGoalReached(HumanContext& context, Person human);
-/// The front goal goes to the end, or away on a one-way list. One that was reached is told by the
-/// events `goal` and, for the last of a one-way list, `arrived`. False without goals.
-bool advanceGoal(HumanContext& context, Person human);
-/// As SetGoal: in the first tick of the person's own tree the goals of the scenario make way;
-/// later goals are appended unless that point is in the list. Radius = the person's.
-void addGoal(HumanContext& context, Person human, sim2d::GoalItem goal);
+/// Whether the front goal is within its radius + kGoalTolerance; false without goals.
+bool isGoalReached(HumanContext& context, AgentIndex human);
+/// Moves the front goal to the end of a cyclic list, or removes it from a one-way list. If the goal
+/// was reached, emits the events `goal` and, for the last goal of a one-way list, `arrived`.
+/// Returns false without goals.
+bool advanceGoal(HumanContext& context, AgentIndex human);
+/// Implements SetGoal. In the first tick of the person's own tree the new goals replace those of
+/// the scenario; later goals are appended unless the list contains that point. The radius is the
+/// person's.
+void addGoal(HumanContext& context, AgentIndex human, sim2d::GoalItem goal);
 
-/// Goals and group as they are now.
-SavedPerson savePerson(HumanContext& context, int human);
-/// The person has not entered the world anew since; otherwise nothing is to be given back.
-bool isStillThere(const HumanContext& context, const SavedPerson& saved);
-void restoreGoals(HumanContext& context, const SavedPerson& saved);
-/// Restores the goals of all in the node's notes, and drops those.
+/// The current goals and group.
+SavedAgent saveAgent(HumanContext& context, int human);
+/// Whether the person has not re-entered the world since; otherwise nothing is restored.
+bool isStillThere(const HumanContext& context, const SavedAgent& saved);
+void restoreGoals(HumanContext& context, const SavedAgent& saved);
+/// Restores the goals of all people saved by the node and drops the saved data.
 void restoreAllGoals(LeafContext& leaf);
-/// Tells the change by the event `group`.
-void setGroup(HumanContext& context, Person human, int group);
+/// Sets the group and emits the event `group` on a change.
+void setGroup(HumanContext& context, AgentIndex human, int group);
 
-/// The main person of port 0 and the others, in order, nobody twice. Nothing when somebody does not
-/// exist or is not in the world (the node fails) or the list is no list (the tree is faulty).
+/// The main person (port 0) and the others, in order, without duplicates. Empty if a person does
+/// not exist or is absent (the node fails) or if the list is malformed (the tree is faulty).
 using Members = std::vector<int>;
 template <>
 std::optional<Members> argument(LeafContext& leaf, int othersPort);
 
-/// Places on a circle of 0.5 m + 0.2 m for each member after the first, evenly spread from the
-/// direction in which the first member looks; the closest pairs of person and place first.
-std::vector<Spot> circleSpots(const sim2d::WorldView& view, const Members& members,
-                              const base::Vec2& centre);
+/// Positions on a circle of radius 0.5 m + 0.2 m for each member after the first, evenly spaced,
+/// starting in the direction in which the first member looks. The closest pairs of person and
+/// position are assigned first.
+std::vector<FormationSpot> assignCirclePositions(const sim2d::WorldView& view,
+                                                 const Members& members, const base::Vec2& centre);
 
 }  // namespace bt

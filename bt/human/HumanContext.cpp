@@ -1,35 +1,44 @@
 #include "bt/human/HumanContext.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "bt/tree/PortTextConversion.h"
+#include "sim2d/base/Text.h"
+
 namespace bt {
 
 using sim2d::EventKind;
 using sim2d::GoalItem;
 using sim2d::Intent;
 
-int HumanContext::knownById(LeafContext& leaf, int id) {
+int HumanContext::indexById(LeafContext& leaf, int id) {
   const int human = id == idOf(self_) ? self_ : view_.indexOf(id);
-  if (human == kNobody) {
+  if (human == kNoAgent) {
     warn(leaf, "tree.runs-without-person", {id});
   }
   return human;
 }
 
-int HumanContext::knownAt(LeafContext& leaf, int port) {
-  const int id = leaf.require<int>(port);  // 0 when it is missing
-  return id != 0 || leaf.get<int>(port) ? knownById(leaf, id) : kNobody;
+int HumanContext::indexAtPort(LeafContext& leaf, int port) {
+  const int id = leaf.require<int>(port);  // 0 if missing
+  return id != 0 || leaf.get<int>(port) ? indexById(leaf, id) : kNoAgent;
 }
 
-Notes& HumanContext::notes(const LeafContext& leaf) {
-  for (auto& [node, notes] : mind().notes) {
+GroupNodeState& HumanContext::groupNodeState(const LeafContext& leaf) {
+  for (auto& [node, groupNodeState] : agentState().groupNodeState) {
     if (node == leaf.node()) {
-      return notes;
+      return groupNodeState;
     }
   }
-  return mind().notes.emplace_front(leaf.node(), Notes{}).second;
+  return agentState().groupNodeState.emplace_front(leaf.node(), GroupNodeState{}).second;
 }
 
-void HumanContext::dropNotes(const LeafContext& leaf) {
-  mind().notes.remove_if([&leaf](const auto& entry) { return entry.first == leaf.node(); });
+void HumanContext::dropGroupNodeState(const LeafContext& leaf) {
+  agentState().groupNodeState.remove_if(
+      [&leaf](const auto& entry) { return entry.first == leaf.node(); });
 }
 
 std::optional<GoalItem> HumanContext::place(LeafContext& leaf, int goalPort) {
@@ -56,24 +65,24 @@ std::optional<GoalItem> HumanContext::place(LeafContext& leaf, int goalPort) {
 
 void HumanContext::warn(const LeafContext& leaf, std::string_view code,
                         base::ProblemValues values) {
-  base::Diagnostic trouble = base::within(view_.constants(self_).name + ": " + leaf.path(),
-                                          base::warning(code, std::move(values)));
-  if (society_.told.insert(trouble.message).second) {
-    society_.troubles.push_back(std::move(trouble));
+  base::Diagnostic trouble = base::withContext(view_.constants(self_).name + ": " + leaf.path(),
+                                               base::warning(code, std::move(values)));
+  if (society_.reportedWarnings.insert(trouble.message).second) {
+    society_.pendingDiagnostics.push_back(std::move(trouble));
   }
 }
 
-bool HumanContext::move(int human, const Intent& intent, Mover mover) {
-  const Mover rank = human == self_ ? mover : Mover::Group;
-  Mover& present = society_.movers[static_cast<std::size_t>(human)];
+bool HumanContext::move(int human, const Intent& intent, MotionOwner mover) {
+  const MotionOwner rank = human == self_ ? mover : MotionOwner::Group;
+  MotionOwner& present = society_.motionOwners[static_cast<std::size_t>(human)];
   if (rank <= present) {
     return false;
   }
   present = rank;
   const bool wasActive = intents_.of(human).active;
   intents_.of(human) = intent;
-  // A node of the own tree that runs without moving keeps the mark.
-  intents_.of(human).active = intent.active || (wasActive && rank == Mover::Own);
+  // A node of the own tree that runs without moving keeps the active flag.
+  intents_.of(human).active = intent.active || (wasActive && rank == MotionOwner::Own);
   return true;
 }
 
@@ -87,6 +96,58 @@ void HumanContext::emit(EventKind kind, int human, std::string text, int other) 
     event.hasOther = true;
   }
   intents_.emit(std::move(event));
+}
+
+std::optional<std::vector<int>> parseIds(const std::string& text) {
+  std::vector<int> ids;
+  for (const std::string& part : base::split(text, ',')) {
+    const std::string token = base::trimmed(part);
+    if (token.empty()) {
+      continue;
+    }
+    const std::optional<int> id = intFromText(token);
+    if (!id) {
+      return std::nullopt;
+    }
+    ids.push_back(*id);
+  }
+  return ids;
+}
+
+std::optional<std::vector<double>> parseWeights(std::string_view text) {
+  std::vector<double> weights;
+  double sum = 0.0;
+  for (const std::string& token : base::split(text, ';')) {
+    const std::optional<double> weight = base::parseDouble(base::trimmed(token));
+    if (!weight || !(*weight >= 0.0)) {
+      return std::nullopt;
+    }
+    weights.push_back(*weight);
+    sum += *weight;
+  }
+  const bool isUsable = sum > 0.0 && std::isfinite(sum);
+  return isUsable ? std::optional<std::vector<double>>(std::move(weights)) : std::nullopt;
+}
+
+bool isAgentPort(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kPorts = {"agent_id",      "target_agent_id",
+                                                      "target_id",     "observer_id",
+                                                      "main_agent_id", "non_main_agent_ids"};
+  return std::find(kPorts.begin(), kPorts.end(), name) != kPorts.end();
+}
+
+NodeCatalogue humanManifests(std::string_view text) {
+  static const std::string kCommonPorts = R"(
+agent_id int needed suggest {id}|Id of the person.
+target_agent_id int needed suggest 2|Id of the other person.
+time_step seconds suggest {dt}|Time step in HuNavSim; this program uses the simulation's time step.
+duration duration atMost 36000 default 0.0 suggest 5.0|Ends after this time; 0: unlimited.
+goal_id int unless target_x target_y suggest 1|Id of the global goal.
+target_x metres|x of a point, if no goal_id is given.
+target_y metres|y of a point, if no goal_id is given.
+non_main_agent_ids any|Ids of the other members, separated by commas.
+)";
+  return parseNodeCatalogue(kCommonPorts + std::string(text), NodeOrigin::HuNavSim);
 }
 
 }  // namespace bt

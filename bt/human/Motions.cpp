@@ -15,11 +15,11 @@ using sim2d::RobotTreatment;
 
 namespace {
 
-constexpr double kTurnPerTick = 0.2 * base::kPi;    // of the original's look nodes
-constexpr double kNudgePerTick = 0.01 * base::kPi;  // of its approach nodes when close
-constexpr double kReachedBlock = 0.8;               // [m] around the place in front of the robot
-constexpr double kReachedSpot = 0.2;                // [m] around the place in front of a person
-constexpr double kFollowSpeed = 1.5;                // of the original, when none is given [m/s]
+constexpr double kTurnPerTick = 0.2 * base::kPi;    // HuNavSim's look nodes
+constexpr double kNudgePerTick = 0.01 * base::kPi;  // HuNavSim's approach nodes within `closest`
+constexpr double kReachedBlock = 0.8;               // [m] around the point in front of the robot
+constexpr double kReachedSpot = 0.2;                // [m] around the point in front of a person
+constexpr double kFollowSpeed = 1.5;                // HuNavSim's default [m/s]
 constexpr double kMovingRobot = 0.1;                // [m/s]
 constexpr double kForceDecay = 0.2;                 // sigma of the obstacle force [m]
 constexpr double kSmallestGap = 0.05;               // [m]
@@ -39,7 +39,7 @@ Intent turning(double heading) {
   return intent;
 }
 
-/// A turn done within this step, whatever the angle.
+/// A turn that completes within this step, regardless of the angle.
 Intent snapping(const HumanContext& context, double heading) {
   Intent intent = turning(base::wrapToPi(heading));
   intent.turnRate = base::kPi / context.view().dt();
@@ -76,7 +76,7 @@ std::optional<Target> nearestRobotOf(const sim2d::WorldView& view, int human) {
   return Target{view.robotPose(robot), view.robotRadius(robot), true};
 }
 
-Target personTarget(const sim2d::WorldView& view, int human) {
+Target agentTarget(const sim2d::WorldView& view, int human) {
   return {view.pose(human), view.constants(human).radius, false};
 }
 
@@ -87,7 +87,7 @@ double ownSpeed(HumanContext& context, int human) {
 RobotTreatment robotTreatment(const HumanContext& context, int human, bool isReacting) {
   const bool isImpassive =
       context.view().constants(human).behavior == sim2d::BehaviorType::Impassive &&
-      !context.isOriginal(29);
+      !context.hasQuirk(29);
   return isImpassive || isReacting ? RobotTreatment::Obstacle : RobotTreatment::Pedestrian;
 }
 
@@ -115,14 +115,14 @@ Intent regularWalk(HumanContext& context, int human) {
   return intent;
 }
 
-Plan turnTo(const HumanContext& context, int human, const Vec2& point, double tolerance) {
+MotionPlan turnTo(const HumanContext& context, int human, const Vec2& point, double tolerance) {
   const double error = std::fabs(bearingOf(point, context.view().pose(human)));
   const double left = error - kTurnRate * context.view().dt();
   return {facing(context, human, point), std::max(left, 0.0) <= tolerance};
 }
 
-Plan lookAt(const HumanContext& context, int human, const Vec2& point, double tolerance) {
-  if (!context.isOriginal(6)) {
+MotionPlan lookAt(const HumanContext& context, int human, const Vec2& point, double tolerance) {
+  if (!context.hasQuirk(6)) {
     return turnTo(context, human, point, tolerance);
   }
   const Pose2 pose = context.view().pose(human);
@@ -139,7 +139,7 @@ Intent approach(const HumanContext& context, int human, const Target& target, co
                    how.maxSpeed * distance / (distance + how.closest),
                    robotTreatment(context, human, target.isRobot));
   }
-  if (!context.isOriginal(6)) {
+  if (!context.hasQuirk(6)) {
     return facing(context, human, target.pose.position);
   }
   const Pose2 pose = context.view().pose(human);
@@ -151,10 +151,10 @@ Intent follow(HumanContext& context, int human, const Target& target, const Appr
   const double own = ownSpeed(context, human);
   const double distance = distanceTo(context, human, target.pose.position);
   const double ratio = how.closest > 0.0 ? std::min(distance / how.closest, 1.0) : 1.0;
-  const bool isOriginal = context.isOriginal(18);
-  const double limit = how.maxSpeed >= 0.0 ? how.maxSpeed : isOriginal ? kFollowSpeed : own;
+  const bool hasQuirk = context.hasQuirk(18);
+  const double limit = how.maxSpeed >= 0.0 ? how.maxSpeed : hasQuirk ? kFollowSpeed : own;
   const double near = limit * ratio * ratio;
-  const double speed = isOriginal && ratio >= 1.0 ? own : std::min(own, near);
+  const double speed = hasQuirk && ratio >= 1.0 ? own : std::min(own, near);
   return walking(target.pose.position, target.radius, speed, robotTreatment(context, human, false));
 }
 
@@ -170,9 +170,9 @@ Intent blockRobot(const HumanContext& context, int human, const Target& robot, d
   return robotSpeed > kMovingRobot ? standing() : facing(context, human, robot.pose.position);
 }
 
-Intent blockPerson(const HumanContext& context, int human, const Target& person, double front) {
+Intent blockAgent(const HumanContext& context, int human, const Target& person, double front) {
   const Vec2 ahead = person.pose.direction();
-  const Vec2 direction = context.isOriginal(7) ? Vec2(ahead.y(), ahead.x()) : ahead;
+  const Vec2 direction = context.hasQuirk(7) ? Vec2(ahead.y(), ahead.x()) : ahead;
   const Vec2 ideal = person.pose.position + front * direction;
   if (distanceTo(context, human, ideal) <= kReachedSpot) {
     return facing(context, human, person.pose.position);
@@ -192,7 +192,8 @@ Intent avoid(const HumanContext& context, int human, const Target& target, const
   return walking(refuge, kEscapeRadius, how.speed, robotTreatment(context, human, target.isRobot));
 }
 
-Intent flinch(HumanContext& context, int human, const Target& robot, double speed, double factor) {
+Intent walkWithRobotRepulsion(HumanContext& context, int human, const Target& robot, double speed,
+                              double factor) {
   const Pose2 pose = context.view().pose(human);
   const Vec2 away = pose.position - robot.pose.position;
   const double distance = away.norm();

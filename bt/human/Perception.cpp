@@ -36,40 +36,40 @@ bool isVisible(const WorldView& view, int observer, const Vec2& place, double di
 
 }  // namespace
 
-bool isRobotVisible(const WorldView& view, Person human, double distance) {
+bool isRobotVisible(const WorldView& view, AgentIndex human, double distance) {
   const int robot = view.nearestRobot(human);
   return robot >= 0 &&
-         isVisible(view, human, view.robotPose(robot).position, distance, kNaturalHalfView);
+         isVisible(view, human, view.robotPose(robot).position, distance, kDefaultHalfView);
 }
 
-bool isPersonVisible(const WorldView& view, Person observer, Person target, double distance,
-                     double halfView) {
+bool isAgentVisible(const WorldView& view, AgentIndex observer, AgentIndex target, double distance,
+                    double halfView) {
   return isVisible(view, observer, view.pose(target).position, distance, halfView);
 }
 
-bool isRobotFacing(const WorldView& view, Person human) {
+bool isRobotFacing(const WorldView& view, AgentIndex human) {
   const int robot = view.nearestRobot(human);
   return robot >= 0 &&
          std::fabs(bearingOf(view.pose(human).position, view.robotPose(robot))) < kFacingAngle;
 }
 
 bool isAudible(const WorldView& view, int listener, int speaker, double distance) {
-  return personDistance(view, listener, speaker) <= distance &&
+  return agentDistance(view, listener, speaker) <= distance &&
          view.isVisible(view.pose(speaker).position, view.pose(listener).position);
 }
 
-double personDistance(const WorldView& view, int from, int to) {
+double agentDistance(const WorldView& view, int from, int to) {
   return (view.pose(to).position - view.pose(from).position).norm();
 }
 
-int nearestPerson(const WorldView& view, int human) {
+int nearestAgent(const WorldView& view, int human) {
   int nearest = -1;
   double shortest = std::numeric_limits<double>::infinity();
   for (int other = 0; other < view.humanCount(); ++other) {
     if (other == human || !view.isPresent(other)) {
       continue;
     }
-    const double distance = personDistance(view, human, other);
+    const double distance = agentDistance(view, human, other);
     const bool isTie = distance == shortest && nearest >= 0 &&
                        view.constants(other).id < view.constants(nearest).id;
     if (distance < shortest || isTie) {

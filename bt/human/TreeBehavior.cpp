@@ -23,26 +23,26 @@ using sim2d::WorldView;
 
 namespace {
 
-/// One person's tree and what was last told of it.
-struct Player {
-  const PersonProgram* program = nullptr;
+/// One person's tree and its last published state.
+struct AgentTree {
+  const AgentProgram* program = nullptr;
   std::optional<TreeState> tree;
-  std::unique_ptr<NodeStatus[]> shown;  // per node
+  std::unique_ptr<NodeStatus[]> shown;  // last published status per node
   bool isTicking = false;               // ticked in the last step
   bool hasEnded = false;
   bool isFaulty = false;
 };
 
-/// A tree that its person left by entering the world anew; halted in the next step for what it did
-/// to others.
-struct Retired {
+/// The tree of a previous visit of a person. It is halted in the next step so that its effects on
+/// others end.
+struct AbandonedTree {
   int human = -1;
   TreeState tree;
-  Mind mind;
+  AgentState agentState;
 };
 
-/// Behind the name of the leaf, by LeafEvent::Kind.
-constexpr std::array<const char*, 4> kEndWords = {"", " SUCCESS", " FAILURE", " HALTED"};
+/// Suffixes after the name of the leaf, by LeafEvent::Kind.
+constexpr std::array<const char*, 4> kEventSuffixes = {"", " SUCCESS", " FAILURE", " HALTED"};
 
 sim2d::Intent braking() {
   sim2d::Intent intent;
@@ -52,58 +52,61 @@ sim2d::Intent braking() {
 
 class TreeBehavior final : public sim2d::HumanBehavior {
  public:
-  TreeBehavior(PersonPrograms programs, bool loopsTrees)
+  TreeBehavior(AgentPrograms programs, bool loopsTrees)
       : programs_(std::move(programs)), loopsTrees_(loopsTrees) {}
 
-  std::unique_ptr<sim2d::HumanBehavior> withFreshMinds() const {
+  std::unique_ptr<sim2d::HumanBehavior> withInitialState() const {
     return std::make_unique<TreeBehavior>(programs_, loopsTrees_);
   }
   void enter(int human, const WorldView& view) override;
   void decide(const WorldView& view, Intents& intents) override;
   void takeTreeChanges(TreeChanges& changes) override {
-    std::swap(changes, changes_);  // the memory is used again
+    std::swap(changes, changes_);  // reuses the memory
     changes_.clear();
-    changes_.forColumns(changes,
-                        [](auto& column, std::size_t usual) { sim2d::dropExcess(column, usual); });
+    changes_.forColumns(
+        changes, [](auto& column, std::size_t usual) { sim2d::shrinkExcess(column, usual); });
   }
   void takeDiagnostics(Diagnostics& found) override {
-    found = std::move(society_.troubles);
-    society_.troubles.clear();
+    found = std::move(society_.pendingDiagnostics);
+    society_.pendingDiagnostics.clear();
   }
   std::vector<std::pair<std::string, std::string>> blackboard(int human) const override;
-  std::string setEntry(int human, const std::string& key, const std::string& text) override;
+  std::string setBlackboardEntry(int human, const std::string& key,
+                                 const std::string& text) override;
   void setBreakpoints(const std::vector<sim2d::TreeBreakpoint>& points) override {
     breakpoints_.set(points);
   }
-  std::optional<sim2d::TreeBreak> takeBreak() override { return breakpoints_.take(); }
+  std::optional<sim2d::TreeBreakpointHit> takeBreakpointHit() override {
+    return breakpoints_.take();
+  }
 
  private:
   void grow(int count);
   void orderById(const WorldView& view);
   void tick(int human, const WorldView& view, Intents& intents);
   void stop(int human, const WorldView& view, Intents& intents);
-  void haltRetired(const WorldView& view, Intents& intents);
+  void haltAbandonedTrees(const WorldView& view, Intents& intents);
   void handleFault(int human, HumanContext& context);
   bool isAtEnd(int human, NodeStatus status) const;
-  void tellEvents(const TreeState& tree, std::size_t first, HumanContext& context);
-  void tellChanges(int human, const WorldView& view, const StatusList& now);
-  Player& player(int human) { return players_[static_cast<std::size_t>(human)]; }
+  void emitLeafEvents(const TreeState& tree, std::size_t first, HumanContext& context);
+  void recordStatusChanges(int human, const WorldView& view, const StatusList& now);
+  AgentTree& player(int human) { return agentTrees_[static_cast<std::size_t>(human)]; }
 
-  PersonPrograms programs_;
+  AgentPrograms programs_;
   bool loopsTrees_;
-  Society society_;
-  std::vector<Player> players_;
-  std::vector<int> order_;  // people by ascending id
+  CrowdState society_;
+  std::vector<AgentTree> agentTrees_;
+  std::vector<int> order_;  // person indices by ascending id
   TreeChanges changes_;
-  std::vector<Retired> retired_;
+  std::vector<AbandonedTree> retired_;
   Breakpoints breakpoints_;
 };
 
 void TreeBehavior::grow(int count) {
   const auto size = static_cast<std::size_t>(count);
-  if (players_.size() < size) {
-    players_.resize(size);
-    society_.minds.resize(size);
+  if (agentTrees_.size() < size) {
+    agentTrees_.resize(size);
+    society_.agentStates.resize(size);
     society_.groups.resize(size, -1);
   }
 }
@@ -111,15 +114,15 @@ void TreeBehavior::grow(int count) {
 void TreeBehavior::enter(int human, const WorldView& view) {
   grow(std::max(view.humanCount(), human + 1));
   const sim2d::ResolvedHuman& constants = view.constants(human);
-  Player& who = player(human);
+  AgentTree& who = player(human);
   who.program = programs_.find(constants);
   if (who.program == nullptr && view.copiedFrom(human) >= 0) {
     who.program = programs_.find(view.constants(view.copiedFrom(human)));
   }
-  Mind& mind = society_.minds[static_cast<std::size_t>(human)];
-  const int visit = mind.visit + 1;
+  AgentState& agentState = society_.agentStates[static_cast<std::size_t>(human)];
+  const int visit = agentState.visit + 1;
   if (who.tree && who.isTicking && !who.isFaulty) {
-    retired_.push_back({human, *std::move(who.tree), std::move(mind)});
+    retired_.push_back({human, *std::move(who.tree), std::move(agentState)});
   }
   breakpoints_.forget(constants.id);
   who.tree.reset();
@@ -132,8 +135,8 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   who.isTicking = false;
   who.hasEnded = false;
   who.isFaulty = false;
-  mind = Mind{};
-  mind.visit = visit;
+  agentState = AgentState{};
+  agentState.visit = visit;
   society_.speech.forget(human);
 }
 
@@ -149,20 +152,20 @@ void TreeBehavior::orderById(const WorldView& view) {
 
 void TreeBehavior::decide(const WorldView& view, Intents& intents) {
   grow(view.humanCount());
-  society_.movers.assign(players_.size(), Mover::Nobody);
-  society_.changedGoals.assign(players_.size(), 0);
+  society_.motionOwners.assign(agentTrees_.size(), MotionOwner::None);
+  society_.changedGoals.assign(agentTrees_.size(), 0);
   orderById(view);
   society_.speech.beginStep();
   for (int human = 0; human < view.humanCount(); ++human) {
     society_.groups[static_cast<std::size_t>(human)] = intents.control(human).group;
   }
   changes_.clear();
-  haltRetired(view, intents);
+  haltAbandonedTrees(view, intents);
   for (const int human : order_) {
     if (!view.decides(human)) {
       continue;
     }
-    const Player& who = player(human);
+    const AgentTree& who = player(human);
     const bool isPresent = view.isPresent(human);
     if (isPresent && who.tree && !who.hasEnded && !who.isFaulty) {
       tick(human, view, intents);
@@ -176,15 +179,15 @@ void TreeBehavior::decide(const WorldView& view, Intents& intents) {
 }
 
 void TreeBehavior::tick(int human, const WorldView& view, Intents& intents) {
-  Player& who = player(human);
+  AgentTree& who = player(human);
   HumanContext context(society_, view, intents, human);
   TreeState& tree = *who.tree;
   tree.set(who.program->program->hostSlot(1), view.dt());
   const TickInput input{view.step(), view.dt(), &context};
   const NodeStatus status = tree.tickOnce(input);
   who.isTicking = true;
-  context.mind().isFirstTick = false;
-  tellChanges(human, view, tree.statuses());
+  context.agentState().isFirstTick = false;
+  recordStatusChanges(human, view, tree.statuses());
   if (!breakpoints_.isEmpty()) {
     breakpoints_.look(view.constants(human).id, tree);
   }
@@ -193,18 +196,18 @@ void TreeBehavior::tick(int human, const WorldView& view, Intents& intents) {
   } else {
     who.hasEnded = !loopsTrees_ && isAtEnd(human, status);
   }
-  tellEvents(tree, 0, context);
+  emitLeafEvents(tree, 0, context);
 }
 
-void TreeBehavior::haltRetired(const WorldView& view, Intents& intents) {
-  for (Retired& old : retired_) {
+void TreeBehavior::haltAbandonedTrees(const WorldView& view, Intents& intents) {
+  for (AbandonedTree& old : retired_) {
     const sim2d::HumanControl fresh = intents.control(old.human);
-    Mind& mind = society_.minds[static_cast<std::size_t>(old.human)];
-    std::swap(mind, old.mind);
-    mind.visit = old.mind.visit;  // what the tree saved of its own person is over
+    AgentState& agentState = society_.agentStates[static_cast<std::size_t>(old.human)];
+    std::swap(agentState, old.agentState);
+    agentState.visit = old.agentState.visit;  // discards what the tree saved of its own person
     HumanContext context(society_, view, intents, old.human);
     old.tree.halt({view.step(), view.dt(), &context});
-    std::swap(mind, old.mind);
+    std::swap(agentState, old.agentState);
     intents.control(old.human) = fresh;
   }
   retired_.clear();
@@ -212,26 +215,27 @@ void TreeBehavior::haltRetired(const WorldView& view, Intents& intents) {
 
 bool TreeBehavior::isAtEnd(int human, NodeStatus status) const {
   const auto index = static_cast<std::size_t>(human);
-  return status == NodeStatus::Success && society_.movers[index] == Mover::Nobody &&
+  return status == NodeStatus::Success && society_.motionOwners[index] == MotionOwner::None &&
          society_.changedGoals[index] == 0;
 }
 
 void TreeBehavior::handleFault(int human, HumanContext& context) {
-  Player& who = player(human);
+  AgentTree& who = player(human);
   who.isFaulty = true;
   const TreeFault& fault = *who.tree->fault();
-  society_.troubles.push_back(base::within(context.view().constants(human).name + ": " + fault.path,
-                                           base::warning("tree.fault", {fault.message})));
-  if (society_.movers[static_cast<std::size_t>(human)] != Mover::Group) {
-    society_.movers[static_cast<std::size_t>(human)] = Mover::Nobody;
+  society_.pendingDiagnostics.push_back(
+      base::withContext(context.view().constants(human).name + ": " + fault.path,
+                        base::warning("tree.fault", {fault.message})));
+  if (society_.motionOwners[static_cast<std::size_t>(human)] != MotionOwner::Group) {
+    society_.motionOwners[static_cast<std::size_t>(human)] = MotionOwner::None;
     context.intents().of(human) = sim2d::Intent{};
     context.move(human, braking());
   }
 }
 
-/// A tree that is not ticked any more, or not in this step: what runs is halted.
+/// Halts the running nodes of a tree that is not ticked in this step or any more.
 void TreeBehavior::stop(int human, const WorldView& view, Intents& intents) {
-  Player& who = player(human);
+  AgentTree& who = player(human);
   if (!who.isTicking) {
     return;
   }
@@ -240,26 +244,26 @@ void TreeBehavior::stop(int human, const WorldView& view, Intents& intents) {
   if (!who.isFaulty) {
     const std::size_t told = who.tree->events().size();
     who.tree->halt({view.step(), view.dt(), &context});
-    tellEvents(*who.tree, told, context);
+    emitLeafEvents(*who.tree, told, context);
   }
   const std::vector<NodeStatus> idle(who.tree->statuses().size(), NodeStatus::Idle);
-  tellChanges(human, view, {idle.data(), idle.size()});
+  recordStatusChanges(human, view, {idle.data(), idle.size()});
 }
 
-void TreeBehavior::tellEvents(const TreeState& tree, std::size_t first, HumanContext& context) {
+void TreeBehavior::emitLeafEvents(const TreeState& tree, std::size_t first, HumanContext& context) {
   for (std::size_t i = first; i < tree.events().size(); ++i) {
     const LeafEvent& event = tree.events()[i];
     const bool isStart = event.kind == LeafEvent::Kind::Started;
     context.emit(
         isStart ? sim2d::EventKind::Action : sim2d::EventKind::ActionEnd, context.self(),
-        tree.program().label(event.node) + kEndWords[static_cast<std::size_t>(event.kind)]);
+        tree.program().label(event.node) + kEventSuffixes[static_cast<std::size_t>(event.kind)]);
   }
 }
 
-void TreeBehavior::tellChanges(int human, const WorldView& view, const StatusList& now) {
-  Player& who = player(human);
+void TreeBehavior::recordStatusChanges(int human, const WorldView& view, const StatusList& now) {
+  AgentTree& who = player(human);
   if (std::memcmp(now.begin(), who.shown.get(), now.size() * sizeof(NodeStatus)) == 0) {
-    return;  // mostly
+    return;  // the usual case
   }
   for (std::size_t node = 0; node < now.size(); ++node) {
     if (now[node] != who.shown[node]) {
@@ -272,24 +276,27 @@ void TreeBehavior::tellChanges(int human, const WorldView& view, const StatusLis
 
 std::vector<std::pair<std::string, std::string>> TreeBehavior::blackboard(int human) const {
   const auto index = static_cast<std::size_t>(human);
-  if (human < 0 || index >= players_.size() || !players_[index].tree) {
+  if (human < 0 || index >= agentTrees_.size() || !agentTrees_[index].tree) {
     return {};
   }
-  return players_[index].tree->entries();
+  return agentTrees_[index].tree->entries();
 }
 
-/// `id` and `dt` are ours: the tree would not know itself, or the value would not last.
-std::string TreeBehavior::setEntry(int human, const std::string& key, const std::string& text) {
+/// `id` and `dt` are set by the program: otherwise a tree would use a wrong id, or the value would
+/// be overwritten.
+std::string TreeBehavior::setBlackboardEntry(int human, const std::string& key,
+                                             const std::string& text) {
   const auto index = static_cast<std::size_t>(human);
-  if (human < 0 || index >= players_.size() || !players_[index].tree) {
+  if (human < 0 || index >= agentTrees_.size() || !agentTrees_[index].tree) {
     return "the person has no tree";
   }
   if (key == "id" || key == "dt") {
-    return "the program sets the entry '" + key + "' itself";
+    return "the entry '" + key + "' is read-only";
   }
-  return players_[index].tree->setFromText(key, text)
+  return agentTrees_[index].tree->setFromText(key, text)
              ? std::string()
-             : "'" + text + "' is no value of the entry '" + key + "', or there is no such entry";
+             : "'" + text + "' is not a valid value of the entry '" + key +
+                   "', or there is no such entry";
 }
 
 }  // namespace
@@ -298,10 +305,10 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& sc
                                                        const TreeFiles& files,
                                                        Diagnostics& diagnostics,
                                                        const sim2d::Compatibility& quirks,
-                                                       const std::shared_ptr<KnownTrees>& known) {
+                                                       const std::shared_ptr<TreeCache>& known) {
   TreeLoader loader(scenario, quirks, known);
   Diagnostics found;
-  PersonPrograms programs = loader.loadAll(files, found);
+  AgentPrograms programs = loader.loadAll(files, found);
   base::append(diagnostics, found);
   if (base::hasErrors(found)) {
     return nullptr;
@@ -310,8 +317,8 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& sc
                                         scenario.desktop.loopTrees.value_or(true));
 }
 
-std::unique_ptr<sim2d::HumanBehavior> withFreshMinds(const sim2d::HumanBehavior& behavior) {
-  return dynamic_cast<const TreeBehavior&>(behavior).withFreshMinds();
+std::unique_ptr<sim2d::HumanBehavior> withInitialState(const sim2d::HumanBehavior& behavior) {
+  return dynamic_cast<const TreeBehavior&>(behavior).withInitialState();
 }
 
 Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,

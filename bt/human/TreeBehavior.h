@@ -13,51 +13,52 @@
 
 namespace bt {
 
-/// Where the tree of a person comes from. Neither path nor text: the generated tree.
+/// Source of a person's tree. Without path and text: the generated tree.
 struct TreeSource {
-  TreeSource(std::string file = {}) : path(std::move(file)) {}  // NOLINT: meant to convert
+  TreeSource(std::string file = {}) : path(std::move(file)) {}  // NOLINT: implicit by intent
   TreeSource(std::string xml, std::string file, std::string besides)
       : path(std::move(file)), text(std::move(xml)), folder(std::move(besides)) {}
 
-  std::string path;                 // of its file, which names it in messages
-  std::optional<std::string> text;  // none: what the file says
-  std::string folder;               // of what it includes, when it is in no file yet
+  std::string path;                 // file path, also used in messages
+  std::optional<std::string> text;  // empty: the file's content
+  std::string folder;               // base of its includes if it is not saved yet
   bool isGenerated() const { return path.empty() && !text; }
 };
-/// Name of a person -> their tree; no entry = the generated one.
+/// Tree by person name; without an entry the generated one.
 using TreeFiles = std::map<std::string, TreeSource>;
 
-/// Trees that runs have in common: each text of a folder and each content of a generated tree is
-/// read and compiled when it is first met. What files include is taken not to change. One thread.
-class KnownTrees;
-std::shared_ptr<KnownTrees> makeKnownTrees();
+/// Trees shared by runs: each text per folder and each generated content is parsed and compiled
+/// once. Included files are assumed not to change. Not synchronised.
+class TreeCache;
+std::shared_ptr<TreeCache> makeTreeCache();
 
-/// People who decide by behaviour trees, one per person, ticked once per step by ascending id with
-/// the entries `id` and `dt`. Equal trees of one folder are compiled once. People of a source area
-/// run the tree of the person they are like.
+/// People controlled by behaviour trees, one per person, ticked once per step by ascending id with
+/// the entries `id` and `dt`. Equal trees of one folder are compiled once. People spawned by a
+/// source area run the tree of their prototype.
 ///
-/// A tree that goes wrong while it runs (missing input, bad script) is halted for good with one
-/// warning; its person brakes. With `loop_trees: false` a person stands from the step on after the
-/// one in which the root succeeds without moving them or taking a goal off their list: a round of
-/// navigation is no end.
+/// A tree with a run-time fault (missing input, invalid script) is halted permanently with one
+/// warning, and its person brakes. With `loop_trees: false` a person stops after the step in which
+/// the root succeeds without moving them or removing a goal from their list: a round of navigation
+/// does not count as the end.
 ///
-/// nullptr and errors among `diagnostics` when a tree is missing or broken. `scenario` is not kept.
-/// Of the quirks those of generated trees count here; the others act in the run.
-/// `known`: of runs before; null: none.
+/// Returns nullptr and errors in `diagnostics` if a tree is missing or invalid. Does not keep
+/// `scenario`. Of `quirks`, those of generated trees apply here; the others
+/// apply during the run. `known`: trees of earlier runs; null: none.
 std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(
     const sim2d::Scenario& scenario, const TreeFiles& files, base::Diagnostics& diagnostics,
-    const sim2d::Compatibility& quirks = {}, const std::shared_ptr<KnownTrees>& known = nullptr);
+    const sim2d::Compatibility& quirks = {}, const std::shared_ptr<TreeCache>& known = nullptr);
 
-/// The same trees for the same people, none of whom has entered yet; `behavior` was returned by
+/// The same trees for the same people before any of them has entered. `behavior` must come from
 /// makeTreeBehavior. Nothing is read or compiled again.
-std::unique_ptr<sim2d::HumanBehavior> withFreshMinds(const sim2d::HumanBehavior& behavior);
+std::unique_ptr<sim2d::HumanBehavior> withInitialState(const sim2d::HumanBehavior& behavior);
 
-/// The tree that such a run gives a person, with all that it includes.
+/// The tree of a person in such a run, with its includes resolved.
 base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeFiles& files,
                                const sim2d::Scenario& scenario,
                                const sim2d::Compatibility& quirks = {});
 
-/// Loads and checks one person's tree (engine, then meaning): what makeTreeBehavior would say.
+/// Loads and checks one person's tree (syntax, then semantics), with the diagnostics of
+/// makeTreeBehavior.
 base::Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,
                                      const sim2d::Scenario& scenario);
 

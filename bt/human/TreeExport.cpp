@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "bt/human/Ports.h"
-#include "bt/tree/TextValue.h"
+#include "bt/human/HumanContext.h"
+#include "bt/tree/PortTextConversion.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 
@@ -17,7 +17,7 @@ bool isGoalPort(const std::string& name) {
   return name == "goal_id";
 }
 
-/// A number of nothing must not become one of something: it goes where none is in a file.
+/// A number without meaning must not become a valid one: it is moved out of the used range.
 int newNumber(int old, const std::map<int, int>& numbers) {
   constexpr int kLargest = 1000000;  // of a goal
   const auto found = numbers.find(old);
@@ -25,7 +25,7 @@ int newNumber(int old, const std::map<int, int>& numbers) {
   return found != numbers.end() ? found->second : isFree ? old : old + kLargest;
 }
 
-/// One number, or several between commas; anything else (a key in braces) stays.
+/// One number, or several separated by commas; anything else (a key in braces) is unchanged.
 std::string replaced(const std::string& text, const std::map<int, int>& numbers) {
   std::string result;
   for (const std::string& part : base::split(text, ',')) {
@@ -36,17 +36,16 @@ std::string replaced(const std::string& text, const std::map<int, int>& numbers)
   return result;
 }
 
-/// What the numbers are of that a port takes.
+/// Kind of the numbers that a port takes.
 enum class Kind { None, Goal, Person };
 Kind kindOf(const std::string& port) {
-  return isGoalPort(port) ? Kind::Goal : isPersonPort(port) ? Kind::Person : Kind::None;
+  return isGoalPort(port) ? Kind::Goal : isAgentPort(port) ? Kind::Person : Kind::None;
 }
 
-/// Which entries of each tree's blackboard come to a port that takes numbers, by way of SubTrees
-/// too.
-class NumberKeys {
+/// Finds the blackboard entries of each tree that reach a port with numbers, also through SubTrees.
+class IdEntryKinds {
  public:
-  explicit NumberKeys(const TreeFile& file) {
+  explicit IdEntryKinds(const TreeFile& file) {
     for (bool isNew = true; isNew;) {
       isNew = false;
       for (const TreeSpec& tree : file.trees) {
@@ -54,10 +53,10 @@ class NumberKeys {
       }
     }
   }
-  /// Of a constant in this port of a node of the tree.
+  /// Kind of a constant in this port of a node of the tree.
   Kind kind(const NodeSpec& node, const std::string& port, const std::string& tree) const {
     if (node.id == "SetBlackboard") {
-      const std::string* const key = findText(node.ports, "output_key");
+      const std::string* const key = findAttribute(node.ports, "output_key");
       return port == "value" && key ? ofKey(tree, *key) : Kind::None;
     }
     return node.isSubTree() ? ofKey(node.subTree, port) : kindOf(port);
@@ -80,7 +79,8 @@ class NumberKeys {
     }
     if (node.isSubTree() && node.autoRemap) {
       for (const auto& [place, kind] : std::map(kinds_)) {
-        const bool isPassed = place.first == node.subTree && !findText(node.ports, place.second);
+        const bool isPassed =
+            place.first == node.subTree && !findAttribute(node.ports, place.second);
         isNew = (isPassed && add(tree, place.second, kind)) || isNew;
       }
     }
@@ -90,10 +90,10 @@ class NumberKeys {
     return isNew;
   }
 
-  std::map<std::pair<std::string, std::string>, Kind> kinds_;  // of tree and key
+  std::map<std::pair<std::string, std::string>, Kind> kinds_;  // by tree and key
 };
 
-int renumber(NodeSpec& node, const std::string& tree, const NumberKeys& keys,
+int renumber(NodeSpec& node, const std::string& tree, const IdEntryKinds& keys,
              const Renumbering& numbers) {
   int changed = 0;
   for (Attribute& port : node.ports) {
@@ -125,35 +125,35 @@ void collectOwn(const NodeSpec& node, const NodeCatalogue& catalogue,
   }
 }
 
-bool movesNothing(const std::map<int, int>& numbers) {
+bool isIdentityMapping(const std::map<int, int>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(),
                      [](const auto& pair) { return pair.first == pair.second; });
 }
 
 }  // namespace
 
-bool Renumbering::isNothing() const {
-  return movesNothing(goals) && movesNothing(people);
+bool Renumbering::isIdentity() const {
+  return isIdentityMapping(goals) && isIdentityMapping(people);
 }
 
 std::string renumbered(const TreeFile& file, const std::string& text, const Renumbering& numbers,
                        const NodeCatalogue& catalogue, int& changed) {
   changed = 0;
-  if (numbers.isNothing()) {
+  if (numbers.isIdentity()) {
     return text;
   }
   TreeFile copy = file;
-  const NumberKeys keys(file);
-  Renumbering others;  // those that move something
-  others.goals = movesNothing(numbers.goals) ? others.goals : numbers.goals;
-  others.people = movesNothing(numbers.people) ? others.people : numbers.people;
+  const IdEntryKinds keys(file);
+  Renumbering others;  // without identity mappings
+  others.goals = isIdentityMapping(numbers.goals) ? others.goals : numbers.goals;
+  others.people = isIdentityMapping(numbers.people) ? others.people : numbers.people;
   for (TreeSpec& tree : copy.trees) {
     changed += renumber(tree.root, tree.id, keys, others);
   }
   return changed == 0 ? text : writeTree(copy, catalogue);
 }
 
-std::vector<std::string> ownNodes(const TreeFile& file, const NodeCatalogue& catalogue) {
+std::vector<std::string> desktopOnlyNodes(const TreeFile& file, const NodeCatalogue& catalogue) {
   std::vector<std::string> found;
   for (const TreeSpec& tree : file.trees) {
     collectOwn(tree.root, catalogue, found);

@@ -7,23 +7,23 @@
 #include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeSpec.h"
 
-/// Trees for other programs that run HuNavSim's nodes.
+/// Export of trees to other programs that run HuNavSim's nodes.
 namespace bt {
 
-/// Old numbers -> new ones.
+/// Maps old numbers to new ones.
 struct Renumbering {
   std::map<int, int> goals, people;
-  bool isNothing() const;
+  bool isIdentity() const;
 };
 
-/// The tree with the numbers of goals and people replaced that stand in it, in ports and in what
-/// SetBlackboard and SubTree hand on to them; numbers of nothing become others of nothing where
-/// need be, scripts stay. `changed` counts the ports. Byte for byte the same when nothing is to be
-/// replaced, else without the layout of the file.
+/// Replaces constant numbers of goals and people in ports, and in SetBlackboard and SubTree values
+/// that reach such ports. A number without meaning is mapped to another unused number where it
+/// would collide. Scripts are not changed. `changed` counts the ports. The text is returned
+/// unchanged if nothing is replaced, otherwise without the layout of the file.
 std::string renumbered(const TreeFile& file, const std::string& text, const Renumbering& numbers,
                        const NodeCatalogue& catalogue, int& changed);
 
-/// IDs of the nodes in a file that only we have, each once, in order.
-std::vector<std::string> ownNodes(const TreeFile& file, const NodeCatalogue& catalogue);
+/// IDs of the nodes in a file that only this program supports, unique, in order.
+std::vector<std::string> desktopOnlyNodes(const TreeFile& file, const NodeCatalogue& catalogue);
 
 }  // namespace bt

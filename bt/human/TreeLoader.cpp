@@ -7,7 +7,7 @@
 
 #include "bt/human/AgentTreeCheck.h"
 #include "bt/human/HumanNodes.h"
-#include "bt/human/Templates.h"
+#include "bt/human/TreeGenerator.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Variation.h"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMostKnown = 1000;  // trees kept for later runs
 
-/// What a placeholder of HuNavSim 1.5 stands for.
+/// The value of a placeholder of HuNavSim 1.5.
 std::optional<Value> placeholderValue(const std::string& key, const ResolvedHuman& human) {
   if (key == "once") {
     return Value::of(human.reactionOnce);
@@ -51,8 +51,8 @@ bool isMissingRegularNav(const Include& include, const std::string& treePath) {
          !std::filesystem::exists(place, ignored);
 }
 
-/// Equal for generated trees that do the same.
-std::string contentOf(const TreeTable& table, const NodeCatalogue& catalogue) {
+/// Cache key: equal for generated trees with the same behaviour.
+std::string generatedTreeKey(const TreeTable& table, const NodeCatalogue& catalogue) {
   TreeFile file;
   file.mainTree = table.mainTree;
   file.trees = {table.entries.at(table.mainTree).tree};
@@ -67,17 +67,17 @@ Diagnostics renamed(Diagnostics found, const std::string& from, const std::strin
   return found;
 }
 
-/// A tree that is in no file is found by its person.
-Diagnostics toldByPerson(const sim2d::Human& human, Diagnostics found) {
+/// Adds the person to diagnostics of a tree without a file.
+Diagnostics attributedToAgent(const sim2d::Human& human, Diagnostics found) {
   for (base::Diagnostic& diagnostic : found) {
-    diagnostic = base::within("tree of " + human.name, std::move(diagnostic));
+    diagnostic = base::withContext("tree of " + human.name, std::move(diagnostic));
     diagnostic.entity = human.key;
   }
   return found;
 }
 
-/// A name for a tree that saving would put into this folder.
-std::string placeOfNew(const std::string& folder) {
+/// Path that a tree of this folder would have if it were saved.
+std::string unsavedTreePath(const std::string& folder) {
   return (std::filesystem::path(folder) / "own.xml").string();
 }
 
@@ -86,7 +86,7 @@ TreeTable generatedTable(const sim2d::Scenario& scenario, const sim2d::Human& hu
   const sim2d::DesktopSettings& settings = scenario.desktop;
   sim2d::Human drawn = human;
   drawn.goals = sim2d::firstGoalOf(settings.variation, human, settings.seed.value_or(1)).goals;
-  return makeTable(scenario, drawn, quirks);
+  return makeGeneratedTable(scenario, drawn, quirks);
 }
 
 TreeSource sourceOf(const sim2d::Human& human, const TreeFiles& files) {
@@ -94,9 +94,10 @@ TreeSource sourceOf(const sim2d::Human& human, const TreeFiles& files) {
   return file == files.end() ? TreeSource() : file->second;
 }
 
-/// Where relative includes begin.
-std::string placeOf(const TreeSource& source) {
-  return source.path.empty() && !source.folder.empty() ? placeOfNew(source.folder) : source.path;
+/// Base path of relative includes.
+std::string includeBasePath(const TreeSource& source) {
+  return source.path.empty() && !source.folder.empty() ? unsavedTreePath(source.folder)
+                                                       : source.path;
 }
 
 const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Area& area) {
@@ -106,7 +107,7 @@ const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Ar
 
 }  // namespace
 
-TreeState PersonProgram::start(const ResolvedHuman& human) const {
+TreeState AgentProgram::start(const ResolvedHuman& human) const {
   TreeState state(program);
   state.set(program->hostSlot(0), human.id);
   state.set(program->hostSlot(1), 0.0);
@@ -118,18 +119,18 @@ TreeState PersonProgram::start(const ResolvedHuman& human) const {
   return state;
 }
 
-const PersonProgram* PersonPrograms::find(const ResolvedHuman& person) const {
-  const auto own = std::lower_bound(ofPeople.begin(), ofPeople.end(), person.id,
+const AgentProgram* AgentPrograms::find(const ResolvedHuman& person) const {
+  const auto own = std::lower_bound(byAgentId.begin(), byAgentId.end(), person.id,
                                     [](const auto& each, int id) { return each.first < id; });
-  if (own != ofPeople.end() && own->first == person.id) {
+  if (own != byAgentId.end() && own->first == person.id) {
     return own->second.get();
   }
   // Names of people from a source end in "_" and a number.
-  const auto source = ofSources.find(person.name.substr(0, person.name.rfind('_')));
-  return source != ofSources.end() ? source->second.get() : nullptr;
+  const auto source = bySourceArea.find(person.name.substr(0, person.name.rfind('_')));
+  return source != bySourceArea.end() ? source->second.get() : nullptr;
 }
 
-base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
+base::Result<TreeTable> loadAgentTrees(base::Result<TreeFile> file) {
   if (!file) {
     return file.diagnostics();
   }
@@ -167,15 +168,15 @@ base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeFiles& files
   if (source.isGenerated()) {
     return generatedTable(scenario, human, quirks);
   }
-  return loadPersonTrees(source.text ? readTreeText(*source.text, placeOf(source))
-                                     : readTree(source.path));
+  return loadAgentTrees(source.text ? readTreeText(*source.text, includeBasePath(source))
+                                    : readTree(source.path));
 }
 
-std::shared_ptr<KnownTrees> makeKnownTrees() {
-  return std::make_shared<KnownTrees>();
+std::shared_ptr<TreeCache> makeTreeCache() {
+  return std::make_shared<TreeCache>();
 }
 
-void KnownTrees::limit() {
+void TreeCache::limit() {
   if (texts.size() + generated.size() > kMostKnown) {
     texts.clear();
     generated.clear();
@@ -183,33 +184,33 @@ void KnownTrees::limit() {
 }
 
 TreeLoader::TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks,
-                       std::shared_ptr<KnownTrees> known)
+                       std::shared_ptr<TreeCache> known)
     : scenario_(scenario),
       quirks_(quirks),
       library_(humanNodes()),
-      known_(known ? std::move(known) : makeKnownTrees()) {
-  known_->limit();
+      cache_(known ? std::move(known) : makeTreeCache()) {
+  cache_->limit();
 }
 
-std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
-                                                      const TreeSource& source,
-                                                      Diagnostics& diagnostics) {
+std::shared_ptr<const AgentProgram> TreeLoader::load(const sim2d::Human& human,
+                                                     const TreeSource& source,
+                                                     Diagnostics& diagnostics) {
   if (!source.isGenerated()) {
-    return loadWritten(human, source, diagnostics);
+    return loadFromSource(human, source, diagnostics);
   }
   const TreeTable table = generatedTable(scenario_, human, quirks_);
-  std::shared_ptr<const PersonProgram>& program =
-      known_->generated[contentOf(table, library_.catalogue())];
+  std::shared_ptr<const AgentProgram>& program =
+      cache_->generated[generatedTreeKey(table, library_.catalogue())];
   if (!program) {
-    // What it may lack, the scenario lacks: its check says so.
+    // Missing elements are reported by the check of the scenario.
     program = compileTable(table, diagnostics);
   }
   return program;
 }
 
-std::shared_ptr<const PersonProgram> TreeLoader::loadWritten(const sim2d::Human& human,
-                                                             const TreeSource& source,
-                                                             Diagnostics& diagnostics) {
+std::shared_ptr<const AgentProgram> TreeLoader::loadFromSource(const sim2d::Human& human,
+                                                               const TreeSource& source,
+                                                               Diagnostics& diagnostics) {
   const std::string& path = source.path;
   const std::string* text = source.text ? &*source.text : nullptr;
   if (text == nullptr) {
@@ -224,10 +225,10 @@ std::shared_ptr<const PersonProgram> TreeLoader::loadWritten(const sim2d::Human&
     }
     text = &*file->second;
   }
-  const LoadedTree& loaded = look(*text, placeOf(source));
+  const LoadedTree& loaded = look(*text, includeBasePath(source));
   if (path.empty()) {
-    base::append(diagnostics, toldByPerson(human, renamed(loaded.found, loaded.path, path)));
-  } else if (told_.insert(path).second) {
+    base::append(diagnostics, attributedToAgent(human, renamed(loaded.found, loaded.path, path)));
+  } else if (reportedPaths_.insert(path).second) {
     base::append(diagnostics, renamed(loaded.found, loaded.path, path));
   }
   if (loaded.program) {
@@ -240,11 +241,11 @@ std::shared_ptr<const PersonProgram> TreeLoader::loadWritten(const sim2d::Human&
 
 const LoadedTree& TreeLoader::look(const std::string& text, const std::string& path) {
   const auto [place, isNew] =
-      known_->texts.try_emplace({std::filesystem::path(path).parent_path().string(), text});
+      cache_->texts.try_emplace({std::filesystem::path(path).parent_path().string(), text});
   LoadedTree& loaded = place->second;
   if (isNew) {
     loaded.path = path;
-    base::Result<TreeTable> table = loadPersonTrees(readTreeText(text, path));
+    base::Result<TreeTable> table = loadAgentTrees(readTreeText(text, path));
     loaded.found = table.diagnostics();
     if (table) {
       loaded.table = *std::move(table);
@@ -254,15 +255,15 @@ const LoadedTree& TreeLoader::look(const std::string& text, const std::string& p
   return loaded;
 }
 
-PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnostics) {
-  PersonPrograms result;
-  std::map<std::string, std::shared_ptr<const PersonProgram>> patterns;  // of sources, by name
+AgentPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnostics) {
+  AgentPrograms result;
+  std::map<std::string, std::shared_ptr<const AgentProgram>> patterns;  // of sources, by name
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
       patterns.emplace(like->name, nullptr);
     }
   }
-  result.ofPeople.reserve(scenario_.humans.size());
+  result.byAgentId.reserve(scenario_.humans.size());
   for (const sim2d::Human& human : scenario_.humans) {
     const auto pattern = patterns.find(human.name);
     if (!human.listed && pattern == patterns.end()) {
@@ -270,26 +271,26 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
     }
     const auto program = load(human, sourceOf(human, files), diagnostics);
     if (human.listed) {
-      result.ofPeople.emplace_back(human.id, program);
+      result.byAgentId.emplace_back(human.id, program);
     }
     if (pattern != patterns.end()) {
       pattern->second = program;
     }
   }
-  std::stable_sort(result.ofPeople.begin(), result.ofPeople.end(),
+  std::stable_sort(result.byAgentId.begin(), result.byAgentId.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
-      result.ofSources[area.name] = patterns.at(like->name);
+      result.bySourceArea[area.name] = patterns.at(like->name);
     }
   }
   return result;
 }
 
-std::shared_ptr<const PersonProgram> TreeLoader::compileTable(const TreeTable& table,
-                                                              Diagnostics& diagnostics) const {
-  auto made = std::make_shared<PersonProgram>();
-  made->placeholders = placeholdersIn(table);
+std::shared_ptr<const AgentProgram> TreeLoader::compileTable(const TreeTable& table,
+                                                             Diagnostics& diagnostics) const {
+  auto made = std::make_shared<AgentProgram>();
+  made->placeholders = legacyPlaceholders(table);
   if (!made->placeholders.empty()) {
     const std::string list = "{" + base::join(made->placeholders, "}, {") + "}";
     diagnostics.push_back(base::warning("tree.placeholders-filled", {list}, table.file));

@@ -2,11 +2,11 @@
 
 #include "bt/robot/Nav2Servers.h"
 
-// What the controller server does in its cycles.
+// Cycles of the controller server.
 namespace bt {
 namespace {
 
-using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using namespace sim2d::nav2;  // NOLINT: this file only concerns Nav2
 using State = RobotOutcome::State;
 
 }  // namespace
@@ -21,7 +21,7 @@ ControlCycle Nav2Servers::cycle() const {
           sim2d::inverse(localFrame())};
 }
 
-/// A cancelled goal ends at once, whatever the rate; then the next one may begin.
+/// A cancelled goal ends immediately, independent of the rate; then the next one may start.
 void Nav2Servers::control() {
   if (isCancelling_) {
     const FollowFeedback feedback = controllers_->update(cycle());
@@ -32,32 +32,33 @@ void Nav2Servers::control() {
     }
   }
   if (!isCancelling_ && isDue(controllers_->parameters().frequency)) {
-    watchController();
+    configureController();
     takeFeedback(controllers_->update(cycle()));
     trackPath();
   }
 }
 
-/// As the controller server does since Lyrical, on the path that was given last. It looks for the
-/// nearest segment from the last one on, within two metres.
+/// Tracking error as in the controller server since Lyrical, on the last given path. The search for
+/// the nearest segment starts at the previous one and covers two metres.
 void Nav2Servers::trackPath() {
   constexpr double kWindow = 2.0;  // [m], search_window
-  if (!controllers_->isRunning() || shownPath_.empty()) {
+  if (!controllers_->isRunning() || displayedPath_.empty()) {
     return;
   }
   const int number = tracking_.number + 1;
-  tracking_ = trackingError(shownPath_, observation_->pose, tracking_.index, kWindow);
+  tracking_ = trackingError(displayedPath_, observation_->pose, tracking_.index, kWindow);
   tracking_.number = number;
 }
 
-/// Its ways cost time; the first cycle of a robot has none.
-void Nav2Servers::watchController() {
+/// Recording trajectories is slow; the first cycle of a robot has none.
+void Nav2Servers::configureController() {
   if (Controller* const controller = controllers_->controller()) {
-    controller->watch(watchesWays_);
+    controller->watch(recordsTrajectories_);
   }
 }
 
-/// Of the costmap whose filters spoke last; states of binary filters for the manifest.
+/// Applies the limit of the costmap whose filters changed last; records the states of binary
+/// filters for the manifest.
 void Nav2Servers::applySpeedLimit() {
   for (const LayeredCostmap* const costmap : {local_.get(), global_.get()}) {
     SpeedLimit& last = costmap == local_.get() ? localLimit_ : globalLimit_;
@@ -75,8 +76,8 @@ void Nav2Servers::applySpeedLimit() {
 void Nav2Servers::takeFeedback(const FollowFeedback& feedback) {
   command_ = feedback.command ? feedback.command : command_;
   counts_.noValidControl +=
-      feedback.isPatient || feedback.code == ControlCode::NoValidControl ? 1 : 0;
-  counts_.progressFailures += feedback.code == ControlCode::FailedToMakeProgress ? 1 : 0;
+      feedback.isFailureTolerated || feedback.code == ControllerError::NoValidControl ? 1 : 0;
+  counts_.progressFailures += feedback.code == ControllerError::FailedToMakeProgress ? 1 : 0;
   RobotOutcome& outcome = result(RobotAction::FollowPath);
   if (outcome.state != State::Running) {
     return;

@@ -9,15 +9,15 @@
 namespace bt {
 namespace {
 
-using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using namespace sim2d::nav2;  // NOLINT: this file only concerns Nav2
 using sim2d::BodyTwist;
 using sim2d::TrackedBody;
 using State = RobotOutcome::State;
 
 constexpr double kReplanPeriod = 1.0;  // [s], as in Nav2's default tree
-constexpr int kMostFailures = 6;       // of plans and drives to a staging pose, idem
+constexpr int kMostFailures = 6;       // of plans and drives to a staging pose, as in Nav2
 
-/// The first one of a list of plugins in the file.
+/// The first plugin of a list in the file.
 std::string firstOf(const Nav2Parameters& parameters, const char* list, const char* usual) {
   const auto names = controllerValue<std::vector<std::string>>(parameters, list, {usual});
   return names.empty() ? std::string() : names.front();
@@ -31,7 +31,7 @@ RobotRequest followRequest(const Nav2Parameters& parameters, PathId path) {
   return request;
 }
 
-/// The body that a frame or topic names: "anna", "3", "/anna/pose". Nothing: none does.
+/// The body that a frame or topic names: "anna", "3", "/anna/pose". Empty: none.
 std::optional<int> namedBody(const std::string& text,
                              const std::vector<std::pair<std::string, int>>& names) {
   for (const std::string& part : base::split(text, '/')) {
@@ -49,7 +49,7 @@ std::optional<int> namedBody(const std::string& text,
 
 }  // namespace
 
-bool Nav2Servers::Docking::isOne(RobotAction action) {
+bool Nav2Servers::Docking::handles(RobotAction action) {
   return std::find(kActions.begin(), kActions.end(), action) != kActions.end();
 }
 
@@ -93,7 +93,7 @@ void Nav2Servers::Docking::cancel(RobotAction action) {
   held_ = BodyTwist();  // published once
 }
 
-DockView Nav2Servers::Docking::view() const {
+DockControllerInput Nav2Servers::Docking::view() const {
   return {servers_.observation_->pose, servers_.observation_->motion, servers_.local_->costmap(),
           servers_.local_->footprint(), servers_.localFrame()};
 }
@@ -149,7 +149,7 @@ RobotOutcome& Nav2Servers::Docking::end(ServerStatus status, int errorCode,
   return outcome;
 }
 
-// ---- the drive to the staging pose -------------------------------------------------------------
+// Drive to the staging pose
 
 void Nav2Servers::Docking::planStaging() {
   RobotRequest request;
@@ -206,9 +206,9 @@ void Nav2Servers::Docking::endStaging() {
   }
 }
 
-// ---- following ---------------------------------------------------------------------------------
+// Following
 
-/// The named body, else the person that was nearest when it was first seen.
+/// The named body, otherwise the person that was nearest at the first detection.
 const TrackedBody* Nav2Servers::Docking::tracked() const {
   const std::vector<TrackedBody>& bodies = servers_.observation_->bodies;
   const auto named =

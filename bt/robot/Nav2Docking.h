@@ -12,28 +12,28 @@
 
 namespace bt {
 
-/// docking_server and following_server beside the other servers. Their commands go to the wheels
-/// past velocity smoother and collision monitor, as in nav2_bringup. For the drive to a staging
-/// pose they ask planner and controller server, whose paths are planned anew every second.
+/// docking_server and following_server. Their commands bypass the velocity smoother and the
+/// collision monitor, as in nav2_bringup. For the drive to a staging pose they use the planner and
+/// controller servers and replan every second.
 class Nav2Servers::Docking {
  public:
   static constexpr std::array<RobotAction, 3> kActions = {
       RobotAction::DockRobot, RobotAction::UndockRobot, RobotAction::FollowObject};
-  static bool isOne(RobotAction action);
+  static bool handles(RobotAction action);
 
-  /// `servers` outlives this.
+  /// `servers` must outlive this object.
   explicit Docking(Nav2Servers& servers);
 
   void begin(RobotAction action, const RobotRequest& request);
   void cancel(RobotAction action);
-  /// After planner and controller: the command for the wheels; nothing: none of its own. Outcomes
-  /// of actions that ended are put into the servers' results.
+  /// Call after planner and controller. Returns the command for the wheels; empty: none. Outcomes
+  /// of finished actions are stored in the servers' results.
   std::optional<sim2d::BodyTwist> drive();
-  /// "docked dock1" …, since the last call.
+  /// Events since the last call: "docked dock1" …
   std::vector<std::string> takeEvents() { return std::exchange(events_, {}); }
 
  private:
-  /// The drive to the staging pose.
+  /// State of the drive to the staging pose.
   struct Staging {
     bool isOn = false, isPlanning = false, isFollowing = false;
     double plannedAt = 0.0;  // [s]
@@ -49,17 +49,17 @@ class Nav2Servers::Docking {
   RobotOutcome& end(sim2d::nav2::ServerStatus status, int errorCode, const std::string& text);
   std::optional<sim2d::nav2::Pose2> object();
   const sim2d::TrackedBody* tracked() const;
-  sim2d::nav2::DockView view() const;
+  sim2d::nav2::DockControllerInput view() const;
 
   Nav2Servers& servers_;
   sim2d::nav2::DockingServer docking_;
   sim2d::nav2::FollowingServer following_;
   std::optional<RobotAction> running_;
-  std::optional<sim2d::BodyTwist> held_;  // the last command
+  std::optional<sim2d::BodyTwist> held_;  // last command
   std::optional<sim2d::nav2::Pose2> stagingPose_;
   Staging staging_;
   FollowedObject object_;
-  std::optional<int> track_;  // that is followed
+  std::optional<int> track_;  // id of the followed body
   std::vector<std::string> events_;
 };
 

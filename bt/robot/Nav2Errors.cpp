@@ -4,29 +4,29 @@
 #include <array>
 #include <cstddef>
 
-#include "bt/robot/SubNavigation.h"
-#include "sim2d/nav/nav2/control/Controller.h"
+#include "bt/robot/NestedNavigation.h"
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/docking/DockingServer.h"
 #include "sim2d/nav/nav2/docking/FollowingServer.h"
 #include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
-#include "sim2d/nav/nav2/route/Route.h"
+#include "sim2d/nav/nav2/route/RouteGraph.h"
 
 namespace bt {
 namespace {
 
-using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using namespace sim2d::nav2;  // NOLINT: this file only concerns Nav2
 
 struct CodeText {
   std::string name, message;
 };
 
 constexpr int kNoViaPoints = 309;
-constexpr int kBehaviorCodes = 10;  // per behaviour
+constexpr int kBehaviorCodes = 10;  // codes per behaviour
 
 CodeText planText(int code) {
   const auto error = static_cast<PlanError>(code);
-  return {planErrorName(error), planErrorWords(error)};
+  return {planErrorName(error), planErrorMessage(error)};
 }
 
 CodeText throughText(int code) {
@@ -36,7 +36,7 @@ CodeText throughText(int code) {
 
 CodeText smoothText(int code) {
   const auto error = static_cast<SmoothError>(code);
-  return {smoothErrorName(error), smoothErrorWords(error)};
+  return {smoothErrorName(error), smoothErrorMessage(error)};
 }
 
 CodeText controlText(int code) {
@@ -49,17 +49,17 @@ CodeText controlText(int code) {
       "the robot made no progress",
       "there is no valid command",
       "the controller took too long"};
-  const auto error = static_cast<ControlCode>(code);
-  const auto at = static_cast<std::size_t>(code - static_cast<int>(ControlCode::Unknown));
-  return {controlCodeName(error), at < kMessages.size() ? kMessages[at] : kMessages[0]};
+  const auto error = static_cast<ControllerError>(code);
+  const auto at = static_cast<std::size_t>(code - static_cast<int>(ControllerError::Unknown));
+  return {controllerErrorName(error), at < kMessages.size() ? kMessages[at] : kMessages[0]};
 }
 
-/// Three numbers of BackUp are in another order than those of the other behaviours.
+/// BackUp orders three of its codes differently from the other behaviours.
 CodeText behaviorText(RobotAction action, int code) {
   const int number = code % kBehaviorCodes;
   const bool isBackUp = action == RobotAction::BackUp;
   if (number == 1) {
-    return {"TIMEOUT", "it took longer than its time_allowance"};
+    return {"TIMEOUT", "the behavior exceeded its time_allowance"};
   }
   if (number == 2) {
     return {"TF_ERROR", "the frames are not connected"};
@@ -93,7 +93,7 @@ constexpr std::array<CodeRow, 18> kOtherCodes = {
       "the graph has no route to the goal"},
      {static_cast<int>(RouteError::OperationFailed), "OPERATION_FAILED", "an operation failed"},
      {static_cast<int>(RouteError::InvalidEdgeScorerUse), "INVALID_EDGE_SCORER_USE",
-      "an edge lacks what a scorer needs"},
+      "an edge lacks metadata that a scorer needs"},
      {static_cast<int>(DockError::DockNotInDb), "DOCK_NOT_IN_DB", "there is no such dock"},
      {static_cast<int>(DockError::DockNotValid), "DOCK_NOT_VALID", "the type of dock is unknown"},
      {static_cast<int>(DockError::FailedToStage), "FAILED_TO_STAGE",
@@ -102,7 +102,7 @@ constexpr std::array<CodeRow, 18> kOtherCodes = {
       "the dock was not detected"},
      {static_cast<int>(DockError::FailedToControl), "FAILED_TO_CONTROL",
       "there is no valid command"},
-     {static_cast<int>(DockError::FailedToCharge), "FAILED_TO_CHARGE", "charging did not begin"},
+     {static_cast<int>(DockError::FailedToCharge), "FAILED_TO_CHARGE", "charging did not start"},
      {static_cast<int>(DockError::Timeout), "TIMEOUT", "docking took too long"},
      {static_cast<int>(FollowError::FailedToDetectObject), "FAILED_TO_DETECT_OBJECT",
       "the object was not detected"},
@@ -171,7 +171,7 @@ const char* serverOf(RobotAction action) {
 
 }  // namespace
 
-bool isOfPlanner(const ActionFailure& failure) {
+bool isPlannerFailure(const ActionFailure& failure) {
   return failure.action == RobotAction::ComputePath ||
          failure.action == RobotAction::ComputePathThroughPoses;
 }

@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "bt/robot/Nav2ParamFiles.h"
-#include "bt/robot/NodePorts.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
-#include "sim2d/nav/nav2/params/NamedFiles.h"
+#include "sim2d/nav/nav2/params/ReferencedFiles.h"
 
 namespace bt {
 namespace {
@@ -41,12 +40,13 @@ std::string known(const std::string& folder, const std::string& extension) {
   return base::join({names.begin(), names.end()}, ", ");
 }
 
-/// Warns of ports that the node does not have in the branch, where Nav2 does not load the tree.
-void lookAtPorts(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
+/// Warns about ports that the node does not have in the distribution; Nav2 then rejects the tree.
+void checkPorts(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
   const unsigned ofNode = distrosOfNode(node.id);
   for (const Attribute& port : node.ports) {
     const unsigned distros = distrosOfPort(node.id, port.name);
-    if (sim2d::nav2::isIn(ofNode, distro) && !sim2d::nav2::isIn(distros, distro)) {
+    if (sim2d::nav2::includesDistro(ofNode, distro) &&
+        !sim2d::nav2::includesDistro(distros, distro)) {
       to.problems.push_back(base::warning("nav2.port-of-others",
                                           {port.name, node.id, sim2d::nav2::distroTitles(distros),
                                            sim2d::nav2::distroTitle(distro)},
@@ -55,8 +55,8 @@ void lookAtPorts(const NodeSpec& node, const std::string& file, Distro distro, N
   }
 }
 
-/// Notes the tree that a node asks for; one that an entry of the blackboard names is not known yet.
-void noteSubTree(const NodeSpec& node, NavigatorTree& to) {
+/// Collects the tree that a node requests; a name in a blackboard entry is unknown at load time.
+void collectSubTree(const NodeSpec& node, NavigatorTree& to) {
   const bool isToPose = node.id == "NavigateToPose";
   if (!isToPose && node.id != "NavigateThroughPoses") {
     return;
@@ -70,21 +70,22 @@ void noteSubTree(const NodeSpec& node, NavigatorTree& to) {
   }
 }
 
-/// Warns of nodes and ports that the branch does not have.
-void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
+/// Warns about nodes and ports that the distribution does not have.
+void checkNodes(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
   const unsigned distros = distrosOfNode(node.id);
   to.isThroughPoses = to.isThroughPoses || node.id == "ComputePathThroughPoses";
-  if (!sim2d::nav2::isIn(distros, distro)) {
+  if (!sim2d::nav2::includesDistro(distros, distro)) {
     to.problems.push_back(base::warning(
         "nav2.node-of-others",
         {node.id, sim2d::nav2::distroTitles(distros), sim2d::nav2::distroTitle(distro)}, file,
         node.line));
   }
-  to.asksRoutes = to.asksRoutes || node.id == "ComputeRoute" || node.id == "ComputeAndTrackRoute";
-  lookAtPorts(node, file, distro, to);
-  noteSubTree(node, to);
+  to.usesRouteServer =
+      to.usesRouteServer || node.id == "ComputeRoute" || node.id == "ComputeAndTrackRoute";
+  checkPorts(node, file, distro, to);
+  collectSubTree(node, to);
   for (const NodeSpec& child : node.children) {
-    lookAtNodes(child, file, distro, to);
+    checkNodes(child, file, distro, to);
   }
 }
 
@@ -92,7 +93,7 @@ void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, N
 
 std::string nav2ParamsFile(const std::string& named, const std::string& folder,
                            const Nav2Folders& shipped) {
-  const std::string name = named.empty() ? kUsualNav2Params : named;
+  const std::string name = named.empty() ? kDefaultNav2Params : named;
   std::string beside = inFolder(name, folder);
   if (!named.empty() && isFile(beside)) {
     return beside;
@@ -101,21 +102,21 @@ std::string nav2ParamsFile(const std::string& named, const std::string& folder,
   return isFile(own) ? own.string() : std::string();
 }
 
-base::Diagnostic noNav2ParamsFile(const std::string& named, const std::string& folder,
-                                  const Nav2Folders& shipped) {
-  const std::string name = named.empty() ? kUsualNav2Params : named;
+base::Diagnostic missingNav2ParamsFile(const std::string& named, const std::string& folder,
+                                       const Nav2Folders& shipped) {
+  const std::string name = named.empty() ? kDefaultNav2Params : named;
   return base::error("nav2.no-file", {name, known(shipped.params, ".yaml")},
                      inFolder(name, folder));
 }
 
 namespace {
 
-/// Among those shipped; empty: none has this name.
+/// Finds a shipped tree by name; empty: not found.
 std::string shippedTree(const std::string& name, Distro distro, const Nav2Folders& shipped) {
   fs::path file = fs::path(name).filename();
   file = file.extension() == ".xml" ? file : fs::path(file.string() + ".xml");
   const std::string own = sim2d::nav2::distroName(distro);
-  const bool isOld = distro < Distro::Lyrical;  // Kilted's trees are those of Jazzy
+  const bool isOld = distro < Distro::Lyrical;  // Kilted uses the trees of Jazzy
   for (const std::string& branch : {own, std::string(isOld ? "jazzy" : "main"), std::string("main"),
                                     std::string("jazzy"), std::string("humble")}) {
     const fs::path found = fs::path(shipped.trees) / branch / file;
@@ -130,7 +131,7 @@ std::string shippedTree(const std::string& name, Distro distro, const Nav2Folder
 
 std::string nav2TreeFile(const std::string& named, const std::string& folder, Distro distro,
                          const Nav2Folders& shipped) {
-  const std::string name = named.empty() ? kUsualNav2Tree : named;
+  const std::string name = named.empty() ? kDefaultNav2Tree : named;
   std::string beside = inFolder(name, folder);
   return !named.empty() && isFile(beside) ? beside : shippedTree(name, distro, shipped);
 }
@@ -142,19 +143,20 @@ std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const TreePara
     return shippedTree(parameter.usual, parameters.distro, shipped);
   }
   const std::string key = "bt_navigator." + parameter.name;
-  std::vector<std::string> folders = sim2d::nav2::foldersOfParameter(parameters, key);
+  std::vector<std::string> folders = sim2d::nav2::parameterFolders(parameters, key);
   folders.push_back(folder);
-  const sim2d::nav2::NamedFile found = sim2d::nav2::findNamedFile(parameter.value, folders);
+  const sim2d::nav2::ReferencedFile found =
+      sim2d::nav2::findReferencedFile(parameter.value, folders);
   if (!found.file.empty()) {
     return found.file;
   }
-  const std::string path = sim2d::nav2::pathWithoutPlaceholder(parameter.value);
+  const std::string path = sim2d::nav2::pathWithoutSubstitution(parameter.value);
   std::string own = path.empty() ? path : shippedTree(path, parameters.distro, shipped);
   if (own.empty()) {
     own = shippedTree(parameter.usual, parameters.distro, shipped);
     const base::Diagnostic missing =
-        sim2d::nav2::namedFileMissing(parameter.name, parameter.value, found, "Nav2's tree");
-    problems.push_back(placedInFile(parameters, base::within("bt_navigator", missing)));
+        sim2d::nav2::referencedFileMissing(parameter.name, parameter.value, found, "Nav2's tree");
+    problems.push_back(withFilePosition(parameters, base::withContext("bt_navigator", missing)));
   }
   return own;
 }
@@ -171,7 +173,7 @@ NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& p
   const base::Result<TreeTable> table = loadTrees(file);
   for (const base::Diagnostic& problem : table.diagnostics()) {
     const bool isUsual = problem.code == "tree.no-format" || problem.code == "tree.converted";
-    if (!isUsual) {  // format 3 is what Humble's trees are written in
+    if (!isUsual) {  // Humble's trees have format 3
       tree.problems.push_back(problem);
     }
   }
@@ -187,7 +189,7 @@ NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& p
   auto program = compile(*table, robotNodes(), options);
   base::append(tree.problems, program.diagnostics());
   for (const auto& [id, entry] : table->entries) {
-    lookAtNodes(entry.tree.root, entry.file, parameters.distro, tree);
+    checkNodes(entry.tree.root, entry.file, parameters.distro, tree);
   }
   tree.program = program ? *program : nullptr;
   return tree;
@@ -195,23 +197,24 @@ NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& p
 
 namespace {
 
-/// The tree for several goals.
-void loadThrough(const std::string& folder, const Nav2Folders& shipped, Nav2Loaded& loaded) {
+/// Loads the tree for several goals.
+void loadThroughPosesTree(const std::string& folder, const Nav2Folders& shipped,
+                          Nav2Loaded& loaded) {
   const std::string& named = loaded.parameters.btNavigator.defaultNavThroughPosesBtXml;
-  loaded.throughFile = nav2TreeOfParameter(
-      loaded.parameters, {"default_nav_through_poses_bt_xml", named, kUsualThroughTree}, folder,
-      shipped, loaded.problems);
-  if (loaded.throughFile.empty()) {  // goals are driven to one by one
+  loaded.throughPosesFile = nav2TreeOfParameter(
+      loaded.parameters, {"default_nav_through_poses_bt_xml", named, kDefaultThroughPosesTree},
+      folder, shipped, loaded.problems);
+  if (loaded.throughPosesFile.empty()) {  // goals are then visited one by one
     return;
   }
-  loaded.through = loadNavigatorTree(loaded.throughFile, loaded.parameters);
-  if (!named.empty()) {  // the shipped one has been looked at
+  loaded.through = loadNavigatorTree(loaded.throughPosesFile, loaded.parameters);
+  if (!named.empty()) {  // shipped trees are valid
     base::append(loaded.problems, loaded.through.problems);
   }
 }
 
-/// A tree that a node of the robot's tree asks for. Null with a problem: it is not there or has
-/// errors. A warning of the shipped ones is not told.
+/// Loads a tree requested by a node. Null, with a problem: missing or invalid. Warnings about
+/// shipped trees are suppressed.
 std::shared_ptr<const Program> loadSubTree(const std::string& named, const std::string& folder,
                                            const Nav2Folders& shipped, Nav2Loaded& loaded) {
   const std::string file = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
@@ -230,9 +233,10 @@ void loadSubTrees(const NavigatorTree& tree, const std::string& folder, const Na
                   Nav2Loaded& loaded) {
   const sim2d::nav2::BtNavigatorParameters& own = loaded.parameters.btNavigator;
   const std::string toPose =
-      own.defaultNavToPoseBtXml.empty() ? kUsualNav2Tree : own.defaultNavToPoseBtXml;
-  const std::string through =
-      own.defaultNavThroughPosesBtXml.empty() ? kUsualThroughTree : own.defaultNavThroughPosesBtXml;
+      own.defaultNavToPoseBtXml.empty() ? kDefaultNav2Tree : own.defaultNavToPoseBtXml;
+  const std::string through = own.defaultNavThroughPosesBtXml.empty()
+                                  ? kDefaultThroughPosesTree
+                                  : own.defaultNavThroughPosesBtXml;
   for (const auto& [wanted, fallback] :
        {std::pair(&tree.toPose, &toPose), std::pair(&tree.throughPoses, &through)}) {
     for (const std::string& name : *wanted) {
@@ -249,7 +253,7 @@ void loadSubTrees(const NavigatorTree& tree, const std::string& folder, const Na
 
 }  // namespace
 
-Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string& folder,
+Nav2Loaded loadNav2Parameters(const sim2d::Nav2Config& choice, const std::string& folder,
                               const std::string& robot, const Nav2Folders& shipped) {
   Nav2Loaded loaded;
   const Nav2ParamFiles files(choice.params, folder, shipped);
@@ -259,25 +263,25 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
   if (base::hasErrors(loaded.problems)) {
     return loaded;
   }
-  sim2d::nav2::Nav2Reading reading =
-      files.read(choice.values, {choice.distro, robot}, loaded.wrongValues);
+  sim2d::nav2::Nav2ReadResult reading =
+      files.read(choice.values, {choice.distro, robot}, loaded.invalidValues);
   for (base::Diagnostic& problem : reading.problems) {
-    if (problem.code == "nav2.partial-file") {  // no other file completes this one
-      problem =
-          base::error("nav2.no-controller", {reading.parameters.held}, problem.file, problem.line);
+    if (problem.code == "nav2.partial-file") {  // no further file completes this one
+      problem = base::error("nav2.no-controller", {reading.parameters.nodeNames}, problem.file,
+                            problem.line);
     }
   }
   base::append(loaded.problems, reading.problems);
   loaded.parameters = std::move(reading.parameters);
   loaded.masks = loadNav2Masks(loaded.parameters);
   base::append(loaded.problems, loaded.masks.problems);
-  loaded.graph = loadNav2Graph(loaded.parameters);
+  loaded.graph = loadNav2RouteGraph(loaded.parameters);
   base::append(loaded.problems, loaded.graph.problems);
   const base::Result<NavigatorTopics> topics = NavigatorTopics::read(choice.topics);
   base::append(loaded.problems, topics.diagnostics());
   loaded.topics = topics ? *topics : NavigatorTopics();
   if (const std::string& docks = loaded.parameters.dockingServer.dockDatabase; isFile(docks)) {
-    loaded.masks.files.push_back(docks);  // another input of the run
+    loaded.masks.files.push_back(docks);  // a further input of the run
   }
   Nav2Lattices lattices = loadNav2Lattices(loaded.parameters);
   base::append(loaded.problems, lattices.problems);
@@ -285,7 +289,7 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
   return loaded;
 }
 
-Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
+Nav2Loaded loadNav2(const sim2d::Nav2Config& choice, const std::string& folder,
                     const std::string& robot, const Nav2Folders& shipped) {
   Nav2Loaded loaded = loadNav2Parameters(choice, folder, robot, shipped);
   if (loaded.parameters.file.empty()) {  // it could not be read
@@ -294,14 +298,14 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   if (choice.tree.empty()) {
     const TreeParameter parameter{"default_nav_to_pose_bt_xml",
                                   loaded.parameters.btNavigator.defaultNavToPoseBtXml,
-                                  kUsualNav2Tree};
+                                  kDefaultNav2Tree};
     loaded.treeFile =
         nav2TreeOfParameter(loaded.parameters, parameter, folder, shipped, loaded.problems);
   } else {
     loaded.treeFile = nav2TreeFile(choice.tree, folder, loaded.parameters.distro, shipped);
   }
   if (loaded.treeFile.empty()) {
-    const std::string named = choice.tree.empty() ? kUsualNav2Tree : choice.tree;
+    const std::string named = choice.tree.empty() ? kDefaultNav2Tree : choice.tree;
     loaded.problems.push_back(
         base::error("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
     return loaded;
@@ -309,13 +313,13 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);
   base::append(loaded.problems, tree.problems);
   loadSubTrees(tree, folder, shipped, loaded);
-  if (tree.asksRoutes && loaded.graph.graph.isEmpty() && loaded.graph.problems.empty()) {
+  if (tree.usesRouteServer && loaded.graph.graph.isEmpty() && loaded.graph.problems.empty()) {
     loaded.problems.push_back(base::warning("nav2.routes-without-graph", {}, loaded.treeFile));
   }
   loaded.program = std::move(tree.program);
   loaded.isThroughPoses = tree.isThroughPoses;
   if (choice.tree.empty()) {
-    loadThrough(folder, shipped, loaded);
+    loadThroughPosesTree(folder, shipped, loaded);
   }
   return loaded;
 }

@@ -7,11 +7,11 @@
 namespace bt {
 namespace {
 
-using sim2d::nav2::Nav2Reading;
 using sim2d::nav2::Nav2ReadOptions;
+using sim2d::nav2::Nav2ReadResult;
 using sim2d::nav2::ParameterFile;
 
-/// A class that is given outside of the files reads other keys.
+/// A plugin class that is set outside the files changes which keys are read.
 bool isPlugin(const std::string& path) {
   return path.find("plugin") != std::string::npos;
 }
@@ -40,7 +40,7 @@ void Nav2ParamFiles::addFile(const std::string& named, const std::string& folder
                              const Nav2Folders& shipped) {
   const std::string path = nav2ParamsFile(named, folder, shipped);
   if (path.empty()) {
-    problems_.push_back(noNav2ParamsFile(named, folder, shipped));
+    problems_.push_back(missingNav2ParamsFile(named, folder, shipped));
     return;
   }
   paths_.push_back(path);
@@ -61,7 +61,7 @@ ParameterFile Nav2ParamFiles::merged() const {
   return all;
 }
 
-ParameterFile Nav2ParamFiles::overridden(Nav2Reading reading, const Nav2ReadOptions& options,
+ParameterFile Nav2ParamFiles::overridden(Nav2ReadResult reading, const Nav2ReadOptions& options,
                                          base::Diagnostics& wrong) const {
   ParameterFile all;
   for (const Entry& entry : entries_) {
@@ -79,16 +79,16 @@ ParameterFile Nav2ParamFiles::overridden(Nav2Reading reading, const Nav2ReadOpti
   return all;
 }
 
-Nav2Reading Nav2ParamFiles::read(const std::vector<std::pair<std::string, std::string>>& values,
-                                 Nav2ReadOptions options, base::Diagnostics& wrong) const {
+Nav2ReadResult Nav2ParamFiles::read(const std::vector<std::pair<std::string, std::string>>& values,
+                                    Nav2ReadOptions options, base::Diagnostics& wrong) const {
   ParameterFile file = merged();
-  Nav2Reading reading = readNav2Parameters(file, options);
+  Nav2ReadResult reading = readNav2Parameters(file, options);
   if (values.empty() && overrides_.empty()) {
     return reading;
   }
   const bool isGuessed = reading.parameters.isGuessed;
   std::vector<std::string> reasons = std::move(reading.parameters.distroReasons);
-  options.distro = reading.parameters.distro;  // by the files as they are
+  options.distro = reading.parameters.distro;  // from the unmodified files
   if (!overrides_.empty()) {
     file = overridden(std::move(reading), options, wrong);
     reading = readNav2Parameters(file, options);

@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "bt/engine/TreeState.h"
-#include "bt/robot/Nav2Frames.h"
+#include "bt/robot/Nav2Display.h"
+#include "bt/robot/Nav2Goals.h"
 #include "bt/robot/Nav2Report.h"
-#include "bt/robot/Nav2Route.h"
 #include "bt/robot/Nav2Servers.h"
-#include "bt/robot/Nav2Shown.h"
-#include "bt/robot/Nav2Waypoints.h"
 
 namespace bt {
 namespace {
@@ -22,21 +20,21 @@ using base::NodeStatus;
 using sim2d::BodyTwist;
 using sim2d::Observation;
 
-constexpr double kLongestTurn = 2.0;  // [s], in which a lidar that is there has turned once
+constexpr double kLongestTurn = 2.0;  // [s], time in which a lidar completes its first scan
 
 base::ParameterTable<Nav2Latencies> latencyTable() {
   constexpr base::Range kSteps{0.0, 100.0};
   base::ParameterTable<Nav2Latencies> table;
   table.addCount(&Nav2Latencies::scan, "latency_scan", kSteps,
-                 "Steps from the lidar to the costmaps.");
+                 "Time steps from the lidar to the costmaps.");
   table.addCount(&Nav2Latencies::planner, "latency_planner", kSteps,
-                 "Steps from a request to its path.");
+                 "Time steps from a request to its path.");
   table.addCount(&Nav2Latencies::command, "latency_command", kSteps,
-                 "Steps from the last server to the wheels.");
+                 "Time steps from the last server to the wheels.");
   return table;
 }
 
-/// Parameters of the planner that are not Nav2's.
+/// Parameters of the planner besides Nav2's own.
 struct Nav2Options {
   Nav2Latencies latencies;
   double waypointTasks = 0.0;
@@ -46,8 +44,8 @@ base::ParameterTable<Nav2Options> optionTable() {
   base::ParameterTable<Nav2Options> table;
   table.include(&Nav2Options::latencies, latencyTable());
   table.addCount(&Nav2Options::waypointTasks, "waypoint_tasks", {0.0, 1.0},
-                 "1: several goals are driven to one by one, with the task of waypoint_follower at "
-                 "each.");
+                 "1: the robot drives to several goals one by one and executes the task of "
+                 "waypoint_follower at each.");
   return table;
 }
 
@@ -64,7 +62,7 @@ class Nav2Planner final : public sim2d::Planner {
                              NodeStatus::Idle);
   }
 
-  bool wantsMap() const override { return true; }
+  bool needsMap() const override { return true; }
   base::Diagnostics takeMap(const sim2d::OccupancyGrid& map) override {
     auto servers = Nav2Servers::make({loaded_.parameters, setup_.body, map, latencies_, setup_.seed,
                                       setup_.robotId, loaded_.masks.local, loaded_.masks.global,
@@ -81,9 +79,9 @@ class Nav2Planner final : public sim2d::Planner {
   }
 
   base::Result<BodyTwist> command(const Observation& observation) override {
-    if (observation.scan == nullptr && !hasScan_) {  // the lidar has not turned yet
-      setOut_ = setOut_.value_or(observation.time);
-      if (observation.time - *setOut_ > kLongestTurn) {
+    if (observation.scan == nullptr && !hasScan_) {  // no first scan yet
+      startTime_ = startTime_.value_or(observation.time);
+      if (observation.time - *startTime_ > kLongestTurn) {
         return base::error("nav2.needs-lidar", {setup_.robot});
       }
       return BodyTwist();
@@ -104,7 +102,7 @@ class Nav2Planner final : public sim2d::Planner {
 
   std::vector<base::Vec2> path() const override {
     return servers_ != nullptr && servers_->controller() != nullptr
-               ? pointsOf(servers_->shownPath())
+               ? pointsOf(servers_->displayedPath())
                : std::vector<base::Vec2>();
   }
   std::vector<sim2d::Candidate> candidates() const override {
@@ -113,17 +111,17 @@ class Nav2Planner final : public sim2d::Planner {
       return ways;
     }
     const sim2d::nav2::ControlView& view = servers_->controller()->view();
-    for (const sim2d::nav2::WeighedTrajectory& trajectory : view.trajectories) {
-      ways.push_back(shownWay(trajectory));
+    for (const sim2d::nav2::EvaluatedTrajectory& trajectory : view.trajectories) {
+      ways.push_back(toCandidate(trajectory));
       moveToMap(servers_->localFrame(), ways.back().points);
     }
     return ways;
   }
   void watch(bool costs, bool ways) override {
     watchesCosts_ = costs;
-    watchesWays_ = ways;
+    recordsTrajectories_ = ways;
     if (servers_ != nullptr) {
-      servers_->watchWays(ways);
+      servers_->recordTrajectories(ways);
     }
   }
   sim2d::PlannerView view() const override {
@@ -137,7 +135,7 @@ class Nav2Planner final : public sim2d::Planner {
       shown.globalCosts = globalCosts_.of(servers_->globalCostmap());
     }
     if (const sim2d::nav2::Controller* const controller = servers_->controller();
-        watchesWays_ && controller != nullptr) {
+        recordsTrajectories_ && controller != nullptr) {
       shown.controller = servers_->controllerName();
       shown.lookahead = controller->view().lookahead;
       shown.predicted = pointsOf(controller->view().predicted);
@@ -147,10 +145,10 @@ class Nav2Planner final : public sim2d::Planner {
     return shown;
   }
   bool takeReplanned() override { return servers_ != nullptr && servers_->takeReplanned(); }
-  bool takeRelocalization() override {
-    return servers_ != nullptr && servers_->takeRelocalization();
+  bool takeRelocalizationRequest() override {
+    return servers_ != nullptr && servers_->takeRelocalizationRequest();
   }
-  bool wantsTeleop() const override { return servers_ != nullptr && servers_->wantsTeleop(); }
+  bool usesTeleop() const override { return servers_ != nullptr && servers_->usesTeleop(); }
   std::vector<sim2d::PlannerEvent> takeEvents() override {
     std::vector<sim2d::PlannerEvent> events = std::exchange(photos_, {});
     if (servers_ != nullptr) {
@@ -161,12 +159,12 @@ class Nav2Planner final : public sim2d::Planner {
     return events;
   }
   std::size_t takePassedGoals() override { return route_.takePassed(); }
-  bool endsGoals() const override { return true; }
-  std::optional<sim2d::NavigationEnd> takeEnd() override {
+  bool decidesGoalEnd() const override { return true; }
+  std::optional<sim2d::NavigationResult> takeNavigationResult() override {
     return std::exchange(end_, std::nullopt);
   }
-  const sim2d::DrivingTree* tree() const override { return &driving_; }
-  std::string reportJson() const override {
+  const sim2d::TreeStatus* tree() const override { return &driving_; }
+  std::string manifestJson() const override {
     return servers_ == nullptr ? std::string()
                                : nav2Report(loaded_, servers_->counts(), latencies_, setup_);
   }
@@ -174,12 +172,13 @@ class Nav2Planner final : public sim2d::Planner {
  private:
   TickInput input() { return {step_, setup_.dt, static_cast<NavigatorHost*>(servers_.get())}; }
 
-  /// Another goal is another run of the tree, once the task at the one before is done.
+  /// Starts a new run of the tree for a new goal, after the task at the previous one.
   void takeGoal(const Observation& observation) {
     end_.reset();
-    const bool isOrder = std::exchange(orders_, observation.orders) != observation.orders;
+    const bool isOrder =
+        std::exchange(orders_, observation.externalGoalCount) != observation.externalGoalCount;
     const bool isNew =
-        isOrder || isDone_ || !route_.goesOnWith(observation.goal, observation.goalsAfter);
+        isOrder || isDone_ || !route_.continuesTo(observation.goal, observation.remainingGoals);
     const bool isReached = isNew && !isOrder && !route_.isEmpty() && !hasFailed_;
     if (isReached && !isWaiting_ && waypoints_.isOn()) {
       reach(observation);
@@ -202,11 +201,11 @@ class Nav2Planner final : public sim2d::Planner {
   void rest() { std::fill(driving_.statuses.begin(), driving_.statuses.end(), NodeStatus::Idle); }
 
   void beginRun(const Observation& observation) {
-    if (!waypoints_.isOn() && route_.isEmpty() && !observation.goalsAfter.empty() &&
+    if (!waypoints_.isOn() && route_.isEmpty() && !observation.remainingGoals.empty() &&
         loaded_.through.program != nullptr) {
-      driveThrough();
+      switchToThroughPosesTree();
     }
-    route_.begin(observation.pose, observation.goal, observation.goalsAfter,
+    route_.begin(observation.pose, observation.goal, observation.remainingGoals,
                  loaded_.isThroughPoses);
     tree_->halt(input());
     servers_->restart();
@@ -216,14 +215,14 @@ class Nav2Planner final : public sim2d::Planner {
     tree_->set(loaded_.program->hostSlot(1), static_cast<int>(goals));
     tree_->set(loaded_.program->hostSlot(2), 0);
     tree_->set(loaded_.program->hostSlot(3),
-               static_cast<int>(addPending(*servers_, route_.poses())));
+               static_cast<int>(addPendingWaypoints(*servers_, route_.poses())));
     isDone_ = hasFailed_ = false;
   }
 
-  /// From the first goal on by the tree for routes.
-  void driveThrough() {
+  /// Switches to the tree for several goals, before the first goal.
+  void switchToThroughPosesTree() {
     loaded_.program = loaded_.through.program;
-    loaded_.treeFile = loaded_.throughFile;
+    loaded_.treeFile = loaded_.throughPosesFile;
     loaded_.isThroughPoses = true;
     tree_ = std::make_unique<TreeState>(loaded_.program);
     driving_.paths = loaded_.program->paths();
@@ -231,18 +230,19 @@ class Nav2Planner final : public sim2d::Planner {
                              NodeStatus::Idle);
   }
 
-  /// How many goals the tree has left in its list; of a success all but the last are passed.
-  void followGoals(NodeStatus status) {
+  /// Updates the number of goals left in the tree's list; after a success all but the last are
+  /// passed.
+  void updateGoalsLeft(NodeStatus status) {
     const Value& goals = tree_->get(loaded_.program->hostSlot(1));
     const std::size_t left = servers_->paths().get(valueAs<int>(goals).value_or(0)).size();
-    route_.treeLeft(status == NodeStatus::Success ? 1 : left);
+    route_.setGoalsLeftInTree(status == NodeStatus::Success ? 1 : left);
   }
 
   void tick() {
     ++step_;
     const NodeStatus status = tree_->tickOnce(input());
     driving_.statuses.assign(tree_->statuses().begin(), tree_->statuses().end());
-    followGoals(status);
+    updateGoalsLeft(status);
     isDone_ = status == NodeStatus::Success || status == NodeStatus::Failure;
     hasFailed_ = status == NodeStatus::Failure;
     if (hasFailed_) {
@@ -254,8 +254,8 @@ class Nav2Planner final : public sim2d::Planner {
     }
   }
 
-  sim2d::NavigationEnd endWith(NodeStatus status) const {
-    sim2d::NavigationEnd end;
+  sim2d::NavigationResult endWith(NodeStatus status) const {
+    sim2d::NavigationResult end;
     end.hasSucceeded = status == NodeStatus::Success;
     end.goals = route_.left();
     if (!end.hasSucceeded) {
@@ -264,11 +264,11 @@ class Nav2Planner final : public sim2d::Planner {
     return end;
   }
 
-  /// By the action that has just failed; else by the node that did, of which the tree made it.
-  void explainFailure(sim2d::NavigationEnd& end) const {
+  /// Explains a failure by the action that just failed, otherwise by the failed node.
+  void explainFailure(sim2d::NavigationResult& end) const {
     const std::optional<ActionFailure>& failure = servers_->lastFailure();
     const std::string node = failedLeaf();
-    if (!failure || (!servers_->hasJustFailed() && !node.empty())) {
+    if (!failure || (!servers_->failedSinceLastTick() && !node.empty())) {
       end.reason = node.empty() ? "the tree returned FAILURE" : "node " + node;
       end.message = node.empty() ? "" : "the node returned FAILURE";
       return;
@@ -278,7 +278,7 @@ class Nav2Planner final : public sim2d::Planner {
     end.errorCode = servers_->distro() == sim2d::nav2::Distro::Humble ? 0 : failure->errorCode;
   }
 
-  /// The last leaf that returned FAILURE in this tick, by its name; empty: there is none.
+  /// Name of the last leaf that returned FAILURE in this tick; empty: none.
   std::string failedLeaf() const {
     for (int node = loaded_.program->nodeCount(); node-- > 0;) {
       const bool isLeaf = loaded_.program->node(node).children == 0;
@@ -294,21 +294,21 @@ class Nav2Planner final : public sim2d::Planner {
   Nav2Latencies latencies_;
   Nav2Waypoints waypoints_;
   std::unique_ptr<TreeState> tree_;
-  sim2d::DrivingTree driving_;
+  sim2d::TreeStatus driving_;
   std::unique_ptr<Nav2Servers> servers_;
-  Nav2Route route_;
-  std::optional<double> setOut_;             // [s], first asked
-  std::int64_t step_ = 0;                    // ticks
-  int orders_ = 0;                           // as of the observation before
-  std::optional<sim2d::NavigationEnd> end_;  // of the last tick
+  Nav2GoalTracker route_;
+  std::optional<double> startTime_;             // [s], first call
+  std::int64_t step_ = 0;                       // number of ticks
+  int orders_ = 0;                              // in the previous observation
+  std::optional<sim2d::NavigationResult> end_;  // set in the last tick
   std::vector<sim2d::PlannerEvent> photos_;
   bool isDone_ = false, hasFailed_ = false, hasScan_ = false;
   bool isWaiting_ = false;  // at a goal, for its task
-  bool watchesCosts_ = false, watchesWays_ = false;
-  mutable ShownCosts localCosts_, globalCosts_;
+  bool watchesCosts_ = false, recordsTrajectories_ = false;
+  mutable CostmapSnapshot localCosts_, globalCosts_;
 };
 
-/// For a file with other errors, whose servers are not created.
+/// Costmap errors for a file with other errors, for which no servers are created.
 base::Diagnostics costmapErrors(const Nav2Loaded& loaded) {
   base::Diagnostics errors;
   if (loaded.parameters.file.empty()) {
@@ -329,9 +329,9 @@ base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup
   optionTable().set(options, setup.parameters);
   Nav2Loaded loaded = loadNav2(setup.nav2, setup.folder, setup.robot, shipped);
   base::Diagnostics problems = loaded.problems;
-  base::append(problems, loaded.wrongValues);
-  base::append(problems,
-               nav2Contradictions(loaded.parameters, base::hasErrors(problems) ? nullptr : &setup));
+  base::append(problems, loaded.invalidValues);
+  base::append(problems, nav2Inconsistencies(loaded.parameters,
+                                             base::hasErrors(problems) ? nullptr : &setup));
   if (base::hasErrors(problems)) {
     base::append(problems, costmapErrors(loaded));
     return problems;
@@ -347,7 +347,7 @@ void addNav2(sim2d::PlannerRegistry& to, const Nav2Folders& shipped) {
   to.add(
       sim2d::kNav2Planner, optionTable().specs(),
       [shipped](const sim2d::PlannerSetup& setup) { return makeNav2(setup, shipped); },
-      "Nav2 without ROS: your own nav2_params.yaml and navigator tree.");
+      "Nav2 without ROS: uses your nav2_params.yaml and navigator tree.");
 }
 
 }  // namespace bt

@@ -1,27 +1,29 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "bt/robot/Nav2Servers.h"
+#include "sim2d/base/Math.h"
 #include "sim2d/nav/FrameTransform.h"
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
-#include "sim2d/nav/nav2/global/PlannerServer.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
+#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
 
-// What the planner and the smoother server do when they are asked.
+// Requests to the planner and smoother servers.
 namespace bt {
 namespace {
 
-using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using namespace sim2d::nav2;  // NOLINT: this file only concerns Nav2
 
-/// What the action reports for an error of its planner.
+/// The action's error code for an error of its planner.
 int codeOf(RobotAction action, PlanError error) {
   const int code = static_cast<int>(error);
   return action == RobotAction::ComputePathThroughPoses ? throughPosesCode(code) : code;
 }
 
-/// The only one may be left without a name. Null: there is none.
+/// Finds by name; the name may be empty if there is only one. Null: not found.
 template <class T>
-T* namedOne(const std::map<std::string, std::unique_ptr<T>>& all, const std::string& name) {
+T* findByName(const std::map<std::string, std::unique_ptr<T>>& all, const std::string& name) {
   if (name.empty() && all.size() == 1) {
     return all.begin()->second.get();
   }
@@ -31,14 +33,14 @@ T* namedOne(const std::map<std::string, std::unique_ptr<T>>& all, const std::str
 
 }  // namespace
 
-/// After a clear, until the next update: Humble waits for ever, the others give up.
-bool Nav2Servers::waitsForCostmap(Asked& asked) {
+/// After a clear, until the next update: Humble waits indefinitely, later distributions give up.
+bool Nav2Servers::waitsForCostmap(PendingRequest& pendingRequest) {
   if (global_->isCurrent() && global_->updates() > 0) {
     return false;
   }
-  asked.waitsSince = asked.waitsSince < 0.0 ? time_ : asked.waitsSince;
+  pendingRequest.waitsSince = pendingRequest.waitsSince < 0.0 ? time_ : pendingRequest.waitsSince;
   const double longest = setup_.parameters.plannerServer.costmapUpdateTimeout;
-  return distro() == Distro::Humble || time_ - asked.waitsSince <= longest;
+  return distro() == Distro::Humble || time_ - pendingRequest.waitsSince <= longest;
 }
 
 PlanRequest Nav2Servers::planRequest(const base::Pose2& from, const base::Pose2& to) const {
@@ -53,17 +55,17 @@ PlanRequest Nav2Servers::planRequest(const base::Pose2& from, const base::Pose2&
   return request;
 }
 
-void Nav2Servers::planIfAsked(RobotAction action) {
-  Asked& request = asked(action);
+void Nav2Servers::processPlanRequest(RobotAction action) {
+  PendingRequest& request = pendingRequest(action);
   const auto latency = static_cast<std::int64_t>(setup_.latencies.planner);
   if (request.isWaiting && step_ - request.step >= latency && !waitsForCostmap(request)) {
-    planNow(action, request);
+    executePlanRequest(action, request);
   }
 }
 
-void Nav2Servers::planNow(RobotAction action, Asked& asked) {
+void Nav2Servers::executePlanRequest(RobotAction action, PendingRequest& pendingRequest) {
   const auto fail = [&](PlanError error) {
-    finish(action, codeOf(action, error), 0, planErrorWords(error));
+    finish(action, codeOf(action, error), 0, planErrorMessage(error));
   };
   if (!global_->isCurrent() || global_->updates() == 0) {
     fail(PlanError::Timeout);
@@ -73,15 +75,15 @@ void Nav2Servers::planNow(RobotAction action, Asked& asked) {
     fail(PlanError::TfError);
     return;
   }
-  GlobalPlanner* const planner = namedOne(planners_, asked.request.server);
-  const Path& goals = paths().get(asked.request.path);
+  GlobalPlanner* const planner = findByName(planners_, pendingRequest.request.server);
+  const Path& goals = paths().get(pendingRequest.request.path);
   if (planner == nullptr || goals.empty()) {
     fail(planner == nullptr ? PlanError::InvalidPlanner : PlanError::NoValidPath);
     return;
   }
-  const Path& starts = paths().get(asked.request.start.value_or(0));
+  const Path& starts = paths().get(pendingRequest.request.start.value_or(0));
   const base::Pose2 start = starts.empty() ? observation_->pose : starts.front();
-  ThroughPosesResult plan = planPath(*planner, action, asked.request, start);
+  ThroughPosesResult plan = planPath(*planner, action, pendingRequest.request, start);
   if (plan.error == PlanError::None && plan.path.empty()) {
     plan.error = PlanError::NoValidPath;
   }
@@ -92,13 +94,13 @@ void Nav2Servers::planNow(RobotAction action, Asked& asked) {
   hasReplanned_ = hasReplanned_ || hasPlanned_;
   counts_.replans += hasPlanned_ ? 1 : 0;
   hasPlanned_ = true;
-  informCostmaps(plan.path);
+  passPlanToCostmaps(plan.path);
   finish(action, 0, paths().add(std::move(plan.path)));
   result(action).lastReached = plan.reached;
 }
 
-/// Layers may depend on the plan, each in the frame of its costmap.
-void Nav2Servers::informCostmaps(const Path& plan) {
+/// Passes the plan to the costmap layers, in the frame of each costmap.
+void Nav2Servers::passPlanToCostmaps(const Path& plan) {
   global_->setPlan(plan);
   Path local = plan;
   for (base::Pose2& pose : local) {
@@ -107,7 +109,7 @@ void Nav2Servers::informCostmaps(const Path& plan) {
   local_->setPlan(local);
 }
 
-/// To one goal, through the poses on the way to it if there are some, or through all goals.
+/// Plans to one goal, optionally through intermediate poses, or through all goals.
 ThroughPosesResult Nav2Servers::planPath(GlobalPlanner& planner, RobotAction action,
                                          const RobotRequest& request, const base::Pose2& start) {
   Path goals = paths().get(request.path);
@@ -124,19 +126,19 @@ ThroughPosesResult Nav2Servers::planPath(GlobalPlanner& planner, RobotAction act
                           setup_.parameters.plannerServer.allowPartialPlanning);
 }
 
-void Nav2Servers::smoothIfAsked() {
-  Asked& request = asked(RobotAction::SmoothPath);
+void Nav2Servers::processSmoothRequest() {
+  PendingRequest& request = pendingRequest(RobotAction::SmoothPath);
   if (request.isWaiting) {
-    smoothNow(request.request);
+    executeSmoothRequest(request.request);
   }
 }
 
-/// Smoothers look at the published global costmap.
-void Nav2Servers::smoothNow(const RobotRequest& request) {
-  const PathSmoother* const smoother = namedOne(smoothers_, request.server);
+/// Smoothers use the published global costmap.
+void Nav2Servers::executeSmoothRequest(const RobotRequest& request) {
+  const PathSmoother* const smoother = findByName(smoothers_, request.server);
   if (smoother == nullptr) {
     finish(RobotAction::SmoothPath, static_cast<int>(SmoothError::InvalidSmoother), 0,
-           smoothErrorWords(SmoothError::InvalidSmoother));
+           smoothErrorMessage(SmoothError::InvalidSmoother));
     return;
   }
   const Path& path = paths().get(request.path);
@@ -152,8 +154,121 @@ void Nav2Servers::smoothNow(const RobotRequest& request) {
   }
   const bool isFine = smoothed.error == SmoothError::None;
   finish(RobotAction::SmoothPath, static_cast<int>(smoothed.error),
-         isFine ? paths().add(std::move(smoothed.path)) : 0, smoothErrorWords(smoothed.error));
+         isFine ? paths().add(std::move(smoothed.path)) : 0, smoothErrorMessage(smoothed.error));
   result(RobotAction::SmoothPath).wasCompleted = smoothed.wasCompleted;
+}
+
+// Requests to the route server.
+namespace {
+
+using State = RobotOutcome::State;
+
+/// The nodes of a route as poses; each faces along the edge that leaves it, the last one along the
+/// edge before it.
+Path routePoses(const Route& route, const RouteGraph& graph) {
+  Path nodes;
+  if (graph.isEmpty()) {
+    return nodes;
+  }
+  nodes.reserve(route.edges.size() + 1);
+  nodes.push_back({graph.nodes[route.start].place, 0.0});
+  for (const std::size_t index : route.edges) {
+    const base::Vec2 to = graph.nodes[graph.edges[index].to].place;
+    const base::Vec2 along = to - nodes.back().position;
+    nodes.back().heading = base::atan2(along.y(), along.x());
+    nodes.push_back({to, nodes.back().heading});
+  }
+  return nodes;
+}
+
+}  // namespace
+
+RouteRequest Nav2Servers::routeRequest(const RobotRequest& request) const {
+  RouteRequest route;
+  route.usesPoses = request.usesPoses;
+  route.startId = request.startId;
+  route.goalId = request.goalId;
+  const Path& starts = paths().get(request.start.value_or(0));
+  const Path& goals = paths().get(request.path);
+  route.start = starts.empty() ? observation_->pose : starts.front();
+  route.goal = goals.empty() ? route.start : goals.back();
+  return route;
+}
+
+/// Executes the service calls of the scenario's topics.
+void Nav2Servers::callRouteServices() {
+  const auto each = [&](const std::string& service, const auto& call) {
+    int& heard = seenServiceCalls_[service];
+    for (const TopicMessage& message : setup_.topics.after(service, heard, time_)) {
+      heard = message.number;
+      call(message.text);
+    }
+  };
+  const RouteSettings& settings = setup_.parameters.route;
+  for (const auto& [name, operation] : settings.operations) {
+    if (std::holds_alternative<ReroutingServiceParameters>(operation)) {
+      each("route_server/" + name + "/reroute",
+           [&](const std::string& /*text*/) { routes_->requestReroute(); });
+    }
+  }
+  for (const auto& [name, scorer] : settings.scorers) {
+    if (std::holds_alternative<DynamicEdgesParameters>(scorer)) {
+      each("route_server/" + name + "/adjust_edges",
+           [&](const std::string& text) { routes_->adjustEdges(text); });
+    }
+  }
+}
+
+void Nav2Servers::showRoute(RobotOutcome& outcome, const RoutePlan& plan) {
+  outcome.path = paths().add(plan.path);
+  outcome.progress.route = paths().add(routePoses(plan.route, routes_->graph()));
+}
+
+/// ComputeRoute is answered immediately; ComputeAndTrackRoute keeps running.
+void Nav2Servers::route() {
+  callRouteServices();
+  const RouteScene scene{observation_->pose, global_->updates() > 0 ? &global_->costmap() : nullptr,
+                         local_->updates() > 0 ? &local_->costmap() : nullptr, time_, localFrame()};
+  if (PendingRequest& request = pendingRequest(RobotAction::ComputeRoute); request.isWaiting) {
+    const RoutePlan plan = routes_->compute(routeRequest(request.request), scene);
+    finish(RobotAction::ComputeRoute, static_cast<int>(plan.error), 0, plan.text);
+    if (plan.error == RouteError::None) {
+      showRoute(result(RobotAction::ComputeRoute), plan);
+    }
+  }
+  RobotOutcome& tracked = result(RobotAction::ComputeAndTrackRoute);
+  if (PendingRequest& request = pendingRequest(RobotAction::ComputeAndTrackRoute);
+      request.isWaiting) {
+    request.isWaiting = false;
+    routes_->track(routeRequest(request.request), scene);
+  }
+  if (routes_->feedback().status == TrackStatus::Idle || tracked.state != State::Running) {
+    return;
+  }
+  routes_->update(scene);
+  const TrackFeedback& feedback = routes_->feedback();
+  if (const auto limit = routes_->takeSpeedLimit()) {
+    controllers_->setSpeedLimit(*limit, true);
+  }
+  counts_.routeEvents = routes_->events();
+  tracked.duration = feedback.duration;
+  if (feedback.number != tracked.progress.number) {
+    if (tracked.progress.number == 0 || feedback.isRerouted) {
+      showRoute(tracked, feedback.plan);
+    }
+    tracked.progress = {feedback.number,   tracked.progress.route, feedback.lastNode,
+                        feedback.nextNode, feedback.currentEdge,   feedback.isRerouted};
+  }
+  if (feedback.status == TrackStatus::Succeeded) {
+    tracked.state = State::Succeeded;
+  } else if (feedback.status == TrackStatus::Failed) {
+    tracked.state = State::Failed;
+    tracked.path = 0;
+    tracked.progress.route = 0;
+    tracked.errorCode = static_cast<int>(feedback.plan.error);
+    tracked.errorText = feedback.plan.text;
+    noteFailure(RobotAction::ComputeAndTrackRoute, tracked.errorCode);
+  }
 }
 
 }  // namespace bt

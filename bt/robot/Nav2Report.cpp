@@ -13,23 +13,23 @@ namespace bt {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using namespace sim2d::nav2;  // NOLINT: this file only concerns Nav2
 
-/// Commits of github.com/ros-navigation/navigation2 from which the formulas were taken. Lyrical has
+/// Commits of github.com/ros-navigation/navigation2 from which the formulas are taken. Lyrical uses
 /// those of main.
 const char* commitOf(Distro distro) {
   static constexpr const char* kCommits[] = {"3c3db59", "f4108e5", "71a1d84", "a3a9704", "a3a9704"};
   return kCommits[static_cast<std::size_t>(distro)];
 }
 
-/// Every so many steps, as it comes out [Hz].
+/// Requested and actual rate [Hz].
 Json rate(double wanted, double dt) {
   return {{"wanted", wanted}, {"got", std::fmin(wanted, 1.0 / dt)}};
 }
 
-Json keysJson(const ReadingNotes& notes) {
+Json keysJson(const ParameterNotes& notes) {
   Json keys = Json::array();
-  for (const KeyNote& key : notes.keys) {
+  for (const KeyUsage& key : notes.keys) {
     Json json = {{"key", key.path}, {"value", key.value}, {"use", keyUseName(key.use)}};
     if (!key.why.empty()) {
       json["why"] = key.why;
@@ -39,9 +39,9 @@ Json keysJson(const ReadingNotes& notes) {
   return keys;
 }
 
-Json defaultsJson(const ReadingNotes& notes) {
+Json defaultsJson(const ParameterNotes& notes) {
   Json defaults = Json::object();
-  for (const DefaultNote& each : notes.defaults) {
+  for (const DefaultedKey& each : notes.defaults) {
     defaults[each.path] = each.value;
   }
   return defaults;
@@ -49,11 +49,11 @@ Json defaultsJson(const ReadingNotes& notes) {
 
 Json pluginsJson(const Nav2Parameters& parameters) {
   Json plugins = Json::object();
-  for (const KeyNote& key : parameters.notes.keys) {
+  for (const KeyUsage& key : parameters.notes.keys) {
     const std::string end = ".plugin";
     const bool isPlugin = key.path.size() > end.size() &&
                           key.path.compare(key.path.size() - end.size(), end.size(), end) == 0;
-    const bool isOurs = key.path.find('/') == std::string::npos;  // no other robot's
+    const bool isOurs = key.path.find('/') == std::string::npos;  // not of another robot
     if (isPlugin && isOurs && key.use != KeyUse::Unknown) {
       plugins[key.path.substr(0, key.path.size() - end.size())] = key.value;
     }
@@ -61,7 +61,7 @@ Json pluginsJson(const Nav2Parameters& parameters) {
   return plugins;
 }
 
-/// Layers that are not quite what they are called.
+/// Layers that differ from their Nav2 counterparts.
 Json replacedJson(const Nav2Parameters& parameters) {
   Json replaced = Json::array();
   for (const auto& [node, costmap] : {std::pair("local_costmap", &parameters.localCostmap),
@@ -70,14 +70,14 @@ Json replacedJson(const Nav2Parameters& parameters) {
       if (std::holds_alternative<VoxelLayerParameters>(plugin.parameters)) {
         replaced.push_back(
             {{"layer", std::string(node) + "." + plugin.name},
-             {"is", "an obstacle layer whose rays end two cells before what they hit"}});
+             {"is", "an obstacle layer whose rays end two cells before the obstacle"}});
       }
     }
   }
   return replaced;
 }
 
-/// What of the files and the tree is replaced, left out or taken by default: where, what, by what.
+/// Replaced, omitted and default parts of files and tree, with position and replacement.
 Json substitutionsJson(const base::Diagnostics& problems) {
   Json substitutions = Json::array();
   for (const base::Diagnostic& problem : problems) {
@@ -98,8 +98,8 @@ Json substitutionsJson(const base::Diagnostics& problems) {
   return substitutions;
 }
 
-/// What binary filters publish at the end, and how often that changed.
-Json binaryJson(const Nav2Counts& counts) {
+/// Final states of binary filters and the number of their changes.
+Json binaryJson(const Nav2Statistics& counts) {
   Json filters = Json::object();
   for (const auto& [name, filter] : counts.binaryFilters) {
     filters[name] = {{"state", filter.state}, {"changes", filter.changes}};
@@ -118,7 +118,7 @@ Json ratesJson(const Nav2Parameters& parameters, double dt) {
 
 }  // namespace
 
-std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
+std::string nav2Report(const Nav2Loaded& loaded, const Nav2Statistics& counts,
                        const Nav2Latencies& latencies, const sim2d::PlannerSetup& setup) {
   const Nav2Parameters& parameters = loaded.parameters;
   Json json;
@@ -146,7 +146,7 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
                     {"tree_failures", counts.treeFailures},
                     {"recoveries", counts.recoveries},
                     {"costmap_clears", counts.clears},
-                    {"commands_cut_by_the_robot", counts.cutCommands}};
+                    {"commands_cut_by_the_robot", counts.limitedCommands}};
   json["plan_failure_reasons"] = Json(counts.planReasons);
   json["action_failure_reasons"] = Json(counts.actionReasons);
   if (!loaded.graph.file.empty()) {

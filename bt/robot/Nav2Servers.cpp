@@ -1,22 +1,27 @@
 #include "bt/robot/Nav2Servers.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bt/robot/Nav2Docking.h"
-#include "bt/robot/Nav2Motions.h"
+#include "bt/robot/Nav2MotionServers.h"
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/Motion.h"
-#include "sim2d/nav/SensedWorld.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/DriveKinematics.h"
+#include "sim2d/nav/Observation.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace bt {
 namespace {
 
 using sim2d::BodyTwist;
-using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using namespace sim2d::nav2;  // NOLINT: this file only concerns Nav2
 using State = RobotOutcome::State;
 
-constexpr double kLidarHeight = 0.2;    // [m]; scenarios do not tell
+constexpr double kLidarHeight = 0.2;    // [m]; not part of the scenario
 constexpr double kCutTolerance = 1e-9;  // [m/s], [rad/s]
 
 sim2d::nav2::CostmapSetup costmapSetup(const CostmapSettings& settings,
@@ -30,8 +35,8 @@ sim2d::nav2::CostmapSetup costmapSetup(const CostmapSettings& settings,
   return result;
 }
 
-ControlledShape shapeOf(const LayeredCostmap& costmap) {
-  ControlledShape shape;
+RobotFootprint shapeOf(const LayeredCostmap& costmap) {
+  RobotFootprint shape;
   shape.vertices = costmap.footprint().corners;
   shape.inscribedRadius = costmap.footprint().inscribed;
   shape.circumscribedRadius = costmap.footprint().circumscribed;
@@ -52,7 +57,7 @@ base::Diagnostics placed(const Nav2Parameters& parameters, const std::string& no
                          const base::Diagnostics& problems) {
   base::Diagnostics result;
   for (const base::Diagnostic& problem : problems) {
-    result.push_back(placedInFile(parameters, base::within(node, problem)));
+    result.push_back(withFilePosition(parameters, base::withContext(node, problem)));
   }
   return result;
 }
@@ -104,20 +109,20 @@ base::Diagnostics Nav2Servers::build() {
   for (const auto& [name, smoother] : parameters.smoothers) {
     smoothers_[name] = makePathSmoother(smoother, parameters.distro);
   }
-  motions_ = std::make_unique<Motions>(parameters, local_->footprint().corners);
+  motionServers_ = std::make_unique<MotionServers>(parameters, local_->footprint().corners);
   routes_ = std::make_unique<RouteServer>(parameters.route, setup_.graph);
   docking_ = std::make_unique<Docking>(*this);
   return problems;
 }
 
-// ---- the step ----------------------------------------------------------------------------------
+// Step
 
 bool Nav2Servers::isDue(double frequency) const {
   return timeBefore_ < 0.0 ||
-         sim2d::eventAt(time_, frequency) > sim2d::eventAt(timeBefore_, frequency);
+         sim2d::eventIndexAt(time_, frequency) > sim2d::eventIndexAt(timeBefore_, frequency);
 }
 
-/// A scan reaches the costmaps so many steps after it was made.
+/// Delays a scan by the configured number of steps.
 void Nav2Servers::delayScan(const sim2d::Observation& observation) {
   if (observation.scan != nullptr && observation.scan->time > newestScan_) {
     newestScan_ = observation.scan->time;
@@ -154,15 +159,15 @@ void Nav2Servers::sense(const sim2d::Observation& observation) {
 BodyTwist Nav2Servers::act() {
   navigate();
   route();
-  planIfAsked(RobotAction::ComputePath);
-  planIfAsked(RobotAction::ComputePathThroughPoses);
-  smoothIfAsked();
+  processPlanRequest(RobotAction::ComputePath);
+  processPlanRequest(RobotAction::ComputePathThroughPoses);
+  processSmoothRequest();
   control();
   const std::optional<BodyTwist> docking = docking_->drive();
-  const BodyTwist driven = motions_->drive({inLocal(), *inOdom_, *local_, time_}, command_);
+  const BodyTwist driven = motionServers_->drive({inLocal(), *inOdom_, *local_, time_}, command_);
   const BodyTwist wanted = docking.value_or(driven);
-  for (const RobotAction action : Motions::kActions) {
-    if (const auto outcome = motions_->takeOutcome(action)) {
+  for (const RobotAction action : MotionServers::kActions) {
+    if (const auto outcome = motionServers_->takeOutcome(action)) {
       result(action) = *outcome;
       if (outcome->state == State::Failed) {
         noteFailure(action, outcome->errorCode);
@@ -174,32 +179,32 @@ BodyTwist Nav2Servers::act() {
   const bool isCut = std::fabs(left.linear - sent.linear) > kCutTolerance ||
                      std::fabs(left.angular - sent.angular) > kCutTolerance ||
                      std::fabs(left.lateral - sent.lateral) > kCutTolerance;
-  counts_.cutCommands += isCut ? 1 : 0;
+  counts_.limitedCommands += isCut ? 1 : 0;
   return sent;
 }
 
 BodyTwist Nav2Servers::delayed(const BodyTwist& command) {
-  underWay_.push_back(command);
-  if (static_cast<double>(underWay_.size()) <= setup_.latencies.command) {
+  delayedCommands_.push_back(command);
+  if (static_cast<double>(delayedCommands_.size()) <= setup_.latencies.command) {
     return {};
   }
-  const BodyTwist arrived = underWay_.front();
-  underWay_.pop_front();
+  const BodyTwist arrived = delayedCommands_.front();
+  delayedCommands_.pop_front();
   return arrived;
 }
 
 void Nav2Servers::restart() {
   endNavigation();
   routes_->cancel();
-  for (Asked& each : asked_) {
+  for (PendingRequest& each : pending_) {
     each.isWaiting = false;
   }
   if (controllers_->isRunning()) {
     cancel(RobotAction::FollowPath);
   }
   nextFollow_.reset();
-  for (const RobotAction action : Motions::kActions) {
-    motions_->cancel(action);
+  for (const RobotAction action : MotionServers::kActions) {
+    motionServers_->cancel(action);
   }
   for (const RobotAction action : Docking::kActions) {
     docking_->cancel(action);
@@ -208,15 +213,15 @@ void Nav2Servers::restart() {
   lastFailure_.reset();
 }
 
-bool Nav2Servers::wantsTeleop() const {
-  return motions_->isRunning(RobotAction::AssistedTeleop);
+bool Nav2Servers::usesTeleop() const {
+  return motionServers_->isRunning(RobotAction::AssistedTeleop);
 }
 
 std::vector<std::string> Nav2Servers::takeDockEvents() {
   return docking_->takeEvents();
 }
 
-// ---- actions --------------------------------------------------------------------
+// Actions
 
 void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
   if (isNavigation(action)) {
@@ -228,7 +233,7 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
     const Path& path = paths().get(request.path);
     FollowPathGoal goal{path, request.server, request.goalChecker, request.progressChecker,
                         request.pathHandler};
-    shownPath_ = path;
+    displayedPath_ = path;
     tracking_.index = 0;
     controllerName_ = request.server;
     if (isCancelling_) {
@@ -238,19 +243,19 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
     }
     return;
   }
-  if (Docking::isOne(action)) {
+  if (Docking::handles(action)) {
     docking_->begin(action, request);
     return;
   }
-  if (Motions::isOne(action)) {
-    if (!motions_->begin(action, request, {inLocal(), *inOdom_, *local_, time_})) {
+  if (MotionServers::handles(action)) {
+    if (!motionServers_->begin(action, request, {inLocal(), *inOdom_, *local_, time_})) {
       result(action).state = State::Failed;
       result(action).errorText = "behavior_plugins has no such behavior";
       noteFailure(action, 0);
     }
     return;
   }
-  asked(action) = {request, step_, true, -1.0};
+  pendingRequest(action) = {request, step_, true, -1.0};
 }
 
 RobotOutcome Nav2Servers::outcome(RobotAction action) const {
@@ -266,7 +271,7 @@ void Nav2Servers::finish(RobotAction action, int errorCode, PathId path, const s
   outcome.errorCode = errorCode;
   outcome.errorText = text;
   outcome.path = path;
-  asked(action).isWaiting = false;
+  pendingRequest(action).isWaiting = false;
   if (errorCode != 0) {
     noteFailure(action, errorCode);
   }
@@ -275,9 +280,10 @@ void Nav2Servers::finish(RobotAction action, int errorCode, PathId path, const s
 void Nav2Servers::noteFailure(RobotAction action, int errorCode) {
   lastFailure_ = ActionFailure{action, errorCode};
   failureStep_ = step_;
-  counts_.planFailures += isOfPlanner(*lastFailure_) ? 1 : 0;
-  ++(isOfPlanner(*lastFailure_) ? counts_.planReasons
-                                : counts_.actionReasons)[failureReason(*lastFailure_, distro())];
+  counts_.planFailures += isPlannerFailure(*lastFailure_) ? 1 : 0;
+  ++(isPlannerFailure(*lastFailure_)
+         ? counts_.planReasons
+         : counts_.actionReasons)[failureReason(*lastFailure_, distro())];
 }
 
 void Nav2Servers::cancel(RobotAction action) {
@@ -293,17 +299,119 @@ void Nav2Servers::cancel(RobotAction action) {
       controllers_->cancel();
       isCancelling_ = true;
     }
-  } else if (Docking::isOne(action)) {
+  } else if (Docking::handles(action)) {
     docking_->cancel(action);
-  } else if (Motions::isOne(action)) {
-    motions_->cancel(action);
+  } else if (MotionServers::handles(action)) {
+    motionServers_->cancel(action);
   } else if (action == RobotAction::ComputeAndTrackRoute) {
     routes_->cancel();
   }
-  asked(action).isWaiting = false;
+  pendingRequest(action).isWaiting = false;
   if (result(action).state == State::Running) {
     result(action).state = State::Cancelled;
   }
+}
+
+// Queries of tree nodes that are answered immediately.
+namespace {
+
+Path::const_iterator nearestPose(const Path& path, const base::Vec2& place) {
+  return std::min_element(
+      path.begin(), path.end(), [&](const base::Pose2& a, const base::Pose2& b) {
+        return (a.position - place).squaredNorm() < (b.position - place).squaredNorm();
+      });
+}
+
+/// The cells of a layer; of the costmap itself for an empty name. Null: it has no such layer.
+const Costmap* gridOf(const LayeredCostmap& costmap, const std::string& layer) {
+  if (layer.empty()) {
+    return &costmap.costmap();
+  }
+  const CostmapLayer* const found = costmap.layer(layer);
+  return found != nullptr ? found->grid() : nullptr;
+}
+
+/// Whether a pose of this cost blocks a path; a robot of a radius also where it touches.
+bool isBlocked(const PathCheck& check, std::uint8_t cost, bool isRadius) {
+  if (cost == kNoInformation) {
+    return check.unknownBlocks;
+  }
+  return cost == kLethal || (isRadius && cost == kInscribed) || cost >= check.maxCost;
+}
+
+}  // namespace
+
+double Nav2Servers::speed() const {
+  const BodyTwist mean = odometry_.mean();
+  return std::sqrt(mean.linear * mean.linear + mean.lateral * mean.lateral);
+}
+
+std::optional<std::uint8_t> Nav2Servers::costAt(bool isLocal, const base::Pose2& pose,
+                                                bool usesFootprint) const {
+  const LayeredCostmap& costmap = isLocal ? *local_ : *global_;
+  const auto cell = costmap.costmap().worldToCell(pose.position);
+  if (!cell) {
+    return std::nullopt;
+  }
+  return usesFootprint ? footprintCost(costmap.costmap(), costmap.footprint().corners, pose)
+                       : costmap.costmap().at(*cell);
+}
+
+PathCheckResult Nav2Servers::checkPath(const PathCheck& check) const {
+  const Path& path = paths().get(check.path);
+  const Costmap* const costmap = gridOf(*global_, check.layer);
+  const base::Result<Polygon> given = check.footprint.empty()
+                                          ? base::Result<Polygon>(global_->footprint().corners)
+                                          : readPolygon(check.footprint);
+  if (path.empty() || costmap == nullptr || !given) {
+    return {};
+  }
+  const bool isRadius = global_->footprint().isRadius && check.footprint.empty();
+  PathCheckResult result;
+  const auto nearest = nearestPose(path, observation_->pose.position);
+  double distance = 0.0;  // [m] from the nearest pose
+  for (auto pose = nearest; pose != path.end(); ++pose) {
+    distance += pose == nearest ? 0.0 : (pose->position - (pose - 1)->position).norm();
+    if (check.lookahead >= 0.0 && distance > check.lookahead) {
+      break;
+    }
+    const std::uint8_t cost =
+        isRadius ? pointCost(*costmap, pose->position) : footprintCost(*costmap, *given, *pose);
+    if (isBlocked(check, cost, isRadius)) {
+      result.collisions.push_back(*pose);
+      if (check.stopsAtFirst) {
+        break;
+      }
+    }
+  }
+  result.isValid = result.collisions.empty();
+  return result;
+}
+
+bool Nav2Servers::relocalize() {
+  asksRelocalization_ = asksRelocalization_ || observation_->canRelocalize;
+  return observation_->canRelocalize;
+}
+
+bool Nav2Servers::clear(const ClearRequest& request) {
+  LayeredCostmap& costmap = request.isLocal ? *local_ : *global_;
+  ++counts_.clears;
+  std::string names = request.plugins;
+  std::replace(names.begin(), names.end(), ';', ',');
+  std::vector<std::string> plugins;
+  for (const std::string& name : base::split(names, ',')) {
+    if (!base::trimmed(name).empty()) {
+      plugins.push_back(base::trimmed(name));
+    }
+  }
+  using Extent = ClearRequest::Extent;
+  if (request.extent == Extent::Entire) {
+    return costmap.clearEntirely(plugins);
+  }
+  const base::Pose2 inMap = request.pose.value_or(observation_->pose);
+  const base::Vec2 place = (request.isLocal ? sim2d::toFrame(localFrame(), inMap) : inMap).position;
+  return request.extent == Extent::Except ? costmap.clearExcept(place, request.distance, plugins)
+                                          : costmap.clearAround(place, request.distance, plugins);
 }
 
 }  // namespace bt

@@ -14,7 +14,7 @@ std::string bareName(const std::string& topic) {
   return !topic.empty() && topic.front() == '/' ? topic.substr(1) : topic;
 }
 
-/// Cuts off the first word.
+/// Removes and returns the first word.
 std::string takeWord(std::string& line) {
   const std::size_t end = std::min(line.find(' '), line.size());
   std::string word = line.substr(0, end);

@@ -9,18 +9,18 @@
 
 namespace bt {
 
-/// What is published to a robot's navigator in a run, by the scenario's `nav2_topics`: messages of
-/// topics and calls of services, each at a time. A plain value.
+/// Messages and service calls to a robot's navigator at given times, from the scenario's
+/// `nav2_topics`. A plain value.
 class NavigatorTopics {
  public:
-  /// "12.0 controller_selector FollowPath2; 20 /pause": with ';' between, each has its time [s],
-  /// the name of the topic or service, and the text of the message (none of a call). Errors: no
-  /// time or one below 0, no name.
+  /// Parses "12.0 controller_selector FollowPath2; 20 /pause": entries separated by ';', each with
+  /// its time [s], the name of the topic or service and the message text (empty for a call).
+  /// Errors: a missing or negative time, a missing name.
   static base::Result<NavigatorTopics> read(const std::string& text);
 
-  /// The last message of a topic that was published by `now` [s]. A leading '/' does not matter.
+  /// The last message of a topic published by `now` [s]. A leading '/' is ignored.
   TopicMessage lastOf(const std::string& topic, double now) const;
-  /// Those after the message with that number, oldest first.
+  /// The messages after the one with that number, oldest first.
   std::vector<TopicMessage> after(const std::string& topic, int number, double now) const;
 
  private:
@@ -28,7 +28,7 @@ class NavigatorTopics {
     double time = 0.0;  // [s]
     std::string text;
   };
-  std::map<std::string, std::vector<Published>> topics_;  // by name without '/'; by time
+  std::map<std::string, std::vector<Published>> topics_;  // by name without '/', ordered by time
 };
 
 }  // namespace bt

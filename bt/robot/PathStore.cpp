@@ -15,7 +15,7 @@ bool isSamePose(const base::Pose2& a, const base::Pose2& b) {
 PathId PathStore::add(sim2d::nav2::Path path) {
   poses_ += path.size();
   paths_.push_back(std::make_unique<const sim2d::nav2::Path>(std::move(path)));
-  constexpr std::size_t kAlways = 1;  // the new one, however large
+  constexpr std::size_t kAlways = 1;  // the new path is always kept
   while (paths_.size() > kAlways && (paths_.size() > kMost || poses_ > kMostPoses)) {
     poses_ -= paths_.front()->size();
     paths_.pop_front();

@@ -12,7 +12,7 @@ namespace bt {
 
 namespace {
 
-/// The name at the place of the enumerator.
+/// The name at the index of the enumerator.
 template <class Enum, std::size_t count>
 const char* nameOf(Enum value, const std::array<const char*, count>& names) {
   return names.at(static_cast<std::size_t>(value));
@@ -70,7 +70,7 @@ std::optional<std::string> NodeCatalogue::nearest(std::string_view id) const {
 
 namespace {
 
-/// A type in texts, with what goes with it.
+/// A type name in node definitions, with its unit and range.
 struct PortWord {
   std::string_view word;
   PortType type;
@@ -93,7 +93,7 @@ constexpr std::array<PortWord, 14> kPortWords = {
      {"duration", PortType::Double, "s", {0.0, 36000.0}},
      {"angle", PortType::Double, "rad", {0.0, base::kPi}}}};
 
-/// Cuts off the first word; empty at the end.
+/// Removes and returns the first word; empty at the end.
 std::string takeWord(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   std::string word(text.substr(0, text.find(' ')));
@@ -105,7 +105,7 @@ double takeNumber(std::string_view& text) {
   return base::parseDouble(takeWord(text)).value();
 }
 
-void applyMark(PortSpec& port, const std::string& mark, std::string_view& rest) {
+void applyPortOption(PortSpec& port, const std::string& mark, std::string_view& rest) {
   if (mark == "needed") {
     port.required = true;
   } else if (mark == "default") {
@@ -143,7 +143,7 @@ base::ParameterType parameterTypeOf(PortType type) {
   }
 }
 
-PortSpec portOf(const std::string& line) {
+PortSpec parsePort(const std::string& line) {
   const std::size_t bar = line.find('|');
   std::string_view rest = std::string_view(line).substr(0, bar);
   PortSpec port;
@@ -159,13 +159,13 @@ PortSpec portOf(const std::string& line) {
   port.range = kind->range;
   port.help = line.substr(bar + 1);
   for (std::string mark = takeWord(rest); !mark.empty(); mark = takeWord(rest)) {
-    applyMark(port, mark, rest);
+    applyPortOption(port, mark, rest);
   }
   return port;
 }
 
-/// Nothing for the line of a port.
-std::optional<NodeManifest> nodeOf(const std::string& line, NodeOrigin origin) {
+/// Empty for a line that defines a port.
+std::optional<NodeManifest> parseNode(const std::string& line, NodeOrigin origin) {
   const std::vector<std::string> fields = base::split(line, '|');
   std::string_view rest = fields.front();
   const std::string word = takeWord(rest);
@@ -196,17 +196,17 @@ std::optional<NodeManifest> nodeOf(const std::string& line, NodeOrigin origin) {
 
 }  // namespace
 
-NodeCatalogue nodesOf(std::string_view text, NodeOrigin origin) {
+NodeCatalogue parseNodeCatalogue(std::string_view text, NodeOrigin origin) {
   std::vector<NodeManifest> nodes;
   std::map<std::string, PortSpec> known;
   for (const std::string& line : base::split(text, '\n')) {
-    if (std::optional<NodeManifest> node = nodeOf(line, origin)) {
+    if (std::optional<NodeManifest> node = parseNode(line, origin)) {
       nodes.push_back(*std::move(node));
       continue;
     }
     std::string_view names = line;
     if (line.find('|') != std::string::npos) {
-      PortSpec port = portOf(line);
+      PortSpec port = parsePort(line);
       names = names.substr(0, port.key.size());
       known[port.key] = std::move(port);
     }
@@ -220,6 +220,99 @@ NodeCatalogue nodesOf(std::string_view text, NodeOrigin origin) {
     catalogue.add(std::move(node));
   }
   return catalogue;
+}
+
+namespace {
+
+constexpr const char* kNodes = R"(
+Control Sequence|Control|Runs the children in order until one fails; resumes at the running child.
+Control Fallback|Control|Runs the children in order until one succeeds; resumes at the running child.
+Control ReactiveSequence|Control|A sequence that restarts at the first child in every time step, so that conditions are checked again.
+Control ReactiveFallback|Control|A fallback that restarts at the first child in every time step, so that earlier children take precedence.
+Control SequenceWithMemory|Control|A sequence that resumes at the child that failed.
+Control AsyncSequence|Control|A sequence that completes at most one child per time step.
+Control AsyncFallback|Control|A fallback that completes at most one child per time step.
+Control Parallel|Control|Runs all children in every time step until enough have succeeded or failed.
+success_count int default -1|Number of successes after which the node succeeds; negative: counted from all children (-1: all).
+failure_count int default 1|Number of failures after which the node fails; negative: counted from all children (-1: all).
+Control ParallelAll|Control|Runs all children and ends when all are completed.
+max_failures int default 1|Number of failures from which the node fails.
+Control IfThenElse children 2 3|Control|The first child is the condition, run once; if it succeeds the second child is run, else the third.
+Control WhileDoElse children 2 3|Control|The first child is the condition, run in every time step; while it succeeds the second child is run, else the third.
+Control Switch2 children 3 3|Control|Runs the child whose case equals the variable, for any other value the last child.
+variable text|Value that is compared.
+case_1 text needed|Value for which child 1 is run.
+case_2 text needed|Value for which child 2 is run.
+Control Switch3 children 4 4|Control|Runs the child whose case equals the variable, for any other value the last child.
+variable case_1 case_2
+case_3 text needed|Value for which child 3 is run.
+Control Switch4 children 5 5|Control|Runs the child whose case equals the variable, for any other value the last child.
+variable case_1 case_2 case_3
+case_4 text needed|Value for which child 4 is run.
+Control Switch5 children 6 6|Control|Runs the child whose case equals the variable, for any other value the last child.
+variable case_1 case_2 case_3 case_4
+case_5 text needed|Value for which child 5 is run.
+Control Switch6 children 7 7|Control|Runs the child whose case equals the variable, for any other value the last child.
+variable case_1 case_2 case_3 case_4 case_5
+case_6 text needed|Child 6 is run for this value.
+Control TryCatch children 2 -1|Control|Runs all children except the last as a sequence; if it fails, runs the last child.
+catch_on_halt bool default false|The last child is also ticked once when the node is halted.
+Decorator Inverter|Decorator|Inverts success and failure of the child.
+Decorator ForceSuccess|Decorator|Succeeds whatever the result of the child.
+Decorator ForceFailure|Decorator|Fails whatever the result of the child.
+Decorator KeepRunningUntilFailure|Decorator|Repeats the child until it fails.
+Decorator Repeat|Decorator|Repeats the child this number of times, or until it fails.
+num_cycles int needed suggest 3|Number of runs; -1: unlimited.
+Decorator RetryUntilSuccessful|Decorator|Repeats the child until it succeeds.
+num_attempts int needed suggest 3|Number of runs; -1: unlimited.
+Decorator RunOnce|Decorator|Runs the child to completion once in the lifetime of the tree.
+then_skip bool default true|Afterwards: true: skipped, false: returns the same result.
+Decorator Delay|Decorator|Waits before the child is run.
+delay_msec milliseconds needed suggest 1000|Duration in simulated time.
+Decorator Timeout|Decorator|Fails when the child takes longer.
+msec milliseconds needed suggest 1000|Limit in simulated time; 0: none.
+Decorator Precondition|Decorator|Runs the child only if a script is true.
+if text needed suggest true|Script.
+else status default FAILURE|Result if the script is false.
+Decorator LoopInt|Decorator|Runs the child once for each element of a list.
+queue queue needed inout suggest 1;2;3|Elements, separated by ';'.
+if_empty status default SUCCESS|Result at the end.
+value int output suggest {value}|Current element.
+Decorator LoopBool|Decorator|Runs the child once for each element of a list.
+queue if_empty
+value bool output suggest {value}|Current element.
+Decorator LoopDouble|Decorator|Runs the child once for each element of a list.
+queue if_empty
+value number output suggest {value}|Current element.
+Decorator LoopString|Decorator|Runs the child once for each element of a list.
+queue if_empty
+value text output suggest {value}|Current element.
+Decorator SkipUnlessUpdated|Decorator|Skips the child unless the blackboard entry was written.
+entry any needed suggest {key}|Blackboard entry.
+Decorator WaitValueUpdate|Decorator|Waits until the blackboard entry is written, then runs the child.
+entry
+SubTree SubTree|SubTree|Runs another tree.
+Action AlwaysSuccess|Blackboard|Succeeds.
+Action AlwaysFailure|Blackboard|Fails.
+Action SetBlackboard|Blackboard|Writes an entry of the blackboard.
+value any needed suggest 1|Text, or {key} of the entry that is copied.
+output_key any needed inout suggest key|Name of the entry.
+Action UnsetBlackboard|Blackboard|Removes an entry of the blackboard.
+key text needed suggest key|Name of the entry.
+Action Script|Blackboard|Runs a script.
+code text needed suggest x := 1|Script.
+Condition ScriptCondition|Condition|Succeeds if a script is true.
+code text needed suggest x == 1|Script.
+Action Sleep|Blackboard|Waits.
+msec milliseconds needed suggest 1000|Duration in simulated time.
+Condition WasEntryUpdated|Condition|Succeeds if the entry was written since the last check.
+entry
+)";
+
+}  // namespace
+
+NodeCatalogue builtinNodes() {
+  return parseNodeCatalogue(kNodes, NodeOrigin::BehaviorTreeCpp);
 }
 
 }  // namespace bt

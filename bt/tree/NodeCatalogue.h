@@ -10,40 +10,40 @@
 
 #include "sim2d/base/ParameterSpec.h"
 
-/// What is known about every kind of node: for the palette, the checks and the compiler.
-/// Sources: BehaviorTree.CPP 4.10 (controls, decorators, its leaves), HuNavSim 2.0 (nodes for
-/// people, added by bt/human).
+/// Descriptions of all node types, used by the palette, the checks and the compiler. Sources:
+/// BehaviorTree.CPP 4.10 (controls, decorators, its leaves) and HuNavSim 2.0 (nodes for people,
+/// added by bt/human).
 namespace bt {
 
 enum class NodeKind { Condition, Action, Control, Decorator, SubTree };
 enum class PortDirection { Input, Output, InOut };
-/// Unsigned is a non-negative whole number; Queue is text with ';' between the elements; Any takes
-/// whatever it is given.
+/// Unsigned is a non-negative integer. Queue is text with ';' between the elements. Any accepts
+/// every value.
 enum class PortType : std::uint8_t { Int, Unsigned, Double, Bool, String, Status, Queue, Any };
 enum class NodeOrigin { BehaviorTreeCpp, HuNavSim, Ours };
 
-const char* nodeKindName(NodeKind kind);                // "Condition", … as the XML tag
+const char* nodeKindName(NodeKind kind);                // XML tag: "Condition", "Action", …
 const char* portDirectionTag(PortDirection direction);  // "input_port", "output_port", "inout_port"
 const char* portTypeName(PortType type);  // "int", "double", "std::string" …; Any: ""
 const char* nodeOriginName(NodeOrigin origin);
 
-/// A parameter of a node: its key is the attribute, its range what is sensible, its fallback the
-/// text that is taken when the attribute is absent.
+/// Port of a node. `key` is the XML attribute, `range` the recommended range, `fallback` the text
+/// that is used when the attribute is absent.
 struct PortSpec : base::ParameterSpec {
   PortType portType = PortType::Any;
   PortDirection direction = PortDirection::Input;
-  bool required = false;                // absent and no fallback: an error as soon as it is read
-  std::vector<std::string> replacedBy;  // absent is fine when all of these ports are given
-  std::string suggested;                // text that an editor writes into a new node
+  bool required = false;                // absent without fallback: an error when the port is read
+  std::vector<std::string> replacedBy;  // the port may be absent if all of these are given
+  std::string suggested;                // initial text for a node created in the editor
 
   const std::string* fallbackText() const { return std::get_if<std::string>(&fallback); }
 };
 
 struct NodeManifest {
-  std::string id;  // the name in XML
+  std::string id;  // XML name
   NodeKind kind = NodeKind::Action;
-  std::vector<PortSpec> ports;  // the index here is the port number that leaves use
-  std::string category;         // heading in the palette
+  std::vector<PortSpec> ports;  // the index is the port number that leaves use
+  std::string category;         // group in the palette
   std::string description;
   NodeOrigin origin = NodeOrigin::Ours;
   int minChildren = 0;
@@ -54,10 +54,10 @@ struct NodeManifest {
 
 class NodeCatalogue {
  public:
-  /// Replaces a manifest of the same id.
+  /// Replaces an existing manifest with the same id.
   void add(NodeManifest manifest);
   const NodeManifest* find(std::string_view id) const;                 // nullptr = unknown
-  const std::vector<NodeManifest>& all() const { return manifests_; }  // in order of adding
+  const std::vector<NodeManifest>& all() const { return manifests_; }  // in insertion order
   std::optional<std::string> nearest(std::string_view id) const;
 
  private:
@@ -65,22 +65,22 @@ class NodeCatalogue {
   std::map<std::string, std::size_t, std::less<>> indexOf_;
 };
 
-/// Nodes as a text says them, one thing per line: a node, then its ports.
+/// Parses node manifests from text with one item per line: a node, then its ports.
 ///
 ///   Condition IsAgentClose|Perception|Another person is nearer than the threshold.
 ///   agent_id int needed suggest {id}|Id of the person who looks.
 ///   threshold length default 1.0|Nearer than this is close.
 ///
-/// A node may say `own` (its origin is Ours, not `origin`) and `children LEAST MOST` behind its
-/// name. A port has a name, a type (int, number, bool, text, status, queue, any, milliseconds,
-/// seconds, metres, or with a sensible range length, speed, duration, angle) and then what is true
-/// of it: needed, default TEXT (also suggested), unit UNIT, range LEAST MOST, atMost MOST (below it
-/// anything), unless PORT PORT (these two make it dispensable), output, inout, suggest TEXT (up to
-/// the bar). A line without a bar names ports that stand further up, the last of each name; those
-/// above all nodes belong to none.
-NodeCatalogue nodesOf(std::string_view text, NodeOrigin origin);
+/// The name of a node may be followed by `own` (origin NodeOrigin::Ours instead of `origin`) and
+/// `children MIN MAX`. A port has a name, a type (int, number, bool, text, status, queue, any,
+/// milliseconds, seconds, metres, or, with a recommended range, length, speed, duration, angle) and
+/// options: needed, default TEXT (also the suggested text), unit UNIT, range MIN MAX, atMost MAX
+/// (no lower limit), unless PORT PORT (optional if both of these ports are given), output, inout,
+/// suggest TEXT (up to the bar). A line without a bar repeats ports that are defined above it; the
+/// last definition of each name is used. Ports defined before the first node belong to no node.
+NodeCatalogue parseNodeCatalogue(std::string_view text, NodeOrigin origin);
 
-/// All controls, decorators and leaves of BehaviorTree.CPP that we run, "SubTree" included.
+/// All controls, decorators and leaves of BehaviorTree.CPP that are supported, including "SubTree".
 NodeCatalogue builtinNodes();
 
 }  // namespace bt

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bt/tree/TextValue.h"
+#include "bt/tree/PortTextConversion.h"
 #include "bt/tree/TreeSpec.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
@@ -12,8 +12,8 @@ namespace bt {
 namespace {
 
 constexpr std::size_t kShownLabel = 80;         // characters of a name in a message
-constexpr std::size_t kMaxIssues = 500;         // of one tree; nobody reads more
-constexpr std::size_t kMaxNamesCompared = 500;  // when a nearest tree ID is looked for
+constexpr std::size_t kMaxIssues = 500;         // per tree
+constexpr std::size_t kMaxNamesCompared = 500;  // limit for the search of a similar tree ID
 
 std::optional<std::string> nearestTree(const std::string& id, const TreeIds& ids) {
   return ids.size() > kMaxNamesCompared
@@ -21,7 +21,7 @@ std::optional<std::string> nearestTree(const std::string& id, const TreeIds& ids
              : base::nearestName(id, std::vector<std::string>(ids.begin(), ids.end()));
 }
 
-/// Walks one tree and notes what is wrong with it.
+/// Traverses one tree and reports its problems.
 class Checker {
  public:
   Checker(const TreeSpec& tree, const NodeCatalogue& catalogue, const TreeIds& treeIds,
@@ -39,10 +39,11 @@ class Checker {
     issues_.push_back({std::move(problem), tree_.id, path_});
   }
   void error(const NodeSpec& node, std::string_view code, base::ProblemValues values = {}) {
-    report(base::within(where(), base::error(code, std::move(values), fileName_, node.line)));
+    report(base::withContext(where(), base::error(code, std::move(values), fileName_, node.line)));
   }
   void warn(const NodeSpec& node, std::string_view code, base::ProblemValues values = {}) {
-    report(base::within(where(), base::warning(code, std::move(values), fileName_, node.line)));
+    report(
+        base::withContext(where(), base::warning(code, std::move(values), fileName_, node.line)));
   }
   std::string where() const;
   void visit(const NodeSpec& node);
@@ -53,7 +54,7 @@ class Checker {
   static bool isLacking(const NodeSpec& node, const PortSpec& port);
   void checkPort(const NodeSpec& node, const Attribute& given, const PortSpec& port);
   void checkRange(const NodeSpec& node, const Attribute& given, const PortSpec& port);
-  void checkOthers(const NodeSpec& node);
+  void checkUnknownAttributes(const NodeSpec& node);
 
   const TreeSpec& tree_;
   const NodeCatalogue& catalogue_;
@@ -78,10 +79,10 @@ TreeIssues Checker::run() {
   return std::move(issues_);
 }
 
-/// "Tree/Fallback/Sequence", the way down to the node.
+/// "Tree/Fallback/Sequence", the path to the node.
 std::string Checker::where() const {
   std::string text = tree_.id;
-  const std::size_t shown = 8;  // of a deep tree only the end
+  const std::size_t shown = 8;  // only the end of a deep path
   const std::size_t first = parents_.size() > shown ? parents_.size() - shown : 0;
   text += first > 0 ? "/…" : "";
   for (std::size_t i = first; i < parents_.size(); ++i) {
@@ -106,7 +107,7 @@ void Checker::visit(const NodeSpec& node) {
       checkPorts(node, *manifest);
     }
   }
-  checkOthers(node);
+  checkUnknownAttributes(node);
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     path_.push_back(static_cast<int>(i));
     visit(node.children[i]);
@@ -180,12 +181,14 @@ void Checker::checkPorts(const NodeSpec& node, const NodeManifest& manifest) {
   }
 }
 
-/// A port that has to be given, unless others stand in for it.
+/// Whether a required port is absent and not replaced by other ports.
 bool Checker::isLacking(const NodeSpec& node, const PortSpec& port) {
-  if (port.fallbackText() || findText(node.ports, port.key)) {
+  if (port.fallbackText() || findAttribute(node.ports, port.key)) {
     return false;
   }
-  const auto isAbsent = [&node](const std::string& other) { return !findText(node.ports, other); };
+  const auto isAbsent = [&node](const std::string& other) {
+    return !findAttribute(node.ports, other);
+  };
   return port.required || std::any_of(port.replacedBy.begin(), port.replacedBy.end(), isAbsent);
 }
 
@@ -193,7 +196,7 @@ void Checker::checkPort(const NodeSpec& node, const Attribute& given, const Port
   if (referencedKey(given.text, port.key)) {
     return;
   }
-  if (!isConvertible(given.text, port.portType)) {  // also for an output, as in the original
+  if (!isConvertible(given.text, port.portType)) {  // also for an output, as in BehaviorTree.CPP
     error(node, "tree.port-type", {given.name, given.text, portTypeName(port.portType)});
     return;
   }
@@ -201,7 +204,7 @@ void Checker::checkPort(const NodeSpec& node, const Attribute& given, const Port
     warn(node, "tree.output-not-key", {given.name, given.text, "{key}"});
     return;
   }
-  if (const std::optional<double> read = cutNumber(given.text, port.portType)) {
+  if (const std::optional<double> read = partiallyReadNumber(given.text, port.portType)) {
     warn(node, "tree.number-cut", {given.name, given.text, *read});
   }
   checkRange(node, given, port);
@@ -221,8 +224,8 @@ void Checker::checkRange(const NodeSpec& node, const Attribute& given, const Por
   }
 }
 
-/// A condition that was mistyped would be ignored without a word.
-void Checker::checkOthers(const NodeSpec& node) {
+/// Reports mistyped conditions, which would otherwise be ignored silently.
+void Checker::checkUnknownAttributes(const NodeSpec& node) {
   std::vector<std::string> names(kConditionNames.begin(), kConditionNames.end());
   names.emplace_back("_autoremap");
   for (const Attribute& other : node.others) {

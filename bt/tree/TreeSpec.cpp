@@ -8,13 +8,13 @@
 
 namespace bt {
 
-const std::string* findText(const Attributes& attributes, std::string_view name) {
+const std::string* findAttribute(const Attributes& attributes, std::string_view name) {
   const auto place = std::find_if(attributes.begin(), attributes.end(),
                                   [name](const Attribute& a) { return a.name == name; });
   return place == attributes.end() ? nullptr : &place->text;
 }
 
-void setText(Attributes& attributes, std::string_view name, std::string text) {
+void setAttribute(Attributes& attributes, std::string_view name, std::string text) {
   const auto place = std::find_if(attributes.begin(), attributes.end(),
                                   [name](const Attribute& a) { return a.name == name; });
   if (place == attributes.end()) {
@@ -24,7 +24,7 @@ void setText(Attributes& attributes, std::string_view name, std::string text) {
   }
 }
 
-void removeText(Attributes& attributes, std::string_view name) {
+void removeAttribute(Attributes& attributes, std::string_view name) {
   attributes.erase(std::remove_if(attributes.begin(), attributes.end(),
                                   [name](const Attribute& a) { return a.name == name; }),
                    attributes.end());
@@ -52,7 +52,7 @@ bool operator==(const Include& a, const Include& b) {
   return a.path == b.path && a.rosPackage == b.rosPackage;
 }
 
-bool operator==(const XmlBlock& a, const XmlBlock& b) {
+bool operator==(const XmlElement& a, const XmlElement& b) {
   return std::tie(a.tag, a.attributes, a.text, a.children) ==
          std::tie(b.tag, b.attributes, b.text, b.children);
 }
@@ -109,7 +109,7 @@ std::optional<std::string> referencedKey(std::string_view text, std::string_view
   return key == "=" ? std::string(portName) : key;
 }
 
-std::vector<std::string> siblingNames(const std::vector<NodeSpec>& children) {
+std::vector<std::string> uniqueChildLabels(const std::vector<NodeSpec>& children) {
   std::map<std::string, int> total;
   for (const NodeSpec& child : children) {
     ++total[child.label()];

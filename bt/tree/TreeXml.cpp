@@ -8,7 +8,7 @@
 
 #include <tinyxml2.h>
 
-#include "bt/tree/TextValue.h"
+#include "bt/tree/PortTextConversion.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
 
@@ -49,37 +49,37 @@ bool isSubTreeTag(const std::string& tag) {
   return tag == "SubTree" || tag == "SubTreePlus";
 }
 
-/// A piece of a file, read.
-struct ReadPiece {
-  XmlPiece source;
+/// A parsed piece of a file.
+struct ParsedChunk {
+  XmlChunk source;
   tinyxml2::XMLDocument document;
   std::vector<const XMLElement*> elements;
-  const ReadPiece* next = nullptr;
+  const ParsedChunk* next = nullptr;
 };
 
-const ReadPiece& pieceOf(const tinyxml2::XMLNode& node) {
-  return *static_cast<const ReadPiece*>(node.GetDocument()->GetUserData());
+const ParsedChunk& chunkOf(const tinyxml2::XMLNode& node) {
+  return *static_cast<const ParsedChunk*>(node.GetDocument()->GetUserData());
 }
 
 int lineOf(const tinyxml2::XMLNode& node) {
-  return pieceOf(node).source.lineInFile(node.GetLineNum());
+  return chunkOf(node).source.lineInFile(node.GetLineNum());
 }
 
-/// What was taken out where an element stands for it.
+/// The element that a placeholder element stands for, or the element itself.
 const XMLElement& placed(const XMLElement& element) {
-  const ReadPiece* const next = pieceOf(element).next;
-  if (next == nullptr || std::string(element.Name()) != kPieceTag) {
+  const ParsedChunk* const next = chunkOf(element).next;
+  if (next == nullptr || std::string(element.Name()) != kChunkTag) {
     return element;
   }
   const std::size_t number = element.UnsignedAttribute("n");
   return number < next->elements.size() ? *next->elements[number] : element;
 }
 
-/// Returns what is wrong.
-std::optional<base::Diagnostic> readPieces(std::string_view text, const std::string& fileName,
-                                           std::deque<ReadPiece>& pieces) {
-  for (XmlPiece& source : shallowPieces(text)) {
-    ReadPiece& piece = pieces.emplace_back();
+/// Returns the first error, if any.
+std::optional<base::Diagnostic> parseChunks(std::string_view text, const std::string& fileName,
+                                            std::deque<ParsedChunk>& pieces) {
+  for (XmlChunk& source : splitByDepth(text)) {
+    ParsedChunk& piece = pieces.emplace_back();
     piece.source = std::move(source);
     tinyxml2::XMLDocument& document = piece.document;
     document.SetUserData(&piece);
@@ -101,7 +101,7 @@ std::optional<base::Diagnostic> readPieces(std::string_view text, const std::str
   return std::nullopt;
 }
 
-/// Turns the elements of one document into a TreeFile and gathers every problem on the way.
+/// Converts the elements of one document to a TreeFile and collects all problems.
 class TreeReader {
  public:
   explicit TreeReader(const std::string& fileName) { file_.path = fileName; }
@@ -115,7 +115,7 @@ class TreeReader {
   void warn(const XMLElement& at, std::string_view code, base::ProblemValues values = {});
   void readFormat(const XMLElement& root);
   void readPart(const XMLElement& element, bool needsId);
-  XmlBlock readBlock(const XMLElement& element, int depth);
+  XmlElement readBlock(const XMLElement& element, int depth);
   void readInclude(const XMLElement& element);
   void readTree(const XMLElement& element, bool needsId);
   NodeSpec readNode(const XMLElement& element, int depth);
@@ -192,8 +192,8 @@ void TreeReader::readPart(const XMLElement& element, bool needsId) {
   }
 }
 
-XmlBlock TreeReader::readBlock(const XMLElement& element, int depth) {
-  XmlBlock block;
+XmlElement TreeReader::readBlock(const XMLElement& element, int depth) {
+  XmlElement block;
   if (depth > kMaxNesting) {
     error(element, "tree.too-nested", {kMaxNesting});
     return block;
@@ -228,9 +228,9 @@ void TreeReader::readTree(const XMLElement& element, bool needsId) {
   TreeSpec tree;
   tree.line = lineOf(element);
   tree.others = attributesOf(element);
-  if (const std::string* const id = findText(tree.others, "ID")) {
+  if (const std::string* const id = findAttribute(tree.others, "ID")) {
     tree.id = *id;
-    removeText(tree.others, "ID");
+    removeAttribute(tree.others, "ID");
   }
   if (tree.id.empty() && needsId) {
     error(element, "tree.without-id", {element.Name()});
@@ -348,13 +348,13 @@ void TreeReader::checkName(const XMLElement& element, const std::string& name, c
 }  // namespace
 
 base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fileName) {
-  if (const std::optional<base::Diagnostic> bad = problemOfText(xml, fileName)) {
+  if (const std::optional<base::Diagnostic> bad = encodingProblem(xml, fileName)) {
     return *bad;
   }
   int bareAmpersand = 0;
   const std::string text = withEscapedAmpersands(xml, bareAmpersand);
-  std::deque<ReadPiece> pieces;  // stay where they are
-  if (const std::optional<base::Diagnostic> bad = readPieces(text, fileName, pieces)) {
+  std::deque<ParsedChunk> pieces;  // a deque keeps the addresses valid
+  if (const std::optional<base::Diagnostic> bad = parseChunks(text, fileName, pieces)) {
     return *bad;
   }
   const XMLElement* const root = pieces.front().document.RootElement();

@@ -12,24 +12,24 @@
 namespace bt {
 namespace {
 
-using Position = std::size_t;  // in the text
+using Position = std::size_t;  // offset in the text
 
 struct SourceAttribute {
   std::string name;
-  Position begin = 0, value = 0, end = 0;  // of the name, behind the first quote, behind the last
+  Position begin = 0, value = 0, end = 0;  // of the name; after the opening, the closing quote
 };
 
-/// Where an element stands in the text; from `begin` to `end`.
+/// Position of an element in the text: [begin, end).
 struct SourceElement {
   std::string tag;
-  Position begin = 0, body = 0;   // behind the '>' of its start tag
-  Position bodyEnd = 0, end = 0;  // the end tag
+  Position begin = 0, body = 0;   // `body`: after the '>' of its start tag
+  Position bodyEnd = 0, end = 0;  // of the end tag
   bool isClosed = false;          // "<X/>"
   std::vector<SourceAttribute> attributes;
   std::vector<SourceElement> children;
 };
 
-/// Elements of a text that is known to be well-formed.
+/// Scans the elements of well-formed XML text.
 class SourceScanner {
  public:
   explicit SourceScanner(std::string_view text) : text_(text) {}
@@ -130,13 +130,14 @@ std::optional<SourceElement> SourceScanner::root() {
   return std::nullopt;
 }
 
-struct ChildPair {
-  int before = -1, now = -1;  // -1 = there is none
+struct ChildMatch {
+  int before = -1, now = -1;  // index, -1: none
 };
 
-/// The first of before[from, to) with the ID and name of `now`, else with its ID, else `to`.
-std::size_t placeOfLike(const std::vector<NodeSpec>& before, std::size_t from, std::size_t to,
-                        const NodeSpec& now) {
+/// Index of the first of before[from, to) with the ID and name of `now`, otherwise the first with
+/// its ID, otherwise `to`.
+std::size_t indexOfSimilar(const std::vector<NodeSpec>& before, std::size_t from, std::size_t to,
+                           const NodeSpec& now) {
   std::size_t like = to;
   for (std::size_t k = from; k < to; ++k) {
     if (before[k].id == now.id && before[k].name == now.name) {
@@ -147,10 +148,10 @@ std::size_t placeOfLike(const std::vector<NodeSpec>& before, std::size_t from, s
   return like;
 }
 
-/// Which child became which: equal ones in their order, then those between them that are alike. In
-/// the order of `now`, with those that are gone left out.
-std::vector<ChildPair> pairsOf(const std::vector<NodeSpec>& before,
-                               const std::vector<NodeSpec>& now) {
+/// Matches the children of two versions of a node: equal ones by their longest common subsequence,
+/// then similar ones between them. In the order of `now`, without removed children.
+std::vector<ChildMatch> matchChildren(const std::vector<NodeSpec>& before,
+                                      const std::vector<NodeSpec>& now) {
   const std::size_t rows = before.size(), columns = now.size();
   std::vector<std::vector<int>> common(rows + 1, std::vector<int>(columns + 1, 0));
   for (std::size_t i = rows; i-- > 0;) {
@@ -159,11 +160,11 @@ std::vector<ChildPair> pairsOf(const std::vector<NodeSpec>& before,
                                          : std::max(common[i + 1][k], common[i][k + 1]);
     }
   }
-  std::vector<ChildPair> pairs;
+  std::vector<ChildMatch> pairs;
   std::size_t i = 0, k = 0;
   const auto between = [&](std::size_t toRow, std::size_t toColumn) {
     for (; k < toColumn; ++k) {
-      const std::size_t same = placeOfLike(before, i, toRow, now[k]);
+      const std::size_t same = indexOfSimilar(before, i, toRow, now[k]);
       const bool isFound = same < toRow;
       pairs.push_back({isFound ? static_cast<int>(same) : -1, static_cast<int>(k)});
       i = isFound ? same + 1 : i;
@@ -186,7 +187,7 @@ std::vector<ChildPair> pairsOf(const std::vector<NodeSpec>& before,
   return pairs;
 }
 
-/// All attributes of the element of a node but its ID.
+/// All XML attributes of a node except its ID.
 Attributes attributesOf(const NodeSpec& node) {
   Attributes all;
   if (!node.name.empty()) {
@@ -201,11 +202,11 @@ Attributes attributesOf(const NodeSpec& node) {
   return all;
 }
 
-/// A node of the text with what is said in it or before it.
-struct CommentedNode {
+/// A node of the old text that has a comment inside or before it.
+struct NodeWithComment {
   const NodeSpec* node = nullptr;
   const SourceElement* source = nullptr;
-  Position begin = 0;  // of what is said before it, else of the element
+  Position begin = 0;  // of the comment before it, otherwise of the element
 };
 
 class TreeRewriter {
@@ -218,16 +219,16 @@ class TreeRewriter {
   std::string part(Position from, Position to) const {
     return std::string(text_.substr(from, to - from));
   }
-  /// The blanks before an element that begins its line.
-  std::string marginOf(Position begin) const;
+  /// The blanks before an element that starts its line, otherwise empty.
+  std::string indentationOf(Position begin) const;
   void write(const TreeSpec& before, const TreeSpec& now, const SourceElement& source);
   void write(const NodeSpec& before, const NodeSpec& now, const SourceElement& source);
   void writeStart(const NodeSpec& before, const NodeSpec& now, const SourceElement& source);
   void writeChildren(const NodeSpec& before, const NodeSpec& now, const SourceElement& source);
   void writeNew(const NodeSpec& node, bool compact, const std::string& margin);
   void findComments(const NodeSpec& node, const SourceElement& source, Position behind);
-  const CommentedNode* commentedLike(const NodeSpec& node) const;
-  std::string withItsComments(const NodeSpec& node, bool compact, const std::string& margin) const;
+  const NodeWithComment* findNodeWithComment(const NodeSpec& node) const;
+  std::string textWithComments(const NodeSpec& node, bool compact, const std::string& margin) const;
   void findCommentsOfTrees(const TreeFile& before, const SourceElement& root);
   void writeNewTrees(const TreeFile& before, const TreeFile& now, const std::string& margin);
   Position writeMainTree(const std::string& before, const std::string& now,
@@ -236,12 +237,12 @@ class TreeRewriter {
   std::string_view text_;
   const NodeCatalogue& catalogue_;
   std::string result_;
-  std::vector<CommentedNode> commented_;  // of the text as it was
-  bool isPossible_ = true;
+  std::vector<NodeWithComment> nodesWithComments_;  // nodes of the old text
+  bool canRewrite_ = true;
 };
 
-/// `behind`: the element before it, or the start tag around it. What stands on the line of that is
-/// said of that.
+/// Collects nodes that have comments. `behind` is the end of the previous element or of the
+/// enclosing start tag; a comment on that line belongs to that element.
 void TreeRewriter::findComments(const NodeSpec& node, const SourceElement& source,
                                 Position behind) {
   if (source.children.size() != node.children.size()) {
@@ -253,7 +254,7 @@ void TreeRewriter::findComments(const NodeSpec& node, const SourceElement& sourc
   const bool isInside =
       text_.substr(source.begin, source.end - source.begin).find("<!--") != text_.npos;
   if (said != gap.npos || isInside) {
-    commented_.push_back({&node, &source, said == gap.npos ? source.begin : behind + said});
+    nodesWithComments_.push_back({&node, &source, said == gap.npos ? source.begin : behind + said});
   }
   for (std::size_t k = 0; isInside && k < node.children.size(); ++k) {
     findComments(node.children[k], source.children[k],
@@ -261,20 +262,20 @@ void TreeRewriter::findComments(const NodeSpec& node, const SourceElement& sourc
   }
 }
 
-const CommentedNode* TreeRewriter::commentedLike(const NodeSpec& node) const {
+const NodeWithComment* TreeRewriter::findNodeWithComment(const NodeSpec& node) const {
   const auto found =
-      std::find_if(commented_.begin(), commented_.end(),
-                   [&node](const CommentedNode& each) { return *each.node == node; });
-  return found == commented_.end() ? nullptr : &*found;
+      std::find_if(nodesWithComments_.begin(), nodesWithComments_.end(),
+                   [&node](const NodeWithComment& each) { return *each.node == node; });
+  return found == nodesWithComments_.end() ? nullptr : &*found;
 }
 
-/// A node that stands in another place now, as lines of their own without the last break: a node of
-/// the text that is like it takes along what is said of it.
-std::string TreeRewriter::withItsComments(const NodeSpec& node, bool compact,
-                                          const std::string& margin) const {
-  const CommentedNode* like = commentedLike(node);
+/// The lines of a node at a new position, without the last line break. The comments of an equal
+/// node of the old text are included.
+std::string TreeRewriter::textWithComments(const NodeSpec& node, bool compact,
+                                           const std::string& margin) const {
+  const NodeWithComment* like = findNodeWithComment(node);
   if (like != nullptr && !(compact && like->node->explicitNotation)) {
-    const std::string before = marginOf(like->source->begin);
+    const std::string before = indentationOf(like->source->begin);
     std::string lines = margin;
     for (Position from = like->begin; from < like->source->end;) {
       const Position line = std::min(text_.find('\n', from), like->source->end);
@@ -290,7 +291,7 @@ std::string TreeRewriter::withItsComments(const NodeSpec& node, bool compact,
   }
   NodeSpec alone = node;
   alone.children.clear();
-  std::string text = textOf(alone, catalogue_, compact, margin);
+  std::string text = toXmlText(alone, catalogue_, compact, margin);
   text.pop_back();
   if (node.children.empty()) {
     return text;
@@ -299,12 +300,12 @@ std::string TreeRewriter::withItsComments(const NodeSpec& node, bool compact,
   const std::string name = text.substr(tag, text.find_first_of(" \t/>", tag) - tag);
   text = text.substr(0, text.rfind("/>")) + ">";
   for (const NodeSpec& child : node.children) {
-    text += "\n" + withItsComments(child, node.id == "ReactiveSequence", margin + "  ");
+    text += "\n" + textWithComments(child, node.id == "ReactiveSequence", margin + "  ");
   }
   return text + "\n" + margin + "</" + name + ">";
 }
 
-std::string TreeRewriter::marginOf(Position begin) const {
+std::string TreeRewriter::indentationOf(Position begin) const {
   const Position line = text_.rfind('\n', begin);
   const Position from = line == text_.npos ? 0 : line + 1;
   const std::string margin = part(from, begin);
@@ -312,7 +313,7 @@ std::string TreeRewriter::marginOf(Position begin) const {
 }
 
 void TreeRewriter::writeNew(const NodeSpec& node, bool compact, const std::string& margin) {
-  result_ += "\n" + withItsComments(node, compact, margin);
+  result_ += "\n" + textWithComments(node, compact, margin);
 }
 
 void TreeRewriter::writeStart(const NodeSpec& before, const NodeSpec& now,
@@ -321,8 +322,8 @@ void TreeRewriter::writeStart(const NodeSpec& before, const NodeSpec& now,
   const Attributes is = attributesOf(now);
   Position from = source.begin;
   for (const SourceAttribute& attribute : source.attributes) {
-    const std::string* old = findText(was, attribute.name);
-    const std::string* wanted = findText(is, attribute.name);
+    const std::string* old = findAttribute(was, attribute.name);
+    const std::string* wanted = findAttribute(is, attribute.name);
     if (wanted == nullptr && old != nullptr) {  // with the blanks before it
       const Position blanks = text_.find_last_not_of(" \t\r\n", attribute.begin - 1) + 1;
       result_ += part(from, blanks);
@@ -336,7 +337,7 @@ void TreeRewriter::writeStart(const NodeSpec& before, const NodeSpec& now,
                                                   : source.attributes.back().end;
   result_ += from < last ? part(from, last) : std::string();
   for (const Attribute& attribute : is) {
-    if (findText(was, attribute.name) == nullptr) {
+    if (findAttribute(was, attribute.name) == nullptr) {
       result_ += " " + attribute.name + "=\"" + escapedXml(attribute.text) + "\"";
     }
   }
@@ -346,20 +347,20 @@ void TreeRewriter::writeStart(const NodeSpec& before, const NodeSpec& now,
 void TreeRewriter::writeChildren(const NodeSpec& before, const NodeSpec& now,
                                  const SourceElement& source) {
   const bool compact = now.id == "ReactiveSequence";
-  const std::string own = marginOf(source.begin);
+  const std::string own = indentationOf(source.begin);
   const std::string margin =
-      source.children.empty() ? own + "  " : marginOf(source.children.front().begin);
+      source.children.empty() ? own + "  " : indentationOf(source.children.front().begin);
   const auto behind = [&](int child) {
     return child < 0 ? source.body : source.children[static_cast<std::size_t>(child)].end;
   };
-  for (const ChildPair& pair : pairsOf(before.children, now.children)) {
+  for (const ChildMatch& pair : matchChildren(before.children, now.children)) {
     const NodeSpec& child = now.children[static_cast<std::size_t>(pair.now)];
     if (pair.before < 0) {
       writeNew(child, compact, margin);
       continue;
     }
     const auto place = static_cast<std::size_t>(pair.before);
-    const Position gap = behind(pair.before - 1);  // what is said of those that are gone goes too
+    const Position gap = behind(pair.before - 1);  // comments of removed children are removed too
     result_ += part(gap, source.children[place].begin);
     write(before.children[place], child, source.children[place]);
   }
@@ -379,13 +380,13 @@ void TreeRewriter::write(const NodeSpec& before, const NodeSpec& now, const Sour
     result_ += part(source.begin, source.end);
     return;
   }
-  isPossible_ = isPossible_ && source.children.size() == before.children.size();
-  if (!isPossible_) {
+  canRewrite_ = canRewrite_ && source.children.size() == before.children.size();
+  if (!canRewrite_) {
     return;
   }
   if (before.id != now.id || before.subTree != now.subTree) {
-    const std::string margin = marginOf(source.begin);
-    result_ += withItsComments(now, false, margin).substr(margin.size());
+    const std::string margin = indentationOf(source.begin);
+    result_ += textWithComments(now, false, margin).substr(margin.size());
     return;
   }
   writeStart(before, now, source);
@@ -393,8 +394,8 @@ void TreeRewriter::write(const NodeSpec& before, const NodeSpec& now, const Sour
 }
 
 void TreeRewriter::write(const TreeSpec& before, const TreeSpec& now, const SourceElement& source) {
-  isPossible_ = isPossible_ && before.others == now.others && source.children.size() == 1;
-  if (!isPossible_) {
+  canRewrite_ = canRewrite_ && before.others == now.others && source.children.size() == 1;
+  if (!canRewrite_) {
     return;
   }
   const SourceElement& root = source.children.front();
@@ -403,7 +404,7 @@ void TreeRewriter::write(const TreeSpec& before, const TreeSpec& now, const Sour
   result_ += part(root.end, source.end);
 }
 
-/// Returns up to where the text is written.
+/// Returns the offset up to which the text is written.
 Position TreeRewriter::writeMainTree(const std::string& before, const std::string& now,
                                      const SourceElement& root) {
   if (before == now) {
@@ -438,18 +439,18 @@ void TreeRewriter::writeNewTrees(const TreeFile& before, const TreeFile& now,
     if (before.find(tree.id) != nullptr) {
       continue;
     }
-    std::string text = textOf(tree, catalogue_, margin);
-    const std::string plain = textOf(tree.root, catalogue_, false, margin + "  ");
+    std::string text = toXmlText(tree, catalogue_, margin);
+    const std::string plain = toXmlText(tree.root, catalogue_, false, margin + "  ");
     const Position at = text.find(plain);
     if (at != text.npos) {
-      text.replace(at, plain.size() - 1, withItsComments(tree.root, false, margin + "  "));
+      text.replace(at, plain.size() - 1, textWithComments(tree.root, false, margin + "  "));
     }
     text.pop_back();
     result_ += "\n" + text;
   }
 }
 
-/// Trees that are gone leave with what stands before them; new ones stand behind the last.
+/// Removed trees are dropped together with the text before them; new trees follow the last one.
 std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const TreeFile& now) {
   const std::optional<SourceElement> root = SourceScanner(text_).root();
   const bool isSame =
@@ -472,11 +473,11 @@ std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const T
     }
     from = element.end;
     if (number == before.trees.size()) {
-      writeNewTrees(before, now, marginOf(element.begin));
+      writeNewTrees(before, now, indentationOf(element.begin));
     }
   }
   result_ += part(from, text_.size());
-  return isPossible_ && number == before.trees.size() ? std::optional(std::move(result_))
+  return canRewrite_ && number == before.trees.size() ? std::optional(std::move(result_))
                                                       : std::nullopt;
 }
 

@@ -15,9 +15,9 @@ void append(Attributes& to, const Attributes& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// Two blanks per level. An element with children has them on lines of their own; `isOpen`: also
-/// one without.
-void write(const XmlBlock& block, std::size_t level, bool isOpen, std::string& text) {
+/// Indents by two blanks per level. Children are written on separate lines. `isOpen`: an element
+/// without children gets an end tag too.
+void write(const XmlElement& block, std::size_t level, bool isOpen, std::string& text) {
   const std::string margin(2 * level, ' ');
   text += margin + "<" + block.tag;
   for (const Attribute& attribute : block.attributes) {
@@ -28,14 +28,14 @@ void write(const XmlBlock& block, std::size_t level, bool isOpen, std::string& t
     return;
   }
   text += ">" + escapedXml(block.text) + "\n";
-  for (const XmlBlock& child : block.children) {
+  for (const XmlElement& child : block.children) {
     write(child, level + 1, child.tag == kTreeTag && level == 0, text);
   }
   text += margin + "</" + block.tag + ">\n";
 }
 
-XmlBlock blockOf(const Include& include) {
-  XmlBlock block;
+XmlElement toXmlElement(const Include& include) {
+  XmlElement block;
   block.tag = "include";
   if (!include.rosPackage.empty()) {
     block.attributes.push_back({"ros_pkg", include.rosPackage});
@@ -44,8 +44,8 @@ XmlBlock blockOf(const Include& include) {
   return block;
 }
 
-/// Tag of the explicit notation. Readers do not check the kind, so a guess is good enough for nodes
-/// that nobody knows.
+/// Tag of the explicit notation. Readers do not check the kind, so a guess is sufficient for nodes
+/// that are not in the catalogue.
 std::string tagOf(const NodeSpec& node, const NodeCatalogue& catalogue) {
   if (const NodeManifest* const manifest = catalogue.find(node.id)) {
     return nodeKindName(manifest->kind);
@@ -54,11 +54,11 @@ std::string tagOf(const NodeSpec& node, const NodeCatalogue& catalogue) {
   return children == 0 ? "Action" : (children == 1 ? "Decorator" : "Control");
 }
 
-XmlBlock blockOf(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact) {
+XmlElement toXmlElement(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact) {
   const bool isExplicit = node.explicitNotation && !compact;
-  XmlBlock block;
+  XmlElement block;
   block.tag = isExplicit ? tagOf(node, catalogue) : node.id;
-  const bool namesTree = !node.subTree.empty();  // also a SubTreePlus, which checks refuse later
+  const bool namesTree = !node.subTree.empty();  // also a SubTreePlus; the checks reject it later
   if (isExplicit || node.isSubTree() || namesTree) {
     block.attributes.push_back({"ID", node.isSubTree() || namesTree ? node.subTree : node.id});
   }
@@ -72,37 +72,37 @@ XmlBlock blockOf(const NodeSpec& node, const NodeCatalogue& catalogue, bool comp
   append(block.attributes, node.conditions);
   append(block.attributes, node.others);
   for (const NodeSpec& child : node.children) {
-    // The original engine refuses explicit children there.
-    block.children.push_back(blockOf(child, catalogue, node.id == "ReactiveSequence"));
+    // BehaviorTree.CPP rejects the explicit notation for these children.
+    block.children.push_back(toXmlElement(child, catalogue, node.id == "ReactiveSequence"));
   }
   return block;
 }
 
-XmlBlock blockOf(const TreeSpec& tree, const NodeCatalogue& catalogue) {
-  XmlBlock block;
+XmlElement toXmlElement(const TreeSpec& tree, const NodeCatalogue& catalogue) {
+  XmlElement block;
   block.tag = kTreeTag;
   block.attributes = {{"ID", tree.id}};
   append(block.attributes, tree.others);
   if (!tree.root.id.empty()) {
-    block.children.push_back(blockOf(tree.root, catalogue, false));
+    block.children.push_back(toXmlElement(tree.root, catalogue, false));
   }
   return block;
 }
 
-/// The parts in the order of the file, then those that it does not name.
-std::vector<XmlBlock> partsOf(const TreeFile& file, const NodeCatalogue& catalogue) {
-  std::map<FilePart, std::deque<XmlBlock>> rest;
+/// The parts in file order, followed by those that the order does not list.
+std::vector<XmlElement> partsOf(const TreeFile& file, const NodeCatalogue& catalogue) {
+  std::map<FilePart, std::deque<XmlElement>> rest;
   if (file.model) {
     rest[FilePart::Model].push_back(*file.model);
   }
   for (const Include& include : file.includes) {
-    rest[FilePart::Include].push_back(blockOf(include));
+    rest[FilePart::Include].push_back(toXmlElement(include));
   }
   for (const TreeSpec& tree : file.trees) {
-    rest[FilePart::Tree].push_back(blockOf(tree, catalogue));
+    rest[FilePart::Tree].push_back(toXmlElement(tree, catalogue));
   }
   rest[FilePart::Other].assign(file.blocks.begin(), file.blocks.end());
-  std::vector<XmlBlock> parts;
+  std::vector<XmlElement> parts;
   for (const FilePart next : file.order) {
     if (!rest[next].empty()) {
       parts.push_back(std::move(rest[next].front()));
@@ -115,8 +115,8 @@ std::vector<XmlBlock> partsOf(const TreeFile& file, const NodeCatalogue& catalog
   return parts;
 }
 
-XmlBlock modelOfPort(const PortSpec& port) {
-  XmlBlock block;
+XmlElement modelOfPort(const PortSpec& port) {
+  XmlElement block;
   block.tag = portDirectionTag(port.direction);
   block.attributes.push_back({"name", port.key});
   const std::string type = portTypeName(port.portType);
@@ -130,11 +130,11 @@ XmlBlock modelOfPort(const PortSpec& port) {
   return block;
 }
 
-std::string behindMargin(const XmlBlock& block, const std::string& margin, bool isOpen) {
+std::string indentLines(const XmlElement& block, const std::string& margin, bool isOpen) {
   std::string text;
   write(block, 0, isOpen, text);
   std::string moved;
-  for (std::size_t at = 0; at < text.size();) {  // line breaks in values are written as references
+  for (std::size_t at = 0; at < text.size();) {  // values contain no raw line breaks
     const std::size_t end = text.find('\n', at);
     moved += margin + text.substr(at, end - at) + "\n";
     at = end + 1;
@@ -144,28 +144,28 @@ std::string behindMargin(const XmlBlock& block, const std::string& margin, bool 
 
 }  // namespace
 
-std::string textOf(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
-                   const std::string& margin) {
-  return behindMargin(blockOf(node, catalogue, compact), margin, false);
+std::string toXmlText(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
+                      const std::string& margin) {
+  return indentLines(toXmlElement(node, catalogue, compact), margin, false);
 }
 
-std::string textOf(const TreeSpec& tree, const NodeCatalogue& catalogue,
-                   const std::string& margin) {
-  return behindMargin(blockOf(tree, catalogue), margin, true);
+std::string toXmlText(const TreeSpec& tree, const NodeCatalogue& catalogue,
+                      const std::string& margin) {
+  return indentLines(toXmlElement(tree, catalogue), margin, true);
 }
 
 std::string writeNode(const NodeSpec& node, const NodeCatalogue& catalogue) {
-  return textOf(node, catalogue, false, {});
+  return toXmlText(node, catalogue, false, {});
 }
 
-XmlBlock modelOf(const NodeCatalogue& catalogue) {
-  XmlBlock model;
+XmlElement modelOf(const NodeCatalogue& catalogue) {
+  XmlElement model;
   model.tag = "TreeNodesModel";
   for (const NodeManifest& manifest : catalogue.all()) {
     if (manifest.origin == NodeOrigin::BehaviorTreeCpp) {
       continue;
     }
-    XmlBlock entry;
+    XmlElement entry;
     entry.tag = nodeKindName(manifest.kind);
     entry.attributes.push_back({"ID", manifest.id});
     for (const PortSpec& port : manifest.ports) {
@@ -177,7 +177,7 @@ XmlBlock modelOf(const NodeCatalogue& catalogue) {
 }
 
 std::string writeTree(const TreeFile& file, const NodeCatalogue& catalogue) {
-  XmlBlock root;
+  XmlElement root;
   root.tag = "root";
   if (!file.mainTree.empty()) {
     root.attributes.push_back({"main_tree_to_execute", file.mainTree});

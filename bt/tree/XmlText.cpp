@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <tinyxml2.h>
+
+#include "bt/tree/PortTextConversion.h"
 
 namespace bt {
 namespace {
 
 constexpr std::string_view kForbidden = " \t\r\n<>&\"'/\\:*?.|";
 
-/// Bytes of the UTF-8 character at `at`; 0 = not valid.
+/// Length of the UTF-8 character at `at` in bytes; 0: invalid.
 std::size_t utf8Length(std::string_view text, std::size_t at) {
   const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -35,7 +39,7 @@ std::size_t utf8Length(std::string_view text, std::size_t at) {
   return wrong ? 0 : length;
 }
 
-/// "&#65;", "&#x41;": digits of a character that XML allows.
+/// Whether "65" or "x41" of "&#65;" or "&#x41;" is a character that XML allows.
 bool isCharacter(std::string_view digits) {
   const bool isHex = !digits.empty() && digits[0] == 'x';
   digits.remove_prefix(isHex ? 1 : 0);
@@ -50,7 +54,7 @@ bool isCharacter(std::string_view digits) {
          (code >= 0x10000 && code <= 0x10FFFF);
 }
 
-/// `text` begins with '&'.
+/// Whether `text`, which starts with '&', starts with a reference.
 bool beginsReference(std::string_view text) {
   constexpr std::size_t kLongest = 12;
   const std::size_t end = text.substr(0, kLongest).find(';');
@@ -64,7 +68,7 @@ bool beginsReference(std::string_view text) {
   return name == "lt" || name == "gt" || name == "amp" || name == "quot" || name == "apos";
 }
 
-/// Length of the comment or CDATA section at the begin of `text`; 0 = there is none.
+/// Length of the comment or CDATA section at the start of `text`; 0: none.
 std::size_t verbatimLength(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSections = {
       {{"<!--", "-->"}, {"<![CDATA[", "]]>"}}};
@@ -77,7 +81,7 @@ std::size_t verbatimLength(std::string_view text) {
   return 0;
 }
 
-/// Length of the tag at the begin of `text`, quotes in mind.
+/// Length of the tag at the start of `text`; '>' inside quotes is skipped.
 std::size_t tagLength(std::string_view text) {
   char quote = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -94,8 +98,8 @@ std::size_t tagLength(std::string_view text) {
   return text.size();
 }
 
-/// Shares a text out among its pieces while it is read from the begin.
-class Pieces {
+/// Distributes a text to pieces while it is read sequentially.
+class ChunkWriter {
  public:
   void open(std::string_view tag) {
     if (depths_.back() == kMostDeep) {
@@ -103,7 +107,7 @@ class Pieces {
         writers_.emplace_back();
       }
       const std::size_t number = writers_[depths_.size()].elements++;
-      add("<" + std::string(kPieceTag) + " n=\"" + std::to_string(number) + "\"/>");
+      add("<" + std::string(kChunkTag) + " n=\"" + std::to_string(number) + "\"/>");
       depths_.push_back(0);
     }
     add(tag);
@@ -115,7 +119,7 @@ class Pieces {
     --depths_.back();
     leave();
   }
-  /// Begins a line of its own where something went into another piece.
+  /// Starts a new line if preceding text went to another piece.
   void add(std::string_view text) {
     Writer& to = writers_[depths_.size() - 1];
     if (to.source != line_) {
@@ -128,8 +132,8 @@ class Pieces {
     to.line += lines;
     to.source = line_;
   }
-  std::vector<XmlPiece> take() {
-    std::vector<XmlPiece> pieces;
+  std::vector<XmlChunk> take() {
+    std::vector<XmlChunk> pieces;
     pieces.reserve(writers_.size());
     for (Writer& writer : writers_) {
       pieces.push_back(std::move(writer.piece));
@@ -140,10 +144,10 @@ class Pieces {
  private:
   static constexpr int kMostDeep = 80;
   struct Writer {
-    XmlPiece piece;
-    std::size_t elements = 0;  // that lie side by side in it
-    int line = 1;              // that is written
-    int source = 0;            // the same in the file; 0 = nothing yet
+    XmlChunk piece;
+    std::size_t elements = 0;  // elements at the top level of the piece
+    int line = 1;              // current line in the piece
+    int source = 0;            // current line in the file; 0: nothing written yet
   };
   void leave() {
     if (depths_.size() > 1 && depths_.back() <= 0) {
@@ -152,20 +156,20 @@ class Pieces {
   }
 
   std::vector<Writer> writers_ = std::vector<Writer>(1);
-  std::vector<int> depths_ = std::vector<int>(1);  // within each piece down to the present one
+  std::vector<int> depths_ = std::vector<int>(1);  // current depth in each open piece
   int line_ = 1;
 };
 
 }  // namespace
 
-int XmlPiece::lineInFile(int line) const {
+int XmlChunk::lineInFile(int line) const {
   const auto next = std::upper_bound(places.begin(), places.end(), line,
                                      [](int a, const auto& place) { return a < place.first; });
   return next == places.begin() ? line : line - (next - 1)->first + (next - 1)->second;
 }
 
-std::vector<XmlPiece> shallowPieces(std::string_view text) {
-  Pieces pieces;
+std::vector<XmlChunk> splitByDepth(std::string_view text) {
+  ChunkWriter pieces;
   while (!text.empty()) {
     const bool isMarkup = text[0] == '<';
     const std::size_t verbatim = isMarkup ? verbatimLength(text) : 0;
@@ -215,7 +219,8 @@ char forbiddenCharacter(std::string_view name) {
   return 0;
 }
 
-std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::string& fileName) {
+std::optional<base::Diagnostic> encodingProblem(std::string_view text,
+                                                const std::string& fileName) {
   int line = 1;
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] == '\0') {
@@ -234,12 +239,12 @@ std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::
 std::string messageOfXmlError(int errorId) {
   static const std::map<int, const char*> kCauses = {
       {tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "a closing tag does not match, or one is missing"},
-      {tinyxml2::XML_ERROR_PARSING_ATTRIBUTE, "an attribute is broken"},
+      {tinyxml2::XML_ERROR_PARSING_ATTRIBUTE, "an attribute is malformed"},
       {tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment is not closed"},
       {tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section is not closed"},
-      {tinyxml2::XML_ERROR_PARSING_TEXT, "the text ends too early"},
-      {tinyxml2::XML_ERROR_PARSING_DECLARATION, "the XML declaration is broken"},
-      {tinyxml2::XML_ERROR_PARSING_UNKNOWN, "a <! section is broken"}};
+      {tinyxml2::XML_ERROR_PARSING_TEXT, "the text is truncated"},
+      {tinyxml2::XML_ERROR_PARSING_DECLARATION, "the XML declaration is malformed"},
+      {tinyxml2::XML_ERROR_PARSING_UNKNOWN, "a <! section is malformed"}};
   if (errorId == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
     return "the file is empty";
   }
@@ -247,7 +252,7 @@ std::string messageOfXmlError(int errorId) {
     return "elements are nested too deeply";
   }
   const auto cause = kCauses.find(errorId);
-  return cause == kCauses.end() ? "not well-formed XML, or cut off"
+  return cause == kCauses.end() ? "not well-formed XML, or truncated"
                                 : std::string("not well-formed XML: ") + cause->second;
 }
 
@@ -261,6 +266,110 @@ std::string escapedXml(std::string_view text) {
     result += reference == kReferences.end() ? std::string(1, c) : reference->second;
   }
   return result;
+}
+
+namespace {
+
+using Names = std::map<std::string, const char*>;
+
+const Names kRenamedNodes = {{"SubTreePlus", "SubTree"},
+                             {"SequenceStar", "SequenceWithMemory"},
+                             {"RetryUntilSuccesful", "RetryUntilSuccessful"}};
+const Names kParallelPorts = {{"success_threshold", "success_count"},
+                              {"failure_threshold", "failure_count"}};
+const std::set<std::string> kBlackboardChecks = {"BlackboardCheckInt", "BlackboardCheckDouble",
+                                                 "BlackboardCheckString", "BlackboardCheckBool"};
+
+/// Returns false if there is no new name.
+bool rename(std::string& name, const Names& names) {
+  const auto now = names.find(name);
+  if (now == names.end()) {
+    return false;
+  }
+  name = now->second;
+  return true;
+}
+
+/// Whether the text is an identifier that names an entry; numbers and text with blanks are
+/// constants.
+bool isKeyName(const std::string& text) {
+  const auto part = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
+         std::all_of(text.begin(), text.end(), part);
+}
+
+bool takeFlag(Attributes& attributes, const char* name) {
+  const std::string* const text = findAttribute(attributes, name);
+  const bool set = text && boolFromText(*text).value_or(false);
+  removeAttribute(attributes, name);
+  return set;
+}
+
+bool convertSubTree(NodeSpec& node) {
+  bool changed = false;
+  for (Attribute& port : node.ports) {
+    if (isKeyName(port.text)) {
+      port.text = "{" + port.text + "}";
+      changed = true;
+    }
+  }
+  const bool shared = takeFlag(node.others, "__shared_blackboard");
+  const bool automatic = takeFlag(node.others, "__autoremap");
+  node.autoRemap = node.autoRemap || shared || automatic;
+  return changed || shared || automatic;
+}
+
+/// One side of a comparison in the script language.
+std::string operandOf(const std::string& text, const std::string& port, bool isText) {
+  if (const std::optional<std::string> key = referencedKey(text, port)) {
+    return *key;
+  }
+  if (isText) {
+    return "'" + text + "'";
+  }
+  const std::optional<bool> flag = boolFromText(text);
+  const bool word = flag && !doubleFromText(text);
+  return word ? (*flag ? "true" : "false") : text;
+}
+
+void convertCheck(NodeSpec& node) {
+  const bool isText = node.id == "BlackboardCheckString";
+  const auto side = [&](const char* port) {
+    const std::string* const text = findAttribute(node.ports, port);
+    return operandOf(text ? *text : std::string(), port, isText);
+  };
+  Attributes ports = {{"if", side("value_A") + " == " + side("value_B")}};
+  if (const std::string* const result = findAttribute(node.ports, "return_on_mismatch")) {
+    ports.push_back({"else", *result});
+  }
+  node.ports = std::move(ports);
+  node.id = "Precondition";
+}
+
+}  // namespace
+
+bool isVersion3Name(const std::string& id) {
+  return kBlackboardChecks.count(id) > 0 || kRenamedNodes.count(id) > 0;
+}
+
+void convertFromVersion3(NodeSpec& node, const std::string& fileName, base::Diagnostics& notes) {
+  const std::string before = node.id;
+  bool changed = rename(node.id, kRenamedNodes);
+  if (node.isSubTree()) {
+    changed = convertSubTree(node) || changed;
+  } else if (node.id == "Parallel") {
+    for (Attribute& port : node.ports) {
+      changed = rename(port.name, kParallelPorts) || changed;
+    }
+  } else if (kBlackboardChecks.count(node.id) > 0) {
+    convertCheck(node);
+    changed = true;
+  }
+  if (changed) {
+    notes.push_back(base::warning("tree.converted", {before}, fileName, node.line));
+  }
 }
 
 }  // namespace bt

@@ -8,46 +8,47 @@
 
 #include "bt/tree/TreeSpec.h"
 
-/// What reading and writing tree files needs; private to the folder.
+/// Helpers for reading and writing tree files; private to this folder.
 namespace bt {
 
-/// The first character that IDs and port names must not hold, 0 = none.
+/// The first character that is not allowed in IDs and port names, 0: none.
 char forbiddenCharacter(std::string_view name);
 
-/// What cannot be XML at all: no UTF-8, a NUL byte; with its line.
-std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::string& fileName);
+/// Reports text that cannot be XML (invalid UTF-8, a NUL byte), with its line.
+std::optional<base::Diagnostic> encodingProblem(std::string_view text, const std::string& fileName);
 
-/// The text with "&amp;" for each '&' that begins no reference ("a && b"), outside of comments and
-/// CDATA; `firstLine` = where the first one stands, 0 = there was none. tinyxml2 keeps such an '&'
-/// in a text of its own, but garbles it behind a reference.
+/// The text with "&amp;" for each '&' that does not start a reference ("a && b"), outside comments
+/// and CDATA. `firstLine` is the line of the first one, 0: none. tinyxml2 preserves such an '&' in
+/// a separate text but corrupts it after a reference.
 std::string withEscapedAmpersands(std::string_view text, int& firstLine);
 
-struct XmlPiece {
+struct XmlChunk {
   std::string text;
-  std::vector<std::pair<int, int>> places;  // lines of it that begin elsewhere in the file: there
+  std::vector<std::pair<int, int>> places;  // jumps: line in `text`, line in the file
 
   int lineInFile(int line) const;
 };
 
-/// tinyxml2 reads elements within each other to a depth of 100. The text in pieces that are less
-/// deep: elements that stand deeper are taken out with all within them and lie side by side in the
-/// next piece; <kPieceTag n="its number there"/> stands in the place of each. The text is UTF-8.
-std::vector<XmlPiece> shallowPieces(std::string_view text);
-constexpr const char* kPieceTag = "\xFFpiece";  // no UTF-8 has this byte: no file names such a tag
+/// tinyxml2 reads elements up to a nesting depth of 100. Splits the text into pieces of smaller
+/// depth: deeper elements are moved, with their content, side by side into the next piece, and
+/// <kChunkTag n="index"/> replaces each of them. The text is UTF-8.
+std::vector<XmlChunk> splitByDepth(std::string_view text);
+constexpr const char* kChunkTag = "\xFFpiece";  // not valid UTF-8, so no file has this tag
 
-/// An error number of tinyxml2 in words.
+/// Message for an error number of tinyxml2.
 std::string messageOfXmlError(int errorId);
 
 std::string escapedXml(std::string_view text);
 
-/// As in a file, each line behind `margin`. `compact`: not in explicit notation.
-std::string textOf(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
-                   const std::string& margin);
-std::string textOf(const TreeSpec& tree, const NodeCatalogue& catalogue, const std::string& margin);
+/// XML text as in a file, with each line indented by `margin`. `compact`: no explicit notation.
+std::string toXmlText(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
+                      const std::string& margin);
+std::string toXmlText(const TreeSpec& tree, const NodeCatalogue& catalogue,
+                      const std::string& margin);
 
-/// Whether a node's name means another node (or none) since version 4 of BehaviorTree.CPP.
+/// Whether this node name has another meaning, or none, since version 4 of BehaviorTree.CPP.
 bool isVersion3Name(const std::string& id);
-/// Converts the node itself, not its children. Says what was changed.
+/// Converts the node, without its children, and adds a note about each change.
 void convertFromVersion3(NodeSpec& node, const std::string& fileName, base::Diagnostics& notes);
 
 }  // namespace bt

@@ -6,15 +6,15 @@
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Groups.h"
-#include "sim2d/scenario/Defaults.h"
+#include "editor/document/PeopleEdits.h"
+#include "sim2d/scenario/ResolvedValues.h"
 
 namespace editor {
 
 namespace {
 
-constexpr std::size_t kMostExact = 8;    // selected people that are not drawn from sprites
-constexpr std::size_t kMostNamed = 100;  // selected people who are named at any zoom
+constexpr std::size_t kMaxExact = 8;    // Maximum number of selected people drawn without sprites.
+constexpr std::size_t kMaxNamed = 100;  // Selected people with names at any zoom.
 
 class PersonItem : public EntityItem {
  public:
@@ -25,7 +25,7 @@ class PersonItem : public EntityItem {
 
   std::vector<Label> labels() const override {
     const bool isChosen = isSelectedEntity();
-    const bool isOneOfFew = isChosen && document().selection().size() <= kMostNamed;
+    const bool isOneOfFew = isChosen && document().selection().size() <= kMaxNamed;
     const bool isAlways =
         isOneOfFew || (mapScene().pixelsPerMetre() >= kNameZoom && options().names);
     if (!isAlways && !isHovered()) {
@@ -38,7 +38,7 @@ class PersonItem : public EntityItem {
              isChosen, !isAlways, isNeeded}};
   }
 
-  std::vector<QRectF> solidParts() const override { return {around(place(), 0.9 * reach())}; }
+  std::vector<QRectF> labelObstacles() const override { return {around(place(), 0.9 * reach())}; }
 
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
     if (options().proxemics && isSelectedEntity()) {
@@ -48,7 +48,7 @@ class PersonItem : public EntityItem {
     figure.look = look_;
     figure.kind = human_.ours.kind.value_or(sim2d::PersonKind::Adult);
     figure.radiusPx =
-        std::max(radius_ * pixelsPerMetreOf(*painter), mapScene().leastFigurePx(EntityKind::Human));
+        std::max(radius_ * pixelsPerMetreOf(*painter), mapScene().minFigurePx(EntityKind::Human));
     figure.headingDeg = degrees(human_.initPose.heading);
     const PixelFrame frame(*painter, place());
     if (isSelectedEntity()) {
@@ -56,8 +56,8 @@ class PersonItem : public EntityItem {
     } else if (isHovered()) {
       paintRing(*painter, QPen(theme().color(Role::Accent, 0.6), 1.5), figure.radiusPx + 2.5);
     }
-    if (isSelectedEntity() && document().selection().size() <= kMostExact) {
-      FigurePainter(theme()).person(*painter, figure);  // its heading to the degree
+    if (isSelectedEntity() && document().selection().size() <= kMaxExact) {
+      FigurePainter(theme()).person(*painter, figure);  // With exact heading.
     } else {
       mapScene().sprites().draw(*painter, theme(), {{QPointF(), figure}});
     }
@@ -79,7 +79,7 @@ class PersonItem : public EntityItem {
  private:
   QPointF place() const { return toScene(human_.initPose.position); }
   double reach() const {
-    return std::max(radius_, metres(mapScene().leastFigurePx(EntityKind::Human)));
+    return std::max(radius_, metres(mapScene().minFigurePx(EntityKind::Human)));
   }
 
   sim2d::Human human_;
@@ -103,13 +103,13 @@ class RobotItem : public EntityItem {
     if (!isAlways && !isHovered()) {
       return {};
     }
-    const double radiusPx = std::max(radius_ * mapScene().pixelsPerMetre(), kLeastFigurePx);
+    const double radiusPx = std::max(radius_ * mapScene().pixelsPerMetre(), kMinFigurePx);
     Label label;
     label.text = QString::fromStdString(robot_.name);
     label.centre = toScene(robot_.start.position);
     label.clearancePx = radiusPx + (isChosen ? 12.0 : 5.0);
     label.priority = isChosen ? 3 : 2;
-    label.isOfHover = !isAlways;
+    label.isHoverOnly = !isAlways;
     std::vector<Label> labels = {label};
     if (robot_.goal.point) {
       label.text = QStringLiteral("%1 goal").arg(label.text);
@@ -120,7 +120,7 @@ class RobotItem : public EntityItem {
     return labels;
   }
 
-  std::vector<QRectF> solidParts() const override {
+  std::vector<QRectF> labelObstacles() const override {
     std::vector<QRectF> parts = {around(toScene(robot_.start.position), reach())};
     if (robot_.goal.point) {
       parts.push_back(around(toScene(*robot_.goal.point), metres(kRobotGoalPx)));
@@ -163,11 +163,11 @@ class RobotItem : public EntityItem {
   }
 
  private:
-  double reach() const { return std::max(radius_, metres(kLeastFigurePx)); }
+  double reach() const { return std::max(radius_, metres(kMinFigurePx)); }
 
   sim2d::Robot robot_;
-  double radius_ = 0.35;         // of the circle around the footprint [m]
-  std::vector<Vec2> footprint_;  // robot frame
+  double radius_ = 0.35;         // Radius of the circle around the footprint [m].
+  std::vector<Vec2> footprint_;  // Robot frame.
   sim2d::Kinematics kinematics_ = sim2d::Kinematics::Differential;
 };
 
@@ -191,16 +191,16 @@ class GoalItem : public EntityItem {
     if (isChosen || isHovered()) {
       QPen pen(theme().color(Role::Accent, isChosen ? 1.0 : 0.6), 1.5);
       makeCosmetic(pen, *painter);
-      setInk(*painter, pen, theme().color(Role::Accent, 0.08));
+      setPenAndBrush(*painter, pen, theme().color(Role::Accent, 0.08));
       painter->drawEllipse(tip(), kGoalRingMetres, kGoalRingMetres);
     }
     const PixelFrame frame(*painter, tip());
-    setInk(*painter, Qt::NoPen, theme().color(Role::Text, 0.25));
+    setPenAndBrush(*painter, Qt::NoPen, theme().color(Role::Text, 0.25));
     painter->drawEllipse(QPointF(0.0, 0.5), 4.0, 1.6);
     FigurePainter(theme()).pin(*painter, QString::number(goal_.id), isChosen);
   }
 
-  std::vector<QRectF> solidParts() const override {
+  std::vector<QRectF> labelObstacles() const override {
     return {QRectF(tip().x() - metres(0.5 * kPinWidthPx), tip().y() - metres(kPinHeightPx),
                    metres(kPinWidthPx), metres(kPinHeightPx))};
   }
@@ -243,7 +243,7 @@ void EntityItem::zoomChanged() {
 
 RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint,
                         sim2d::Kinematics kinematics, double heading, double pixelsPerMetre) {
-  const double scale = std::max(pixelsPerMetre, kLeastFigurePx / radius);
+  const double scale = std::max(pixelsPerMetre, kMinFigurePx / radius);
   RobotFigure figure;
   figure.kinematics = kinematics;
   figure.radiusPx = radius * scale;
@@ -265,9 +265,9 @@ void paintSpaces(QPainter& painter, const Vec2& at, QColor color) {
 
 void paintRobotGoal(QPainter& painter, const Theme& theme, const Vec2& at) {
   const PixelFrame frame(painter, toScene(at));
-  setInk(painter, QPen(theme.color(Role::RobotBody), 2.0), theme.color(Role::MapFree));
+  setPenAndBrush(painter, QPen(theme.color(Role::RobotBody), 2.0), theme.color(Role::MapFree));
   painter.drawEllipse(QPointF(), kRobotGoalPx, kRobotGoalPx);
-  setInk(painter, QPen(theme.color(Role::RobotBody), 1.2), theme.color(Role::RobotFront));
+  setPenAndBrush(painter, QPen(theme.color(Role::RobotBody), 1.2), theme.color(Role::RobotFront));
   painter.drawEllipse(QPointF(), 0.52 * kRobotGoalPx, 0.52 * kRobotGoalPx);
 }
 

@@ -10,22 +10,22 @@
 
 namespace editor {
 
-/// A name on the canvas, drawn by LabelLayer where there is room.
+/// A text label on the canvas. LabelLayer draws it if there is space.
 struct Label {
   QString text;
   std::optional<Look> mark;
-  QPointF centre;            // scene; for layoutLabels() [px]
-  double clearancePx = 0.0;  // from the centre to the edge of the label
-  int priority = 0;          // higher ones choose first
-  bool isAbove = false;      // would rather stand above than below
-  bool isOfHover = false;    // shown while the mouse is over it and not otherwise
-  bool isNeeded = false;     // covers bodies rather than being left out
-  QSizeF size = {};          // [px], once its picture is there
-  QString detail = {};       // a second line, softer
+  QPointF centre;            // Scene coordinates; in pixels for layoutLabels().
+  double clearancePx = 0.0;  // Distance from the centre to the edge of the label.
+  int priority = 0;          // Labels with higher priority are placed first.
+  bool isAbove = false;      // Prefers a position above the centre.
+  bool isHoverOnly = false;  // Shown only while the mouse hovers over the entity.
+  bool isNeeded = false;     // May cover bodies; it is never left out.
+  QSizeF size = {};          // Size [px]; valid once the label has been rendered.
+  QString detail = {};       // A second line in a softer colour.
 };
 
-/// What is drawn on the canvas, in scene coordinates (the item itself stays at the origin); what
-/// has a least size on the screen asks the scene for the zoom.
+/// Base of the canvas items. Items draw in scene coordinates and stay at the origin. They query the
+/// zoom from the scene for parts with a minimum size on the screen.
 class CanvasItem : public QGraphicsItem {
  public:
   explicit CanvasItem(const MapScene& scene) : scene_(scene) {}
@@ -53,8 +53,8 @@ class EntityItem : public CanvasItem {
   /// Distance from the visible body [m]; 0 inside.
   virtual double distanceTo(const Vec2& world) const = 0;
   virtual std::vector<Label> labels() const { return {}; }
-  /// What labels keep off.
-  virtual std::vector<QRectF> solidParts() const { return {boundingRect()}; }
+  /// Areas that labels must not cover.
+  virtual std::vector<QRectF> labelObstacles() const { return {boundingRect()}; }
   QRectF boundingRect() const override { return bounds_; }
 
  protected:
@@ -69,20 +69,20 @@ class EntityItem : public CanvasItem {
 };
 
 std::unique_ptr<EntityItem> makeEntityItem(const MapScene& scene, EntityId id);
-/// Obstacles, doors, areas and docks: outlines in the plane.
+/// Creates the item of an obstacle, door, area or dock.
 std::unique_ptr<EntityItem> makeShapeItem(const MapScene& scene, EntityId id);
 
-/// Marker of a robot's own goal point.
+/// Draws the marker of a robot's own goal point.
 void paintRobotGoal(QPainter& painter, const Theme& theme, const Vec2& at);
-/// A robot as large as it is on the ground [px], but never too small to be seen.
+/// A robot at its true size [px], with a minimum size for visibility.
 RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint,
                         sim2d::Kinematics kinematics, double heading, double pixelsPerMetre);
-/// Intimate, personal and social space (Hall) around somebody.
+/// Draws the intimate, personal and social space (Hall) around a person.
 void paintSpaces(QPainter& painter, const Vec2& at, QColor color);
-constexpr double kRobotGoalPx = 10.0;   // its radius
-constexpr double kLeastFigurePx = 5.0;  // radius of the smallest figure
-constexpr double kFewFigurePx = 9.0;    // and where there are few people
-constexpr double kNameZoom = 17.0;      // [px/m], from which names are shown
+constexpr double kRobotGoalPx = 10.0;  // Radius.
+constexpr double kMinFigurePx = 5.0;   // Minimum radius of a figure.
+constexpr double kFewFigurePx = 9.0;   // Minimum radius if there are few people.
+constexpr double kNameZoom = 17.0;     // Names are shown from this zoom on [px/m].
 QRectF around(const QPointF& centre, double reach);
 inline double degrees(double radians) {
   return radians * 180.0 / base::kPi;

@@ -6,26 +6,25 @@
 #include <utility>
 
 #include "editor/canvas/PixelFrame.h"
-#include "editor/canvas/PlannerPainter.h"
+#include "editor/canvas/RobotPainters.h"
 #include "editor/canvas/RunOverlays.h"
-#include "editor/canvas/SensePainter.h"
 #include "editor/canvas/SpriteAtlas.h"
-#include "editor/document/Groups.h"
-#include "sim2d/scenario/Defaults.h"
+#include "editor/document/PeopleEdits.h"
+#include "sim2d/scenario/ResolvedValues.h"
 
 namespace editor {
 
 namespace {
 
 constexpr double kStandingSpeed = 0.05;  // [m/s]
-constexpr std::size_t kMostNames = 120;
-constexpr double kStrideMetres = 1.4;  // both feet once
+constexpr std::size_t kMaxNames = 120;
+constexpr double kStrideMetres = 1.4;  // Walked distance of a full step cycle.
 constexpr double kSpeechSeconds = 4.0;
-constexpr double kSpeechFade = 0.6;  // [s] at its end
+constexpr double kSpeechFade = 0.6;  // Duration of the fade-out [s].
 constexpr double kBubbleWidthPx = 220.0;
 constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
 
-/// The first that can still be seen then.
+/// The first entry that is still visible at `time`.
 template <class Said>
 typename std::vector<Said>::const_iterator firstWithin(const std::vector<Said>& said, double time) {
   return std::partition_point(said.begin(), said.end(), [time](const Said& each) {
@@ -38,7 +37,7 @@ typename std::vector<Said>::const_iterator firstWithin(const std::vector<Said>& 
 void FrameLayer::begin() {
   agents_.clear();
   trails_.clear();
-  hasMet_ = false;
+  hasBodySizes_ = false;
   const sim2d::Scenario& scenario = document().scenario();
   const long long seed = scenario.desktop.seed.value_or(1);
   for (const sim2d::Human& human : scenario.humans) {
@@ -65,13 +64,13 @@ void FrameLayer::begin() {
                      resolved.kinematics};
     }
   }
-  stranger_ = Agent();
+  unknownAgent_ = Agent();
   for (const sim2d::Area& area : scenario.areas) {
     const sim2d::Human* like = area.like ? scenario.human(*area.like) : nullptr;
     if (area.kind == sim2d::AreaKind::Source && like != nullptr) {
-      stranger_ = agents_[like->id];
-      stranger_.name.clear();
-      stranger_.entity = {};
+      unknownAgent_ = agents_[like->id];
+      unknownAgent_.name.clear();
+      unknownAgent_.entity = {};
       break;
     }
   }
@@ -88,13 +87,13 @@ void FrameLayer::end() {
 
 void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
                       const sim2d::Recording* recording) {
-  rememberPlaces();
-  share_ = 1.0;
+  storePoses();
+  interpolation_ = 1.0;
   if (recording != nullptr && recording->size() > 0) {
-    meet(*recording->header(), *frame);
+    updateAgents(*recording->header(), *frame);
   }
   trails_.setSeconds(options().trailSeconds);
-  trails_.goOn(frame_.get(), *frame, recording);
+  trails_.advance(frame_.get(), *frame, recording);
   frame_ = std::move(frame);
   bodies_.clear();
   places_.clear();
@@ -110,10 +109,10 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
   }
 }
 
-/// Bodies are as large as in the run, which the model of the crowd decides, and whoever has come in
-/// since is known.
-void FrameLayer::meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
-  if (!std::exchange(hasMet_, true)) {
+/// Takes the body sizes from the run, where the pedestrian model determines them, and adds the
+/// agents that were spawned since.
+void FrameLayer::updateAgents(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+  if (!std::exchange(hasBodySizes_, true)) {
     for (const sim2d::TraceHuman& human : header.humans) {
       if (const auto known = agents_.find(human.id); known != agents_.end()) {
         known->second.radius = human.radius;
@@ -129,7 +128,7 @@ void FrameLayer::meet(const sim2d::TraceHeader& header, const sim2d::Frame& fram
       agents_[human.id] = {QString::fromStdString(human.name),
                            {},
                            lookOf(static_cast<sim2d::BehaviorType>(human.behavior)),
-                           stranger_.kind,
+                           unknownAgent_.kind,
                            human.radius,
                            {},
                            {}};
@@ -137,18 +136,18 @@ void FrameLayer::meet(const sim2d::TraceHeader& header, const sim2d::Frame& fram
   }
 }
 
-void FrameLayer::rememberPlaces() {
+void FrameLayer::storePoses() {
   before_.clear();
   for (const Body& body : bodies_) {
     before_.emplace(body.id, body.at);
   }
 }
 
-bool FrameLayer::setShare(double share) {
-  if (share == share_ || frame_ == nullptr) {
+bool FrameLayer::setInterpolation(double share) {
+  if (share == interpolation_ || frame_ == nullptr) {
     return false;
   }
-  share_ = share;
+  interpolation_ = share;
   for (Body& body : bodies_) {
     const auto from = before_.find(body.id);
     const bool isStep =
@@ -162,7 +161,7 @@ bool FrameLayer::setShare(double share) {
   return true;
 }
 
-void FrameLayer::hear(const std::vector<sim2d::Event>& events, double time) {
+void FrameLayer::addSpeech(const std::vector<sim2d::Event>& events, double time) {
   for (const sim2d::Event& event : events) {
     if (event.kind == sim2d::EventKind::Say && event.hasId) {
       speeches_.push_back({event.id, QString::fromStdString(event.text), time});
@@ -174,7 +173,7 @@ void FrameLayer::hear(const std::vector<sim2d::Event>& events, double time) {
 
 const FrameLayer::Agent& FrameLayer::agent(int id) const {
   const auto found = agents_.find(id);
-  return found == agents_.end() ? stranger_ : found->second;
+  return found == agents_.end() ? unknownAgent_ : found->second;
 }
 
 const FrameLayer::Body* FrameLayer::body(int id) const {
@@ -184,12 +183,12 @@ const FrameLayer::Body* FrameLayer::body(int id) const {
 
 double FrameLayer::figureRadiusPx(const Body& body, double pixelsPerMetre) const {
   const EntityKind kind = body.isRobot() ? EntityKind::Robot : EntityKind::Human;
-  return std::max(body.agent->radius * pixelsPerMetre, mapScene().leastFigurePx(kind));
+  return std::max(body.agent->radius * pixelsPerMetre, mapScene().minFigurePx(kind));
 }
 
 bool FrameLayer::isChosen(const Body& body) const {
   return body.agent->entity ? document().isSelected(body.agent->entity)
-                            : mapScene().guest() == body.id;
+                            : mapScene().spawnedAgent() == body.id;
 }
 
 std::optional<Vec2> FrameLayer::positionOf(int id) const {
@@ -201,7 +200,7 @@ std::vector<ShownBody> FrameLayer::shownBodies() const {
   std::vector<ShownBody> shown;
   shown.reserve(bodies_.size());
   const double scale = mapScene().pixelsPerMetre();
-  std::size_t row = 0;  // people come first, in the order of the frame
+  std::size_t row = 0;  // People come first, in the order of the frame.
   for (const Body& body : bodies_) {
     const sim2d::BodyColumns& columns =
         body.isRobot() ? frame_->robots : static_cast<const sim2d::BodyColumns&>(frame_->humans);
@@ -213,7 +212,7 @@ std::vector<ShownBody> FrameLayer::shownBodies() const {
   return shown;
 }
 
-bool FrameLayer::isAnybodyChosen() const {
+bool FrameLayer::hasSelectedBody() const {
   return std::any_of(bodies_.begin(), bodies_.end(),
                      [this](const Body& body) { return isChosen(body); });
 }
@@ -232,7 +231,7 @@ std::optional<int> FrameLayer::agentAt(const Vec2& world) const {
   return best;
 }
 
-std::vector<QRectF> FrameLayer::solidParts() const {
+std::vector<QRectF> FrameLayer::labelObstacles() const {
   std::vector<QRectF> parts;
   for (const Body& body : bodies_) {
     const double radius = metres(figureRadiusPx(body, mapScene().pixelsPerMetre()));
@@ -273,9 +272,9 @@ std::optional<Label> FrameLayer::robotLabel(const Body& body) const {
 
 std::optional<Label> FrameLayer::personLabel(const Body& body) const {
   const double scale = mapScene().pixelsPerMetre();
-  const bool showAll = options().names && frame_->humans.size() <= kMostNames;
+  const bool showAll = options().names && frame_->humans.size() <= kMaxNames;
   const bool chosen = isChosen(body);
-  const bool isKnown = showAll && body.agent->entity;  // those who come and go only when chosen
+  const bool isKnown = showAll && body.agent->entity;  // Spawned people: only while selected.
   const bool isShown = chosen || (isKnown && scale >= kNameZoom);
   if (!options().people || !isShown || body.agent->name.isEmpty()) {
     return std::nullopt;
@@ -297,7 +296,7 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     return;
   }
   painter->setRenderHint(QPainter::Antialiasing);
-  paintPerceived(*painter);
+  paintPerception(*painter);
   if (options().trails) {
     paintTrails(*painter);
   }
@@ -308,7 +307,7 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     paintPeople(*painter);
   }
   if (options().detections) {
-    paintBelieved(*painter);
+    paintEstimatedPoses(*painter);
   }
   paintPull(*painter);
   paintPush(*painter);
@@ -373,8 +372,8 @@ void FrameLayer::paintRobotPaths(QPainter& painter) const {
   pen.setDashPattern({3.5, 2.5});
   makeCosmetic(pen, painter);
   for (const std::vector<Vec2>& points : frame_->robotPaths) {
-    const QPainterPath path = softPath(points, 0.3);
-    setInk(painter, pen);
+    const QPainterPath path = roundedPath(points, 0.3);
+    setPenAndBrush(painter, pen);
     painter.drawPath(path);
     paintArrowHeads(painter, path, 1.5, 8.0, theme());
   }
@@ -385,41 +384,41 @@ void FrameLayer::paintRobotPaths(QPainter& painter) const {
   }
 }
 
-/// Beneath the people: scans, and ways that were weighed.
-void FrameLayer::paintPerceived(QPainter& painter) const {
+/// Draws scans and candidate trajectories beneath the people.
+void FrameLayer::paintPerception(QPainter& painter) const {
   if (frame_->senses == nullptr) {
     return;
   }
   const SensePainter senses(theme());
-  for (const sim2d::RobotSenses& each : *frame_->senses) {
+  for (const sim2d::RobotTelemetry& each : *frame_->senses) {
     if (options().lidar && each.scan) {
       senses.scan(painter, *each.scan);
     }
   }
   const PlannerPainter planners(theme());
-  for (const sim2d::RobotSenses& each : *frame_->senses) {
+  for (const sim2d::RobotTelemetry& each : *frame_->senses) {
     if (options().candidates) {
-      hasPrices(each) ? planners.ways(painter, each.ways) : senses.ways(painter, each.ways);
+      hasCostTerms(each) ? planners.ways(painter, each.ways) : senses.ways(painter, each.ways);
       planners.aim(painter, each);
     }
   }
 }
 
-/// Over the people: where robots take them and themselves to be.
-void FrameLayer::paintBelieved(QPainter& painter) const {
+/// Draws the estimated poses of people and robots over the people.
+void FrameLayer::paintEstimatedPoses(QPainter& painter) const {
   if (frame_->senses == nullptr) {
     return;
   }
   const SensePainter senses(theme());
-  const auto placeOf = [this](const sim2d::RobotSenses::Body& track) {
+  const auto placeOf = [this](const sim2d::RobotTelemetry::Body& track) {
     return positionOf(track.id);
   };
   for (std::size_t i = 0; i < std::min(frame_->robots.size(), frame_->senses->size()); ++i) {
     senses.tracks(painter, (*frame_->senses)[i].bodies, placeOf);
     const Body* robot = body(frame_->robots.id[i]);
-    const std::optional<Pose2> believed = believedElsewhere(*frame_, i);
+    const std::optional<Pose2> believed = divergentPoseEstimate(*frame_, i);
     if (believed && robot != nullptr) {
-      senses.slip(painter, robot->pose.position, believed->position);
+      senses.paintLocalizationError(painter, robot->pose.position, believed->position);
       Body ghost = *robot;
       ghost.pose = *believed;
       painter.setOpacity(0.4);
@@ -429,21 +428,21 @@ void FrameLayer::paintBelieved(QPainter& painter) const {
   }
 }
 
-/// A rubber line from a robot to where the mouse pulls it.
+/// Draws a line from a robot to the point to which the mouse pulls it.
 void FrameLayer::paintPull(QPainter& painter) const {
   const auto& pull = mapScene().pull();
   const Body* robot = pull ? body(pull->robot) : nullptr;
   if (robot == nullptr) {
     return;
   }
-  setInk(painter, screenPen(painter, theme().color(Role::Accent), 2.0, Qt::DashLine));
+  setPenAndBrush(painter, screenPen(painter, theme().color(Role::Accent), 2.0, Qt::DashLine));
   painter.drawLine(toScene(robot->pose.position), toScene(pull->to));
   const PixelFrame frame(painter, toScene(pull->to));
-  setInk(painter, QPen(theme().color(Role::Accent), 2.0), theme().color(Role::Panel));
+  setPenAndBrush(painter, QPen(theme().color(Role::Accent), 2.0), theme().color(Role::Panel));
   painter.drawEllipse(QPointF(), 5.0, 5.0);
 }
 
-/// The arrow of a push, with its speed.
+/// Draws the arrow of a push with its speed.
 void FrameLayer::paintPush(QPainter& painter) const {
   const auto& push = mapScene().push();
   const Body* person = push ? body(push->person) : nullptr;
@@ -451,7 +450,7 @@ void FrameLayer::paintPush(QPainter& painter) const {
     return;
   }
   const Vec2 to = person->pose.position + push->velocity;
-  setInk(painter, screenPen(painter, theme().color(Role::Accent), 3.0));
+  setPenAndBrush(painter, screenPen(painter, theme().color(Role::Accent), 3.0));
   painter.drawLine(toScene(person->pose.position), toScene(to));
   const PixelFrame frame(painter, toScene(to));
   painter.setPen(QPen(theme().color(Role::Accent), 3.0));
@@ -461,7 +460,7 @@ void FrameLayer::paintPush(QPainter& painter) const {
   const QString words = QStringLiteral("%1 m/s").arg(push->velocity.norm(), 0, 'f', 1);
   QRectF box = QFontMetricsF(painter.font()).boundingRect(words).adjusted(-6, -3, 6, 3);
   box.moveCenter(QPointF(0.0, push->velocity.y() >= 0.0 ? -20.0 : 20.0));
-  setInk(painter, QPen(theme().color(Role::Accent), 1.0), theme().color(Role::Panel));
+  setPenAndBrush(painter, QPen(theme().color(Role::Accent), 1.0), theme().color(Role::Panel));
   painter.drawRoundedRect(box, 4.0, 4.0);
   painter.setPen(theme().color(Role::Text));
   painter.drawText(box, Qt::AlignCenter, words);
@@ -496,18 +495,18 @@ void FrameLayer::paintTrails(QPainter& painter) const {
   }
 }
 
-/// On those who are chosen, or on all when nobody is.
+/// Draws forces on the selected people, or on all if none is selected.
 void FrameLayer::paintForces(QPainter& painter) const {
   const double scale = pixelsPerMetreOf(painter);
   const PixelFrame frame(painter, {});
   const OverlayPainter over(painter, theme(), {QPointF(), scale});
-  const bool anyChosen = isAnybodyChosen();
+  const bool anyChosen = hasSelectedBody();
   for (const Body& body : bodies_) {
     if (body.isRobot() || (anyChosen && !isChosen(body))) {
       continue;
     }
     std::vector<ForceArrow> arrows = forcesOn(*frame_, body.id);
-    if (!anyChosen && frame_->humans.size() > kMostTerms && !arrows.empty()) {
+    if (!anyChosen && frame_->humans.size() > kMaxTerms && !arrows.empty()) {
       arrows.erase(arrows.begin(), arrows.end() - 1);
     }
     over.forces(body.pose.position, figureRadiusPx(body, scale) + (anyChosen ? 7.0 : 2.0), arrows);
@@ -530,15 +529,15 @@ void FrameLayer::paintBubble(QPainter& painter, const Body& speaker, const Speec
   tail.addPolygon(QPolygonF({QPointF(-6.0, box.bottom() - 1.0), QPointF(8.0, box.bottom() - 1.0),
                              QPointF(0.0, -radiusPx - 3.0)}));
   tail.closeSubpath();
-  setInk(painter, QPen(theme().color(Role::FieldEdge), 1.0),
-         theme().color(theme().isDark() ? Role::Text : Role::Panel));
+  setPenAndBrush(painter, QPen(theme().color(Role::FieldEdge), 1.0),
+                 theme().color(theme().isDark() ? Role::Text : Role::Panel));
   painter.drawPath(bubble.united(tail));
   painter.setFont(font);
   painter.setPen(theme().color(theme().isDark() ? Role::Window : Role::Text));
   painter.drawText(box, kBubbleText, speech.text);
 }
 
-/// Who hears what is being said: dashes from the speaker, which fade with the words.
+/// Draws dashed lines from a speaker to the listeners, which fade with the speech.
 void FrameLayer::paintHearing(QPainter& painter) const {
   for (auto at = firstWithin(hearings_, frame_->time);
        at != hearings_.end() && at->since <= frame_->time; ++at) {
@@ -549,14 +548,14 @@ void FrameLayer::paintHearing(QPainter& painter) const {
     }
     const double left = at->since + kSpeechSeconds - frame_->time;
     const double alpha = 0.7 * std::clamp(left / kSpeechFade, 0.0, 1.0);
-    setInk(painter,
-           screenPen(painter, theme().color(Role::TextSecondary, alpha), 1.2, Qt::DotLine));
+    setPenAndBrush(painter,
+                   screenPen(painter, theme().color(Role::TextSecondary, alpha), 1.2, Qt::DotLine));
     painter.drawLine(toScene(speaker->pose.position), toScene(listener->pose.position));
   }
 }
 
 void FrameLayer::paintSpeech(QPainter& painter) const {
-  std::map<int, const Speech*> latest;  // a person's newest words take the place of older ones
+  std::map<int, const Speech*> latest;  // The newest speech of a person replaces older ones.
   for (auto at = firstWithin(speeches_, frame_->time);
        at != speeches_.end() && at->since <= frame_->time; ++at) {
     latest[at->id] = &*at;

@@ -12,44 +12,44 @@
 
 namespace editor {
 
-/// Somebody of the run as they are shown now, between two frames.
+/// A body of the run as currently shown, interpolated between two frames.
 struct ShownBody {
-  int id = 0;  // of robots: below 0
+  int id = 0;  // Negative for robots.
   Pose2 pose;
-  Vec2 velocity = Vec2::Zero();  // [m/s], of the frame
-  double radiusPx = 10.0;        // as drawn
+  Vec2 velocity = Vec2::Zero();  // Velocity in the frame [m/s].
+  double radiusPx = 10.0;        // Radius as drawn.
   Look look = Look::Regular;
   bool isChosen = false;
 };
 
-/// One item that paints everybody of a frame from a sprite atlas, with trails, robot paths, speech
-/// and, for selected people, personal spaces and forces.
+/// A single item that draws all bodies of a frame from a sprite atlas, with trails, robot paths,
+/// speech and, for selected people, personal spaces and forces.
 class FrameLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
 
-  /// Looks, sizes and names are taken from the document when a run begins.
+  /// Starts a run; appearance, sizes and names are read from the document.
   void begin();
-  /// Trails tell of the recording what was passed over since the frame before; without one they
-  /// join what was shown.
+  /// Shows a frame. With a recording, trails include the frames that were skipped since the
+  /// previous one; otherwise they connect the shown frames.
   void show(std::shared_ptr<const sim2d::Frame> frame, const sim2d::Recording* recording = nullptr);
-  /// Everybody on the way from the frame shown before, where they are after this share of the step;
-  /// 1: as the frame has them. Whether that makes a difference.
-  bool setShare(double share);
+  /// Interpolates all bodies between the previous and the current frame; 1: current frame. Returns
+  /// true if the picture changes.
+  bool setInterpolation(double share);
   void end();
   const sim2d::Frame* frame() const { return frame_.get(); }
-  /// What was said; shown for some seconds from then on, also when looking back.
-  void hear(const std::vector<sim2d::Event>& events, double time);
+  /// Adds speech events. They are shown for some seconds from `time` on, also when looking back.
+  void addSpeech(const std::vector<sim2d::Event>& events, double time);
 
-  /// Whose body is under a point, or within 8 px of it.
+  /// The agent whose body is at a point, or within 8 px of it.
   std::optional<int> agentAt(const Vec2& world) const;
-  EntityId entityOf(int id) const { return agent(id).entity; }  // none: came in by a source
+  EntityId entityOf(int id) const { return agent(id).entity; }  // None for spawned agents.
   QString nameOf(int id) const { return agent(id).name; }
   std::optional<Vec2> positionOf(int agent) const;
   std::vector<ShownBody> shownBodies() const;
-  bool isAnybodyChosen() const;  // of those in the frame
+  bool hasSelectedBody() const;  // True if a body of the frame is selected.
   std::vector<Label> labels() const;
-  std::vector<QRectF> solidParts() const;
+  std::vector<QRectF> labelObstacles() const;
 
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
@@ -60,15 +60,15 @@ class FrameLayer : public FullLayer {
     Look look = Look::Regular;
     sim2d::PersonKind kind = sim2d::PersonKind::Adult;
     double radius = 0.35;         // [m]
-    std::vector<Vec2> footprint;  // robots
+    std::vector<Vec2> footprint;  // Robots only.
     sim2d::Kinematics kinematics = sim2d::Kinematics::Differential;
   };
-  /// A person, or a robot (with a negative id), in the frame that is shown.
+  /// A person, or a robot (negative id), in the current frame.
   struct Body {
     int id = 0;
     const Agent* agent = nullptr;
     Pose2 pose;
-    Pose2 at;  // in the frame; pose: where it is shown
+    Pose2 at;  // Pose in the frame; `pose` is the interpolated one.
     bool isMoving = false;
     bool isRobot() const { return id < 0; }
   };
@@ -81,7 +81,7 @@ class FrameLayer : public FullLayer {
     int listener = 0, speaker = 0;
     double since = 0.0;  // [s]
   };
-  void meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
+  void updateAgents(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
   const Body* body(int id) const;
   const Agent& agent(int id) const;
   std::optional<Label> robotLabel(const Body& body) const;
@@ -91,8 +91,8 @@ class FrameLayer : public FullLayer {
   PersonFigure figureOf(const Body& person, double pixelsPerMetre) const;
   void paintTrails(QPainter& painter) const;
   void paintRobotPaths(QPainter& painter) const;
-  void paintPerceived(QPainter& painter) const;
-  void paintBelieved(QPainter& painter) const;
+  void paintPerception(QPainter& painter) const;
+  void paintEstimatedPoses(QPainter& painter) const;
   void paintPull(QPainter& painter) const;
   void paintPush(QPainter& painter) const;
   void paintPeople(QPainter& painter) const;
@@ -102,23 +102,23 @@ class FrameLayer : public FullLayer {
   void paintBubble(QPainter& painter, const Body& speaker, const Speech& speech) const;
   void paintForces(QPainter& painter) const;
 
-  void rememberPlaces();
+  void storePoses();
   std::shared_ptr<const sim2d::Frame> frame_;
-  std::unordered_map<int, Pose2> before_;  // in the frame shown before, one step earlier
-  double share_ = 1.0;
-  std::vector<Body> bodies_;  // people, then robots
+  std::unordered_map<int, Pose2> before_;  // Poses in the previous frame, one step earlier.
+  double interpolation_ = 1.0;
+  std::vector<Body> bodies_;  // People, then robots.
   std::unordered_map<int, Agent> agents_;
-  Agent stranger_;                               // people from sources of whom nothing is known
-  std::unordered_map<int, std::size_t> places_;  // in bodies_
-  bool hasMet_ = false;
+  Agent unknownAgent_;                           // For agents not in the document or header.
+  std::unordered_map<int, std::size_t> places_;  // Index in bodies_.
+  bool hasBodySizes_ = false;
   Trails trails_;
-  std::vector<Speech> speeches_;  // by their times, as the next
+  std::vector<Speech> speeches_;  // Sorted by time, as are the hearings.
   std::vector<Hearing> hearings_;
 };
 
-/// The force terms on a person that the canvas draws, in the order of the legend. Empty when the
-/// frame has no forces or the person is not in it. The last one is the sum.
+/// The force terms on a person as drawn on the canvas, in legend order. The last one is the sum.
+/// Empty if the frame has no forces or does not contain the person.
 std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId);
-constexpr std::size_t kMostTerms = 40;  // people whose terms are drawn; of more the total alone
+constexpr std::size_t kMaxTerms = 40;  // With more people, only the total is drawn.
 
 }  // namespace editor

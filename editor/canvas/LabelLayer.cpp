@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "editor/canvas/Layers.h"
-#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/ViewOverlays.h"
 
 namespace editor {
 
@@ -13,8 +13,8 @@ namespace {
 
 using Places = std::array<QRectF, 8>;
 
-/// Where a length begins that would begin at `begin`, moved between `low` and `high`.
-double movedInto(double begin, double length, double low, double high) {
+/// The start of an interval that is shifted to lie between `low` and `high`.
+double shiftedInto(double begin, double length, double low, double high) {
   return high - low < length ? begin : std::clamp(begin, low, high - length);
 }
 
@@ -22,21 +22,21 @@ Places placesFor(const Label& label, const QRectF& window) {
   const double width = label.size.width();
   const double height = label.size.height();
   const QPointF c = label.centre;
-  const double middle = movedInto(c.x() - 0.5 * width, width, window.left(), window.right());
+  const double middle = shiftedInto(c.x() - 0.5 * width, width, window.left(), window.right());
   const double below = c.y() + label.clearancePx;
   const double above = c.y() - label.clearancePx - height;
   const double right = c.x() + label.clearancePx;
   const double left = c.x() - label.clearancePx - width;
   const double first = label.isAbove ? above : below;
   const double second = label.isAbove ? below : above;
-  const double beside = movedInto(c.y() - 0.5 * height, height, window.top(), window.bottom());
+  const double beside = shiftedInto(c.y() - 0.5 * height, height, window.top(), window.bottom());
   return {QRectF(middle, first, width, height), QRectF(middle, second, width, height),
           QRectF(right, beside, width, height), QRectF(left, beside, width, height),
           QRectF(right, first, width, height),  QRectF(left, first, width, height),
           QRectF(right, second, width, height), QRectF(left, second, width, height)};
 }
 
-/// Rectangles by the tiles of the plane that they touch.
+/// A spatial hash of rectangles by the tiles that they touch.
 class Occupied {
  public:
   void add(const QRectF& rect) {
@@ -58,7 +58,7 @@ class Occupied {
   using Tile = std::pair<int, int>;
   static constexpr double kSide = 96.0;  // [px]
 
-  /// Until `visit` gives false; gives whether it never did.
+  /// Calls `visit` for each tile until it returns false. Returns true if it never did.
   template <class Visit>
   static bool forTiles(const QRectF& rect, Visit&& visit) {
     const auto tileOf = [](double x) { return static_cast<int>(std::floor(x / kSide)); };
@@ -79,8 +79,8 @@ constexpr double kMarkPx = 9.0;
 constexpr double kMarkGapPx = 5.0;
 constexpr double kHaloPx = 3.5;
 constexpr double kPadPx = 2.0;
-constexpr double kEdgePx = kHaloPx + 1.0;  // between a name and the edge of the window
-constexpr std::size_t kMostPictures = 4000;
+constexpr double kEdgePx = kHaloPx + 1.0;  // Distance between a name and the edge of the window.
+constexpr std::size_t kMaxPictures = 4000;
 
 QFont labelFont(const Theme& theme) {
   return theme.font(9.0, QFont::Medium);
@@ -96,13 +96,13 @@ double markSpace(const Label& label) {
   return label.mark ? kMarkPx + kMarkGapPx : 0.0;
 }
 
-/// Text with a halo in the ground's colour and an optional mark before it, in pixels.
+/// Draws text with a halo in the background colour and an optional mark before it, in pixels.
 void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const Label& label) {
   const QFont font = labelFont(theme);
   const QFontMetricsF metrics(font);
   const QPointF baseline(box.left() + kPadPx + markSpace(label), box.top() + metrics.ascent());
   const QColor ground = theme.color(Role::MapFree, 0.9);
-  setInk(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  setPenAndBrush(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(textOutline(baseline, font, label.text));
   painter.setFont(font);
   painter.setPen(theme.color(Role::Text));
@@ -110,7 +110,7 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
   if (!label.detail.isEmpty()) {
     const QPointF second(box.left() + kPadPx, baseline.y() + metrics.height());
     const QFont soft = detailFont(theme);
-    setInk(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    setPenAndBrush(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(textOutline(second, soft, label.detail));
     painter.setFont(soft);
     painter.setPen(theme.color(Role::TextSecondary));
@@ -119,7 +119,7 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
   if (label.mark) {
     const QPointF centre(box.left() + kPadPx + 0.5 * kMarkPx,
                          baseline.y() - 0.5 * metrics.capHeight());
-    setInk(painter, Qt::NoPen, ground);
+    setPenAndBrush(painter, Qt::NoPen, ground);
     painter.drawEllipse(centre, 0.5 * kMarkPx + 1.5, 0.5 * kMarkPx + 1.5);
     FigurePainter(theme).mark(painter, *label.mark, centre, kMarkPx);
   }
@@ -141,7 +141,7 @@ std::vector<QRectF> layoutLabels(const std::vector<Label>& labels, const std::ve
   std::vector<QRectF> result(labels.size());
   for (const std::size_t i : order) {
     const Places places = placesFor(labels[i], window);
-    // What a label has to touch, so that it is seen whose name it is.
+    // A label must touch this area, so that its owner is recognizable.
     const QRectF near = around(labels[i].centre, labels[i].clearancePx + 1.0);
     const auto isOffLabels = [&](const QRectF& place) {
       return window.contains(place) && near.intersects(place) && placed.isFree(place);
@@ -187,7 +187,7 @@ const LabelLayer::Picture& LabelLayer::pictureOf(const Label& label, double rati
 }
 
 void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
-  if (pictures_.size() > kMostPictures) {
+  if (pictures_.size() > kMaxPictures) {
     pictures_.clear();
   }
   const double pixelsPerMetre = pixelsPerMetreOf(*painter);
@@ -198,7 +198,7 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   std::vector<const Picture*> pictures;
   for (Label& label : mapScene().labels()) {
     label.centre = toPixels.map(label.centre);
-    const double reach = label.clearancePx;  // who is partly seen is named too
+    const double reach = label.clearancePx;  // Partly visible entities get labels too.
     if (window.adjusted(-reach, -reach, reach, reach).contains(label.centre)) {
       pictures.push_back(&pictureOf(label, ratio));
       label.size = pictures.back()->size;
@@ -208,8 +208,8 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   if (labels.empty()) {
     return;
   }
-  std::vector<QRectF> taken = overlayBoxes({mapScene(), window, toPixels, pixelsPerMetre});
-  for (const QRectF& part : mapScene().solidParts()) {
+  std::vector<QRectF> taken = overlayRects({mapScene(), window, toPixels, pixelsPerMetre});
+  for (const QRectF& part : mapScene().labelObstacles()) {
     const QRectF inPixels = toPixels.mapRect(part);
     if (inPixels.intersects(window)) {
       taken.push_back(inPixels);
@@ -220,7 +220,7 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   const PixelFrame frame(*painter, {});
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!places[i].isNull()) {
-      // On whole pixels: letters stay sharp.
+      // Aligned to device pixels for sharp letters.
       const QTransform toDevice = painter->worldTransform();
       const QPointF corner = toDevice.map(places[i].topLeft() - QPointF(kHaloPx, kHaloPx));
       const QPointF whole(std::round(corner.x()), std::round(corner.y()));

@@ -6,24 +6,24 @@
 #include <QFontMetricsF>
 
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/document/Groups.h"
+#include "editor/canvas/ViewOverlays.h"
+#include "editor/document/PeopleEdits.h"
 
 namespace editor {
 
 namespace {
 
 constexpr double kTurnPx = 52.0;
-constexpr double kShapeTurnPx = 24.0;    // beyond the outline
-constexpr std::size_t kMostHandles = 8;  // things that show theirs
+constexpr double kShapeTurnPx = 24.0;   // Distance beyond the outline.
+constexpr std::size_t kMaxHandles = 8;  // Maximum number of selected entities that show handles.
 constexpr double kHandlePx = 8.0;
 constexpr double kTurnHandlePx = 10.0;
 constexpr double kHandleReachPx = 8.0;
 constexpr double kCornerPx = 6.0;
 constexpr double kSnapMarkPx = 7.0;
-constexpr double kRingGapPx = 3.0;  // between somebody and the ring of the group
-constexpr double kLeastRingPx = 7.0;
+constexpr double kRingGapPx = 3.0;  // Distance between a body and its group ring.
+constexpr double kMinRingPx = 7.0;
 
 QPen accentPen(const QPainter& painter, const Theme& theme, double widthPx) {
   return screenPen(painter, theme.color(Role::Accent), widthPx, Qt::SolidLine, Qt::SquareCap);
@@ -55,16 +55,17 @@ void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, 
   const double strength = theme().isDark() ? 0.055 : 0.07;
   for (const double step : {1.0, 5.0, 25.0}) {
     const double px = pixelsPerMetreOf(*painter) * step;
-    const double alpha = strength * std::clamp((px - 8.0) / 22.0, 0.0, 1.0);  // fades when dense
+    const double alpha = strength * std::clamp((px - 8.0) / 22.0, 0.0, 1.0);  // Fades if dense.
     if (alpha > 0.0) {
       paintGrid(*painter, theme().color(Role::Text), area, step, alpha);
     }
   }
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> shortestLinks(const std::vector<Vec2>& points) {
+std::vector<std::pair<std::size_t, std::size_t>> minimumSpanningTree(
+    const std::vector<Vec2>& points) {
   std::vector<std::pair<std::size_t, std::size_t>> links;
-  std::vector<std::size_t> nearest(points.size(), 0);  // of those that are joined already
+  std::vector<std::size_t> nearest(points.size(), 0);  // The nearest joined point, for each point.
   std::vector<double> distance(points.size(), std::numeric_limits<double>::max());
   std::vector<bool> joined(points.size(), false);
   std::size_t newest = 0;
@@ -87,7 +88,7 @@ std::vector<std::pair<std::size_t, std::size_t>> shortestLinks(const std::vector
   return links;
 }
 
-/// A group with somebody who moves belongs to what moves.
+/// A group with a moving member belongs to the moving part.
 bool GroupLayer::isPartOf(const std::vector<EntityId>& people) const {
   const auto isPainted = [this](EntityId id) { return mapScene().isPainted(id); };
   return mapScene().paintedPart() == CanvasPart::Moving
@@ -117,14 +118,14 @@ void GroupLayer::paintGroup(QPainter& painter, const QColor& color,
   pen.setDashPattern({1.0, 3.0});
   makeCosmetic(pen, painter);
   painter.setPen(pen);
-  for (const auto& [from, to] : shortestLinks(places)) {
+  for (const auto& [from, to] : minimumSpanningTree(places)) {
     painter.drawLine(toScene(places[from]), toScene(places[to]));
   }
   const double pixelsPerMetre = pixelsPerMetreOf(painter);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const PixelFrame frame(painter, toScene(places[i]));
     paintRing(painter, QPen(color, 2.0),
-              std::max(radii[i] * pixelsPerMetre + kRingGapPx, kLeastRingPx));
+              std::max(radii[i] * pixelsPerMetre + kRingGapPx, kMinRingPx));
   }
 }
 
@@ -150,7 +151,7 @@ std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
   }
   std::vector<Handle> handles = handlesOf(entity, sizes);
   const bool isSmall = sizes.bodyRadius * pixelsPerMetre < 12.0;
-  if ((isSmall && kindOf(entity) == EntityKind::Human) ||  // handles would hide the figure
+  if ((isSmall && kindOf(entity) == EntityKind::Human) ||  // Handles would hide the figure.
       !mapScene().isSizable(entity)) {
     handles.erase(
         std::remove_if(handles.begin(), handles.end(),
@@ -160,11 +161,11 @@ std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
   return handles;
 }
 
-/// Those that are to be seen, each with the entity that it is of.
+/// The visible handles, each with its entity.
 std::vector<std::pair<EntityId, Handle>> SelectionLayer::handles() const {
   std::vector<std::pair<EntityId, Handle>> all;
   const std::vector<EntityId>& selection = document().selection();
-  for (const EntityId id : selection.size() > kMostHandles ? std::vector<EntityId>() : selection) {
+  for (const EntityId id : selection.size() > kMaxHandles ? std::vector<EntityId>() : selection) {
     if (const std::optional<Entity> entity = mapScene().shown(id)) {
       for (const Handle& handle : handlesFor(*entity)) {
         all.emplace_back(id, handle);
@@ -184,7 +185,7 @@ std::pair<EntityId, Handle> SelectionLayer::handleAt(const Vec2& world) const {
   return {};
 }
 
-std::vector<QRectF> SelectionLayer::solidParts() const {
+std::vector<QRectF> SelectionLayer::labelObstacles() const {
   const double reach = 0.75 * kTurnHandlePx / mapScene().pixelsPerMetre();
   std::vector<QRectF> parts;
   for (const auto& [id, handle] : handles()) {
@@ -195,14 +196,14 @@ std::vector<QRectF> SelectionLayer::solidParts() const {
 
 void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
                                 const std::vector<Handle>& handles) const {
-  setInk(painter, accentPen(painter, theme(), 2.0));
+  setPenAndBrush(painter, accentPen(painter, theme(), 2.0));
   QPolygonF frame;
   for (const Handle& handle : handles) {
     if (handle.kind == Handle::Kind::Size || handle.kind == Handle::Kind::Vertex) {
       frame << toScene(handle.position);
     }
   }
-  if (kindOf(entity) == EntityKind::Door || hasOpenLine(entity)) {
+  if (kindOf(entity) == EntityKind::Door || isOpenPolyline(entity)) {
     painter.drawPolyline(frame);
   } else if (frame.size() > 2) {
     painter.drawPolygon(frame);
@@ -223,7 +224,7 @@ void SelectionLayer::paintHandle(QPainter& painter, const Entity& entity,
     painter.drawLine(arm.pointAt(0.5), at);
   }
   const PixelFrame frame(painter, at);
-  setInk(painter, QPen(theme().color(Role::Accent), 2.0), theme().color(Role::Panel));
+  setPenAndBrush(painter, QPen(theme().color(Role::Accent), 2.0), theme().color(Role::Panel));
   if (isTurn) {
     painter.drawEllipse(QPointF(), 0.5 * kTurnHandlePx, 0.5 * kTurnHandlePx);
   } else if (handle.kind == Handle::Kind::RobotGoal) {
@@ -246,12 +247,12 @@ void SelectionLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* op
     const EntityItem* item = mapScene().item(id);
     const bool isSeen = item != nullptr && item->isVisible() &&
                         item->boundingRect().intersects(option->exposedRect);
-    if (!entity || (!isSeen && selection.size() > kMostHandles)) {
+    if (!entity || (!isSeen && selection.size() > kMaxHandles)) {
       continue;
     }
     const std::vector<Handle> handles = handlesFor(*entity);
     paintFrame(*painter, *entity, handles);
-    if (selection.size() <= kMostHandles) {
+    if (selection.size() <= kMaxHandles) {
       for (const Handle& handle : handles) {
         paintHandle(*painter, *entity, handle);
       }
@@ -263,7 +264,7 @@ void ToolLayer::paintOutline(QPainter& painter) const {
   const ToolLine& outline = marks_.outline;
   const Role role = outline.isBad ? Role::Error : Role::Accent;
   const QPolygonF polygon = toScene(outline.points);
-  setInk(painter, screenPen(painter, theme().color(role), 2.0));
+  setPenAndBrush(painter, screenPen(painter, theme().color(role), 2.0));
   if (outline.isClosed && polygon.size() > 2) {
     painter.setBrush(theme().color(role, 0.08));
     painter.drawPolygon(polygon);
@@ -272,17 +273,17 @@ void ToolLayer::paintOutline(QPainter& painter) const {
   }
   for (const QPointF& corner : outline.hasCorners ? polygon : QPolygonF()) {
     const PixelFrame frame(painter, corner);
-    setInk(painter, QPen(theme().color(role), 1.5), theme().color(Role::Panel));
+    setPenAndBrush(painter, QPen(theme().color(role), 1.5), theme().color(Role::Panel));
     painter.drawRect(QRectF(-0.5 * kCornerPx, -0.5 * kCornerPx, kCornerPx, kCornerPx));
   }
 }
 
 void ToolLayer::paintLines(QPainter& painter) const {
   if (!marks_.stroke.empty()) {
-    setInk(painter, QPen(theme().color(Role::Accent, 0.4), marks_.strokeWidth, Qt::SolidLine,
-                         Qt::RoundCap, Qt::RoundJoin));
-    QPainterPath path = softPath(marks_.stroke, 0.0);
-    if (marks_.stroke.size() == 1) {  // a dot
+    setPenAndBrush(painter, QPen(theme().color(Role::Accent, 0.4), marks_.strokeWidth,
+                                 Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    QPainterPath path = roundedPath(marks_.stroke, 0.0);
+    if (marks_.stroke.size() == 1) {  // A dot.
       path.lineTo(path.currentPosition() + QPointF(1e-3, 0.0));
     }
     painter.drawPath(path);
@@ -294,7 +295,7 @@ void ToolLayer::paintLines(QPainter& painter) const {
     const QPointF at = toScene(dot.at);
     QColor fill = dot.color;
     fill.setAlphaF(0.45);
-    setInk(painter, screenPen(painter, dot.color, 1.2), fill);
+    setPenAndBrush(painter, screenPen(painter, dot.color, 1.2), fill);
     painter.drawEllipse(at, dot.radius, dot.radius);
     if (dot.heading) {
       painter.drawLine(at, toScene(Pose2{dot.at, *dot.heading}.ahead(dot.radius)));
@@ -307,8 +308,8 @@ void ToolLayer::paintArrows(QPainter& painter) const {
   if (marks_.line.size() > 1) {
     QPen dashes = pen;
     dashes.setDashPattern({4.0, 3.0});
-    setInk(painter, dashes);
-    const QPainterPath path = softPath(marks_.line, 0.0);
+    setPenAndBrush(painter, dashes);
+    const QPainterPath path = roundedPath(marks_.line, 0.0);
     painter.drawPath(path);
     paintArrowHeads(painter, path, 1.5, 9.0, theme());
   }
@@ -335,7 +336,7 @@ void ToolLayer::paintTag(QPainter& painter) const {
   if (box.bottom() > free.y()) {
     box.moveBottom(-box.top());
   }
-  setInk(painter, Qt::NoPen, theme().color(Role::Text, 0.92));
+  setPenAndBrush(painter, Qt::NoPen, theme().color(Role::Text, 0.92));
   painter.drawRoundedRect(box, 4.0, 4.0);
   painter.setFont(font);
   painter.setPen(theme().color(Role::Panel));
@@ -345,8 +346,8 @@ void ToolLayer::paintTag(QPainter& painter) const {
 void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
   if (marks_.band) {
-    setInk(*painter, screenPen(*painter, theme().color(Role::Accent), 1.0),
-           theme().color(Role::Accent, 0.10));
+    setPenAndBrush(*painter, screenPen(*painter, theme().color(Role::Accent), 1.0),
+                   theme().color(Role::Accent, 0.10));
     painter->drawRect(
         QRectF(toScene(marks_.band->first), toScene(marks_.band->second)).normalized());
   }

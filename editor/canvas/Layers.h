@@ -14,7 +14,7 @@
 
 namespace editor {
 
-/// Covers all that the scene shows: for layers whose extent is that of the window.
+/// Base of layers that cover the whole visible scene.
 class FullLayer : public CanvasItem {
  public:
   explicit FullLayer(const MapScene& scene) : CanvasItem(scene) {
@@ -23,44 +23,46 @@ class FullLayer : public CanvasItem {
   QRectF boundingRect() const override { return mapScene().extent(); }
 };
 
-/// The map in the colours of the theme: cells with sharp edges when near, smaller copies of it when
-/// far so that thin walls stay visible. Large maps are painted in tiles, of which few are kept.
+/// The map in the colours of the theme: cells with sharp edges when zoomed in, averaged copies when
+/// zoomed out so that thin walls stay visible. Large maps are painted in tiles with a bounded
+/// cache.
 class MapItem : public CanvasItem {
  public:
   explicit MapItem(const MapScene& scene) : CanvasItem(scene) {
     setFlag(QGraphicsItem::ItemUsesExtendedStyleOption);
   }
-  void refresh();  // another map, or other colours
+  void refresh();  // Call it after a change of the map or the colours.
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
-  qint64 bytes() const;  // of its pictures
+  qint64 bytes() const;  // Memory of the tiles.
 
  private:
   struct Tile {
     QPixmap picture;
-    int seen = 0;  // in which paint
+    int seen = 0;  // Number of the paint event that used it last.
   };
   const QPixmap& tile(int side, const QRect& pixels);
-  void forgetTiles();
+  void evictTiles();
 
   QRectF bounds_;
   QTransform sceneFromPixel_;
-  std::map<std::tuple<int, int, int>, Tile> tiles_;  // by cells per pixel, left and top pixel
+  std::map<std::tuple<int, int, int>, Tile> tiles_;  // By cells per pixel, left and top pixel.
   int paints_ = 0;
 };
 
 /// An image with one pixel per cell; also for thumbnails.
 QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme);
 
-/// A rectangle for each label (sizes and centres in pixels), below, above, beside or askew of its
-/// centre; a null rectangle where there is no room. Labels keep off each other and off `taken`, and
-/// stay wholly within `window`: near its edge they move along it, as long as they stay beside their
-/// centre.
+/// A rectangle for each label (sizes and centres in pixels): below, above, beside or diagonal to
+/// its centre; a null rectangle if there is no space. Labels do not overlap each other or `taken`
+/// and stay within `window`. Near its edge they are shifted along it while they still touch the
+/// area around their centre.
 std::vector<QRectF> layoutLabels(const std::vector<Label>& labels, const std::vector<QRectF>& taken,
                                  const QRectF& window);
 
-/// Fine lines every metre, stronger ones every five; they fade when they get too dense.
+/// Fine lines every metre, stronger ones every five metres; they fade out when they become too
+/// dense.
 class GridItem : public FullLayer {
  public:
   using FullLayer::FullLayer;
@@ -68,8 +70,8 @@ class GridItem : public FullLayer {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
 
-/// Names with halos, placed where there is room; the less important ones are left out. Each is
-/// painted once and kept as a picture.
+/// Labels with halos, placed where there is space; labels with low priority are left out. Each
+/// label is rendered once and cached.
 class LabelLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
@@ -77,20 +79,21 @@ class LabelLayer : public FullLayer {
 
  private:
   struct Picture {
-    QSizeF size;     // of the label [px]
-    QPixmap pixmap;  // with a margin for the halo
+    QSizeF size;     // Size of the label [px].
+    QPixmap pixmap;  // Includes a margin for the halo.
   };
-  /// Text, second line, mark, dark, hundredths of the ratio.
+  /// Text, detail line, mark, dark theme, pixel ratio in hundredths.
   using Key = std::tuple<QString, QString, int, bool, int>;
   const Picture& pictureOf(const Label& label, double ratio);
   std::map<Key, Picture> pictures_;
 };
 
-/// The shortest lines that join all points: pairs of their numbers.
-std::vector<std::pair<std::size_t, std::size_t>> shortestLinks(const std::vector<Vec2>& points);
+/// The minimum spanning tree of points as pairs of indices.
+std::vector<std::pair<std::size_t, std::size_t>> minimumSpanningTree(
+    const std::vector<Vec2>& points);
 
-/// Who walks together: a ring in the colour of the group around each of its people, and dashed
-/// lines from one to the next. People of a preview and of a run stand where they are shown.
+/// Draws groups: a ring in the group colour around each member, and dashed lines between
+/// neighbours. People of a preview or a run have rings at their shown positions.
 class GroupLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
@@ -102,12 +105,12 @@ class GroupLayer : public FullLayer {
                   const std::vector<EntityId>& people) const;
 };
 
-/// How strong the ways of those are who are not selected, where so many are in sight: 1 for a few,
-/// less the more there are, never nothing.
-double routeStrength(std::size_t inSight);
+/// Opacity of the routes of unselected people, by the number of routes in view: 1 for a few,
+/// decreasing, never 0.
+double routeOpacity(std::size_t inSight);
 
-/// All routes beneath the figures: of everybody the way to the first goal, of the selected ones the
-/// whole round.
+/// Draws all routes beneath the figures: up to the first goal for all people, and the full route
+/// for selected people.
 class RouteLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
@@ -121,43 +124,43 @@ class RouteLayer : public FullLayer {
     Qt::PenStyle dashes = Qt::SolidLine;
     double arrowSpacing = 1.5;  // [m]
   };
-  /// A leg ready to be painted.
+  /// A leg prepared for painting.
   struct Line {
     std::vector<Vec2> points;
-    QPainterPath path;                              // scene
-    QRectF bounds;                                  // of the path
-    double gap = 0.0;                               // between arrow heads [m]
-    std::vector<std::pair<QPointF, double>> heads;  // tips, degrees
+    QPainterPath path;                              // Scene coordinates.
+    QRectF bounds;                                  // Bounding box of the path.
+    double gap = 0.0;                               // Distance between arrow heads [m].
+    std::vector<std::pair<QPointF, double>> heads;  // Tips, and angles in degrees.
   };
   Line& lineOf(EntityId id, std::size_t index, const RouteLeg& leg);
   static void placeHeads(Line& line, double spacing, double pixelsPerMetre);
-  std::size_t countInSight(const QRectF& shown);
+  std::size_t countVisibleRoutes(const QRectF& shown);
   void paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style);
   void paintLeg(QPainter& painter, const Line& line, bool isReachable, const Style& style) const;
   void paintPeople(QPainter& painter, bool selected);
   void paintRobots(QPainter& painter);
 
-  QRectF exposed_;               // of the current painting
-  double strength_ = 1.0;        // of the ways of those who are not selected
-  double chosenStrength_ = 1.0;  // and of those who are
-  bool showsRounds_ = true;      // of those who are selected; else the way to the first goal
+  QRectF exposed_;                // Exposed area of the current paint event.
+  double opacity_ = 1.0;          // Opacity of the routes of unselected people.
+  double selectedOpacity_ = 1.0;  // Opacity of the routes of selected people.
+  bool showsFullRoutes_ = true;   // Selected people show the full route, else up to the first goal.
   std::map<EntityId, std::vector<Line>> lines_;
 };
 
-/// A line with soft corners that stays within `softness` [m] of them.
-QPainterPath softPath(const std::vector<Vec2>& points, double softness);
-/// Chevrons along a path every `spacing` [m], the first one after half of it.
+/// A polyline with rounded corners that deviates at most `softness` [m] from them.
+QPainterPath roundedPath(const std::vector<Vec2>& points, double softness);
+/// Draws chevrons along a path every `spacing` [m], starting at half of it.
 void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double spacing,
                      double sizePx, const Theme& theme);
 
-/// Frames and handles of what is selected.
+/// Draws the frames and handles of selected entities.
 class SelectionLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-  /// The handle under a point (16 px wide), of which entity.
+  /// The handle at a point (16 px wide) and its entity.
   std::pair<EntityId, Handle> handleAt(const Vec2& world) const;
-  std::vector<QRectF> solidParts() const;  // handles, scene
+  std::vector<QRectF> labelObstacles() const;  // Handles in scene coordinates.
 
  private:
   std::vector<Handle> handlesFor(const Entity& entity) const;
@@ -167,7 +170,7 @@ class SelectionLayer : public FullLayer {
   void paintHandle(QPainter& painter, const Entity& entity, const Handle& handle) const;
 };
 
-/// Paints what the current tool shows.
+/// Draws the marks of the current tool.
 class ToolLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;

@@ -11,14 +11,15 @@ namespace editor {
 
 namespace {
 
-/// Colours of cells that are summed up channel by channel.
+/// Cell colours for channel-wise averaging.
 struct Shades {
   explicit Shades(const Theme& theme)
       : free(theme.color(Role::MapFree)),
         wall(theme.color(Role::MapOccupied)),
         unknown(theme.color(Role::MapUnknown)) {}
 
-  /// Of cells whose known values have that sum.
+  /// The mean colour of `count` cells, `unknowns` of them unknown; `sum` is the sum of the known
+  /// values.
   QRgb mean(int count, int unknowns, int sum) const {
     const double known = count - unknowns;
     const double walls = sum / 100.0;
@@ -33,8 +34,8 @@ struct Shades {
   QColor free, wall, unknown;
 };
 
-/// The `pixels` of a picture with one pixel for each square of `side` cells; those of its last row
-/// and column may hold fewer.
+/// The area `pixels` of a picture with one pixel per square of `side` cells. The last row and
+/// column may contain fewer cells.
 QImage meanImage(const sim2d::OccupancyGrid& grid, const Theme& theme, int side,
                  const QRect& pixels) {
   const Shades shades(theme);
@@ -63,7 +64,7 @@ QImage meanImage(const sim2d::OccupancyGrid& grid, const Theme& theme, int side,
 /// The same for `side` 1.
 QImage cellImage(const sim2d::OccupancyGrid& grid, const Theme& theme, const QRect& pixels) {
   const Shades shades(theme);
-  std::array<QRgb, 256> colors{};  // by the bits of the value
+  std::array<QRgb, 256> colors{};  // Indexed by the bit pattern of the value.
   for (int value = -128; value <= 127; ++value) {
     colors[static_cast<std::uint8_t>(value)] =
         shades.mean(1, value < 0 ? 1 : 0, std::clamp(value, 0, 100));
@@ -79,14 +80,14 @@ QImage cellImage(const sim2d::OccupancyGrid& grid, const Theme& theme, const QRe
   return image;
 }
 
-/// [pixels] along the side of the pictures that a map is painted in: large ones in pieces.
+/// Side length of the tiles of a map [pixels].
 int tileSide(const sim2d::OccupancyGrid& grid) {
   constexpr int kTile = 512;
   const double cells = static_cast<double>(grid.width()) * grid.height();
-  return cells > sim2d::DistanceField::kMostCells ? kTile : std::max(grid.width(), grid.height());
+  return cells > sim2d::DistanceField::kMaxCells ? kTile : std::max(grid.width(), grid.height());
 }
 
-constexpr std::size_t kMostTiles = 32;  // kept beyond those that are seen
+constexpr std::size_t kMaxTiles = 32;  // Number of tiles cached in addition to the visible ones.
 
 }  // namespace
 
@@ -113,7 +114,7 @@ void MapItem::refresh() {
   bounds_ = sceneFromPixel_.mapRect(QRectF(0.0, 0.0, width, height));
 }
 
-/// Made when it is first seen: one cell per pixel takes much memory and time for a large map.
+/// Tiles are rendered on first use; one pixel per cell takes much memory and time for a large map.
 const QPixmap& MapItem::tile(int side, const QRect& pixels) {
   Tile& tile = tiles_[{side, pixels.left(), pixels.top()}];
   if (tile.picture.isNull()) {
@@ -125,9 +126,9 @@ const QPixmap& MapItem::tile(int side, const QRect& pixels) {
   return tile.picture;
 }
 
-/// Keeps those that have just been seen, and others as long as there are few.
-void MapItem::forgetTiles() {
-  for (auto tile = tiles_.begin(); tile != tiles_.end() && tiles_.size() > kMostTiles;) {
+/// Keeps the tiles used by the last paint event, and others up to a limit.
+void MapItem::evictTiles() {
+  for (auto tile = tiles_.begin(); tile != tiles_.end() && tiles_.size() > kMaxTiles;) {
     tile = tile->second.seen == paints_ ? std::next(tile) : tiles_.erase(tile);
   }
 }
@@ -167,7 +168,7 @@ void MapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, Q
     }
   }
   painter->restore();
-  forgetTiles();
+  evictTiles();
 }
 
 }  // namespace editor

@@ -8,9 +8,9 @@
 #include <QStringList>
 
 #include "editor/canvas/MapView.h"
-#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RunOverlays.h"
+#include "editor/canvas/ViewOverlays.h"
 
 namespace editor {
 
@@ -23,17 +23,17 @@ constexpr double kSampleGap = 8.0;
 
 using LegendSample = std::function<void(QPainter&, const QRectF&)>;
 
-/// Who is looked at: the only person that is selected.
+/// The single selected person.
 std::optional<int> watchedPerson(const MapScene& scene) {
   const std::vector<EntityId>& selection = scene.document().selection();
   const sim2d::Human* human =
       selection.size() == 1 ? scene.document().human(selection.front()) : nullptr;
-  return human != nullptr ? std::optional(human->id) : scene.guest();
+  return human != nullptr ? std::optional(human->id) : scene.spawnedAgent();
 }
 
-QString forWhom(const MapScene& scene, const QString& all, const QString& one,
-                const QString& chosen) {
-  if (!scene.frameLayer().isAnybodyChosen()) {
+QString legendTitle(const MapScene& scene, const QString& all, const QString& one,
+                    const QString& chosen) {
+  if (!scene.frameLayer().hasSelectedBody()) {
     return all;
   }
   const std::optional<int> person = watchedPerson(scene);
@@ -49,7 +49,7 @@ LegendSample arrowSample(const Theme& theme, const QColor& color, double width) 
   };
 }
 
-/// A bar of some metres on the map, which stand for something.
+/// A bar that shows the length on the map of one unit.
 LegendRow scaleRow(double metresPerUnit, double pixelsPerMetre, const QString& unit,
                    const QColor& color) {
   const double perUnit = metresPerUnit * pixelsPerMetre;
@@ -67,27 +67,27 @@ LegendRow scaleRow(double metresPerUnit, double pixelsPerMetre, const QString& u
   return row;
 }
 
-LegendRow noteRow(const QString& words) {
+LegendRow noteRow(const QString& label) {
   LegendRow row;
-  row.words = words;
+  row.label = label;
   row.isNote = true;
   return row;
 }
 
 LegendPart forcePart(const MapScene& scene, double pixelsPerMetre) {
   const Theme& theme = scene.theme();
-  LegendPart part{forWhom(scene, QObject::tr("Forces on people"), QObject::tr("Forces on %1"),
-                          QObject::tr("Forces on those selected")),
+  LegendPart part{legendTitle(scene, QObject::tr("Forces on people"), QObject::tr("Forces on %1"),
+                              QObject::tr("Forces on selection")),
                   {}};
   if (!scene.overlays().hasForces()) {
-    part.rows = {noteRow(scene.overlays().frame()->step == 0 ? QObject::tr("from the first step on")
-                                                             : QObject::tr("not in this record"))};
+    part.rows = {noteRow(scene.overlays().frame()->step == 0 ? QObject::tr("after the first step")
+                                                             : QObject::tr("not recorded"))};
     return part;
   }
   const std::optional<int> person = watchedPerson(scene);
   const sim2d::Frame& frame = *scene.frameLayer().frame();
   std::vector<ForceArrow> terms = forcesOn(frame, person.value_or(frame.humans.id.front()));
-  if (!scene.frameLayer().isAnybodyChosen() && frame.humans.size() > kMostTerms &&
+  if (!scene.frameLayer().hasSelectedBody() && frame.humans.size() > kMaxTerms &&
       terms.size() > 1) {
     terms.erase(terms.begin(), terms.end() - 1);
   }
@@ -113,15 +113,15 @@ LegendSample discSample(const QColor& color, double alpha) {
     fill.setAlphaF(alpha);
     QColor rim = color;
     rim.setAlphaF(0.8);
-    setInk(painter, QPen(rim, 1.0), fill);
+    setPenAndBrush(painter, QPen(rim, 1.0), fill);
     painter.drawEllipse(box.center(), 7.0, 7.0);
   };
 }
 
 LegendPart spacePart(const MapScene& scene) {
   const QColor color = scene.theme().line(Look::Regular);
-  LegendPart part{forWhom(scene, QObject::tr("Spaces"), QObject::tr("Spaces of %1"),
-                          QObject::tr("Spaces of those selected")),
+  LegendPart part{legendTitle(scene, QObject::tr("Spaces"), QObject::tr("Spaces of %1"),
+                              QObject::tr("Spaces of selection")),
                   {}};
   if (scene.options().proxemics) {
     part.rows.push_back(
@@ -133,7 +133,7 @@ LegendPart spacePart(const MapScene& scene) {
   if (scene.options().gaussian) {
     part.rows.push_back({QObject::tr("Gaussian"), QObject::tr("at 0.6, 0.2"),
                          [color](QPainter& painter, const QRectF& box) {
-                           setInk(painter, QPen(color, 1.2));
+                           setPenAndBrush(painter, QPen(color, 1.2));
                            painter.drawEllipse(box.adjusted(0.0, 4.0, 0.0, -4.0));
                            painter.drawEllipse(box.adjusted(4.0, 7.0, -6.0, -7.0));
                          }});
@@ -155,12 +155,12 @@ LegendPart sightPart(const MapScene& scene) {
     color = body.id == *person ? scene.theme().line(body.look) : color;
   }
   part.rows.push_back(
-      {QObject::tr("100° to each side"),
+      {QObject::tr("100° to either side"),
        QStringLiteral("%1 m").arg(scene.overlays().noticeDistance(*person), 0, 'g', 3),
        [color](QPainter& painter, const QRectF& box) {
          QColor fill = color;
          fill.setAlphaF(0.25);
-         setInk(painter, QPen(color, 1.0), fill);
+         setPenAndBrush(painter, QPen(color, 1.0), fill);
          const QPointF eye(box.left() + 2.0, box.center().y());
          painter.drawPie(around(eye, 17.0), -30 * 16, 60 * 16);
        }});
@@ -169,7 +169,7 @@ LegendPart sightPart(const MapScene& scene) {
 
 LegendPart densityPart(const MapScene& scene) {
   const Theme& theme = scene.theme();
-  const double most = scene.overlays().densityMost();
+  const double most = scene.overlays().densityScaleMax();
   LegendPart part{QObject::tr("People per m²"), {}};
   LegendRow bar;
   bar.value = QStringLiteral("%1").arg(most > 0.0 ? most : 0.5, 0, 'g', 3);
@@ -180,7 +180,7 @@ LegendPart densityPart(const MapScene& scene) {
       painter.fillRect(QRectF(place.left() + x, place.top(), 1.0, place.height()),
                        densityColor(theme, (x + 0.5) / 118.0));
     }
-    setInk(painter, QPen(theme.color(Role::Line), 1.0));
+    setPenAndBrush(painter, QPen(theme.color(Role::Line), 1.0));
     painter.drawRect(place);
   };
   part.rows.push_back(bar);
@@ -191,13 +191,13 @@ LegendPart densityPart(const MapScene& scene) {
 
 LegendPart planPart(const MapScene& scene) {
   const QColor color = scene.theme().line(Look::Regular);
-  LegendPart part{QObject::tr("Ways of people"), {}};
+  LegendPart part{QObject::tr("People's paths"), {}};
   if (!scene.overlays().hasPlans()) {
-    part.rows.push_back(noteRow(QObject::tr("newest moment only")));
+    part.rows.push_back(noteRow(QObject::tr("newest step only")));
     return part;
   }
   part.rows.push_back(
-      {QObject::tr("Still to be walked"), {}, [color](QPainter& painter, const QRectF& box) {
+      {QObject::tr("Remaining path"), {}, [color](QPainter& painter, const QRectF& box) {
          QPen pen(color, 1.4, Qt::CustomDashLine, Qt::FlatCap);
          pen.setDashPattern({4.0, 2.5});
          painter.setPen(pen);
@@ -211,7 +211,7 @@ LegendPart contactPart(const MapScene& scene) {
   LegendPart part{QObject::tr("Contacts so far"), {}};
   for (const ContactCause cause : {ContactCause::Robot, ContactCause::Person, ContactCause::Both}) {
     part.rows.push_back(
-        {contactWords(cause), QString::number(scene.overlays().contactsSoFar(cause)),
+        {contactCauseText(cause), QString::number(scene.overlays().contactsSoFar(cause)),
          [&scene, cause](QPainter& painter, const QRectF& box) {
            OverlayPainter(painter, scene.theme(), {}).contactSign(box.center(), cause);
          }});
@@ -221,13 +221,13 @@ LegendPart contactPart(const MapScene& scene) {
 
 LegendPart thoughtPart() {
   LegendPart part{QObject::tr("Below names"), {}};
-  part.rows.push_back(noteRow(QObject::tr("what they do, and why")));
+  part.rows.push_back(noteRow(QObject::tr("action and its reason")));
   return part;
 }
 
 }  // namespace
 
-bool wantsLegend(const MapScene& scene) {
+bool needsLegend(const MapScene& scene) {
   const CanvasOptions& on = scene.options();
   return scene.isRunMode() && (on.forces || on.velocities || on.proxemics || on.gaussian ||
                                on.sight || on.density || on.plans || on.contacts || on.thoughts ||
@@ -237,7 +237,7 @@ bool wantsLegend(const MapScene& scene) {
 
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   std::vector<LegendPart> parts;
-  if (!wantsLegend(scene)) {
+  if (!needsLegend(scene)) {
     return parts;
   }
   const CanvasOptions& on = scene.options();
@@ -255,12 +255,13 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   add(on.contacts, [&] { return contactPart(scene); });
   add(on.thoughts, [] { return thoughtPart(); });
   add(on.localCosts || on.globalCosts, [&] { return costPart(scene); });
-  if (LegendPart prices = on.candidates ? pricePart(scene) : LegendPart(); !prices.rows.empty()) {
+  if (LegendPart prices = on.candidates ? trajectoryCostPart(scene) : LegendPart();
+      !prices.rows.empty()) {
     parts.push_back(std::move(prices));
   }
   std::vector<LegendRow> senses = senseRows(scene);
   if (senses.empty() && on.lidar && isLidarChosen(scene)) {
-    senses.push_back(noteRow(QObject::tr("laser: newest only")));
+    senses.push_back(noteRow(QObject::tr("lidar: newest only")));
   }
   if (!senses.empty()) {
     parts.push_back({QObject::tr("Robot"), std::move(senses)});
@@ -290,7 +291,7 @@ void LegendStrip::paintEvent(QPaintEvent* /*event*/) {
   }
   const QRectF plate(0.5, kPlateMargin + 0.5, width() - kPlateMargin - 1.0, height - 8.0);
   if (!parts.empty()) {
-    paintPlate(painter, scene.theme(), plate);
+    paintLegendBackground(painter, scene.theme(), plate);
   }
   QRectF room = plate.adjusted(kPlatePad, kPlatePad - 2.0, -kPlatePad, 0.0);
   for (const LegendPart& part : parts) {
@@ -301,16 +302,16 @@ void LegendStrip::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-/// Gives where the next one begins.
+/// Returns the position of the next part.
 double LegendStrip::paintPart(QPainter& painter, const LegendPart& part, const QRectF& room) const {
   const Theme& theme = view_.mapScene().theme();
   QRectF line(room.left(), room.top(), room.width(), kLegendRowPx);
-  const auto write = [&](const QRectF& place, int side, const QString& words, const QFont& font,
+  const auto write = [&](const QRectF& place, int side, const QString& label, const QFont& font,
                          Role role) {
     painter.setFont(font);
     painter.setPen(theme.color(role));
     painter.drawText(place, side | Qt::AlignVCenter,
-                     QFontMetricsF(font).elidedText(words, Qt::ElideRight, place.width() + 1.0));
+                     QFontMetricsF(font).elidedText(label, Qt::ElideRight, place.width() + 1.0));
   };
   write(line, Qt::AlignLeft, part.title, theme.font(9.0, QFont::DemiBold), Role::Text);
   line.translate(0.0, kLegendRowPx);
@@ -324,7 +325,7 @@ double LegendStrip::paintPart(QPainter& painter, const LegendPart& part, const Q
     const double value = QFontMetricsF(figures).horizontalAdvance(row.value);
     write(line, Qt::AlignRight, row.value, figures, Role::TextSecondary);
     write(QRectF(QPointF(left, line.top()), QPointF(line.right() - value - 4.0, line.bottom())),
-          Qt::AlignLeft, row.words, theme.font(9.0), row.isNote ? Role::TextSecondary : Role::Text);
+          Qt::AlignLeft, row.label, theme.font(9.0), row.isNote ? Role::TextSecondary : Role::Text);
     line.translate(0.0, kLegendRowPx);
   }
   return line.top() + 8.0;

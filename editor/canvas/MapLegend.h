@@ -11,41 +11,42 @@ namespace editor {
 
 class MapView;
 
-/// What colours and signs of the overlays of a run say.
+/// A legend entry for colours or signs of the run overlays.
 struct LegendRow {
-  QString words, value;  // to the right; tabular digits
-  /// In a box of 20 x 20 px; none: the words begin at the left.
+  QString label, value;  // Value text on the right with tabular digits.
+  /// Draws the sample in a box of 20 x 20 px; none: the text starts at the left.
   std::function<void(QPainter&, const QRectF&)> sample;
-  bool isNote = false;  // in softer colour: what is not known
+  bool isNote = false;  // In a softer colour, for missing information.
 };
 struct LegendPart {
   QString title;
   std::vector<LegendRow> rows;
 };
 
-/// Of everything that is switched on; empty while nothing of a run is. `pixelsPerMetre`: of the
-/// view, for the scales of arrows.
+/// The legend of all active overlays; empty without a run. `pixelsPerMetre`: zoom of the view, for
+/// arrow scales.
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre);
-/// Whether an overlay is on that has a legend: then there is room for it, whoever is selected.
-/// Laser scans, which are on at first, ask for it only while a robot with a lidar is selected.
-bool wantsLegend(const MapScene& scene);
-/// Costs of the cells of a planner's costmaps; what its ways cost, and what each critic gave the
-/// chosen one (no rows: it does not tell).
+/// Returns true if an active overlay has a legend, independently of the selection, to keep the
+/// layout stable. Laser scans, which are on by default, count only while a robot with a lidar is
+/// selected.
+bool needsLegend(const MapScene& scene);
+/// Cell costs of a planner's costmaps; costs of its candidate trajectories, and the score of each
+/// critic for the chosen one (no rows if the planner does not report them).
 LegendPart costPart(const MapScene& scene);
-LegendPart pricePart(const MapScene& scene);
-/// Of lidar, detector and ways weighed by the one robot that is selected.
+LegendPart trajectoryCostPart(const MapScene& scene);
+/// Lidar, detector and candidate trajectories of the single selected robot.
 std::vector<LegendRow> senseRows(const MapScene& scene);
-/// One robot is selected in a run, and it has a lidar.
+/// Returns true if a single robot with a lidar is selected in a run.
 bool isLidarChosen(const MapScene& scene);
 
-/// The legend at the right of a view, beside the map and never over it: the view is narrower for so
-/// long.
+/// The legend at the right of a view. It does not cover the map: the view becomes narrower while
+/// the legend is visible.
 class LegendStrip : public QWidget {
   Q_OBJECT
  public:
   static constexpr int kWidth = 196;  // [px]
   explicit LegendStrip(MapView& view);
-  void setStateColor(const QColor& color);  // of the line on top of the canvas
+  void setStateColor(const QColor& color);  // Colour of the state line at the top of the canvas.
 
  protected:
   void paintEvent(QPaintEvent* event) override;

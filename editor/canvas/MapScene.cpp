@@ -10,13 +10,13 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/RunOverlays.h"
 #include "editor/canvas/SpriteAtlas.h"
-#include "editor/document/EntityLists.h"
+#include "editor/document/Entity.h"
 
 namespace editor {
 
 namespace {
 
-/// From the ground up; used as z values.
+/// Z values from bottom to top.
 enum Depth {
   MapDepth,
   GridDepth,
@@ -45,22 +45,22 @@ Depth depthOf(EntityKind kind) {
   return kDepths.at(kind);
 }
 
-constexpr double kPlaneMargin = 400.0;  // [m] around the contents: as far as one can pan
+constexpr double kPlaneMargin = 400.0;  // Pannable margin around the contents [m].
 
 template <class Layer, class... More>
 Layer* addLayer(MapScene& scene, Depth depth, More&&... more) {
   auto* layer = new Layer(scene, std::forward<More>(more)...);
   layer->setZValue(depth);
-  scene.addItem(layer);  // the scene owns it
+  scene.addItem(layer);  // The scene owns it.
   return layer;
 }
 
-constexpr double kFaded = 0.2;    // opacity
-constexpr double kReachPx = 6.0;  // from the mouse
+constexpr double kFaded = 0.2;    // Opacity.
+constexpr double kReachPx = 6.0;  // Maximum distance from the mouse.
 
-constexpr double kRoom = 0.5;  // [m] around entities
+constexpr double kRoom = 0.5;  // Margin around entities [m].
 
-/// About the cells that are known, all of it when none is; empty for an open plane.
+/// Bounding box of the known cells, or of all cells if none is known; empty for an open plane.
 QRectF knownGroundOf(const sim2d::OccupancyGrid& grid) {
   int left = grid.width(), right = -1, bottom = grid.height(), top = -1;
   for (int row = 0; row < grid.height(); ++row) {
@@ -95,8 +95,8 @@ QRectF knownGroundOf(const sim2d::OccupancyGrid& grid) {
   return grid.isEmpty() ? QRectF() : corners.boundingRect();
 }
 
-/// Puts a value in the place of the one with its id, or at the end of its list.
-void putInto(sim2d::Scenario& scenario, const Entity& value) {
+/// Replaces the value with the same id, or appends it to its list.
+void putIntoScenario(sim2d::Scenario& scenario, const Entity& value) {
   forEachList(scenario, [&](EntityKind /*kind*/, auto& list) {
     using Value = typename std::decay_t<decltype(list)>::value_type;
     if (const auto* wanted = std::get_if<Value>(&value)) {
@@ -127,15 +127,15 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
   labelLayer_ = addLayer<LabelLayer>(*this, LabelDepth);
   toolLayer_ = addLayer<ToolLayer>(*this, ToolDepth);
   connect(&document_, &ScenarioDocument::changed, this, &MapScene::apply);
-  connect(&document_, &ScenarioDocument::mapChanged, this, &MapScene::takeMap);
+  connect(&document_, &ScenarioDocument::mapChanged, this, &MapScene::updateMap);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &MapScene::syncItems);
   connect(&document_, &ScenarioDocument::selectionChanged, this, [this] {
     if (!document_.selection().empty()) {
-      setGuest({});  // one thing is looked at
+      setSpawnedAgent({});  // A document selection replaces the selected agent.
     }
   });
-  connect(routes_, &RouteModel::routesChanged, this, &MapScene::takeRoutes);
-  takeMap();
+  connect(routes_, &RouteModel::routesChanged, this, &MapScene::updateRoutes);
+  updateMap();
   rebuildAll();
 }
 
@@ -147,21 +147,21 @@ void MapScene::addRunLayer(std::unique_ptr<FullLayer> layer) {
 }
 
 MapScene::~MapScene() {
-  // Items look at the scene; they go before its members do.
+  // Items access the scene, so they are deleted before its members.
   QGraphicsScene::clear();
 }
 
-void MapScene::noteChange() {
+void MapScene::invalidateResting() {
   ++restingRevision_;
   update();
 }
 
-void MapScene::takeMap() {
+void MapScene::updateMap() {
   mapItem_->refresh();
   knownGround_ = knownGroundOf(*document_.map());
   updateExtent();
   planRoutes();
-  noteChange();
+  invalidateResting();
 }
 
 void MapScene::updateExtent() {
@@ -195,7 +195,7 @@ void MapScene::setTheme(const Theme& theme) {
   mapItem_->refresh();
   sprites_->clear();
   overlays_->themeChanged();
-  noteChange();
+  invalidateResting();
   Q_EMIT themeChanged();
 }
 
@@ -217,7 +217,7 @@ void MapScene::apply(const Change& change) {
     sync(change.entity);
   }
   planRoutes();
-  noteChange();
+  invalidateResting();
 }
 
 void MapScene::rebuildAll() {
@@ -232,7 +232,7 @@ void MapScene::rebuildAll() {
   });
   updateExtent();
   planRoutes();
-  noteChange();
+  invalidateResting();
 }
 
 void MapScene::drop(EntityId id) {
@@ -255,13 +255,13 @@ void MapScene::sync(EntityId id) {
   entityItem->sync(*value);
 }
 
-/// Which are shown, and how large: by options, selection and run.
+/// Updates the visibility and size of all items from options, selection and run.
 void MapScene::syncItems() {
   for (const auto& [id, entityItem] : items_) {
     entityItem->zoomChanged();
     entityItem->setVisible(isShown(id));
   }
-  noteChange();
+  invalidateResting();
 }
 
 EntityItem* MapScene::item(EntityId id) const {
@@ -306,12 +306,12 @@ void MapScene::setHovered(EntityId id) {
   if (hovered_ == id) {
     return;
   }
-  const bool wasOnTop = !hovered_ || onTop() == hovered_;
+  const bool wasOnTop = !hovered_ || hoveredOnTop() == hovered_;
   hovered_ = id;
-  if (wasOnTop && (!id || onTop() == id)) {
+  if (wasOnTop && (!id || hoveredOnTop() == id)) {
     update();
   } else {
-    noteChange();
+    invalidateResting();
   }
 }
 
@@ -352,17 +352,17 @@ void MapScene::setPreview(const std::vector<Entity>& values) {
 void MapScene::setFaded(const std::vector<EntityId>& ids) {
   const std::vector<EntityId> old = std::exchange(faded_, ids);
   for (const EntityId id : old) {
-    sync(id);  // as clear as it was
+    sync(id);  // Restores the opacity.
   }
   for (const EntityId id : faded_) {
     if (EntityItem* const entityItem = item(id)) {
       entityItem->setOpacity(kFaded);
     }
   }
-  noteChange();
+  invalidateResting();
 }
 
-/// What the layers menu shows; in a run the layer of frames stands for people and robots.
+/// According to the layers menu; in a run the frame layer draws people and robots instead.
 bool MapScene::isShown(EntityId id) const {
   switch (id.kind) {
     case EntityKind::Human:
@@ -394,21 +394,21 @@ void MapScene::planRoutes() {
   }
   routes_->request([this] {
     RouteModel::Input input{document_.scenario(), document_.map(), document_.surroundings(),
-                            document_.mapWork()};
+                            document_.mapStopFlag()};
     for (const auto& [id, value] : preview_) {
-      putInto(input.scenario, value);
+      putIntoScenario(input.scenario, value);
     }
     return input;
   });
 }
 
-void MapScene::takeRoutes() {
+void MapScene::updateRoutes() {
   routeLayer_->routesChanged();
   const std::vector<EntityId>& changed = routes_->changed();
   const bool onlyMoving = std::all_of(changed.begin(), changed.end(),
                                       [this](EntityId id) { return preview_.count(id) > 0; });
   if (!onlyMoving) {
-    noteChange();
+    invalidateResting();
   }
 }
 

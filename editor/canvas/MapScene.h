@@ -46,26 +46,26 @@ inline Vec2 toWorld(const QPointF& scene) {
   return {scene.x(), -scene.y()};
 }
 
-/// Which extras are drawn; all can be switched one by one.
+/// Optional canvas layers, each with its own switch.
 struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
-  bool lidar = true, detections = false, candidates = false;                  // of robots, in a run
-  bool localCosts = false, globalCosts = false;                               // idem, of planners
-  bool velocities = false, gaussian = false, sight = false, density = false;  // of people, in a run
-  bool plans = false, contacts = false, thoughts = false;                     // idem
+  bool lidar = true, detections = false, candidates = false;                  // Robots in a run.
+  bool localCosts = false, globalCosts = false;                               // Planners in a run.
+  bool velocities = false, gaussian = false, sight = false, density = false;  // People in a run.
+  bool plans = false, contacts = false, thoughts = false;                     // People in a run.
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
-  bool groups = true;                            // who walks together
-  bool snapToPoints = true, snapToWalls = true;  // what is drawn or moved
+  bool groups = true;                            // People who walk together.
+  bool snapToPoints = true, snapToWalls = true;  // Snapping of drawn and moved points.
   bool snapToGrid = false;
-  double trailSeconds = 6.0;  // of the trails of a run
+  double trailSeconds = 6.0;  // Length of the trails of a run.
 };
 
-/// Which part of the canvas is being painted: what is previewed (dragged) or walks in a run, with
-/// the marks of tools and selection, or all the rest.
+/// The part of the canvas being painted. Moving: previewed (dragged) or simulated entities, tool
+/// marks and the selection. Resting: the rest.
 enum class CanvasPart { All, Resting, Moving };
 
-/// Draws the document: items follow its changes; the mouse goes to the current tool.
+/// Draws the document. Items are updated with the document; mouse events go to the current tool.
 class MapScene : public QGraphicsScene {
   Q_OBJECT
  public:
@@ -88,31 +88,32 @@ class MapScene : public QGraphicsScene {
   EntityItem* item(EntityId id) const;
   void setHovered(EntityId id);
 
-  /// Shows these values instead of the document's until cleared; new ones (without a key in the
-  /// document) are shown as ghosts.
+  /// Shows these values instead of those of the document until cleared. New values (whose key is
+  /// not in the document) are shown as ghosts.
   void setPreview(const std::vector<Entity>& values);
   void clearPreview();
-  std::optional<Entity> shown(EntityId id) const;  // preview or document
-  /// Shows these hardly at all: they are about to go. Each call replaces the last.
+  std::optional<Entity> shown(EntityId id) const;  // The value from the preview or the document.
+  /// Shows these entities almost transparent, because they are about to be removed. Each call
+  /// replaces the previous list.
   void setFaded(const std::vector<EntityId>& ids);
 
   double pixelsPerMetre() const { return pixelsPerMetre_; }
-  void setPixelsPerMetre(double value);                            // by the view
-  QRectF contentRect() const;                                      // map and entities [m]
-  bool isOpenPlane() const { return document_.map()->isEmpty(); }  // free ground everywhere
-  QRectF groundRect() const;                        // the map, or all of an open plane
-  const QRectF& extent() const { return extent_; }  // all that can be panned to
+  void setPixelsPerMetre(double value);                            // Called by the view.
+  QRectF contentRect() const;                                      // Of map and entities [m].
+  bool isOpenPlane() const { return document_.map()->isEmpty(); }  // Free space everywhere.
+  QRectF groundRect() const;                        // The map, or the full extent of an open plane.
+  const QRectF& extent() const { return extent_; }  // The area that can be panned to.
 
-  /// Run mode: people and robots are drawn from frames; an empty pointer ends it.
-  /// With the recording that it is of, if there is one: trails go through frames passed over.
+  /// Run mode: people and robots are drawn from frames; null ends it. `recording` is the recording
+  /// of the frame, if there is one: trails then include skipped frames.
   void showFrame(std::shared_ptr<const sim2d::Frame> frame,
                  const sim2d::Recording* recording = nullptr);
-  /// Between the frame shown before and this one, for a smooth picture; 1: as it is.
-  void setFrameShare(double share);
+  /// Interpolates between the previous and the current frame for smooth motion; 1: current frame.
+  void setFrameInterpolation(double share);
   bool isRunMode() const;
-  /// Somebody of the run whom the document does not know, looked at as if selected.
-  std::optional<int> guest() const { return guest_; }
-  void setGuest(std::optional<int> agent);
+  /// An agent of the run that is not in the document, treated as selected.
+  std::optional<int> spawnedAgent() const { return spawnedAgent_; }
+  void setSpawnedAgent(std::optional<int> agent);
   /// A robot of the run that the mouse pulls to a point.
   struct Pull {
     int robot = 0;
@@ -120,54 +121,54 @@ class MapScene : public QGraphicsScene {
   };
   const std::optional<Pull>& pull() const { return pull_; }
   void setPull(std::optional<Pull> pull);
-  /// A person of the run who is about to get a push: an arrow from where they are, one metre of it
-  /// is one metre per second.
+  /// A person of the run who is about to be pushed: an arrow from the person, one metre per 1 m/s.
   struct Push {
     int person = 0;
     Vec2 velocity = Vec2::Zero();  // [m/s]
   };
   const std::optional<Push>& push() const { return push_; }
   void setPush(std::optional<Push> push);
-  /// The next drag draws the arrow of this person, wherever it begins; none: of nobody.
+  /// The next drag, wherever it begins, sets the push of this person; none: disarmed.
   void armPush(std::optional<int> person) { armedPush_ = person; }
   std::optional<int> armedPush() const { return armedPush_; }
-  bool isPullable() const { return isPullable_; }  // false: the run is over, or was recorded
+  bool isPullable() const { return isPullable_; }  // False: the run has finished, or was recorded.
   void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
-  RunOverlays& overlays() const { return *overlays_; }  // of the run
-  /// What others draw of a run, beneath its figures. The scene owns it.
+  RunOverlays& overlays() const { return *overlays_; }  // Overlays of the run.
+  /// Adds a layer for run data beneath the figures. The scene owns it.
   void addRunLayer(std::unique_ptr<FullLayer> layer);
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
-  ToolMarks& marks();  // to be changed: they are painted anew
+  ToolMarks& marks();  // Mutable access; schedules a repaint.
 
-  // for views that keep a picture of what rests
-  bool isCrowded() const;                   // so many things that painting them all takes its time
-  std::vector<EntityId> movingIds() const;  // what is previewed
-  /// Counts whatever changes the look of what rests.
+  // For views that cache a picture of the resting part
+  bool isCrowded() const;                   // Has too many entities for fast painting.
+  std::vector<EntityId> movingIds() const;  // Entities in the preview.
+  /// Incremented by every change of the appearance of the resting part.
   int restingRevision() const { return restingRevision_; }
-  QColor groundColor() const;  // beneath everything
-  /// Paints one part; the painter's transform is that of a view.
+  QColor groundColor() const;  // Background colour.
+  /// Paints one part; the painter has the transform of a view.
   void paintPart(QPainter& painter, CanvasPart part, const QRectF& exposed);
 
-  // for items and layers
+  // For items and layers
   CanvasPart paintedPart() const { return part_; }
-  bool isPainted(EntityId id) const;                  // belongs to the part that is being painted
-  bool isHovered(EntityId id) const;                  // and is to be painted so in this part
-  SpriteAtlas& sprites() const { return *sprites_; }  // of people, at this zoom
-  bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
-  double bodyRadius(const Entity& entity) const;                // people and robots [m]
-  bool isSizable(const Entity& entity) const;  // not a person whose model has its own radius
-  /// Of the smallest figures [px]: people are larger where there are few, they catch the eye.
-  double leastFigurePx(EntityKind kind) const;
-  double figureRadius(const Entity& entity) const;  // as it is painted [m]
+  bool isPainted(EntityId id) const;                  // Belongs to the part that is being painted.
+  bool isHovered(EntityId id) const;                  // Hovered, and highlighted in this part.
+  SpriteAtlas& sprites() const { return *sprites_; }  // Sprites of people at this zoom.
+  bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // In shown frame, else at start.
+  double bodyRadius(const Entity& entity) const;                // For people and robots [m].
+  bool isSizable(const Entity& entity) const;  // False if a pedestrian model sets the radius.
+  /// Minimum radius of a figure [px]; larger for people if there are few.
+  double minFigurePx(EntityKind kind) const;
+  double figureRadius(const Entity& entity) const;  // Radius as painted [m].
   std::vector<Label> labels() const;
-  std::vector<QRectF> solidParts() const;  // what labels keep off, scene
+  std::vector<QRectF> labelObstacles()
+      const;  // Areas that labels must not cover, scene coordinates.
 
  Q_SIGNALS:
   void optionsChanged();
   void themeChanged();
-  void guestChanged();
+  void spawnedAgentChanged();
   void pullChanged();
   void pushed(int person, const base::Vec2& velocity);  // [m/s]
 
@@ -183,23 +184,23 @@ class MapScene : public QGraphicsScene {
   void rebuildAll();
   void sync(EntityId id);
   void syncItems();
-  void takeMap();
+  void updateMap();
   void updateExtent();
   void planRoutes();
   void drop(EntityId id);
   bool isShown(EntityId id) const;
   bool isMoving(EntityId id) const;
-  void takeRoutes();
-  void noteChange();
-  EntityId onTop() const;
-  void give(QGraphicsSceneMouseEvent& event, void (Tool::*hear)(const CanvasMouse&));
+  void updateRoutes();
+  void invalidateResting();
+  EntityId hoveredOnTop() const;
+  void dispatchMouse(QGraphicsSceneMouseEvent& event, void (Tool::*handler)(const CanvasMouse&));
 
   ScenarioDocument& document_;
   Theme theme_;
   CanvasOptions options_;
   Tool* tool_ = nullptr;
   EntityId hovered_;
-  std::optional<int> guest_;
+  std::optional<int> spawnedAgent_;
   std::optional<Pull> pull_;
   bool isPullable_ = false;
   double pixelsPerMetre_ = 50.0;
@@ -217,7 +218,7 @@ class MapScene : public QGraphicsScene {
   std::unique_ptr<RunOverlays> overlays_;
   QGraphicsItem *groundOverlay_ = nullptr, *topOverlay_ = nullptr;
   SelectionLayer* selectionLayer_ = nullptr;
-  std::vector<FullLayer*> runLayers_;  // of others
+  std::vector<FullLayer*> runLayers_;  // Added by addRunLayer().
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;

@@ -12,7 +12,7 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapLegend.h"
-#include "editor/canvas/Overlays.h"
+#include "editor/canvas/ViewOverlays.h"
 
 namespace editor {
 
@@ -20,16 +20,16 @@ namespace {
 
 constexpr double kClosest = 800.0;  // [px/m]
 constexpr double kFarthest = 0.25;
-constexpr double kWheelFactor = 1.0015;  // per eighth of a degree
+constexpr double kWheelFactor = 1.0015;  // Per eighth of a degree.
 constexpr int kFitMs = 120;
 constexpr int kFitMarginPx = 32;
-constexpr int kSettleMs = 120;       // after the last movement of the view
+constexpr int kSettleMs = 120;       // After the last movement of the view.
 constexpr int kPictureMargin = 160;  // [px]
-constexpr double kMostBlur = 1.6;    // scale of the window to that of the picture, and the inverse
+constexpr double kMaxBlur = 1.6;     // Maximum scale ratio of window and picture, both ways.
 
 }  // namespace
 
-bool RestingPicture::fits(const MapScene& scene, const Window& window, bool exactly) const {
+bool CanvasCache::fits(const MapScene& scene, const Window& window, bool exactly) const {
   if (pixmap_.isNull() || revision_ != scene.restingRevision() ||
       pixmap_.devicePixelRatio() != window.ratio || moving_ != scene.movingIds()) {
     return false;
@@ -41,10 +41,10 @@ bool RestingPicture::fits(const MapScene& scene, const Window& window, bool exac
   const QRectF seen =
       (window.fromScene.inverted() * fromScene_).mapRect(QRectF(QPointF(), window.size));
   const QRectF whole(QPointF(), QSizeF(pixmap_.size()) / window.ratio);
-  return scale < kMostBlur && scale > 1.0 / kMostBlur && whole.contains(seen);
+  return scale < kMaxBlur && scale > 1.0 / kMaxBlur && whole.contains(seen);
 }
 
-void RestingPicture::take(MapScene& scene, const Window& window, int margin) {
+void CanvasCache::take(MapScene& scene, const Window& window, int margin) {
   const QSize size = window.size + QSize(2 * margin, 2 * margin);
   margin_ = margin;
   revision_ = scene.restingRevision();
@@ -60,7 +60,7 @@ void RestingPicture::take(MapScene& scene, const Window& window, int margin) {
                   fromScene_.inverted().mapRect(QRectF(QPointF(), size)));
 }
 
-void RestingPicture::draw(QPainter& painter, const Window& window) const {
+void CanvasCache::draw(QPainter& painter, const Window& window) const {
   const QTransform toWindow = fromScene_.inverted() * window.fromScene;
   painter.save();
   painter.setTransform(toWindow);
@@ -93,14 +93,14 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
     const double part = value.toDouble();
     const double scale =
         animationFrom_.scale * std::pow(animationTo_.scale / animationFrom_.scale, part);
-    glide();
+    restartSettleTimer();
     applyView(animationFrom_.centre + part * (animationTo_.centre - animationFrom_.centre), scale);
   });
-  settle_.setSingleShot(true);
-  settle_.setInterval(kSettleMs);
-  connect(&settle_, &QTimer::timeout, viewport(), qOverload<>(&QWidget::update));
-  // QGraphicsView asks for no further painting until its own paintEvent() has been, which is passed
-  // by while a picture is shown.
+  settleTimer_.setSingleShot(true);
+  settleTimer_.setInterval(kSettleMs);
+  connect(&settleTimer_, &QTimer::timeout, viewport(), qOverload<>(&QWidget::update));
+  // QGraphicsView requests no further repaints until its own paintEvent() has run, which is skipped
+  // while a cached picture is shown.
   connect(&scene_, &QGraphicsScene::changed, viewport(), [this] { viewport()->update(); });
   connect(&scene_, &MapScene::optionsChanged, this, [this] { viewport()->update(); });
   connect(&scene_, &MapScene::themeChanged, this, [this] { viewport()->update(); });
@@ -108,7 +108,7 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
   connect(&scene_, &MapScene::optionsChanged, this, &MapView::placeLegend);
   connect(&scene_, &MapScene::themeChanged, this, &MapView::placeLegend);
   connect(this, &MapView::zoomChanged, this, &MapView::placeLegend);
-  connect(&scene_.document(), &ScenarioDocument::mapChanged, this, &MapView::followMap);
+  connect(&scene_.document(), &ScenarioDocument::mapChanged, this, &MapView::fitNewMap);
   applyView({}, scene_.pixelsPerMetre());
 }
 
@@ -119,7 +119,7 @@ void MapView::applyView(const QPointF& centre, double pixelsPerMetre) {
   Q_EMIT zoomChanged(pixelsPerMetre);
 }
 
-void MapView::moveTo(const ViewPlace& place, bool animated) {
+void MapView::moveTo(const ViewCentre& place, bool animated) {
   fitAnimation_.stop();
   if (!animated || !isVisible()) {
     applyView(place.centre, place.scale);
@@ -141,8 +141,8 @@ void MapView::fitAll(bool animated) {
   moveTo({content.center(), std::clamp(scale, kFarthest, 200.0)}, animated);
 }
 
-/// Another map is shown as a whole; who paints on it goes on looking where he paints.
-void MapView::followMap() {
+/// A new map is fitted into the view; painting on the map keeps the view.
+void MapView::fitNewMap() {
   const QRectF ground = scene_.groundRect();
   if (std::exchange(ground_, ground) != ground) {
     fitAll(false);
@@ -159,7 +159,7 @@ void MapView::centerOnEntity(EntityId id) {
 }
 
 void MapView::zoomBy(double factor, const QPointF& viewportPoint) {
-  glide();
+  restartSettleTimer();
   fitAnimation_.stop();
   fitted_ = false;
   const double scale = std::clamp(pixelsPerMetre() * factor, kFarthest, kClosest);
@@ -174,7 +174,7 @@ void MapView::setCanvasState(CanvasState state) {
   viewport()->update();
 }
 
-/// None while editing.
+/// Invalid while editing.
 QColor MapView::stateColor() const {
   return state_ == CanvasState::Editing   ? QColor()
          : state_ == CanvasState::Running ? scene_.theme().color(Role::Ok)
@@ -182,12 +182,12 @@ QColor MapView::stateColor() const {
                                           : scene_.theme().color(Role::Past);
 }
 
-/// Beside the map while an overlay has something to explain.
+/// Placed beside the map while an overlay has a legend.
 void MapView::placeLegend() {
   if (legend_ == nullptr) {
     return;
   }
-  const bool isWanted = wantsLegend(scene_);
+  const bool isWanted = needsLegend(scene_);
   const QMargins margins(0, 0, isWanted ? LegendStrip::kWidth : 0, 0);
   legend_->setStateColor(stateColor());
   legend_->setGeometry(width() - LegendStrip::kWidth, 0, LegendStrip::kWidth, height());
@@ -204,7 +204,7 @@ void MapView::wheelEvent(QWheelEvent* event) {
 
 bool MapView::startsPan(const QMouseEvent& event) const {
   return event.button() == Qt::MiddleButton || (spaceHeld_ && event.button() == Qt::LeftButton) ||
-         (handPan_ && event.button() == Qt::LeftButton);
+         (leftButtonPans_ && event.button() == Qt::LeftButton);
 }
 
 void MapView::mousePressEvent(QMouseEvent* event) {
@@ -227,7 +227,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
     const QPoint by = event->pos() - panFrom_;
     panFrom_ = event->pos();
     fitted_ = false;
-    glide();
+    restartSettleTimer();
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() - by.x());
     verticalScrollBar()->setValue(verticalScrollBar()->value() - by.y());
     event->accept();
@@ -247,15 +247,15 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
   QGraphicsView::mouseReleaseEvent(event);
 }
 
-void MapView::setHandPan(bool on) {
-  handPan_ = on;
+void MapView::setLeftButtonPan(bool on) {
+  leftButtonPans_ = on;
   updateCursor();
 }
 
 void MapView::updateCursor() {
   if (panning_) {
     viewport()->setCursor(Qt::ClosedHandCursor);
-  } else if (spaceHeld_ || handPan_) {
+  } else if (spaceHeld_ || leftButtonPans_) {
     viewport()->setCursor(Qt::OpenHandCursor);
   } else if (scene_.tool() != nullptr) {
     viewport()->setCursor(scene_.tool()->cursor());
@@ -275,7 +275,7 @@ void MapView::keyPressEvent(QKeyEvent* event) {
     return;
   }
   scene_.setFocus();
-  // The scene's tool first; arrow keys that it does not want are not to scroll the view.
+  // The tool gets the key first. Arrow keys that it does not handle must not scroll the view.
   QCoreApplication::sendEvent(&scene_, event);
 }
 
@@ -293,12 +293,12 @@ void MapView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void MapView::focusOutEvent(QFocusEvent* event) {
-  spaceHeld_ = false;  // its release goes to somebody else
+  spaceHeld_ = false;  // Another widget receives its release.
   QGraphicsView::focusOutEvent(event);
 }
 
 void MapView::leaveEvent(QEvent* event) {
-  scene_.setHovered({});  // the mouse is over nothing of it
+  scene_.setHovered({});  // The mouse has left the canvas.
   QGraphicsView::leaveEvent(event);
 }
 
@@ -320,20 +320,20 @@ void MapView::resizeEvent(QResizeEvent* event) {
   }
 }
 
-/// The view moves: crowded scenes are shown by a picture for so long.
-void MapView::glide() {
-  settle_.start();
+/// Called while the view moves: crowded scenes use the cached picture meanwhile.
+void MapView::restartSettleTimer() {
+  settleTimer_.start();
 }
 
 void MapView::paintEvent(QPaintEvent* event) {
-  const bool glides = settle_.isActive();
+  const bool glides = settleTimer_.isActive();
   if (!scene_.isCrowded()) {
     picture_.clear();
     QGraphicsView::paintEvent(event);
     return;
   }
-  const RestingPicture::Window window{viewportTransform(), viewport()->size(),
-                                      viewport()->devicePixelRatioF()};
+  const CanvasCache::Window window{viewportTransform(), viewport()->size(),
+                                   viewport()->devicePixelRatioF()};
   if (!picture_.fits(scene_, window, !glides)) {
     picture_.take(scene_, window, glides ? kPictureMargin : 0);
   }

@@ -9,39 +9,39 @@
 
 namespace editor {
 
-/// The line on top of the canvas: green while running, amber when paused, blue in the past.
+/// State line at the top of the canvas: green while running, amber when paused, blue in the past.
 enum class CanvasState { Editing, Running, Paused, Past };
 
 class LegendStrip;
 
-/// A picture of what rests on a crowded canvas, kept while something is dragged or the view moves,
-/// so that only little has to be painted anew for each frame.
-class RestingPicture {
+/// A cached picture of the resting part of a crowded canvas. It is used while something is dragged
+/// or the view moves, so that each frame paints only little.
+class CanvasCache {
  public:
-  /// Where and how a view looks at the scene.
+  /// The transform and size of a view.
   struct Window {
     QTransform fromScene;
     QSize size;          // [px]
-    double ratio = 1.0;  // device pixels per pixel
+    double ratio = 1.0;  // Device pixels per pixel.
   };
-  /// Whether it shows what `window` shows now; `exactly`: at the same place and scale too,
-  /// otherwise the window lies inside of it and the scales differ little.
+  /// Returns true if the picture can be used for `window`. `exactly`: position and scale must be
+  /// equal; otherwise the window must lie inside the picture with a similar scale.
   bool fits(const MapScene& scene, const Window& window, bool exactly) const;
-  /// Takes the picture, `margin` pixels larger than the window on each side.
+  /// Renders the picture, `margin` pixels larger than the window on each side.
   void take(MapScene& scene, const Window& window, int margin);
-  void draw(QPainter& painter, const Window& window) const;  // painter in window pixels
+  void draw(QPainter& painter, const Window& window) const;  // Painter in window pixels.
   void clear() { *this = {}; }
 
  private:
   QPixmap pixmap_;
-  QTransform fromScene_;          // to pixels of the picture
+  QTransform fromScene_;          // To pixels of the picture.
   int margin_ = 0;                // [px]
-  int revision_ = -1;             // of the scene
-  std::vector<EntityId> moving_;  // what is not in it
+  int revision_ = -1;             // Revision of the scene.
+  std::vector<EntityId> moving_;  // Entities that are not in the picture.
 };
 
-/// The window on the map: wheel zooms at the cursor, middle button or Space and drag pan, fit is
-/// animated. Rulers, scale bar and state line are drawn over the scene.
+/// The map view: the wheel zooms at the cursor, the middle button or Space and drag pan, fitting is
+/// animated. It draws rulers, scale bar and state line over the scene.
 class MapView : public QGraphicsView {
   Q_OBJECT
  public:
@@ -58,13 +58,13 @@ class MapView : public QGraphicsView {
   Vec2 worldAt(const QPoint& viewportPoint) const { return toWorld(mapToScene(viewportPoint)); }
   QPoint viewportFrom(const Vec2& world) const { return mapFromScene(toScene(world)); }
   void setCanvasState(CanvasState state);
-  void setHandPan(bool on);  // the left button pans as well
+  void setLeftButtonPan(bool on);  // The left button pans as well.
   MapScene& mapScene() const { return scene_; }
 
  Q_SIGNALS:
   void cursorMoved(const base::Vec2& world);  // [m]
   void zoomChanged(double pixelsPerMetre);
-  void spaceTapped();  // pressed and let go without a drag: play or pause
+  void spaceTapped();  // Space was pressed and released without a drag: play or pause.
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -82,34 +82,34 @@ class MapView : public QGraphicsView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct ViewPlace {
-    QPointF centre;       // scene
+  struct ViewCentre {
+    QPointF centre;       // Scene coordinates.
     double scale = 50.0;  // [px/m]
   };
-  void moveTo(const ViewPlace& place, bool animated);
+  void moveTo(const ViewCentre& place, bool animated);
   void applyView(const QPointF& centre, double pixelsPerMetre);
-  void followMap();
+  void fitNewMap();
   void updateCursor();
   QColor stateColor() const;
   void placeLegend();
-  void glide();
+  void restartSettleTimer();
   bool startsPan(const QMouseEvent& event) const;
 
   MapScene& scene_;
   LegendStrip* legend_ = nullptr;
   QVariantAnimation fitAnimation_;
-  ViewPlace animationFrom_, animationTo_;
-  RestingPicture picture_;
-  QRectF ground_;  // of the map that was fitted in
+  ViewCentre animationFrom_, animationTo_;
+  CanvasCache picture_;
+  QRectF ground_;  // Area of the map fitted last.
   int legendCorner_ = 0;
-  QTimer settle_;  // runs while the view moves; then all is painted sharply again
+  QTimer settleTimer_;  // Runs while the view moves; afterwards everything is painted sharply.
   CanvasState state_ = CanvasState::Editing;
   QPoint panFrom_;
   bool panning_ = false;
   bool spaceHeld_ = false;
-  bool spaceUsed_ = false;  // for a pan since it went down
-  bool handPan_ = false;
-  bool fitted_ = true;  // follows the size of the window until the user zooms or pans
+  bool spaceUsed_ = false;  // Space was used for a pan since it was pressed.
+  bool leftButtonPans_ = false;
+  bool fitted_ = true;  // The zoom follows the window size until the user zooms or pans.
 };
 
 }  // namespace editor

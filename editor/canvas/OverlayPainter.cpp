@@ -9,7 +9,7 @@
 
 #include "editor/canvas/PixelFrame.h"
 #include "editor/look/Images.h"
-#include "metrics/GaussianSpace.h"
+#include "metrics/MapFields.h"
 
 namespace editor {
 
@@ -17,9 +17,9 @@ using base::Vec2;
 
 namespace {
 
-constexpr double kArrowHeadPx = 6.0;   // of an arrow
+constexpr double kArrowHeadPx = 6.0;   // Size of an arrow head.
 constexpr double kFreshContact = 2.0;  // [s]
-constexpr double kLeastShare = 0.03;   // of the scale of the density that is painted
+constexpr double kMinShare = 0.03;     // Minimum painted share of the density scale.
 constexpr std::size_t kShades = 64;
 
 struct Shade {
@@ -27,8 +27,8 @@ struct Shade {
   const char* color;
   double alpha;
 };
-/// Lightness falls on the light ground and rises on the dark one; both pass yellow and red, so that
-/// no two of them are alike to who sees no red or no green.
+/// Lightness decreases on the light background and increases on the dark one. Both scales pass
+/// yellow and red and stay distinguishable with red-green colour blindness.
 constexpr Shade kLightShades[] = {{0.0, "#F0E442", 0.0},
                                   {0.25, "#F0C541", 0.45},
                                   {0.5, "#E69F00", 0.62},
@@ -54,7 +54,7 @@ QColor shadeColor(const Shade& shade) {
 
 }  // namespace
 
-QPolygonF PictureFrame::at(const std::vector<Vec2>& world) const {
+QPolygonF PictureTransform::at(const std::vector<Vec2>& world) const {
   QPolygonF points;
   points.reserve(static_cast<int>(world.size()));
   for (const Vec2& point : world) {
@@ -86,7 +86,7 @@ QImage densityImage(const metrics::DensityField& field, const Theme& theme, doub
   std::array<QRgb, kShades + 1> shades{};
   for (std::size_t k = 0; k <= kShades; ++k) {
     const double share = static_cast<double>(k) / kShades;
-    shades.at(k) = share < kLeastShare ? 0 : qPremultiply(densityColor(theme, share).rgba());
+    shades.at(k) = share < kMinShare ? 0 : qPremultiply(densityColor(theme, share).rgba());
   }
   QImage image = blankImage({field.columns, field.rows}, QImage::Format_ARGB32_Premultiplied);
   for (int row = 0; row < field.rows; ++row) {
@@ -105,10 +105,10 @@ QColor contactColor(const Theme& theme, ContactCause cause) {
                                          : theme.color(Role::WarningMark);
 }
 
-QString contactWords(ContactCause cause) {
-  return cause == ContactCause::Robot    ? QObject::tr("Robot ran into it")
-         : cause == ContactCause::Person ? QObject::tr("Person ran into it")
-                                         : QObject::tr("Both did");
+QString contactCauseText(ContactCause cause) {
+  return cause == ContactCause::Robot    ? QObject::tr("Caused by robot")
+         : cause == ContactCause::Person ? QObject::tr("Caused by person")
+                                         : QObject::tr("Caused by both");
 }
 
 void OverlayPainter::density(const metrics::DensityField& field, const QImage& image) const {
@@ -129,7 +129,7 @@ void OverlayPainter::hallZones(const Vec2& at, QColor color, bool withSocial) co
     color.setAlphaF(2.6 * alpha);
     const QPen rim(color, 0.8 * line_);
     color.setAlphaF(alpha);
-    setInk(painter_, rim, color);
+    setPenAndBrush(painter_, rim, color);
     QPainterPath zone;
     zone.addEllipse(frame_.at(at), reach * frame_.scale, reach * frame_.scale);
     shape(zone);
@@ -137,15 +137,15 @@ void OverlayPainter::hallZones(const Vec2& at, QColor color, bool withSocial) co
 }
 
 void OverlayPainter::gaussian(const base::Pose2& person, double speed, const QColor& color) const {
-  const metrics::GaussianSpace space = metrics::gaussianSpaceOf(speed);
+  const metrics::GaussianPersonalSpace space = metrics::personalSpaceOf(speed);
   QColor fill = color;
   fill.setAlphaF(0.10);
   QColor rim = color;
   rim.setAlphaF(0.55);
-  setInk(painter_, QPen(rim, line_), fill);
+  setPenAndBrush(painter_, QPen(rim, line_), fill);
   for (const double level : kGaussianLevels) {
     QPainterPath contour;
-    contour.addPolygon(frame_.at(metrics::contourOf(space, person, level, 36)));
+    contour.addPolygon(frame_.at(metrics::personalSpaceContour(space, person, level, 36)));
     contour.closeSubpath();
     shape(contour);
   }
@@ -156,7 +156,7 @@ void OverlayPainter::sight(const std::vector<Vec2>& polygon, const QColor& color
   fill.setAlphaF(theme_.isDark() ? 0.20 : 0.16);
   QColor rim = color;
   rim.setAlphaF(0.6);
-  setInk(painter_, QPen(rim, line_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin), fill);
+  setPenAndBrush(painter_, QPen(rim, line_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin), fill);
   painter_.drawPolygon(frame_.at(polygon));
 }
 
@@ -181,7 +181,7 @@ void OverlayPainter::arrow(const QPointF& from, const QPointF& to, const QPen& p
   const double head = std::min(kArrowHeadPx * line_, 0.7 * length);
   painter_.setPen(pen);
   painter_.drawLine(from, to - 0.7 * head * along);
-  setInk(painter_, Qt::NoPen, pen.color());
+  setPenAndBrush(painter_, Qt::NoPen, pen.color());
   painter_.drawPolygon(QPolygonF(
       {to, to - head * along + 0.5 * head * across, to - head * along - 0.5 * head * across}));
 }
@@ -225,19 +225,20 @@ void OverlayPainter::plan(const Vec2& from, const std::vector<Vec2>& points, con
   if (!isOfCrowd) {
     pen.setDashPattern({4.0, 2.5});
   }
-  setInk(painter_, pen);
+  setPenAndBrush(painter_, pen);
   painter_.drawPolyline(line);
   if (isOfCrowd) {
     return;
   }
-  setInk(painter_, Qt::NoPen, color);
+  setPenAndBrush(painter_, Qt::NoPen, color);
   painter_.drawEllipse(line.back(), 2.6 * line_, 2.6 * line_);
 }
 
 void OverlayPainter::contactSign(const QPointF& centre, ContactCause cause) const {
   const double r = 6.0 * line_;
-  setInk(painter_, QPen(theme_.color(Role::MapFree), 1.2 * line_), contactColor(theme_, cause));
-  if (cause == ContactCause::Robot) {  // by shape as well as colour
+  setPenAndBrush(painter_, QPen(theme_.color(Role::MapFree), 1.2 * line_),
+                 contactColor(theme_, cause));
+  if (cause == ContactCause::Robot) {  // Distinguished by shape as well as colour.
     painter_.drawRect(
         QRectF(centre - QPointF(r, r), centre + QPointF(r, r)).adjusted(1, 1, -1, -1));
   } else if (cause == ContactCause::Person) {
@@ -248,7 +249,8 @@ void OverlayPainter::contactSign(const QPointF& centre, ContactCause cause) cons
                    centre + QPointF(0.0, 1.25 * r), centre + QPointF(-1.25 * r, 0.0)}));
   }
   const double x = 0.42 * r;
-  setInk(painter_, QPen(theme_.color(Role::MapFree), 1.7 * line_, Qt::SolidLine, Qt::RoundCap));
+  setPenAndBrush(painter_,
+                 QPen(theme_.color(Role::MapFree), 1.7 * line_, Qt::SolidLine, Qt::RoundCap));
   painter_.drawLine(centre + QPointF(-x, -x), centre + QPointF(x, x));
   painter_.drawLine(centre + QPointF(-x, x), centre + QPointF(x, -x));
 }

@@ -7,16 +7,16 @@
 #include <QPainterPath>
 
 #include "editor/look/FigurePainter.h"
-#include "metrics/DensityField.h"
+#include "metrics/MapFields.h"
 #include "sim2d/trace/ContactMarks.h"
 
 namespace editor {
 
 using ContactCause = sim2d::ContactMark::Cause;
 
-/// Where a picture shows the world: pixels, y down.
-struct PictureFrame {
-  QPointF origin;       // of the world [px]
+/// The mapping from world to picture: pixels, y down.
+struct PictureTransform {
+  QPointF origin;       // Position of the world origin [px].
   double scale = 50.0;  // [px/m]
 
   QPointF at(const base::Vec2& world) const {
@@ -25,49 +25,49 @@ struct PictureFrame {
   QPolygonF at(const std::vector<base::Vec2>& world) const;
 };
 
-/// Somebody who moves, for arrows of velocity.
+/// A moving body, for velocity arrows.
 struct MovingBody {
   base::Vec2 position = base::Vec2::Zero(), velocity = base::Vec2::Zero();  // [m], [m/s]
-  double radiusPx = 10.0;                                                   // as drawn
+  double radiusPx = 10.0;                                                   // Radius as drawn.
   QColor color;
 };
 
-/// A term of the force on somebody, as an arrow.
+/// A force term on a person, as an arrow.
 struct ForceArrow {
   QString name;
   Role color = Role::ForceTotal;
   base::Vec2 force = base::Vec2::Zero();  // [m/s²]
 };
-constexpr double kMetresPerForce = 0.6;     // length of 1 m/s² on the map
-constexpr double kMetresPerVelocity = 0.8;  // length of 1 m/s
+constexpr double kMetresPerForce = 0.6;     // Length of 1 m/s² on the map.
+constexpr double kMetresPerVelocity = 0.8;  // Length of 1 m/s on the map.
 
-/// What lies over map and people when it is asked for, the same on the canvas and in figures: the
+/// Draws the optional overlays over map and people, identically on the canvas and in figures. The
 /// painter's unit is one pixel.
 class OverlayPainter {
  public:
-  /// `line`: how strong lines are, 1 on the screen.
-  OverlayPainter(QPainter& painter, const Theme& theme, const PictureFrame& frame,
+  /// `line`: scale of line widths, 1 on the screen.
+  OverlayPainter(QPainter& painter, const Theme& theme, const PictureTransform& frame,
                  double line = 1.0)
       : painter_(painter), theme_(theme), frame_(frame), line_(line) {}
 
-  /// What lies outside is left out; for painters that cannot clip.
-  void keepWithin(const QRectF& box) { box_ = box; }
+  /// Omits everything outside the box, for painters that cannot clip.
+  void limitTo(const QRectF& box) { box_ = box; }
 
   void density(const metrics::DensityField& field, const QImage& image) const;
   /// Hall's zones: intimate 0.45 m, personal 1.2 m, social 3.6 m.
   void hallZones(const base::Vec2& at, QColor color, bool withSocial = true) const;
-  /// The Gaussian space at the heights of `kGaussianLevels`.
+  /// Contours of the Gaussian personal space at the heights `kGaussianLevels`.
   void gaussian(const base::Pose2& person, double speed, const QColor& color) const;
   void sight(const std::vector<base::Vec2>& polygon, const QColor& color) const;
-  /// From the bodies' edges on.
+  /// The arrows begin at the edges of the bodies.
   void velocities(const std::vector<MovingBody>& bodies) const;
   void forces(const base::Vec2& at, double radiusPx, const std::vector<ForceArrow>& forces) const;
-  /// A way still to be walked. Of a crowd: without dashes, which take their time.
+  /// A planned path. `isOfCrowd`: without dashes, which are slow to draw.
   void plan(const base::Vec2& from, const std::vector<base::Vec2>& points, const QColor& color,
             bool isOfCrowd = false) const;
-  /// `age` [s]: those of the last two seconds catch the eye.
+  /// `age` [s]: contacts of the last two seconds are highlighted.
   void contact(const sim2d::ContactMark& mark, double age) const;
-  /// The same sign at a place of a legend, some 12 px wide.
+  /// The same sign for a legend, about 12 px wide.
   void contactSign(const QPointF& centre, ContactCause cause) const;
 
  private:
@@ -76,21 +76,22 @@ class OverlayPainter {
 
   QPainter& painter_;
   const Theme& theme_;
-  PictureFrame frame_;
+  PictureTransform frame_;
   double line_;
-  QRectF box_;  // null: everywhere
+  QRectF box_;  // Null: everywhere.
 };
 
 constexpr double kGaussianLevels[] = {0.2, 0.6};
 
-/// Of a share of the scale, 0 … 1: the denser the farther from the colour of the ground, by
-/// lightness alone already; nothing at 0.
+/// The colour for a share of the scale, 0 … 1. Denser values contrast more with the background,
+/// also by lightness alone; transparent at 0.
 QColor densityColor(const Theme& theme, double share);
-/// 0.5, 1, 2, 4 … people per m², the least that is not below the peak nor `before`.
+/// End of the scale: the smallest of 0.5, 1, 2, 4 … people per m² that is at least the peak and at
+/// least `before`.
 double densityScale(double peak, double before = 0.0);
 /// One pixel per cell, the highest y first.
 QImage densityImage(const metrics::DensityField& field, const Theme& theme, double most);
 QColor contactColor(const Theme& theme, ContactCause cause);
-QString contactWords(ContactCause cause);
+QString contactCauseText(ContactCause cause);
 
 }  // namespace editor

@@ -10,19 +10,19 @@ inline double pixelsPerMetreOf(const QPainter& painter) {
   return QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter.worldTransform());
 }
 
-/// Pixels per point of the screen.
+/// Device pixels per point.
 inline double pixelRatioOf(const QPainter& painter) {
   return painter.device()->devicePixelRatioF();
 }
 
-/// Lets the width of a pen count points of the screen, whatever the zoom. Qt takes that of a
-/// cosmetic pen for pixels, which would make hairlines of all lines on dense screens.
+/// Makes the pen width independent of the zoom, in points. Qt interprets the width of a cosmetic
+/// pen as device pixels, which makes lines too thin on high-density screens.
 inline void makeCosmetic(QPen& pen, const QPainter& painter) {
   pen.setCosmetic(true);
   pen.setWidthF(pen.widthF() * pixelRatioOf(painter));
 }
 
-/// A pen of that width on the screen, with sharp corners.
+/// A pen with a constant width on the screen and sharp corners.
 inline QPen screenPen(const QPainter& painter, const QColor& color, double widthPx,
                       Qt::PenStyle style = Qt::SolidLine, Qt::PenCapStyle cap = Qt::FlatCap) {
   QPen pen(color, widthPx, style, cap, Qt::MiterJoin);
@@ -30,29 +30,29 @@ inline QPen screenPen(const QPainter& painter, const QColor& color, double width
   return pen;
 }
 
-/// The part of the scene that the window shows, whole even when only some of it is painted anew.
-/// Without a widget it is what a picture shows.
+/// The part of the scene visible in the window, even if only some of it is repainted. Without a
+/// widget it is the exposed area of a picture.
 inline QRectF shownRect(const QPainter& painter, const QStyleOptionGraphicsItem& option,
                         const QWidget* widget) {
   return widget == nullptr ? option.exposedRect
                            : painter.worldTransform().inverted().mapRect(QRectF(widget->rect()));
 }
 
-/// What lines are drawn with, and what fills what they enclose.
-inline void setInk(QPainter& painter, const QPen& pen, const QBrush& fill = Qt::NoBrush) {
+/// Sets pen and brush.
+inline void setPenAndBrush(QPainter& painter, const QPen& pen, const QBrush& fill = Qt::NoBrush) {
   painter.setPen(pen);
   painter.setBrush(fill);
 }
 
-/// A ring of that pen, and nothing in it.
+/// Draws an unfilled ring.
 inline void paintRing(QPainter& painter, const QPen& pen, double radius,
                       const QPointF& centre = {}) {
-  setInk(painter, pen);
+  setPenAndBrush(painter, pen);
   painter.drawEllipse(centre, radius, radius);
 }
 
-/// While it lives, the painter's unit is one pixel and its origin a point of the scene: for what
-/// keeps its size on the screen.
+/// Sets the painter to pixel units with the origin at a scene point until destroyed, for parts with
+/// a constant size on the screen.
 class PixelFrame {
  public:
   PixelFrame(QPainter& painter, const QPointF& sceneOrigin) : painter_(painter) {

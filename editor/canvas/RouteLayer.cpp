@@ -4,20 +4,20 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/document/Groups.h"
+#include "editor/document/PeopleEdits.h"
 
 namespace editor {
 
 namespace {
 
-constexpr double kSoftness = 0.6;      // [m]
-constexpr double kArrowSpacing = 1.5;  // [m]
+constexpr double kCornerDeviation = 0.6;  // [m]
+constexpr double kArrowSpacing = 1.5;     // [m]
 constexpr double kArrowPx = 7.0;
-constexpr double kNarrowestArrows = 34.0;  // px between two heads
-constexpr double kFewRoutes = 16.0;        // that may be seen at their full strength
+constexpr double kNarrowestArrows = 34.0;  // Minimum distance between two heads [px].
+constexpr double kFewRoutes = 16.0;        // Maximum number of routes at full opacity.
 constexpr double kFaintest = 0.16;
-constexpr std::size_t kMostRounds = 6;    // people whose whole rounds are seen at once
-constexpr double kFaintestChosen = 0.45;  // stands out of the others at any number
+constexpr std::size_t kMaxRounds = 6;     // Maximum number of people whose full routes are shown.
+constexpr double kFaintestChosen = 0.45;  // Stands out at any number of routes.
 
 QPointF towards(const QPointF& from, const QPointF& to, double distance) {
   const QLineF line(from, to);
@@ -26,12 +26,12 @@ QPointF towards(const QPointF& from, const QPointF& to, double distance) {
 
 }  // namespace
 
-double routeStrength(std::size_t inSight) {
+double routeOpacity(std::size_t inSight) {
   const double count = std::max(1.0, static_cast<double>(inSight));
   return std::clamp(std::sqrt(kFewRoutes / count), kFaintest, 1.0);
 }
 
-QPainterPath softPath(const std::vector<Vec2>& points, double softness) {
+QPainterPath roundedPath(const std::vector<Vec2>& points, double softness) {
   QPainterPath path;
   if (points.empty()) {
     return path;
@@ -91,7 +91,7 @@ void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double sp
   paintHeads(painter, arrowHeads(scenePath, gap), sizePx, theme);
 }
 
-/// Lines of those who have no way any more are forgotten.
+/// Removes the cached lines of entities without a route.
 void RouteLayer::routesChanged() {
   for (auto line = lines_.begin(); line != lines_.end();) {
     const bool isKept = mapScene().routes().route(line->first) != nullptr;
@@ -108,8 +108,8 @@ RouteLayer::Line& RouteLayer::lineOf(EntityId id, std::size_t index, const Route
   Line& line = lines[index];
   if (line.points != leg.points) {
     line.points = leg.points;
-    line.path = softPath(leg.points, kSoftness);
-    // Straight legs have flat bounds, which intersect nothing.
+    line.path = roundedPath(leg.points, kCornerDeviation);
+    // Straight legs have bounds of zero height or width, which intersect nothing.
     line.bounds = line.path.controlPointRect().adjusted(-0.5, -0.5, 0.5, 0.5);
     line.gap = 0.0;
   }
@@ -117,7 +117,7 @@ RouteLayer::Line& RouteLayer::lineOf(EntityId id, std::size_t index, const Route
 }
 
 void RouteLayer::placeHeads(Line& line, double spacing, double pixelsPerMetre) {
-  // In steps: a slow zoom does not move all heads all the time.
+  // Quantized, so that a slow zoom does not move all heads continuously.
   const double steps = std::ceil(2.0 * std::log2(arrowGap(spacing, pixelsPerMetre)));
   const double gap = std::max(kArrowSpacing, std::exp2(0.5 * steps));
   if (line.gap != gap) {
@@ -126,8 +126,8 @@ void RouteLayer::placeHeads(Line& line, double spacing, double pixelsPerMetre) {
   }
 }
 
-/// Ways of people who are not selected, of which the window shows something.
-std::size_t RouteLayer::countInSight(const QRectF& shown) {
+/// Number of routes of unselected people that are at least partly in view.
+std::size_t RouteLayer::countVisibleRoutes(const QRectF& shown) {
   std::size_t count = 0;
   for (const EntityId id : document().entities(EntityKind::Human)) {
     const EntityRoute* route = mapScene().routes().route(id);
@@ -149,7 +149,7 @@ void RouteLayer::paintLeg(QPainter& painter, const Line& line, bool isReachable,
     pen.setDashPattern({3.5, 2.5});
   }
   makeCosmetic(pen, painter);
-  setInk(painter, pen);
+  setPenAndBrush(painter, pen);
   painter.drawPath(line.path);
   paintHeads(painter, line.heads, kArrowPx + style.widthPx, theme());
 }
@@ -181,11 +181,11 @@ void RouteLayer::paintPeople(QPainter& painter, bool selected) {
     }
     Style style;
     style.color = theme().line(lookOfPerson(document(), std::get<sim2d::Human>(*value)));
-    const double strength = selected ? chosenStrength_ : strength_;
+    const double strength = selected ? selectedOpacity_ : opacity_;
     style.widthPx = std::max(selected ? 1.6 : 1.0, (selected ? 2.6 : 1.8) * std::sqrt(strength));
     style.color.setAlphaF((selected ? 1.0 : 0.62) * strength);
     style.arrowSpacing = kArrowSpacing / strength;
-    paintRoute(painter, id, selected && showsRounds_, style);
+    paintRoute(painter, id, selected && showsFullRoutes_, style);
   }
 }
 
@@ -205,9 +205,9 @@ void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
       static_cast<std::size_t>(std::count_if(selection.begin(), selection.end(), [](EntityId id) {
         return id.kind == EntityKind::Human;
       }));
-  showsRounds_ = chosen <= kMostRounds;
-  chosenStrength_ = std::max(kFaintestChosen, routeStrength(showsRounds_ ? 1 : chosen));
-  strength_ = routeStrength(countInSight(shownRect(*painter, *option, widget)));
+  showsFullRoutes_ = chosen <= kMaxRounds;
+  selectedOpacity_ = std::max(kFaintestChosen, routeOpacity(showsFullRoutes_ ? 1 : chosen));
+  opacity_ = routeOpacity(countVisibleRoutes(shownRect(*painter, *option, widget)));
   if (options().routes) {
     paintPeople(*painter, false);
     paintRobots(*painter);

@@ -10,7 +10,7 @@
 
 #include "app/run/Bundle.h"
 #include "sim2d/map/NavigationMap.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
 namespace editor {
@@ -35,12 +35,12 @@ std::vector<Vec2> placesOf(const sim2d::Scenario& scenario) {
 }
 
 constexpr int kPauseMs = 15;
-constexpr std::chrono::milliseconds kMostTime(100);  // before what is planned is shown
+constexpr std::chrono::milliseconds kMaxTime(100);  // Maximum time until new results are shown.
 
-/// A leg is the same for all who walk it. In order, those to one goal follow each other, so that
-/// the planner searches from each goal once.
+/// Identifies a leg, which all agents with the same ends share. The order groups legs by goal, so
+/// that the planner searches from each goal once.
 struct LegKey {
-  int radiusCm = 35;  // -1: straight
+  int radiusCm = 35;  // -1: straight.
   double toX = 0.0, toY = 0.0, fromX = 0.0, fromY = 0.0;
 
   friend bool operator<(const LegKey& a, const LegKey& b) {
@@ -51,13 +51,14 @@ struct LegKey {
 
 using Legs = std::map<EntityId, std::vector<LegKey>>;
 
-/// The legs of everybody, in the order of walking.
+/// The legs of all agents in walking order.
 Legs legsOf(const sim2d::Scenario& scenario) {
   Legs legs;
   const auto add = [&legs](EntityId id, Vec2 at, const std::vector<Vec2>& goals, int radiusCm) {
     std::vector<LegKey>& own = legs[id];
-    if (!base::isInReach(at) || !std::all_of(goals.begin(), goals.end(), base::isInReach)) {
-      return;  // the issues say so
+    if (!base::isWithinCoordinateRange(at) ||
+        !std::all_of(goals.begin(), goals.end(), base::isWithinCoordinateRange)) {
+      return;  // The problem list reports it.
     }
     for (const Vec2& goal : goals) {
       own.push_back({radiusCm, goal.x(), goal.y(), at.x(), at.y()});
@@ -91,23 +92,23 @@ Legs legsOf(const sim2d::Scenario& scenario) {
 
 }  // namespace
 
-/// What is planned on, and the ways, as long as the walls stay the same.
+/// The planner, and the known legs while the walls stay the same.
 struct RouteModel::Planning {
   std::shared_ptr<const sim2d::Surroundings> surroundings;
   std::vector<Vec2> places;
   std::optional<sim2d::NavigationMap> navigation;
-  std::map<LegKey, RouteLeg> legs;  // of the last time
+  std::map<LegKey, RouteLeg> legs;  // Legs of the previous request.
 
   void prepare(const Input& input) {
     const auto newSurroundings = input.known->of(input.scenario, input.map, input.stop);
     const std::vector<Vec2> newPlaces = placesOf(input.scenario);
-    // Places count on an open plane only, where the planner's field has to span them.
+    // The positions matter only on an open plane, where the planner's grid must cover them.
     if (surroundings == newSurroundings && (!input.map->isEmpty() || places == newPlaces)) {
       return;
     }
-    surroundings.reset();  // until what follows is done: it may be stopped
+    surroundings.reset();  // Reset until the rest is done, because it may be stopped.
     legs.clear();
-    // On an open plane layers are of places, which come and go while somebody is dragged.
+    // On an open plane layers depend on positions, which change during a drag.
     navigation.emplace(newSurroundings->grid, newSurroundings->obstacles, newPlaces,
                        input.map->isEmpty() ? nullptr : newSurroundings->layers);
     surroundings = newSurroundings;
@@ -125,13 +126,13 @@ struct RouteModel::Planning {
     return {isThere ? std::move(way) : std::vector<Vec2>{from, to}, isThere};
   }
 
-  /// Plans the legs that are not known, until the time is over, and forgets those that nobody
-  /// walks any more. Gives whether all are known then.
+  /// Plans the unknown legs within the time limit and removes unused ones. Returns true if all are
+  /// known.
   bool plan(const std::set<LegKey>& wanted) {
     for (auto leg = legs.begin(); leg != legs.end();) {
       leg = wanted.count(leg->first) == 0 ? legs.erase(leg) : std::next(leg);
     }
-    const auto end = std::chrono::steady_clock::now() + kMostTime;
+    const auto end = std::chrono::steady_clock::now() + kMaxTime;
     for (const LegKey& key : wanted) {
       if (legs.count(key) > 0) {
         continue;
@@ -144,7 +145,7 @@ struct RouteModel::Planning {
     return true;
   }
 
-  /// Of all whose legs are known.
+  /// The routes whose legs are all known.
   Planned routesOf(const Legs& walked) {
     std::set<LegKey> wanted;
     for (const auto& [id, keys] : walked) {
@@ -203,7 +204,7 @@ void RouteModel::start() {
 void RouteModel::take(Planned planned) {
   Routes& routes = planned.routes;
   if (!planned.isComplete) {
-    routes.insert(routes_.begin(), routes_.end());  // older ways, where there is no newer one yet
+    routes.insert(routes_.begin(), routes_.end());  // Keeps previous routes without a new one.
     timer_.start();
   }
   changed_.clear();

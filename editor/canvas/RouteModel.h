@@ -10,19 +10,19 @@
 
 #include "editor/document/Entity.h"
 #include "editor/document/LatestTask.h"
-#include "sim2d/base/Stop.h"
+#include "sim2d/base/StopFlag.h"
 #include "sim2d/map/OccupancyGrid.h"
 
 namespace app {
-class KnownSurroundings;
+class SurroundingsCache;
 }
 
 namespace editor {
 
 /// One leg of a route, from a start or goal to the next goal.
 struct RouteLeg {
-  std::vector<Vec2> points;  // world, both ends included
-  bool isReachable = true;   // false: the straight line is given
+  std::vector<Vec2> points;  // World frame, includes both ends.
+  bool isReachable = true;   // False: `points` is the straight line.
   friend bool operator==(const RouteLeg& a, const RouteLeg& b) {
     return a.isReachable == b.isReachable && a.points == b.points;
   }
@@ -30,8 +30,8 @@ struct RouteLeg {
 using EntityRoute = std::vector<RouteLeg>;
 using Routes = std::map<EntityId, EntityRoute>;
 
-/// The ways of all people and robots round walls, by the planner of the simulation. Planned beside
-/// the GUI thread, some at a time; `routesChanged` tells when newer ones are there.
+/// The routes of all people and robots around walls, computed with the planner of the simulation.
+/// Routes are planned in batches outside the GUI thread; `routesChanged` reports new results.
 class RouteModel : public QObject {
   Q_OBJECT
  public:
@@ -42,16 +42,16 @@ class RouteModel : public QObject {
   struct Input {
     sim2d::Scenario scenario;
     std::shared_ptr<const sim2d::OccupancyGrid> map;
-    std::shared_ptr<app::KnownSurroundings> known;  // never null
-    base::StopFlagPtr stop;                         // idem
+    std::shared_ptr<app::SurroundingsCache> known;  // Never null.
+    base::StopFlagPtr stop;                         // Never null.
   };
-  /// Soon asks `input` for what there is to plan, once for many requests. Ways that stay the same
-  /// are not planned anew.
+  /// Schedules planning. `input` is called once for several requests. Unchanged routes are not
+  /// planned again.
   void request(std::function<Input()> input);
   const EntityRoute* route(EntityId id) const;
-  /// Whose ways the last `routesChanged` was about.
+  /// The entities whose routes changed with the last `routesChanged`.
   const std::vector<EntityId>& changed() const { return changed_; }
-  void finish();  // waits for what was asked for
+  void finish();  // Blocks until all requests are done.
 
  Q_SIGNALS:
   void routesChanged();
@@ -61,12 +61,12 @@ class RouteModel : public QObject {
   void start();
   struct Planned {
     Routes routes;
-    bool isComplete = true;  // false: some still wait to be planned
+    bool isComplete = true;  // False: some routes are still to be planned.
   };
   void take(Planned planned);
   Routes routes_;
   std::vector<EntityId> changed_;
-  std::shared_ptr<Planning> planning_;  // kept from one task to the next, used by one at a time
+  std::shared_ptr<Planning> planning_;  // Passed from task to task; used by one task at a time.
   LatestTask<Planned> task_;
   std::function<Input()> input_;
   QTimer timer_;

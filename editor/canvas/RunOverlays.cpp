@@ -7,23 +7,23 @@
 
 #include "bt/human/Perception.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/canvas/PlannerPainter.h"
-#include "metrics/SightPolygon.h"
+#include "editor/canvas/RobotPainters.h"
+#include "metrics/VisibilityPolygon.h"
 
 namespace editor {
 
 namespace {
 
-constexpr double kAroundSight = 6.0;          // [m] beside what is seen of the map
-constexpr double kLongestNotice = 30.0;       // [m]
-constexpr double kUsualNotice = 5.0;          // [m], of runs that do not tell it
-constexpr std::size_t kMostSocialZones = 30;  // more would be one fog
-constexpr std::size_t kMostDashedPlans = 100;
-constexpr std::ptrdiff_t kMostContacts = 500;  // the newest ones
-constexpr double kFieldMargin = 3.0;           // [m] round people
+constexpr double kAroundSight = 6.0;         // Margin around the visible part of the map [m].
+constexpr double kLongestNotice = 30.0;      // [m]
+constexpr double kUsualNotice = 5.0;         // For runs that do not contain the distance [m].
+constexpr std::size_t kMaxSocialZones = 30;  // More zones are indistinguishable.
+constexpr std::size_t kMaxDashedPlans = 100;
+constexpr std::ptrdiff_t kMaxContacts = 500;  // Only the newest ones are drawn.
+constexpr double kFieldMargin = 3.0;          // Margin around people [m].
 
-/// Of who is chosen, or of all when nobody is.
-bool isAskedFor(const ShownBody& body, bool anyChosen) {
+/// True for selected bodies, or for all if none is selected.
+bool isSelectedOrAll(const ShownBody& body, bool anyChosen) {
   return body.isChosen || !anyChosen;
 }
 
@@ -117,9 +117,9 @@ void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
   }
 }
 
-/// The local one in the place of that part of the global one.
+/// Draws the local costmap instead of that part of the global one.
 void RunOverlays::paintCosts(QPainter& painter) {
-  const std::optional<LookedAt> robot = plannerLookedAt(scene_);
+  const std::optional<ObservedPlanner> robot = observedPlanner(scene_);
   if (!robot) {
     return;
   }
@@ -171,14 +171,14 @@ void RunOverlays::paintDensity(const OverlayPainter& over) {
 void RunOverlays::paintSpaces(const OverlayPainter& over,
                               const std::vector<ShownBody>& bodies) const {
   const CanvasOptions& options = scene_.options();
-  const bool anyChosen = scene_.frameLayer().isAnybodyChosen();
+  const bool anyChosen = scene_.frameLayer().hasSelectedBody();
   for (const ShownBody& body : bodies) {
-    if (body.id < 0 || !isAskedFor(body, anyChosen)) {
+    if (body.id < 0 || !isSelectedOrAll(body, anyChosen)) {
       continue;
     }
     if (options.proxemics) {
       over.hallZones(body.pose.position, scene_.theme().fill(body.look),
-                     body.isChosen || bodies.size() <= kMostSocialZones);
+                     body.isChosen || bodies.size() <= kMaxSocialZones);
     }
     if (options.gaussian) {
       over.gaussian(body.pose, body.velocity.norm(), scene_.theme().line(body.look));
@@ -194,9 +194,10 @@ void RunOverlays::paintSight(const OverlayPainter& over,
     }
     const double range = noticeDistance(body.id);
     const Vec2& eye = body.pose.position;
-    over.sight(metrics::sightPolygon(body.pose, bt::kNaturalHalfView, range,
-                                     metrics::wallsAround(*header_, frame_->doorOpen, eye, range)),
-               scene_.theme().line(body.look));
+    over.sight(
+        metrics::visibilityPolygon(body.pose, bt::kDefaultHalfView, range,
+                                   metrics::wallsAround(*header_, frame_->doorOpen, eye, range)),
+        scene_.theme().line(body.look));
   }
 }
 
@@ -205,7 +206,7 @@ void RunOverlays::paintPlans(const OverlayPainter& over,
   if (frame_->humanPaths == nullptr) {
     return;
   }
-  const bool anyChosen = scene_.frameLayer().isAnybodyChosen();
+  const bool anyChosen = scene_.frameLayer().hasSelectedBody();
   std::map<int, std::size_t> rows;
   for (std::size_t k = 0; k < std::min(frame_->humans.size(), frame_->humanPaths->size()); ++k) {
     rows.emplace(frame_->humans.id[k], k);
@@ -216,9 +217,9 @@ void RunOverlays::paintPlans(const OverlayPainter& over,
       continue;
     }
     QColor color = scene_.theme().line(body.look);
-    color.setAlphaF(isAskedFor(body, anyChosen) ? 0.9 : 0.35);
+    color.setAlphaF(isSelectedOrAll(body, anyChosen) ? 0.9 : 0.35);
     over.plan(body.pose.position, (*frame_->humanPaths)[row->second], color,
-              bodies.size() > kMostDashedPlans && !body.isChosen);
+              bodies.size() > kMaxDashedPlans && !body.isChosen);
   }
 }
 
@@ -245,7 +246,7 @@ void RunOverlays::paintTop(QPainter& painter, const QRectF& exposed) const {
     const auto end = std::partition_point(
         contacts_.begin(), contacts_.end(),
         [this](const sim2d::ContactMark& mark) { return mark.time <= frame_->time + 1e-9; });
-    const auto count = std::min<std::ptrdiff_t>(end - contacts_.begin(), kMostContacts);
+    const auto count = std::min<std::ptrdiff_t>(end - contacts_.begin(), kMaxContacts);
     for (auto mark = end - count; mark != end; ++mark) {
       over.contact(*mark, frame_->time - mark->time);
     }

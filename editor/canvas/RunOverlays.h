@@ -14,9 +14,9 @@
 
 namespace editor {
 
-/// What a run shows beside its bodies when it is asked for: how dense people stand, their spaces,
-/// what they see, their ways and velocities, contacts, thoughts. Of who is selected alone where
-/// that is what one wants to know; of all where nobody is selected.
+/// The optional overlays of a run: density, personal spaces, fields of view, planned paths,
+/// velocities, contacts, thoughts. Some are limited to the selected people, or show all people if
+/// none is selected.
 class RunOverlays {
  public:
   explicit RunOverlays(const MapScene& scene) : scene_(scene) {}
@@ -28,24 +28,24 @@ class RunOverlays {
     costs_ = {};
   }
 
-  /// All of the run so far; those after the moment that is shown are not drawn.
+  /// All contacts of the run so far; those after the shown time are not drawn.
   void setContacts(std::vector<sim2d::ContactMark> contacts) { contacts_ = std::move(contacts); }
   const std::vector<sim2d::ContactMark>& contacts() const { return contacts_; }
-  /// Why people act, by id.
+  /// The reasons for people's actions, by id.
   void setThoughts(std::map<int, QString> thoughts) { thoughts_ = std::move(thoughts); }
   QString thoughtOf(int id) const;
 
-  /// Beneath and over the bodies; the painter's units are those of the scene.
+  /// Paint beneath and over the bodies; the painter uses scene units.
   void paintGround(QPainter& painter, const QRectF& exposed);
   void paintTop(QPainter& painter, const QRectF& exposed) const;
 
-  // for the legend
-  double densityMost() const { return most_; }  // end of the scale [1/m²]
-  /// What is not known of this run, as recorded ones do not hold it.
+  // For the legend
+  double densityScaleMax() const { return most_; }  // Upper end of the scale [1/m²].
+  /// Recorded runs contain neither forces nor plans.
   bool hasForces() const;
   bool hasPlans() const { return frame_ != nullptr && frame_->humanPaths != nullptr; }
   std::size_t contactsSoFar(ContactCause cause) const;
-  /// How far a person notices others [m].
+  /// The distance at which a person notices others [m].
   double noticeDistance(int id) const;
   const sim2d::Frame* frame() const { return frame_.get(); }
 
@@ -64,9 +64,9 @@ class RunOverlays {
   const MapScene& scene_;
   std::shared_ptr<const sim2d::Frame> frame_;
   std::shared_ptr<const sim2d::TraceHeader> header_;
-  std::optional<Field> field_;  // of the frame
-  double most_ = 0.0;           // it does not fall in a run
-  /// Of costmaps, made again when they have changed: local, global.
+  std::optional<Field> field_;  // Density in the current frame.
+  double most_ = 0.0;           // Does not decrease during a run.
+  /// Local and global costmap images, recreated when the grid changes.
   struct CostPicture {
     sim2d::CostGridPtr grid;
     QImage image;
@@ -76,7 +76,7 @@ class RunOverlays {
   std::map<int, QString> thoughts_;
 };
 
-/// A layer with one half of them.
+/// A layer for either the ground or the top overlays.
 class OverlayLayer : public FullLayer {
  public:
   OverlayLayer(const MapScene& scene, RunOverlays& overlays, bool isGround)

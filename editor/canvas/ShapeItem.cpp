@@ -9,11 +9,11 @@ namespace editor {
 
 namespace {
 
-constexpr double kSignPx = 16.0;       // of what an area does
-constexpr double kSignInsetPx = 14.0;  // its middle from the corner
-constexpr double kLabelGapPx = 6.0;    // of the name from the edges
-constexpr double kDockSide = 0.6;      // of the square that stands for a robot in it [m]
-constexpr double kLeastSignPx = 12.0;  // areas that are smaller on the screen show none
+constexpr double kSignPx = 16.0;       // Sign for the kind of an area.
+constexpr double kSignInsetPx = 14.0;  // From the corner to the centre of the sign.
+constexpr double kLabelGapPx = 6.0;    // From the edges to the name.
+constexpr double kDockSide = 0.6;      // Side of the square that represents a docked robot [m].
+constexpr double kMinSignPx = 12.0;    // Smaller areas on the screen have no sign.
 
 double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
   double nearest = std::numeric_limits<double>::max();
@@ -28,7 +28,8 @@ double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
 class ShapeItem : public EntityItem {
  public:
   using EntityItem::EntityItem;
-  /// 0 inside, but not in the room that a closed wall surrounds: holes have the opposite turn.
+  /// 0 inside, but not inside the room enclosed by a closed wall: holes have the opposite
+  /// orientation.
   double distanceTo(const Vec2& world) const override {
     double nearest = std::numeric_limits<double>::max();
     int winding = 0;
@@ -54,8 +55,8 @@ class ShapeItem : public EntityItem {
              0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0, 0, false}};
   }
 
-  /// Names keep off the signs of areas.
-  std::vector<QRectF> solidParts() const override {
+  /// Labels do not cover the signs of areas.
+  std::vector<QRectF> labelObstacles() const override {
     if (kindOf(value_) != EntityKind::Area) {
       return {};
     }
@@ -75,12 +76,12 @@ class ShapeItem : public EntityItem {
         paintDock(*painter);
         break;
       default:
-        setInk(*painter, screenPen(*painter, theme().color(Role::ObstacleEdge), 1.2),
-               theme().color(Role::ObstacleFill));
+        setPenAndBrush(*painter, screenPen(*painter, theme().color(Role::ObstacleEdge), 1.2),
+                       theme().color(Role::ObstacleFill));
         painter->drawPath(path_);
     }
     if (isHovered() && !isSelectedEntity()) {
-      setInk(*painter, screenPen(*painter, theme().color(Role::Accent, 0.6), 1.5));
+      setPenAndBrush(*painter, screenPen(*painter, theme().color(Role::Accent, 0.6), 1.5));
       painter->drawPath(path_);
     }
   }
@@ -118,14 +119,15 @@ class ShapeItem : public EntityItem {
   void paintDoor(QPainter& painter) const {
     const auto& door = std::get<sim2d::Door>(value_);
     if (!mapScene().isDoorOpen(id(), door)) {
-      setInk(painter, screenPen(painter, theme().color(Role::ObstacleEdge), 1.0),
-             theme().color(Role::WarningMark));
+      setPenAndBrush(painter, screenPen(painter, theme().color(Role::ObstacleEdge), 1.0),
+                     theme().color(Role::WarningMark));
       painter.drawPath(path_);
       return;
     }
-    setInk(painter, screenPen(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
+    setPenAndBrush(painter,
+                   screenPen(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
     painter.drawLine(toScene(door.from), toScene(door.to));
-    // The leaf stands open, with the arc that it swung through.
+    // The open leaf and the arc of its swing.
     const Vec2 across = door.to - door.from;
     const Vec2 leaf = door.from + Vec2(-across.y(), across.x());
     painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 2.0));
@@ -139,8 +141,8 @@ class ShapeItem : public EntityItem {
     painter.drawPath(arc);
   }
 
-  /// The place of the robot, an arrow in its direction and the contact plate in front of it; a
-  /// flash where it is charged.
+  /// Draws the position of the robot, an arrow in its direction and the contact plate in front of
+  /// it; a flash if the dock charges.
   void paintDock(QPainter& painter) const {
     const auto& dock = std::get<sim2d::Dock>(value_);
     const double half = 0.5 * kDockSide;
@@ -148,13 +150,14 @@ class ShapeItem : public EntityItem {
       return toScene(dock.pose.toWorld(Vec2(ahead * half, left * half)));
     };
     const bool strong = isHovered() || isSelectedEntity();
-    setInk(painter,
-           screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine),
-           theme().color(Role::Accent, strong ? 0.15 : 0.08));
+    setPenAndBrush(
+        painter,
+        screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine),
+        theme().color(Role::Accent, strong ? 0.15 : 0.08));
     painter.drawPath(path_);
     painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 3.0));
     painter.drawLine(at(1.0, 0.6), at(1.0, -0.6));
-    setInk(painter, screenPen(painter, theme().color(Role::Accent), 1.5));
+    setPenAndBrush(painter, screenPen(painter, theme().color(Role::Accent), 1.5));
     if (dock.kind == sim2d::DockKind::Charging) {
       painter.drawPolyline(QPolygonF({at(0.7, -0.1), at(0.0, 0.3), at(0.0, -0.3), at(-0.7, 0.1)}));
     } else {
@@ -165,9 +168,10 @@ class ShapeItem : public EntityItem {
 
   void paintArea(QPainter& painter) const {
     const bool strong = isHovered() || isSelectedEntity();
-    setInk(painter,
-           screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine),
-           theme().color(Role::Accent, strong ? 0.10 : 0.05));
+    setPenAndBrush(
+        painter,
+        screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine),
+        theme().color(Role::Accent, strong ? 0.10 : 0.05));
     painter.drawPath(path_);
     paintSign(painter);
   }
@@ -176,7 +180,7 @@ class ShapeItem : public EntityItem {
     const double pixelsPerMetre = pixelsPerMetreOf(painter);
     const QRectF box = path_.boundingRect();
     const double sidePx = std::min(box.width(), box.height()) * pixelsPerMetre;
-    if (sidePx < kLeastSignPx) {
+    if (sidePx < kMinSignPx) {
       return;
     }
     const PixelFrame frame(painter, signPlace(pixelsPerMetre));
@@ -184,8 +188,8 @@ class ShapeItem : public EntityItem {
                    std::min(kSignPx, sidePx), theme());
   }
 
-  /// The middle of the sign in the scene: in the upper left corner, or in the middle where it is
-  /// narrow.
+  /// The centre of the sign in the scene: in the upper left corner, or in the middle of a narrow
+  /// area.
   QPointF signPlace(double pixelsPerMetre) const {
     const QRectF box = path_.boundingRect();
     const double inset = kSignInsetPx / pixelsPerMetre;
@@ -194,8 +198,8 @@ class ShapeItem : public EntityItem {
     return path_.contains(corner) ? corner : box.center();
   }
 
-  /// In the area, after its sign, at the top or else at the bottom; below it when it has no room.
-  /// The kind is said in words as well where they fit.
+  /// Inside the area after its sign, at the top or else at the bottom; below the area if there is
+  /// no space. Includes the kind as text if it fits.
   Label areaLabel(const sim2d::Area& area) const {
     const QString name = displayName(value_);
     const QString kind = areaKindName(area.kind);
@@ -222,7 +226,7 @@ class ShapeItem : public EntityItem {
 
   Entity value_;
   std::vector<sim2d::Outline> outlines_;
-  QPainterPath path_;  // scene
+  QPainterPath path_;  // Scene coordinates.
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ constexpr int kHeadings = 64;
 constexpr int kSteps = 3;
 constexpr std::size_t kSprites = std::size_t{kHeadings} * kSteps;
 constexpr int kColumns = 16;
-constexpr double kLargestPx = 40.0;  // radius
-constexpr double kReach = 1.5;       // of luggage and feet, in radii
+constexpr double kLargestPx = 40.0;  // Radius.
+constexpr double kReach = 1.5;       // Extent of luggage and feet in radii.
 
 int headingIndex(double headingDeg) {
   const int index = static_cast<int>(std::lround(headingDeg * kHeadings / 360.0)) % kHeadings;

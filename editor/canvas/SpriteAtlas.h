@@ -11,8 +11,8 @@
 
 namespace editor {
 
-/// People as ready-made pictures: one sheet per look, kind and size with 64 headings and 3 steps.
-/// A picture is painted when it is first needed; a new zoom needs new sheets (`clear`).
+/// Cached pictures of people: one sheet per appearance, kind and size with 64 headings and 3 step
+/// phases. A picture is rendered on first use; a new zoom requires new sheets (`clear`).
 class SpriteAtlas {
  public:
   void clear() { sheets_.clear(); }
@@ -22,11 +22,11 @@ class SpriteAtlas {
             const std::vector<std::pair<QPointF, PersonFigure>>& figures);
 
  private:
-  using Key = std::tuple<Look, sim2d::PersonKind, int>;  // radius in quarters of a pixel
+  using Key = std::tuple<Look, sim2d::PersonKind, int>;  // Radius in quarters of a pixel.
   struct Sheet {
     QPixmap pixmap;
     std::vector<bool> painted;
-    int cell = 0;  // side [device pixels]
+    int cell = 0;  // Side length [device pixels].
     std::vector<QPainter::PixmapFragment> fragments;
   };
   Sheet& sheetFor(const PersonFigure& figure, double ratio);

@@ -19,9 +19,9 @@ Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
   return anchor + toStep(std::max(0.0, offset.dot(direction)), 0.01) * direction;
 }
 
-/// The nearest point of another entity, if it is near enough.
+/// The nearest point of another entity within reach.
 std::optional<Vec2> pointNear(const MapScene& scene, const CanvasMouse& mouse,
-                              const SnapWish& wish) {
+                              const SnapRequest& wish) {
   std::optional<Vec2> nearest;
   double reach = kSnapReachPx / mouse.pixelsPerMetre;
   const auto offer = [&](const std::vector<Vec2>& points) {
@@ -52,10 +52,10 @@ std::optional<Vec2> pointNear(const MapScene& scene, const CanvasMouse& mouse,
   return nearest;
 }
 
-constexpr double kMostCells = 40.0;  // to each side, however far the view is away
-constexpr int kLeg = 3;              // cells that the edges of a corner are long at least
+constexpr double kMaxCells = 40.0;  // Search limit to each side at any zoom.
+constexpr int kLeg = 3;             // Minimum length of the edges of a corner in cells.
 
-/// Borders between wall and no wall; lattice points are the corners of cells.
+/// Borders between wall and non-wall cells; lattice points are the corners of cells.
 struct Borders {
   const sim2d::OccupancyGrid& grid;
 
@@ -84,7 +84,7 @@ struct Borders {
   }
 };
 
-/// The first of the nearest places that were offered, all in cells.
+/// The nearest of the offered points, the first one on ties; in cells.
 struct NearestPlace {
   Vec2 at = Vec2::Zero();
   double reach = 0.0;
@@ -104,7 +104,7 @@ struct NearestPlace {
 Tool::Tool(ScenarioDocument& document, MapScene& scene, QObject* parent)
     : QObject(parent), document_(document), scene_(scene) {}
 
-Vec2 Tool::snap(const CanvasMouse& mouse, const SnapWish& wish) const {
+Vec2 Tool::snap(const CanvasMouse& mouse, const SnapRequest& wish) const {
   const Snapped result = snapped(scene_, mouse, wish);
   marks().snapMark = result.isOnPoint ? std::optional<Vec2>(result.point) : std::nullopt;
   return result.point;
@@ -145,7 +145,7 @@ std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2&
   }
   const Borders borders{grid};
   const Vec2 at = grid.worldToCorner(world);
-  const double cells = std::min(reach / grid.resolution(), kMostCells);
+  const double cells = std::min(reach / grid.resolution(), kMaxCells);
   const auto low = [cells](double value) { return static_cast<int>(std::floor(value - cells)); };
   const auto high = [cells](double value) { return static_cast<int>(std::ceil(value + cells)); };
   NearestPlace corner{at, cells, {}};
@@ -169,7 +169,7 @@ std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2&
 }
 
 double snappedAngle(double heading, double step) {
-  return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
+  return base::wrapToPi(std::round(heading / step) * step + 0.0);  // Avoids -0.
 }
 
 std::vector<Vec2> snapPointsOf(const Entity& entity) {
@@ -189,7 +189,7 @@ std::vector<Vec2> snapPointsOf(const Entity& entity) {
   return points;
 }
 
-Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish) {
+Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapRequest& wish) {
   if (mouse.modifiers.testFlag(Qt::AltModifier)) {
     return {mouse.world, false};
   }

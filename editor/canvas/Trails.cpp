@@ -10,24 +10,24 @@ namespace editor {
 
 namespace {
 
-constexpr double kTrailStep = 0.05;  // [m] between two points
-constexpr double kTrailGap = 0.15;   // [s] between two points of a recording
-constexpr double kTrailPart = 0.6;   // [s] of one shade, at least
+constexpr double kTrailStep = 0.05;  // Minimum distance between two points [m].
+constexpr double kTrailGap = 0.15;   // Time between two points of a recording [s].
+constexpr double kTrailPart = 0.6;   // Minimum duration of one shade [s].
 constexpr double kTrailShades = 10.0;
 constexpr double kTrailDetailPx = 5.0;
-constexpr double kLongTrails = 100;  // bodies; trails of more are together as long as theirs
+constexpr double kLongTrails = 100;  // Bodies; more trails have the same total length.
 
-/// Points of a recording stand at fixed moments, so that a trail does not depend on which frames
-/// were shown: every how many of its frames.
-std::size_t strideOf(const sim2d::Recording& recording) {
+/// The frame interval between trail points. Points of a recording have fixed times, so that a trail
+/// does not depend on which frames were shown.
+std::size_t gaitPhase(const sim2d::Recording& recording) {
   const double gap = recording.size() > 1 ? recording.timeOf(1) - recording.timeOf(0) : kTrailGap;
   return gap > 0.0 ? static_cast<std::size_t>(std::max(1L, std::lround(kTrailGap / gap))) : 1;
 }
 
 }  // namespace
 
-void Trails::goOn(const sim2d::Frame* shown, const sim2d::Frame& next,
-                  const sim2d::Recording* recording) {
+void Trails::advance(const sim2d::Frame* shown, const sim2d::Frame& next,
+                     const sim2d::Recording* recording) {
   const bool isLater =
       shown != nullptr && next.time >= shown->time && next.time <= shown->time + seconds_;
   if (!isLater) {
@@ -35,8 +35,8 @@ void Trails::goOn(const sim2d::Frame* shown, const sim2d::Frame& next,
   }
   bool isPoint = true;
   if (recording != nullptr && recording->size() > 0) {
-    addPassed(*recording, shown, next);
-    isPoint = recording->indexAt(next.step) % strideOf(*recording) == 0;
+    addSkippedFrames(*recording, shown, next);
+    isPoint = recording->indexAt(next.step) % gaitPhase(*recording) == 0;
   }
   lengthen(next, isPoint);
   cut(next.time);
@@ -49,9 +49,9 @@ void Trails::setSeconds(double seconds) {
   }
 }
 
-void Trails::addPassed(const sim2d::Recording& recording, const sim2d::Frame* shown,
-                       const sim2d::Frame& next) {
-  const std::size_t stride = strideOf(recording);
+void Trails::addSkippedFrames(const sim2d::Recording& recording, const sim2d::Frame* shown,
+                              const sim2d::Frame& next) {
+  const std::size_t stride = gaitPhase(recording);
   const std::size_t end = recording.indexAt(next.step);
   const bool isFirst = shown == nullptr || trails_.empty();
   std::size_t index =
@@ -69,7 +69,7 @@ void Trails::lengthen(const sim2d::Frame& frame, bool isPoint) {
       Trail& trail = trails_[columns->id[i]];
       const base::Vec2 at(columns->x[i], columns->y[i]);
       const double step = trail.last ? (at - *trail.last).norm() : 0.0;
-      if (step > kFarthestStep) {  // restart, periodic corridor
+      if (step > kFarthestStep) {  // A restart, or a periodic corridor.
         trail.points.clear();
       }
       trail.walked += step > kFarthestStep ? 0.0 : step;
@@ -98,7 +98,7 @@ double trailSeconds(std::size_t bodies, double wanted) {
 void paintTrail(QPainter& painter, const Trail& trail, const base::Vec2& end, double time,
                 double seconds, QColor color) {
   const auto isOld = [=](const auto& point) { return point.first < time - seconds; };
-  const bool isAhead =  // the body is still on its way to the newest point
+  const bool isAhead =  // The body is still moving towards the newest point.
       trail.points.size() > 1 && trail.points.back().first >= time;
   const auto last = trail.points.end() - (isAhead ? 1 : 0);
   const auto first = std::partition_point(trail.points.begin(), last - 1, isOld);

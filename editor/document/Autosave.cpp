@@ -8,7 +8,7 @@
 #include <QJsonObject>
 #include <QUuid>
 
-#include "editor/document/DocumentDisk.h"
+#include "editor/document/DocumentDiskState.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kScenarioFile = "scenario.yaml";
 constexpr const char* kMapFile = "map.yaml";
-constexpr const char* kNotesFile = "recovery.json";  // a folder with it holds a snapshot
+constexpr const char* kNotesFile = "recovery.json";  // Marks a folder that contains a snapshot.
 constexpr const char* kLockFile = "lock";
 
 QString lockOf(const QString& folder) {
@@ -33,8 +33,8 @@ std::string treeFile(int number) {
   return "tree_" + std::to_string(number) + ".xml";
 }
 
-/// In the order in which a file holds them.
-std::vector<const sim2d::Human*> inFileOrder(const sim2d::Scenario& scenario) {
+/// People in the order of the file.
+std::vector<const sim2d::Human*> peopleInFileOrder(const sim2d::Scenario& scenario) {
   std::vector<const sim2d::Human*> people;
   for (const sim2d::Human& human : scenario.humans) {
     people.push_back(&human);
@@ -68,7 +68,7 @@ std::vector<base::FileContent> snapshotFiles(const DocumentSnapshot& snapshot,
       {in(folder, kScenarioFile), sim2d::writeScenario(snapshot.scenario)}};
   QJsonArray trees;
   int number = 0;
-  for (const sim2d::Human* human : inFileOrder(snapshot.scenario)) {
+  for (const sim2d::Human* human : peopleInFileOrder(snapshot.scenario)) {
     const auto tree = snapshot.trees.find(human->key);
     if (tree != snapshot.trees.end()) {
       files.push_back({in(folder, treeFile(number)), tree->second});
@@ -105,8 +105,8 @@ base::Result<DocumentSnapshot> readSnapshot(const QString& folder) {
     return problems;
   }
   for (const base::Diagnostic& found : reading.diagnostics) {
-    if (found.severity == base::Severity::Error) {  // else it is about a file that nobody has
-      base::append(problems, asWarnings({found}));
+    if (found.severity == base::Severity::Error) {  // Others concern a file unknown to the user.
+      base::append(problems, downgradedToWarnings({found}));
     }
   }
   const auto note = [&notes](const char* key) { return notes[QLatin1String(key)]; };
@@ -137,20 +137,20 @@ Autosave::Autosave(ScenarioDocument& document, QString root, QObject* parent)
           Q_EMIT failed(problems);
         }
         if (!document_.isDirty()) {
-          removeCopy();  // saved while it was being written
+          removeCopy();  // The document was saved during the write.
         }
       });
   timer_.setSingleShot(true);
   timer_.setInterval(kAutosaveMs);
   connect(&timer_, &QTimer::timeout, this, &Autosave::write);
-  connect(&document_, &ScenarioDocument::changed, this, &Autosave::noteEdit);
-  connect(&document_, &ScenarioDocument::mapChanged, this, &Autosave::noteEdit);
+  connect(&document_, &ScenarioDocument::changed, this, &Autosave::scheduleWrite);
+  connect(&document_, &ScenarioDocument::mapChanged, this, &Autosave::scheduleWrite);
   connect(&document_, &ScenarioDocument::dirtyChanged, this, [this](bool dirty) {
     if (!dirty) {
       timer_.stop();
       removeCopy();
     } else {
-      noteEdit();
+      scheduleWrite();
     }
   });
 }
@@ -165,8 +165,8 @@ Autosave::~Autosave() {
   }
 }
 
-/// Not started anew by every edit: someone who never pauses is kept up with as well.
-void Autosave::noteEdit() {
+/// The timer is not restarted by each edit, so continuous editing is saved as well.
+void Autosave::scheduleWrite() {
   if (!timer_.isActive()) {
     timer_.start();
   }
@@ -194,7 +194,7 @@ void Autosave::write() {
     return;
   }
   task_->start([snapshot = document_.snapshot(), folder = folder_] {
-    return base::writeFilesTogether(snapshotFiles(snapshot, folder));
+    return base::writeFilesAtomically(snapshotFiles(snapshot, folder));
   });
 }
 
@@ -216,13 +216,13 @@ void Autosave::removeCopy() {
   }
 }
 
-QStringList Autosave::leftBehind(const QString& root) {
+QStringList Autosave::orphanedFolders(const QString& root) {
   QStringList found;
   const QDir all(root);
   for (const QString& name : all.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
     const QString folder = all.filePath(name);
     QLockFile lock(lockOf(folder));
-    lock.setStaleLockTime(0);  // only by its process, never by its age
+    lock.setStaleLockTime(0);  // The lock becomes stale only when its process ends, not by age.
     if (!lock.tryLock(0)) {
       continue;
     }
@@ -230,7 +230,7 @@ QStringList Autosave::leftBehind(const QString& root) {
     if (QFile::exists(QDir(folder).filePath(QString::fromLatin1(kNotesFile)))) {
       found << folder;
     } else {
-      QDir(folder).removeRecursively();  // it had nothing unsaved
+      QDir(folder).removeRecursively();  // The folder contains no unsaved work.
     }
   }
   return found;

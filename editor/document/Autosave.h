@@ -14,14 +14,14 @@
 
 namespace editor {
 
-/// A document as a value: what an emergency copy holds. May be made in the GUI thread and written
-/// in another one.
+/// A copy of a document by value, as stored for crash recovery. It may be made in the GUI thread
+/// and written in another thread.
 struct DocumentSnapshot {
   sim2d::Scenario scenario;
-  std::map<EntityId, std::string> trees;  // own ones of people
+  std::map<EntityId, std::string> trees;  // Custom trees of people.
   MapState map;
-  bool mapIsInFile = true;  // the cells are those of `map.path`, which is all that is kept then
-  QString path;             // of the scenario file; empty: none yet
+  bool mapIsInFile = true;  // The cells are those of `map.path`; only the path is stored then.
+  QString path;             // Path of the scenario file; empty: not saved yet.
   bool readOnly = false;
   QDateTime when;
 };
@@ -32,37 +32,37 @@ std::vector<base::FileContent> snapshotFiles(const DocumentSnapshot& snapshot,
                                              const QString& folder);
 base::Result<DocumentSnapshot> readSnapshot(const QString& folder);
 
-/// Keeps a copy of unsaved work in a folder of its own, for the next start after a crash: written
-/// beside the GUI thread at most `kAutosaveMs` after an edit, removed when the work is saved or the
-/// program ends in order.
+/// Stores a copy of unsaved work in a separate folder for recovery after a crash. The copy is
+/// written outside the GUI thread at most `kAutosaveMs` after an edit, and removed when the work is
+/// saved or the program exits normally.
 class Autosave : public QObject {
   Q_OBJECT
  public:
   static constexpr int kAutosaveMs = 3000;
 
-  /// `root` holds one folder per running program.
+  /// `root` contains one folder per running program.
   Autosave(ScenarioDocument& document, QString root, QObject* parent = nullptr);
   ~Autosave() override;
   Q_DISABLE_COPY_MOVE(Autosave)
 
-  QString folder() const { return folder_; }  // of the copy; empty: none was needed yet
-  void writeNow();                            // and waits for it
+  QString folder() const { return folder_; }  // Folder of the copy; empty: not needed yet.
+  void writeNow();                            // Blocks until the copy is written.
 
-  /// Folders of copies whose program has died.
-  static QStringList leftBehind(const QString& root);
+  /// Folders of copies whose process no longer exists.
+  static QStringList orphanedFolders(const QString& root);
 
  Q_SIGNALS:
   void failed(const base::Diagnostics& problems);
 
  private:
-  void noteEdit();
+  void scheduleWrite();
   void write();
   bool makeFolder();
   void removeCopy();
 
   ScenarioDocument& document_;
   QString root_, folder_;
-  std::unique_ptr<QLockFile> lock_;  // as long as it is held, this program lives
+  std::unique_ptr<QLockFile> lock_;  // Held while this process is running.
   QTimer timer_;
   std::unique_ptr<LatestTask<base::Diagnostics>> task_;
 };

@@ -5,11 +5,11 @@
 
 #include "app/run/Bundle.h"
 #include "editor/document/Autosave.h"
-#include "editor/document/DocumentDisk.h"
+#include "editor/document/DocumentDiskState.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/EntityLists.h"
+#include "editor/document/Entity.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/TreeFiles.h"
+#include "editor/document/PersonTree.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -18,14 +18,14 @@ namespace editor {
 
 namespace {
 
-/// By its name, of one that is there.
+/// Returns true if the file exists and its name has a YAML suffix.
 bool isYaml(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
   return QFileInfo(path).isReadable() &&
          (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml"));
 }
 
-/// What was wrong with the file that was opened is not wrong with the one that was saved.
+/// Replaces the problems of the opened file by those of the saved file.
 void replaceFirst(base::Diagnostics& problems, std::size_t count, const base::Diagnostics& fresh) {
   const auto begin = problems.begin();
   problems.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
@@ -34,14 +34,14 @@ void replaceFirst(base::Diagnostics& problems, std::size_t count, const base::Di
 
 }  // namespace
 
-void ScenarioDocument::tellOfFile() {
+void ScenarioDocument::emitFileSignals() {
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(isDirty());
   Q_EMIT issuesChanged(issues());
 }
 
-sim2d::FilePlaces ScenarioDocument::places() const {
-  sim2d::FilePlaces places = search_;
+sim2d::FileSearchPaths ScenarioDocument::places() const {
+  sim2d::FileSearchPaths places = search_;
   places.scenarioPath = path_.toStdString();
   return places;
 }
@@ -50,43 +50,44 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
   const bool isBeginning = !reading.ok() && isBlank(reading.scenario);
   if (isBeginning) {
-    reading = sim2d::readBeginning(path.toStdString());
+    reading = sim2d::readValidPart(path.toStdString());
     const bool isEmpty = isBlank(scenario_) && !isDirty();
     if (isBlank(reading.scenario) && !(isEmpty && isYaml(path))) {
       return reading.diagnostics;
     }
   }
   const bool isWhole = reading.ok();
-  replaceAll(std::move(reading.scenario));
+  resetScenario(std::move(reading.scenario));
   path_ = QFileInfo(path).absoluteFilePath();
   neverSaved_ = false;
   commentCount_ = reading.commentCount;
-  disk_->noteFile(path_);
+  disk_->recordFile(path_);
   disk_->mapFile = scenario_.desktop.mapFile;
   disk_->lines = std::move(reading.lines);
   disk_->readOnly = !isWhole;
   disk_->isBeginning = isBeginning;
   loadDiagnostics_ = std::move(reading.diagnostics);
-  disk_->readCount = loadDiagnostics_.size();
+  disk_->readProblemCount = loadDiagnostics_.size();
   if (isWhole || !isBlank(scenario_)) {
     loadMap();
   } else {
-    setMap(std::make_shared<sim2d::OccupancyGrid>());  // one problem is enough
+    setMap(std::make_shared<sim2d::OccupancyGrid>());  // One problem is enough.
   }
   base::append(loadDiagnostics_, loadTrees());
   base::Diagnostics told = loadDiagnostics_;
-  // without its map a scenario can still be edited; one that was asked for must be there
-  base::append(told, search_.mapOption.empty() ? asWarnings(map_.problems) : map_.problems);
+  // A scenario can be edited without its map, but a map that was requested explicitly must exist.
+  base::append(told,
+               search_.mapOption.empty() ? downgradedToWarnings(map_.problems) : map_.problems);
   replaced();
-  tellOfFile();
+  emitFileSignals();
   return told;
 }
 
-/// Also tells what keeps it from being there, as `check` does.
+/// Also reports why the map is missing, as `check` does.
 void ScenarioDocument::loadMap() {
   const base::Result<std::string> found = sim2d::findMap(scenario_, places());
   MapState map{std::make_shared<sim2d::OccupancyGrid>(), {}, !found, found.diagnostics()};
-  sim2d::addPlaceOfMap(map.problems, path_.toStdString());
+  sim2d::addMapLocation(map.problems, path_.toStdString());
   if (found && !found->empty()) {
     base::Result<MapState> read =
         disk_->readMap(QString::fromStdString(*found), scenario_.desktop.mapRule);
@@ -110,7 +111,7 @@ base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
 }
 
 base::Diagnostics ScenarioDocument::newOnMap(const QString& yamlPath) {
-  DocumentDisk read;
+  DocumentDiskState read;
   base::Result<MapState> map = read.readMap(yamlPath, {});
   base::Diagnostics problems = map.diagnostics();
   if (map) {
@@ -132,7 +133,7 @@ MapState ScenarioDocument::exchangeMap(MapState map) {
   Q_ASSERT(map.grid != nullptr);
   MapState old = std::exchange(map_, std::move(map));
   if (map_.grid != old.grid) {
-    stopMapWork();
+    stopMapTasks();
   }
   Q_EMIT mapChanged();
   if (!map_.problems.empty() || !old.problems.empty()) {
@@ -150,13 +151,13 @@ base::Diagnostics ScenarioDocument::loadTrees() {
     }
     const base::Result<std::string> text = base::readTextFile(file);
     if (!text) {
-      disk_->unreadTrees.insert(human.key);
+      disk_->unreadableTrees.insert(human.key);
       base::append(problems, human.listed ? base::Diagnostics() : text.diagnostics());
-      continue;  // that of someone who takes part is told by the live check, until it is there
+      continue;  // The live check reports missing trees of active people until the file exists.
     }
     disk_->note(QString::fromStdString(file), *text);
-    KnownTree known{file, *text, bt::TreeStyle::Corrected, generatedTree(scenario_, human)};
-    if (*text != known.generated) {  // else as it was saved here: nothing to find out
+    TreeFileState known{file, *text, bt::TreeStyle::Corrected, generatedTree(scenario_, human)};
+    if (*text != known.generated) {  // Otherwise unchanged since the save; the style is known.
       known.style = generatedStyle(*text, scenario_, human);
     }
     if (!known.style) {
@@ -165,7 +166,7 @@ base::Diagnostics ScenarioDocument::loadTrees() {
     }
     disk_->trees[human.key] = std::move(known);
   }
-  return asWarnings(std::move(problems));
+  return downgradedToWarnings(std::move(problems));
 }
 
 DocumentSnapshot ScenarioDocument::snapshot() const {
@@ -177,7 +178,7 @@ DocumentSnapshot ScenarioDocument::snapshot() const {
 
 void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
   if (snapshot.map.isMissing) {
-    loadMap();  // it may be there by now
+    loadMap();  // The file may exist by now.
     return;
   }
   exchangeMap(snapshot.map);
@@ -186,7 +187,7 @@ void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
   }
   base::Result<MapState> onDisk = disk_->readMap(snapshot.map.path, scenario_.desktop.mapRule);
   if (!snapshot.mapIsInFile) {
-    map_.path = onDisk ? map_.path : QString();  // what was under the paint is gone: its own file
+    map_.path = onDisk ? map_.path : QString();  // The file is gone: it gets a new one.
   } else if (onDisk) {
     exchangeMap(*std::move(onDisk));
   } else {
@@ -195,13 +196,13 @@ void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
 }
 
 void ScenarioDocument::restore(DocumentSnapshot snapshot, bool isSaved) {
-  replaceAll(std::move(snapshot.scenario));
+  resetScenario(std::move(snapshot.scenario));
   path_ = snapshot.path;
   neverSaved_ = !isSaved;
   disk_->readOnly = snapshot.readOnly;
   restoreMap(snapshot);
   if (!path_.isEmpty()) {
-    disk_->noteFile(path_);
+    disk_->recordFile(path_);
     loadDiagnostics_ = loadTrees();
   }
   trees_ = std::move(snapshot.trees);
@@ -211,26 +212,25 @@ void ScenarioDocument::restore(DocumentSnapshot snapshot, bool isSaved) {
     }
   }
   replaced();
-  tellOfFile();
+  emitFileSignals();
 }
 
-/// What is decided about trees can be undone like any other edit.
-void ScenarioDocument::answerTrees(const QString& path, const TreesToReplace& replaced) {
-  for (const TreeQuestion& question : treeQuestions(path)) {
+/// The decisions about trees can be undone like any other edit.
+void ScenarioDocument::applyTreeAnswers(const QString& path, const TreeReplacements& replaced) {
+  for (const TreeConflict& question : treeConflicts(path)) {
     const bool keeps = replaced.count(question.human) == 0;
-    if (question.why == TreeQuestion::Why::ChangedOnDisk && keeps) {
-      pushTrees(
-          *this, {{question.human, question.mine}},
-          tr("Keep the tree of %1 that is in its file").arg(QString::fromStdString(question.name)));
-    } else if (question.why == TreeQuestion::Why::BehaviourChanged && !keeps) {
+    if (question.why == TreeConflict::Why::ChangedOnDisk && keeps) {
+      pushTrees(*this, {{question.human, question.mine}},
+                tr("Keep the tree file of %1").arg(QString::fromStdString(question.name)));
+    } else if (question.why == TreeConflict::Why::BehaviourChanged && !keeps) {
       pushTrees(*this, {{question.human, std::nullopt}},
-                tr("Take the generated tree of %1").arg(QString::fromStdString(question.name)));
+                tr("Use the generated tree of %1").arg(QString::fromStdString(question.name)));
     }
   }
 }
 
-base::Diagnostics ScenarioDocument::save(const QString& path, const TreesToReplace& replaced) {
-  answerTrees(path, replaced);
+base::Diagnostics ScenarioDocument::save(const QString& path, const TreeReplacements& replaced) {
+  applyTreeAnswers(path, replaced);
   SavePlan plan = planSave(path);
   if (base::hasErrors(plan.problems)) {
     return plan.problems;
@@ -249,60 +249,60 @@ base::Diagnostics ScenarioDocument::save(const QString& path, const TreesToRepla
                   files.begin(), files.end(),
                   [](const base::FileContent& file) { return textAt(file.path) == file.content; }),
               files.end());
-  base::append(plan.problems, base::writeFilesTogether(files));
+  base::append(plan.problems, base::writeFilesAtomically(files));
   base::Diagnostics problems = plan.problems;
   if (!base::hasErrors(problems)) {
-    takeSaved(std::move(plan));
+    adoptSaved(std::move(plan));
   }
   return problems;
 }
 
-void ScenarioDocument::takeSaved(SavePlan plan) {
+void ScenarioDocument::adoptSaved(SavePlan plan) {
   const bool isChanged = !(plan.scenario == scenario_);
-  const bool keepsMapFile = disk_->holds(map_) && disk_->isOtherMapWanted(scenario_);
+  const bool keepsMapFile = disk_->holds(map_) && disk_->isMapFileChanged(scenario_);
   scenario_ = std::move(plan.scenario);
   path_ = plan.path;
   map_.path = plan.mapPath;
   neverSaved_ = false;
   commentCount_ = 0;
-  const DocumentDisk before = std::exchange(*disk_, {});
+  const DocumentDiskState before = std::exchange(*disk_, {});
   disk_->mapFile = keepsMapFile ? before.mapFile : scenario_.desktop.mapFile;
   const std::string text = sim2d::writeScenario(scenario_);
   disk_->note(path_, text);
   const sim2d::ScenarioReading reading = sim2d::readScenarioText(text, path_.toStdString());
   disk_->lines = linesOf(scenario_, reading);
-  replaceFirst(loadDiagnostics_, before.readCount, reading.diagnostics);
-  disk_->readCount = reading.diagnostics.size();
+  replaceFirst(loadDiagnostics_, before.readProblemCount, reading.diagnostics);
+  disk_->readProblemCount = reading.diagnostics.size();
   if (!map_.path.isEmpty()) {
     disk_->maps[map_.path] = map_.grid;
   }
-  disk_->noteMapFiles(plan, before);
+  disk_->recordMapFiles(plan, before);
   for (const PlannedTree& written : plan.trees) {
-    disk_->noteTree(written, tree(written.human).has_value(),
-                    generatedTree(scenario_, *human(written.human)), before.known(written.human));
+    disk_->recordTree(written, tree(written.human).has_value(),
+                      generatedTree(scenario_, *human(written.human)), before.known(written.human));
   }
-  disk_->unreadTrees = plan.unreadTrees;
+  disk_->unreadableTrees = plan.unreadableTrees;
   undoStack_.setClean();
   if (map_.isMissing) {
-    loadMap();  // it may be beside the new place, and lines have moved
+    loadMap();  // The file may be beside the new location, and lines have moved.
   }
   if (isChanged) {
     replaced();
   }
-  tellOfFile();
+  emitFileSignals();
   checkTimer_.start();
 }
 
 std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
   constexpr auto kOurs =
-      bt::TreeStyle::Corrected;  // in a file it means the same as the generator's
-  const KnownTree* known = disk_->known(id);
+      bt::TreeStyle::Corrected;  // Has the same meaning in a file as the generator's style.
+  const TreeFileState* known = disk_->known(id);
   const sim2d::Human* person = human(id);
   const bool isOther = known != nullptr && known->style.value_or(kOurs) != kOurs;
-  return person != nullptr && isOther ? wantedTree(scenario_, *person) : tree(id);
+  return person != nullptr && isOther ? effectiveTree(scenario_, *person) : tree(id);
 }
 
-bool ScenarioDocument::isTreeBehind(EntityId id) const {
+bool ScenarioDocument::isTreeOutdated(EntityId id) const {
   const sim2d::Human* person = human(id);
   const auto basis = disk_->bases.find(id);
   return person != nullptr && tree(id) && basis != disk_->bases.end() &&
@@ -317,26 +317,27 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.isBeginning = disk_->isBeginning;
   bundle.map = map_.isMissing ? nullptr : map_.grid;
   bundle.known = surroundings_;
-  bundle.stop = mapWork_;
+  bundle.stop = mapStopFlag_;
   bundle.lines = disk_->lines;
   bundle.remarks = loadDiagnostics_;
-  base::append(bundle.remarks, mapProblemsToTell());
-  if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // what was wrong is told no more
+  base::append(bundle.remarks, reportedMapProblems());
+  if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // Load problems are no longer reported.
     bundle.remarks.push_back(base::error("document.run-in-part", {}, bundle.path));
   }
   const std::string folder = path_.isEmpty() ? std::string() : treeFolderOf(bundle.path);
   for (const sim2d::Human& human : scenario_.humans) {
-    const KnownTree* known = disk_->known(human.key);
+    const TreeFileState* known = disk_->known(human.key);
     if (std::optional<std::string> text = treeToRun(human.key)) {
       bundle.trees[human.name] = {*std::move(text), known ? known->path : std::string(), folder};
-    } else if (known == nullptr && (human.ours.tree || disk_->unreadTrees.count(human.key) > 0)) {
+    } else if (known == nullptr &&
+               (human.ours.tree || disk_->unreadableTrees.count(human.key) > 0)) {
       bundle.trees[human.name] = sim2d::findTree(scenario_, human, places());
     }
   }
   return bundle;
 }
 
-void ScenarioDocument::setSearch(const QString& map, const QString& trees) {
+void ScenarioDocument::setSearchOverrides(const QString& map, const QString& trees) {
   search_.mapOption = map.toStdString();
   search_.treesOption = trees.toStdString();
 }
@@ -363,16 +364,16 @@ QStringList ScenarioDocument::changedOnDisk() const {
   QStringList changed;
   for (const auto& [file, hash] : disk_->hashes) {
     const QByteArray now = hashOfFile(file);
-    if (!now.isEmpty() && now != hash) {  // a file that is gone comes back by saving
+    if (!now.isEmpty() && now != hash) {  // Saving restores a file that has been deleted.
       changed << file;
     }
   }
   return changed;
 }
 
-void ScenarioDocument::acceptDisk() {
+void ScenarioDocument::acceptDiskChanges() {
   for (const QString& file : changedOnDisk()) {
-    disk_->noteFile(file);
+    disk_->recordFile(file);
   }
 }
 

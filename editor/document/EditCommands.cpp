@@ -5,9 +5,9 @@
 
 #include <QUndoCommand>
 
-#include "editor/document/FreeNames.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/document/PersonTree.h"
-#include "editor/document/RoutePlan.h"
+#include "editor/document/UniqueNames.h"
 
 namespace editor {
 
@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kEditEntity = 1;
 
-/// The one command: redo and undo swap values and trees with the document. Several entities are
-/// swapped in order, and back in the opposite order; dropped when everything is back where it
-/// began.
+/// The single command type: redo and undo exchange values and trees with the document. Entities are
+/// exchanged in order by redo and in reverse order by undo. A command whose merged edits cancel out
+/// becomes obsolete.
 class EditEntities : public QUndoCommand {
  public:
   EditEntities(ScenarioDocument& document, std::vector<EntityEdit> edits,
@@ -37,7 +37,7 @@ class EditEntities : public QUndoCommand {
   void undo() override {
     const ScenarioDocument::Step step(document_);
     std::for_each(edits_.rbegin(), edits_.rend(), [this](EntityEdit& edit) { swap(edit); });
-    swapTrees();  // last, as in redo: the document notes for whom a tree is written
+    swapTrees();  // Last, as in redo: the document records for which person a tree is written.
   }
 
   int id() const override { return mayMerge_ ? kEditEntity : -1; }
@@ -48,7 +48,7 @@ class EditEntities : public QUndoCommand {
         next->text() == text() &&
         std::equal(edits_.begin(), edits_.end(), next->edits_.begin(), next->edits_.end(),
                    [](const EntityEdit& a, const EntityEdit& b) { return a.entity == b.entity; });
-    if (same) {  // what is kept here are the values before the first of the merged edits
+    if (same) {  // The values stored here precede the first of the merged edits.
       setObsolete(std::all_of(edits_.begin(), edits_.end(), [this](const EntityEdit& edit) {
         return edit.slot.value == document_.entity(edit.entity);
       }));
@@ -74,10 +74,10 @@ QString textFor(const QString& verb, const std::vector<Entity>& values) {
   if (values.size() == 1) {
     return QStringLiteral("%1 %2").arg(verb, displayName(values.front()));
   }
-  return QStringLiteral("%1 %2 things").arg(verb).arg(values.size());
+  return QStringLiteral("%1 %2 items").arg(verb).arg(values.size());
 }
 
-/// What `change` makes of each, in one step.
+/// Applies `change` to each entity in one command.
 template <class Change>
 void pushEach(ScenarioDocument& document, const std::vector<EntityId>& ids, const QString& verb,
               Merge merge, Change&& change) {
@@ -170,7 +170,7 @@ void Draft::push(const QString& text, Merge merge) {
   edits_.erase(std::remove_if(edits_.begin(), edits_.end(), isIdle), edits_.end());
   for (const EntityEdit& edit : edits_) {
     const auto* human = edit.slot.value ? std::get_if<sim2d::Human>(&*edit.slot.value) : nullptr;
-    if (std::optional<std::string> xml = human ? followedTree(document_, *human) : std::nullopt) {
+    if (std::optional<std::string> xml = human ? updatedTree(document_, *human) : std::nullopt) {
       setTree(edit.entity, std::move(xml));
     }
   }
@@ -194,12 +194,12 @@ void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QStr
 std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> values,
                               const QString& text,
                               const std::map<std::size_t, std::string>& trees) {
-  FreeNames names(document.scenario());
+  UniqueNames names(document.scenario());
   std::vector<EntityId> ids;
   for (Entity& value : values) {
     ids.push_back(document.newId(kindOf(value)));
     setId(value, ids.back());
-    names.give(value);
+    names.assignTo(value);
   }
   const QString fullText = text.isEmpty() ? textFor(QStringLiteral("Add"), values) : text;
   Draft draft(document);
@@ -261,7 +261,7 @@ std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vecto
 
 bool pushRename(ScenarioDocument& document, EntityId id, const std::string& name) {
   std::optional<Entity> value = document.entity(id);
-  if (!value || name.empty() || FreeNames(document.scenario()).isTaken(name)) {
+  if (!value || name.empty() || UniqueNames(document.scenario()).isTaken(name)) {
     return false;
   }
   const std::string old = nameOf(*value);
@@ -286,14 +286,14 @@ bool pushGoalNumber(ScenarioDocument& document, EntityId id, int number) {
   sim2d::GlobalGoal changed = *goal;
   changed.id = number;
   draft.set(changed);
-  draft.push(QStringLiteral("Number goal %1").arg(old));
+  draft.push(QStringLiteral("Renumber goal %1").arg(old));
   return true;
 }
 
 void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
                const std::vector<int>& goals) {
   std::vector<Entity> values = withRoute(document, humans, goals);
-  const QString text = textFor(QStringLiteral("Route of"), values);
+  const QString text = textFor(QStringLiteral("Set route of"), values);
   pushEdit(document, std::move(values), text);
 }
 
@@ -314,7 +314,7 @@ void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, i
   std::stable_partition(order.begin(), order.end(),
                         [&document](EntityId id) { return isListed(*document.entity(id)); });
   Draft draft(document);
-  for (std::size_t i = 0; i < order.size(); ++i) {  // in order, so that each lands in its place
+  for (std::size_t i = 0; i < order.size(); ++i) {  // In order, so that each index is right.
     draft.set(*document.entity(order[i]), static_cast<int>(i));
   }
   draft.push(textFor(QStringLiteral("Reorder"), valuesOf(document, moving)));

@@ -4,53 +4,55 @@
 #include <utility>
 #include <vector>
 
-#include "editor/document/EntityLists.h"
+#include "editor/document/Entity.h"
 #include "editor/document/ScenarioDocument.h"
 
 namespace editor {
 
-enum class Merge { Never, WithPrevious };  // nudges and spin boxes merge
+enum class Merge { Never, WithPrevious };  // Nudges and spin boxes merge.
 
-/// A person and the own tree to be (XML text); none = the generated one.
+/// A person and their new custom tree (XML text); none = the generated tree.
 struct TreeEdit {
   EntityId human;
   std::optional<std::string> xml;
 };
 
-/// Those of them that are there.
+/// The existing entities among `ids`.
 std::vector<Entity> valuesOf(const ScenarioDocument& document, const std::vector<EntityId>& ids);
-/// The people and robots among them, with that route.
+/// The people and robots among `ids`, with the given route.
 std::vector<Entity> withRoute(const ScenarioDocument& document, const std::vector<EntityId>& ids,
                               const std::vector<int>& goals);
 
-/// Each function pushes at most one command; nothing is pushed when nothing would change.
+/// Each function pushes at most one command, and none if nothing would change.
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge = Merge::Never);
-/// Gives the entities fresh keys, and names and numbers that are free where theirs are empty or
-/// taken. `trees`: own ones of people, by place among the entities. Returns their ids.
+/// Assigns new keys to the entities, and unique names and numbers where theirs are empty or taken.
+/// `trees`: custom trees of people by index in `values`. Returns the ids.
 std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> values,
                               const QString& text,
                               const std::map<std::size_t, std::string>& trees = {});
 EntityId pushAdd(ScenarioDocument& document, Entity value);
-/// Routes and sources that name what is removed are put right in the same command.
+/// Also updates routes and sources that refer to a removed entity, in the same command.
 void pushRemove(ScenarioDocument& document, const std::vector<EntityId>& ids);
 void pushMove(ScenarioDocument& document, const std::vector<EntityId>& ids, const Vec2& delta,
               Merge merge = Merge::Never);
-/// Copies beside the originals, selected by the caller. Goals of a copied person stay shared.
+/// Copies the entities; the caller selects the copies. A copied person shares the goals of the
+/// original.
 std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vector<EntityId>& ids,
                                     const Vec2& delta);
-/// A new name; what names it follows. False when the name is empty or taken.
+/// Renames an entity and updates all references to it. Returns false if the name is empty or taken.
 bool pushRename(ScenarioDocument& document, EntityId id, const std::string& name);
-/// Another number for a goal; routes follow. False when it is taken or below 1.
+/// Changes the number of a goal and updates routes. Returns false if the number is taken or below
+/// 1.
 bool pushGoalNumber(ScenarioDocument& document, EntityId goal, int number);
 void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
                const std::vector<int>& goals);
-/// Several of one kind, together and in their order, to before what stands at `index` now; those
-/// that are switched off stay behind the others.
+/// Moves several entities of one kind together, in their order, to before the entity at `index`.
+/// Entities that are switched off stay behind the others.
 void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, int index);
-/// Switches them on or off.
+/// Switches entities on or off.
 void pushListed(ScenarioDocument& document, const std::vector<EntityId>& ids, bool listed);
-/// Also where nothing changes. Each person is named once.
+/// Sets trees, also if nothing changes. Each person must occur only once.
 void pushTrees(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text);
 
 /// pushChange<sim2d::Human>(document, id, tr("Speed"), [](sim2d::Human& h) { h.maxVel = 1.2; });
@@ -65,14 +67,14 @@ void pushChange(ScenarioDocument& document, EntityId id, const QString& text, Ch
   pushEdit(document, {std::move(*value)}, text, merge);
 }
 
-/// One entity and what it becomes; no value = removed.
+/// An entity and its new value; no value = removed.
 struct EntityEdit {
   EntityId entity;
   EntitySlot slot;
 };
 
-/// What a command will change while it is being put together: values by entity, which are the
-/// document's unless edited before, and own trees of people.
+/// The changes of a command under construction: values by entity, which equal those of the document
+/// unless edited before, and custom trees of people.
 class Draft {
  public:
   explicit Draft(ScenarioDocument& document) : document_(document) {}
@@ -81,7 +83,7 @@ class Draft {
   void remove(EntityId id) { slotOf(id) = {}; }
   void setTree(EntityId human, std::optional<std::string> xml);
 
-  /// Calls `change` for every entity of type T in the document that is not removed by the draft.
+  /// Calls `change` for each entity of type T in the document that is not removed by the draft.
   template <class T, class Change>
   void forEach(Change&& change) {
     for (const T& original : listOf<T>(document_.scenario())) {
@@ -97,7 +99,7 @@ class Draft {
       }
     }
   }
-  /// Calls `change` for the number of every goal in the routes of people and robots.
+  /// Calls `change` for each goal number in the routes of people and robots.
   template <class Change>
   void forEachGoalOfRoutes(Change&& change) {
     forEach<sim2d::Human>([&](sim2d::Human& human) {
@@ -108,8 +110,9 @@ class Draft {
     });
   }
 
-  /// At most one command, which merges with a command of the same text on the same entities when
-  /// it may. Trees with blocks keep up with the behaviour and the goals of their people.
+  /// Pushes at most one command. It may merge with a previous command that has the same text and
+  /// the same entities. Generated trees with blocks are updated with the behaviour and the goals of
+  /// their people.
   void push(const QString& text, Merge merge = Merge::Never);
 
  private:
@@ -117,7 +120,7 @@ class Draft {
 
   ScenarioDocument& document_;
   std::vector<EntityEdit> edits_;
-  std::map<EntityId, std::size_t> places_;  // in edits_
+  std::map<EntityId, std::size_t> places_;  // Index in edits_.
   std::vector<TreeEdit> trees_;
 };
 

@@ -13,7 +13,7 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-/// Null: it has none.
+/// Null if the entity has no heading.
 double* headingIn(Entity& entity) {
   return std::visit(Overloaded{[](sim2d::Human& human) { return &human.initPose.heading; },
                                [](sim2d::Robot& robot) { return &robot.start.heading; },
@@ -163,7 +163,7 @@ Entity moved(Entity entity, const Vec2& delta, bool withGoal) {
   return entity;
 }
 
-Entity turned(Entity entity, double heading) {
+Entity withHeading(Entity entity, double heading) {
   if (double* own = headingIn(entity)) {
     *own = base::wrapToPi(heading);
   }
@@ -174,7 +174,7 @@ Entity rotated(Entity entity, const Vec2& centre, double angle) {
   const Pose2 turn{centre, angle};
   changePoints(entity, [&](const Vec2& point) { return turn.toWorld(point - centre); });
   const std::optional<double> heading = headingOf(entity);
-  return heading ? turned(std::move(entity), *heading + angle) : entity;
+  return heading ? withHeading(std::move(entity), *heading + angle) : entity;
 }
 
 }  // namespace editor

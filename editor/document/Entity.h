@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,15 +21,15 @@ using base::EntityKind;
 using base::Pose2;
 using base::Vec2;
 
-/// What belongs to the scenario as a whole is one thing to edit, which is always there.
+/// The settings of the whole scenario are one entity that always exists.
 using sim2d::ScenarioSettings;
 constexpr EntityId kSettingsId{EntityKind::Scenario, 0};
 
-/// Anything that can be edited: a value, compared by content.
+/// Anything that can be edited; a value type compared by content.
 using Entity = std::variant<sim2d::Human, sim2d::Robot, sim2d::GlobalGoal, sim2d::Obstacle,
                             sim2d::Door, sim2d::Area, sim2d::Dock, ScenarioSettings>;
 
-/// What happened to one entity, or to all of them (another file). Receivers read the new value from
+/// A change of one entity, or of all (another file was opened). Receivers read the new value from
 /// the document.
 struct Change {
   enum class What { Added, Removed, Edited, Tree, Everything };
@@ -34,7 +37,8 @@ struct Change {
   EntityId entity;
 };
 
-/// Has a name and can be switched off; goals have numbers and always take part.
+/// True for types that have a name and can be switched off. Goals have numbers and are always
+/// active.
 template <class T>
 constexpr bool kIsNamed =
     !std::is_same_v<T, sim2d::GlobalGoal> && !std::is_same_v<T, ScenarioSettings>;
@@ -51,29 +55,70 @@ bool takesPart(const T& value) {
 EntityKind kindOf(const Entity& entity);
 EntityId idOf(const Entity& entity);
 void setId(Entity& entity, EntityId id);
-std::string nameOf(const Entity& entity);  // goals: their number; settings: empty
+std::string nameOf(const Entity& entity);  // Goals: their number; settings: empty.
 void setName(Entity& entity, const std::string& name);
-bool isListed(const Entity& entity);  // takes part
+bool isListed(const Entity& entity);  // False if switched off.
 void setListed(Entity& entity, bool listed);
-QString goalName(int number);                        // "Goal 3", everywhere by its number
+QString goalName(int number);                        // "Goal 3"
 QString displayName(const Entity& entity);           // "Ana", "Goal 3", "Scenario"
 QString kindName(EntityKind kind);                   // "person", "goal" …
 QString obstacleKindName(sim2d::ObstacleKind kind);  // "box" …
 QString areaKindName(sim2d::AreaKind kind);          // "source", "waiting" …
-/// The points that say where it is, or what its outline runs through; none for the settings. A
-/// robot's own goal point is not among them.
+/// The points that define the position or the outline; empty for the settings. The goal point of a
+/// robot is not included.
 std::vector<Vec2*> pointsIn(Entity& entity);
 std::vector<Vec2> pointsOf(const Entity& entity);
-/// Where it is on the map (centre of its points); nothing for the settings.
+/// Position on the map (centre of its points); none for the settings.
 std::optional<Vec2> positionOf(const Entity& entity);
-std::optional<double> headingOf(const Entity& entity);  // people, robots, boxes, docks
-/// Shifted by `delta` [m]; a robot takes its own goal point along only when `withGoal`.
+std::optional<double> headingOf(const Entity& entity);  // For people, robots, boxes and docks.
+/// Translated by `delta` [m]. The goal point of a robot moves along only if `withGoal`.
 Entity moved(Entity entity, const Vec2& delta, bool withGoal = false);
-/// With another heading [rad]; unchanged when it has none.
-Entity turned(Entity entity, double heading);
-/// Turned about a point by an angle [rad]: place, outline and heading.
+/// With another heading [rad]; unchanged if the entity has none.
+Entity withHeading(Entity entity, double heading);
+/// Position, outline and heading rotated about a point by an angle [rad].
 Entity rotated(Entity entity, const Vec2& centre, double angle);
 
 }  // namespace editor
 
 Q_DECLARE_METATYPE(editor::Change)
+
+namespace editor {
+
+/// The list of a scenario that contains the entities of type T.
+template <class T, class S>
+auto& listOf(S& scenario) {
+  using List = std::conditional_t<std::is_const_v<S>, const std::vector<T>, std::vector<T>>;
+  return std::get<List&>(std::tie(scenario.humans, scenario.goals, scenario.robots,
+                                  scenario.obstacles, scenario.doors, scenario.areas,
+                                  scenario.docks));
+}
+
+/// Calls `visitor` with the list of that kind. Returns `otherwise` for kinds without a list.
+template <class S, class Visitor,
+          class R = std::invoke_result_t<Visitor, decltype((std::declval<S&>().humans))>>
+R withList(S& scenario, EntityKind kind, Visitor&& visitor, R otherwise = R()) {
+  forEachList(scenario, [&](EntityKind each, auto& list) {
+    if (each == kind) {
+      otherwise = visitor(list);
+    }
+  });
+  return otherwise;
+}
+
+template <class List>
+int positionIn(const List& list, EntityId id) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [id](const auto& value) { return value.key == id; });
+  return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+/// Returns true if the scenario has no entities and names no map, as after reading an unreadable
+/// file.
+inline bool isBlank(const sim2d::Scenario& scenario) {
+  bool isEmpty = true;
+  forEachList(scenario,
+              [&](EntityKind /*kind*/, const auto& list) { isEmpty = isEmpty && list.empty(); });
+  return isEmpty && !scenario.map && !scenario.desktop.mapFile;
+}
+
+}  // namespace editor

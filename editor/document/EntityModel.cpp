@@ -6,7 +6,7 @@
 #include <QMimeData>
 
 #include "editor/document/EditCommands.h"
-#include "editor/document/Groups.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 
@@ -41,7 +41,7 @@ int groupOf(EntityKind kind) {
 
 }  // namespace
 
-QString placeOf(const Entity& entity) {
+QString positionText(const Entity& entity) {
   const std::optional<Vec2> at = positionOf(entity);
   return at ? QStringLiteral("%1, %2 m").arg(at->x(), 0, 'f', 1).arg(at->y(), 0, 'f', 1)
             : QString();
@@ -65,7 +65,7 @@ EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject
     rows_[static_cast<std::size_t>(group)] = idsOfGroup(group);
   }
   connect(&document_, &ScenarioDocument::changed, this, &EntityModel::note);
-  connect(&document_, &ScenarioDocument::settled, this, &EntityModel::follow);
+  connect(&document_, &ScenarioDocument::stepFinished, this, &EntityModel::follow);
 }
 
 void EntityModel::setTheme(const Theme& theme) {
@@ -89,7 +89,7 @@ std::vector<EntityId> EntityModel::idsOfGroup(int group) const {
 }
 
 void EntityModel::note(const Change& change) {
-  isOther_ = isOther_ || change.what == Change::What::Everything;
+  settingsChanged_ = settingsChanged_ || change.what == Change::What::Everything;
   if (const int group = groupOf(change.entity.kind); group >= 0) {
     changed_[static_cast<std::size_t>(group)].push_back(change.entity);
   }
@@ -194,7 +194,7 @@ QString EntityModel::text(const Entity& entity, int column) const {
   if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
     return areaKindName(area->kind);
   }
-  return placeOf(entity);
+  return positionText(entity);
 }
 
 QVariant EntityModel::icon(const Entity& entity) const {
@@ -336,8 +336,8 @@ bool EntityModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int
 EntityFilter::EntityFilter(EntityModel& model, QObject* parent)
     : QSortFilterProxyModel(parent), model_(model) {
   setSourceModel(&model);
-  // Whether a group is seen depends on its rows. Qt's own recursive filter loses count of rows that
-  // come into a group which is hidden.
+  // The visibility of a group depends on its rows. Qt's own recursive filter miscounts rows that
+  // are inserted into a hidden group.
   const auto look = [this] {
     if (!text_.isEmpty()) {
       invalidateFilter();
@@ -351,7 +351,7 @@ EntityFilter::EntityFilter(EntityModel& model, QObject* parent)
 void EntityFilter::setText(const QString& text) {
   text_ = text.trimmed();
   invalidateFilter();
-  if (rowCount() > 0) {  // of each group it is told how many are seen
+  if (rowCount() > 0) {  // The text of each group shows the number of visible rows.
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1), {Qt::DisplayRole});
   }
 }
@@ -370,7 +370,7 @@ bool EntityFilter::filterAcceptsRow(int row, const QModelIndex& parentIndex) con
     return true;
   }
   const QModelIndex first = model_.index(row, 0, parentIndex);
-  if (!parentIndex.isValid()) {  // groups are kept for the sake of their rows
+  if (!parentIndex.isValid()) {  // Groups are kept if one of their rows matches.
     for (int child = 0; child < model_.rowCount(first); ++child) {
       if (filterAcceptsRow(child, first)) {
         return true;

@@ -12,14 +12,14 @@
 
 namespace editor {
 
-/// Name of the icon of an obstacle's shape, or of a door.
+/// Icon name for the shape of an obstacle, or for a door.
 QString shapeIcon(const Entity& entity);
-/// "1.5, 2.0 m"; empty for what has no position.
-QString placeOf(const Entity& entity);
+/// "1.5, 2.0 m"; empty for entities without a position.
+QString positionText(const Entity& entity);
 
 /// The scenario as a tree: People, Goals, Robots, Obstacles (with doors), Areas. Columns: name,
-/// kind, behaviour or place. Names are editable, and rows can be dragged to another place among
-/// their kind (one undoable command each).
+/// kind, behaviour or position. Names are editable, and rows can be dragged within their kind (one
+/// undoable command each).
 class EntityModel : public QAbstractItemModel {
   Q_OBJECT
  public:
@@ -29,10 +29,10 @@ class EntityModel : public QAbstractItemModel {
   EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent = nullptr);
   void setTheme(const Theme& theme);
 
-  EntityId idOf(const QModelIndex& index) const;  // none for group rows
+  EntityId idOf(const QModelIndex& index) const;  // None for group rows.
   QModelIndex indexOf(EntityId id) const;
   bool isGroup(const QModelIndex& index) const;
-  bool isFollowing() const { return isFollowing_; }  // rows are changing as the document did
+  bool isUpdating() const { return isUpdating_; }  // Rows are being updated from the document.
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& child) const override;
@@ -60,21 +60,21 @@ class EntityModel : public QAbstractItemModel {
   QVariant icon(const Entity& entity) const;
   void note(const Change& change);
   void follow();
-  void followGroup(int group, const std::set<EntityId>& changed);
-  void removeGone(int group, const std::vector<EntityId>& fresh);
-  void orderLike(int group, const std::vector<EntityId>& fresh);
-  void insertNew(int group, const std::vector<EntityId>& fresh);
+  void syncGroup(int group, const std::set<EntityId>& changed);
+  void removeDeletedRows(int group, const std::vector<EntityId>& fresh);
+  void reorderRows(int group, const std::vector<EntityId>& fresh);
+  void insertNewRows(int group, const std::vector<EntityId>& fresh);
 
   ScenarioDocument& document_;
   Theme theme_;
   std::array<std::vector<EntityId>, kGroupCount> rows_;
-  std::array<std::vector<EntityId>, kGroupCount> changed_;  // in the step that has not ended
-  bool isOther_ = false;                                    // the scenario itself, in that step
-  bool isFollowing_ = false;
+  std::array<std::vector<EntityId>, kGroupCount> changed_;  // Changes in the current step.
+  bool settingsChanged_ = false;                            // Settings changed in the current step.
+  bool isUpdating_ = false;
 };
 
-/// Keeps groups with a match, with how many of theirs it is; matches name, kind and behaviour, any
-/// case.
+/// Keeps groups that contain a match and shows the number of matches. Matches name, kind and
+/// behaviour, case-insensitively.
 class EntityFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:

@@ -7,13 +7,12 @@
 #include <string_view>
 
 #include "app/run/Bundle.h"
-#include "app/run/Nav2Body.h"
-#include "editor/document/BehaviorValues.h"
+#include "app/run/Nav2Robots.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/FreeNames.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/RoutePlan.h"
-#include "sim2d/scenario/Defaults.h"
+#include "editor/document/PeopleEdits.h"
+#include "editor/document/UniqueNames.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
 namespace editor {
@@ -22,10 +21,10 @@ namespace {
 
 using base::Diagnostic;
 
-/// Mends a problem by one step of that name.
+/// Fixes a problem by one step with that name.
 using Action = std::function<void(ScenarioDocument&, const Diagnostic&, const QString& text)>;
 
-/// Changes what the problem is about.
+/// Edits the entity of the problem.
 template <class T, class Change>
 Action edit(Change change) {
   return [change](ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
@@ -33,10 +32,10 @@ Action edit(Change change) {
   };
 }
 
-constexpr int kFarthest = 30;     // [m]
-constexpr double kMargin = 0.05;  // beside the radius, so that the place holds [m]
+constexpr int kFarthest = 30;     // Maximum search distance [m].
+constexpr double kMargin = 0.05;  // Added to the radius, so that the position stays valid [m].
 
-/// Rings of growing size round `centre`, in steps of a metre.
+/// Rings of increasing radius around `centre`, in steps of one metre.
 std::vector<Vec2> probes(const Vec2& centre) {
   std::vector<Vec2> points = {centre};
   for (int ring = 1; ring <= kFarthest; ++ring) {
@@ -48,7 +47,7 @@ std::vector<Vec2> probes(const Vec2& centre) {
   return points;
 }
 
-double widestVisitor(const sim2d::Scenario& scenario, int goal) {
+double maxVisitorRadius(const sim2d::Scenario& scenario, int goal) {
   double radius = 0.0;
   const auto visits = [goal](const std::vector<int>& goals) {
     return std::find(goals.begin(), goals.end(), goal) != goals.end();
@@ -66,12 +65,13 @@ double widestVisitor(const sim2d::Scenario& scenario, int goal) {
   return radius;
 }
 
-struct Stand {
+struct BodyPlacement {
   Vec2 point = Vec2::Zero();
   double radius = 0.0;
 };
 
-Stand standOf(const sim2d::Scenario& scenario, const Entity& entity, bool robotGoal) {
+BodyPlacement bodyPlacementOf(const sim2d::Scenario& scenario, const Entity& entity,
+                              bool robotGoal) {
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
     return {human->initPose.position, sim2d::resolveHuman(scenario, *human, 0).radius};
   }
@@ -80,21 +80,21 @@ Stand standOf(const sim2d::Scenario& scenario, const Entity& entity, bool robotG
     return {at, sim2d::resolveRobot(scenario, *robot, -1).radius};
   }
   const auto& goal = std::get<sim2d::GlobalGoal>(entity);
-  return {goal.position, widestVisitor(scenario, goal.id)};
+  return {goal.position, maxVisitorRadius(scenario, goal.id)};
 }
 
-/// The nearest place within 30 m where a body fits between walls and obstacles, `near` itself when
-/// it does; nothing when there is none.
+/// The nearest position within 30 m where a body fits between walls and obstacles, which is `near`
+/// itself if possible; none if there is no such position.
 std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near, double radius) {
   const auto around =
-      document.surroundings()->of(document.scenario(), document.map(), document.mapWork());
+      document.surroundings()->of(document.scenario(), document.map(), document.mapStopFlag());
   const std::vector<Vec2> points = probes(near);
-  const bool isPlane = document.map()->isEmpty();  // layers are of places there
+  const bool isPlane = document.map()->isEmpty();  // An open plane has no precomputed layers.
   const sim2d::NavigationMap navigation(around->grid, around->obstacles, points,
                                         isPlane ? nullptr : around->layers);
   for (const double margin : {kMargin, 0.0}) {
     for (const Vec2& point : points) {
-      if (std::optional<Vec2> fit = navigation.nearestFit(radius + margin, point)) {
+      if (std::optional<Vec2> fit = navigation.nearestFreePosition(radius + margin, point)) {
         return fit;
       }
     }
@@ -102,14 +102,15 @@ std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near
   return std::nullopt;
 }
 
-/// A person's or robot's start, a robot's own goal point, or a goal (for the widest who visit it).
+/// Moves the start of a person or robot, the goal point of a robot, or a goal (for its widest
+/// visitor).
 void moveToFreePlace(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
   std::optional<Entity> value = document.entity(problem.entity);
   if (!value) {
     return;
   }
   const bool robotGoal = problem.value("place") == "goal";
-  const Stand stand = standOf(document.scenario(), *value, robotGoal);
+  const BodyPlacement stand = bodyPlacementOf(document.scenario(), *value, robotGoal);
   const std::optional<Vec2> place = freePlace(document, stand.point, stand.radius);
   if (!place) {
     return;
@@ -122,7 +123,7 @@ void moveToFreePlace(ScenarioDocument& document, const Diagnostic& problem, cons
   pushEdit(document, {*std::move(value)}, text);
 }
 
-/// 1, 2, 3 … in the order of the list, those that are switched off last.
+/// Numbers people 1, 2, 3 … in list order, those that are switched off last.
 void renumberPeople(ScenarioDocument& document, const Diagnostic&, const QString& text) {
   std::vector<Entity> people;
   int next = 1;
@@ -137,12 +138,12 @@ void renumberPeople(ScenarioDocument& document, const Diagnostic&, const QString
   pushEdit(document, std::move(people), text);
 }
 
-/// 1, 2, 3 … in the order of the numbers; routes follow.
+/// Numbers goals 1, 2, 3 … in the order of their numbers and updates routes.
 void renumberGoals(ScenarioDocument& document, const Diagnostic&, const QString& text) {
   std::vector<sim2d::GlobalGoal> goals = document.scenario().goals;
   std::stable_sort(goals.begin(), goals.end(),
                    [](const auto& a, const auto& b) { return a.id < b.id; });
-  std::map<int, int> numbers;  // a number that is there twice stays with the first
+  std::map<int, int> numbers;  // A duplicate number refers to the first goal that has it.
   Draft draft(document);
   int next = 1;
   for (sim2d::GlobalGoal& goal : goals) {
@@ -157,7 +158,8 @@ void renumberGoals(ScenarioDocument& document, const Diagnostic&, const QString&
   draft.push(text);
 }
 
-void leaveOutGoal(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+void removeGoalFromRoutes(ScenarioDocument& document, const Diagnostic& problem,
+                          const QString& text) {
   const int goal = std::stoi(problem.value("goal"));
   const auto without = [goal](std::vector<int> goals) {
     goals.erase(std::remove(goals.begin(), goals.end(), goal), goals.end());
@@ -170,19 +172,19 @@ void leaveOutGoal(ScenarioDocument& document, const Diagnostic& problem, const Q
   });
 }
 
-void giveFreeName(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+void assignUniqueName(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
   std::optional<Entity> value = document.entity(problem.entity);
   if (!value) {
     return;
   }
-  const std::string stem = allowedName(*value);
-  FreeNames names(document.scenario());
+  const std::string stem = sanitizedName(*value);
+  UniqueNames names(document.scenario());
   const bool usable = stem != nameOf(*value) && !names.isTaken(stem);
   setName(*value, usable ? stem : names.name(stem));
   pushEdit(document, {*std::move(value)}, text);
 }
 
-/// In a free place near the people, its goal on their other side.
+/// Adds a robot at a free position near the people, with its goal on their other side.
 void addRobot(ScenarioDocument& document, const Diagnostic&, const QString&) {
   const std::vector<sim2d::Human>& people = document.scenario().humans;
   Vec2 centre = Vec2::Zero();
@@ -223,15 +225,14 @@ void clampSkin(ScenarioDocument& document, const Diagnostic& problem, const QStr
   });
 }
 
-void writeWholeReaction(ScenarioDocument& document, const Diagnostic& problem,
-                        const QString& text) {
+void addReactionKeys(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
   pushChange<sim2d::Human>(document, problem.entity, text, [&document](sim2d::Human& human) {
-    completeReaction(document.scenario(), human);
+    addMissingReactionKeys(document.scenario(), human);
   });
 }
 
-/// "did you mean": what was meant, else the default.
-void useKnownWord(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+/// Uses the suggested value of a "did you mean" problem, or else the default.
+void useSuggestedValue(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
   const std::string nearest = problem.value("nearest");
   const std::optional<std::string> word = nearest.empty() ? std::nullopt : std::optional(nearest);
   const EntityId id = problem.entity;
@@ -244,7 +245,7 @@ void useKnownWord(ScenarioDocument& document, const Diagnostic& problem, const Q
                                [&](ScenarioSettings& settings) { settings.desktop.model = word; });
 }
 
-/// The one who is copied by a source that names nobody.
+/// The person that is copied by a source that names none.
 std::string firstPerson(const ScenarioDocument& document, const Diagnostic&) {
   const std::vector<sim2d::Human>& people = document.scenario().humans;
   return people.empty() ? std::string() : people.front().name;
@@ -269,32 +270,32 @@ void openPlane(ScenarioDocument& document, const Diagnostic&, const QString&) {
   pushOpenPlane(document);
 }
 
-void removeIt(ScenarioDocument& document, const Diagnostic& problem, const QString&) {
+void removeEntity(ScenarioDocument& document, const Diagnostic& problem, const QString&) {
   pushRemove(document, {problem.entity});
 }
 
-/// A hole in the map as wide as the door, through walls of up to half a metre.
-void openWall(ScenarioDocument& document, const Diagnostic& problem, const QString& words) {
-  constexpr double kReach = 0.3;  // [m] to each side of the door
+/// Opens the wall at a door over its full width, through walls of up to half a metre.
+void openWall(ScenarioDocument& document, const Diagnostic& problem, const QString& label) {
+  constexpr double kOpeningMargin = 0.3;  // Distance to each side of the door [m].
   const std::optional<Entity> entity = document.entity(problem.entity);
   const auto* door = entity ? std::get_if<sim2d::Door>(&*entity) : nullptr;
   if (door == nullptr) {
     return;
   }
   const Vec2 way = door->to - door->from;
-  const Vec2 inset = std::min(kReach / way.norm(), 0.45) * way;
+  const Vec2 inset = std::min(kOpeningMargin / way.norm(), 0.45) * way;
   MapStroke stroke(document.map());
-  stroke.paint(door->from + inset, door->to - inset, kReach, MapPaint::Free);
-  pushStroke(document, stroke, words);
+  stroke.paint(door->from + inset, door->to - inset, kOpeningMargin, MapPaint::Free);
+  pushStroke(document, stroke, label);
 }
 
-/// What the command line names, the scenario cannot mend.
+/// A map named on the command line cannot be fixed in the scenario.
 std::string ownMapFile(const ScenarioDocument&, const Diagnostic& problem) {
   return problem.value("key") == "map_file" ? "map_file" : std::string();
 }
 
-/// Radius or footprint of the local costmap, written into the scenario.
-void takeNav2Body(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+/// Copies radius or footprint of the local costmap into the scenario.
+void copyNav2Footprint(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
   pushChange<sim2d::Robot>(document, problem.entity, text, [&](sim2d::Robot& robot) {
     if (auto shaped = app::withNav2Body(robot, document.path().toStdString())) {
       robot = *std::move(shaped);
@@ -302,24 +303,24 @@ void takeNav2Body(ScenarioDocument& document, const Diagnostic& problem, const Q
   });
 }
 
-using Filling = std::function<std::string(const ScenarioDocument&, const Diagnostic&)>;
+using LabelValue = std::function<std::string(const ScenarioDocument&, const Diagnostic&)>;
 
-/// What the problem itself says.
-Filling said(const char* key) {
+/// A value stored in the problem.
+LabelValue problemValue(const char* key) {
   return [key](const ScenarioDocument&, const Diagnostic& problem) { return problem.value(key); };
 }
 
 struct Rule {
   std::vector<std::string_view> codes;
-  const char* words;
-  Action mend;  // none: it needs a hand
-  /// What fills the hole of the words; where it is empty the rule does not hold.
-  Filling value = nullptr;
+  const char* label;
+  Action fixAction;  // None: manual fix.
+  /// Value of the placeholder in the label. The rule does not apply if it is empty.
+  LabelValue value = nullptr;
 };
 
 std::vector<Rule> rules() {
   return {
-      {{"places.moved", "places.no-place"}, "Move it out of the wall", moveToFreePlace},
+      {{"places.moved", "places.no-place"}, "Move out of the wall", moveToFreePlace},
       {{"scenario.ids-not-in-order", "scenario.id-twice", "scenario.id-negative"},
        "Renumber people",
        renumberPeople},
@@ -328,43 +329,43 @@ std::vector<Rule> rules() {
        renumberGoals},
       {{"scenario.goal-undefined", "places.no-way"},
        "Remove goal %1 from the route",
-       leaveOutGoal,
-       said("goal")},
+       removeGoalFromRoutes,
+       problemValue("goal")},
       {{"places.no-way-to-point"}, "Remove the goal", edit<sim2d::Robot>([](sim2d::Robot& robot) {
          robot.goal.point.reset();
        })},
       {{"scenario.name-twice", "scenario.bad-person-name", "person.name-is-key",
         "scenario.bad-name"},
-       "Give another name",
-       giveFreeName},
+       "Rename",
+       assignUniqueName},
       {{"person.out-of-range", "person.vel-too-high"},
        "Clamp to the range",
        edit<sim2d::Human>(clampNumbers)},
       {{"person.skin-unknown"}, "Clamp to the range", clampSkin},
-      {{"person.behavior-incomplete"}, "Write these values", writeWholeReaction},
-      {{"person.no-init-pose"}, "Write the start 0, 0", edit<sim2d::Human>([](sim2d::Human& human) {
-         human.hasInitPose = true;
-       })},
-      {{"person.wait-count"}, "One wait for each goal", edit<sim2d::Human>([](sim2d::Human& human) {
+      {{"person.behavior-incomplete"}, "Add these values", addReactionKeys},
+      {{"person.no-init-pose"},
+       "Set the start to 0, 0",
+       edit<sim2d::Human>([](sim2d::Human& human) { human.hasInitPose = true; })},
+      {{"person.wait-count"}, "Set one wait per goal", edit<sim2d::Human>([](sim2d::Human& human) {
          human.ours.wait.resize(human.goals.size(), 0.0);
        })},
-      {{"person.no-goals"}, "Give goals…", {}},
-      {{"scenario.unknown-word"}, "Use '%1'", useKnownWord, said("nearest")},
-      {{"scenario.unknown-word"}, "Use the default", useKnownWord},
+      {{"person.no-goals"}, "Assign goals…", {}},
+      {{"scenario.unknown-word"}, "Use '%1'", useSuggestedValue, problemValue("nearest")},
+      {{"scenario.unknown-word"}, "Use the default", useSuggestedValue},
       {{"source.no-like", "source.like-unknown"}, "Copy %1", copyFirstPerson, firstPerson},
-      {{"source.no-rate"}, "One every 10 s", edit<sim2d::Area>([](sim2d::Area& area) {
+      {{"source.no-rate"}, "Set rate to 0.1 /s", edit<sim2d::Area>([](sim2d::Area& area) {
          area.rate = 0.1;
        })},
       {{"source.until-before-from"}, "Swap the times", edit<sim2d::Area>([](sim2d::Area& area) {
          std::swap(area.from, area.until);
        })},
-      {{"shape.door-without-length"}, "Remove it", removeIt},
+      {{"shape.door-without-length"}, "Remove", removeEntity},
       {{"places.door-in-wall"}, "Open the wall", openWall},
-      {{"scenario.map-name"}, "Write '%1'", writeMapName, plainMapName},
-      {{"map.not-found", "map.not-named"}, "Open plane", openPlane},
-      {{"map.not-there", "map.is-folder"}, "Open plane", openPlane, ownMapFile},
+      {{"scenario.map-name"}, "Set to '%1'", writeMapName, plainMapName},
+      {{"map.not-found", "map.not-named"}, "Use open plane", openPlane},
+      {{"map.not-there", "map.is-folder"}, "Use open plane", openPlane, ownMapFile},
       {{"scenario.no-robot"}, "Add a robot", addRobot},
-      {{"nav2.body-differs"}, "Take the body from the Nav2 file", takeNav2Body},
+      {{"nav2.body-differs"}, "Use the body in the Nav2 file", copyNav2Footprint},
   };
 }
 
@@ -381,12 +382,12 @@ std::optional<Fix> fixFor(const ScenarioDocument& document, const base::Diagnost
     if (!isMeant || (rule.value && value.empty())) {
       continue;
     }
-    QString words = QObject::tr(rule.words);
-    words.replace(QStringLiteral("%1"), QString::fromStdString(value));
-    Fix fix{words, {}};
-    if (rule.mend) {
-      fix.apply = [mend = rule.mend, problem, words](ScenarioDocument& edited) {
-        mend(edited, problem, words);
+    QString label = QObject::tr(rule.label);
+    label.replace(QStringLiteral("%1"), QString::fromStdString(value));
+    Fix fix{label, {}};
+    if (rule.fixAction) {
+      fix.apply = [fixAction = rule.fixAction, problem, label](ScenarioDocument& edited) {
+        fixAction(edited, problem, label);
       };
     }
     return fix;
@@ -395,11 +396,11 @@ std::optional<Fix> fixFor(const ScenarioDocument& document, const base::Diagnost
 }
 
 void applyToAll(ScenarioDocument& document, const base::Diagnostics& problems,
-                const QString& words) {
-  document.undoStack().beginMacro(words);
+                const QString& label) {
+  document.undoStack().beginMacro(label);
   for (const base::Diagnostic& problem : problems) {
     const std::optional<Fix> fix = fixFor(document, problem);
-    if (fix && fix->words == words && fix->apply) {
+    if (fix && fix->label == label && fix->apply) {
       fix->apply(document);
     }
   }

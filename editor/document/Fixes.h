@@ -9,23 +9,23 @@
 
 namespace editor {
 
-/// A way to mend a problem: the words of its button and one undoable step. Without `apply` it needs
-/// a hand: the button opens the assignment of goals.
+/// A fix for a problem: the label of its button and one undoable step. Without `apply` the fix is
+/// manual: the button opens the goal assignment.
 struct Fix {
-  QString words;
+  QString label;
   std::function<void(ScenarioDocument&)> apply;
 };
 
-/// How to mend a problem that checkScenario() told of this document; nothing for those that only a
-/// person can solve. Cheap: walls are looked at by `apply` alone.
+/// The fix for a problem that checkScenario() reported for this document; none if the user must
+/// decide. The call is cheap: only `apply` examines walls.
 std::optional<Fix> fixFor(const ScenarioDocument& document, const base::Diagnostic& problem);
 
-/// Mends all problems whose fix has these words as one undoable step. Each sees what the ones
-/// before have done.
+/// Fixes all problems with this label as one undoable step. Each fix sees the results of the
+/// previous ones.
 void applyToAll(ScenarioDocument& document, const base::Diagnostics& problems,
-                const QString& words);
+                const QString& label);
 
-/// What an editor may point at beside the errors: a scenario of people without a robot.
+/// Hints in addition to the errors: a scenario with people but without a robot.
 base::Diagnostics adviceFor(const sim2d::Scenario& scenario);
 
 }  // namespace editor

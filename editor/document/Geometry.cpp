@@ -10,7 +10,7 @@ namespace editor {
 
 namespace {
 
-/// What spans the place that an entity takes.
+/// The points that span the area of an entity.
 std::vector<Vec2> outlineOf(const Entity& entity) {
   const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
   if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
@@ -39,22 +39,22 @@ const std::vector<Vec2>* cornersOf(const Entity& entity) {
   return cornersOf(const_cast<Entity&>(entity));
 }
 
-bool hasOpenLine(const Entity& entity) {
+bool isOpenPolyline(const Entity& entity) {
   const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
   return obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Wall;
 }
 
-std::size_t fewestCorners(const Entity& entity) {
-  return hasOpenLine(entity) ? 2 : 3;
+std::size_t minimumCorners(const Entity& entity) {
+  return isOpenPolyline(entity) ? 2 : 3;
 }
 
-std::optional<std::size_t> edgeNear(const Entity& entity, const Vec2& point, double reach) {
+std::optional<std::size_t> outlineEdgeAt(const Entity& entity, const Vec2& point, double reach) {
   const std::vector<Vec2>* corners = cornersOf(entity);
   if (corners == nullptr || corners->size() < 2) {
     return std::nullopt;
   }
   std::optional<std::size_t> found;
-  const std::size_t count = hasOpenLine(entity) ? corners->size() - 1 : corners->size();
+  const std::size_t count = isOpenPolyline(entity) ? corners->size() - 1 : corners->size();
   for (std::size_t i = 0; i < count; ++i) {
     const sim2d::Segment edge{(*corners)[i], (*corners)[(i + 1) % corners->size()]};
     const double distance = sim2d::distanceToSegment(edge, point);
@@ -84,7 +84,7 @@ std::optional<Extent> extentOf(const Entity& entity) {
 
 double rounded(double metres) {
   constexpr double kPerMetre = 1e6;
-  return std::round(metres * kPerMetre) / kPerMetre + 0.0;  // 0, not -0
+  return std::round(metres * kPerMetre) / kPerMetre + 0.0;  // Avoids -0.
 }
 
 Vec2 rounded(const Vec2& point) {
@@ -93,7 +93,7 @@ Vec2 rounded(const Vec2& point) {
 
 namespace {
 
-constexpr double kFrame = 1.25;  // half side of a person's frame in radii
+constexpr double kFrame = 1.25;  // Half side of a person's selection frame in body radii.
 constexpr double kSmallest = 0.1, kLargestBody = 2.0;
 constexpr std::array<std::array<double, 2>, 4> kCorners = {
     {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}};
@@ -114,7 +114,7 @@ void addCorners(std::vector<Handle>& handles, const Pose2& pose, const Vec2& hal
   }
 }
 
-/// The corner opposite to the pulled one stays where it is.
+/// The corner opposite to the dragged one stays fixed.
 void resizeBox(sim2d::Obstacle& box, int corner, const Vec2& to, bool fine) {
   const Vec2 sign = cornerSign(corner);
   const Vec2 fixed = box.pose.toWorld(-0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
@@ -125,8 +125,8 @@ void resizeBox(sim2d::Obstacle& box, int corner, const Vec2& to, bool fine) {
       Pose2{fixed, box.pose.heading}.toWorld(0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
 }
 
-/// Each of its points can be pulled, and a handle above it turns the whole.
-bool isMadeOfPoints(const Entity& entity) {
+/// Returns true if each point of the entity can be dragged and one handle above rotates the whole.
+bool hasEditableVertices(const Entity& entity) {
   return cornersOf(entity) != nullptr || kindOf(entity) == EntityKind::Door;
 }
 
@@ -151,7 +151,7 @@ std::vector<Handle> handlesOf(const Entity& entity, const HandleSizes& sizes) {
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
     const double half = kFrame * sizes.bodyRadius;
     addCorners(handles, {human->initPose.position, 0.0}, {half, half});
-  } else if (isMadeOfPoints(entity)) {
+  } else if (hasEditableVertices(entity)) {
     for (const Vec2& point : outlineOf(entity)) {
       handles.push_back({Handle::Kind::Vertex, static_cast<int>(handles.size()), point});
     }
@@ -173,14 +173,14 @@ std::vector<Handle> handlesOf(const Entity& entity, const HandleSizes& sizes) {
     }
     const Pose2 pose{*positionOf(entity), *heading};
     handles.push_back({Handle::Kind::Turn, 0, pose.ahead(distance)});
-  } else if (const auto extent = extentOf(entity); extent && isMadeOfPoints(entity)) {
+  } else if (const auto extent = extentOf(entity); extent && hasEditableVertices(entity)) {
     const Vec2 top(extent->centre().x(), extent->high.y() + sizes.turnDistance);
     handles.push_back({Handle::Kind::Turn, 0, top});
   }
   return handles;
 }
 
-Entity pulled(const Entity& entity, const Handle& handle, const Vec2& to, bool fine) {
+Entity withHandleMoved(const Entity& entity, const Handle& handle, const Vec2& to, bool fine) {
   Entity result = entity;
   switch (handle.kind) {
     case Handle::Kind::Turn: {
@@ -188,7 +188,7 @@ Entity pulled(const Entity& entity, const Handle& handle, const Vec2& to, bool f
       constexpr double kDegree = base::kPi / 180.0;
       const double exact = base::headingOf(to - centre);
       const double heading = fine ? exact : std::round(exact / kDegree) * kDegree;
-      return headingOf(entity) ? turned(std::move(result), heading)
+      return headingOf(entity) ? withHeading(std::move(result), heading)
                                : rotated(std::move(result), centre, heading - 0.5 * base::kPi);
     }
     case Handle::Kind::Size:

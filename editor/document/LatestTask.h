@@ -10,14 +10,14 @@
 
 #include <QTimer>
 
-#include "sim2d/base/Stop.h"
+#include "sim2d/base/StopFlag.h"
 
 namespace editor {
 
-/// Work beside the GUI thread where only the newest request counts: requests that come while one is
-/// being worked on replace each other. The work runs in a thread of its own, behind the window's,
-/// and holds copies of all that it needs; the result is handed over in the GUI thread. Destruction
-/// waits for the work and delivers nothing. What ends by `base::Stopped` delivers nothing.
+/// Background work where only the newest request counts: a request that arrives during the work
+/// replaces the waiting one. The work runs in a separate low-priority thread and holds copies of
+/// all that it needs. The result is delivered in the GUI thread. The destructor waits for the work
+/// and delivers nothing. Work that ends with `base::Stopped` delivers nothing.
 template <class T>
 class LatestTask {
  public:
@@ -33,8 +33,8 @@ class LatestTask {
       return;
     }
     running_ = std::async(std::launch::async, [work = std::move(work)] {
-      // The thread gives way to the window's; where that is not allowed it goes on as it was.
-      constexpr int kPatience = 10;  // as of `nice`, which Linux weighs thread by thread
+      // Lowers the priority of this thread below that of the GUI thread; a failure is ignored.
+      constexpr int kPatience = 10;  // Nice value, which Linux applies per thread.
       ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kPatience);
       return work();
     });
@@ -43,20 +43,20 @@ class LatestTask {
 
   bool isBusy() const { return running_.valid(); }
 
-  /// Discards the results of all earlier requests. Does not wait.
+  /// Discards the results of all earlier requests. Does not block.
   void forget() {
     waiting_ = nullptr;
     isForgotten_ = running_.valid();
   }
 
-  /// Waits for all that was requested and delivers it.
+  /// Blocks until all requested work is done and delivers it.
   void finish() {
     while (running_.valid()) {
       take();
     }
   }
-  /// Waits for what is being worked on; neither that nor what waits is delivered. For destructors
-  /// of owners, whose receivers may be half gone.
+  /// Blocks until the current work is done. Neither its result nor that of waiting work is
+  /// delivered. For destructors of owners whose receivers may be partly destroyed.
   void abandon() {
     poll_.stop();
     waiting_ = nullptr;
@@ -65,7 +65,7 @@ class LatestTask {
       running_ = {};
     }
   }
-  /// The same as `finish`, but no longer than this; what is not done by then is delivered later.
+  /// Like `finish`, but with a time limit. Work that is not done by then is delivered later.
   void finishWithin(std::chrono::milliseconds patience) {
     const auto end = std::chrono::steady_clock::now() + patience;
     while (running_.valid() && running_.wait_until(end) == std::future_status::ready) {
@@ -84,7 +84,7 @@ class LatestTask {
     }
     poll_.stop();
     const bool isWanted = !std::exchange(isForgotten_, false);
-    if (waiting_) {  // the result is out of date already; still better than an older one
+    if (waiting_) {  // The result is already outdated, but still better than an older one.
       start(std::exchange(waiting_, nullptr));
     }
     if (result && isWanted) {
@@ -95,7 +95,7 @@ class LatestTask {
   std::function<void(T)> deliver_;
   std::future<T> running_;
   std::function<T()> waiting_;
-  bool isForgotten_ = false;  // the work that is running
+  bool isForgotten_ = false;  // Applies to the running work.
   QTimer poll_;
 };
 

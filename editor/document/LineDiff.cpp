@@ -9,17 +9,17 @@ namespace editor {
 namespace {
 
 using Lines = std::vector<std::string>;
-constexpr std::size_t kMostPairs = 16'000'000;  // 4000 x 4000 lines that differ
+constexpr std::size_t kMaxPairs = 16'000'000;  // 4000 x 4000 differing lines.
 
 Lines linesOf(const std::string& text) {
   Lines lines = base::split(text, '\n');
   if (!lines.empty() && lines.back().empty()) {
-    lines.pop_back();  // a newline at the end begins no line
+    lines.pop_back();  // A trailing newline does not begin another line.
   }
   return lines;
 }
 
-/// Length of the longest common subsequence of the lines from (i, j) on, for all i, j.
+/// Length of the longest common subsequence of the lines from (i, j) to the ends, for all i, j.
 std::vector<std::vector<int>> commonLengths(const Lines& left, const Lines& right) {
   std::vector<std::vector<int>> lengths(left.size() + 1, std::vector<int>(right.size() + 1));
   for (std::size_t i = left.size(); i-- > 0;) {
@@ -31,9 +31,9 @@ std::vector<std::vector<int>> commonLengths(const Lines& left, const Lines& righ
   return lengths;
 }
 
-/// How to get from one to the other; texts that are too large are exchanged as a whole.
-std::vector<DiffLine::Kind> stepsBetween(const Lines& left, const Lines& right) {
-  const bool isSmall = (left.size() + 1) * (right.size() + 1) <= kMostPairs;
+/// The edit steps from one text to the other. Large texts are replaced as a whole.
+std::vector<DiffLine::Kind> editSteps(const Lines& left, const Lines& right) {
+  const bool isSmall = (left.size() + 1) * (right.size() + 1) <= kMaxPairs;
   const auto common = isSmall ? commonLengths(left, right) : std::vector<std::vector<int>>();
   std::vector<DiffLine::Kind> steps;
   std::size_t i = 0;
@@ -62,12 +62,12 @@ std::vector<DiffLine> lineDiff(const std::string& left, const std::string& right
                                  std::make_reverse_iterator(begin.second));
   std::vector<DiffLine::Kind> steps(static_cast<std::size_t>(begin.first - a.begin()));
   const auto middle =
-      stepsBetween(Lines(begin.first, end.first.base()), Lines(begin.second, end.second.base()));
+      editSteps(Lines(begin.first, end.first.base()), Lines(begin.second, end.second.base()));
   steps.insert(steps.end(), middle.begin(), middle.end());
   steps.resize(steps.size() + static_cast<std::size_t>(end.first - a.rbegin()));
 
   std::vector<DiffLine> lines;
-  std::size_t i = 0;  // lines of each text that have been told
+  std::size_t i = 0;  // Numbers of lines already written for each text.
   std::size_t j = 0;
   for (const DiffLine::Kind kind : steps) {
     i += kind == DiffLine::Kind::Added ? 0 : 1;

@@ -5,16 +5,16 @@
 
 namespace editor {
 
-/// A line of two texts laid side by side.
+/// One line of a side-by-side comparison of two texts.
 struct DiffLine {
   enum class Kind { Same, Removed, Added };
   Kind kind = Kind::Same;
-  int left = 0, right = 0;  // line numbers from 1; 0 = not there
+  int left = 0, right = 0;  // Line numbers from 1; 0 = not present.
   std::string text;
 };
 
-/// The fewest lines to take out of `left` and put in to get `right`; texts too large for that:
-/// everything between their common beginning and end counts as changed.
+/// The minimal set of removed and added lines that turns `left` into `right`. For texts too large
+/// for that, everything between their common prefix and suffix counts as changed.
 std::vector<DiffLine> lineDiff(const std::string& left, const std::string& right);
 
 }  // namespace editor

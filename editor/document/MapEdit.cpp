@@ -12,7 +12,7 @@ namespace editor {
 
 namespace {
 
-/// Redo and undo do the same: what is there changes places with what is kept.
+/// Redo and undo are the same operation: they exchange the current with the stored state.
 class SwapCommand : public QUndoCommand {
  public:
   SwapCommand(const QString& text, std::function<void()> swap)
@@ -30,7 +30,7 @@ MapStroke::MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before)
     : before_(std::move(before)), cells_(before_->cells()) {}
 
 void MapStroke::paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint) {
-  // cell coordinates, where the map may be turned but squares stay squares
+  // Cell coordinates, in which a rotated map has square cells.
   const Vec2 start = before_->worldToCorner(from);
   const Vec2 end = before_->worldToCorner(to);
   const double reach = std::max(radius / before_->resolution(), 0.5);
@@ -67,7 +67,7 @@ void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings
   EntitySlot slot{Entity(std::move(settings)), -1};
   const auto swap = [&document, map = std::move(map), slot = std::move(slot)]() mutable {
     slot = document.exchange(kSettingsId, std::move(slot));
-    map = document.exchangeMap(std::move(map));  // who hears of it reads the settings
+    map = document.exchangeMap(std::move(map));  // Receivers of the signal read the settings.
   };
   document.undoStack().push(new SwapCommand(text, swap));
 }
@@ -76,7 +76,7 @@ void pushOpenPlane(ScenarioDocument& document) {
   ScenarioSettings settings = std::get<ScenarioSettings>(*document.entity(kSettingsId));
   settings.desktop.mapFile = "none";
   pushMap(document, {std::make_shared<sim2d::OccupancyGrid>(), {}, false, {}}, std::move(settings),
-          QObject::tr("Open plane"));
+          QObject::tr("Use open plane"));
 }
 
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text) {

@@ -6,17 +6,17 @@
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/map/MapReader.h"
 
-/// Changing the map under the scenario, undoably.
+/// Undoable changes of the map.
 namespace editor {
 
-/// What a brush leaves behind, as values of cells.
+/// The cell values that a brush writes.
 enum class MapPaint { Free = 0, Occupied = 100, Unknown = -1 };
 
-/// Cells that were painted and what they become; apart from the map until pushed.
+/// The painted cells and their new values, separate from the map until pushed.
 class MapStroke {
  public:
   explicit MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before);
-  /// All cells whose centres lie within `radius` of the way from `from` to `to` [m].
+  /// Paints all cells whose centres lie within `radius` of the segment from `from` to `to` [m].
   void paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint);
   struct CellChange {
     std::size_t index;
@@ -30,20 +30,20 @@ class MapStroke {
   std::vector<std::int8_t> cells_;
 };
 
-/// Another map, with the settings that name it.
+/// Replaces the map, together with the settings that name it.
 void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
              const QString& text);
-/// No map any more, and the scenario says so.
+/// Removes the map and its name from the scenario.
 void pushOpenPlane(ScenarioDocument& document);
-/// Nothing is pushed when no cell would change, or the map has changed under the brush.
+/// Pushes nothing if no cell would change, or if the map has been replaced during the stroke.
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text);
 
-/// A room with walls one cell thick around width x height of free ground [m], lower left corner of
-/// the free ground at (0, 0).
+/// A room with one-cell walls around a free area of width x height [m]; the lower left corner of
+/// the free area is at (0, 0).
 std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double height,
                                                       double resolution = 0.05);
-/// An image without a YAML file: dark is occupied, bright is free, as nav2 reads it; `resolution`
-/// [m], lower left corner at (0, 0).
+/// A map from an image without a YAML file: dark is occupied and bright is free, as in nav2;
+/// `resolution` [m], lower left corner at (0, 0).
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,
                                                                       double resolution);
 

@@ -1,12 +1,15 @@
 #include "editor/document/PersonTree.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "bt/human/AgentTreeCheck.h"
-#include "bt/human/Templates.h"
+#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeGenerator.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/TreeFiles.h"
 
 namespace editor {
 
@@ -14,8 +17,8 @@ namespace {
 
 constexpr const char* kRegularTree = "RegularNavTree";
 
-/// A file with its includes; those that cannot be found are left out but for the one that all
-/// generated trees have.
+/// A file with its includes. Missing includes are left out, except for the one that all generated
+/// trees include.
 bt::TreeTable tableOf(const ScenarioDocument& document, const bt::TreeFile& file) {
   if (!document.path().isEmpty()) {
     bt::TreeFile placed = file;
@@ -43,7 +46,7 @@ bool sameTrees(const bt::TreeFile& a, const bt::TreeFile& b) {
   return a.trees == b.trees && a.mainTree == b.mainTree;
 }
 
-bt::TreeFile madeTree(const ScenarioDocument& document, const sim2d::Human& human) {
+bt::TreeFile generatedTreeFile(const ScenarioDocument& document, const sim2d::Human& human) {
   return bt::makeTree(document.scenario(), human, treeCatalogue());
 }
 
@@ -54,18 +57,18 @@ bt::TreeSpec* mainTreeOf(bt::TreeFile& file) {
   return file.trees.size() == 1 ? &file.trees.front() : nullptr;
 }
 
-bool isMadeWithBlocks(const ScenarioDocument& document, const sim2d::Human& human,
-                      const std::string& own, bt::TreeFile file) {
+bool isGeneratedWithBlocks(const ScenarioDocument& document, const sim2d::Human& human,
+                           const std::string& own, bt::TreeFile file) {
   bt::TreeSpec* tree = mainTreeOf(file);
-  return !hasCommentsBeyond(own, generatedTree(document.scenario(), human)) && tree != nullptr &&
-         bt::setBlocks(*tree, {}) && sameTrees(file, madeTree(document, human));
+  return !hasExtraComments(own, generatedTree(document.scenario(), human)) && tree != nullptr &&
+         bt::setBlocks(*tree, {}) && sameTrees(file, generatedTreeFile(document, human));
 }
 
-/// Nothing when it is what behaviour and goals make.
-std::optional<std::string> ownText(const ScenarioDocument& document, EntityId person,
-                                   const bt::TreeFile& file) {
+/// None if the tree equals the one generated from behaviour and goals.
+std::optional<std::string> customTreeText(const ScenarioDocument& document, EntityId person,
+                                          const bt::TreeFile& file) {
   const sim2d::Human* human = document.human(person);
-  if (human != nullptr && sameTrees(file, madeTree(document, *human))) {
+  if (human != nullptr && sameTrees(file, generatedTreeFile(document, *human))) {
     return std::nullopt;
   }
   const std::optional<std::string> own = document.tree(person);
@@ -74,14 +77,14 @@ std::optional<std::string> ownText(const ScenarioDocument& document, EntityId pe
 
 void pushFile(ScenarioDocument& document, EntityId person, const bt::TreeFile& file,
               const QString& text) {
-  pushTreeText(document, person, ownText(document, person, file), text);
+  pushTreeText(document, person, customTreeText(document, person, file), text);
 }
 
 OutlineNode rootOf(const PersonTree& tree, const bt::TreeTable::Entry& entry, int parent) {
   return {&entry.tree.root, parent, entry.tree.id, {}, tree.file.find(entry.tree.id) != nullptr};
 }
 
-/// A node with all that is below it.
+/// Adds a node and all its descendants.
 void addNode(std::vector<OutlineNode>& nodes, const PersonTree& tree, const OutlineNode& node,
              int depth) {
   constexpr int kDeepest = 64;
@@ -122,11 +125,11 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   }
   const std::optional<std::string> own = document.tree(person);
   if (!own) {
-    result.file = madeTree(document, *human);
+    result.file = generatedTreeFile(document, *human);
     result.table = tableOf(document, result.file);
     return result;
   }
-  result.isOwn = true;
+  result.isCustom = true;
   const base::Result<bt::TreeFile> read = bt::readTreeText(*own, displayName(*human).toStdString());
   result.problems = read.diagnostics();
   if (!read) {
@@ -134,29 +137,29 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   }
   result.file = *read;
   result.table = tableOf(document, result.file);
-  result.isMadeWithBlocks = isMadeWithBlocks(document, *human, *own, result.file);
+  result.isGeneratedWithBlocks = isGeneratedWithBlocks(document, *human, *own, result.file);
   base::append(result.problems, bt::diagnosticsOf(bt::checkTrees(result.table, treeCatalogue())));
   base::append(result.problems,
                bt::checkAgentTree(result.table, *human, document.scenario(), treeCatalogue()));
   const bool canSetGoals = result.mainTree() != nullptr && result.mainTree()->root.id == "Fallback";
-  result.hasOtherGoals = canSetGoals && bt::goalsOfTree(result.table) != human->goals;
+  result.hasDifferentGoals = canSetGoals && bt::treeGoals(result.table) != human->goals;
   return result;
 }
 
-bool hasFollowingTree(const ScenarioDocument& document, EntityId person) {
+bool hasAutoUpdatedTree(const ScenarioDocument& document, EntityId person) {
   const std::optional<std::string> own = document.tree(person);
   const sim2d::Human* human = document.human(person);
   if (!own || human == nullptr) {
     return false;
   }
   const base::Result<bt::TreeFile> file = bt::readTreeText(*own);
-  return file && isMadeWithBlocks(document, *human, *own, *file);
+  return file && isGeneratedWithBlocks(document, *human, *own, *file);
 }
 
 std::vector<OutlineNode> outlineOf(const PersonTree& tree) {
   std::vector<OutlineNode> nodes;
   const bt::TreeTable::Entry* main = tree.table.find(tree.table.mainTree);
-  if (main == nullptr && !tree.file.trees.empty()) {  // not said which runs: to look at and edit
+  if (main == nullptr && !tree.file.trees.empty()) {  // No main tree is set: show the first.
     main = tree.table.find(tree.file.trees.front().id);
   }
   if (main != nullptr && !main->tree.root.id.empty()) {
@@ -178,7 +181,7 @@ std::vector<std::string> recordedNames(const std::vector<OutlineNode>& nodes) {
         names[parent] + "/" +
         (above.isSubTree()
              ? node.node->label()
-             : bt::siblingNames(above.children)[static_cast<std::size_t>(node.path.back())]));
+             : bt::uniqueChildLabels(above.children)[static_cast<std::size_t>(node.path.back())]));
   }
   return names;
 }
@@ -194,7 +197,7 @@ void pushTreeFile(ScenarioDocument& document, const std::vector<EntityId>& peopl
                   const bt::TreeFile& file, const QString& text) {
   std::vector<TreeEdit> edits;
   for (const EntityId person : people) {
-    std::optional<std::string> own = ownText(document, person, file);
+    std::optional<std::string> own = customTreeText(document, person, file);
     if (document.human(person) != nullptr && own != document.tree(person)) {
       edits.push_back({person, std::move(own)});
     }
@@ -215,7 +218,7 @@ std::vector<EntityId> peopleWithTreeOf(const ScenarioDocument& document, EntityI
   return people;
 }
 
-void pushTreesAnew(ScenarioDocument& document, const std::vector<EntityId>& people) {
+void pushRegeneratedTrees(ScenarioDocument& document, const std::vector<EntityId>& people) {
   std::vector<TreeEdit> edits;
   for (const EntityId person : people) {
     if (document.tree(person)) {
@@ -223,7 +226,7 @@ void pushTreesAnew(ScenarioDocument& document, const std::vector<EntityId>& peop
     }
   }
   if (!edits.empty()) {
-    pushTrees(document, std::move(edits), QObject::tr("Make the tree anew"));
+    pushTrees(document, std::move(edits), QObject::tr("Regenerate tree"));
   }
 }
 
@@ -235,7 +238,8 @@ void pushPort(ScenarioDocument& document, EntityId person, const OutlineNode& no
   if (found == nullptr) {
     return;
   }
-  text.empty() ? bt::removeText(found->ports, port) : bt::setText(found->ports, port, text);
+  text.empty() ? bt::removeAttribute(found->ports, port)
+               : bt::setAttribute(found->ports, port, text);
   pushFile(document, person, tree.file,
            QObject::tr("Change %1 of %2")
                .arg(QString::fromStdString(port), QString::fromStdString(found->label())));
@@ -251,7 +255,7 @@ void pushBlocks(ScenarioDocument& document, EntityId person, const std::vector<b
 
 void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& people,
                   const bt::Block& block) {
-  const bt::BlockKind* kind = bt::blockKind(block.id);
+  const bt::BlockType* kind = bt::blockType(block.id);
   if (kind == nullptr || people.empty()) {
     return;
   }
@@ -262,7 +266,7 @@ void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& peopl
       std::vector<bt::Block> blocks = bt::blocksOf(*spec);
       blocks.push_back(block);
       if (bt::setBlocks(*spec, blocks)) {
-        edits.push_back({person, ownText(document, person, tree.file)});
+        edits.push_back({person, customTreeText(document, person, tree.file)});
       }
     }
   }
@@ -274,8 +278,8 @@ void pushGoalsOfRoute(ScenarioDocument& document, EntityId person) {
   PersonTree tree = personTree(document, person);
   const sim2d::Human* human = document.human(person);
   bt::TreeSpec* spec = tree.mainTree();
-  if (human != nullptr && spec != nullptr && bt::setGoalsOf(*spec, human->goals)) {
-    pushFile(document, person, tree.file, QObject::tr("Put the route into the tree"));
+  if (human != nullptr && spec != nullptr && bt::setTreeGoals(*spec, human->goals)) {
+    pushFile(document, person, tree.file, QObject::tr("Copy route to tree"));
   }
 }
 
@@ -286,21 +290,91 @@ std::string treeText(const ScenarioDocument& document, EntityId person) {
                                  : generatedTree(document.scenario(), *human);
 }
 
-std::optional<std::string> followedTree(const ScenarioDocument& document,
-                                        const sim2d::Human& after) {
+std::optional<std::string> updatedTree(const ScenarioDocument& document,
+                                       const sim2d::Human& after) {
   const std::optional<std::string> own = document.tree(after.key);
   const sim2d::Human* before = document.human(after.key);
   if (!own || before == nullptr) {
     return std::nullopt;
   }
   const base::Result<bt::TreeFile> file = bt::readTreeText(*own);
-  if (!file || !isMadeWithBlocks(document, *before, *own, *file)) {
+  if (!file || !isGeneratedWithBlocks(document, *before, *own, *file)) {
     return std::nullopt;
   }
   bt::TreeFile old = *file;
-  bt::TreeFile made = madeTree(document, after);
+  bt::TreeFile made = generatedTreeFile(document, after);
   bt::setBlocks(*mainTreeOf(made), bt::blocksOf(*mainTreeOf(old)));
   return sameTrees(made, old) ? std::nullopt : std::optional(bt::writeTree(made, treeCatalogue()));
+}
+
+namespace {
+
+/// The words of all comments, without the whitespace around and between them.
+std::vector<std::string> commentsIn(std::string_view xml) {
+  constexpr std::string_view kBegin = "<!--";
+  constexpr std::string_view kEnd = "-->";
+  std::vector<std::string> comments;
+  for (std::size_t at = xml.find(kBegin); at != std::string_view::npos; at = xml.find(kBegin, at)) {
+    const std::size_t begin = at + kBegin.size();
+    const std::size_t end = std::min(xml.find(kEnd, begin), xml.size());
+    std::string& words = comments.emplace_back();
+    for (const char c : xml.substr(begin, end - begin)) {
+      if (c != ' ' && c != '\t' && c != '\r' && c != '\n') {
+        words += c;
+      }
+    }
+    at = end;
+  }
+  std::sort(comments.begin(), comments.end());
+  return comments;
+}
+
+}  // namespace
+
+const bt::NodeCatalogue& treeCatalogue() {
+  static const bt::NodeLibrary library = bt::humanNodes();
+  return library.catalogue();
+}
+
+std::string treeFolderOf(const std::string& scenarioPath) {
+  const std::filesystem::path folder = std::filesystem::path(scenarioPath).parent_path();
+  return folder.filename() == "scenarios" ? (folder.parent_path() / "behavior_trees").string()
+                                          : folder.string();
+}
+
+std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                          bt::TreeStyle style) {
+  return bt::makeTreeText(scenario, human, style, treeCatalogue());
+}
+
+bool hasExtraComments(const std::string& xml, const std::string& made) {
+  const std::vector<std::string> known = commentsIn(made);
+  const std::vector<std::string> found = commentsIn(xml);
+  return !std::includes(known.begin(), known.end(), found.begin(), found.end());
+}
+
+std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
+                                            const sim2d::Human& human) {
+  const base::Result<bt::TreeFile> found = bt::readTreeText(xml);
+  if (!found) {
+    return std::nullopt;  // A broken file is kept unchanged; running it reports the problem.
+  }
+  for (const bt::TreeStyle style : {bt::TreeStyle::Corrected, bt::TreeStyle::Hunav2}) {
+    const std::string text = generatedTree(scenario, human, style);
+    const base::Result<bt::TreeFile> made = bt::readTreeText(text);
+    if (made && *made == *found && !hasExtraComments(xml, text)) {
+      return style;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<base::FileContent> missingIncludedTree(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / bt::kRegularNavFile).string();
+  if (std::filesystem::exists(path)) {
+    return std::nullopt;
+  }
+  return base::FileContent{path, bt::regularNavText(treeCatalogue())};
 }
 
 }  // namespace editor

@@ -4,69 +4,94 @@
 #include <string>
 #include <vector>
 
-#include "bt/human/Blocks.h"
+#include "bt/human/BehaviorBlocks.h"
+#include "bt/human/TreeGenerator.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeSpec.h"
 #include "editor/document/ScenarioDocument.h"
+#include "sim2d/base/Files.h"
+#include "sim2d/scenario/Scenario.h"
 
 namespace editor {
 
-/// The behaviour tree of a person as it counts: made from behaviour and goals, or their own.
+/// The effective behaviour tree of a person: generated from behaviour and goals, or custom.
 struct PersonTree {
-  bool isOwn = false;
-  /// Without its blocks it is what behaviour and goals make: it follows when those change.
-  bool isMadeWithBlocks = false;
+  bool isCustom = false;
+  /// Without its blocks the tree equals the generated one, so it is updated when behaviour or goals
+  /// change.
+  bool isGeneratedWithBlocks = false;
   bt::TreeFile file;
-  bt::TreeTable table;         // with what it includes
-  base::Diagnostics problems;  // XML that cannot be read, unknown nodes …, goals of another route
-  bool hasOtherGoals = false;  // than the route of the scenario
+  bt::TreeTable table;             // Includes the included files.
+  base::Diagnostics problems;      // Unreadable XML, unknown nodes …, goals of another route.
+  bool hasDifferentGoals = false;  // The goals of the tree differ from the route of the scenario.
 
   bt::TreeSpec* mainTree();
   const bt::TreeSpec* mainTree() const;
 };
 PersonTree personTree(const ScenarioDocument& document, EntityId person);
-/// An own tree that is made with blocks.
-bool hasFollowingTree(const ScenarioDocument& document, EntityId person);
+/// Returns true for a custom tree that consists of the generated tree and blocks.
+bool hasAutoUpdatedTree(const ScenarioDocument& document, EntityId person);
 
-/// A node of the tree, SubTrees followed. The place in the list is the number that frames of a run
-/// give the node.
+/// A node of the tree, with SubTrees expanded. Its index in the list is the node number in the
+/// frames of a run.
 struct OutlineNode {
-  const bt::NodeSpec* node = nullptr;  // within PersonTree::table
+  const bt::NodeSpec* node = nullptr;  // Points into PersonTree::table.
   int parent = -1;
-  std::string tree;         // ID of the tree that holds it
-  bt::NodePath path;        // in that tree
-  bool isEditable = false;  // it stands in the person's own file, not in an included one
+  std::string tree;         // ID of the tree that contains the node.
+  bt::NodePath path;        // Path within that tree.
+  bool isEditable = false;  // The node is in the person's file, not in an included one.
 };
 std::vector<OutlineNode> outlineOf(const PersonTree& tree);
-/// The names by which records know them: "MainFallback/SetGoals/RunOnce[2]".
+/// Node names as used in recordings: "MainFallback/SetGoals/RunOnce[2]".
 std::vector<std::string> recordedNames(const std::vector<OutlineNode>& nodes);
 
-/// Each is one command and makes the tree the person's own, or back again when it is what behaviour
-/// and goals make.
+/// Each function pushes one command. The tree becomes custom, or generated again if it equals the
+/// tree generated from behaviour and goals.
 void pushPort(ScenarioDocument& document, EntityId person, const OutlineNode& node,
               const std::string& port, const std::string& text);
-/// The file as it is to be, of all these people; what it does not change stays as it is written.
-/// They become people with trees of their own, or with made ones where it is what theirs would be.
+/// Sets the tree file of all these people; unchanged parts keep their text. Their trees become
+/// custom, or generated where the file equals the generated tree.
 void pushTreeFile(ScenarioDocument& document, const std::vector<EntityId>& people,
                   const bt::TreeFile& file, const QString& text);
-/// The person and all others whose own tree is the same text; the person alone without one.
+/// The person and all others whose custom tree has the same text; only the person if their tree is
+/// generated.
 std::vector<EntityId> peopleWithTreeOf(const ScenarioDocument& document, EntityId person);
 void pushBlocks(ScenarioDocument& document, EntityId person, const std::vector<bt::Block>& blocks);
-/// Adds a block to several people at once, or replaces the one at `index` (of one person).
+/// Adds a block for several people, or replaces the one at `index` (one person only).
 void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& people,
                   const bt::Block& block);
-/// The goals of the scenario's route into the tree.
+/// Copies the goals of the scenario's route into the tree.
 void pushGoalsOfRoute(ScenarioDocument& document, EntityId person);
-/// Another text, or none for the tree that is made.
+/// Sets the XML text; none = the generated tree.
 void pushTreeText(ScenarioDocument& document, EntityId person, std::optional<std::string> xml,
                   const QString& text);
-/// The trees that behaviour and goals make, for all of these people in one command.
-void pushTreesAnew(ScenarioDocument& document, const std::vector<EntityId>& people);
-/// As it is written into the tree file.
+/// Restores the generated trees of all these people in one command.
+void pushRegeneratedTrees(ScenarioDocument& document, const std::vector<EntityId>& people);
+/// The text as it is written to the tree file.
 std::string treeText(const ScenarioDocument& document, EntityId person);
 
-/// For a person whose tree is made with blocks: the text after the person has changed to `after`;
-/// nothing when the tree does not follow or stays the same.
-std::optional<std::string> followedTree(const ScenarioDocument& document,
-                                        const sim2d::Human& after);
+/// The updated text of a generated tree with blocks after the person has changed to `after`; none
+/// if the tree is not updated automatically or stays the same.
+std::optional<std::string> updatedTree(const ScenarioDocument& document, const sim2d::Human& after);
+
+/// All nodes available in the trees of people.
+const bt::NodeCatalogue& treeCatalogue();
+
+/// The folder for the trees of a scenario file: ../behavior_trees if its own folder is called
+/// scenarios.
+std::string treeFolderOf(const std::string& scenarioPath);
+
+/// XML of the tree generated from the behaviour and goals of a person.
+std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                          bt::TreeStyle style = bt::TreeStyle::Corrected);
+/// Returns true if `xml` contains comments that `made` does not have; the parsed tree has no
+/// comments.
+bool hasExtraComments(const std::string& xml, const std::string& made);
+/// The generator style (corrected or original) whose tree of this person has the same meaning as
+/// the text and contains all of its comments.
+std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
+                                            const sim2d::Human& human);
+/// The fixed tree file that generated trees include; none if the folder already has one.
+std::optional<base::FileContent> missingIncludedTree(const std::string& folder);
 
 }  // namespace editor

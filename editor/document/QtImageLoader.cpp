@@ -11,13 +11,13 @@ namespace editor {
 
 namespace {
 
-/// All is grey and opaque, by the format alone.
+/// Returns true if the format implies grey, opaque pixels.
 bool isGrey(const QImage& image) {
   return image.format() == QImage::Format_Grayscale8 ||
          image.format() == QImage::Format_Grayscale16;
 }
 
-/// Row by row: a wide copy of a large image would take a gigabyte.
+/// Converts row by row: a wide copy of a large image would take a gigabyte.
 sim2d::MapImage toMapImage(const QImage& image) {
   sim2d::MapImage result;
   result.width = image.width();
@@ -33,7 +33,7 @@ sim2d::MapImage toMapImage(const QImage& image) {
     return result;
   }
   const int shift = deep ? 0 : 8;
-  const int step = result.isGrey ? 4 : 1;  // of the channels only the first
+  const int step = result.isGrey ? 4 : 1;  // Uses only the first of four channels.
   result.readRow = [image, shift, step](int row, std::uint16_t* values) {
     const QImage wide = image.copy(0, row, image.width(), 1).convertToFormat(QImage::Format_RGBA64);
     const auto* channels = reinterpret_cast<const quint16*>(wide.constScanLine(0));
@@ -46,18 +46,18 @@ sim2d::MapImage toMapImage(const QImage& image) {
 
 struct Format {
   const char* name;
-  int place;  // of the bytes [B]
+  int place;  // Byte offset [B].
   const char* bytes;
 };
 
-/// Formats by their content; those that Qt reads only with plugins, or not at all.
+/// Formats detected by content that Qt does not read, or reads only with plugins.
 constexpr Format kOthers[] = {
     {"TIFF", 0, "II*"},      {"TIFF", 0, "MM"},       {"WebP", 8, "WEBP"},
     {"AVIF", 4, "ftypavif"}, {"HEIF", 4, "ftyphei"},  {"JPEG 2000", 4, "jP  "},
     {"GIF", 0, "GIF8"},      {"JPEG", 0, "\xFF\xD8"}, {"XCF (GIMP)", 0, "gimp xcf"},
     {"PDF", 0, "%PDF"},      {"SVG", 0, "<svg"},      {"Photoshop", 0, "8BPS"}};
 
-/// "TIFF"; null: the format is not known.
+/// "TIFF"; null if the format is unknown.
 const char* formatOf(const QString& path) {
   QFile file(path);
   const QByteArray begin = file.open(QIODevice::ReadOnly) ? file.read(16) : QByteArray();
@@ -68,7 +68,7 @@ const char* formatOf(const QString& path) {
   return found == std::end(kOthers) ? nullptr : found->name;
 }
 
-/// "PGM, PNG, JPEG, BMP": the usual formats that this installation can read.
+/// "PGM, PNG, JPEG, BMP": the common formats that this installation supports.
 std::string knownFormats() {
   const QList<QByteArray> supported = QImageReader::supportedImageFormats();
   std::string names = "PGM";
@@ -84,9 +84,8 @@ base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
   QImageReader reader(QString::fromStdString(path));
   reader.setDecideFormatFromContent(true);
   const QSize size = reader.size();
-  if (size.isValid() && qint64{size.width()} * size.height() > sim2d::kMostMapCells) {
-    return base::error("image.too-large", {size.width(), size.height(), sim2d::kMostMapCells},
-                       path);
+  if (size.isValid() && qint64{size.width()} * size.height() > sim2d::kMaxMapCells) {
+    return base::error("image.too-large", {size.width(), size.height(), sim2d::kMaxMapCells}, path);
   }
   const QImage image = reader.read();
   const char* const format = image.isNull() ? formatOf(reader.fileName()) : nullptr;

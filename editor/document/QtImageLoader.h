@@ -6,8 +6,8 @@
 
 namespace editor {
 
-/// Map images by Qt: PNG (also palette, grey with alpha, 16 bit, interlaced), BMP, JPEG … Refuses
-/// files that are no image, and images over 100 million pixels before they are decoded.
+/// Loads map images with Qt: PNG (also palette, grey with alpha, 16 bit, interlaced), BMP, JPEG …
+/// Rejects files that are not images, and images of more than 100 million pixels before decoding.
 base::Result<sim2d::MapImage> loadMapImage(const std::string& path);
 
 }  // namespace editor

@@ -7,22 +7,23 @@
 #include <QFileInfo>
 
 #include "app/run/Bundle.h"
-#include "app/run/Echoes.h"
-#include "editor/document/DocumentDisk.h"
-#include "editor/document/EntityLists.h"
+#include "app/run/DiagnosticDedup.h"
+#include "editor/document/DocumentDiskState.h"
+#include "editor/document/Entity.h"
 #include "editor/document/LatestTask.h"
-#include "editor/document/TreeFiles.h"
+#include "editor/document/PersonTree.h"
 
 namespace editor {
 
 namespace {
 
 constexpr int kCheckDelayMs = 200;
-constexpr int kMostEdits = 20000;  // that can be undone: each holds what it has changed
+constexpr int kMaxEdits = 20000;  // Undoable edits; each stores what it has changed.
 constexpr std::chrono::milliseconds kCheckPatience(80);
 
-/// Where something new, or switched on or off, lands: those that are switched off stand behind the
-/// others, as in the file. People who are switched on come back before those of higher numbers.
+/// The default position of an entity that is new or has been switched on or off: those that are
+/// switched off follow the others, as in the file. People who are switched on are inserted before
+/// those with higher numbers.
 template <class List>
 auto placeFor(const List& list, const typename List::value_type& value, bool isBack) {
   using Value = typename List::value_type;
@@ -61,7 +62,7 @@ EntitySlot exchangeIn(List& list, EntityId id, EntitySlot slot) {
   return old;
 }
 
-/// Null: it is not there.
+/// Null if the entity does not exist.
 template <class List>
 const typename List::value_type* findIn(const List& list, EntityId id) {
   const int at = positionIn(list, id);
@@ -72,31 +73,31 @@ const typename List::value_type* findIn(const List& list, EntityId id) {
 
 ScenarioDocument::ScenarioDocument(QObject* parent)
     : QObject(parent),
-      surroundings_(std::make_shared<app::KnownSurroundings>()),
+      surroundings_(std::make_shared<app::SurroundingsCache>()),
       liveCheck_(std::make_unique<LatestTask<base::Diagnostics>>([this](base::Diagnostics found) {
         checkIssues_ = std::move(found);
         Q_EMIT issuesChanged(issues());
       })),
-      disk_(std::make_unique<DocumentDisk>()) {
+      disk_(std::make_unique<DocumentDiskState>()) {
   checkTimer_.setSingleShot(true);
   checkTimer_.setInterval(kCheckDelayMs);
   connect(&checkTimer_, &QTimer::timeout, this, &ScenarioDocument::startCheck);
-  connect(this, &ScenarioDocument::settled, &checkTimer_, qOverload<>(&QTimer::start));
+  connect(this, &ScenarioDocument::stepFinished, &checkTimer_, qOverload<>(&QTimer::start));
   connect(this, &ScenarioDocument::mapChanged, &checkTimer_, qOverload<>(&QTimer::start));
-  undoStack_.setUndoLimit(kMostEdits);
+  undoStack_.setUndoLimit(kMaxEdits);
   connect(&undoStack_, &QUndoStack::cleanChanged, this,
           [this](bool) { Q_EMIT dirtyChanged(isDirty()); });
 }
 
 ScenarioDocument::~ScenarioDocument() {
-  // Clearing the stack may still announce itself; nobody is to hear it any more.
+  // Clearing the stack may still emit signals, which must not arrive.
   undoStack_.disconnect(this);
-  stopMapWork();
+  stopMapTasks();
 }
 
-void ScenarioDocument::stopMapWork() {
-  mapWork_->stop();
-  mapWork_ = std::make_shared<base::StopFlag>();
+void ScenarioDocument::stopMapTasks() {
+  mapStopFlag_->stop();
+  mapStopFlag_ = std::make_shared<base::StopFlag>();
 }
 
 std::optional<Entity> ScenarioDocument::entity(EntityId id) const {
@@ -157,7 +158,7 @@ EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
   if (const auto lost = std::find(selection_.begin(), selection_.end(), id);
       !after && lost != selection_.end()) {
     selection_.erase(lost);
-    lostSelected_ = true;
+    selectionShrank_ = true;
   }
   if (old.value || after) {
     Q_EMIT changed({!after      ? Change::What::Removed
@@ -213,34 +214,34 @@ void ScenarioDocument::toggleSelected(EntityId id) {
   setSelection(std::move(ids));
 }
 
-void ScenarioDocument::endStep() {
+void ScenarioDocument::finishStep() {
   if (--steps_ > 0) {
     return;
   }
-  Q_EMIT settled();
-  if (std::exchange(lostSelected_, false)) {
+  Q_EMIT stepFinished();
+  if (std::exchange(selectionShrank_, false)) {
     Q_EMIT selectionChanged();
   }
 }
 
 void ScenarioDocument::replaced() {
   Q_EMIT changed({Change::What::Everything, {}});
-  Q_EMIT settled();
+  Q_EMIT stepFinished();
 }
 
 QString ScenarioDocument::displayName() const {
   return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
 }
 
-base::Diagnostics ScenarioDocument::mapProblemsToTell() const {
-  // in a file that was read in part the map may be named further on
+base::Diagnostics ScenarioDocument::reportedMapProblems() const {
+  // In a partly read file the map may be named in the unread part.
   const bool isScenario = !disk_->readOnly || (!disk_->isBeginning && !scenario_.humans.empty());
   return isScenario ? map_.problems : base::Diagnostics();
 }
 
 base::Diagnostics ScenarioDocument::issues() const {
   base::Diagnostics all = loadDiagnostics_;
-  base::append(all, mapProblemsToTell());
+  base::append(all, reportedMapProblems());
   base::append(all, checkIssues_);
   return all;
 }
@@ -257,19 +258,19 @@ void ScenarioDocument::checkSoon() {
   liveCheck_->finishWithin(kCheckPatience);
 }
 
-/// As every run would check it, beside the GUI thread: walls of a large map take long to trace.
-/// What was said while it was read is not told again.
+/// Runs the same check as a run, outside the GUI thread: tracing the walls of a large map is slow.
+/// Problems reported while reading are not repeated.
 void ScenarioDocument::startCheck() {
   liveCheck_->start([bundle = bundle()] {
     app::Verdict verdict = app::check(bundle);
     base::append(verdict.problems, verdict.worldRemarks);
-    return app::notYetTold(bundle.remarks, verdict.problems);
+    return app::newDiagnostics(bundle.remarks, verdict.problems);
   });
 }
 
-void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
+void ScenarioDocument::resetScenario(sim2d::Scenario scenario) {
   Q_EMIT aboutToBeReplaced();
-  if (!selection_.empty()) {  // first, as forms commit typed text with the ids of this scenario
+  if (!selection_.empty()) {  // First: forms commit typed text with ids of this scenario.
     selection_.clear();
     Q_EMIT selectionChanged();
   }
@@ -277,7 +278,7 @@ void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
   scenario_ = std::move(scenario);
   nextKey_ = std::max(nextKey_, scenario_.nextKey());
   trees_.clear();
-  *disk_ = DocumentDisk();
+  *disk_ = DocumentDiskState();
   loadDiagnostics_.clear();
   checkIssues_.clear();
   commentCount_ = 0;
@@ -291,7 +292,7 @@ void ScenarioDocument::clear() {
 }
 
 void ScenarioDocument::load(sim2d::Scenario scenario) {
-  replaceAll(std::move(scenario));
+  resetScenario(std::move(scenario));
   path_.clear();
   neverSaved_ = true;
   setMap(std::make_shared<sim2d::OccupancyGrid>());

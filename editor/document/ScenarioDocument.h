@@ -14,58 +14,58 @@
 
 #include "editor/document/Entity.h"
 #include "sim2d/base/Result.h"
-#include "sim2d/base/Stop.h"
+#include "sim2d/base/StopFlag.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
 struct Bundle;
-class KnownSurroundings;
+class SurroundingsCache;
 }  // namespace app
 
 namespace editor {
 
 template <class T>
 class LatestTask;
-struct DocumentDisk;
+struct DocumentDiskState;
 struct DocumentSnapshot;
 struct SavePlan;
 
-/// A value at its place in its list. Without a value: not there. index -1 = where it was; what is
-/// new, or switched on or off: where it belongs.
+/// A value and its index in its list. No value: the entity does not exist. Index -1 = unchanged;
+/// new entities and those switched on or off go to their default position.
 struct EntitySlot {
   std::optional<Entity> value;
   int index = -1;
 };
 
-/// The cells under the scenario and the file they are in; no path: not in a file yet.
+/// The map cells and the file that contains them; empty path: not in a file yet.
 struct MapState {
   std::shared_ptr<const sim2d::OccupancyGrid> grid;
   QString path;
-  bool isMissing = false;      // named by the scenario, but not found or not readable
-  base::Diagnostics problems;  // of finding and reading it
+  bool isMissing = false;      // The scenario names a map that is missing or unreadable.
+  base::Diagnostics problems;  // Problems of finding and reading the map.
 };
 
-/// Saving would put another tree in the place of one that somebody wrote.
-struct TreeQuestion {
+/// A save would replace a hand-written tree file.
+struct TreeConflict {
   enum class Why {
-    ChangedOnDisk,     // the file that would be replaced is nobody's that we know
-    BehaviourChanged,  // behaviour or goals are others than when the tree was written
+    ChangedOnDisk,     // The file on disk is unknown to this document.
+    BehaviourChanged,  // Behaviour or goals have changed since the tree was written.
   };
   EntityId human;
-  std::string name;         // of the person
-  std::string path;         // of the tree's file
-  std::string mine;         // the tree that was written by hand
-  std::string replacement;  // what the document says: the generated tree, or one edited here
+  std::string name;         // Name of the person.
+  std::string path;         // Path of the tree file.
+  std::string mine;         // The hand-written tree.
+  std::string replacement;  // The tree of the document: generated, or edited here.
   Why why = Why::ChangedOnDisk;
 };
 
-/// The people whose tree is to be replaced; those of others are kept.
-using TreesToReplace = std::set<EntityId>;
+/// The people whose tree files are replaced; those of other people are kept.
+using TreeReplacements = std::set<EntityId>;
 
-/// The scenario being edited, with its map, trees, undo stack and selection. GUI thread.
-/// Only commands (EditCommands.h, MapEdit.h) write: the functions `exchange…` are for them.
+/// The scenario being edited, with its map, trees, undo stack and selection. GUI thread. Only
+/// commands (EditCommands.h, MapEdit.h) modify it, through the `exchange…` functions.
 class ScenarioDocument : public QObject {
   Q_OBJECT
  public:
@@ -73,112 +73,113 @@ class ScenarioDocument : public QObject {
   ~ScenarioDocument() override;
   Q_DISABLE_COPY_MOVE(ScenarioDocument)
 
-  // model
+  // Model
   const sim2d::Scenario& scenario() const { return scenario_; }
   std::optional<Entity> entity(EntityId id) const;
   bool contains(EntityId id) const;
-  std::vector<EntityId> entities(EntityKind kind) const;  // in file order
-  /// The entity as its own type; null when it is not there. Valid until the next edit.
+  std::vector<EntityId> entities(EntityKind kind) const;  // In file order.
+  /// The entity as its own type; null if it does not exist. Valid until the next edit.
   const sim2d::Human* human(EntityId id) const;
   const sim2d::GlobalGoal* goal(EntityId id) const;
-  EntityId goalKey(int goalId) const;                             // of the goal with this number
-  int indexOf(EntityId id) const;                                 // in its list, -1 = not there
-  EntityId newId(EntityKind kind) { return {kind, nextKey_++}; }  // never given before here
+  EntityId goalKey(int goalId) const;                             // Goal with this number.
+  int indexOf(EntityId id) const;                                 // Index in its list; -1 = none.
+  EntityId newId(EntityKind kind) { return {kind, nextKey_++}; }  // Never used before here.
   EntitySlot exchange(EntityId id, EntitySlot slot);
-  /// What is exchanged while it lives is one step, steps within it included: `changed` tells of
-  /// each thing, `settled` and `selectionChanged` of all at once when the outermost ends.
+  /// All exchanges during its lifetime form one step, including nested steps: `changed` is emitted
+  /// per entity, `stepFinished` and `selectionChanged` once when the outermost step ends.
   class Step {
    public:
     explicit Step(ScenarioDocument& document) : document_(document) { ++document_.steps_; }
-    ~Step() { document_.endStep(); }
+    ~Step() { document_.finishStep(); }
     Q_DISABLE_COPY_MOVE(Step)
 
    private:
     ScenarioDocument& document_;
   };
 
-  /// A person's own tree (XML text); none = the generated one of the behaviour.
+  /// The custom tree of a person (XML text); none = the tree generated from the behaviour.
   std::optional<std::string> tree(EntityId human) const;
   std::optional<std::string> exchangeTree(EntityId human, std::optional<std::string> xml);
-  /// The tree that a run uses: the person's own, else that of the file while it still says what
-  /// the person does, else one in the style of the file; none = the generator's.
+  /// The tree that a run uses: the custom tree, else that of the file while it still matches the
+  /// person, else one in the style of the file; none = the generator's.
   std::optional<std::string> treeToRun(EntityId human) const;
 
-  /// The person's own tree does what behaviour and goals said when it was written; they say
-  /// something else now. Saving asks about it.
-  bool isTreeBehind(EntityId human) const;
+  /// Returns true if behaviour or goals have changed since the custom tree was written. Saving asks
+  /// about such a tree.
+  bool isTreeOutdated(EntityId human) const;
 
-  /// All that a run takes, as it is now, saved or not.
+  /// All inputs of a run in their current state, saved or not.
   app::Bundle bundle() const;
-  const std::shared_ptr<app::KnownSurroundings>& surroundings() const { return surroundings_; }
-  /// Ends work on the map as it is now, wherever it goes on.
-  base::StopFlagPtr mapWork() const { return mapWork_; }
-  void stopMapWork();
+  const std::shared_ptr<app::SurroundingsCache>& surroundings() const { return surroundings_; }
+  /// The stop flag of all background work on the current map.
+  base::StopFlagPtr mapStopFlag() const { return mapStopFlag_; }
+  void stopMapTasks();
 
-  // map; never null, an empty grid is the open plane
+  // Map; never null, an empty grid is the open plane
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_.grid; }
-  QString mapPath() const { return map_.path; }  // of the YAML; empty: none, or not from a file
+  QString mapPath() const { return map_.path; }  // YAML file; empty: none, or not from a file.
   void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map) {
     exchangeMap({std::move(map), {}, false, {}});
   }
   const MapState& mapState() const { return map_; }
   MapState exchangeMap(MapState map);
 
-  // undo
+  // Undo
   QUndoStack& undoStack() { return undoStack_; }
   bool isDirty() const { return !undoStack_.isClean() || neverSaved_; }
 
-  // selection (not undoable, in the order of selecting)
+  // Selection (not undoable, in order of selection)
   const std::vector<EntityId>& selection() const { return selection_; }
   bool isSelected(EntityId id) const;
   void setSelection(std::vector<EntityId> ids);
   void toggleSelected(EntityId id);
 
-  // files; all problems are returned
-  QString path() const { return path_; }  // empty: not saved yet
+  // Files; all problems are returned
+  QString path() const { return path_; }  // Empty: not saved yet.
   QString displayName() const;            // "cafe.yaml" or "Untitled"
-  void clear();                           // a new, empty scenario
-  void load(sim2d::Scenario scenario);    // from code (templates, tests): new, unsaved
-  /// With errors the document has not changed, unless it isReadOnly then: a damaged file is shown
-  /// as far as it can be read. One of which nothing can be read takes the place of an empty
-  /// document only.
+  void clear();                           // Starts a new, empty scenario.
+  void load(sim2d::Scenario scenario);    // From code (templates, tests): new and unsaved.
+  /// Opens a file. On errors the document does not change, unless it isReadOnly afterwards: a
+  /// damaged file is shown as far as it can be read. A file of which nothing can be read replaces
+  /// only an empty document.
   base::Diagnostics open(const QString& path);
-  /// Map and folder with trees in place of the scenario's, for the next files that are opened.
-  void setSearch(const QString& map, const QString& trees);
-  /// Read in part: saved only under another name.
+  /// Overrides the map and the tree folder of the scenarios that are opened next.
+  void setSearchOverrides(const QString& map, const QString& trees);
+  /// The file was read only partly; it can be saved only under another name.
   bool isReadOnly() const;
-  /// Canonical YAML and one tree per person: in ../behavior_trees when the folder is called
-  /// scenarios, else beside. A new file name becomes yaml_base_name and the stem of the trees. All
-  /// files are written or none; with errors nothing has changed on the disk.
-  base::Diagnostics save(const QString& path, const TreesToReplace& replaced = {});
-  /// What must be decided before saving there; without an answer the tree that is there is kept.
-  std::vector<TreeQuestion> treeQuestions(const QString& path) const;
-  /// Comments in the file that was opened; saving over it loses them.
+  /// Writes canonical YAML and one tree per person: in ../behavior_trees if the folder is called
+  /// scenarios, else in the same folder. A new file name becomes yaml_base_name and the stem of the
+  /// tree files. Either all files are written or none; on errors nothing changes on disk.
+  base::Diagnostics save(const QString& path, const TreeReplacements& replaced = {});
+  /// The conflicts that the user must resolve before saving there. Unresolved conflicts keep the
+  /// tree file on disk.
+  std::vector<TreeConflict> treeConflicts(const QString& path) const;
+  /// Number of comments in the opened file, which saving loses.
   int commentCount() const { return commentCount_; }
-  /// Read a nav2 map and remember its place in the scenario (one undoable command).
+  /// Reads a nav2 map and stores its path in the scenario (one undoable command).
   base::Diagnostics openMap(const QString& yamlPath);
-  /// A new scenario on it; with errors the document has not changed.
+  /// Starts a new scenario on a map. On errors the document does not change.
   base::Diagnostics newOnMap(const QString& yamlPath);
   void setShippedMaps(const QString& folder) { search_.shippedMaps = folder.toStdString(); }
-  bool isShipped(const QString& file) const;  // lies among the program's own
-  /// Files that were read or written, and those of them that someone else has changed since.
+  bool isShipped(const QString& file) const;  // The file is one of the program's own files.
+  /// All files that were read or written, and those of them that other programs have changed since.
   QStringList files() const;
   QStringList changedOnDisk() const;
-  void acceptDisk();  // they count as known from now on; what is edited stays
+  void acceptDiskChanges();  // Accepts the current files on disk as known. Edits are kept.
 
-  // all that is not saved, for another start of the program; it comes back unsaved, or as if saved
+  // All unsaved state, for another start of the program; it is restored as unsaved, or as saved
   DocumentSnapshot snapshot() const;
   void restore(DocumentSnapshot snapshot, bool isSaved = false);
 
-  // messages
-  base::Diagnostics issues() const;  // of loading, of the map, then of the live check
-  void checkNow();                   // without the pause that follows edits, to its end
-  void checkSoon();                  // without that pause; waits a moment only
+  // Messages
+  base::Diagnostics issues() const;  // Of loading, the map, and the live check, in this order.
+  void checkNow();                   // Runs the check immediately and waits until it is complete.
+  void checkSoon();                  // Runs the check immediately and waits for a short time only.
 
  Q_SIGNALS:
-  void changed(editor::Change change);  // of one thing; more may follow at once
-  void settled();                       // behind the last `changed` of a step
-  void aboutToBeReplaced();             // by another document; typed text is committed to this one
+  void changed(editor::Change change);  // A change of one entity; more may follow immediately.
+  void stepFinished();                  // Emitted after the last `changed` of a step.
+  void aboutToBeReplaced();             // By another document. Typed text is committed to this one.
   void mapChanged();
   void selectionChanged();
   void pathChanged();
@@ -186,25 +187,25 @@ class ScenarioDocument : public QObject {
   void issuesChanged(const base::Diagnostics& issues);
 
  private:
-  base::Diagnostics mapProblemsToTell() const;
-  void replaceAll(sim2d::Scenario scenario);
-  void replaced();  // by another file or nothing: tells of everything
-  void tellOfFile();
-  sim2d::FilePlaces places() const;
-  void endStep();
+  base::Diagnostics reportedMapProblems() const;
+  void resetScenario(sim2d::Scenario scenario);
+  void replaced();  // Emits the signals after another file was loaded.
+  void emitFileSignals();
+  sim2d::FileSearchPaths places() const;
+  void finishStep();
   void loadMap();
   void putMap(MapState map);
   void restoreMap(const DocumentSnapshot& snapshot);
   base::Diagnostics loadTrees();
   void startCheck();
-  /// What saving there would do; looks at the disk, changes nothing.
+  /// The plan of a save at `path`. Reads the disk, changes nothing.
   SavePlan planSave(const QString& path) const;
-  void placeMap(SavePlan& plan) const;
+  void planMap(SavePlan& plan) const;
   void planTrees(SavePlan& plan) const;
-  /// The tree that is saved for a person, and run: the own one, that of the file or the generated.
-  std::string wantedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
-  void answerTrees(const QString& path, const TreesToReplace& replaced);
-  void takeSaved(SavePlan plan);
+  /// The tree to save and run for a person: custom, from the file, or generated.
+  std::string effectiveTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
+  void applyTreeAnswers(const QString& path, const TreeReplacements& replaced);
+  void adoptSaved(SavePlan plan);
 
   sim2d::Scenario scenario_;
   MapState map_{std::make_shared<sim2d::OccupancyGrid>(), {}, false, {}};
@@ -212,17 +213,17 @@ class ScenarioDocument : public QObject {
   QUndoStack undoStack_;
   std::vector<EntityId> selection_;
   QString path_;
-  sim2d::FilePlaces search_;  // but for the path
+  sim2d::FileSearchPaths search_;  // All but the path of the scenario.
   base::Diagnostics loadDiagnostics_, checkIssues_;
   QTimer checkTimer_;
-  const std::shared_ptr<app::KnownSurroundings> surroundings_;
-  std::shared_ptr<base::StopFlag> mapWork_ = std::make_shared<base::StopFlag>();
+  const std::shared_ptr<app::SurroundingsCache> surroundings_;
+  std::shared_ptr<base::StopFlag> mapStopFlag_ = std::make_shared<base::StopFlag>();
   std::unique_ptr<LatestTask<base::Diagnostics>> liveCheck_;
-  std::unique_ptr<DocumentDisk> disk_;
+  std::unique_ptr<DocumentDiskState> disk_;
   int nextKey_ = 1;
-  int steps_ = 0;  // that have not ended
+  int steps_ = 0;  // Number of nested steps that have not ended.
   int commentCount_ = 0;
-  bool lostSelected_ = false;  // in the step that has not ended
+  bool selectionShrank_ = false;  // A selected entity was removed in the current step.
   bool neverSaved_ = false;
 };
 

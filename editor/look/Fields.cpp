@@ -7,7 +7,7 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -15,10 +15,10 @@ namespace editor {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr int kExact = 20;        // digits after the point that a value keeps
-constexpr int kMostDecimals = 6;  // that are shown
-constexpr double kLong = 1e15;    // shown with an exponent from here on
-constexpr int kWidest = 130;      // [px]
+constexpr int kExact = 20;       // The number of decimals that a value keeps.
+constexpr int kMaxDecimals = 6;  // The maximum number of decimals shown.
+constexpr double kLong = 1e15;   // Larger numbers are shown with an exponent.
+constexpr int kWidest = 130;     // Maximum width [px].
 
 double rounded(double value, int decimals) {
   return QString::number(value, 'f', decimals).toDouble();
@@ -56,20 +56,20 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
     }
   });
   connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
-    overDash_ = std::exchange(mixed_, false) || overDash_;
+    isTypingOverMixed_ = std::exchange(mixed_, false) || isTypingOverMixed_;
     QString typed = text;
     int position = 0;
-    isTypedFine_ = validate(typed, position) == QValidator::Acceptable;
+    isTypedValid_ = validate(typed, position) == QValidator::Acceptable;
   });
   connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
-    if (!std::exchange(overDash_, false)) {
+    if (!std::exchange(isTypingOverMixed_, false)) {
       return;
     }
-    isTypedFine_ ? take(value()) : showMixed();  // one of the values may be what was typed
+    isTypedValid_ ? take(value()) : showMixed();  // The typed number may equal one of the values.
   });
 }
 
-/// "0.00 to 5.00 m", "above 0.00 m"; nothing when any number is allowed.
+/// "0.00 to 5.00 m", "above 0.00 m"; empty if any number is allowed.
 QString NumberField::rangeText() const {
   const bool hasLow = std::isfinite(range_.minimum);
   const QString low = QString::number(range_.minimum, 'f', range_.decimals);
@@ -83,7 +83,7 @@ QString NumberField::rangeText() const {
                         : tr("%1 to %2%3").arg(low, high, suffix());
 }
 
-/// Counts end at 0 for them, also where files may have less.
+/// Arrows and sliders stop at 0 for counts, even where files may contain less.
 double NumberField::lowest() const {
   const double low = range_.above ? range_.minimum + std::pow(10.0, -range_.decimals) : minimum();
   return range_.decimals == 0 && low < 0.0 && maximum() > 0.0 ? 0.0 : low;
@@ -94,20 +94,20 @@ QAbstractSpinBox::StepEnabled NumberField::stepEnabled() const {
          (value() < maximum() ? StepUpEnabled : StepNone);
 }
 
-/// Long ranges do not widen the form.
+/// Limits the width, which Qt derives from the range.
 QSize NumberField::sizeHint() const {
   const QSize usual = QDoubleSpinBox::sizeHint();
   return {std::min(usual.width(), kWidest), usual.height()};
 }
 
-/// What the user wants from now on.
+/// Accepts a value that the user entered.
 void NumberField::take(double value) {
-  overDash_ = false;
+  isTypingOverMixed_ = false;
   if (std::exchange(mixed_, false)) {
     lineEdit()->setText(textFromValue(value) + suffix());
   }
   default_ = false;
-  setPale(false);
+  setSecondaryColor(false);
   Q_EMIT edited(value);
 }
 
@@ -121,12 +121,12 @@ void NumberField::show(double value, bool isDefault) {
       lineEdit()->setText(textFromValue(value) + suffix());
     }
   }
-  const bool isOne = this->value() == 1.0 && !unitOfOne_.isEmpty();
-  const QString unit = spaced(isOne ? unitOfOne_ : unit_);
+  const bool isOne = this->value() == 1.0 && !singularUnit_.isEmpty();
+  const QString unit = spaced(isOne ? singularUnit_ : unit_);
   if (suffix() != unit) {
     setSuffix(unit);
   }
-  setPale(isDefault);
+  setSecondaryColor(isDefault);
   showing_ = false;
 }
 
@@ -134,13 +134,13 @@ void NumberField::showMixed() {
   showing_ = true;
   mixed_ = true;
   lineEdit()->setText(textFromValue(value()) + suffix());
-  setPale(true);
+  setSecondaryColor(true);
   showing_ = false;
 }
 
 QString NumberField::bare(const QString& text) const {
   QString word = text;
-  for (const QString& unit : {unit_, unitOfOne_}) {
+  for (const QString& unit : {unit_, singularUnit_}) {
     if (!unit.isEmpty() && word.trimmed().endsWith(unit)) {
       word = word.trimmed();
       word.chop(unit.size());
@@ -171,8 +171,8 @@ QString NumberField::textFromValue(double value) const {
     return QString::fromStdString(base::formatDouble(value));
   }
   int decimals = range_.decimals;
-  const double shown = rounded(value, kMostDecimals);
-  while (!default_ && decimals > 0 && decimals < kMostDecimals &&
+  const double shown = rounded(value, kMaxDecimals);
+  while (!default_ && decimals > 0 && decimals < kMaxDecimals &&
          rounded(value, decimals) != shown) {
     ++decimals;
   }
@@ -182,7 +182,7 @@ QString NumberField::textFromValue(double value) const {
 double NumberField::valueFromText(const QString& text) const {
   const QString word = bare(text);
   if (word == textFromValue(value())) {
-    return value();  // with the digits that are not shown
+    return value();  // Keeps the digits that are not shown.
   }
   const std::optional<double> number = base::parseDouble(word.toStdString());
   return number && std::isfinite(*number) ? *number : value();
@@ -194,18 +194,18 @@ void NumberField::stepBy(int steps) {
   int position = 0;
   const double from =
       validate(text, position) == QValidator::Acceptable ? valueFromText(text) : value();
-  const double to = rounded(from + steps * singleStep(), kMostDecimals);
+  const double to = rounded(from + steps * singleStep(), kMaxDecimals);
   setValue(std::clamp(to, std::min(from, lowest()), maximum()));
   selectAll();
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
   QDoubleSpinBox::focusOutEvent(event);
-  lineEdit()->setText(textFromValue(value()) + suffix());  // what was not valid is dropped
+  lineEdit()->setText(textFromValue(value()) + suffix());  // Discards invalid text.
   setInvalid(*this, false);
 }
 
-void NumberField::setPale(bool pale) {
+void NumberField::setSecondaryColor(bool pale) {
   QPalette colors;
   if (pale) {
     const QColor color = palette().color(QPalette::PlaceholderText);
@@ -221,7 +221,7 @@ void NumberField::contextMenuEvent(QContextMenuEvent* event) {
   menu->addSeparator();
   QAction* reset = menu->addAction(tr("Use the default"));
   reset->setEnabled(!default_);
-  connect(reset, &QAction::triggered, this, &NumberField::defaultWanted);
+  connect(reset, &QAction::triggered, this, &NumberField::resetRequested);
   menu->popup(event->globalPos());
 }
 
@@ -229,7 +229,7 @@ void NumberField::wheelEvent(QWheelEvent* event) {
   if (hasFocus()) {
     QDoubleSpinBox::wheelEvent(event);
   } else {
-    event->ignore();  // the panel scrolls
+    event->ignore();  // The panel scrolls.
   }
 }
 
@@ -257,7 +257,7 @@ ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(4);
-  setPlaceholderText(QStringLiteral("–"));  // several values
+  setPlaceholderText(QStringLiteral("–"));  // Shown for several values.
 }
 
 TextField::TextField(QWidget* parent) : QLineEdit(parent) {
@@ -274,7 +274,7 @@ void TextField::show(const QString& text) {
   shown_ = text;
   if (this->text() != text) {
     setText(text);
-    setCursorPosition(hasFocus() ? cursorPosition() : 0);  // long texts show how they begin
+    setCursorPosition(hasFocus() ? cursorPosition() : 0);  // Shows the beginning of a long text.
   }
   setInvalid(*this, false);
   setToolTip(hint_);

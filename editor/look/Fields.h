@@ -11,28 +11,28 @@
 
 namespace editor {
 
-/// A number with its unit in the field. What is typed is checked at once: a number outside of the
-/// range has a red edge and is never taken over. A number of the file keeps all its digits: six
-/// after the point are shown, if it has them. A value that the scenario leaves out is shown in the
-/// secondary colour; a dash stands for several values.
+/// A spin box with the unit inside the field. Typed text is validated immediately: a number outside
+/// the range has a red edge and is never accepted. A number from a file keeps all its digits, of
+/// which up to six decimals are shown. A value that the scenario leaves out is shown in the
+/// secondary colour. A dash stands for several values.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
  public:
   struct Range {
-    double minimum = 0.0, maximum = 1.0;  // may be infinite
-    int decimals = 2;                     // at least shown
+    double minimum = 0.0, maximum = 1.0;  // May be infinite.
+    int decimals = 2;                     // The minimum number of decimals shown.
     double step = 0.1;
-    bool above = false;  // the minimum itself is refused
+    bool above = false;  // The minimum itself is invalid.
   };
   NumberField(const Range& range, const QString& unit, QWidget* parent = nullptr);
-  void setUnitOfOne(const QString& unit) { unitOfOne_ = unit; }  // "1 step", but "2 steps"
+  void setSingularUnit(const QString& unit) { singularUnit_ = unit; }  // "1 step", but "2 steps"
 
-  /// Shows without `edited`. `isDefault`: the scenario has no value of its own.
+  /// Sets the value without emitting `edited`. `isDefault`: the scenario leaves the value out.
   void show(double value, bool isDefault);
   void showMixed();
   bool isMixed() const { return mixed_; }
   int shownDecimals() const { return range_.decimals; }
-  double lowest() const;  // that the arrows and a slider reach
+  double lowest() const;  // The lowest value that the arrows and a slider reach.
 
   QValidator::State validate(QString& text, int& position) const override;
   QString textFromValue(double value) const override;
@@ -43,7 +43,7 @@ class NumberField : public QDoubleSpinBox {
 
  Q_SIGNALS:
   void edited(double value);
-  void defaultWanted();
+  void resetRequested();
 
  protected:
   StepEnabled stepEnabled() const override;
@@ -53,14 +53,14 @@ class NumberField : public QDoubleSpinBox {
 
  private:
   void take(double value);
-  void setPale(bool pale);
+  void setSecondaryColor(bool pale);
   QString bare(const QString& text) const;
   QString rangeText() const;
   const Range range_;
-  QString unit_, unitOfOne_;
+  QString unit_, singularUnit_;
   bool mixed_ = false;
-  bool overDash_ = false;  // something is typed where several values are
-  bool isTypedFine_ = false;
+  bool isTypingOverMixed_ = false;  // The user types while the field shows several values.
+  bool isTypedValid_ = false;
   bool default_ = false;
   bool showing_ = false;
 };
@@ -79,7 +79,7 @@ class LinkedSlider : public QSlider {
   double minimum_, maximum_;
 };
 
-/// A combo box that the wheel does not change by accident while the panel scrolls.
+/// A combo box that ignores the mouse wheel, which scrolls the panel instead.
 class ChoiceField : public QComboBox {
   Q_OBJECT
  public:
@@ -89,20 +89,20 @@ class ChoiceField : public QComboBox {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
-/// A text that is checked while it is typed.
+/// A line edit that is validated during typing.
 class TextField : public QLineEdit {
   Q_OBJECT
  public:
-  /// Says what is wrong with a text, or nothing.
+  /// Returns what is wrong with a text; empty if it is valid.
   using Check = std::function<QString(const QString&)>;
   explicit TextField(QWidget* parent = nullptr);
   void setCheck(Check check) { check_ = std::move(check); }
-  /// The tooltip while nothing is wrong.
+  /// Sets the tooltip for valid text.
   void setHint(const QString& hint);
   void show(const QString& text);
 
  Q_SIGNALS:
-  void edited(const QString& text);  // after return or leaving; only what passes the check
+  void edited(const QString& text);  // Emitted on Return and on focus loss, for valid text only.
 
  private:
   void judge();

@@ -11,7 +11,8 @@ namespace editor {
 
 namespace {
 
-// Parts of a person in radii of the body; x ahead, y to the right of the figure (screen, y down).
+// Dimensions of a person as fractions of the body radius; x forward, y to the right of the figure
+// (screen, y down).
 constexpr double kDepth = 0.6;
 constexpr double kHead = 0.36;
 constexpr double kNoseTip = 0.88;
@@ -60,8 +61,8 @@ QPainterPath polygonPath(int corners, double radius, double firstDeg) {
   return path;
 }
 
-/// Outline of a behaviour's mark, centred at the origin, of equal optical weight. A ring is its
-/// outer circle.
+/// The outline of a behaviour's mark, centred at the origin. All marks have equal optical weight.
+/// For a ring it is the outer circle.
 QPainterPath markPath(Mark mark, double sizePx) {
   const double half = 0.5 * sizePx;
   QPainterPath path;
@@ -85,13 +86,13 @@ QPainterPath markPath(Mark mark, double sizePx) {
   return path;
 }
 
-constexpr double kGlyphUnits = 16.0;  // width of the drawing
+constexpr double kGlyphUnits = 16.0;  // Width of the drawing.
 
 void addLine(QPainterPath& path, const QVector<QPointF>& points) {
   path.addPolygon(QPolygonF(points));
 }
 
-/// An arrow to the right from `from` to `to`, both on the middle line.
+/// Adds an arrow to the right between two x coordinates on the middle line.
 void addArrow(QPainterPath& path, double from, double to) {
   addLine(path, {{from, 0.0}, {to, 0.0}});
   addLine(path, {{to - 3.0, -3.0}, {to, 0.0}, {to - 3.0, 3.0}});
@@ -100,10 +101,10 @@ void addArrow(QPainterPath& path, double from, double to) {
 QPainterPath runner() {
   QPainterPath path;
   path.addEllipse(QPointF(2.2, -5.6), 1.5, 1.5);
-  addLine(path, {{1.0, -2.8}, {-0.8, 1.2}});                                          // back
-  addLine(path, {{-0.8, 1.2}, {2.2, 3.0}, {1.4, 6.6}});                               // leg ahead
-  addLine(path, {{-0.8, 1.2}, {-2.4, 4.2}, {-6.0, 4.4}});                             // leg behind
-  addLine(path, {{5.8, -1.6}, {3.4, -0.6}, {1.0, -2.8}, {-2.4, -2.6}, {-4.2, 0.0}});  // arms
+  addLine(path, {{1.0, -2.8}, {-0.8, 1.2}});                                          // Back.
+  addLine(path, {{-0.8, 1.2}, {2.2, 3.0}, {1.4, 6.6}});                               // Front leg.
+  addLine(path, {{-0.8, 1.2}, {-2.4, 4.2}, {-6.0, 4.4}});                             // Rear leg.
+  addLine(path, {{5.8, -1.6}, {3.4, -0.6}, {1.0, -2.8}, {-2.4, -2.6}, {-4.2, 0.0}});  // Arms.
   return path;
 }
 
@@ -127,8 +128,8 @@ QIcon drawnIcon(int sizePx, const std::function<void(QPainter&)>& draw,
 }
 
 QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QString& text) {
-  // Qt leaves the sub-pixel shift of the glyph that it drew last in the font, where outlines take
-  // it over. Asked for its first box, a size not used yet sets the shift to none.
+  // Qt keeps the sub-pixel shift of the last drawn glyph in the font and applies it to outlines.
+  // Requesting a bounding box at an unused size resets the shift to zero.
   QRawFont unused = QRawFont::fromFont(font);
   unused.setPixelSize(unused.pixelSize() + 1.0);
   unused.boundingRect(0);
@@ -151,12 +152,12 @@ void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const 
     }
   }
   painter.setPen(outline);
-  belongings(painter, figure);
+  accessories(painter, figure);
   painter.setPen(outline);
   painter.setBrush(theme_.outline(figure.look));
   painter.drawPath(nosePath(r));
   painter.setBrush(theme_.fill(figure.look));
-  const double half = 0.5 * outline.widthF();  // the outline stays inside the body
+  const double half = 0.5 * outline.widthF();  // Keeps the outline inside the body.
   painter.drawEllipse(QPointF(), kDepth * r - half, r - half);
   painter.setBrush(theme_.head(figure.look));
   const double head = figure.kind == sim2d::PersonKind::Child ? 1.2 * kHead : kHead;
@@ -164,8 +165,8 @@ void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const 
   painter.restore();
 }
 
-/// Chair, suitcase or stick.
-void FigurePainter::belongings(QPainter& painter, const PersonFigure& figure) const {
+/// Draws a wheelchair, suitcase or stick.
+void FigurePainter::accessories(QPainter& painter, const PersonFigure& figure) const {
   const double r = figure.radiusPx;
   if (figure.kind == sim2d::PersonKind::Wheelchair) {
     painter.setBrush(theme_.color(Role::ObstacleFill));
@@ -186,8 +187,8 @@ void FigurePainter::belongings(QPainter& painter, const PersonFigure& figure) co
   }
 }
 
-/// Two on the axle, which goes through the origin of the robot; those of a car at its four corners,
-/// the front ones turned; four askew that go any way.
+/// Differential drive: two wheels on the axle through the robot's origin. Ackermann: four corner
+/// wheels, the front ones steered. Omnidirectional: four diagonal wheels.
 void FigurePainter::wheels(QPainter& painter, const RobotFigure& figure, const QRectF& box) const {
   const double thickness = 0.16 * box.height();
   const auto pair = [&](double x, double half, double turnedDeg, double outerDeg) {

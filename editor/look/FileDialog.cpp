@@ -9,14 +9,14 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "editor/look/Typing.h"
+#include "editor/look/PendingEdit.h"
 
 namespace editor {
 
 namespace {
 
-/// Names files a moment later. What cannot be done is told in a dialog, in whose time the editor
-/// may go: Qt 5.15 would read freed memory afterwards.
+/// Renames a file after the current event. Qt reports a failure in a modal dialog, during which the
+/// item editor may be deleted; Qt 5.15 then reads freed memory.
 class NamingDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -29,7 +29,7 @@ class NamingDelegate : public QStyledItemDelegate {
       QStyledItemDelegate::setModelData(editor, model, index);
       return;
     }
-    // By its path: the model may have read the folder again.
+    // Looks the index up by path, because the model may have reloaded the folder.
     QTimer::singleShot(0, files, [files, name = line->text(), path = files->filePath(index)] {
       files->setData(files->index(path), name);
     });
@@ -38,8 +38,8 @@ class NamingDelegate : public QStyledItemDelegate {
 
 }  // namespace
 
-void keepFiles(QFileDialog& dialog, bool makesFolders) {
-  if (!makesFolders) {
+void restrictFileDialog(QFileDialog& dialog, bool allowNewFolders) {
+  if (!allowNewFolders) {
     dialog.setOption(QFileDialog::ReadOnly);
     return;
   }
@@ -54,13 +54,14 @@ void keepFiles(QFileDialog& dialog, bool makesFolders) {
   for (const char* name : {"listView", "treeView"}) {
     if (auto* files = dialog.findChild<QAbstractItemView*>(QString::fromLatin1(name))) {
       files->setEditTriggers(
-          QAbstractItemView::NoEditTriggers);  // a new folder is named all the same
+          QAbstractItemView::NoEditTriggers);  // A new folder can be named nevertheless.
       files->setDragDropMode(QAbstractItemView::NoDragDrop);
       files->setItemDelegate(new NamingDelegate(files));
-      // The name of a new folder is taken as it is: Qt 5.15 reads freed memory when the folder is
-      // left while it is being typed.
+      // Commits the name of a new folder before the folder changes: Qt 5.15 reads freed memory if
+      // the user leaves the folder while typing.
       for (QToolButton* button : dialog.findChildren<QToolButton*>()) {
-        QObject::connect(button, &QToolButton::pressed, files, [files] { finishTyping(*files); });
+        QObject::connect(button, &QToolButton::pressed, files,
+                         [files] { commitPendingEdit(*files); });
       }
     }
   }

@@ -4,8 +4,8 @@
 
 namespace editor {
 
-/// Nothing can be deleted, renamed or moved in the dialog; new folders can be made in one that
-/// `makesFolders`. Dialogs of the desktop see to themselves. Before it is shown.
-void keepFiles(QFileDialog& dialog, bool makesFolders);
+/// Disables deleting, renaming and moving files in the dialog; new folders are allowed if
+/// `allowNewFolders`. Call it before the dialog is shown. Native desktop dialogs are not affected.
+void restrictFileDialog(QFileDialog& dialog, bool allowNewFolders);
 
 }  // namespace editor

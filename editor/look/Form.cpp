@@ -8,15 +8,15 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 
 namespace editor {
 
 namespace {
 
-constexpr int kLabelEnd = 112;  // from the left edge of the dock [px]
+constexpr int kLabelEnd = 112;  // Right edge of the labels from the left edge of the dock [px].
 constexpr int kGap = 12;
-constexpr int kLeastHalf = 72;
+constexpr int kMinHalf = 72;
 constexpr int kFormRowHeight = 28;
 
 }  // namespace
@@ -26,13 +26,13 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
-void ElidedLabel::setWords(const QString& words) {
+void ElidedLabel::setFullText(const QString& words) {
   setText(words);
   setToolTip(Qt::mightBeRichText(words) ? QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped())
                                         : words);
 }
 
-QString ElidedLabel::shownWords() const {
+QString ElidedLabel::visibleText() const {
   static const QString between = QStringLiteral(" · ");
   const QString all = text();
   const int room = contentsRect().width();
@@ -50,7 +50,7 @@ QString ElidedLabel::shownWords() const {
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setPen(palette().color(foregroundRole()));
-  painter.drawText(contentsRect(), int(alignment()) | Qt::TextSingleLine, shownWords());
+  painter.drawText(contentsRect(), int(alignment()) | Qt::TextSingleLine, visibleText());
 }
 
 QLabel* secondaryLabel(const QString& text, QWidget* parent) {
@@ -65,7 +65,7 @@ QLabel* headingLabel(const QString& text, const QFont& font, QWidget* parent) {
   return label;
 }
 
-QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
+QToolButton* linkButton(const QString& text, const QString& tip, QWidget* parent,
                         const std::function<void()>& action) {
   auto* button = new QToolButton(parent);
   button->setText(text);
@@ -73,7 +73,7 @@ QToolButton* linkButton(const QString& text, const QString& says, QWidget* paren
   button->setCursor(Qt::PointingHandCursor);
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button->setAutoRaise(true);
-  button->setToolTip(says);
+  button->setToolTip(tip);
   QObject::connect(button, &QToolButton::clicked, parent, action);
   return button;
 }
@@ -97,8 +97,8 @@ QWidget* dividerLine(QWidget* parent) {
   return line;
 }
 
-int heightOnScreen(const QWidget& window, int wanted) {
-  constexpr int kTitleBar = 38;  // what a window manager puts around it, about
+int limitedToScreen(const QWidget& window, int wanted) {
+  constexpr int kTitleBar = 38;  // Approximate height of the window frame.
   return std::min(wanted, window.screen()->availableGeometry().height() - kTitleBar);
 }
 
@@ -121,35 +121,35 @@ QLabel* emptyState(const QString& text, QWidget* parent) {
   return label;
 }
 
-NothingFound::NothingFound(QLineEdit& filter, QWidget& list, QWidget* parent)
+NoMatchesPlaceholder::NoMatchesPlaceholder(QLineEdit& filter, QWidget& list, QWidget* parent)
     : QWidget(parent), filter_(filter), list_(list), words_(emptyState({}, this)) {
   words_->setTextFormat(Qt::PlainText);
-  auto* clear = linkButton(tr("Clear"), tr("Show the whole list again"), this, [this] {
+  auto* clear = linkButton(tr("Clear"), tr("Show the whole list"), this, [this] {
     filter_.clear();
     filter_.setFocus();
   });
-  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 0}, 0, {words_});
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 0}, 0, {words_});
   layout->addWidget(clear, 0, Qt::AlignHCenter);
   layout->addStretch(1);
   hide();
 }
 
-void NothingFound::showFor(bool found) {
-  constexpr int kMostNamed = 40;  // letters
+void NoMatchesPlaceholder::setMatchFound(bool found) {
+  constexpr int kMaxNamed = 40;  // Maximum number of characters.
   const QString text = filter_.text().trimmed();
-  const QString named = text.size() > kMostNamed ? text.left(kMostNamed) + QChar(0x2026) : text;
-  words_->setText(tr("Nothing matches '%1'").arg(named));
+  const QString named = text.size() > kMaxNamed ? text.left(kMaxNamed) + QChar(0x2026) : text;
+  words_->setText(tr("No matches for '%1'").arg(named));
   list_.setVisible(found);
   setVisible(!found);
 }
 
-void describe(QAction& action, const QString& says) {
-  QString name = action.text().section(QLatin1Char('\t'), 0, 0);  // a key that a tool hears follows
+void describe(QAction& action, const QString& tip) {
+  QString name = action.text().section(QLatin1Char('\t'), 0, 0);  // Without the shortcut of a tool.
   name.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
   const QString key = action.shortcut().toString(QKeySequence::NativeText);
-  action.setStatusTip(says);
-  action.setToolTip(key.isEmpty() ? name + QLatin1Char('\n') + says
-                                  : QStringLiteral("%1 (%2)\n%3").arg(name, key, says));
+  action.setStatusTip(tip);
+  action.setToolTip(key.isEmpty() ? name + QLatin1Char('\n') + tip
+                                  : QStringLiteral("%1 (%2)\n%3").arg(name, key, tip));
 }
 
 FormSection::FormSection(const QString& title, QWidget* parent)
@@ -164,13 +164,13 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   heading_->setAutoRaise(true);
   heading_->setArrowType(Qt::DownArrow);
   heading_->setFixedHeight(32);
-  heading_->setToolTip(QObject::tr("Fold or unfold"));
+  heading_->setToolTip(QObject::tr("Collapse or expand"));
   QFont bold = heading_->font();
   bold.setWeight(QFont::DemiBold);
   heading_->setFont(bold);
   connect(heading_, &QToolButton::clicked, this, [this] { setOpen(!isOpen()); });
 
-  arranged(top_, {8, 0, 12, 0}, 8, {heading_});
+  configuredLayout(top_, {8, 0, 12, 0}, 8, {heading_});
   top_->addStretch();
   top_->addWidget(note_);
 
@@ -180,7 +180,7 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   grid_->setColumnMinimumWidth(0, kLabelEnd - 12);
   grid_->setColumnStretch(1, 1);
 
-  auto* layout = arranged(new QVBoxLayout(this), {}, 0);
+  auto* layout = configuredLayout(new QVBoxLayout(this), {}, 0);
   layout->addLayout(top_);
   layout->addWidget(body_);
   layout->addWidget(dividerLine(this));
@@ -194,9 +194,9 @@ void FormSection::setTitle(const QString& title) {
   heading_->setText(title);
 }
 
-QToolButton* FormSection::addLink(const QString& text, const QString& says,
+QToolButton* FormSection::addLink(const QString& text, const QString& tip,
                                   const std::function<void()>& action) {
-  QToolButton* link = linkButton(text, says, this, action);
+  QToolButton* link = linkButton(text, tip, this, action);
   top_->addWidget(link);
   link->hide();
   return link;
@@ -212,10 +212,10 @@ void FormSection::addRow(const QString& label, QWidget* field) {
   QSizePolicy policy = field->sizePolicy();
   Qt::Alignment alignment = Qt::AlignVCenter;
   if ((static_cast<int>(policy.horizontalPolicy()) & QSizePolicy::GrowFlag) != 0) {
-    policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a wide one would widen the page, which
-    field->setSizePolicy(policy);                      // does not scroll sideways, and cut all
+    policy.setHorizontalPolicy(QSizePolicy::Ignored);  // A wide field would widen the page,
+    field->setSizePolicy(policy);                      // which does not scroll sideways.
   } else {
-    alignment |= Qt::AlignLeft;  // else the column is no wider than this one
+    alignment |= Qt::AlignLeft;  // Otherwise the column is no wider than this field.
   }
   grid_->addWidget(words, row, 0);
   grid_->addWidget(field, row, 1, alignment);
@@ -223,9 +223,9 @@ void FormSection::addRow(const QString& label, QWidget* field) {
 
 void FormSection::addRow(const QString& label, QWidget* left, QWidget* right) {
   auto* both = new QWidget(body_);
-  auto* line = arranged(new QHBoxLayout(both), {}, 8);
+  auto* line = configuredLayout(new QHBoxLayout(both), {}, 8);
   for (QWidget* part : {left, right}) {
-    part->setMinimumWidth(kLeastHalf);
+    part->setMinimumWidth(kMinHalf);
     part->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     line->addWidget(part, 1);
     part->setAccessibleName(label);

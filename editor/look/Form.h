@@ -14,8 +14,8 @@
 
 namespace editor {
 
-/// A part of a property page under a heading that folds it: labels right-aligned in one column,
-/// fields in the other.
+/// A collapsible section of a property page: right-aligned labels in one column, fields in the
+/// other.
 class FormSection : public QWidget {
   Q_OBJECT
  public:
@@ -24,15 +24,15 @@ class FormSection : public QWidget {
   QString title() const;
   void setTitle(const QString& title);
   QString note() const { return note_->text(); }
-  void setNote(const QString& note) { note_->setText(note); }  // right of the heading, secondary
-  /// A link at the right end of the heading, hidden until it is shown. Once.
-  QToolButton* addLink(const QString& text, const QString& says,
+  void setNote(const QString& note) { note_->setText(note); }  // Right of the heading, secondary.
+  /// Adds a link at the right end of the heading, initially hidden. Call it at most once.
+  QToolButton* addLink(const QString& text, const QString& tip,
                        const std::function<void()>& action);
-  /// `field` takes the whole column of fields.
+  /// `field` spans the whole field column.
   void addRow(const QString& label, QWidget* field);
-  /// A slider or other short control left of the field, or two fields side by side.
+  /// Adds a slider or other short control to the left of the field, or two fields side by side.
   void addRow(const QString& label, QWidget* left, QWidget* right);
-  /// Moves the row added last to the place after that of `field`; null: to the top.
+  /// Moves the row added last below the row of `field`; null: to the top.
   void moveLastRow(const QWidget* field);
   void setRowVisible(const QWidget* field, bool visible);
   void setOpen(bool open);
@@ -47,41 +47,43 @@ class FormSection : public QWidget {
   QGridLayout* grid_;
 };
 
-/// One line that asks for no width of its own: of what does not fit the last parts go (they stand
-/// between " · "), of one part the middle. The tool tip has the whole, and `text` stays whole.
+/// A single-line label without a minimum width. Text that does not fit loses its last parts, which
+/// are separated by " · "; a single part is elided in the middle. The tooltip and `text` contain
+/// the full text.
 class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent);
-  void setWords(const QString& words);
-  QString shownWords() const;  // as they fit now
+  void setFullText(const QString& words);
+  QString visibleText() const;  // The text that currently fits.
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// A text in the secondary colour of the palette.
+/// A label in the secondary colour of the palette.
 QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
-/// A text in another font.
+/// A label in the given font.
 QLabel* headingLabel(const QString& text, const QFont& font, QWidget* parent = nullptr);
-/// A button of words that looks like a link, with a tooltip and with what it does.
-QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
+/// A text button styled as a link. `tip`: tooltip; `action`: called on a click.
+QToolButton* linkButton(const QString& text, const QString& tip, QWidget* parent,
                         const std::function<void()>& action);
-/// Lets what is too high for its panel be scrolled; both show the ground of the panel.
+/// A scroll area for content that is too tall for its panel, with the background of the panel.
 QScrollArea* scrollArea(QWidget* content, QWidget* parent);
-/// A line over the whole width.
+/// A horizontal line over the full width.
 QWidget* dividerLine(QWidget* parent = nullptr);
-/// The height that a window can have on its screen: this one, or less.
-int heightOnScreen(const QWidget& window, int wanted);
+/// `wanted` [px], limited to the screen of the window.
+int limitedToScreen(const QWidget& window, int wanted);
 /// "1 person", "3 people".
 QString counted(std::size_t count, const QString& one, const QString& many);
 /// "no tree" -> "No tree"
 QString capitalized(QString text);
-/// Takes the place of a list of which a filter leaves nothing: says so, and clears the filter.
-class NothingFound : public QWidget {
+/// A placeholder shown instead of a list when the filter matches nothing. It names the filter text
+/// and offers to clear the filter.
+class NoMatchesPlaceholder : public QWidget {
   Q_OBJECT
  public:
-  NothingFound(QLineEdit& filter, QWidget& list, QWidget* parent);
-  void showFor(bool found);
+  NoMatchesPlaceholder(QLineEdit& filter, QWidget& list, QWidget* parent);
+  void setMatchFound(bool found);
 
  private:
   QLineEdit& filter_;
@@ -89,12 +91,12 @@ class NothingFound : public QWidget {
   QLabel* words_;
 };
 
-/// A centred sentence that says what to do when a panel has nothing to show.
+/// A centred hint for a panel that has nothing to show.
 QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
-/// A layout with these margins and this space between its parts [px], of which these are the first.
+/// Sets the margins and the spacing [px] of a layout, adds the widgets and returns the layout.
 template <class Layout>
-Layout* arranged(Layout* layout, const QMargins& margins, int spacing,
-                 std::initializer_list<QWidget*> widgets = {}) {
+Layout* configuredLayout(Layout* layout, const QMargins& margins, int spacing,
+                         std::initializer_list<QWidget*> widgets = {}) {
   layout->setContentsMargins(margins);
   layout->setSpacing(spacing);
   for (QWidget* widget : widgets) {
@@ -103,8 +105,8 @@ Layout* arranged(Layout* layout, const QMargins& margins, int spacing,
   return layout;
 }
 
-/// What a command says of itself: the sentence in the status bar, and in its tooltip below its name
-/// and its key. Call it again when one of them changes.
-void describe(QAction& action, const QString& says);
+/// Sets the status tip of an action, and its tooltip from name, shortcut and `tip`. Call it again
+/// when one of them changes.
+void describe(QAction& action, const QString& tip);
 
 }  // namespace editor

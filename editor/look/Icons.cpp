@@ -10,7 +10,7 @@
 
 static void initResources() {
   Q_INIT_RESOURCE(hunavsim);
-}  // must be outside of namespaces
+}  // Q_INIT_RESOURCE must be used outside of namespaces.
 
 namespace editor {
 

@@ -6,8 +6,8 @@
 
 namespace editor {
 
-/// A picture to be painted on. Throws std::bad_alloc where Qt would hand out a null one, which
-/// crashes who paints on it. Thread: any.
+/// An image to paint on. Throws std::bad_alloc if the allocation fails, where Qt returns a null
+/// image that crashes a painter. Thread: any.
 inline QImage blankImage(const QSize& size, QImage::Format format) {
   QImage image(size, format);
   if (image.isNull() && !size.isEmpty()) {

@@ -76,7 +76,7 @@ std::size_t index(Look look) {
 }  // namespace
 
 Look lookOf(sim2d::BehaviorType type) {
-  const int number = static_cast<int>(type);  // from 1, in the same order
+  const int number = static_cast<int>(type);  // Starts at 1, in the same order.
   return number >= 1 && number < kLookCount ? static_cast<Look>(number - 1) : Look::Regular;
 }
 
@@ -162,14 +162,14 @@ QPalette Theme::palette() const {
 }
 
 QFont Theme::font(double points, QFont::Weight weight) const {
-  QFont result = QGuiApplication::font();  // the system's; asking the system takes its time
+  QFont result = QGuiApplication::font();  // The cached system font; querying the system is slow.
   result.setPointSizeF(points);
   result.setWeight(weight);
   return result;
 }
 
 QFont Theme::figureFont(double points) const {
-  // The digits of the usual system fonts have one width; a font without it gets none by force.
+  // The digits of common system fonts already have equal widths; other fonts are left unchanged.
   QFont result = font(points);
   result.setStyleStrategy(QFont::PreferQuality);
   return result;

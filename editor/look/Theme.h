@@ -9,7 +9,7 @@
 
 namespace editor {
 
-/// What a colour is for. Widgets ask for roles, never for numbers.
+/// The purpose of a colour. Widgets request colours by role only.
 enum class Role {
   Window,
   Panel,
@@ -43,11 +43,12 @@ enum class Role {
   ForceObstacle,
   ForceGroup,
   ForceTotal,
-  Lidar,  // and whatever else a robot perceives
+  Lidar,  // Also used for other robot perception.
   Count
 };
 
-/// The seven looks of a person: the six behaviours, or a tree of one's own.
+/// The seven appearances of a person: one for each of the six behaviours, and one for a custom
+/// tree.
 enum class Look { Regular, Impassive, Surprised, Scared, Curious, Threatening, CustomTree };
 constexpr int kLookCount = 7;
 enum class Mark { Disc, Square, Diamond, Ring, TriangleDown, TriangleUp, Hexagon };
@@ -56,14 +57,14 @@ Look lookOf(sim2d::BehaviorType type);
 QString lookName(Look look);
 Mark markOf(Look look);
 
-/// All colours and fonts of the window, as a value. Whoever draws gets a const reference and a
-/// setTheme to recolour at once; nothing is kept globally.
+/// All colours and fonts of the window, as a value. A class that draws takes a const reference and
+/// offers a setTheme that changes the colours immediately. There is no global theme.
 class Theme {
  public:
   explicit Theme(bool isDark = false) : isDark_(isDark) {}
   static Theme light() { return Theme(false); }
   static Theme dark() { return Theme(true); }
-  /// The one that fits the palette of the desktop.
+  /// The theme that matches the desktop palette.
   static Theme fromSystem(const QPalette& system);
 
   bool isDark() const { return isDark_; }
@@ -71,13 +72,13 @@ class Theme {
   QColor color(Role role, double alpha) const;
   QColor fill(Look look) const;
   QColor line(Look look) const;
-  QColor outline(Look look) const;  // of a figure: darker on light, lighter on dark
-  QColor head(Look look) const;     // light tint of the fill
-  QColor feet(Look look) const;     // darker than the body
+  QColor outline(Look look) const;  // Outline of a figure: darker on light, lighter on dark themes.
+  QColor head(Look look) const;     // A light tint of the fill.
+  QColor feet(Look look) const;     // Darker than the body.
 
-  QPalette palette() const;  // for QApplication::setPalette with the Fusion style
+  QPalette palette() const;  // For QApplication::setPalette with the Fusion style.
   QFont font(double points = 9.0, QFont::Weight weight = QFont::Normal) const;
-  QFont figureFont(double points = 9.0) const;  // tabular digits where the font has them
+  QFont figureFont(double points = 9.0) const;  // With tabular digits where the font has them.
 
  private:
   bool isDark_;

@@ -13,17 +13,16 @@
 #include <QSplitter>
 
 #include "bt/tree/TreeXml.h"
-#include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Groups.h"
-#include "editor/document/TreeFiles.h"
-#include "editor/look/DeleteWhenClosed.h"
+#include "editor/document/PeopleEdits.h"
+#include "editor/document/PersonTree.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/FileDialog.h"
-#include "editor/panels/BlockDialog.h"
-#include "editor/panels/BreakpointMenu.h"
+#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/TreeOutline.h"
 #include "editor/panels/ValueForm.h"
 #include "sim2d/base/Text.h"
 
@@ -31,13 +30,13 @@ namespace editor {
 
 namespace {
 
-// How outline and form share the height at first [px of 640].
+// Initial heights of outline and form [px of 640].
 constexpr int kOutlineShare = 380;
 constexpr int kFormShare = 260;
 constexpr int kHintHeight = 72;
 
 QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets) {
-  auto* row = arranged(new QHBoxLayout, {8, 0, 12, 0}, 8, widgets);
+  auto* row = configuredLayout(new QHBoxLayout, {8, 0, 12, 0}, 8, widgets);
   row->addStretch();
   return row;
 }
@@ -58,14 +57,14 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       blockLinks_(new QWidget),
       blockForm_(new ValueForm),
       portForm_(new ValueForm),
-      hint_(emptyState(tr("Select a node above to see what it takes."), this)),
+      hint_(emptyState(tr("Select a node above to see its ports."), this)),
       entriesTitle_(headingLabel(tr("Blackboard"), theme.font(9.5, QFont::DemiBold))),
       entries_(new QTableWidget(0, 2)) {
   setMinimumWidth(300);
   stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
   stack_->addWidget(makePage());
   connect(outline_, &QTreeWidget::currentItemChanged, this, &BehaviorPanel::showNode);
-  connect(outline_, &TreeOutline::removeWanted, this, [this] { moveBlock(0); });
+  connect(outline_, &TreeOutline::removeRequested, this, [this] { moveBlock(0); });
   connect(blockForm_, &ValueForm::edited, this, &BehaviorPanel::editBlock);
   connect(portForm_, &ValueForm::edited, this,
           [this](const std::string& port, const QString& text) {
@@ -86,7 +85,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
     }
   });
   connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
-  connect(&document_, &ScenarioDocument::settled, this,
+  connect(&document_, &ScenarioDocument::stepFinished, this,
           [this] { isVisible() ? rebuild() : (void)(stale_ = true); });
   setTheme(theme);
   follow();
@@ -94,7 +93,8 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
 
 QWidget* BehaviorPanel::makePage() {
   auto* page = new QWidget(this);
-  auto* layout = arranged(new QVBoxLayout(page), {0, 12, 0, 0}, 4, {name_, about_, problem_});
+  auto* layout =
+      configuredLayout(new QVBoxLayout(page), {0, 12, 0, 0}, 4, {name_, about_, problem_});
   for (QLabel* label : {name_, about_, problem_}) {
     label->setContentsMargins(12, 0, 12, 0);
     label->setTextFormat(Qt::PlainText);
@@ -108,8 +108,8 @@ QWidget* BehaviorPanel::makePage() {
   entries_->horizontalHeader()->hide();
   entries_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   entries_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  arranged(new QVBoxLayout(below), {}, 0,
-           {blockLinks_, blockForm_, portForm_, hint_, entriesTitle_, entries_})
+  configuredLayout(new QVBoxLayout(below), {}, 0,
+                   {blockLinks_, blockForm_, portForm_, hint_, entriesTitle_, entries_})
       ->addStretch(1);
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->addWidget(new WholeRows(*outline_, splitter));
@@ -133,23 +133,25 @@ void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
     button->setAccessibleName(says);
     return button;
   };
-  add_ = link(tr("+ Block…"), tr("Add a block of behaviour"), [this] {
+  add_ = link(tr("+ Block…"), tr("Add a behaviour block"), [this] {
     auto* dialog = new BlockDialog(document_, theme_, window());
     deleteWhenClosed(*dialog);
     dialog->open();
   });
-  QToolButton* open = link(tr("Open…"), tr("Take a tree from a file"), [this] { askForTree(); });
-  QToolButton* save = link(tr("Save…"), tr("Write the tree into a file"), [this] { askForFile(); });
+  QToolButton* open =
+      link(tr("Open…"), tr("Load a tree from a file"), [this] { chooseTreeToLoad(); });
+  QToolButton* save =
+      link(tr("Save…"), tr("Save the tree to a file"), [this] { chooseFileToSave(); });
   template_ =
-      link(tr("Template…"), tr("Begin from the tree of a behaviour"), [this] { offerTemplates(); });
-  anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"),
-               [this] { pushTreesAnew(document_, {person_}); });
-  takeRoute_ = link(tr("Put the route into the tree"), tr("Put the route into the tree"),
+      link(tr("Template…"), tr("Start from the tree of a behaviour"), [this] { offerTemplates(); });
+  regenerate_ = link(tr("Regenerate"), tr("Generate the tree from behaviour and goals"),
+                     [this] { pushRegeneratedTrees(document_, {person_}); });
+  takeRoute_ = link(tr("Copy route to tree"), tr("Copy route to tree"),
                     [this] { pushGoalsOfRoute(document_, person_); });
-  earlier_ = link(tr("Earlier"), tr("Before the block above"), [this] { moveBlock(-1); });
-  later_ = link(tr("Later"), tr("Behind the block below"), [this] { moveBlock(1); });
+  earlier_ = link(tr("Earlier"), tr("Move before the block above"), [this] { moveBlock(-1); });
+  later_ = link(tr("Later"), tr("Move after the block below"), [this] { moveBlock(1); });
   QToolButton* remove = link(tr("Remove"), tr("Remove the block"), [this] { moveBlock(0); });
-  layout.addLayout(rowOf({add_, template_, anew_}));
+  layout.addLayout(rowOf({add_, template_, regenerate_}));
   layout.addLayout(rowOf({open, save, takeRoute_}));
   blockLinks_->setLayout(rowOf({earlier_, later_, remove}));
 }
@@ -168,11 +170,11 @@ void BehaviorPanel::follow() {
     person_ = id.kind == EntityKind::Human ? id : person_;
   }
   if (person_ != before) {
-    menu_.close();  // it is about the previous person
+    menu_.close();  // The menu belongs to the previous person.
   }
   const sim2d::Human* human = document_.human(person_);
-  if (human != nullptr && runner_.watched() != human->id) {  // the last one stays, for the studio
-    runner_.watchEntries(human->id);
+  if (human != nullptr && runner_.watched() != human->id) {  // Kept for the tree dock.
+    runner_.watchBlackboard(human->id);
   }
   rebuild();
   showEntries();
@@ -197,25 +199,25 @@ void BehaviorPanel::rebuild() {
   blocks_ =
       tree_.mainTree() == nullptr ? std::vector<bt::Block>() : bt::blocksOf(*tree_.mainTree());
   outline_->showTree(tree_);
-  showWords();
+  showSummary();
   showNode();
   showStatus();
   showBreakpoints();
 }
 
-void BehaviorPanel::showWords() {
+void BehaviorPanel::showSummary() {
   const sim2d::Human& human = *document_.human(person_);
   const QString behavior =
       lookName(lookOf(human.behavior.type.value_or(sim2d::BehaviorType::Regular)));
   name_->setText(QString::fromStdString(human.name));
   about_->setText(
-      !tree_.isOwn ? tr("%1 · made from behaviour and goals").arg(behavior)
-      : tree_.isMadeWithBlocks
+      !tree_.isCustom ? tr("%1 · generated from behaviour and goals").arg(behavior)
+      : tree_.isGeneratedWithBlocks
           ? tr("%1 · with %2").arg(behavior, counted(blocks_.size(), tr("block"), tr("blocks")))
-          : tr("A tree of their own · changes of the behaviour do not reach it"));
-  anew_->setEnabled(tree_.isOwn);
+          : tr("Custom tree; not affected by changes to the behaviour"));
+  regenerate_->setEnabled(tree_.isCustom);
   add_->setEnabled(tree_.mainTree() != nullptr && tree_.mainTree()->root.id == "Fallback");
-  takeRoute_->setVisible(tree_.hasOtherGoals);
+  takeRoute_->setVisible(tree_.hasDifferentGoals);
   problem_->setVisible(!tree_.problems.empty());
   if (!tree_.problems.empty()) {
     const QString more =
@@ -255,7 +257,7 @@ void BehaviorPanel::showNode() {
 void BehaviorPanel::editBlock(const std::string& key, const QString& text) {
   const int place = currentBlock();
   if (place >= 0 && hasPerson()) {
-    std::vector<bt::Block> blocks = blocks_;  // which are read anew when the edit is taken
+    std::vector<bt::Block> blocks = blocks_;  // A copy: the edit reads them again.
     bt::Block& block = blocks[static_cast<std::size_t>(place)];
     setValue(block, key, text);
     blockForm_->show(blockRows(block, document_));
@@ -319,9 +321,9 @@ void BehaviorPanel::showBreakpoints() {
   outline_->showBreakpoints(own);
 }
 
-/// Of the state that is shown, where that is known.
+/// Shows the blackboard of the shown state, if it is known.
 void BehaviorPanel::showEntries() {
-  const app::Entries* entries = runner_.shownEntries();
+  const app::BlackboardEntries* entries = runner_.shownEntries();
   const bool isShown = entries != nullptr && !entries->empty();
   entriesTitle_->setVisible(isShown);
   entries_->setVisible(isShown);
@@ -350,7 +352,8 @@ void addBehaviorPanel(PanelRegistry& to) {
     auto* panel = new BehaviorPanel(context.document, context.runner, context.theme(),
                                     [&context] { return context.folder(); });
     QObject::connect(&context, &PanelContext::themeChanged, panel, &BehaviorPanel::setTheme);
-    QObject::connect(panel, &BehaviorPanel::told, &context, &PanelContext::problemsFound);
+    QObject::connect(panel, &BehaviorPanel::problemsReported, &context,
+                     &PanelContext::problemsFound);
     TreeOutline& outline = panel->outline();
     QObject::connect(
         &outline, &QTreeWidget::currentItemChanged, &context,
@@ -365,14 +368,14 @@ void addBehaviorPanel(PanelRegistry& to) {
   });
 }
 
-base::Diagnostics BehaviorPanel::takeTreeFrom(const QString& path, EntityId person) {
+base::Diagnostics BehaviorPanel::loadTreeFrom(const QString& path, EntityId person) {
   const base::Result<std::string> text = base::readTextFile(path.toStdString());
   if (!text) {
     return text.diagnostics();
   }
   const base::Result<bt::TreeFile> file = bt::readTreeText(*text, path.toStdString());
   if (file) {
-    pushTreeText(document_, person, *text, tr("Take the tree %1").arg(QFileInfo(path).fileName()));
+    pushTreeText(document_, person, *text, tr("Load tree %1").arg(QFileInfo(path).fileName()));
   }
   return file.diagnostics();
 }
@@ -381,23 +384,24 @@ base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path, EntityId person
   base::Diagnostics problems =
       base::writeFileAtomically(path.toStdString(), treeText(document_, person));
   if (auto included = missingIncludedTree(QFileInfo(path).absolutePath().toStdString())) {
-    base::append(problems, base::writeFilesTogether({*std::move(included)}));
+    base::append(problems, base::writeFilesAtomically({*std::move(included)}));
   }
   return problems;
 }
 
-/// A run that continues while the dialog is open may select another person.
-void BehaviorPanel::askForTree() {
+/// The person is stored because a running simulation may select another one while the dialog is
+/// open.
+void BehaviorPanel::chooseTreeToLoad() {
   const EntityId person = person_;
   const QString path = QFileDialog::getOpenFileName(
-      window(), tr("Take a behaviour tree"), folder_(),
+      window(), tr("Load a behaviour tree"), folder_(),
       tr("Behaviour trees (*.xml);;All files (*)"), nullptr, QFileDialog::ReadOnly);
   if (!path.isEmpty() && document_.human(person) != nullptr) {
-    Q_EMIT told(takeTreeFrom(path, person));
+    Q_EMIT problemsReported(loadTreeFrom(path, person));
   }
 }
 
-void BehaviorPanel::askForFile() {
+void BehaviorPanel::chooseFileToSave() {
   const EntityId person = person_;
   const sim2d::Human* human = document_.human(person);
   const QString name = QString::fromStdString(
@@ -407,19 +411,19 @@ void BehaviorPanel::askForFile() {
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(QStringLiteral("xml"));
   dialog.selectFile(name);
-  keepFiles(dialog, true);
+  restrictFileDialog(dialog, true);
   if (dialog.exec() == QDialog::Accepted && document_.human(person) != nullptr) {
-    Q_EMIT told(saveTreeTo(dialog.selectedFiles().value(0), person));
+    Q_EMIT problemsReported(saveTreeTo(dialog.selectedFiles().value(0), person));
   }
 }
 
-void BehaviorPanel::takeTemplate(sim2d::BehaviorType type) {
-  const QString text = tr("Take the tree of %1").arg(lookName(lookOf(type)));
+void BehaviorPanel::applyTemplate(sim2d::BehaviorType type) {
+  const QString text = tr("Use the tree of %1").arg(lookName(lookOf(type)));
   document_.undoStack().beginMacro(text);
   pushTreeText(document_, person_, std::nullopt, text);
   pushChange<sim2d::Human>(document_, person_, text, [this, type](sim2d::Human& human) {
     human.behavior.type = type;
-    completeReaction(document_.scenario(), human);
+    addMissingReactionKeys(document_.scenario(), human);
   });
   document_.undoStack().endMacro();
 }
@@ -430,7 +434,7 @@ void BehaviorPanel::offerTemplates() {
   for (int i = 1; i <= 6; ++i) {
     const auto type = static_cast<sim2d::BehaviorType>(i);
     menu.addAction(painter.markIcon(lookOf(type)), lookName(lookOf(type)), this,
-                   [this, type] { takeTemplate(type); });
+                   [this, type] { applyTemplate(type); });
   }
   menu.popup(template_->mapToGlobal(QPoint(0, template_->height())));
 }

@@ -8,9 +8,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "bt/human/Blocks.h"
+#include "bt/human/BehaviorBlocks.h"
 #include "editor/document/PersonTree.h"
-#include "editor/look/PanelMenu.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/panels/TreeOutline.h"
 #include "editor/run/SimulationRunner.h"
 
@@ -18,27 +18,27 @@ namespace editor {
 
 class ValueForm;
 
-/// The right dock's second tab: the behaviour tree of the person who is selected, as an outline,
-/// with the values of the node or block that is chosen below it. Follows a run.
+/// The second tab of the right dock: the behaviour tree of the selected person as an outline, with
+/// the values of the chosen node or block below it. Shows the state of a run.
 class BehaviorPanel : public QWidget {
   Q_OBJECT
  public:
-  /// `folder`: where the dialogs for trees begin.
+  /// `folder`: initial folder of the file dialogs for trees.
   BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner, const Theme& theme,
                 std::function<QString()> folder);
   void setTheme(const Theme& theme);
   TreeOutline& outline() const { return *outline_; }
   EntityId person() const { return person_; }
   QTableWidget& entries() const { return *entries_; }
-  /// Takes the text of a file as the person's own tree; what is wrong with it is told and nothing
-  /// is changed when it cannot be read.
-  base::Diagnostics takeTreeFrom(const QString& path, EntityId person);
+  /// Reads a file as the custom tree of a person. Returns its problems; an unreadable file changes
+  /// nothing.
+  base::Diagnostics loadTreeFrom(const QString& path, EntityId person);
   base::Diagnostics saveTreeTo(const QString& path, EntityId person) const;
-  /// The tree that this behaviour makes, and the behaviour with it: one command.
-  void takeTemplate(sim2d::BehaviorType type);
+  /// Sets a behaviour and its generated tree: one command.
+  void applyTemplate(sim2d::BehaviorType type);
 
  Q_SIGNALS:
-  void told(const base::Diagnostics& problems);
+  void problemsReported(const base::Diagnostics& problems);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -47,21 +47,21 @@ class BehaviorPanel : public QWidget {
   QWidget* makePage();
   void makeLinks(QVBoxLayout& layout);
   void follow();
-  /// False for a moment after the person was taken away, before the panel is built anew.
+  /// False between the removal of the person and the next rebuild.
   bool hasPerson() const { return document_.human(person_) != nullptr; }
   void rebuild();
-  void showWords();
+  void showSummary();
   void showNode();
   void showStatus();
   void offerTemplates();
   void offerBreakpoints(const QPoint& at);
   void showBreakpoints();
   void showEntries();
-  void askForTree();
-  void askForFile();
+  void chooseTreeToLoad();
+  void chooseFileToSave();
   void editBlock(const std::string& key, const QString& text);
   void moveBlock(int by);    // 0 = remove it
-  int currentBlock() const;  // place among the blocks, -1 = another node
+  int currentBlock() const;  // Index of the block, -1 = another node.
 
   ScenarioDocument& document_;
   Theme theme_;
@@ -69,18 +69,18 @@ class BehaviorPanel : public QWidget {
   std::function<QString()> folder_;
   EntityId person_;
   PersonTree tree_;
-  std::vector<bt::Block> blocks_;  // of its main tree
-  bool stale_ = false;             // the document has changed while this was hidden
+  std::vector<bt::Block> blocks_;  // Blocks of the main tree.
+  bool stale_ = false;             // The document has changed while the panel was hidden.
   QStackedLayout* stack_;
   QLabel *name_, *about_, *problem_;
-  QToolButton *add_, *template_, *anew_, *takeRoute_, *earlier_, *later_;
+  QToolButton *add_, *template_, *regenerate_, *takeRoute_, *earlier_, *later_;
   TreeOutline* outline_;
   QWidget* blockLinks_;
   ValueForm *blockForm_, *portForm_;
-  QLabel* hint_;  // while no node is chosen
+  QLabel* hint_;  // Shown while no node is chosen.
   QLabel* entriesTitle_;
-  QTableWidget* entries_;  // of the blackboard, in a run
-  PanelMenu menu_;         // about the person
+  QTableWidget* entries_;  // Blackboard entries during a run.
+  PanelMenu menu_;         // Menu for the current person.
 };
 
 }  // namespace editor

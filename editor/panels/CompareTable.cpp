@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kNumberWidth = 58;
 constexpr int kUnitWidth = 44;
-constexpr int kNameWidth = 150;  // of metrics beside more columns than there is room for
+constexpr int kNameWidth = 150;  // For metric names if the columns do not fit.
 constexpr int kFewRuns = 2;
 
 QString valueText(const metrics::MetricInfo& info, const std::optional<double>& value) {
@@ -28,7 +28,7 @@ QString valueText(const metrics::MetricInfo& info, const std::optional<double>& 
   return metricText(result);
 }
 
-/// "+0.12", "0": what the other run has more.
+/// "+0.12", "0": the difference of the other run from the first.
 QString differenceText(const metrics::MetricInfo& info, const std::optional<double>& difference) {
   if (!difference) {
     return QStringLiteral("–");
@@ -50,7 +50,7 @@ CompareTable::CompareTable(PanelContext& context)
       plot_(new ComparePlot(context.theme())),
       task_([this](Measured measured) { deliver(std::move(measured)); }) {
   styleTable(*table_, tr("Metrics of the runs"));
-  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // of five runs
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // Needed for five runs.
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(table_);
   both->addWidget(plot_);
@@ -58,8 +58,8 @@ CompareTable::CompareTable(PanelContext& context)
   both->setStretchFactor(1, 2);
   both->setSizes({440, 220});
   stack_->addWidget(
-      emptyState(tr("Go on from an earlier moment, or add a recorded run. Runs that are ticked are "
-                    "compared with the one that is shown."),
+      emptyState(tr("Branch from an earlier moment, or add a recorded run. Checked runs are "
+                    "compared with the displayed run."),
                  this));
   stack_->addWidget(both);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -90,9 +90,9 @@ void CompareTable::compare(std::vector<Run> runs) {
   if (runs.size() < 2) {
     stop_->stop();
     stop_ = std::make_shared<base::StopFlag>();
-    task_.forget();  // it may have passed its last check of the flag
+    task_.forget();  // The task may have passed its last check of the flag.
     shown_ = {};
-    partings_.clear();
+    divergences_.clear();
     fill();
     return;
   }
@@ -119,14 +119,15 @@ void CompareTable::compare(std::vector<Run> runs) {
                                    : app::measureRun(*run.recording, setup, stop));
     }
     for (std::size_t k = 1; k < runs.size(); ++k) {
-      all.partings.push_back(app::partingTime(*runs.front().recording, *runs[k].recording));
+      all.divergences.push_back(app::divergenceTime(*runs.front().recording, *runs[k].recording));
     }
     return all;
   });
 }
 
-/// Than the first: its places mean something else, and so may its numbers.
-bool CompareTable::isOfAnother(const Run& run) const {
+/// True if the run has another scenario than the first one: its positions, and possibly its ids,
+/// have other meanings.
+bool CompareTable::hasOtherScenario(const Run& run) const {
   const std::string& ours = shown_.runs.front().recording->header()->scenario;
   const std::string& theirs = run.recording->header()->scenario;
   return !ours.empty() && !theirs.empty() && ours != theirs;
@@ -136,19 +137,19 @@ void CompareTable::deliver(Measured measured) {
   shown_ = std::move(measured);
   QStringList words;
   for (std::size_t k = 1; k < shown_.runs.size(); ++k) {
-    const std::optional<double>& parting = shown_.partings[k - 1];
+    const std::optional<double>& parting = shown_.divergences[k - 1];
     const QString& letter = shown_.runs[k].letter;
-    words << (isOfAnother(shown_.runs[k]) ? tr("%1 is of another scenario").arg(letter)
-              : parting                   ? tr("%1 parts at %2").arg(letter, clockText(*parting))
-                                          : tr("%1 is the same").arg(letter));
+    words << (hasOtherScenario(shown_.runs[k]) ? tr("%1 has another scenario").arg(letter)
+              : parting ? tr("%1 diverges at %2").arg(letter, clockText(*parting))
+                        : tr("%1 is identical").arg(letter));
   }
-  partings_ = words.join(QStringLiteral(" · "));
+  divergences_ = words.join(QStringLiteral(" · "));
   fill();
   Q_EMIT measuredAll();
 }
 
 void CompareTable::fill() {
-  rows_ = app::compareMeasures(shown_.measures);
+  rows_ = app::compareRecordingMetrics(shown_.measures);
   const auto runs = static_cast<int>(shown_.runs.size());
   stack_->setCurrentIndex(runs > 1 ? 1 : 0);
   QStringList heads = {tr("Metric")};
@@ -202,7 +203,7 @@ void CompareTable::fill() {
   showSelected();
 }
 
-/// Of the row that is selected, else of the first that differs.
+/// Shows the selected row, else the first that differs.
 void CompareTable::showSelected() {
   int row = table_->currentRow();
   if (row < 0) {

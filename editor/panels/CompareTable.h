@@ -7,22 +7,22 @@
 #include <QStackedLayout>
 #include <QTableWidget>
 
-#include "app/run/Comparison.h"
+#include "app/run/RunComparison.h"
 #include "editor/document/LatestTask.h"
-#include "editor/panels/ComparePlot.h"
 #include "editor/panels/PanelRegistry.h"
+#include "editor/panels/RunPlots.h"
 
 namespace editor {
 
-/// Metrics of several runs side by side, with what the others differ by from the first, and the one
-/// that is selected over time. Measured beside the window.
+/// Metrics of several runs side by side with the differences from the first run, and the selected
+/// metric over time. Measured outside the GUI thread.
 class CompareTable : public QWidget {
   Q_OBJECT
  public:
   struct Run {
     RecordingPtr recording;
     QString letter;
-    int style = -1;  // -1: the run that is shown, which is the first
+    int style = -1;  // -1: the shown run, which is the first.
   };
   explicit CompareTable(PanelContext& context);
   ~CompareTable() override;
@@ -32,8 +32,8 @@ class CompareTable : public QWidget {
   bool isBusy() const { return task_.isBusy(); }
   QTableWidget& table() const { return *table_; }
   ComparePlot& plot() const { return *plot_; }
-  /// When each of the others leaves the first, in words; empty: nothing is compared.
-  QString partings() const { return partings_; }
+  /// The times at which the other runs diverge from the first, as text; empty: no comparison.
+  QString divergences() const { return divergences_; }
 
  Q_SIGNALS:
   void measuredAll();
@@ -41,13 +41,13 @@ class CompareTable : public QWidget {
  private:
   struct Measured {
     std::vector<Run> runs;
-    std::vector<std::size_t> sizes;  // of the recordings
-    std::vector<app::RunMeasures> measures;
-    std::vector<std::optional<double>> partings;  // [s], of the others
+    std::vector<std::size_t> sizes;  // Sizes of the recordings.
+    std::vector<app::RecordingMetrics> measures;
+    std::vector<std::optional<double>> divergences;  // Divergence times of the other runs [s].
   };
   base::Result<app::MetricsSetup> setup() const;
   void deliver(Measured measured);
-  bool isOfAnother(const Run& run) const;
+  bool hasOtherScenario(const Run& run) const;
   void fill();
   void showSelected();
 
@@ -55,10 +55,10 @@ class CompareTable : public QWidget {
   QStackedLayout* stack_;
   QTableWidget* table_;
   ComparePlot* plot_;
-  QString partings_;
+  QString divergences_;
   Measured shown_;
   std::vector<app::ComparedMetric> rows_;
-  std::string chosen_;  // key of the metric
+  std::string chosen_;  // Key of the metric.
   std::shared_ptr<base::StopFlag> stop_ = std::make_shared<base::StopFlag>();
   LatestTask<Measured> task_;
 };

@@ -25,7 +25,7 @@ QString joined(const std::vector<Item>& items, const QString& between, const ToT
   return words.join(between);
 }
 
-/// Nothing when a part is none.
+/// None if any part is invalid.
 template <class Item, class Parse>
 std::optional<std::vector<Item>> parsed(const QString& text, char between, const Parse& parse) {
   std::vector<Item> items;
@@ -43,9 +43,10 @@ std::optional<double> numberOf(const QString& word) {
   return base::parseDouble(word.trimmed().toStdString());
 }
 
-/// Digits enough for the default, steps no larger than its first digit: 0.005 is no 0.01.
+/// Enough decimals for the default, and steps no larger than its first digit: 0.005 must not become
+/// 0.01.
 base::FormHints hintsOf(const base::ParameterSpec& spec) {
-  constexpr int kMostDecimals = 6;
+  constexpr int kMaxDecimals = 6;
   base::FormHints form = spec.form;
   const double usual = std::abs(numberIn(spec.fallback).value_or(0.0));
   if (usual > 0.0 && usual < form.step) {
@@ -55,13 +56,13 @@ base::FormHints hintsOf(const base::ParameterSpec& spec) {
     const double scaled = usual * std::pow(10.0, decimals);
     return std::abs(scaled - std::round(scaled)) < 1e-6;
   };
-  while (form.decimals < kMostDecimals && !fits(form.decimals)) {
+  while (form.decimals < kMaxDecimals && !fits(form.decimals)) {
     ++form.decimals;
   }
   return form;
 }
 
-/// As files have it; none: no number, and no text that says anything.
+/// In file notation; none: neither a number nor a non-empty text.
 std::optional<std::string> yamlOfParameter(const base::ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) {
     return text->empty() ? std::nullopt
@@ -136,11 +137,11 @@ EntityField headingField() {
         return heading ? std::optional(std::round(*heading / kDegree * 10.0) / 10.0) : std::nullopt;
       },
       [](Entity& entity, std::optional<double> value) {
-        entity = turned(std::move(entity), value.value_or(0.0) * kDegree);
+        entity = withHeading(std::move(entity), value.value_or(0.0) * kDegree);
       });
   field.spec.range = {-180.0, 180.0};
   field.spec.form = {"Heading", 1, 5.0};
-  field.spec.help = "Counter-clockwise from the right";
+  field.spec.help = "Counter-clockwise from the x axis";
   return field;
 }
 

@@ -14,19 +14,19 @@
 
 namespace editor {
 
-/// One key over the entities of a document: of the tables, or a page's own.
+/// A property of entities: a key of the tables, or specific to a page.
 struct EntityField {
   base::ParameterSpec spec;
-  std::function<base::ParameterValue(const Entity&)> get;  // monostate: left out
+  std::function<base::ParameterValue(const Entity&)> get;  // monostate: not set.
   std::function<void(Entity&, const base::ParameterValue&)> set;
-  std::function<base::ParameterValue(const Entity&)> fallback{};  // what counts when left out
-  std::function<bool(const Entity&)> belongs{};                   // null: to every one
-  bool isWide = false;                                            // an integer of 64 bits
+  std::function<base::ParameterValue(const Entity&)> fallback{};  // Effective value if not set.
+  std::function<bool(const Entity&)> belongs{};                   // Null: applies to all.
+  bool is64Bit = false;                                           // A 64-bit integer.
 };
 
 std::optional<double> numberIn(const base::ParameterValue& value);
 
-// Keys that are no plain field of a table.
+// Properties that are not plain fields of a table.
 EntityField numberField(const QString& label, const QString& unit,
                         std::function<std::optional<double>(const Entity&)> get,
                         std::function<void(Entity&, std::optional<double>)> set);
@@ -37,38 +37,38 @@ EntityField textField(const QString& label, const QString& help,
 EntityField positionField(const QString& label, int axis);
 EntityField headingField();
 
-/// What is chosen by name and has parameters of its own: the planner of a robot, the model of
-/// people.
+/// A selectable implementation with its own parameters: the planner of a robot, or the pedestrian
+/// model.
 struct ParameterOwner {
-  std::map<std::string, std::vector<base::ParameterSpec>> known;  // by name
-  std::function<std::string(const Entity&)> name;                 // of the one that counts
-  std::function<sim2d::ParameterTexts(const Entity&)> given;      // for that one
-  std::function<void(Entity&, sim2d::ParameterTexts)> give;       // none of them: left out
+  std::map<std::string, std::vector<base::ParameterSpec>> known;  // By name.
+  std::function<std::string(const Entity&)> name;                 // Of the effective one.
+  std::function<sim2d::ParameterTexts(const Entity&)> given;      // Its parameter values.
+  std::function<void(Entity&, sim2d::ParameterTexts)> give;       // None: parameters are not set.
 };
-/// A parameter that the owner of this name declares, a number or a text; written as files have it.
+/// A parameter declared by the implementation `name`, a number or a text, in the notation of the
+/// file.
 EntityField parameterField(const ParameterOwner& owner, const std::string& name,
                            const base::ParameterSpec& spec);
-/// What the file sets and no row shows: names that the owner does not declare, values that are no
-/// numbers.
+/// Parameters of the file without a row: undeclared names, and values that are not numbers.
 sim2d::ParameterTexts otherParameters(const ParameterOwner& owner, const Entity& entity);
 EntityField otherParametersField(const ParameterOwner& owner, const QString& help);
 
-// Lists as texts that people type.
+// Lists as editable text.
 /// "lookahead=0.6, stop_distance=0.5"
 QString pairsText(const std::vector<std::pair<std::string, std::string>>& pairs);
-/// Nothing when a part has no name or no value.
+/// None if a part has no name or no value.
 std::optional<std::vector<std::pair<std::string, std::string>>> pairsFromText(const QString& text);
 /// "0.3 0.2; -0.3 0.2; -0.3 -0.2"
 QString pointsText(const std::vector<Vec2>& points);
-/// Nothing when a point is not two numbers.
+/// None if a point is not two numbers.
 std::optional<std::vector<Vec2>> pointsFromText(const QString& text);
 
-/// Times or numbers in a list, as text: "2.0, 7.5".
+/// Times or numbers of a list as text: "2.0, 7.5".
 QString listText(const std::vector<double>& values);
-/// Nothing when a word is no number.
+/// None if a part is not a number.
 std::optional<std::vector<double>> listFromText(const QString& text);
 
-/// The part of an entity that has the keys of T.
+/// The part of an entity that contains the keys of T.
 template <class T, class AnyEntity>
 decltype(auto) partOf(AnyEntity& entity) {
   if constexpr (std::is_same_v<T, sim2d::Behavior>) {
@@ -96,7 +96,8 @@ decltype(auto) partOf(AnyEntity& entity) {
   }
 }
 
-/// The name of the widget that edits a key: keys of maps within an entity may be called alike.
+/// The name of the widget for a key. Keys of maps within an entity get a prefix because they may be
+/// equal.
 template <class T>
 std::string rowName(const std::string& key) {
   if constexpr (std::is_same_v<T, sim2d::LidarSettings>) {
@@ -114,14 +115,14 @@ std::string rowName(const std::string& key) {
   }
 }
 
-/// `seed` is asked for what is drawn.
+/// `seed` returns the seed for sampled values.
 template <class T>
 EntityField entityField(const sim2d::Field<T>& field, const ScenarioDocument& document,
                         std::function<long long()> seed) {
   using Resolved = sim2d::Resolved<T>;
   EntityField result;
   result.spec = field.spec;
-  result.isWide = field.isWide;
+  result.is64Bit = field.is64Bit;
   result.get = [&field](const Entity& entity) { return field.value(partOf<T>(entity)); };
   result.set = [&field](Entity& entity, const base::ParameterValue& value) {
     field.assign(partOf<T>(entity), value);

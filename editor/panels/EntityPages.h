@@ -12,7 +12,7 @@
 
 namespace editor {
 
-/// One person, or several at once.
+/// Page for one or several people.
 class PersonPage : public PropertyPage {
  public:
   PersonPage(ScenarioDocument& document, const Theme& theme);
@@ -38,22 +38,22 @@ class PersonPage : public PropertyPage {
   FormSection* forces_ = nullptr;
   NumberField* seed_ = nullptr;
   QWidget* drawLinks_ = nullptr;
-  QLabel* ownTree_ = nullptr;
-  QToolButton* treeAnew_ = nullptr;
+  QLabel* customTreeLabel_ = nullptr;
+  QToolButton* regenerateTree_ = nullptr;
   QToolButton* keepSeed_ = nullptr;
-  std::optional<long long> ownSeed_;  // tried out here; none = the scenario's
+  std::optional<long long> ownSeed_;  // Tried out in the page; none = that of the scenario.
 };
 
 class Nav2Form;
 class RobotPicture;
 
-/// A picture of the body over what one sets first: type, planner, start, goal. The parameters of
-/// the chosen planner, sensors and limits are folds.
+/// Page for robots: a picture of the body, then type, planner, start and goal. The parameters of
+/// the chosen planner, sensors and limits are collapsible sections.
 class RobotPage : public PropertyPage {
  public:
   explicit RobotPage(ScenarioDocument& document,
                      const sim2d::FieldTables& tables = sim2d::fieldTables(),
-                     const sim2d::Registries& registries = app::programRegistries());
+                     const sim2d::Registries& registries = app::builtinRegistries());
   void setTheme(const Theme& theme) override;
 
  private:
@@ -63,19 +63,19 @@ class RobotPage : public PropertyPage {
   void addGoalSection();
   template <class Part>
   void addPart(const QString& title, const sim2d::FieldTables& tables,
-               const std::map<std::string, FieldLook>& looks = {});
+               const std::map<std::string, FieldOptions>& looks = {});
 
   RobotPicture* picture_;
   Nav2Form* nav2_ = nullptr;
   QToolButton* source_ = nullptr;
 };
 
-/// What belongs to the scenario as a whole; shown when nothing is selected. The parameters of the
-/// chosen pedestrian model have rows.
+/// Page for the scenario settings; shown if nothing is selected. The parameters of the chosen
+/// pedestrian model have rows.
 class SettingsPage : public PropertyPage {
  public:
   explicit SettingsPage(ScenarioDocument& document,
-                        const sim2d::Registries& registries = app::programRegistries());
+                        const sim2d::Registries& registries = app::builtinRegistries());
 
  private:
   void addRunSection();
@@ -86,7 +86,7 @@ class SettingsPage : public PropertyPage {
   void addMeasureSection();
 };
 
-/// A page for each kind.
+/// One page per kind.
 std::map<EntityKind, PropertyPage*> entityPages(ScenarioDocument& document, const Theme& theme);
 
 }  // namespace editor

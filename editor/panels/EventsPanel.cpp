@@ -1,10 +1,15 @@
+#include "editor/panels/EventsPanel.h"
+
 #include <array>
+#include <map>
 
 #include <QHeaderView>
+#include <QPainterPath>
 #include <QScrollBar>
 #include <QStackedLayout>
 #include <QTableWidget>
 
+#include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/Playback.h"
@@ -14,7 +19,7 @@ namespace editor {
 
 namespace {
 
-/// What happened in the run, newest below; a click goes to that moment.
+/// The events of a run, newest last; a click seeks to the time of an event.
 class EventsPanel : public QWidget {
  public:
   explicit EventsPanel(PanelContext& context)
@@ -25,15 +30,15 @@ class EventsPanel : public QWidget {
     header->setSectionResizeMode(0, QHeaderView::Fixed);
     header->resizeSection(0, 72);
     header->setStretchLastSection(true);
-    stack_->addWidget(emptyState(tr("Nothing has happened yet: press Space to run."), this));
+    stack_->addWidget(emptyState(tr("No events yet: press Space to run."), this));
     stack_->addWidget(table_);
     const auto seek = [this](const QModelIndex& at) {
       context_.runner.seek(eventAt(at.row()).step);
     };
     connect(table_, &QTableView::clicked, this, seek);
     connect(table_, &QTableView::activated, this, seek);
-    connect(&context.happened, &RunEvents::cleared, this, [this] { setCount(0); });
-    connect(&context.happened, &RunEvents::added, this, [this](int, int last) {
+    connect(&context.runEvents, &RunEvents::cleared, this, [this] { setCount(0); });
+    connect(&context.runEvents, &RunEvents::added, this, [this](int, int last) {
       const QScrollBar* bar = table_->verticalScrollBar();
       const bool atEnd = bar->value() == bar->maximum();
       setCount(last + 1);
@@ -47,7 +52,7 @@ class EventsPanel : public QWidget {
 
  private:
   const RunEvent& eventAt(int row) const {
-    return context_.happened.events()[static_cast<std::size_t>(row)];
+    return context_.runEvents.events()[static_cast<std::size_t>(row)];
   }
   void setTheme(const Theme& theme) {
     for (std::size_t mark = 0; mark < icons_.size(); ++mark) {
@@ -87,8 +92,173 @@ class EventsPanel : public QWidget {
 }  // namespace
 
 void addEventsPanel(PanelRegistry& to) {
-  to.add(closedBelow(70, QObject::tr("Events")),
+  to.add(closedBottomPanel(70, QObject::tr("Events")),
          [](PanelContext& context) { return new EventsPanel(context); });
+}
+
+using sim2d::EventKind;
+
+namespace {
+
+/// Presentation of an event kind: %1 = agent, %2 = the other agent or the event text.
+struct EventPresentation {
+  EventMark mark;
+  const char* words;
+};
+
+const EventPresentation& presentationOf(EventKind kind) {
+  static const std::map<EventKind, EventPresentation> kPresentations = {
+      {EventKind::Enter, {EventMark::Ring, QT_TR_NOOP("%1 enters")}},
+      {EventKind::Leave, {EventMark::Ring, QT_TR_NOOP("%1 leaves")}},
+      {EventKind::Goal, {EventMark::Pin, QT_TR_NOOP("%1 reached %2")}},
+      {EventKind::Arrived, {EventMark::Pin, QT_TR_NOOP("%1 has arrived")}},
+      {EventKind::Contact, {EventMark::Cross, QT_TR_NOOP("%1 touches %2")}},
+      {EventKind::Say, {EventMark::Bubble, QT_TR_NOOP("%1: “%2”")}},
+      {EventKind::Heard, {EventMark::Bubble, QT_TR_NOOP("%1 hears %2")}},
+      {EventKind::Action, {EventMark::Diamond, QT_TR_NOOP("%1 starts %2")}},
+      {EventKind::ActionEnd, {EventMark::Diamond, QT_TR_NOOP("%1 ends %2")}},
+      {EventKind::Group, {EventMark::Ring, QT_TR_NOOP("%1 joins group %2")}},
+      {EventKind::Replan, {EventMark::None, QT_TR_NOOP("%1 plans a new path")}},
+      {EventKind::Stuck, {EventMark::Triangle, QT_TR_NOOP("%1 is stuck")}},
+      {EventKind::NavigationSucceeded,
+       {EventMark::Pin, QT_TR_NOOP("%1: navigation succeeded, %2")}},
+      {EventKind::NavigationFailed, {EventMark::Cross, QT_TR_NOOP("%1: navigation failed, %2")}},
+      {EventKind::Door, {EventMark::Ring, QT_TR_NOOP("Door %2")}},
+      {EventKind::Stop, {EventMark::None, QT_TR_NOOP("The run ends: %2")}},
+      {EventKind::Dock, {EventMark::Diamond, QT_TR_NOOP("%1: %2")}},
+      {EventKind::Photo, {EventMark::Diamond, QT_TR_NOOP("%1 takes a photo at %2")}},
+      {EventKind::Battery, {EventMark::Diamond, QT_TR_NOOP("%1: battery %2")}}};
+  return kPresentations.at(kind);
+}
+
+QPainterPath pinPath() {
+  QPainterPath path(QPointF(0.0, 6.0));
+  path.cubicTo(-1.5, 3.0, -4.0, 1.5, -4.0, -1.0);
+  path.arcTo(QRectF(-4.0, -5.0, 8.0, 8.0), 180.0, -180.0);
+  path.cubicTo(4.0, 1.5, 1.5, 3.0, 0.0, 6.0);
+  return path;
+}
+
+QPainterPath bubblePath() {
+  QPainterPath path;
+  path.addRoundedRect(QRectF(-5.0, -4.5, 10.0, 7.5), 2.0, 2.0);
+  QPainterPath tail(QPointF(-2.5, 2.0));
+  tail.lineTo(-2.5, 5.5);
+  tail.lineTo(1.0, 2.0);
+  return path.united(tail);
+}
+
+}  // namespace
+
+RunEvents::RunEvents(const ScenarioDocument& document, SimulationRunner& runner)
+    : document_(document), runner_(runner) {
+  connect(&runner_, &SimulationRunner::frameShown, this, &RunEvents::follow);
+  connect(&runner_, &SimulationRunner::stateChanged, this, &RunEvents::follow);
+}
+
+void RunEvents::follow() {
+  if (runner_.recording() != recording_) {
+    recording_ = runner_.recording();
+    read_ = 0;
+    events_.clear();
+    Q_EMIT cleared();
+  }
+  const std::size_t before = events_.size();
+  const std::size_t there = recording_ == nullptr ? 0 : recording_->events().size();
+  for (; read_ < there; ++read_) {
+    const auto& [step, event] = recording_->events()[read_];
+    if (event.kind != EventKind::Stop) {  // The state of the run shows it.
+      const double time = static_cast<double>(step) * recording_->header()->dt;
+      events_.push_back({step, time, event, textOf(event)});
+    }
+  }
+  if (events_.size() > before) {
+    Q_EMIT added(static_cast<int>(before), static_cast<int>(events_.size()) - 1);
+  }
+}
+
+QString RunEvents::nameOfAgent(int id) const {
+  const sim2d::Scenario& scenario = document_.scenario();
+  if (id < 0) {
+    const auto robot = static_cast<std::size_t>(-id - 1);
+    const bool known = robot < scenario.robots.size() && scenario.robots[robot].listed;
+    return known ? QString::fromStdString(scenario.robots[robot].name) : tr("Robot %1").arg(-id);
+  }
+  if (const sim2d::Human* human = scenario.humanById(id)) {
+    return QString::fromStdString(human->name);
+  }
+  const std::shared_ptr<const sim2d::TraceHeader> header = recording_->header();
+  const sim2d::TraceHuman* guest = header->human(id);
+  return guest != nullptr ? QString::fromStdString(guest->name) : tr("Person %1").arg(id);
+}
+
+QString RunEvents::textOf(const sim2d::Event& event) const {
+  const QString who = event.hasId ? nameOfAgent(event.id) : QString();
+  const QString other = event.hasOther ? nameOfAgent(event.other) : QString();
+  const QString text = QString::fromStdString(event.text);
+  if (event.kind == EventKind::Contact && !event.hasOther) {
+    return tr("%1 touches a wall").arg(who);
+  }
+  const bool isOfTwo = event.kind == EventKind::Contact || event.kind == EventKind::Heard;
+  const bool isGoal = event.kind == EventKind::Goal;  // A robot's own goal point has no number.
+  const QString what = isOfTwo          ? other
+                       : !isGoal        ? text
+                       : text.isEmpty() ? tr("the goal")
+                                        : goalName(text.toInt());
+  const QString words = tr(presentationOf(event.kind).words);
+  return !words.contains(QLatin1String("%1"))   ? words.arg(what)
+         : !words.contains(QLatin1String("%2")) ? words.arg(who)
+                                                : words.arg(who, what);
+}
+
+EventMark markOfEvent(EventKind kind) {
+  return presentationOf(kind).mark;
+}
+
+void paintEventMark(QPainter& painter, EventMark mark, const QPointF& centre, const Theme& theme) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(centre);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.color(Role::TextSecondary));
+  QPainterPath path;
+  switch (mark) {
+    case EventMark::Pin:
+      painter.setBrush(theme.color(Role::Ok));
+      painter.drawPath(pinPath());
+      break;
+    case EventMark::Bubble:
+      painter.drawPath(bubblePath());
+      break;
+    case EventMark::Diamond:
+      path.addPolygon(QPolygonF({{0.0, -5.0}, {5.0, 0.0}, {0.0, 5.0}, {-5.0, 0.0}}));
+      painter.setBrush(theme.line(Look::Curious));
+      painter.drawPath(path);
+      break;
+    case EventMark::Triangle:
+      path.addPolygon(QPolygonF({{0.0, -5.0}, {5.0, 4.0}, {-5.0, 4.0}}));
+      painter.setBrush(theme.color(Role::WarningMark));
+      painter.drawPath(path);
+      break;
+    case EventMark::Cross:
+      painter.setPen(QPen(theme.color(Role::Error), 2.4, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(QPointF(-3.5, -3.5), QPointF(3.5, 3.5));
+      painter.drawLine(QPointF(-3.5, 3.5), QPointF(3.5, -3.5));
+      break;
+    case EventMark::Ring:
+      painter.setPen(QPen(theme.color(Role::TextSecondary), 1.6));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(QPointF(), 3.5, 3.5);
+      break;
+    case EventMark::None:
+      painter.drawEllipse(QPointF(), 1.8, 1.8);
+      break;
+  }
+  painter.restore();
+}
+
+QIcon eventIcon(EventMark mark, const Theme& theme) {
+  return drawnIcon(16, [&](QPainter& painter) { paintEventMark(painter, mark, {}, theme); });
 }
 
 }  // namespace editor

@@ -33,22 +33,22 @@ FuturesPanel::FuturesPanel(PanelContext& context)
       spread_(new NumberField({0.0, 1.0, 2, 0.05}, QStringLiteral("m/s"), this)),
       progress_(new QProgressBar(this)),
       says_(new QLabel(this)),
-      plot_(new ChancePlot(context.theme())) {
-  auto fan = std::make_unique<FanLayer>(context.view.mapScene());
-  fan_ = fan.get();
+      plot_(new ContactProbabilityPlot(context.theme())) {
+  auto fan = std::make_unique<FuturesLayer>(context.view.mapScene());
+  futuresLayer_ = fan.get();
   context.view.mapScene().addRunLayer(std::move(fan));
-  auto* rows = arranged(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this)});
+  auto* rows = configuredLayout(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this)});
   says_->setWordWrap(true);
   says_->setContentsMargins(kFuturesMargin, 6, kFuturesMargin, 0);
   says_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   rows->addWidget(says_);
   rows->addWidget(plot_, 1);
   connect(start_, &QPushButton::clicked, this, [this] { isRunning() ? cancel() : start(); });
-  connect(&process_, &FuturesProcess::came, this, &FuturesPanel::take);
+  connect(&process_, &FuturesProcess::futureReceived, this, &FuturesPanel::take);
   connect(&process_, &FuturesProcess::ended, this, &FuturesPanel::finish);
   connect(&context.runner, &SimulationRunner::frameShown, this, &FuturesPanel::follow);
   connect(&context.runner, &SimulationRunner::stateChanged, this, &FuturesPanel::follow);
-  connect(&context, &PanelContext::themeChanged, plot_, &ChancePlot::setTheme);
+  connect(&context, &PanelContext::themeChanged, plot_, &ContactProbabilityPlot::setTheme);
   follow();
 }
 
@@ -58,19 +58,19 @@ FuturesPanel::~FuturesPanel() {
 
 QWidget* FuturesPanel::makeHead() {
   auto* head = new QWidget(this);
-  auto* row = arranged(new QHBoxLayout(head), {kFuturesMargin, 6, kFuturesMargin, 6}, 8);
-  count_->setRange(1, app::kMostFutures);
+  auto* row = configuredLayout(new QHBoxLayout(head), {kFuturesMargin, 6, kFuturesMargin, 6}, 8);
+  count_->setRange(1, app::kMaxFutures);
   count_->setValue(app::FuturesOptions().count);
   count_->setAccessibleName(tr("Number of futures"));
-  count_->setToolTip(tr("How many times the run goes on, each with a seed of its own"));
+  count_->setToolTip(tr("Number of simulated futures, each with its own seed"));
   horizon_->show(app::FuturesOptions().horizon, false);
   horizon_->setAccessibleName(tr("Length of the futures"));
-  horizon_->setToolTip(tr("How far they go"));
+  horizon_->setToolTip(tr("Duration of each future"));
   spread_->show(app::FuturesOptions().spread, false);
-  spread_->setAccessibleName(tr("Spread of velocities"));
+  spread_->setAccessibleName(tr("Velocity uncertainty"));
   spread_->setToolTip(
-      tr("What nobody knows of people: once a second everybody who walks is pushed by a random "
-         "velocity of this deviation. 0: only what the scenario draws differs"));
+      tr("Velocity uncertainty: once a second each walking person is pushed by a random velocity "
+         "of this standard deviation. 0: only the variation of the scenario applies"));
   progress_->setTextVisible(false);
   progress_->setFixedHeight(kBarPx);
   progress_->hide();
@@ -82,7 +82,7 @@ QWidget* FuturesPanel::makeHead() {
   row->addWidget(spread_);
   row->addWidget(progress_, 1);
   row->addStretch(1);
-  start_->setToolTip(tr("From the moment that is shown, beside the window"));
+  start_->setToolTip(tr("Simulate from the displayed step, in the background"));
   return head;
 }
 
@@ -100,11 +100,7 @@ void FuturesPanel::start() {
   }
   app::FuturesQuestion question;
   question.bundle = *run.bundle;
-  question.stages = run.stages;
-  question.stages.erase(
-      std::remove_if(question.stages.begin(), question.stages.end(),
-                     [&](const app::ForkStage& each) { return each.step > shown->step; }),
-      question.stages.end());
+  question.branches = app::branchesUntil(run.branches, shown->step);
   question.inputs = runner.recording()->inputsUntil(shown->step);
   question.at = shown->step;
   sim2d::appendTrajectoryRows(question.state, *shown);
@@ -130,7 +126,7 @@ void FuturesPanel::cancel() {
 }
 
 void FuturesPanel::take(const app::Future& future) {
-  auto all = std::make_shared<std::vector<app::Future>>(*futures_);  // the map shows the old ones
+  auto all = std::make_shared<std::vector<app::Future>>(*futures_);  // The map uses the old list.
   all->insert(std::upper_bound(
                   all->begin(), all->end(), future,
                   [](const app::Future& a, const app::Future& b) { return a.number < b.number; }),
@@ -148,7 +144,7 @@ void FuturesPanel::finish(const QString& problems) {
   follow();
 }
 
-/// They belong to a run that is not shown any more.
+/// Discards the futures of a run that is no longer shown.
 void FuturesPanel::forget() {
   process_.cancel();
   futures_ = std::make_shared<std::vector<app::Future>>();
@@ -167,10 +163,11 @@ void FuturesPanel::follow() {
   start_->setText(isRunning() ? tr("Cancel") : tr("Simulate futures"));
   progress_->setVisible(isRunning());
   if (of_ == nullptr) {
-    says_->setText(canAsk ? tr("From the moment that is shown, the run goes on with other draws.")
+    says_->setText(canAsk ? tr("Simulates the run from the displayed step with other random "
+                               "values.")
                    : shown != nullptr
-                       ? tr("This run cannot be made again: what it was made of is not known.")
-                       : tr("Start a run and pause it: its futures are simulated from there."));
+                       ? tr("This run cannot be replayed: its inputs are not known.")
+                       : tr("Start a run and pause it to simulate its futures from there."));
   }
   if (shown != nullptr) {
     plot_->setCursor(shown->time);
@@ -181,7 +178,7 @@ QString FuturesPanel::countText() const {
   const auto n = static_cast<int>(futures_->size());
   return isComplete_   ? tr("%1 futures").arg(n)
          : isRunning() ? tr("%1 of %2 futures so far").arg(n).arg(asked_.count)
-                       : tr("%1 of %2 futures, then cancelled").arg(n).arg(asked_.count);
+                       : tr("%1 of %2 futures, cancelled").arg(n).arg(asked_.count);
 }
 
 void FuturesPanel::showAll() {
@@ -190,7 +187,7 @@ void FuturesPanel::showAll() {
   const std::optional<double> decisive = app::decisiveMoment(*futures_);
   plot_->show(futures_->empty() ? std::vector<app::ContactChance>() : chances, decisive);
   progress_->setValue(static_cast<int>(futures_->size()));
-  fan_->show(isVisible() && !futures_->empty() ? futures_ : nullptr);
+  futuresLayer_->show(isVisible() && !futures_->empty() ? futures_ : nullptr);
   if (of_ == nullptr) {
     return;
   }
@@ -198,14 +195,14 @@ void FuturesPanel::showAll() {
   if (!futures_->empty()) {
     const app::ContactChance& last = chances.back();
     words += QLatin1Char(' ') + (last.contacts == 0
-                                     ? tr("None meets with a contact: %1 (95 %: at most %2).")
+                                     ? tr("No contact in any run (%1, 95 % CI at most %2).")
                                            .arg(percent(0.0), percent(last.interval.high))
-                                     : tr("%1 meet with a contact: %2 (95 %: %3 to %4).")
+                                     : tr("%1 have a contact (%2, 95 % CI %3 to %4).")
                                            .arg(last.contacts)
                                            .arg(percent(last.chance), percent(last.interval.low),
                                                 percent(last.interval.high)));
     if (decisive) {
-      words += QLatin1Char(' ') + tr("Half of them have by %1.").arg(clockText(*decisive));
+      words += QLatin1Char(' ') + tr("Median time %1.").arg(clockText(*decisive));
     }
   }
   const auto broken = std::count_if(futures_->begin(), futures_->end(),
@@ -224,11 +221,11 @@ void FuturesPanel::showEvent(QShowEvent* event) {
 
 void FuturesPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  fan_->show(nullptr);  // the map is as before
+  futuresLayer_->show(nullptr);  // Clears the map.
 }
 
 void addFuturesPanel(PanelRegistry& to) {
-  to.add(closedBelow(74, QObject::tr("Futures")),
+  to.add(closedBottomPanel(74, QObject::tr("Futures")),
          [](PanelContext& context) { return new FuturesPanel(context); });
 }
 

@@ -8,16 +8,17 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "editor/canvas/FanLayer.h"
+#include "editor/canvas/ComparedRunLayers.h"
 #include "editor/look/Fields.h"
-#include "editor/panels/ChancePlot.h"
 #include "editor/panels/PanelRegistry.h"
+#include "editor/panels/RunPlots.h"
 #include "editor/run/FuturesProcess.h"
 
 namespace editor {
 
-/// What may come after the moment that is shown: the same run with other draws, simulated beside
-/// the window; the chance of a contact over time, and the ways on the map while it is open.
+/// Predictions from the shown time: the same run with other random draws, simulated outside the GUI
+/// thread. Shows the contact probability over time, and the trajectories on the map while the panel
+/// is open.
 class FuturesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -25,7 +26,7 @@ class FuturesPanel : public QWidget {
   ~FuturesPanel() override;
   Q_DISABLE_COPY_MOVE(FuturesPanel)
 
-  void start();  // from the moment that is shown
+  void start();  // Starts at the shown time.
   void cancel();
   bool isRunning() const { return process_.isRunning(); }
   const std::vector<app::Future>& futures() const { return *futures_; }
@@ -51,18 +52,18 @@ class FuturesPanel : public QWidget {
 
   PanelContext& context_;
   FuturesProcess process_;
-  FanLayer* fan_;  // of the scene
+  FuturesLayer* futuresLayer_;  // Belongs to the scene.
   QPushButton* start_;
   QSpinBox* count_;
   NumberField *horizon_, *spread_;
   QProgressBar* progress_;
   QLabel* says_;
-  ChancePlot* plot_;
+  ContactProbabilityPlot* plot_;
   std::shared_ptr<std::vector<app::Future>> futures_ = std::make_shared<std::vector<app::Future>>();
   app::FuturesOptions asked_;
   double from_ = 0.0;        // [s]
-  RecordingPtr of_;          // the run that they belong to
-  bool isComplete_ = false;  // else cancelled, or going on
+  RecordingPtr of_;          // The run to which the futures belong.
+  bool isComplete_ = false;  // False: cancelled or running.
 };
 
 }  // namespace editor

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EntityModel.h"
-#include "editor/document/Groups.h"
-#include "editor/look/DeleteWhenClosed.h"
+#include "editor/document/PeopleEdits.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -39,10 +39,10 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
       goals_(new GoalList(theme, tr("Goals"), this)),
       route_(new RouteList(theme, tr("Route"), this)),
       whose_(headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
-      repeat_(new QCheckBox(tr("Start again after the last"), this)) {
+      repeat_(new QCheckBox(tr("Repeat after the last"), this)) {
   setWindowTitle(tr("Assign goals"));
-  resize(780, heightOnScreen(*this, 480));
-  auto* columns = arranged(new QHBoxLayout, {}, kSpace);
+  resize(780, limitedToScreen(*this, 480));
+  auto* columns = configuredLayout(new QHBoxLayout, {}, kSpace);
   columns->addLayout(titledColumn(tr("People"), theme, people_), 5);
   columns->addSpacing(kSpace);
   columns->addLayout(titledColumn(tr("Goals"), theme, goals_), 4);
@@ -53,19 +53,19 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
   connect(buttons, &QDialogButtonBox::accepted, this, &GoalAssignment::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* below = new QHBoxLayout;
-  below->addWidget(secondaryLabel(tr("Drag goals over and into order. Nothing changes before "
-                                     "Assign; Undo takes all of it back."),
+  below->addWidget(secondaryLabel(tr("Drag goals to add and reorder them. Assign applies the "
+                                     "changes; Undo reverts them."),
                                   this),
                    1);
   below->addWidget(buttons);
-  auto* layout = arranged(new QVBoxLayout(this), {16, 16, 16, 16}, 16);
+  auto* layout = configuredLayout(new QVBoxLayout(this), {16, 16, 16, 16}, 16);
   layout->addLayout(columns, 1);
   layout->addLayout(below);
   people_->setHint(tr("No people yet: press P and drag on the map"));
   goals_->setHint(tr("No goals yet: press G and click on the map"));
   fillLists();
   connect(people_, &QListWidget::itemSelectionChanged, this, &GoalAssignment::showRoute);
-  takeSelection();
+  loadSelection();
   showRoute();
 }
 
@@ -82,7 +82,7 @@ QPushButton* GoalAssignment::moveButton(const QString& icon, const QString& says
 
 QWidget* GoalAssignment::makeMiddle() {
   auto* middle = new QWidget(this);
-  auto* layout = arranged(new QVBoxLayout(middle), {0, 24, 0, 0}, 4);
+  auto* layout = configuredLayout(new QVBoxLayout(middle), {0, 24, 0, 0}, 4);
   const auto addSelected = [this] { add(goals_->selectedGoals(), route_->count()); };
   add_ = moveButton(QStringLiteral("chevron-right"), tr("Add to the end of the route (Return)"),
                     addSelected);
@@ -97,7 +97,7 @@ QWidget* GoalAssignment::makeMiddle() {
     layout->addWidget(button);
   }
   layout->addStretch();
-  connect(goals_, &GoalList::wanted, this, addSelected);
+  connect(goals_, &GoalList::addRequested, this, addSelected);
   connect(goals_, &QListWidget::itemDoubleClicked, this, addSelected);
   connect(goals_, &QListWidget::itemSelectionChanged, this,
           [this] { add_->setEnabled(!chosen().empty() && !goals_->selectedGoals().empty()); });
@@ -106,10 +106,10 @@ QWidget* GoalAssignment::makeMiddle() {
 
 QWidget* GoalAssignment::makeRouteColumn() {
   auto* box = new QWidget(this);
-  auto* layout = arranged(new QVBoxLayout(box), {}, 4, {whose_, route_});
+  auto* layout = configuredLayout(new QVBoxLayout(box), {}, 4, {whose_, route_});
   layout->setStretchFactor(route_, 1);
   clear_ = new QPushButton(tr("Clear"), this);
-  clear_->setToolTip(tr("Empty the route of the people that are chosen"));
+  clear_->setToolTip(tr("Clear the route of the selected people"));
   clear_->setAutoDefault(false);
   whose_->setTextFormat(Qt::PlainText);
   whose_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -126,7 +126,7 @@ QWidget* GoalAssignment::makeRouteColumn() {
     showRoute();
   });
   connect(route_, &RouteList::dropped, this, &GoalAssignment::add);
-  connect(route_, &RouteList::wanted, this, &GoalAssignment::accept);
+  connect(route_, &RouteList::addRequested, this, &GoalAssignment::accept);
   connect(repeat_, &QCheckBox::clicked, this, [this](bool on) {
     plan_.setRepeat(chosen(), on);
     showRoute();
@@ -144,12 +144,12 @@ void GoalAssignment::fillLists() {
   }
   showPeople();
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-    goals_->addGoal(&goal, goal.id, placeOf(goal));
+    goals_->addGoal(&goal, goal.id, positionText(goal));
   }
 }
 
-/// Whoever is selected on the map is chosen here; else the first one without goals.
-void GoalAssignment::takeSelection() {
+/// Chooses the people selected on the map, else the first one without goals.
+void GoalAssignment::loadSelection() {
   if (!chosen().empty()) {
     people_->setCurrentItem(people_->selectedItems().front(), QItemSelectionModel::NoUpdate);
     return;
@@ -168,7 +168,7 @@ std::vector<EntityId> GoalAssignment::chosen() const {
   return result;
 }
 
-/// With one common route at that row; routes that differ get the goals at their ends.
+/// Inserts goals at that row of a common route; different routes get them at their ends.
 void GoalAssignment::add(const std::vector<int>& goals, int row) {
   const std::vector<EntityId> people = chosen();
   if (std::optional<std::vector<int>> route = plan_.commonRoute(people)) {
@@ -197,10 +197,10 @@ void GoalAssignment::showRoute() {
                       ? tr("Route of %1").arg(displayName(*document_.entity(people.front())))
                       : tr("Route of %1 people").arg(people.size()));
   route_->showRoute(route.value_or(std::vector<int>()), document_.scenario());
-  route_->setHint(!any     ? tr("Choose people at the left")
-                  : !route ? tr("These people have different routes. What you add goes to the end "
-                                "of each.")
-                           : tr("No goals: they stand still. Add goals from the middle."));
+  route_->setHint(!any     ? tr("Select people on the left")
+                  : !route ? tr("These people have different routes. Added goals go to the end of "
+                                "each.")
+                           : tr("No goals: people stand still. Add goals from the middle list."));
   route_->setEnabled(any);
   const std::optional<bool> repeat = plan_.commonRepeat(people);
   repeat_->setEnabled(any);

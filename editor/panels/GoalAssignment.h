@@ -7,14 +7,14 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "editor/document/RoutePlan.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/panels/RouteList.h"
 
 namespace editor {
 
-/// "Assign goals": people at the left, all goals in the middle, the route of the people that are
-/// chosen at the right. Goals go over by button, double click, return or drag, and are put in order
-/// by drag. Nothing changes before OK, and all of it is one undoable step.
+/// "Assign goals": people on the left, all goals in the middle, the route of the chosen people on
+/// the right. Goals are added by button, double click, return or drag, and reordered by drag.
+/// Changes are applied by OK as one undoable step.
 class GoalAssignment : public QDialog {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class GoalAssignment : public QDialog {
   QWidget* makeMiddle();
   QWidget* makeRouteColumn();
   void fillLists();
-  void takeSelection();
+  void loadSelection();
   void showRoute();
   void showPeople();
   void add(const std::vector<int>& goals, int row);

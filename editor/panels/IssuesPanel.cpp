@@ -9,7 +9,7 @@
 #include <QHeaderView>
 #include <QMenu>
 
-#include "app/run/Echoes.h"
+#include "app/run/DiagnosticDedup.h"
 #include "editor/document/Fixes.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -20,29 +20,30 @@ namespace editor {
 
 namespace {
 
-constexpr int kSentenceMargin = 52;  // icon and what keeps it off the text and the edges [px]
+constexpr int kSentenceMargin = 52;  // Width of the icon and the margins [px].
 
-/// Sentence with the icon of its severity, place, what mends it. Where nothing does, the place
-/// stands at the end, and the sentence has the room of both.
+/// Columns: message with severity icon, location, fix. Without a fix the location is in the last
+/// column and the message spans the other two.
 enum IssueColumn { SentenceColumn, PlaceColumn, FixColumn, IssueColumns };
 
-/// What is about a thing of the document needs no file name.
+/// Problems of an entity need no file name.
 QString placeOf(const base::Diagnostic& issue, const QString& ownFile) {
   if (issue.entity && issue.line == 0) {
     return {};
   }
   const QString file = QFileInfo(QString::fromStdString(issue.file)).fileName();
   if (issue.line > 0 && file == ownFile) {
-    return QObject::tr("line %1").arg(issue.line);  // the sentences need the room
+    return QObject::tr("line %1").arg(issue.line);  // Short, to leave space for the messages.
   }
   return issue.line > 0 ? file + QStringLiteral(":%1").arg(issue.line) : file;
 }
 
-/// Every problem once: without those that say the same of the same thing, wherever it was found.
-base::Diagnostics toldOnce(const base::Diagnostics& all) {
+/// Removes duplicates: problems with the same message about the same entity, wherever they were
+/// found.
+base::Diagnostics withoutRepeatedIssues(const base::Diagnostics& all) {
   std::set<std::pair<EntityId, std::string>> said;
   base::Diagnostics once;
-  for (const base::Diagnostic& issue : app::withoutEchoes(all, all)) {
+  for (const base::Diagnostic& issue : app::withoutDuplicates(all, all)) {
     const std::string place =
         issue.file + ':' + std::to_string(issue.line) + ':' + std::to_string(issue.column) + ':';
     if (said.insert({issue.entity, place + issue.message}).second) {
@@ -59,7 +60,8 @@ QString issueSentence(const base::Diagnostic& issue) {
   const EntityKind about = issue.entity.kind;
   const bool isNamed =
       about != EntityKind::None && about != EntityKind::Scenario && about != EntityKind::Goal;
-  // "agents.anna.id: is missing", "max_vel …", "Goal" are left; "no tree file …" is a sentence.
+  // "agents.anna.id: is missing", "max_vel …", "Goal" are unchanged; "no tree file …" is
+  // capitalized.
   const QString first = text.section(QLatin1Char(' '), 0, 0);
   const bool isWord =
       std::all_of(first.begin(), first.end(), [](QChar each) { return each.isLower(); });
@@ -71,21 +73,21 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme)
       theme_(theme),
       stack_(new QStackedLayout(this)),
       table_(new QTableWidget(0, IssueColumns, this)),
-      calm_(emptyState(tr("Everything is in order."), this)) {
+      noIssuesLabel_(emptyState(tr("No issues."), this)) {
   makeTable();
-  stack_->addWidget(calm_);
+  stack_->addWidget(noIssuesLabel_);
   stack_->addWidget(table_);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
     if (issueAt(index.row()) == nullptr) {
-      unfold(!areHintsOpen_);
+      setHintsOpen(!areHintsOpen_);
       return;
     }
     const base::Diagnostic issue = *issueAt(index.row());
-    isLink(index) ? mend(issue) : jump(issue);
+    isLink(index) ? applyFix(issue) : goToIssue(issue);
   });
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
     if (const base::Diagnostic* issue = issueAt(index.row()); issue != nullptr && !isLink(index)) {
-      jump(base::Diagnostic(*issue));
+      goToIssue(base::Diagnostic(*issue));
     }
   });
   connect(table_, &QTableView::entered, this, [this](const QModelIndex& index) {
@@ -107,7 +109,7 @@ void IssuesPanel::makeTable() {
   header->setSectionResizeMode(PlaceColumn, QHeaderView::ResizeToContents);
   header->setSectionResizeMode(FixColumn, QHeaderView::ResizeToContents);
   table_->setWordWrap(true);
-  table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);  // rows differ in height
+  table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);  // Row heights differ.
   connect(header, &QHeaderView::sectionResized, this, [this] { fit_.start(); });
   fit_.setSingleShot(true);
   fit_.setInterval(0);
@@ -115,7 +117,7 @@ void IssuesPanel::makeTable() {
           [this] { fitRowHeights(*table_, SentenceColumn, kSentenceMargin); });
 }
 
-/// The worst stand first, behind them the row that counts the hints, then the hints.
+/// Most severe problems first, then the row with the number of hints, then the hints.
 const base::Diagnostic* IssuesPanel::issueAt(int row) const {
   if (row == count()) {
     return nullptr;
@@ -132,7 +134,7 @@ bool IssuesPanel::isLink(const QModelIndex& index) const {
   return index.column() == FixColumn && !fixAt(index.row()).isEmpty();
 }
 
-void IssuesPanel::unfold(bool open) {
+void IssuesPanel::setHintsOpen(bool open) {
   areHintsOpen_ = open;
   rebuild();
   table_->setCurrentIndex(table_->model()->index(count(), SentenceColumn));
@@ -144,22 +146,22 @@ void IssuesPanel::fillFold(int row) {
   auto* fold = new QTableWidgetItem(
       tintedIcon(icon, theme_.color(Role::TextSecondary)),
       counted(issues_.size() - static_cast<std::size_t>(count()), tr("hint"), tr("hints")));
-  fold->setToolTip(tr("Worth knowing, nothing is wrong: a click shows or hides them"));
+  fold->setToolTip(tr("Information: click to show or hide"));
   fold->setForeground(theme_.color(Role::TextSecondary));
   table_->setItem(row, SentenceColumn, fold);
   table_->setSpan(row, SentenceColumn, 1, IssueColumns);
 }
 
-void IssuesPanel::jump(const base::Diagnostic& issue) {
+void IssuesPanel::goToIssue(const base::Diagnostic& issue) {
   if (issue.entity && document_.contains(issue.entity)) {
     document_.setSelection({issue.entity});
-    Q_EMIT entityWanted(issue.entity);
+    Q_EMIT entityRequested(issue.entity);
   } else if (!issue.file.empty()) {
-    Q_EMIT fileWanted(QString::fromStdString(issue.file), issue.line);
+    Q_EMIT fileRequested(QString::fromStdString(issue.file), issue.line);
   }
 }
 
-void IssuesPanel::mend(const base::Diagnostic& issue) {
+void IssuesPanel::applyFix(const base::Diagnostic& issue) {
   const std::optional<Fix> fix = fixFor(document_, issue);
   if (!fix) {
     return;
@@ -168,7 +170,7 @@ void IssuesPanel::mend(const base::Diagnostic& issue) {
     document_.setSelection({issue.entity});
   }
   if (!fix->apply) {
-    Q_EMIT goalsWanted();
+    Q_EMIT goalsRequested();
     return;
   }
   fix->apply(document_);
@@ -184,23 +186,23 @@ void IssuesPanel::offerMenu(const QPoint& at) {
     return;
   }
   const base::Diagnostic issue = *issueAt(index.row());
-  const QString words = fixAt(index.row());
+  const QString label = fixAt(index.row());
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(tr("Show"), this, [this, issue] { jump(issue); });
-  if (!words.isEmpty()) {
-    menu->addAction(words, this, [this, issue] { mend(issue); });
+  menu->addAction(tr("Show"), this, [this, issue] { goToIssue(issue); });
+  if (!label.isEmpty()) {
+    menu->addAction(label, this, [this, issue] { applyFix(issue); });
   }
   const std::optional<Fix> fix = fixFor(document_, issue);
-  const auto alike = std::count(fixes_.begin(), fixes_.end(), words);
+  const auto alike = std::count(fixes_.begin(), fixes_.end(), label);
   if (fix && fix->apply && alike > 1) {
-    menu->addAction(tr("%1: all %2").arg(words).arg(alike), this, [this, words] {
-      applyToAll(document_, base::Diagnostics(issues_), words);
+    menu->addAction(tr("%1: all %2").arg(label).arg(alike), this, [this, label] {
+      applyToAll(document_, base::Diagnostics(issues_), label);
       document_.checkSoon();
     });
   }
   menu->addSeparator();
-  menu->addAction(tr("Copy the text"), this, [issue] {
+  menu->addAction(tr("Copy text"), this, [issue] {
     QGuiApplication::clipboard()->setText(QString::fromStdString(issue.text()));
   });
   menu->popup(table_->viewport()->mapToGlobal(at));
@@ -224,27 +226,28 @@ void IssuesPanel::rebuild() {
   base::append(all, adviceFor(document_.scenario()));
   base::Diagnostics known = action_;
   base::append(known, all);
-  action_ = app::withoutEchoes(action_, known);  // what is mended does not come back as its echo
+  action_ = app::withoutDuplicates(action_, known);  // A fixed problem must not reappear.
   all.insert(all.begin(), action_.begin(), action_.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });
-  issues_ = toldOnce(all);
+  issues_ = withoutRepeatedIssues(all);
   const sim2d::Scenario& scenario = document_.scenario();
-  calm_->setText(scenario.humans.empty()
-                     ? tr("Nothing to complain about.")
-                     : tr("Everything is in order: %1, %2.")
-                           .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
-                                counted(scenario.goals.size(), tr("goal"), tr("goals"))));
+  noIssuesLabel_->setText(
+      scenario.humans.empty()
+          ? tr("No issues.")
+          : tr("No issues: %1, %2.")
+                .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
+                     counted(scenario.goals.size(), tr("goal"), tr("goals"))));
   fixes_.clear();
   table_->clearSpans();
-  table_->setRowCount(0);  // nothing stays selected
+  table_->setRowCount(0);  // Clears the selection.
   const int serious = count(), total = static_cast<int>(issues_.size());
   const bool areHints = total > serious;
   table_->setRowCount(areHintsOpen_ && areHints ? total + 1 : serious + (areHints ? 1 : 0));
   for (const base::Diagnostic& issue : issues_) {
     const std::optional<Fix> fix = fixFor(document_, issue);
-    fixes_.push_back(fix ? fix->words : QString());
+    fixes_.push_back(fix ? fix->label : QString());
     const int place = static_cast<int>(fixes_.size()) - 1;
     if (place < serious || areHintsOpen_) {
       fillRow(place < serious ? place : place + 1, issue, fixes_.back());
@@ -265,9 +268,9 @@ void IssuesPanel::fillRow(int row, const base::Diagnostic& issue, const QString&
                                         issueSentence(issue));
   sentence->setToolTip(text);
   table_->setItem(row, SentenceColumn, sentence);
-  const auto addRight = [&](int column, const QString& words, bool link) {
-    auto* item = new QTableWidgetItem(words);
-    item->setToolTip(link ? words : text);
+  const auto addRight = [&](int column, const QString& label, bool link) {
+    auto* item = new QTableWidgetItem(label);
+    item->setToolTip(link ? label : text);
     item->setForeground(theme_.color(link ? Role::AccentText : Role::TextSecondary));
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     table_->setItem(row, column, item);
@@ -291,16 +294,16 @@ bool IssuesPanel::hasErrors() const {
 }
 
 void addIssuesPanel(PanelRegistry& to) {
-  to.add(closedBelow(50, QObject::tr("Issues")), [](PanelContext& context) {
+  to.add(closedBottomPanel(50, QObject::tr("Issues")), [](PanelContext& context) {
     auto* panel = new IssuesPanel(context.document, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &IssuesPanel::setTheme);
     QObject::connect(panel, &IssuesPanel::countChanged, &context, [&context, panel](int count) {
       const auto worst = panel->hasErrors() ? base::Severity::Error : base::Severity::Warning;
       Q_EMIT context.counted(panel, count, worst);
     });
-    QObject::connect(panel, &IssuesPanel::entityWanted, &context.view, &MapView::centerOnEntity);
-    QObject::connect(panel, &IssuesPanel::fileWanted, &context, &PanelContext::fileWanted);
-    QObject::connect(panel, &IssuesPanel::goalsWanted, &context, &PanelContext::goalsWanted);
+    QObject::connect(panel, &IssuesPanel::entityRequested, &context.view, &MapView::centerOnEntity);
+    QObject::connect(panel, &IssuesPanel::fileRequested, &context, &PanelContext::fileRequested);
+    QObject::connect(panel, &IssuesPanel::goalsRequested, &context, &PanelContext::goalsRequested);
     QObject::connect(&context, &PanelContext::problemsFound, panel, &IssuesPanel::setActionIssues);
     return panel;
   });

@@ -14,56 +14,56 @@
 
 namespace editor {
 
-/// What the list says: the words of the check, which begin with a capital letter unless they begin
-/// with a name or a key of the format.
+/// The text shown in the list: the message of the check, capitalized unless it starts with a name
+/// or a key of the format.
 QString issueSentence(const base::Diagnostic& issue);
 
-/// What is wrong with the scenario, live, and what could not be read. A click selects the thing it
-/// is about or shows the line of the file; the link at the end of a row mends it, which is one
-/// undoable step. Hints are folded to their number.
+/// The current problems of the scenario, and those of reading its files. A click selects the
+/// affected entity or shows the line of the file; the link at the end of a row applies a fix as one
+/// undoable step. Hints are collapsed to their number.
 class IssuesPanel : public QWidget {
   Q_OBJECT
  public:
   IssuesPanel(ScenarioDocument& document, const Theme& theme);
   void setTheme(const Theme& theme);
 
-  /// Problems of an action (opening, saving, starting a run), shown above the document's own until
-  /// the next action; empty clears them.
+  /// Problems of an action (opening, saving, starting a run), shown above those of the document
+  /// until the next action; empty clears them.
   void setActionIssues(const base::Diagnostics& issues);
-  int count() const;  // errors and warnings
+  int count() const;  // Number of errors and warnings.
   bool hasErrors() const;
   QTableView& table() const { return *table_; }
 
  Q_SIGNALS:
   void countChanged(int count);
-  void entityWanted(editor::EntityId id);          // select it and go there
-  void fileWanted(const QString& file, int line);  // when nothing on the map is meant
-  void goalsWanted();                              // the person who needs goals is selected
+  void entityRequested(editor::EntityId id);          // Requests selecting and showing an entity.
+  void fileRequested(const QString& file, int line);  // For problems without an entity.
+  void goalsRequested();                              // The person without goals is selected.
 
  private:
   void makeTable();
   void rebuild();
   void fillRow(int row, const base::Diagnostic& issue, const QString& fix);
-  const base::Diagnostic* issueAt(int row) const;  // null: the row that folds hints
+  const base::Diagnostic* issueAt(int row) const;  // Null: the row that collapses hints.
   QString fixAt(int row) const;
-  void unfold(bool open);
+  void setHintsOpen(bool open);
   void fillFold(int row);
   bool isLink(const QModelIndex& index) const;
-  void jump(const base::Diagnostic& issue);
-  void mend(const base::Diagnostic& issue);
+  void goToIssue(const base::Diagnostic& issue);
+  void applyFix(const base::Diagnostic& issue);
   void offerMenu(const QPoint& at);
 
   ScenarioDocument& document_;
   Theme theme_;
-  std::array<QIcon, 3> icons_;  // by severity
+  std::array<QIcon, 3> icons_;  // By severity.
   base::Diagnostics action_;
-  base::Diagnostics issues_;    // as shown, the worst first
-  std::vector<QString> fixes_;  // what mends each, in words; empty: nothing does
-  bool areHintsOpen_ = false;   // else one row counts them
+  base::Diagnostics issues_;    // As shown, most severe first.
+  std::vector<QString> fixes_;  // Label of each fix; empty: no fix.
+  bool areHintsOpen_ = false;   // False: a single row shows their number.
   QStackedLayout* stack_;
   QTableWidget* table_;
-  QLabel* calm_;
-  QTimer fit_;  // of the rows to their texts, once for many changes
+  QLabel* noIssuesLabel_;
+  QTimer fit_;  // Fits row heights once after several changes.
 };
 
 }  // namespace editor

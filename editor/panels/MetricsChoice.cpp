@@ -21,10 +21,10 @@ namespace editor {
 namespace {
 
 constexpr int kKeyRole = Qt::UserRole;
-constexpr int kUnitWidth = 56;
+constexpr int kUnitColumnWidth = 56;
 constexpr int kIndent = 16;
 
-/// Rows as tall as their name needs: one line, or more when the panel is narrow.
+/// Draws rows as tall as their wrapped name.
 class NameDelegate : public QStyledItemDelegate {
  public:
   explicit NameDelegate(QTreeWidget* tree) : QStyledItemDelegate(tree), tree_(*tree) {}
@@ -39,12 +39,12 @@ class NameDelegate : public QStyledItemDelegate {
   }
 
  private:
-  /// For the letters of a name [px].
+  /// Width available for a name [px].
   int room(const QModelIndex& index) const {
     QStyleOptionViewItem row;
     initStyleOption(&row, index);
     row.widget = &tree_;
-    row.text = QString(200, QLatin1Char('m'));  // as much as there is
+    row.text = QString(200, QLatin1Char('m'));  // Long enough to fill the available width.
     row.rect = QRect(0, 0, tree_.columnWidth(0) - 2 * kIndent, kListRowHeight);
     const QStyle& style = *tree_.style();
     const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, &row, &tree_) + 1;
@@ -61,7 +61,7 @@ void choose(QTreeWidgetItem* row, bool chosen) {
   row->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
 }
 
-/// The tree names the metrics of the registry only.
+/// The tree contains only metrics of the registry.
 const metrics::MetricInfo& infoOf(const QTreeWidgetItem* row) {
   const std::string key = row->data(0, kKeyRole).toString().toStdString();
   return metrics::standardRegistry().find(key)->info;
@@ -77,7 +77,7 @@ void styleChoices(QTreeWidget& tree) {
   tree.header()->setStretchLastSection(false);
   tree.header()->setSectionResizeMode(0, QHeaderView::Stretch);
   tree.header()->setSectionResizeMode(1, QHeaderView::Fixed);
-  tree.header()->resizeSection(1, kUnitWidth);
+  tree.header()->resizeSection(1, kUnitColumnWidth);
   QObject::connect(tree.header(), &QHeaderView::sectionResized, &tree, [&tree](int column) {
     if (column == 0) {
       tree.doItemsLayout();
@@ -96,32 +96,31 @@ MetricsChoice::MetricsChoice(ScenarioDocument& document, MetricsFeed& feed, cons
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Find a metric"));
   searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
-  auto* all = linkButton(tr("All"), tr("Measure all that the list shows"), this,
-                         [this] { chooseAll(true); });
-  auto* none = linkButton(tr("None"), tr("Measure nothing of what the list shows"), this,
-                          [this] { chooseAll(false); });
-  auto* saving =
-      linkButton(tr("Save"), tr("Write the choice into the metrics file of the scenario"), this,
-                 [this] { Q_EMIT saved(save()); });
-  auto* links = arranged(new QHBoxLayout, {12, 0, 12, 0}, 12, {count_, all, none, saving});
+  auto* all =
+      linkButton(tr("All"), tr("Measure all listed metrics"), this, [this] { chooseAll(true); });
+  auto* none =
+      linkButton(tr("None"), tr("Measure no listed metric"), this, [this] { chooseAll(false); });
+  auto* saving = linkButton(tr("Save"), tr("Save the choice to the metrics file of the scenario"),
+                            this, [this] { Q_EMIT saved(save()); });
+  auto* links = configuredLayout(new QHBoxLayout, {12, 0, 12, 0}, 12, {count_, all, none, saving});
   links->setStretchFactor(count_, 1);
-  tree_ = new QTreeWidget(this);  // last: in the order of the tab key
+  tree_ = new QTreeWidget(this);  // Last, for the tab order.
   styleChoices(*tree_);
-  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 4}, 4);
-  layout->addLayout(arranged(new QHBoxLayout, {12, 0, 12, 0}, 0, {search_}));
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 4}, 4);
+  layout->addLayout(configuredLayout(new QHBoxLayout, {12, 0, 12, 0}, 0, {search_}));
   layout->addLayout(links);
-  nothing_ = new NothingFound(*search_, *tree_, this);
+  nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);
   layout->addWidget(tree_, 1);
   layout->addWidget(nothing_, 1);
   build();
   connect(search_, &QLineEdit::textChanged, this, &MetricsChoice::filter);
-  connect(tree_, &QTreeWidget::itemChanged, this, &MetricsChoice::giveSelection);
+  connect(tree_, &QTreeWidget::itemChanged, this, &MetricsChoice::storeSelection);
   connect(&document_, &ScenarioDocument::pathChanged, this, [this] {
-    feed_.setSelection(std::nullopt);  // that of the new file
-    takeSelection();
+    feed_.setSelection(std::nullopt);  // Uses that of the new file.
+    loadSelection();
   });
   setTheme(theme);
-  takeSelection();
+  loadSelection();
 }
 
 void MetricsChoice::setTheme(const Theme& theme) {
@@ -160,7 +159,7 @@ void MetricsChoice::build() {
   }
 }
 
-void MetricsChoice::takeSelection() {
+void MetricsChoice::loadSelection() {
   const QSignalBlocker quiet(tree_);
   const metrics::Selection selection = feed_.selection();
   for (QTreeWidgetItem* row : rows_) {
@@ -187,7 +186,7 @@ metrics::Selection MetricsChoice::selection() const {
   return selection;
 }
 
-void MetricsChoice::giveSelection() {
+void MetricsChoice::storeSelection() {
   showCounts();
   feed_.setSelection(selection());
 }
@@ -199,11 +198,11 @@ void MetricsChoice::chooseAll(bool chosen) {
       choose(row, chosen);
     }
   }
-  giveSelection();
+  storeSelection();
 }
 
 void MetricsChoice::filter(const QString& text) {
-  std::map<QTreeWidgetItem*, bool> shown;  // by group
+  std::map<QTreeWidgetItem*, bool> shown;  // By group.
   for (QTreeWidgetItem* row : rows_) {
     const bool fits = row->text(0).contains(text, Qt::CaseInsensitive) ||
                       row->data(0, kKeyRole).toString().contains(text, Qt::CaseInsensitive);
@@ -214,13 +213,13 @@ void MetricsChoice::filter(const QString& text) {
     group->setHidden(!any);
     group->setExpanded(text.isEmpty() ? tree_->indexOfTopLevelItem(group) < 2 : any);
   }
-  nothing_->showFor(
+  nothing_->setMatchFound(
       std::any_of(shown.begin(), shown.end(), [](const auto& each) { return each.second; }));
 }
 
 void MetricsChoice::showCounts() {
   const QSignalBlocker quiet(tree_);
-  std::map<QTreeWidgetItem*, int> counts;  // by group
+  std::map<QTreeWidgetItem*, int> counts;  // By group.
   for (const QTreeWidgetItem* row : rows_) {
     counts[row->parent()] += isChosen(row) ? 1 : 0;
   }
@@ -231,7 +230,7 @@ void MetricsChoice::showCounts() {
   }
   const std::size_t total = rows_.size();
   count_->setText(tr("%1 of %2").arg(chosen).arg(total));
-  count_->setToolTip(tr("%1 of %2 metrics are chosen").arg(chosen).arg(total));
+  count_->setToolTip(tr("%1 of %2 metrics are selected").arg(chosen).arg(total));
   Q_EMIT countChanged(count_->text());
 }
 
@@ -256,7 +255,7 @@ base::Diagnostics MetricsChoice::save() {
   base::Diagnostics problems = base::writeFileAtomically(path, metrics::writeMetricsFile(file));
   if (!base::hasErrors(problems) && !named) {
     pushChange<ScenarioSettings>(
-        document_, kSettingsId, tr("Name the metrics file"),
+        document_, kSettingsId, tr("Set metrics file"),
         [&](ScenarioSettings& settings) { settings.desktop.metrics.file = name.toStdString(); });
   }
   return problems;

@@ -12,8 +12,8 @@
 
 namespace editor {
 
-/// Which metrics are measured: check boxes in groups, with a search. A change counts for the live
-/// table at once; "Save" writes it into the metrics file of the scenario.
+/// The selection of metrics: check boxes in groups with a search. A change applies to the live
+/// table immediately; "Save" writes it into the metrics file of the scenario.
 class MetricsChoice : public QWidget {
   Q_OBJECT
  public:
@@ -24,8 +24,8 @@ class MetricsChoice : public QWidget {
   void chooseAll(bool chosen);
   metrics::Selection selection() const;
   QString count() const { return count_->text(); }  // "9 of 112"
-  /// Writes the choice to the metrics file (beside the scenario, made when there is none) and names
-  /// it in the scenario, which is one undoable command.
+  /// Writes the selection to the metrics file (created beside the scenario if there is none) and
+  /// sets its name in the scenario with one undoable command.
   base::Diagnostics save();
 
  Q_SIGNALS:
@@ -34,8 +34,8 @@ class MetricsChoice : public QWidget {
 
  private:
   void build();
-  void takeSelection();
-  void giveSelection();
+  void loadSelection();
+  void storeSelection();
   void filter(const QString& text);
   void showCounts();
 
@@ -45,8 +45,8 @@ class MetricsChoice : public QWidget {
   QAction* searchMark_;
   QLabel* count_;
   QTreeWidget* tree_ = nullptr;
-  NothingFound* nothing_ = nullptr;
-  std::vector<QTreeWidgetItem*> rows_;  // of all groups
+  NoMatchesPlaceholder* nothing_ = nullptr;
+  std::vector<QTreeWidgetItem*> rows_;  // Rows of all groups.
 };
 
 }  // namespace editor

@@ -26,22 +26,22 @@ namespace editor {
 
 namespace {
 
-constexpr int kLeastMargin = 12;  // of a plot, at the right [px]
+constexpr int kMinMargin = 12;  // Right margin of a plot [px].
 constexpr int kCellPadding = 20;
-constexpr int kPlotFrom = 520;  // width of what is measured [px]
-constexpr int kCourseFrom = 340;
+constexpr int kMinPlotWidth = 520;  // Minimum width for showing the plot [px].
+constexpr int kMinSparklineWidth = 340;
 constexpr int kPointsShown = 120;
 constexpr int kChoiceWidth = 280;
 
-/// Of the live table.
-enum MetricColumn { NameColumn, NowColumn, UnitColumn, CourseColumn, MetricColumns };
+/// Columns of the live table.
+enum MetricColumn { NameColumn, NowColumn, UnitColumn, SparklineColumn, MetricColumns };
 
 class SecondsDraw : public QwtScaleDraw {
  public:
   QwtText label(double value) const override { return QwtText(QStringLiteral("%1 s").arg(value)); }
 };
 
-/// The finite points of a curve on a rectangle; nothing for less than two.
+/// The finite points of a curve scaled to a rectangle; empty if there are fewer than two.
 QPolygonF sparkline(const MetricCurve& curve, const QRectF& place) {
   double low = 0.0;
   double high = 0.0;
@@ -76,7 +76,7 @@ const MetricCurve* curveOf(const MetricSnapshot& snapshot, const std::string& ke
   return found == snapshot.curves.end() ? nullptr : &found->second;
 }
 
-bool hasCourse(const MetricCurve& curve) {
+bool hasCurve(const MetricCurve& curve) {
   return std::any_of(curve.values.begin(), curve.values.end(),
                      [](double value) { return std::isfinite(value) && value != 0.0; });
 }
@@ -101,10 +101,10 @@ MetricPlot::MetricPlot(const Theme& theme)
       curve_(new QwtPlotCurve),
       cursor_(new QwtPlotMarker) {
   title_->setWordWrap(true);
-  auto* top = arranged(new QHBoxLayout, {12, 6, 12, 0}, -1);
+  auto* top = configuredLayout(new QHBoxLayout, {12, 6, 12, 0}, -1);
   top->addWidget(title_, 1);
   top->addWidget(unit_, 0, Qt::AlignTop);
-  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 4}, 0);
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 4}, 0);
   layout->addLayout(top);
   layout->addWidget(plot_, 1);
   layOut();
@@ -176,7 +176,7 @@ void MetricPlot::show(const metrics::MetricResult* result, const MetricCurve* cu
   plot_->replot();
 }
 
-/// Half of the last time stands beyond the end of the axis.
+/// Reserves space for half of the last label beyond the end of the axis.
 void MetricPlot::reserveEnd() {
   plot_->updateAxes();
   const QList<double> ticks = plot_->axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
@@ -185,8 +185,7 @@ void MetricPlot::reserveEnd() {
   }
   const QString last = plot_->axisScaleDraw(QwtPlot::xBottom)->label(ticks.back()).text();
   const QFontMetrics metrics(plot_->axisFont(QwtPlot::xBottom));
-  plot_->setContentsMargins(0, 0, std::max(kLeastMargin, metrics.horizontalAdvance(last) / 2 + 4),
-                            0);
+  plot_->setContentsMargins(0, 0, std::max(kMinMargin, metrics.horizontalAdvance(last) / 2 + 4), 0);
 }
 
 void MetricPlot::setCursor(double time) {
@@ -194,7 +193,7 @@ void MetricPlot::setCursor(double time) {
   plot_->replot();
 }
 
-/// The course since the start as a small line without axes.
+/// Draws the curve since the start as a sparkline.
 class SparklineDelegate : public QStyledItemDelegate {
  public:
   SparklineDelegate(const MetricsFeed& feed, QObject* parent)
@@ -237,7 +236,7 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   makeTable();
   auto* both = new QSplitter(Qt::Horizontal, this);
   auto* left = new QWidget(both);
-  arranged(new QVBoxLayout(left), {}, 0, {table_});
+  configuredLayout(new QVBoxLayout(left), {}, 0, {table_});
   both->addWidget(plot_);
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
@@ -248,11 +247,11 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   auto* measured = new QWidget(parts_);
   measured->setLayout(stack_);
   parts_->setChildrenCollapsible(false);
-  arranged(new QVBoxLayout(this), {}, 0, {makeTop()})->addWidget(parts_, 1);
-  connect(&feed_, &MetricsFeed::updated, this, &MetricsDock::takeSnapshot);
-  connect(&feed_, &MetricsFeed::cleared, this, &MetricsDock::takeSnapshot);
+  configuredLayout(new QVBoxLayout(this), {}, 0, {makeTop()})->addWidget(parts_, 1);
+  connect(&feed_, &MetricsFeed::updated, this, &MetricsDock::showSnapshot);
+  connect(&feed_, &MetricsFeed::cleared, this, &MetricsDock::showSnapshot);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
-    if (!isChoosing_) {
+    if (!isSelecting_) {
       chosen_ = selectedKey();
     }
     showSelected();
@@ -265,21 +264,21 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   setTheme(theme);
 }
 
-/// Whose metrics are shown, and the way to what is measured.
+/// The robot chooser, and the button for the metric selection.
 QWidget* MetricsDock::makeTop() {
   auto* top = new QWidget(this);
   choose_->setCheckable(true);
   choose_->setAutoRaise(true);
   choose_->setFixedHeight(kListRowHeight);
-  choose_->setToolTip(tr("Choose what is measured"));
+  choose_->setToolTip(tr("Choose the metrics to measure"));
   choose_->hide();
-  auto* row = arranged(new QHBoxLayout(top), {0, 0, 8, 0}, 0, {chooser_});
+  auto* row = configuredLayout(new QHBoxLayout(top), {0, 0, 8, 0}, 0, {chooser_});
   row->addStretch(1);
   row->addWidget(choose_);
   connect(choose_, &QToolButton::toggled, this, [this](bool on) {
     choice_->setVisible(on);
     parts_->setSizes({kChoiceWidth, std::max(kChoiceWidth, width() - kChoiceWidth)});
-    giveRoom();
+    adaptToWidth();
   });
   return top;
 }
@@ -298,18 +297,18 @@ void MetricsDock::setChoice(MetricsChoice& choice) {
   choose_->show();
 }
 
-/// Whose metrics the table shows.
+/// The chooser of the robot.
 QWidget* MetricsDock::makeChooser() {
   auto* chooser = new QWidget(this);
   robot_->setAccessibleName(tr("Metrics of"));
-  robot_->setToolTip(tr("The robot whose metrics are shown"));
+  robot_->setToolTip(tr("Robot whose metrics are shown"));
   robot_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   robot_->setFocusPolicy(Qt::TabFocus);
-  auto* row = arranged(new QHBoxLayout(chooser), {12, 6, 12, 6}, 8,
-                       {secondaryLabel(tr("Metrics of"), chooser), robot_});
+  auto* row = configuredLayout(new QHBoxLayout(chooser), {12, 6, 12, 6}, 8,
+                               {secondaryLabel(tr("Metrics of"), chooser), robot_});
   row->addStretch(1);
   connect(robot_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-    const std::string chosen = chosen_;  // of the same metric
+    const std::string chosen = chosen_;  // Keeps the same metric.
     feed_.setRobot(robot_->itemData(index).toInt());
     chosen_ = chosen;
   });
@@ -335,21 +334,21 @@ void MetricsDock::fillChooser() {
   chooser_->setVisible(count > 1);
 }
 
-/// In a narrow dock the names have the room: first the plot goes, then the courses.
-void MetricsDock::giveRoom() {
+/// In a narrow dock the names get the space: the plot is hidden first, then the sparklines.
+void MetricsDock::adaptToWidth() {
   const int room = width() - (choose_->isChecked() ? kChoiceWidth : 0);
-  plot_->setHidden(room < kPlotFrom);
-  table_->setColumnHidden(CourseColumn, room < kCourseFrom);
+  plot_->setHidden(room < kMinPlotWidth);
+  table_->setColumnHidden(SparklineColumn, room < kMinSparklineWidth);
 }
 
 void MetricsDock::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  giveRoom();
+  adaptToWidth();
 }
 
 void MetricsDock::makeTable() {
   styleTable(*table_, tr("Metrics"));
-  table_->setItemDelegateForColumn(CourseColumn, sparkline_);
+  table_->setItemDelegateForColumn(SparklineColumn, sparkline_);
   table_->setHorizontalHeaderLabels({tr("Metric"), tr("Now"), tr("Unit"), tr("Since start")});
   for (int column = 0; column < MetricColumns; ++column) {
     table_->horizontalHeaderItem(column)->setTextAlignment(alignmentOf(column));
@@ -361,8 +360,8 @@ void MetricsDock::makeTable() {
   header->setFixedHeight(kListRowHeight);
   table_->setColumnWidth(NowColumn, 60);
   table_->setColumnWidth(UnitColumn, 48);
-  table_->setColumnWidth(CourseColumn, 76);
-  // Later: columns have their new widths only when all of them are told.
+  table_->setColumnWidth(SparklineColumn, 76);
+  // Queued, because all columns have their new widths only after all signals.
   connect(
       header, &QHeaderView::sectionResized, this,
       [this](int column) {
@@ -380,10 +379,10 @@ void MetricsDock::setTheme(const Theme& theme) {
   fillRows();
 }
 
-/// What the user chose stays selected; before that it is the first of the list that has a course,
-/// which depends on what is measured alone, not on when it was told.
-void MetricsDock::takeSnapshot() {
-  const QScopedValueRollback<bool> choosing(isChoosing_, true);
+/// Keeps the selection of the user. Before the user selects, the first row with a curve is
+/// selected, which depends only on the measured metrics, not on timing.
+void MetricsDock::showSnapshot() {
+  const QScopedValueRollback<bool> choosing(isSelecting_, true);
   fillChooser();
   fillRows();
   const bool any = table_->rowCount() > 0;
@@ -402,7 +401,7 @@ void MetricsDock::takeSnapshot() {
   showSelected();
 }
 
-/// Rows stay when values change.
+/// Keeps the rows if only values change.
 void MetricsDock::fillRows() {
   const std::vector<metrics::MetricResult>& results = feed_.shown();
   const int rows = static_cast<int>(results.size());
@@ -425,16 +424,16 @@ void MetricsDock::fillRows() {
         item->setData(Qt::UserRole, QString::fromStdString(result.info.key));
         table_->setItem(row, column, item);
       }
-      const bool isPale = column == UnitColumn || !result.value.value;
+      const bool isDimmed = column == UnitColumn || !result.value.value;
       item->setText(texts[column]);
       item->setToolTip(tip);
-      item->setData(Qt::ForegroundRole, isPale ? QVariant(pale_) : QVariant());
+      item->setData(Qt::ForegroundRole, isDimmed ? QVariant(pale_) : QVariant());
     }
   }
   table_->viewport()->update();
 }
 
-/// Names that are longer than their column go on in further lines.
+/// Wraps names that are longer than their column.
 void MetricsDock::fitRows() {
   fittedRows_ = table_->rowCount();
   fitRowHeights(*table_, NameColumn, kCellPadding);
@@ -447,13 +446,13 @@ int MetricsDock::rowOf(const std::string& key) const {
   return found == results.end() ? -1 : static_cast<int>(found - results.begin());
 }
 
-/// The first row that has something to plot, else 0.
+/// The first row with a curve, else 0.
 int MetricsDock::firstWithCurve() const {
   const MetricSnapshot& snapshot = feed_.snapshot();
   const auto found = std::find_if(snapshot.results.begin(), snapshot.results.end(),
                                   [&](const metrics::MetricResult& result) {
                                     const MetricCurve* curve = curveOf(snapshot, result.info.key);
-                                    return curve != nullptr && hasCourse(*curve);
+                                    return curve != nullptr && hasCurve(*curve);
                                   });
   return found == snapshot.results.end() ? 0 : static_cast<int>(found - snapshot.results.begin());
 }
@@ -471,7 +470,7 @@ void MetricsDock::showSelected() {
 }
 
 void addMetricsDock(PanelRegistry& to) {
-  to.add(closedBelow(60, QObject::tr("Metrics")), [](PanelContext& context) {
+  to.add(closedBottomPanel(60, QObject::tr("Metrics")), [](PanelContext& context) {
     auto* panel = new MetricsDock(context.feed, context.runner, context.theme());
     auto* choice = new MetricsChoice(context.document, context.feed, context.theme());
     panel->setChoice(*choice);

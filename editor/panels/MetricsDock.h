@@ -20,7 +20,7 @@ namespace editor {
 class MetricsChoice;
 class SparklineDelegate;
 
-/// One metric over time, with a line at the moment that is shown.
+/// One metric over time, with a line at the shown time.
 class MetricPlot : public QWidget {
   Q_OBJECT
  public:
@@ -35,23 +35,22 @@ class MetricPlot : public QWidget {
   QLabel* title_;
   QLabel* unit_;
   QwtPlot* plot_;
-  QwtPlotGrid* grid_;  // these belong to the plot
+  QwtPlotGrid* grid_;  // The items belong to the plot.
   QwtPlotCurve* curve_;
   QwtPlotMarker* cursor_;
 };
 
-/// The live table of metrics with the course of each since the start, and a plot of the one that is
-/// selected.
+/// The live table of metrics with a sparkline for each, and a plot of the selected metric.
 class MetricsDock : public QWidget {
   Q_OBJECT
  public:
   MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
   QTableView& table() const { return *table_; }
-  QComboBox& robot() const { return *robot_; }  // hidden unless the run has several
-  /// What is measured, beside the table when it is asked for.
+  QComboBox& robot() const { return *robot_; }  // Hidden unless the run has several robots.
+  /// Sets the metric selection, shown beside the table on request.
   void setChoice(MetricsChoice& choice);
-  QToolButton& choose() const { return *choose_; }  // shows and hides it
+  QToolButton& choose() const { return *choose_; }  // Toggles its visibility.
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -60,30 +59,30 @@ class MetricsDock : public QWidget {
   void makeTable();
   QWidget* makeTop();
   QWidget* makeChooser();
-  void giveRoom();
+  void adaptToWidth();
   void fillChooser();
-  void takeSnapshot();
+  void showSnapshot();
   void fillRows();
   void showSelected();
   void fitRows();
-  int rowOf(const std::string& key) const;  // -1 = none
+  int rowOf(const std::string& key) const;  // -1 = none.
   int firstWithCurve() const;
   std::string selectedKey() const;
 
   MetricsFeed& feed_;
   QColor pale_;
   SparklineDelegate* sparkline_;
-  QSplitter* parts_;  // the choice, what is measured
+  QSplitter* parts_;  // Metric selection and metrics.
   QWidget* choice_ = nullptr;
   QToolButton* choose_;
   QStackedLayout* stack_;
   QTableWidget* table_;
   QComboBox* robot_;
-  QWidget* chooser_;  // with its label
+  QWidget* chooser_;  // Includes its label.
   MetricPlot* plot_;
   int fittedRows_ = 0;
-  std::string chosen_;       // key of the metric that the user wants to see
-  bool isChoosing_ = false;  // this, not the user
+  std::string chosen_;        // Key of the metric chosen by the user.
+  bool isSelecting_ = false;  // A selection by the program, not by the user.
 };
 
 }  // namespace editor

@@ -9,11 +9,11 @@ namespace editor {
 
 namespace {
 
-constexpr double kLeastGap = 0.25;  // of points of a curve [s]
+constexpr double kMinGap = 0.25;  // Minimum interval between points of a curve [s].
 constexpr double kGapShare = 1.0 / 80.0;
-constexpr std::size_t kMostFrames = 500;  // until the panel is told
-constexpr std::size_t kNearFrames = 100;  // values of so long ago may stand while it plays
-constexpr std::size_t kNoMoment = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kMaxFrames = 500;   // Maximum number of frames per update of the panel.
+constexpr std::size_t kNearFrames = 100;  // Values this recent stay visible during playback.
+constexpr std::size_t kNoIndex = std::numeric_limits<std::size_t>::max();
 
 int decimalsOf(const std::string& unit) {
   if (unit == "s" || unit == "%") {
@@ -53,11 +53,11 @@ QString metricText(const metrics::MetricResult& result) {
 /// Used by one thread at a time: by the worker while it is busy, else by the GUI thread.
 struct MetricsFeed::Work {
   std::unique_ptr<metrics::FrameEvaluation> live;
-  std::set<int> known;        // people that the metrics have been told of
-  std::size_t events = 0;     // of the recording, that they have been told
-  std::vector<double> times;  // of all frames [s]
+  std::set<int> known;        // People already passed to the metrics.
+  std::size_t events = 0;     // Number of events already passed to the metrics.
+  std::vector<double> times;  // Times of all frames [s].
   bool hasTracks = true;
-  bool isCut = false;  // a state was dropped before its turn
+  bool isCut = false;  // A state was dropped before it was measured.
   std::map<std::string, MetricCurve> tracks;
   double nextPoint = 0.0;
 
@@ -74,10 +74,10 @@ struct MetricsFeed::Work {
       track.times.push_back(time);
       track.values.push_back(result.value.value.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
-    nextPoint = time + std::max(kLeastGap, time * kGapShare);
+    nextPoint = time + std::max(kMinGap, time * kGapShare);
   }
 
-  /// False: the next state is not kept any more, nor are any that begin before it.
+  /// Returns false if the next state has been dropped.
   bool takeNext(const sim2d::Recording& recording) {
     const FramePtr frame = recording.frameIfKept(times.size());
     if (frame == nullptr) {
@@ -86,7 +86,7 @@ struct MetricsFeed::Work {
     }
     const std::vector<int>& ids = frame->humans.id;
     if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known.count(id) > 0; })) {
-      meet(recording.header()->humans);  // somebody came from a source
+      meet(recording.header()->humans);  // A source has spawned a person.
     }
     const std::size_t happened = recording.events().size();
     for (; events < happened && recording.events()[events].first <= frame->step; ++events) {
@@ -102,7 +102,7 @@ struct MetricsFeed::Work {
   }
 
   MetricSnapshot append(const sim2d::Recording& recording) {
-    const std::size_t end = std::min(recording.size(), times.size() + kMostFrames);
+    const std::size_t end = std::min(recording.size(), times.size() + kMaxFrames);
     while (!isCut && times.size() < end && takeNext(recording)) {
     }
     MetricSnapshot snapshot;
@@ -134,7 +134,7 @@ MetricsFeed::~MetricsFeed() {
   pastTask_.abandon();
 }
 
-/// A recorded run tells itself how it is measured.
+/// A recorded run contains its own metric setup.
 base::Result<app::MetricsSetup> MetricsFeed::setup() const {
   if (!runner_.isRecorded()) {
     return app::metricsSetupOf(document_.scenario(), document_.path().toStdString());
@@ -216,7 +216,7 @@ void MetricsFeed::begin() {
     return;
   }
   metrics::Selection wanted = selection();
-  wanted.window = {};  // values so far, of everybody
+  wanted.window = {};  // Cumulative values for all people.
   wanted.behaviors = false;
   wanted.robotId = robot();
   makeWork_ = [wanted, header = recording_->header(), parameters = found->parameters] {
@@ -228,7 +228,7 @@ void MetricsFeed::begin() {
   work_ = makeWork_();
 }
 
-/// The state that is shown when it is not the newest one.
+/// The shown state if it is not the newest one.
 std::optional<std::size_t> MetricsFeed::pastIndex() const {
   const FramePtr frame = runner_.shownFrame();
   const bool isPast = runner_.isLookingBack() || runner_.isRecorded();
@@ -247,14 +247,14 @@ void MetricsFeed::stopPast() {
   pastStop_ = std::make_shared<base::StopFlag>();
 }
 
-/// Values of another moment do not stand for the one at `index`, but when it plays on from there.
+/// Drops values of another time unless playback continues from there.
 void MetricsFeed::dropOtherPast(std::size_t index) {
-  const bool isNear = past_ && (past_->index == kNoMoment ||
+  const bool isNear = past_ && (past_->index == kNoIndex ||
                                 (index >= past_->index && index - past_->index <= kNearFrames));
   if (isNear) {
     return;
   }
-  past_ = Past{kNoMoment, withoutValues(snapshot_.results)};
+  past_ = Past{kNoIndex, withoutValues(snapshot_.results)};
   Q_EMIT updated();
 }
 
@@ -271,11 +271,11 @@ void MetricsFeed::lookBack() {
     return;
   }
   if (*index < pastWanted_) {
-    stopPast();  // it goes on beyond what is wanted now
+    stopPast();  // It is already past the requested state.
   }
   pastWanted_ = *index;
   dropOtherPast(*index);
-  // The work is touched by one task at a time, which begin() waits for.
+  // Only one task at a time uses the work; begin() waits for it.
   pastTask_.start([this, index = *index, recording = recording_, make = makeWork_,
                    stop = base::StopFlagPtr(pastStop_)] {
     if (pastWork_ == nullptr || pastWork_->isCut || pastWork_->times.size() > index + 1) {
@@ -284,7 +284,7 @@ void MetricsFeed::lookBack() {
     }
     while (pastWork_->times.size() <= index) {
       stop->check();
-      if (!pastWork_->takeNext(*recording)) {  // the run is not kept from its beginning on
+      if (!pastWork_->takeNext(*recording)) {  // The start of the run has been dropped.
         return Past{index, {}};
       }
     }
@@ -293,7 +293,7 @@ void MetricsFeed::lookBack() {
 }
 
 void MetricsFeed::deliverPast(Past past) {
-  if (past.results.empty()) {  // of states that are not kept
+  if (past.results.empty()) {  // The states have been dropped.
     past.results = withoutValues(snapshot_.results);
   }
   past_ = std::move(past);
@@ -305,11 +305,11 @@ void MetricsFeed::follow() {
     recording_ = runner_.recording();
     begin();
   }
-  pump();
+  startNextBatch();
   lookBack();
 }
 
-void MetricsFeed::pump() {
+void MetricsFeed::startNextBatch() {
   if (work_ && !task_.isBusy() && snapshot_.frames < recording_->size()) {
     task_.start([work = work_, recording = recording_] { return work->append(*recording); });
   }
@@ -322,7 +322,7 @@ void MetricsFeed::deliver(MetricSnapshot snapshot) {
   if (isNewlyCut) {
     Q_EMIT failed({base::warning("run.metrics-cut")});
   }
-  pump();
+  startNextBatch();
 }
 
 }  // namespace editor

@@ -14,25 +14,25 @@
 #include "editor/document/LatestTask.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/run/SimulationRunner.h"
-#include "metrics/RunningEvaluation.h"
+#include "metrics/IncrementalEvaluation.h"
 
 namespace editor {
 
-/// A metric over the run: its own value per sample where it has one, else its value so far.
+/// A metric over the run: its value per sample if it has one, else its cumulative value.
 struct MetricCurve {
   std::vector<double> times;  // [s]
   std::vector<double> values;
 };
 
-/// What is known at one moment of the run.
+/// The metrics at one time of the run.
 struct MetricSnapshot {
   std::size_t frames = 0;
   std::vector<metrics::MetricResult> results;
   std::map<std::string, MetricCurve> curves;
-  bool isCut = false;  // states were dropped before they were measured: no values
+  bool isCut = false;  // States were dropped before being measured, so there are no values.
 };
 
-/// Metrics of the run while it goes on, computed beside the GUI thread from every recorded frame.
+/// Computes the metrics of the current run from every recorded frame outside the GUI thread.
 class MetricsFeed : public QObject {
   Q_OBJECT
  public:
@@ -41,17 +41,17 @@ class MetricsFeed : public QObject {
   Q_DISABLE_COPY_MOVE(MetricsFeed)
 
   const MetricSnapshot& snapshot() const { return snapshot_; }
-  /// Values up to the state that is shown, which is not the newest one when looking back; without
-  /// values until they are worked out.
+  /// Values up to the shown state, which is not the newest one when looking back; empty values
+  /// until they are computed.
   const std::vector<metrics::MetricResult>& shown() const;
-  /// Which metrics, instead of those of the scenario's settings; counts from the next frame on.
+  /// Overrides the metrics of the scenario settings, from the next frame on.
   void setSelection(std::optional<metrics::Selection> selection);
   metrics::Selection selection() const;
-  /// Of which robot: its id, of the run's robots; the first one is -1.
+  /// Selects the robot by its id in the run; the first one is -1.
   void setRobot(int id);
   int robot() const;
-  std::vector<std::pair<int, std::string>> robots() const;  // ids and names; none without a run
-  /// All frames of the run so far are in the snapshot, and shown() is of what is shown.
+  std::vector<std::pair<int, std::string>> robots() const;  // Ids and names; empty without a run.
+  /// The snapshot includes all frames of the run so far, and shown() belongs to the shown state.
   bool isCurrent() const;
 
  Q_SIGNALS:
@@ -62,12 +62,12 @@ class MetricsFeed : public QObject {
  private:
   struct Work;
   struct Past {
-    std::size_t index = 0;  // of the state
+    std::size_t index = 0;  // Index of the state.
     std::vector<metrics::MetricResult> results;
   };
   void follow();
   void begin();
-  void pump();
+  void startNextBatch();
   base::Result<app::MetricsSetup> setup() const;
   void deliver(MetricSnapshot snapshot);
   std::optional<std::size_t> pastIndex() const;
@@ -79,20 +79,20 @@ class MetricsFeed : public QObject {
   const ScenarioDocument& document_;
   SimulationRunner& runner_;
   std::optional<metrics::Selection> selection_;
-  int robot_ = -1;                                   // that was chosen; the run may not have it
-  std::function<std::shared_ptr<Work>()> makeWork_;  // of this run, in any thread
+  int robot_ = -1;                                   // The chosen robot; the run may not have it.
+  std::function<std::shared_ptr<Work>()> makeWork_;  // Creates the work of this run in any thread.
   std::shared_ptr<Work> work_;
   RecordingPtr recording_;
   MetricSnapshot snapshot_;
   LatestTask<MetricSnapshot> task_;
   std::shared_ptr<Work> pastWork_;
   std::optional<Past> past_;
-  std::size_t pastWanted_ = 0;                                                     // index
-  std::shared_ptr<base::StopFlag> pastStop_ = std::make_shared<base::StopFlag>();  // what is begun
+  std::size_t pastWanted_ = 0;                                                     // Index.
+  std::shared_ptr<base::StopFlag> pastStop_ = std::make_shared<base::StopFlag>();  // Of the task.
   LatestTask<Past> pastTask_;
 };
 
-/// "0.64", "–" when undefined, "∞"; as many decimals as the unit deserves.
+/// "0.64", "–" if undefined, "∞"; the number of decimals depends on the unit.
 QString metricText(const metrics::MetricResult& result);
 
 }  // namespace editor

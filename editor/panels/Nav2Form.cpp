@@ -10,7 +10,7 @@
 
 #include "editor/look/Fields.h"
 #include "editor/look/Icons.h"
-#include "editor/look/Typing.h"
+#include "editor/look/PendingEdit.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {
@@ -20,7 +20,7 @@ namespace {
 constexpr int kTreeHeight = 336;  // [px]: 14 rows
 constexpr int kValueWidth = 104;  // [px]
 
-/// Edits values alone: a choice for what is true or false, else a text that says what is wrong.
+/// Edits values only: a combo box for booleans, else a validated text field.
 class Nav2ValueDelegate : public RowDelegate {
  public:
   explicit Nav2ValueDelegate(Nav2Form& form) : RowDelegate(&form), form_(form) {}
@@ -58,7 +58,7 @@ class Nav2ValueDelegate : public RowDelegate {
     const auto* field = qobject_cast<QLineEdit*>(editor);
     const QString text = choice != nullptr ? choice->currentText() : field->text();
     if (const app::Nav2Parameter* const parameter = parameterAt(index)) {
-      form_.give(app::Nav2Parameter(*parameter), text);
+      form_.applyEdit(app::Nav2Parameter(*parameter), text);
     }
   }
 
@@ -74,7 +74,7 @@ QString words(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-bool saysThat(const app::Nav2Parameter& parameter, const QString& searched) {
+bool matchesSearch(const app::Nav2Parameter& parameter, const QString& searched) {
   return words(parameter.node + "." + parameter.name).contains(searched, Qt::CaseInsensitive) ||
          words(parameter.meaning).contains(searched, Qt::CaseInsensitive);
 }
@@ -89,18 +89,18 @@ QString withUnit(const std::string& value, const app::Nav2Parameter& parameter) 
 Nav2Form::Nav2Form(QWidget* parent)
     : QWidget(parent), search_(new QLineEdit(this)), tree_(new QTreeWidget(this)) {
   search_->setPlaceholderText(tr("Find a parameter"));
-  search_->setAccessibleName(tr("Find a parameter of Nav2"));
+  search_->setAccessibleName(tr("Find a Nav2 parameter"));
   search_->setClearButtonEnabled(true);
   searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
-  onlyChanged_ = linkButton(tr("Changed"), tr("Show only what differs from the file"), this,
+  onlyChanged_ = linkButton(tr("Changed"), tr("Show only values that differ from the file"), this,
                             [this] { filter(); });
   onlyChanged_->setCheckable(true);
-  reset_ = linkButton(tr("Reset"), tr("Take the value of the file again (Delete)"), this,
+  reset_ = linkButton(tr("Reset"), tr("Reset to the value in the file (Delete)"), this,
                       [this] { resetRow(); });
   const auto* deleteKey =
       new QShortcut(QKeySequence::Delete, tree_, nullptr, nullptr, Qt::WidgetShortcut);
   connect(deleteKey, &QShortcut::activated, this, &Nav2Form::resetRow);
-  styleList(*tree_, tr("Parameters of Nav2"));
+  styleList(*tree_, tr("Nav2 parameters"));
   tree_->setColumnCount(2);
   tree_->setHeaderHidden(true);
   tree_->setIndentation(14);
@@ -112,16 +112,16 @@ Nav2Form::Nav2Form(QWidget* parent)
   tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
   tree_->header()->resizeSection(1, kValueWidth);
-  nothing_ = new NothingFound(*search_, *tree_, this);
+  nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);
   help_ = secondaryLabel({}, this);
   help_->setObjectName(QStringLiteral("nav2_help"));
   help_->setWordWrap(true);
   help_->setTextFormat(Qt::PlainText);
-  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
-  layout->addLayout(arranged(new QHBoxLayout, {0, 0, 0, 0}, 8, {search_, onlyChanged_}));
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
+  layout->addLayout(configuredLayout(new QHBoxLayout, {0, 0, 0, 0}, 8, {search_, onlyChanged_}));
   layout->addWidget(tree_);
   layout->addWidget(nothing_);
-  layout->addLayout(arranged(new QHBoxLayout, {0, 0, 0, 0}, 8, {help_, reset_}));
+  layout->addLayout(configuredLayout(new QHBoxLayout, {0, 0, 0, 0}, 8, {help_, reset_}));
   connect(search_, &QLineEdit::textChanged, this, &Nav2Form::filter);
   connect(tree_, &QTreeWidget::currentItemChanged, this, &Nav2Form::showHelp);
 }
@@ -136,9 +136,9 @@ void Nav2Form::setTheme(const Theme& theme) {
 void Nav2Form::show(const std::optional<sim2d::Robot>& robot, const QString& scenarioPath) {
   robot_ = robot;
   scenarioPath_ = scenarioPath;
-  app::Nav2Sheet sheet;
+  app::Nav2ParameterList sheet;
   if (robot_) {
-    sheet = app::nav2SheetOf(*robot_, scenarioPath_.toStdString());
+    sheet = app::nav2ParameterListOf(*robot_, scenarioPath_.toStdString());
   }
   const auto isSame = [](const app::Nav2Parameter& a, const app::Nav2Parameter& b) {
     return a.node == b.node && a.name == b.name;
@@ -146,7 +146,7 @@ void Nav2Form::show(const std::optional<sim2d::Robot>& robot, const QString& sce
   const bool hasSameRows = std::equal(sheet.parameters.begin(), sheet.parameters.end(),
                                       sheet_.parameters.begin(), sheet_.parameters.end(), isSame);
   if (!hasSameRows) {
-    dropTyping(*tree_);  // it is for a row of the previous sheet
+    cancelPendingEdit(*tree_);  // The text is for a row of the previous sheet.
   }
   sheet_ = std::move(sheet);
   if (!hasSameRows) {
@@ -187,12 +187,12 @@ QString Nav2Form::problemOf(const app::Nav2Parameter& parameter, const QString& 
                 : QString();
 }
 
-void Nav2Form::give(const app::Nav2Parameter& parameter, const QString& text) {
+void Nav2Form::applyEdit(const app::Nav2Parameter& parameter, const QString& text) {
   const std::string yaml = text.trimmed().toStdString();
   if (yaml == parameter.value() || !problemOf(parameter, text).isEmpty()) {
     return;
   }
-  const bool isOfFile = yaml == parameter.filed.value_or(parameter.fallback);
+  const bool isOfFile = yaml == parameter.fileValue.value_or(parameter.fallback);
   Q_EMIT edited(parameter, isOfFile ? std::nullopt : std::optional(yaml));
 }
 
@@ -244,9 +244,9 @@ void Nav2Form::showValues() {
       row.setToolTip(column, words(parameter.path) + QLatin1Char('\n') + words(parameter.meaning));
     }
     row.setText(1, words(parameter.value()));
-    row.setForeground(1, parameter.given               ? accent_
-                         : parameter.filed.has_value() ? palette().color(QPalette::Text)
-                                                       : secondary_);
+    row.setForeground(1, parameter.given                   ? accent_
+                         : parameter.fileValue.has_value() ? palette().color(QPalette::Text)
+                                                           : secondary_);
   }
   showHelp();
 }
@@ -260,7 +260,7 @@ void Nav2Form::filter() {
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const app::Nav2Parameter& parameter = sheet_.parameters[i];
-    const bool isShown = saysThat(parameter, searched) &&
+    const bool isShown = matchesSearch(parameter, searched) &&
                          (!onlyChanged_->isChecked() || parameter.given.has_value());
     rows_[i]->setHidden(!isShown);
     isAny = isAny || isShown;
@@ -270,10 +270,10 @@ void Nav2Form::filter() {
       group->setExpanded(true);
     }
   }
-  nothing_->showFor(isAny || searched.isEmpty());
+  nothing_->setMatchFound(isAny || searched.isEmpty());
 }
 
-/// Of the current row: what it is, its default, what the file says.
+/// Shows description, default and file value of the current row.
 void Nav2Form::showHelp() {
   const app::Nav2Parameter* const parameter = current();
   reset_->setVisible(parameter != nullptr && parameter->given.has_value());
@@ -281,16 +281,16 @@ void Nav2Form::showHelp() {
     help_->setText(
         rows_.empty()
             ? words(sheet_.problems.empty() ? std::string() : sheet_.problems.front().message)
-            : tr("Double-click a value to change it. The file stays as it is."));
+            : tr("Double-click a value to change it. The file is not changed."));
     return;
   }
   QStringList lines;
   if (!parameter->meaning.empty()) {
     lines << capitalized(words(parameter->meaning));
   }
-  lines << tr("Nav2's default %1").arg(withUnit(parameter->fallback, *parameter)) +
-               (parameter->filed
-                    ? tr(" · in the file %1").arg(withUnit(*parameter->filed, *parameter))
+  lines << tr("Nav2 default %1").arg(withUnit(parameter->fallback, *parameter)) +
+               (parameter->fileValue
+                    ? tr(" · in the file %1").arg(withUnit(*parameter->fileValue, *parameter))
                     : tr(" · not in the file"));
   help_->setText(lines.join(QLatin1Char('\n')));
 }

@@ -16,31 +16,31 @@
 
 namespace editor {
 
-constexpr int kParameterRole = Qt::UserRole + 7;  // of column 0
+constexpr int kParameterRole = Qt::UserRole + 7;  // Of column 0.
 
-/// The parameters of a robot's `nav2_params.yaml` by their own names, below node and plugin: found
-/// by name or help, edited in place, checked while they are typed. What the scenario gives instead
-/// of the file is marked, and taken back one by one.
+/// The parameters of a robot's `nav2_params.yaml` by their original names, grouped by node and
+/// plugin: searchable by name and help, edited in place, validated while typing. Values that the
+/// scenario overrides are marked and can be reset individually.
 class Nav2Form : public QWidget {
   Q_OBJECT
  public:
   explicit Nav2Form(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  /// None: several robots, or none with Nav2.
+  /// None: several robots, or no robot with Nav2.
   void show(const std::optional<sim2d::Robot>& robot, const QString& scenarioPath);
 
-  int changedCount() const;  // of parameters
+  int changedCount() const;  // Number of overridden parameters.
   QTreeWidget& tree() const { return *tree_; }
-  /// Whose number a row has as `kParameterRole`; null: a node or plugin.
+  /// The parameter whose index a row stores as `kParameterRole`; null: a node or plugin.
   const app::Nav2Parameter* parameterOf(const QVariant& number) const;
-  QTreeWidgetItem* rowOf(const std::string& path) const;  // "FollowPath.temperature"; null: none
-  /// What is wrong with such a value; empty: nothing.
+  QTreeWidgetItem* rowOf(const std::string& path) const;  // "FollowPath.temperature"; null: none.
+  /// The reason why a value is invalid; empty: valid.
   QString problemOf(const app::Nav2Parameter& parameter, const QString& text) const;
-  /// Edited in a row.
-  void give(const app::Nav2Parameter& parameter, const QString& text);
+  /// Sets a value edited in a row.
+  void applyEdit(const app::Nav2Parameter& parameter, const QString& text);
 
  Q_SIGNALS:
-  /// Another value, or none: that of the file.
+  /// A new value, or none for that of the file.
   void edited(const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml);
 
  private:
@@ -57,13 +57,13 @@ class Nav2Form : public QWidget {
   QToolButton *onlyChanged_, *reset_;
   QTreeWidget* tree_;
   QLabel* help_;
-  NothingFound* nothing_;
+  NoMatchesPlaceholder* nothing_;
   QColor accent_, secondary_;
   std::optional<sim2d::Robot> robot_;
   QString scenarioPath_;
-  app::Nav2Sheet sheet_;
-  std::map<std::string, QTreeWidgetItem*> groups_;  // by node, and node and plugin
-  std::vector<QTreeWidgetItem*> rows_;              // beside sheet_.parameters
+  app::Nav2ParameterList sheet_;
+  std::map<std::string, QTreeWidgetItem*> groups_;  // By node, and by node and plugin.
+  std::vector<QTreeWidgetItem*> rows_;              // Parallel to sheet_.parameters.
 };
 
 }  // namespace editor

@@ -8,66 +8,68 @@
 #include <QWidget>
 
 #include "editor/canvas/MapView.h"
+#include "editor/panels/EventsPanel.h"
 #include "editor/panels/MetricsFeed.h"
-#include "editor/panels/RunEvents.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
 
-/// A run that is compared with the one that is shown, as the timeline draws it.
+/// A run compared with the shown run, as drawn on the timeline.
 struct TimelineRun {
-  std::size_t style = 0;         // as of ghostStyle
+  std::size_t style = 0;         // As in ghostStyle().
   double end = 0.0;              // [s]
   std::vector<double> contacts;  // [s]
 };
 
-/// What panels show and steer, and what they tell each other and the window. GUI thread.
+/// The objects that panels show and control, and the signals between panels and window. GUI thread.
 class PanelContext : public QObject {
   Q_OBJECT
  public:
   PanelContext(MapView& canvas, ScenarioDocument& edited, SimulationRunner& run, RunEvents& events,
                MetricsFeed& metrics)
-      : view(canvas), document(edited), runner(run), happened(events), feed(metrics) {}
+      : view(canvas), document(edited), runner(run), runEvents(events), feed(metrics) {}
   const Theme& theme() const { return view.mapScene().theme(); }
 
   MapView& view;
   ScenarioDocument& document;
   SimulationRunner& runner;
-  RunEvents& happened;
+  RunEvents& runEvents;
   MetricsFeed& feed;
-  QAction* drive = nullptr;  // by hand, the robot that is selected
-  /// Where dialogs for files begin: never among what the program brought.
+  QAction* drive = nullptr;  // Drives the selected robot manually.
+  /// Initial folder of file dialogs; never among the program's own files.
   std::function<QString()> folder = [this] { return QFileInfo(document.path()).absolutePath(); };
 
  Q_SIGNALS:
   void themeChanged(const editor::Theme& theme);
-  void problemsFound(const base::Diagnostics& problems);  // by an action; for the list of issues
-  /// Told behind the title of the panel, and beside its switch with the mark of the worst of them.
+  void problemsFound(const base::Diagnostics& problems);  // By an action; for the problem list.
+  /// Shows a count in the title of the panel, and beside its switch with the icon of the most
+  /// severe problem.
   void counted(QWidget* panel, int count, base::Severity worst = base::Severity::Info);
-  void fileWanted(const QString& file, int line);  // is to be shown
-  /// Of the tree of the person who is selected, as outlineOf() numbers it; -1 = none.
+  void fileRequested(const QString& file, int line);  // Requests showing a file.
+  /// A node of the selected person's tree, numbered as in outlineOf(); -1 = none.
   void nodeChosen(int node, const QObject* by);
   void comparedChanged(const std::vector<editor::TimelineRun>& runs);
-  /// To stand beside the canvas, so many times as wide as that; null: nothing.
-  void besideWanted(QWidget* view, int columns);
-  void goalsWanted();  // for the people who are selected
+  /// Requests showing a widget beside the canvas, `columns` times as wide as the canvas; null:
+  /// none.
+  void sideViewRequested(QWidget* view, int columns);
+  void goalsRequested();  // For the selected people.
 };
 
-/// Where a panel is found.
+/// The place of a panel in the window.
 struct PanelInfo {
-  int order = 0;  // ascending in the menu and in its area
-  QString title;  // in lower case also its name for --dock
+  int order = 0;  // Ascending in the menu and in its area.
+  QString title;  // In lower case also the name for --dock.
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
-  bool isTab = true;   // one of the tabs of its area; else below what is there
-  int room = 0;        // height that its area gets when it is first looked at [px]; 0: as it is
-  bool isOpen = true;  // at first
+  bool isTab = true;      // A tab of its area; otherwise below the existing panels.
+  int initialHeight = 0;  // Height of its area when first shown [px]; 0: unchanged.
+  bool isOpen = true;     // Initially.
 };
 
-/// A panel below the canvas that is closed until it is asked for: the map has the room.
-PanelInfo closedBelow(int order, const QString& title);
+/// A panel below the canvas that is closed by default to leave space for the map.
+PanelInfo closedBottomPanel(int order, const QString& title);
 
-/// The panels that there are, in their order. Each file `panels/<Name>Panel.cpp` adds its own by a
-/// function void add<Name>Panel(PanelRegistry&), which CMake finds.
+/// The panels in order. Each file `panels/<Name>Panel.cpp` registers its panel in a function void
+/// add<Name>Panel(PanelRegistry&), which CMake finds.
 class PanelRegistry {
  public:
   using Make = std::function<QWidget*(PanelContext&)>;

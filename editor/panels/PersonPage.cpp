@@ -5,14 +5,14 @@
 #include <QHBoxLayout>
 
 #include "app/run/ProgramRegistries.h"
-#include "editor/document/BehaviorValues.h"
-#include "editor/document/Groups.h"
+#include "editor/document/PeopleEdits.h"
+#include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
-#include "editor/panels/BehaviorMenu.h"
+#include "editor/panels/AgentPictures.h"
+#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/RouteEditor.h"
-#include "editor/panels/Skins.h"
 #include "sim2d/world/World.h"
 
 namespace editor {
@@ -53,9 +53,9 @@ PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme)
   addGroupSection();
   addAppearanceSection();
   addMoreSection();
-  addNewFields<Human>({"id", "group_id", "skin"});
-  addNewFields<sim2d::Behavior>();
-  addNewFields<PersonExtension>();
+  addRemainingFields<Human>({"id", "group_id", "skin"});
+  addRemainingFields<sim2d::Behavior>();
+  addRemainingFields<PersonExtension>();
   addRefresh([this](const std::vector<Entity>& shown) { showBehavior(shown); });
   setTheme(theme);
 }
@@ -68,15 +68,15 @@ void PersonPage::addPersonSection() {
   behavior.get = [](const Entity& entity) { return sim2d::behaviorName(behaviorOf(entity)); };
   behavior.set = [this](Entity& entity, const base::ParameterValue& value) {
     personOf(entity).behavior.type = sim2d::behaviorFromName(std::get<std::string>(value));
-    completeReaction(document().scenario(), personOf(entity));
+    addMissingReactionKeys(document().scenario(), personOf(entity));
   };
   QStringList looks;
   for (int i = 1; i <= 6; ++i) {
     looks.push_back(lookName(lookOf(static_cast<BehaviorType>(i))));
   }
-  behavior_ = static_cast<ChoiceField*>(addRow(section, behavior, inWords(looks)));
-  auto* mix = linkButton(tr("Mix…"), tr("Shares of behaviours among these people"), this,
-                         [this] { openMix(document(), theme_, this); });
+  behavior_ = static_cast<ChoiceField*>(addRow(section, behavior, withLabels(looks)));
+  auto* mix = linkButton(tr("Mix…"), tr("Set the shares of behaviours among these people"), this,
+                         [this] { openMixDialog(document(), theme_, this); });
   section->addRow(QString(), mix);
   addRefresh([section, mix](const std::vector<Entity>& shown) {
     section->setRowVisible(mix, shown.size() > 1);
@@ -84,8 +84,8 @@ void PersonPage::addPersonSection() {
   addTreeRow(section);
   addField<PersonExtension>(
       section, "kind",
-      inWords({tr("Adult"), tr("Child"), tr("Elderly"), tr("Wheelchair"), tr("With luggage")}));
-  addListed(section);
+      withLabels({tr("Adult"), tr("Child"), tr("Elderly"), tr("Wheelchair"), tr("With luggage")}));
+  addListedRow(section);
 }
 
 void PersonPage::addGoalSection() {
@@ -94,10 +94,9 @@ void PersonPage::addGoalSection() {
   section->addRow(tr("Route"), editor);
   connect(editor, &RouteEditor::edited, this,
           [this](const std::vector<int>& goals) { pushRoute(document(), targets(), goals); });
-  section->addRow(QString(),
-                  linkButton(tr("Assign goals…"),
-                             tr("Goals of several people at once, in order by drag (Ctrl+G)"), this,
-                             [this] { openGoalAssignment(document(), theme_, this); }));
+  section->addRow(QString(), linkButton(tr("Assign goals…"),
+                                        tr("Assign ordered goals to several people (Ctrl+G)"), this,
+                                        [this] { openGoalAssignment(document(), theme_, this); }));
   addRefresh([=](const std::vector<Entity>& shown) {
     const auto route =
         commonValue(shown, [](const Entity& value) { return personOf(value).goals; });
@@ -106,10 +105,10 @@ void PersonPage::addGoalSection() {
                      : route->size() > 1 ? tr("visited in order")
                                          : QString());
   });
-  addField<Human>(section, "cyclic_goals", inWords({tr("Again after the last")}));
+  addField<Human>(section, "cyclic_goals", withLabels({tr("Repeat after the last")}));
   addField<Human>(section, "goal_radius");
   addField<PersonExtension>(
-      section, "wait", emptyAs(tr("seconds at each goal"), [this](const QString& text) {
+      section, "wait", withPlaceholder(tr("seconds at each goal"), [this](const QString& text) {
         const auto times = listFromText(text);
         const std::vector<Entity> shown = values();
         const bool fits =
@@ -119,7 +118,7 @@ void PersonPage::addGoalSection() {
              }));
         return fits && std::all_of(times->begin(), times->end(), [](double t) { return t >= 0.0; })
                    ? QString()
-                   : tr("One time in seconds for each goal, with commas between them");
+                   : tr("One time in seconds per goal, separated by commas");
       }));
 }
 
@@ -129,9 +128,9 @@ void PersonPage::showBehavior(const std::vector<Entity>& shown) {
   reaction_->setNote(lookName(lookOf(type)));
   const auto mode =
       personOf(shown.front()).behavior.configuration.value_or(sim2d::Configuration::Default);
-  static const char* const kNotes[] = {QT_TR_NOOP("Default mix"), QT_TR_NOOP("Own mix"),
-                                       QT_TR_NOOP("Drawn by the seed"),
-                                       QT_TR_NOOP("Drawn by the seed")};
+  static const char* const kNotes[] = {QT_TR_NOOP("Default"), QT_TR_NOOP("Custom"),
+                                       QT_TR_NOOP("Random, by seed"),
+                                       QT_TR_NOOP("Random, by seed")};
   forces_->setNote(tr(kNotes[static_cast<std::size_t>(mode)]));
   const bool drawn = isAnyDrawn(shown);
   forces_->setRowVisible(seed_, drawn);
@@ -152,10 +151,10 @@ void PersonPage::addReactionSection() {
   const std::vector<BehaviorType> all = {BehaviorType::Surprised, BehaviorType::Scared,
                                          BehaviorType::Curious, BehaviorType::Threatening};
   reaction_ = addSection(tr("Reaction to the robot"));
-  FieldLook drawn;  // a number that a random mix draws
+  FieldOptions drawn;  // Values that are sampled.
   drawn.counts = [](const Entity& entity) { return !isDrawn(personOf(entity)); };
   drawn.enabled = std::not_fn(isAnyDrawn);
-  const auto add = [this](const char* key, std::vector<BehaviorType> types, FieldLook look) {
+  const auto add = [this](const char* key, std::vector<BehaviorType> types, FieldOptions look) {
     look.visible = [types = std::move(types)](const std::vector<Entity>& shown) {
       return std::count(types.begin(), types.end(), behaviorOf(shown.front())) > 0;
     };
@@ -167,15 +166,15 @@ void PersonPage::addReactionSection() {
   add("safe_distance", {BehaviorType::Scared}, drawn);
   add("stop_dist", {BehaviorType::Curious}, drawn);
   add("front_dist", {BehaviorType::Threatening}, drawn);
-  add("once", all, inWords({tr("Then walks on")}));
+  add("once", all, withLabels({tr("Then continues")}));
 }
 
 void PersonPage::addForceSection() {
   forces_ = addSection(tr("Forces"));
   EntityField mode;
   mode.spec.form.label = "Strength";
-  mode.spec.help = "Random strengths depend on the seed and the person alone";
-  mode.spec.choices = {"Default", "Own numbers", "Random, normal", "Random, uniform"};
+  mode.spec.help = "Random strengths depend only on the seed and the person";
+  mode.spec.choices = {"Default", "Custom values", "Random, normal", "Random, uniform"};
   mode.get = [choices = mode.spec.choices](const Entity& entity) {
     const auto own = personOf(entity).behavior.configuration;
     return choices[static_cast<std::size_t>(own.value_or(sim2d::Configuration::Default))];
@@ -187,7 +186,7 @@ void PersonPage::addForceSection() {
   };
   mode.spec.type = base::ParameterType::Choice;
   addRow(forces_, mode);
-  FieldLook factor;
+  FieldOptions factor;
   factor.counts = [](const Entity& entity) {
     return personOf(entity).behavior.configuration == sim2d::Configuration::Custom;
   };
@@ -201,25 +200,27 @@ void PersonPage::addForceSection() {
   addDrawRows();
 }
 
-/// What a random mix draws can be tried out with other seeds, and written down.
+/// Sampled values can be tried out with other seeds and written to the scenario.
 void PersonPage::addDrawRows() {
   seed_ = new NumberField({0.0, 2147483647.0, 0, 1.0}, {}, this);
-  seed_->setToolTip(tr("The draws of a run with this seed; the scenario keeps its own"));
-  auto* sample = linkButton(tr("Sample"), tr("Draw again with another seed"), this, [this] {
+  seed_->setToolTip(
+      tr("Show the random values of a run with this seed; the scenario keeps its "
+         "seed"));
+  auto* sample = linkButton(tr("Sample"), tr("Sample with another seed"), this, [this] {
     ownSeed_ = static_cast<long long>(std::random_device{}() & 0x7fffffffU) % 1000000;
     refresh();
   });
   forces_->addRow(tr("Seed"), sample, seed_);
   drawLinks_ = new QWidget(this);
   auto* freezing =
-      linkButton(tr("Freeze"), tr("Write these numbers down as own numbers"), drawLinks_, [this] {
+      linkButton(tr("Freeze"), tr("Store these numbers as custom values"), drawLinks_, [this] {
         const sim2d::Scenario scenario = document().scenario();
-        apply(tr("Freeze drawn numbers"), [&](Entity& entity) {
+        apply(tr("Freeze random values"), [&](Entity& entity) {
           personOf(entity).behavior = frozenBehavior(scenario, personOf(entity), seed());
         });
       });
   keepSeed_ =
-      linkButton(tr("Use this seed"), tr("Make it the seed of the scenario"), drawLinks_, [this] {
+      linkButton(tr("Use this seed"), tr("Set it as the seed of the scenario"), drawLinks_, [this] {
         const long long wanted = seed();
         ownSeed_.reset();
         pushChange<ScenarioSettings>(
@@ -227,7 +228,7 @@ void PersonPage::addDrawRows() {
             [wanted](ScenarioSettings& settings) { settings.desktop.seed = wanted; });
         refresh();
       });
-  arranged(new QHBoxLayout(drawLinks_), {}, 8, {freezing, keepSeed_})->addStretch();
+  configuredLayout(new QHBoxLayout(drawLinks_), {}, 8, {freezing, keepSeed_})->addStretch();
   forces_->addRow(QString(), drawLinks_);
   connect(seed_, &NumberField::edited, this, [this](double value) {
     ownSeed_ = static_cast<long long>(value);
@@ -245,13 +246,13 @@ void PersonPage::addMoreSection() {
   addField<Ours>(section, "start_time");
   addField<Ours>(section, "mass");
   addField<Ours>(section, "model",
-                 oneOf(app::programRegistries().models.names(), tr("The scenario's")));
+                 withNames(app::builtinRegistries().models.names(), tr("As in scenario")));
   addField<Ours>(section, "route",
-                 inWords({tr("Around walls"), tr("Straight")}, tr("The scenario's")));
-  addField<Ours>(section, "at_end", inWords({tr("Stops"), tr("Leaves"), tr("Starts over")}));
-  // What only the file and the simulators of HuNavSim care for.
-  addOwnNumber(
-      section, tr("Number of the person; names the tree file"), 0,
+                 withLabels({tr("Around walls"), tr("Straight")}, tr("As in scenario")));
+  addField<Ours>(section, "at_end", withLabels({tr("Stops"), tr("Leaves"), tr("Starts over")}));
+  // Keys that only the file and the simulators of HuNavSim use.
+  addUniqueNumber(
+      section, tr("Id of the person; part of the name of the tree file"), 0,
       [](const Entity& entity) { return personOf(entity).id; },
       [this](int wanted) {
         const bool free = document().scenario().humanById(wanted) == nullptr;
@@ -264,25 +265,25 @@ void PersonPage::addMoreSection() {
       tr("Height z"), tr("m"), [](const Entity& entity) { return personOf(entity).initZ; },
       [](Entity& entity, std::optional<double> z) { personOf(entity).initZ = z; });
   height.spec.form.decimals = 3;
-  height.spec.help = "Of the model in a 3D simulator; no meaning here";
+  height.spec.help = "Height of the model in a 3D simulator; not used here";
   addRow(section, height);
-  addField<Ours>(section, "tree", emptyAs(tr("looked for")));
+  addField<Ours>(section, "tree", withPlaceholder(tr("automatic")));
 }
 
 void PersonPage::addGroupSection() {
   FormSection* section = addSection(tr("Group"));
   auto* choice = new ChoiceField(this);
-  choice->setToolTip(tr("People of one group keep together while they walk"));
+  choice->setToolTip(tr("People in a group stay together while they walk"));
   section->addRow(tr("Walks with"), choice);
   constexpr int kNewGroup = -2;
   connect(choice, qOverload<int>(&QComboBox::activated), this, [this, choice](int index) {
     const int group = choice->itemData(index).toInt();
     group == kNewGroup ? (void)pushGroup(document(), targets())
-                       : pushJoin(document(), targets(), group);
+                       : pushJoinGroup(document(), targets(), group);
   });
   auto* name = new TextField(this);
   name->setPlaceholderText(tr("name of the group"));
-  section->addRow(tr("Called"), name);
+  section->addRow(tr("Group name"), name);
   connect(name, &TextField::edited, this, [this, choice](const QString& text) {
     pushGroupName(document(), choice->currentData().toInt(), text.trimmed().toStdString());
   });
@@ -290,21 +291,20 @@ void PersonPage::addGroupSection() {
   members->setWordWrap(true);
   section->addRow(tr("Members"), members);
   auto* dissolve =
-      linkButton(tr("Dissolve"), tr("Everybody of the group walks alone"), this,
-                 [this, choice] { pushDissolve(document(), choice->currentData().toInt()); });
+      linkButton(tr("Dissolve"), tr("Remove all people from the group"), this,
+                 [this, choice] { pushDissolveGroup(document(), choice->currentData().toInt()); });
   section->addRow(QString(), dissolve);
   addRefresh([=](const std::vector<Entity>& shown) {
     const sim2d::Scenario& scenario = document().scenario();
     const auto groups = groupsOf(scenario);
     choice->clear();
-    choice->addItem(tr("Nobody"), -1);
+    choice->addItem(tr("None"), -1);
     for (const auto& [number, people] : groups) {
       QPixmap swatch(12, 12);
       swatch.fill(groupColor(number, theme_));
       choice->addItem(QIcon(swatch), groupName(scenario, number), number);
     }
-    choice->addItem(shown.size() > 1 ? tr("Each other: a new group") : tr("A new group"),
-                    kNewGroup);
+    choice->addItem(shown.size() > 1 ? tr("Each other (new group)") : tr("New group"), kNewGroup);
     const std::optional<int> group =
         commonValue(shown, [](const Entity& each) { return personOf(each).groupId.value_or(-1); });
     choice->setCurrentIndex(group ? choice->findData(*group) : -1);
@@ -329,7 +329,7 @@ void PersonPage::addAppearanceSection() {
   FormSection* section = addSection(tr("Appearance"));
   auto* choice = new ChoiceField(this);
   choice->setIconSize(QSize(20, 20));
-  choice->setToolTip(tr("How the simulator of the scenario dresses the person"));
+  choice->setToolTip(tr("Appearance in the simulator of the scenario"));
   section->addRow(tr("Figure"), choice);
   auto* elsewhere = secondaryLabel({}, this);
   elsewhere->setWordWrap(true);
@@ -357,6 +357,60 @@ void PersonPage::addAppearanceSection() {
     }
     elsewhere->setText(others.join(QLatin1Char('\n')));
   });
+}
+
+// The part of PersonPage for custom trees.
+
+namespace {
+
+/// Removes people with generated trees and blocks, which are updated automatically and keep their
+/// blocks.
+std::vector<EntityId> withoutBlocks(const ScenarioDocument& document,
+                                    std::vector<EntityId> people) {
+  const auto follows = [&document](EntityId id) { return hasAutoUpdatedTree(document, id); };
+  people.erase(std::remove_if(people.begin(), people.end(), follows), people.end());
+  return people;
+}
+
+}  // namespace
+
+/// Reports custom trees, which changes of behaviour, reaction and goals do not affect, and offers
+/// to regenerate them; trees generated with blocks are excluded.
+void PersonPage::addTreeRow(FormSection* section) {
+  customTreeLabel_ = secondaryLabel({}, this);
+  customTreeLabel_->setWordWrap(true);
+  section->addRow(QString(), customTreeLabel_);
+  regenerateTree_ = linkButton(
+      tr("Regenerate tree"),
+      tr("Generate the tree from behaviour, reaction and goals; Ctrl+Z restores the custom tree"),
+      this, [this] { pushRegeneratedTrees(document(), withoutBlocks(document(), targets())); });
+  section->addRow(QString(), regenerateTree_);
+  addRefresh([this, section](const std::vector<Entity>&) { showTreeRow(*section); });
+}
+
+void PersonPage::showTreeRow(FormSection& section) {
+  constexpr std::size_t kMaxAsked = 200;  // Checking whether a tree is outdated is slow.
+  std::size_t asked = 0, own = 0, behind = 0;
+  for (const EntityId id : targets()) {
+    if (!document().tree(id)) {
+      continue;
+    }
+    const bool isAsked = ++asked <= kMaxAsked;  // The others are assumed to be equal.
+    const bool isCustom = isAsked ? !hasAutoUpdatedTree(document(), id) : own > 0;
+    own += isCustom ? 1 : 0;
+    behind += isCustom && isAsked && document().isTreeOutdated(id) ? 1 : 0;
+  }
+  const bool isOne = targets().size() == 1;
+  const QString who =
+      isOne ? tr("Uses a custom tree.")
+            : tr("%1 with custom trees.").arg(counted(own, tr("person"), tr("people")));
+  const QString what = behind > 0 ? isOne ? tr("Changes made here do not affect it.")
+                                          : tr("Changes made here do not affect custom trees.")
+                       : isOne ? tr("Behaviour, reaction and goals do not affect it.")
+                                  : tr("Behaviour, reaction and goals do not affect these trees.");
+  customTreeLabel_->setText(who + QLatin1Char(' ') + what);
+  section.setRowVisible(customTreeLabel_, own > 0);
+  section.setRowVisible(regenerateTree_, own > 0);
 }
 
 }  // namespace editor

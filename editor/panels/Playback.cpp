@@ -12,7 +12,7 @@
 #include <QSignalBlocker>
 #include <QToolTip>
 
-#include "editor/canvas/GhostLayer.h"
+#include "editor/canvas/ComparedRunLayers.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "sim2d/world/Runner.h"
@@ -21,13 +21,13 @@ namespace editor {
 
 namespace {
 
-constexpr int kLeft = 152;  // of the groove of the timeline [px]
+constexpr int kLeft = 152;  // Left end of the timeline groove [px].
 constexpr int kRight = 24;
 constexpr double kGrooveY = 17.0;
 constexpr double kMarkY = 6.0;
-constexpr int kLabelPx = 90;         // least distance of labelled ticks
-constexpr double kMarkFont = 8.0;    // [pt]
-constexpr double kBesideMark = 8.0;  // from the middle of a mark to its number and beyond [px]
+constexpr int kLabelPx = 90;            // Minimum distance of labelled ticks.
+constexpr double kMarkFont = 8.0;       // [pt]
+constexpr double kMarkNumberGap = 8.0;  // Distance from the centre of a mark to its number [px].
 
 struct Speed {
   const char* text;
@@ -38,8 +38,8 @@ constexpr Speed kSpeeds[] = {{"0.25 ×", 0.25}, {"0.5 ×", 0.5},
                              {"4.0 ×", 4.0},   {"8.0 ×", 8.0},
                              {"16 ×", 16.0},   {"max", std::numeric_limits<double>::infinity()}};
 
-/// A factor that is not among those to choose has a place behind them.
-void showOrdered(QComboBox& box, double factor) {
+/// Appends a factor that is not in the list.
+void showRequestedSpeed(QComboBox& box, double factor) {
   const QSignalBlocker blocked(box);
   const int count = static_cast<int>(std::size(kSpeeds));
   int at = box.findData(factor);
@@ -68,8 +68,8 @@ double tickStep(double length, double width) {
   return 3600.0;
 }
 
-/// The rarer the louder; 0: not shown here.
-int loudnessOf(EventMark mark) {
+/// Priority of a mark: rarer events are higher; 0: not shown.
+int priorityOf(EventMark mark) {
   switch (mark) {
     case EventMark::Cross:
       return 3;
@@ -95,26 +95,26 @@ QString clockText(double seconds) {
 
 PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
     : reset(makeAction(tr("Reset"), QKeySequence(int{Qt::CTRL} | Qt::Key_R),
-                       tr("End the run and go back to editing"), this)),
+                       tr("End the run and return to editing"), this)),
       stepBack(makeAction(tr("Step back"), QKeySequence(Qt::Key_Comma),
-                          tr("Look one recorded step back"), this)),
+                          tr("Go back one recorded step"), this)),
       playPause(makeAction(tr("Play"), QKeySequence(Qt::Key_Space),
                            tr("Run or pause the simulation"), this)),
       step(makeAction(tr("Step"), QKeySequence(Qt::Key_Period), tr("One step forward, then pause"),
                       this)),
-      newest(makeAction(tr("Back to now"), QKeySequence(Qt::Key_End),
-                        tr("Leave the past and show the newest step"), this)),
-      goOn(makeAction(tr("Go on from here"), {},
-                      tr("Make the run again up to this moment and go on from it another way"),
-                      this)),
+      newest(makeAction(tr("Go to newest step"), QKeySequence(Qt::Key_End),
+                        tr("Show the newest step of the run"), this)),
+      branchHere(makeAction(tr("Branch from here"), {},
+                            tr("Create a branch that repeats the run up to this moment and pauses"),
+                            this)),
       runner_(runner),
       theme_(theme) {
-  playPause->setShortcuts({Qt::Key_Space, int{Qt::CTRL} | Qt::Key_Space});  // one while typing
+  playPause->setShortcuts({Qt::Key_Space, int{Qt::CTRL} | Qt::Key_Space});  // Ctrl while typing.
   connect(reset, &QAction::triggered, &runner_, &SimulationRunner::reset);
   connect(stepBack, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
   connect(step, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
   connect(newest, &QAction::triggered, &runner_, &SimulationRunner::seekNewest);
-  connect(goOn, &QAction::triggered, &runner_, [this] { runner_.goOnFromShown(); });
+  connect(branchHere, &QAction::triggered, &runner_, [this] { runner_.branchFromShown(); });
   connect(playPause, &QAction::triggered, this, [this] {
     runner_.state() == SimulationRunner::State::Running ? runner_.pause() : runner_.play();
   });
@@ -145,7 +145,7 @@ void PlaybackActions::follow() {
   reset->setEnabled(!editing);
   stepBack->setEnabled(!editing);
   newest->setEnabled(runner_.isLookingBack());
-  goOn->setEnabled(runner_.canGoOnFromShown());
+  branchHere->setEnabled(runner_.canBranchFromShown());
 }
 
 QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {
@@ -156,12 +156,12 @@ QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {
   box->setCurrentIndex(box->findText(QStringLiteral("1.0 ×")));
   box->setFixedWidth(76);
   box->setFocusPolicy(Qt::TabFocus);
-  box->setToolTip(tr("Speed\nSimulated seconds per second of the clock"));
+  box->setToolTip(tr("Speed\nSimulated seconds per real second"));
   box->setAccessibleName(tr("Speed"));
   connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this, box](int index) { runner_.setSpeed(box->itemData(index).toDouble()); });
-  connect(&runner_, &SimulationRunner::speedOrdered, box,
-          [box](double factor) { showOrdered(*box, factor); });
+  connect(&runner_, &SimulationRunner::speedRequested, box,
+          [box](double factor) { showRequestedSpeed(*box, factor); });
   return box;
 }
 
@@ -183,7 +183,7 @@ TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
   connect(&runner_, &SimulationRunner::stateChanged, this, repaint);
   connect(&runner_, &SimulationRunner::loopChanged, this, repaint);
   connect(&events_, &RunEvents::cleared, this, repaint);
-  connect(&document_, &ScenarioDocument::settled, this, repaint);
+  connect(&document_, &ScenarioDocument::stepFinished, this, repaint);
 }
 
 void TimelineBar::setTheme(const Theme& theme) {
@@ -232,12 +232,12 @@ void TimelineBar::paintEvent(QPaintEvent*) {
   paintMarks(painter);
 }
 
-/// Beneath the groove a line for each of the first two, as long as the run, with a tick where it
-/// has a contact.
+/// Draws a line below the groove for each of the first two runs, as long as the run, with ticks at
+/// contacts.
 void TimelineBar::paintCompared(QPainter& painter) const {
-  constexpr std::size_t kMostLines = 2;
+  constexpr std::size_t kMaxLines = 2;
   constexpr double kFirstY = 21.5, kLineGap = 3.0;
-  for (std::size_t k = 0; k < std::min(kMostLines, compared_.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(kMaxLines, compared_.size()); ++k) {
     const GhostStyle style = ghostStyle(compared_[k].style, theme_);
     const double y = kFirstY + kLineGap * static_cast<double>(k);
     QPen pen(style.color, 1.6);
@@ -296,7 +296,7 @@ void TimelineBar::paintGroove(QPainter& painter) const {
     line(oldest, newestTime(), theme_.color(Role::Accent, 0.45));
     line(oldest, std::max(oldest, shownTime()), theme_.color(Role::Accent));
     if (oldest > 0.0) {
-      paintCut(painter, xOf(oldest));
+      paintDroppedRange(painter, xOf(oldest));
     }
   }
   const double x = xOf(shownTime());
@@ -305,8 +305,8 @@ void TimelineBar::paintGroove(QPainter& painter) const {
   painter.drawEllipse(QPointF(x, kGrooveY), 6.0, 6.0);
 }
 
-/// What lies left of here is not kept any more.
-void TimelineBar::paintCut(QPainter& painter, double x) const {
+/// Marks the dropped part to the left of x.
+void TimelineBar::paintDroppedRange(QPainter& painter, double x) const {
   painter.fillRect(QRectF(kLeft, kGrooveY - 3.0, x - kLeft, 6.0), theme_.color(Role::Panel));
   painter.setPen(QPen(theme_.color(Role::FieldEdge), 2.0, Qt::DotLine));
   painter.drawLine(QPointF(kLeft, kGrooveY), QPointF(x, kGrooveY));
@@ -315,17 +315,17 @@ void TimelineBar::paintCut(QPainter& painter, double x) const {
 }
 
 std::vector<TimelineBar::Cluster> TimelineBar::clusters() const {
-  constexpr double kApart = 13.0;  // [px] between two marks
+  constexpr double kApart = 13.0;  // Minimum distance between two marks [px].
   constexpr double kWidest = 48.0;
   const QFontMetrics metrics(theme_.font(kMarkFont));
   const auto numberOf = [&metrics](const Cluster& last) {
     const QString number = QString::number(last.count);
-    return last.count > 1 ? kBesideMark + metrics.horizontalAdvance(number) : 0.0;
+    return last.count > 1 ? kMarkNumberGap + metrics.horizontalAdvance(number) : 0.0;
   };
   std::vector<Cluster> all;
   for (const RunEvent& event : events_.events()) {
     const EventMark mark = markOfEvent(event.event.kind);
-    const int loudness = loudnessOf(mark);
+    const int loudness = priorityOf(mark);
     const double x = xOf(event.time);
     if (loudness == 0) {
       continue;
@@ -337,17 +337,17 @@ std::vector<TimelineBar::Cluster> TimelineBar::clusters() const {
     }
     Cluster& last = all.back();
     last.last = x;
-    if (loudness > loudnessOf(last.mark)) {
+    if (loudness > priorityOf(last.mark)) {
       last.mark = mark;
       last.count = 1;
-    } else if (loudness == loudnessOf(last.mark)) {
+    } else if (loudness == priorityOf(last.mark)) {
       ++last.count;
     }
   }
   return all;
 }
 
-/// Many of a kind in one place are one mark with their number.
+/// Draws several events of one kind at a place as one mark with their number.
 void TimelineBar::paintMarks(QPainter& painter) const {
   painter.setFont(theme_.font(kMarkFont));
   for (const Cluster& cluster : clusters()) {
@@ -418,9 +418,9 @@ bool TimelineBar::event(QEvent* event) {
   }
   const auto* help = static_cast<QHelpEvent*>(event);
   QStringList near;
-  for (const RunEvent& happened : events_.events()) {
-    if (std::fabs(xOf(happened.time) - help->x()) < 6.0 && near.size() < 6) {
-      near.push_back(clockText(happened.time) + QStringLiteral("  ") + happened.text);
+  for (const RunEvent& runEvents : events_.events()) {
+    if (std::fabs(xOf(runEvents.time) - help->x()) < 6.0 && near.size() < 6) {
+      near.push_back(clockText(runEvents.time) + QStringLiteral("  ") + runEvents.text);
     }
   }
   const double time = timeAt(help->x());
@@ -428,7 +428,7 @@ bool TimelineBar::event(QEvent* event) {
     near.push_back(clockText(time));
   }
   if (help->x() >= kLeft && time < runner_.oldestTime()) {
-    near.push_back(tr("No longer kept: the disk takes no more of this run"));
+    near.push_back(tr("No longer stored: the disk is full"));
   }
   QToolTip::showText(help->globalPos(), near.join(QLatin1Char('\n')), this);
   return true;

@@ -4,22 +4,24 @@
 #include <QComboBox>
 
 #include "editor/look/Theme.h"
-#include "editor/panels/LoopMarks.h"
+#include "editor/panels/EventsPanel.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/RunEvents.h"
+#include "editor/panels/ScrubActions.h"
 
 namespace editor {
 
-/// Reset, step back, play or pause, step, and the speed; they follow the state of the runner.
+/// Actions for reset, step back, play or pause, step, and speed; they reflect the state of the
+/// runner.
 class PlaybackActions : public QObject {
   Q_OBJECT
  public:
   PlaybackActions(SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
 
-  QAction *const reset, *const stepBack, *const playPause, *const step, *const newest, *const goOn;
+  QAction *const reset, *const stepBack, *const playPause, *const step, *const newest,
+                                                                            *const branchHere;
   QList<QAction*> all() const { return {reset, stepBack, playPause, step}; }
-  /// A combo box of speeds, for a tool bar that takes it.
+  /// A combo box of speeds for a tool bar.
   QComboBox* makeSpeedBox(QWidget* parent);
 
  private:
@@ -31,8 +33,8 @@ class PlaybackActions : public QObject {
 /// "0:12.4"
 QString clockText(double seconds);
 
-/// The time of the run over the whole width: clock, slider, ticks and marks of events. Dragging
-/// looks into the past; the marks of the part that is looped are dragged, or drawn with Shift.
+/// The timeline of the run: clock, slider, ticks and event marks. Dragging seeks; loop markers can
+/// be dragged, or drawn with Shift.
 class TimelineBar : public QWidget {
   Q_OBJECT
  public:
@@ -40,14 +42,14 @@ class TimelineBar : public QWidget {
               const Theme& theme);
   void setTheme(const Theme& theme);
   void setCompared(const std::vector<TimelineRun>& runs);
-  double length() const;  // [s] of the whole bar
+  double length() const;  // Duration of the whole bar [s].
   double xOf(double time) const;
   double timeAt(double x) const;
   QSize sizeHint() const override { return {400, 44}; }
-  /// Events that lie on one another: the loudest of them, and how many there are of it.
+  /// Overlapping events: the mark with the highest priority, and the number of its events.
   struct Cluster {
     EventMark mark = EventMark::None;
-    double first = 0.0, last = 0.0;  // x [px]
+    double first = 0.0, last = 0.0;  // x range [px].
     int count = 0;
   };
   std::vector<Cluster> clusters() const;
@@ -68,7 +70,7 @@ class TimelineBar : public QWidget {
   void paintClock(QPainter& painter) const;
   void paintTicks(QPainter& painter) const;
   void paintGroove(QPainter& painter) const;
-  void paintCut(QPainter& painter, double x) const;
+  void paintDroppedRange(QPainter& painter, double x) const;
   void paintMarks(QPainter& painter) const;
   void paintCompared(QPainter& painter) const;
 

@@ -2,7 +2,7 @@
 
 #include <QRegularExpression>
 
-#include "editor/document/FreeNames.h"
+#include "editor/document/UniqueNames.h"
 
 namespace editor {
 
@@ -17,22 +17,22 @@ T valueOr(const ParameterValue& value, T otherwise) {
   return own == nullptr ? otherwise : *own;
 }
 
-/// "1/s" reads "/s" after a number.
+/// "1/s" is shown as "/s" after a number.
 QString unitOf(const base::ParameterSpec& spec) {
   const QString unit = QString::fromStdString(spec.unit);
   return unit.startsWith(QStringLiteral("1/")) ? unit.mid(1) : unit;
 }
 
-NumberField::Range rangeOf(const base::ParameterSpec& spec, bool isWide) {
+NumberField::Range rangeOf(const base::ParameterSpec& spec, bool is64Bit) {
   NumberField::Range range = {spec.range.low, spec.range.high, spec.form.decimals, spec.form.step,
-                              spec.range.above};
+                              spec.range.excludesLow};
   if (spec.type == ParameterType::Integer) {
     constexpr double kLargest = 2147483647.0;
-    constexpr double kLargestWide = 9223372036854774784.0;  // that a double and 64 bits hold
+    constexpr double kLargestWide = 9223372036854774784.0;  // Fits a double and 64 bits.
     range.decimals = 0;
     range.step = 1.0;
     range.minimum = std::max(range.minimum, -kLargest);
-    range.maximum = std::min(range.maximum, isWide ? kLargestWide : kLargest);
+    range.maximum = std::min(range.maximum, is64Bit ? kLargestWide : kLargest);
   }
   return range;
 }
@@ -60,21 +60,21 @@ ParameterValue valueFromText(ParameterType type, const QString& text) {
              : ParameterValue(std::vector<int>(numbers.begin(), numbers.end()));
 }
 
-/// What an entity has itself, else what counts without.
-ParameterValue valueInForce(const EntityField& field, const Entity& entity) {
+/// The value of the entity, else its default.
+ParameterValue effectiveValue(const EntityField& field, const Entity& entity) {
   ParameterValue own = field.get(entity);
   return own == ParameterValue() && field.fallback ? field.fallback(entity) : own;
 }
 
-/// What the file itself says; an empty text says nothing.
+/// The value in the file; an empty text is not a value.
 ParameterValue ownValue(const EntityField& field, const Entity& entity) {
   const ParameterValue own =
       field.belongs && !field.belongs(entity) ? ParameterValue() : field.get(entity);
   return own == ParameterValue(std::string()) ? ParameterValue() : own;
 }
 
-/// What counts without a word of the file.
-ParameterValue usualValue(const EntityField& field, Entity entity) {
+/// The value if the file does not set the key.
+ParameterValue defaultValueOf(const EntityField& field, Entity entity) {
   field.set(entity, {});
   return field.fallback ? field.fallback(entity) : ParameterValue();
 }
@@ -83,13 +83,15 @@ QString listProblem(const base::Range& range, const QString& text) {
   const auto values = listFromText(text);
   const bool fits = values && std::all_of(values->begin(), values->end(),
                                           [&](double value) { return range.contains(value); });
-  return fits ? QString() : QObject::tr("Numbers with commas between them");
+  return fits ? QString() : QObject::tr("Numbers, separated by commas");
 }
 
 }  // namespace
 
 PropertyPage::PropertyPage(ScenarioDocument& document, const sim2d::FieldTables& tables)
-    : document_(document), tables_(tables), layout_(arranged(new QVBoxLayout(this), {}, 0)) {
+    : document_(document),
+      tables_(tables),
+      layout_(configuredLayout(new QVBoxLayout(this), {}, 0)) {
   layout_->addStretch();
 }
 
@@ -132,7 +134,7 @@ FormSection* PropertyPage::addFold(const QString& title) {
   section->setOpen(false);
   const std::size_t number = folds_.size();
   folds_.push_back({section, {}});
-  QToolButton* reset = section->addLink(tr("Reset"), tr("All of these as they are by default"),
+  QToolButton* reset = section->addLink(tr("Reset"), tr("Reset all to their default values"),
                                         [this, section] { resetFold(section); });
   reset->setObjectName(QStringLiteral("reset"));
   addRefresh([this, number, reset](const std::vector<Entity>& shown) {
@@ -159,7 +161,7 @@ void PropertyPage::showFold(const Fold& fold, QToolButton& reset,
     for (const Entity& entity : shown) {
       const ParameterValue own = ownValue(field, entity);
       isGiven = isGiven || own != ParameterValue();
-      isChanged = isChanged || (own != ParameterValue() && own != usualValue(field, entity));
+      isChanged = isChanged || (own != ParameterValue() && own != defaultValueOf(field, entity));
     }
     changed += isChanged ? 1 : 0;
   }
@@ -196,9 +198,10 @@ void PropertyPage::addName(FormSection* section) {
   field->setCheck([this](const QString& name) {
     static const QRegularExpression kName(QStringLiteral("^[A-Za-z][A-Za-z0-9_]*$"));
     return !kName.match(name).hasMatch()
-               ? tr("A name begins with a letter and has only letters, digits and _")
-           : FreeNames(document_.scenario()).isTaken(name.toStdString()) ? tr("This name is taken")
-                                                                         : QString();
+               ? tr("A name starts with a letter and contains only letters, digits and _")
+           : UniqueNames(document_.scenario()).isTaken(name.toStdString())
+               ? tr("This name is already in use")
+               : QString();
   });
   connect(field, &TextField::edited, this, [this](const QString& name) {
     if (targets_.size() == 1) {
@@ -214,9 +217,9 @@ void PropertyPage::addName(FormSection* section) {
   section->addRow(tr("Name"), field);
 }
 
-void PropertyPage::addOwnNumber(FormSection* section, const QString& help, int least,
-                                std::function<int(const Entity&)> get,
-                                std::function<bool(int)> take) {
+void PropertyPage::addUniqueNumber(FormSection* section, const QString& help, int least,
+                                   std::function<int(const Entity&)> get,
+                                   std::function<bool(int)> take) {
   auto* number = new NumberField({double(least), 2147483647.0, 0, 1.0}, {}, this);
   if (!help.isEmpty()) {
     number->setToolTip(help);
@@ -245,7 +248,7 @@ QString helpOf(const base::ParameterSpec& spec) {
 }
 
 QWidget* PropertyPage::addRow(FormSection* section, const EntityField& field,
-                              const FieldLook& look) {
+                              const FieldOptions& look) {
   const base::ParameterSpec& spec = field.spec;
   const bool isNumber = spec.type == ParameterType::Number || spec.type == ParameterType::Integer;
   QWidget* row = isNumber                                     ? makeNumber(field, look)
@@ -253,13 +256,13 @@ QWidget* PropertyPage::addRow(FormSection* section, const EntityField& field,
                  : spec.choices.empty() && look.names.empty() ? makeText(field, look)
                                                               : makeChoice(field, look);
   row->setObjectName(QString::fromStdString(spec.key));
-  if (spec.form.sliderTo > 0.0) {
+  if (spec.form.sliderMax > 0.0) {
     auto* number = static_cast<NumberField*>(row);
-    section->addRow(labelOf(spec), new LinkedSlider(*number, spec.form.sliderTo, this), row);
+    section->addRow(labelOf(spec), new LinkedSlider(*number, spec.form.sliderMax, this), row);
   } else {
     section->addRow(labelOf(spec), row);
   }
-  QWidget* whole = spec.form.sliderTo > 0.0 ? row->parentWidget() : row;
+  QWidget* whole = spec.form.sliderMax > 0.0 ? row->parentWidget() : row;
   const Applies applies = [belongs = field.belongs,
                            visible = look.visible](const std::vector<Entity>& shown) {
     return (!belongs || std::all_of(shown.begin(), shown.end(), belongs)) &&
@@ -285,8 +288,8 @@ void PropertyPage::addParameterRows(FormSection* section, const ParameterOwner& 
       row->setObjectName(QString::fromStdString(name + "." + spec.key));
     }
   }
-  FieldLook look = emptyAs(tr("none"), [](const QString& text) {
-    return pairsFromText(text) ? QString() : tr("name=value, with commas between them");
+  FieldOptions look = withPlaceholder(tr("none"), [](const QString& text) {
+    return pairsFromText(text) ? QString() : tr("name=value, separated by commas");
   });
   look.visible = [owner](const std::vector<Entity>& shown) {
     return std::any_of(shown.begin(), shown.end(),
@@ -296,17 +299,17 @@ void PropertyPage::addParameterRows(FormSection* section, const ParameterOwner& 
   others->setObjectName(QStringLiteral("other_parameters"));
 }
 
-/// Whether an entity takes part in the run, for all kinds that can be switched off.
-void PropertyPage::addListed(FormSection* section) {
+/// Whether an entity is active in a run, for all kinds that can be switched off.
+void PropertyPage::addListedRow(FormSection* section) {
   EntityField field;
   field.spec.type = ParameterType::Boolean;
-  field.spec.form.label = "Takes part";
+  field.spec.form.label = "Active";
   field.spec.help = "Off: kept in the file, but not in the run";
   field.get = isListed;
   field.set = [](Entity& entity, const ParameterValue& on) {
     setListed(entity, std::get<bool>(on));
   };
-  addRow(section, field, inWords({tr("In the scenario")}));
+  addRow(section, field, withLabels({tr("In the scenario")}));
 }
 
 void PropertyPage::addPosition(FormSection* section) {
@@ -323,18 +326,18 @@ void PropertyPage::addNumberPair(FormSection* section, const QString& label,
   right->setAccessibleName(labelOf(second.spec));
 }
 
-NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldLook& look) {
+NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldOptions& look) {
   const bool isInteger = field.spec.type == ParameterType::Integer;
-  auto* number = new NumberField(rangeOf(field.spec, field.isWide),
+  auto* number = new NumberField(rangeOf(field.spec, field.is64Bit),
                                  look.unit.isEmpty() ? unitOf(field.spec) : look.unit, this);
-  number->setUnitOfOne(look.unitOfOne);
+  number->setSingularUnit(look.singularUnit);
   QStringList hints = {helpOf(field.spec), number->toolTip()};
   hints.removeAll(QString());
   number->setToolTip(hints.join(QLatin1Char('\n')));
   connect(number, &NumberField::edited, this, [=](double value) {
     change(field, isInteger ? ParameterValue(static_cast<long long>(value)) : value);
   });
-  connect(number, &NumberField::defaultWanted, this, [=] { change(field, {}); });
+  connect(number, &NumberField::resetRequested, this, [=] { change(field, {}); });
   addRefresh([=](const std::vector<Entity>& shown) {
     const auto own = [&](const Entity& entity) {
       return !look.counts || look.counts(entity) ? numberIn(field.get(entity)) : std::nullopt;
@@ -351,9 +354,9 @@ NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldLook&
 
 namespace {
 
-/// The words of a choice; returns the values that they stand for.
+/// Fills a combo box; returns the values of its items.
 std::vector<ParameterValue> fillChoice(QComboBox& box, const EntityField& field,
-                                       const FieldLook& look) {
+                                       const FieldOptions& look) {
   std::vector<ParameterValue> values;
   if (!look.none.isEmpty()) {
     box.addItem(look.none);
@@ -361,7 +364,7 @@ std::vector<ParameterValue> fillChoice(QComboBox& box, const EntityField& field,
   }
   int index = 0;
   for (const std::string& value : field.spec.choices.empty() ? look.names : field.spec.choices) {
-    box.addItem(index < look.words.size() ? look.words[index] : QString::fromStdString(value));
+    box.addItem(index < look.labels.size() ? look.labels[index] : QString::fromStdString(value));
     box.setItemData(box.count() - 1, index < look.hints.size() ? look.hints[index] : QString(),
                     Qt::ToolTipRole);
     values.emplace_back(value);
@@ -372,8 +375,8 @@ std::vector<ParameterValue> fillChoice(QComboBox& box, const EntityField& field,
 
 }  // namespace
 
-/// The word of the default is chosen by leaving the key out, where no word stands for that.
-QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& look) {
+/// Choosing the default removes the key, unless another item does that.
+QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldOptions& look) {
   const bool hasNone = !look.none.isEmpty();
   auto* box = new ChoiceField(this);
   const std::vector<ParameterValue> values = fillChoice(*box, field, look);
@@ -381,15 +384,15 @@ QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& loo
   connect(box, qOverload<int>(&QComboBox::activated), this, [=](int index) {
     const ParameterValue& value = values[static_cast<std::size_t>(index)];
     apply(tr("Change %1").arg(labelOf(field.spec).toLower()), [&](Entity& entity) {
-      const bool isUsual = !hasNone && field.fallback && value == usualValue(field, entity);
+      const bool isUsual = !hasNone && field.fallback && value == defaultValueOf(field, entity);
       field.set(entity, isUsual ? ParameterValue() : value);
     });
   });
   addRefresh([=](const std::vector<Entity>& shown) {
     const auto index = commonValue(shown, [&](const Entity& entity) {
-      const ParameterValue value = hasNone ? field.get(entity) : valueInForce(field, entity);
+      const ParameterValue value = hasNone ? field.get(entity) : effectiveValue(field, entity);
       const auto found = std::find(values.begin(), values.end(), value);
-      const int none = value == ParameterValue() ? 0 : -1;  // -1: a word that nobody knows
+      const int none = value == ParameterValue() ? 0 : -1;  // -1: an unknown value.
       return found == values.end() ? none : static_cast<int>(found - values.begin());
     });
     box->setCurrentIndex(index.value_or(-1));
@@ -397,13 +400,13 @@ QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& loo
   return box;
 }
 
-QWidget* PropertyPage::makeSwitch(const EntityField& field, const FieldLook& look) {
-  auto* box = new QCheckBox(look.words.isEmpty() ? tr("Yes") : look.words.front(), this);
+QWidget* PropertyPage::makeSwitch(const EntityField& field, const FieldOptions& look) {
+  auto* box = new QCheckBox(look.labels.isEmpty() ? tr("Yes") : look.labels.front(), this);
   box->setToolTip(helpOf(field.spec));
   connect(box, &QCheckBox::clicked, this, [=](bool on) { change(field, on); });
   addRefresh([=](const std::vector<Entity>& shown) {
     const std::optional<bool> on = commonValue(
-        shown, [&](const Entity& entity) { return valueOr(valueInForce(field, entity), false); });
+        shown, [&](const Entity& entity) { return valueOr(effectiveValue(field, entity), false); });
     box->setTristate(!on);
     box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
   });
@@ -411,7 +414,7 @@ QWidget* PropertyPage::makeSwitch(const EntityField& field, const FieldLook& loo
 }
 
 /// A text, or a list as text.
-QWidget* PropertyPage::makeText(const EntityField& field, const FieldLook& look) {
+QWidget* PropertyPage::makeText(const EntityField& field, const FieldOptions& look) {
   auto* line = new TextField(this);
   line->setPlaceholderText(look.placeholder);
   line->setHint(helpOf(field.spec));

@@ -19,30 +19,30 @@
 
 namespace editor {
 
-/// How a form shows a key: what its description does not say.
-struct FieldLook {
-  QStringList words{};               // of a choice, in the order of the table; beside a switch
-  std::vector<std::string> names{};  // a text that is one of these
-  QString none{};                    // first word of a choice: nothing of one's own
-  QString placeholder{};             // of a text
-  TextField::Check check{};          // of a text, also of a list
-  QString unit{}, unitOfOne{};
-  std::function<base::ParameterValue(const Entity&)> fallback{};  // instead of the table's
-  std::function<bool(const Entity&)> counts{};  // false: the value of the file is not used
+/// Display options of a key in a form that its description does not contain.
+struct FieldOptions {
+  QStringList labels{};              // Of a choice, in table order; beside a switch.
+  std::vector<std::string> names{};  // A text with these allowed values.
+  QString none{};                    // First text of a choice: not set.
+  QString placeholder{};             // Of a text field.
+  TextField::Check check{};          // Of a text or list field.
+  QString unit{}, singularUnit{};
+  std::function<base::ParameterValue(const Entity&)> fallback{};  // Overrides that of the table.
+  std::function<bool(const Entity&)> counts{};  // False: the value of the file is not used.
   std::function<bool(const std::vector<Entity>&)> enabled{}, visible{};
-  QStringList hints{};  // of a choice: the tooltip of each word
+  QStringList hints{};  // Tooltips of a choice, one per text.
 };
-inline FieldLook inWords(const QStringList& words, const QString& none = {}) {
-  return {words, {}, none};
+inline FieldOptions withLabels(const QStringList& labels, const QString& none = {}) {
+  return {labels, {}, none};
 }
-inline FieldLook oneOf(std::vector<std::string> names, const QString& none) {
+inline FieldOptions withNames(std::vector<std::string> names, const QString& none) {
   return {{}, std::move(names), none};
 }
-inline FieldLook emptyAs(const QString& placeholder, TextField::Check check = {}) {
+inline FieldOptions withPlaceholder(const QString& placeholder, TextField::Check check = {}) {
   return {{}, {}, {}, placeholder, std::move(check)};
 }
 
-/// Where all that are shown give the same, that; else nothing.
+/// The common result of `get` for all entities; none if they differ.
 template <class Get>
 auto commonValue(const std::vector<Entity>& shown, const Get& get)
     -> std::optional<std::decay_t<decltype(get(shown.front()))>> {
@@ -52,9 +52,10 @@ auto commonValue(const std::vector<Entity>& shown, const Get& get)
   return same ? std::optional(std::move(first)) : std::nullopt;
 }
 
-/// The properties of one kind of entity: rows made from the tables of the scenario's keys and from
-/// keys of its own, showing one or several entities. Each edit is one command on all of them; edits
-/// of the same row merge. Keys of a group (`Field::group`) come into a fold of this title.
+/// The properties of one kind of entity: rows from the tables of scenario keys and from
+/// page-specific properties, for one or several entities. Each edit is one command on all of them;
+/// edits of the same row merge. Keys of a group (`Field::group`) go into a collapsible section with
+/// that title.
 class PropertyPage : public QWidget {
   Q_OBJECT
  public:
@@ -68,19 +69,19 @@ class PropertyPage : public QWidget {
 
  protected:
   ScenarioDocument& document() const { return document_; }
-  virtual long long seed() const;  // whose draws are shown
+  virtual long long seed() const;  // Seed of the shown sampled values.
   std::vector<Entity> values() const { return valuesOf(document_, targets_); }
   void apply(const QString& text, const std::function<void(Entity&)>& edit);
 
   FormSection* addSection(const QString& title);
-  /// A section that begins folded. Its head tells how many of its keys the file changes, and takes
-  /// them all back.
+  /// A section that is initially collapsed. Its heading shows how many of its keys the file sets,
+  /// and resets all of them.
   FormSection* addFold(const QString& title);
-  /// A widget over the whole width, above all sections that are there.
+  /// Adds a widget over the full width above all existing sections.
   void addOnTop(QWidget* widget) { layout_->insertWidget(0, widget); }
-  /// A row made from the table of T.
+  /// Adds a row for a key of the table of T.
   template <class T>
-  void addField(FormSection* section, const std::string& name, const FieldLook& look = {}) {
+  void addField(FormSection* section, const std::string& name, const FieldOptions& look = {}) {
     const sim2d::Field<T>* key = sim2d::fieldOf<T>(name, tables_);
     EntityField field = entityField(*key, document_, [this] { return seed(); });
     if (look.fallback) {
@@ -90,10 +91,10 @@ class PropertyPage : public QWidget {
     row->setObjectName(QString::fromStdString(rowName<T>(name)));
     places_[&key->spec] = {section, row};
   }
-  /// The other keys of the table, each in the fold of its group or after its neighbour, without
-  /// those that the page shows in its own way. After all rows.
+  /// Adds the other keys of the table, each in the section of its group or after its neighbour,
+  /// except those that the page shows otherwise. Call it after all rows.
   template <class T>
-  void addNewFields(const std::set<std::string>& shown = {}) {
+  void addRemainingFields(const std::set<std::string>& shown = {}) {
     Place place = {sections_.front(), nullptr};
     for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>(tables_)) {
       const auto known = places_.find(&field.spec);
@@ -114,20 +115,20 @@ class PropertyPage : public QWidget {
       }
     }
   }
-  /// A row made from its description; returns what the user edits.
-  QWidget* addRow(FormSection* section, const EntityField& field, const FieldLook& look = {});
+  /// Adds a row from its description; returns the editing widget.
+  QWidget* addRow(FormSection* section, const EntityField& field, const FieldOptions& look = {});
   void addNumberPair(FormSection* section, const QString& label, const EntityField& first,
                      const EntityField& second);
-  /// A row per parameter of the owner that all shown have, and one for what has no row.
+  /// Adds a row per parameter of the common implementation, and one for parameters without a row.
   void addParameterRows(FormSection* section, const ParameterOwner& owner,
                         const QString& helpOfOthers);
-  void addListed(FormSection* section);
+  void addListedRow(FormSection* section);
   void addPosition(FormSection* section);
-  /// A whole number that each entity has for itself: only for one at a time. `take` tells whether
-  /// it took what was typed.
-  void addOwnNumber(FormSection* section, const QString& help, int least,
-                    std::function<int(const Entity&)> get, std::function<bool(int)> take);
-  /// The name of the entity; only for one at a time, checked for being free.
+  /// A whole number that is specific to each entity, for single entities only. `take` returns true
+  /// if it accepts the typed number.
+  void addUniqueNumber(FormSection* section, const QString& help, int least,
+                       std::function<int(const Entity&)> get, std::function<bool(int)> take);
+  /// Adds the entity name, for single entities only; it must be unique.
   void addName(FormSection* section);
   void addRefresh(std::function<void(const std::vector<Entity>&)> refresh);
 
@@ -144,10 +145,10 @@ class PropertyPage : public QWidget {
   FormSection* foldOf(const QString& group);
   void showFold(const Fold& fold, QToolButton& reset, const std::vector<Entity>& shown);
   void resetFold(const FormSection* section);
-  NumberField* makeNumber(const EntityField& field, const FieldLook& look = {});
-  QWidget* makeChoice(const EntityField& field, const FieldLook& look);
-  QWidget* makeSwitch(const EntityField& field, const FieldLook& look);
-  QWidget* makeText(const EntityField& field, const FieldLook& look);
+  NumberField* makeNumber(const EntityField& field, const FieldOptions& look = {});
+  QWidget* makeChoice(const EntityField& field, const FieldOptions& look);
+  QWidget* makeSwitch(const EntityField& field, const FieldOptions& look);
+  QWidget* makeText(const EntityField& field, const FieldOptions& look);
   void change(const EntityField& field, const base::ParameterValue& value);
 
   ScenarioDocument& document_;
@@ -156,11 +157,11 @@ class PropertyPage : public QWidget {
   std::vector<std::function<void(const std::vector<Entity>&)>> refreshers_;
   std::vector<FormSection*> sections_;
   std::vector<Fold> folds_;
-  std::map<const base::ParameterSpec*, Place> places_;  // of keys of the tables
+  std::map<const base::ParameterSpec*, Place> places_;  // By key of the tables.
   QVBoxLayout* layout_;
 };
 
-/// What people read about a key: its label, its sentence without signs of markup.
+/// Label of a key, and its description without markup.
 QString labelOf(const base::ParameterSpec& spec);
 QString helpOf(const base::ParameterSpec& spec);
 

@@ -3,10 +3,10 @@
 
 #include <QToolTip>
 
-#include "app/run/Nav2Body.h"
+#include "app/run/Nav2Robots.h"
+#include "editor/panels/AgentPictures.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/Nav2Form.h"
-#include "editor/panels/RobotPicture.h"
 #include "editor/panels/RouteEditor.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/nav/Planner.h"
@@ -39,7 +39,7 @@ ParameterOwner plannersOf(const sim2d::Registries& registries) {
 EntityField footprintField() {
   return textField(
       QObject::tr("Footprint"),
-      QObject::tr("Corners x y in the robot's frame, such as 0.3 0.2; -0.3 0.2; -0.3 -0.2"),
+      QObject::tr("Corners x y in the robot frame, such as 0.3 0.2; -0.3 0.2; -0.3 -0.2"),
       [](const Entity& entity) {
         const Robot& robot = robotOf(entity);
         std::vector<Vec2> corners;
@@ -65,10 +65,10 @@ QString footprintProblem(const QString& text) {
   const auto corners = pointsFromText(text);
   return corners && (corners->empty() || corners->size() >= 3)
              ? QString()
-             : QObject::tr("At least three corners x y, with semicolons between them");
+             : QObject::tr("At least three corners x y, separated by semicolons");
 }
 
-/// A coordinate of the goal point; the first one given takes the other from the start.
+/// A coordinate of the goal point. If only one is set, the other is that of the start.
 EntityField goalField(const QString& label, int axis) {
   EntityField field = numberField(
       label, QStringLiteral("m"),
@@ -95,37 +95,37 @@ sim2d::ResolvedRobot bodyAndLimits(const Entity& entity) {
   return sim2d::resolveRobot({}, robotOf(entity), -1);
 }
 
-/// What the picture shows of a robot.
-auto looksOf(const sim2d::ResolvedRobot& robot) {
+/// The properties shown in the picture.
+auto pictureProperties(const sim2d::ResolvedRobot& robot) {
   return std::tuple(robot.kinematics, robot.footprint, robot.radius, robot.maxVel, robot.maxOmega,
                     robot.turningRadius, robot.mass);
 }
 
-/// The type as a robot of the document; null: nobody knows it.
+/// The type of a robot of the document; null: unknown type.
 const sim2d::RobotType* typeOf(const Entity& entity) {
   return sim2d::findRobotType(robotOf(entity).type.value_or(sim2d::ResolvedRobot{}.type));
 }
 
 /// "0.22 m/s, 2.84 rad/s, 1.0 kg", and the source.
-QString publishedOf(const std::string& name) {
+QString typeSummary(const std::string& name) {
   const sim2d::RobotType* const type = sim2d::findRobotType(name);
   if (type == nullptr) {
     return {};
   }
-  QStringList words;
-  for (const auto& [word, figure] : RobotPicture::figuresOf(sim2d::robotOfType(name))) {
-    words << figure;
+  QStringList labels;
+  for (const auto& [word, figure] : RobotPicture::specificationsOf(sim2d::robotOfType(name))) {
+    labels << figure;
   }
   if (type->lidar) {
-    words << QObject::tr("lidar %1 m").arg(type->lidar->range, 0, 'f', 1);
+    labels << QObject::tr("lidar %1 m").arg(type->lidar->range, 0, 'f', 1);
   }
   return QStringLiteral("<p>%1</p><p>%2</p>")
-      .arg(words.join(QStringLiteral(", ")).toHtmlEscaped(),
+      .arg(labels.join(QStringLiteral(", ")).toHtmlEscaped(),
            QString::fromStdString(type->source).toHtmlEscaped());
 }
 
-/// A field with no label that takes the place of one too.
-void overBothColumns(QWidget& field) {
+/// Extends a field without a label over both columns.
+void spanBothColumns(QWidget& field) {
   auto* grid = qobject_cast<QGridLayout*>(field.parentWidget()->layout());
   int row = 0, column = 0, rows = 0, columns = 0;
   grid->getItemPosition(grid->indexOf(&field), &row, &column, &rows, &columns);
@@ -133,13 +133,13 @@ void overBothColumns(QWidget& field) {
   grid->addWidget(&field, row, 0, rows, column + columns);
 }
 
-/// A chooser of names, the usual one marked as it counts without a word in the file.
-FieldLook namesLook(std::vector<std::string> names, const std::string& usual,
-                    const std::function<QString(const std::string&)>& title,
-                    const std::function<QString(const std::string&)>& hint) {
-  FieldLook look;
+/// A combo box of names that marks the default.
+FieldOptions nameOptions(std::vector<std::string> names, const std::string& usual,
+                         const std::function<QString(const std::string&)>& title,
+                         const std::function<QString(const std::string&)>& hint) {
+  FieldOptions look;
   for (const std::string& name : names) {
-    look.words << (name == usual ? QObject::tr("%1 (default)").arg(title(name)) : title(name));
+    look.labels << (name == usual ? QObject::tr("%1 (default)").arg(title(name)) : title(name));
     look.hints << hint(name);
   }
   look.names = std::move(names);
@@ -155,12 +155,12 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   addOnTop(picture_);
   addRefresh([this](const std::vector<Entity>& shown) {
     const bool isOne = commonValue(shown, [](const Entity& each) {
-                         return looksOf(bodyAndLimits(each));
+                         return pictureProperties(bodyAndLimits(each));
                        }).has_value();
     picture_->show(isOne ? std::optional(bodyAndLimits(shown.front())) : std::nullopt);
   });
   addName(section);
-  addListed(section);
+  addListedRow(section);
   addTypeRows(section, registries);
   addPlannerRows(section, registries);
   FormSection* start = addSection(tr("Start"));
@@ -170,36 +170,36 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   addGoalSection();
   FormSection* parameters = addFold(tr("Parameters"));
   addParameterRows(parameters, plannersOf(registries),
-                   tr("Parameters that the planner does not have or that are no numbers"));
+                   tr("Parameters that are unknown to the planner or not numbers"));
   addNav2Section();
   FormSection* body = addFold(tr("Body and limits"));
   for (const char* key : {"radius", "mass", "max_vel", "max_acc", "max_omega", "max_alpha"}) {
     addField<Robot>(body, key);
   }
-  addRow(body, footprintField(), emptyAs(tr("a disc of the radius"), footprintProblem));
+  addRow(body, footprintField(), withPlaceholder(tr("disc with the radius"), footprintProblem));
   addField<Robot>(body, "kinematics",
-                  inWords({tr("Two wheels"), tr("Every direction"), tr("Like a car")},
-                          tr("As the type (default)")));
+                  withLabels({tr("Differential"), tr("Omnidirectional"), tr("Ackermann")},
+                             tr("As robot type (default)")));
   addField<Robot>(body, "turning_radius");
   addPart<sim2d::DetectorSettings>(
-      tr("Knows of people"), tables,
-      {{"kind", inWords({tr("What it sees"), tr("Everybody (ground truth)")}, tr("(default)"))},
-       {"velocities", inWords({tr("As they are"), tr("From places")}, tr("(default)"))}});
+      tr("People perception"), tables,
+      {{"kind", withLabels({tr("Visible people"), tr("All (ground truth)")}, tr("(default)"))},
+       {"velocities", withLabels({tr("Ground truth"), tr("From positions")}, tr("(default)"))}});
   addPart<sim2d::LidarSettings>(tr("Lidar"), tables);
-  addPart<sim2d::OdometrySettings>(tr("Errors of odometry"), tables);
+  addPart<sim2d::OdometrySettings>(tr("Odometry errors"), tables);
   addPart<sim2d::LocalizationSettings>(tr("Localisation"), tables);
   addPart<sim2d::BatterySettings>(tr("Battery"), tables);
-  addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
+  addRemainingFields<Robot>({"goals", "footprint_x", "footprint_y"});
 }
 
-/// A row per key of the table, folded: most people leave them as they are.
+/// A row per key of the table, in a collapsed section.
 template <class Part>
 void RobotPage::addPart(const QString& title, const sim2d::FieldTables& tables,
-                        const std::map<std::string, FieldLook>& looks) {
+                        const std::map<std::string, FieldOptions>& looks) {
   FormSection* section = addFold(title);
   for (const sim2d::Field<Part>& field : sim2d::fieldsOf<Part>(tables)) {
     const auto look = looks.find(field.spec.key);
-    addField<Part>(section, field.spec.key, look == looks.end() ? FieldLook() : look->second);
+    addField<Part>(section, field.spec.key, look == looks.end() ? FieldOptions() : look->second);
   }
 }
 
@@ -208,7 +208,7 @@ void RobotPage::setTheme(const Theme& theme) {
   nav2_->setTheme(theme);
 }
 
-/// The chooser, and where the figures of the chosen type are from.
+/// The type chooser, and the sources of the values of the chosen type.
 void RobotPage::addTypeRows(FormSection* section, const sim2d::Registries& registries) {
   const auto title = [](const std::string& name) {
     const sim2d::RobotType* const type = sim2d::findRobotType(name);
@@ -216,8 +216,8 @@ void RobotPage::addTypeRows(FormSection* section, const sim2d::Registries& regis
   };
   addField<Robot>(
       section, "type",
-      namesLook(registries.robotTypes.names(), sim2d::ResolvedRobot{}.type, title, publishedOf));
-  source_ = linkButton(tr("Where its figures are from"), tr("What was published"), this, [this] {
+      nameOptions(registries.robotTypes.names(), sim2d::ResolvedRobot{}.type, title, typeSummary));
+  source_ = linkButton(tr("Sources"), tr("Published data"), this, [this] {
     const QPoint below(0, source_->height());
     QToolTip::showText(source_->mapToGlobal(below), source_->toolTip(), source_);
   });
@@ -227,12 +227,12 @@ void RobotPage::addTypeRows(FormSection* section, const sim2d::Registries& regis
     const auto type = commonValue(shown, typeOf);
     section->setRowVisible(source_, type && *type != nullptr);
     if (type && *type != nullptr) {
-      source_->setToolTip(publishedOf((*type)->name));
+      source_->setToolTip(typeSummary((*type)->name));
     }
   });
 }
 
-/// The chooser, and what the chosen planner does.
+/// The planner chooser, and the description of the chosen planner.
 void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& registries) {
   std::map<std::string, QString> helps;
   for (const auto& planner : registries.planners.entries()) {
@@ -244,10 +244,10 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
   };
   addField<Robot>(
       section, "planner",
-      namesLook(
+      nameOptions(
           registries.planners.names(), sim2d::ResolvedRobot{}.planner,
           [](const std::string& name) { return QString::fromStdString(name); }, helpOfName));
-  FieldLook command;
+  FieldOptions command;
   command.visible = [](const std::vector<Entity>& shown) {
     return std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
       return robotOf(each).planner == std::string(sim2d::kExternalPlanner) ||
@@ -255,20 +255,20 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
     });
   };
   addField<Robot>(section, "command", command);
-  FieldLook nav2;
+  FieldOptions nav2;
   nav2.visible = [](const std::vector<Entity>& shown) {
     return std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
       return robotOf(each).planner == std::string(sim2d::kNav2Planner);
     });
   };
-  nav2.placeholder = tr("of the generic robot");
+  nav2.placeholder = tr("as generic robot");
   addField<Robot>(section, "nav2_params", nav2);
-  nav2.placeholder = tr("Nav2's own");
+  nav2.placeholder = tr("Nav2 default");
   addField<Robot>(section, "nav2_tree", nav2);
-  nav2.placeholder = tr("nothing is published");
+  nav2.placeholder = tr("not published");
   addField<Robot>(section, "nav2_topics", nav2);
-  nav2.words = QStringList{tr("Humble"), tr("Jazzy"), tr("Kilted"), tr("Lyrical"), tr("Main")};
-  nav2.none = tr("As the file tells (default)");
+  nav2.labels = QStringList{tr("Humble"), tr("Jazzy"), tr("Kilted"), tr("Lyrical"), tr("Main")};
+  nav2.none = tr("As in the file (default)");
   addField<Robot>(section, "nav2_distro", nav2);
   QLabel* help = secondaryLabel({}, this);
   help->setObjectName(QStringLiteral("planner_help"));
@@ -282,20 +282,20 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
   });
 }
 
-/// Of one robot with Nav2: what its file says, and what the scenario says instead.
+/// For one robot with Nav2: the file values and their overrides.
 void RobotPage::addNav2Section() {
-  FormSection* section = addSection(tr("Parameters of Nav2"));
+  FormSection* section = addSection(tr("Nav2 parameters"));
   section->setOpen(false);
   nav2_ = new Nav2Form(this);
   section->addRow({}, nav2_);
-  overBothColumns(*nav2_);
-  QToolButton* all = section->addLink(tr("Reset"), tr("Take all values of the file again"), [this] {
-    apply(tr("Take the file's parameters of Nav2"),
+  spanBothColumns(*nav2_);
+  QToolButton* all = section->addLink(tr("Reset"), tr("Reset all to the file values"), [this] {
+    apply(tr("Reset Nav2 parameters"),
           [](Entity& entity) { std::get<Robot>(entity).nav2Values.clear(); });
   });
   QToolButton* body = section->addLink(
-      tr("Take the body"), tr("Take radius or footprint from local_costmap of the file"), [this] {
-        apply(tr("Take the body from the Nav2 file"), [this](Entity& entity) {
+      tr("Use body"), tr("Use radius or footprint from local_costmap in the file"), [this] {
+        apply(tr("Use the body in the Nav2 file"), [this](Entity& entity) {
           if (auto shaped = app::withNav2Body(robotOf(entity), document().path().toStdString())) {
             entity = *std::move(shaped);
           }
@@ -323,10 +323,10 @@ void RobotPage::addGoalSection() {
   FormSection* section = addSection(tr("Goal"));
   addNumberPair(section, tr("Point"), goalField(tr("Goal X"), 0), goalField(tr("Goal Y"), 1));
   auto* route = new RouteEditor(document(), this);
-  route->setToolTip(tr("Global goals in order, instead of a point"));
+  route->setToolTip(tr("Ordered global goals instead of a point"));
   section->addRow(tr("Or route"), route);
   connect(route, &RouteEditor::edited, this, [this](const std::vector<int>& goals) {
-    apply(tr("Change the robot's route"), [&](Entity& entity) {
+    apply(tr("Change robot route"), [&](Entity& entity) {
       Robot& robot = std::get<Robot>(entity);
       robot.goal.point.reset();
       robot.goal.goals = goals;

@@ -23,10 +23,10 @@ constexpr int kLineHeight = 28;
 
 }  // namespace
 
-/// One goal; drawn as a pill, an arrow before all but the first.
+/// One goal; drawn as a pill, with an arrow before all but the first.
 class RouteEditor::Chip : public QToolButton {
  public:
-  /// What Delete is to do.
+  /// `remove`: action of Delete.
   Chip(const QString& text, bool first, std::function<void()> remove, QWidget* parent)
       : QToolButton(parent), first_(first), remove_(std::move(remove)) {
     setText(text);
@@ -39,7 +39,7 @@ class RouteEditor::Chip : public QToolButton {
  protected:
   bool event(QEvent* event) override {
     if (event->type() == QEvent::ShortcutOverride && isRemoving(*event)) {
-      event->accept();  // the command of the window removes what is selected on the map
+      event->accept();  // Overrides the window shortcut, which removes the map selection.
       return true;
     }
     return QToolButton::event(event);
@@ -90,7 +90,7 @@ void RouteEditor::show(const std::vector<int>& goals) {
 }
 
 void RouteEditor::rebuild() {
-  menu_.close();  // it is about the previous route
+  menu_.close();  // The menu belongs to the previous route.
   for (QWidget* part : parts_) {
     part->hide();
     part->deleteLater();
@@ -100,7 +100,7 @@ void RouteEditor::rebuild() {
     const int id = goals_[static_cast<std::size_t>(i)];
     auto* chip = new Chip(
         QString::number(id), i == 0, [this, i] { removeGoal(i); }, this);
-    chip->setToolTip(goalName(id) + tr("\nClick for its choices, Delete removes it"));
+    chip->setToolTip(goalName(id) + tr("\nClick for options, press Delete to remove it"));
     chip->setAccessibleName(goalName(id));
     connect(chip, &QToolButton::clicked, this, [this, chip, i] { offerMoves(chip, i); });
     parts_.push_back(chip);
@@ -147,7 +147,7 @@ void RouteEditor::resizeEvent(QResizeEvent*) {
 void RouteEditor::offerGoals(QWidget* button) {
   QMenu& menu = menu_.begin(*this);
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-    const QString words = goalName(goal.id) + QStringLiteral("   ") + placeOf(goal);
+    const QString words = goalName(goal.id) + QStringLiteral("   ") + positionText(goal);
     menu.addAction(words, this, [this, id = goal.id] {
       std::vector<int> route = goals_;
       route.push_back(id);
@@ -178,7 +178,7 @@ void RouteEditor::offerMoves(QWidget* chip, int index) {
   menu.popup(chip->mapToGlobal(QPoint(0, chip->height())));
 }
 
-/// The keyboard stays in the row.
+/// Keeps the focus in the row.
 void RouteEditor::removeGoal(int index) {
   if (!has(index)) {
     return;

@@ -5,12 +5,12 @@
 #include <QWidget>
 
 #include "editor/document/ScenarioDocument.h"
-#include "editor/look/PanelMenu.h"
+#include "editor/look/DeferredActions.h"
 
 namespace editor {
 
-/// The goals of a person or robot as chips in visiting order: the menu of a chip selects its goal,
-/// moves it or, as Delete does, removes it; "+ Add" offers all goals.
+/// The goals of a person or robot as chips in visiting order. The menu of a chip selects its goal,
+/// moves it or removes it, as Delete does; "+ Add" offers all goals.
 class RouteEditor : public QWidget {
   Q_OBJECT
  public:
@@ -41,7 +41,7 @@ class RouteEditor : public QWidget {
   ScenarioDocument& document_;
   std::vector<int> goals_;
   std::vector<QWidget*> parts_;
-  PanelMenu menu_;  // of a chip or the button
+  PanelMenu menu_;  // Menu of a chip or the button.
 };
 
 }  // namespace editor

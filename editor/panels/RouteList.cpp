@@ -29,7 +29,7 @@ QString dragType() {
 QVBoxLayout* titledColumn(const QString& title, const Theme& theme, QWidget* content) {
   QLabel* heading = headingLabel(title, theme.font(9.5, QFont::DemiBold));
   heading->setBuddy(content);
-  auto* column = arranged(new QVBoxLayout, {}, 4, {heading, content});
+  auto* column = configuredLayout(new QVBoxLayout, {}, 4, {heading, content});
   column->setStretchFactor(content, 1);
   return column;
 }
@@ -105,7 +105,7 @@ std::vector<int> GoalList::goals() const {
 
 void GoalList::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-    Q_EMIT wanted();
+    Q_EMIT addRequested();
     return;
   }
   HintList::keyPressEvent(event);
@@ -115,7 +115,7 @@ QStringList GoalList::mimeTypes() const {
   return {dragType()};
 }
 
-/// The list, then row and number of each goal.
+/// Source list, then row and number of each goal.
 QMimeData* GoalList::mimeData(const QList<QListWidgetItem*> items) const {
   QByteArray bytes;
   QDataStream to(&bytes, QIODevice::WriteOnly);
@@ -162,7 +162,7 @@ void RouteList::moveSelected(int by) {
   }
 }
 
-/// Those rows, together, to before the row `before` of now.
+/// Moves rows together to before the current row `before`.
 void RouteList::moveRows(const std::vector<int>& rows, int before) {
   const std::vector<int> route = goals();
   std::vector<int> head;
@@ -186,7 +186,7 @@ void RouteList::moveRows(const std::vector<int>& rows, int before) {
   setCurrentRow(first, QItemSelectionModel::NoUpdate);
 }
 
-/// The rows are moved here, not by the list itself: a copy tells the source to keep its own.
+/// The rows are moved here, not by Qt. A copy action makes the source keep its rows.
 void RouteList::dropEvent(QDropEvent* event) {
   quint64 source = 0;
   QDataStream from(event->mimeData()->data(dragType()));

@@ -10,14 +10,14 @@
 
 namespace editor {
 
-/// A list that says what to do while it is empty.
+/// A list that shows a hint while it is empty.
 class HintList : public QListWidget {
   Q_OBJECT
  public:
   HintList(const Theme& theme, const QString& name, QWidget* parent);
   void setHint(const QString& hint);
   QString hint() const { return hint_; }
-  std::vector<int> selectedRows() const;  // from top to bottom
+  std::vector<int> selectedRows() const;  // From top to bottom.
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -26,20 +26,20 @@ class HintList : public QListWidget {
   QString hint_;
 };
 
-/// A list or form of a dialog below its heading.
+/// A column with a heading above a list or form of a dialog.
 QVBoxLayout* titledColumn(const QString& title, const Theme& theme, QWidget* content);
 
-/// Goals to take from: they can be dragged out, and return adds those that are selected.
+/// A source list of goals: goals can be dragged out, and return adds the selected ones.
 class GoalList : public HintList {
   Q_OBJECT
  public:
   GoalList(const Theme& theme, const QString& name, QWidget* parent);
   void addGoal(const sim2d::GlobalGoal* goal, int number, const QString& sideText);
-  std::vector<int> selectedGoals() const;  // from top to bottom
+  std::vector<int> selectedGoals() const;  // From top to bottom.
   std::vector<int> goals() const;
 
  Q_SIGNALS:
-  void wanted();
+  void addRequested();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -50,7 +50,7 @@ class GoalList : public HintList {
   Theme theme_;
 };
 
-/// Goals in visiting order; dragging puts them into another order, or takes goals of a GoalList in.
+/// Goals in visiting order; dragging reorders them or inserts goals of a GoalList.
 class RouteList : public GoalList {
   Q_OBJECT
  public:
@@ -61,7 +61,7 @@ class RouteList : public GoalList {
 
  Q_SIGNALS:
   void edited(const std::vector<int>& route);
-  void dropped(const std::vector<int>& goals, int row);  // from another list
+  void dropped(const std::vector<int>& goals, int row);  // From another list.
 
  protected:
   void dropEvent(QDropEvent* event) override;

@@ -35,7 +35,7 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     row.fontMetrics = QFontMetrics(row.font);
   }
   const QColor pale = option.palette.color(QPalette::PlaceholderText);
-  if (isPale(index)) {
+  if (isDimmed(index)) {
     row.palette.setColor(QPalette::Text, pale);
     row.palette.setColor(QPalette::HighlightedText, pale);
   }

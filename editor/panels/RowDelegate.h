@@ -7,11 +7,11 @@ namespace editor {
 
 /// Data role of the secondary text of a row.
 constexpr int kSideTextRole = Qt::UserRole + 101;
-/// Of lists, trees and tables [px].
+/// Row height of lists, trees and tables [px].
 constexpr int kListRowHeight = 24;
-constexpr int kListRowPadding = 6;  // of a text of several lines
+constexpr int kListRowPadding = 6;  // Padding of multi-line text.
 
-/// The name, semibold when selected, and a secondary text at the right end.
+/// Draws the name, semibold when selected, and a secondary text at the right end.
 class RowDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -23,15 +23,15 @@ class RowDelegate : public QStyledItemDelegate {
   virtual QString sideText(const QModelIndex& index) const {
     return index.data(kSideTextRole).toString();
   }
-  /// Pixels at the right end that stay free [px].
+  /// Free space at the right end [px].
   virtual int rightMargin(const QStyleOptionViewItem&, const QModelIndex&) const { return 12; }
   virtual bool isHeading(const QModelIndex&) const { return false; }
-  /// What is switched off is written in the secondary colour.
-  virtual bool isPale(const QModelIndex&) const { return false; }
+  /// Rows that are switched off are drawn in the secondary colour.
+  virtual bool isDimmed(const QModelIndex&) const { return false; }
 };
 
-/// Holds a list and gives it as much of its height as whole rows need, so that the last one is
-/// never cut. The rows of the list have one height.
+/// Contains a list and limits its height to whole rows, so that the last one is not clipped. All
+/// rows have the same height.
 class WholeRows : public QWidget {
  public:
   explicit WholeRows(QAbstractItemView& list, QWidget* parent = nullptr);
@@ -45,12 +45,11 @@ class WholeRows : public QWidget {
   QAbstractItemView& list_;
 };
 
-/// A list, tree or table that lies on its panel without a frame and is never wider than it.
+/// Style of a frameless list, tree or table that is never wider than its panel.
 void styleList(QAbstractItemView& list, const QString& name);
-/// A table of whole rows to look at, of which one can be selected.
+/// Style of a read-only table with single row selection.
 void styleTable(QTableView& table, const QString& name);
-/// Rows of a table get as many lines as the text in this column needs. `margin` is what cell and
-/// icon take of the width.
+/// Sets row heights to the wrapped text in a column. `margin`: width of cell padding and icon.
 void fitRowHeights(QTableView& table, int column, int margin);
 
 }  // namespace editor

@@ -14,7 +14,7 @@
 #include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/ForkDialog.h"
+#include "editor/panels/BranchDialog.h"
 #include "editor/panels/Playback.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -27,7 +27,7 @@ constexpr int kRowRole = Qt::UserRole;
 constexpr int kSwatch = 18;
 constexpr int kRunNameWidth = 130;
 
-/// The letter of a run on its line, as on the map and in the plots.
+/// A line in the style of a run with its letter, as on the map and in the plots.
 QIcon styleIcon(int style, const Theme& theme) {
   return drawnIcon(kSwatch, [&](QPainter& painter) {
     QPen pen(theme.color(Role::Accent), 2.0);
@@ -54,13 +54,13 @@ RunsPanel::RunsPanel(PanelContext& context)
     : context_(context),
       list_(new QTreeWidget(this)),
       table_(new CompareTable(context)),
-      fork_(new QPushButton(tr("Go on from here…"), this)),
+      branchButton_(new QPushButton(tr("Branch from here…"), this)),
       add_(new QPushButton(tr("Add a run…"), this)),
       show_(new QPushButton(tr("Show"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
-      beside_(new QPushButton(tr("Side by side"), this)),
-      partings_(secondaryLabel({}, this)),
-      reading_([this](const std::shared_ptr<ReadRun>& read) { takeRead(*read); }) {
+      sideBySideButton_(new QPushButton(tr("Side by side"), this)),
+      divergences_(secondaryLabel({}, this)),
+      reading_([this](const std::shared_ptr<ReadRun>& read) { addReadRun(*read); }) {
   auto ghosts = std::make_unique<GhostLayer>(context.view.mapScene());
   ghosts_ = ghosts.get();
   context.view.mapScene().addRunLayer(std::move(ghosts));
@@ -72,7 +72,8 @@ RunsPanel::RunsPanel(PanelContext& context)
   both->setStretchFactor(0, 2);
   both->setStretchFactor(1, 3);
   both->setSizes({290, 670});
-  arranged(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this)})->addWidget(both, 1);
+  configuredLayout(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this)})
+      ->addWidget(both, 1);
   connectRuns();
   fillList();
 }
@@ -83,14 +84,15 @@ RunsPanel::~RunsPanel() {
 
 QWidget* RunsPanel::makeHead() {
   auto* head = new QWidget(this);
-  add_->setToolTip(tr("A recorded run, to be compared: the folder that `run` has written"));
-  show_->setToolTip(tr("Show this run, at the same time"));
-  remove_->setToolTip(tr("Forget this run"));
-  beside_->setToolTip(tr("The runs that are compared stand beside the map, up to four"));
-  beside_->setCheckable(true);
-  partings_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the dock stays narrow
-  arranged(new QHBoxLayout(head), {12, 6, 12, 6}, 8,
-           {fork_, add_, show_, remove_, beside_, partings_})
+  add_->setToolTip(tr("Add a recorded run to compare: the output folder of `run`"));
+  show_->setToolTip(tr("Show this run at the same time step"));
+  remove_->setToolTip(tr("Remove this run from the list"));
+  sideBySideButton_->setToolTip(tr("Show up to four compared runs beside the map"));
+  sideBySideButton_->setCheckable(true);
+  divergences_->setSizePolicy(QSizePolicy::Ignored,
+                              QSizePolicy::Preferred);  // Keeps the dock narrow.
+  configuredLayout(new QHBoxLayout(head), {12, 6, 12, 6}, 8,
+                   {branchButton_, add_, show_, remove_, sideBySideButton_, divergences_})
       ->setStretch(5, 1);
   return head;
 }
@@ -99,7 +101,7 @@ void RunsPanel::makeList() {
   styleList(*list_, tr("Runs"));
   list_->setRootIsDecorated(false);
   list_->setColumnCount(RunColumns);
-  list_->setHeaderLabels({tr("Run"), tr("Left at"), tr("Changed")});
+  list_->setHeaderLabels({tr("Run"), tr("Branched at"), tr("Changed")});
   list_->setIconSize(QSize(kSwatch, kSwatch));
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setUniformRowHeights(true);
@@ -111,11 +113,11 @@ void RunsPanel::makeList() {
 }
 
 void RunsPanel::connectRuns() {
-  connect(fork_, &QPushButton::clicked, this, &RunsPanel::forkShown);
+  connect(branchButton_, &QPushButton::clicked, this, &RunsPanel::createBranch);
   connect(add_, &QPushButton::clicked, this, [this] {
-    QFileDialog dialog(window(), tr("Compare with the run of a folder"), context_.folder());
+    QFileDialog dialog(window(), tr("Compare with a run folder"), context_.folder());
     dialog.setFileMode(QFileDialog::Directory);
-    keepFiles(dialog, false);
+    restrictFileDialog(dialog, false);
     const bool isChosen = dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty();
     const QString folder = isChosen ? dialog.selectedFiles().front() : QString();
     if (!folder.isEmpty()) {
@@ -124,10 +126,10 @@ void RunsPanel::connectRuns() {
   });
   connect(show_, &QPushButton::clicked, this, &RunsPanel::showChosen);
   connect(remove_, &QPushButton::clicked, this, &RunsPanel::removeChosen);
-  connect(beside_, &QPushButton::toggled, this, &RunsPanel::showBeside);
+  connect(sideBySideButton_, &QPushButton::toggled, this, &RunsPanel::showSideBySide);
   later_.setSingleShot(true);
   connect(&later_, &QTimer::timeout, this, &RunsPanel::fillList);
-  connect(list_, &QTreeWidget::itemChanged, this, &RunsPanel::takeCheck);
+  connect(list_, &QTreeWidget::itemChanged, this, &RunsPanel::handleCheckChange);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &RunsPanel::showChosen);
   connect(list_, &QTreeWidget::currentItemChanged, this, &RunsPanel::followChoice);
   SimulationRunner& runner = context_.runner;
@@ -147,19 +149,19 @@ void RunsPanel::connectRuns() {
       side_->setTheme(theme);
     }
   });
-  connect(table_, &CompareTable::measuredAll, this, &RunsPanel::showPartings);
+  connect(table_, &CompareTable::measuredAll, this, &RunsPanel::showDivergences);
 }
 
 std::vector<RunsPanel::Row> RunsPanel::rows() const {
   std::vector<Row> rows;
-  for (const RunBranch& branch : context_.runner.branches()) {
+  for (const RunnerBranch& branch : context_.runner.branches()) {
     rows.push_back({branch.number, {}, branch.name, context_.runner.recordingOf(branch.number)});
   }
-  rows.insert(rows.end(), guests_.begin(), guests_.end());
+  rows.insert(rows.end(), recordedRuns_.begin(), recordedRuns_.end());
   return rows;
 }
 
-/// Those that are ticked beside the one that is shown and have something to show.
+/// The ticked runs other than the shown one that have data.
 std::vector<RunsPanel::Row> RunsPanel::compared() const {
   std::vector<Row> others;
   if (shownBranch() < 0) {
@@ -181,7 +183,7 @@ int RunsPanel::styleOf(const Row& row) const {
 }
 
 void RunsPanel::fillList() {
-  if (isTakingEdit_) {  // Qt still uses the edited row
+  if (isTakingEdit_) {  // Qt still uses the edited row.
     later_.start();
     return;
   }
@@ -203,8 +205,8 @@ void RunsPanel::fillList() {
   followChoice();
   showGhosts();
   measure();
-  showBeside();
-  tellTimeline();
+  showSideBySide();
+  updateTimeline();
 }
 
 void RunsPanel::fillItem(QTreeWidgetItem& item, const Row& row) {
@@ -222,22 +224,21 @@ void RunsPanel::fillItem(QTreeWidgetItem& item, const Row& row) {
     bold.setWeight(QFont::DemiBold);
     item.setFont(RunNameColumn, bold);
   }
-  for (const RunBranch& branch : context_.runner.branches()) {
+  for (const RunnerBranch& branch : context_.runner.branches()) {
     if (branch.number == row.branch && branch.from >= 0) {
-      item.setText(LeftAtColumn, clockText(branch.leftAt));
+      item.setText(LeftAtColumn, clockText(branch.branchTime));
       item.setText(ChangedColumn, branch.changed.isEmpty() ? tr("nothing") : branch.changed);
       item.setToolTip(ChangedColumn, branch.changed);
     }
   }
-  item.setToolTip(RunNameColumn,
-                  row.folder.isEmpty() ? tr("F2 gives it another name") : row.folder);
+  item.setToolTip(RunNameColumn, row.folder.isEmpty() ? tr("Press F2 to rename") : row.folder);
 }
 
-/// Recorded runs have left none: their names have the room.
+/// Without branches the columns are hidden, to leave space for the names.
 void RunsPanel::showBranchColumns() {
-  const std::vector<RunBranch>& branches = context_.runner.branches();
+  const std::vector<RunnerBranch>& branches = context_.runner.branches();
   const bool isAny = std::any_of(branches.begin(), branches.end(),
-                                 [](const RunBranch& branch) { return branch.from >= 0; });
+                                 [](const RunnerBranch& branch) { return branch.from >= 0; });
   if (list_->isColumnHidden(LeftAtColumn) != isAny) {
     return;
   }
@@ -247,7 +248,7 @@ void RunsPanel::showBranchColumns() {
   list_->header()->resizeSection(RunNameColumn, kRunNameWidth);
 }
 
-void RunsPanel::tellTimeline() {
+void RunsPanel::updateTimeline() {
   std::vector<TimelineRun> runs;
   for (const Row& row : compared()) {
     TimelineRun& run = runs.emplace_back();
@@ -272,7 +273,7 @@ std::optional<RunsPanel::Row> RunsPanel::chosen() const {
   return index < all.size() ? std::optional(all[index]) : std::nullopt;
 }
 
-void RunsPanel::takeCheck(QTreeWidgetItem* item, int column) {
+void RunsPanel::handleCheckChange(QTreeWidgetItem* item, int column) {
   const std::vector<Row> all = rows();
   const auto index = static_cast<std::size_t>(item->data(RunNameColumn, kRowRole).toInt());
   if (isFilling_ || column != RunNameColumn || index >= all.size()) {
@@ -294,7 +295,7 @@ void RunsPanel::takeCheck(QTreeWidgetItem* item, int column) {
 void RunsPanel::showChosen() {
   const std::optional<Row> row = chosen();
   if (row && row->branch >= 0 && !isShown(*row)) {
-    ticked_.insert(Row{shownBranch(), {}, {}, nullptr});  // the one before stays in sight
+    ticked_.insert(Row{shownBranch(), {}, {}, nullptr});  // Keeps the previous run visible.
     context_.runner.showBranch(row->branch);
   }
 }
@@ -308,68 +309,71 @@ void RunsPanel::removeChosen() {
   if (row->branch >= 0) {
     context_.runner.removeBranch(row->branch);
   } else {
-    guests_.erase(std::find(guests_.begin(), guests_.end(), *row));
+    recordedRuns_.erase(std::find(recordedRuns_.begin(), recordedRuns_.end(), *row));
     fillList();
   }
 }
 
 void RunsPanel::followChoice() {
   const std::optional<Row> row = chosen();
-  fork_->setEnabled(context_.runner.canGoOnFromShown());
-  const bool isFull = context_.runner.branches().size() >= SimulationRunner::kMostBranches;
-  fork_->setToolTip(fork_->isEnabled()
-                        ? tr("From the moment that is shown, as a branch beside this run: another "
-                             "planner, another seed, or by hand")
-                    : isFull ? tr("There are as many branches as there can be: remove one first")
-                             : tr("From a moment that is past: go back on the timeline first"));
+  branchButton_->setEnabled(context_.runner.canBranchFromShown());
+  const bool isFull = context_.runner.branches().size() >= SimulationRunner::kMaxBranches;
+  branchButton_->setToolTip(
+      branchButton_->isEnabled()
+          ? tr("Create a branch of this run at the displayed step: another planner, another seed, "
+               "or driven manually")
+      : isFull ? tr("The maximum number of branches is reached: remove one first")
+               : tr("A branch starts at an earlier step: go back on the timeline first"));
   add_->setEnabled(shownBranch() >= 0);
   show_->setEnabled(row && row->branch >= 0 && !isShown(*row));
   remove_->setEnabled(row && !isShown(*row));
 }
 
-void RunsPanel::forkShown() {
+void RunsPanel::createBranch() {
   SimulationRunner& runner = context_.runner;
-  if (!runner.canGoOnFromShown()) {
+  if (!runner.canBranchFromShown()) {
     return;
   }
   runner.pause();
   const auto number = static_cast<int>(runner.branches().size());
-  ForkDialog dialog(*runner.recording()->header(), runner.shownFrame()->time,
-                    tr("Branch %1").arg(number), context_.theme(), window());
+  BranchDialog dialog(*runner.recording()->header(), runner.shownFrame()->time,
+                      tr("Branch %1").arg(number), context_.theme(), window());
   if (dialog.exec() != QDialog::Accepted) {
     return;
   }
-  ticked_.insert(Row{shownBranch(), {}, {}, nullptr});  // to be compared with
-  runner.goOnFromShown(dialog.changes(), dialog.name());
+  ticked_.insert(Row{shownBranch(), {}, {}, nullptr});  // For comparison.
+  runner.branchFromShown(dialog.changes(), dialog.name());
 }
 
 void RunsPanel::addRecorded(const QString& folder) {
   const QString path = QDir(folder).absolutePath();
-  const std::size_t memory = context_.runner.historyMemory() / SimulationRunner::kMostBranches;
+  const std::size_t memory = context_.runner.historyMemory() / SimulationRunner::kMaxBranches;
   reading_.start([path, memory] {
-    return std::make_shared<ReadRun>(
-        ReadRun{path, app::readRecordedRun(path.toStdString(), memory, app::CutRecords::Shown)});
+    return std::make_shared<ReadRun>(ReadRun{
+        path, app::readRecordedRun(path.toStdString(), memory, app::IncompleteRecordings::Shown)});
   });
 }
 
-void RunsPanel::takeRead(const ReadRun& read) {
+void RunsPanel::addReadRun(const ReadRun& read) {
   if (!read.run) {
     Q_EMIT context_.problemsFound(read.run.diagnostics());
     return;
   }
   const QString name = QDir(read.folder).dirName();
-  const Row row{-1, read.folder, read.run->cut ? tr("%1 (cut)").arg(name) : name,
+  const Row row{-1, read.folder, read.run->cut ? tr("%1 (truncated)").arg(name) : name,
                 read.run->recording};
   if (read.run->cut) {
     Q_EMIT context_.problemsFound(read.run.diagnostics());
   }
-  guests_.erase(std::remove(guests_.begin(), guests_.end(), row), guests_.end());
-  guests_.push_back(row);
+  recordedRuns_.erase(std::remove(recordedRuns_.begin(), recordedRuns_.end(), row),
+                      recordedRuns_.end());
+  recordedRuns_.push_back(row);
   ticked_.insert(row);
   fillList();
 }
 
-/// While a run goes on its metrics change all the time: they are compared when it rests.
+/// The metrics of a running simulation change continuously, so they are compared only while it is
+/// paused.
 void RunsPanel::measure() {
   if (context_.runner.state() == SimulationRunner::State::Running &&
       !context_.runner.isFinished()) {
@@ -386,16 +390,16 @@ void RunsPanel::measure() {
     }
   }
   table_->compare(std::move(runs));
-  showPartings();
+  showDivergences();
 }
 
-void RunsPanel::showPartings() {
-  partings_->setText(table_->partings());
-  partings_->setToolTip(table_->partings());
+void RunsPanel::showDivergences() {
+  divergences_->setText(table_->divergences());
+  divergences_->setToolTip(table_->divergences());
 }
 
 void addRunsPanel(PanelRegistry& to) {
-  to.add(closedBelow(72, QObject::tr("Runs")),
+  to.add(closedBottomPanel(72, QObject::tr("Runs")),
          [](PanelContext& context) { return new RunsPanel(context); });
 }
 

@@ -10,7 +10,7 @@
 #include <QTreeWidget>
 
 #include "app/run/RecordedRun.h"
-#include "editor/canvas/GhostLayer.h"
+#include "editor/canvas/ComparedRunLayers.h"
 #include "editor/document/LatestTask.h"
 #include "editor/panels/CompareTable.h"
 #include "editor/panels/PanelRegistry.h"
@@ -18,8 +18,8 @@
 
 namespace editor {
 
-/// The run that is shown, its branches and recorded runs beside them: one of them is shown, others
-/// are compared with it, as ghosts on the map or beside it, by their metrics, over time.
+/// The shown run, its branches and recorded runs. The others can be compared with the shown one as
+/// ghosts on the map, side by side, by their metrics and over time.
 class RunsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -30,14 +30,14 @@ class RunsPanel : public QWidget {
   QTreeWidget& list() const { return *list_; }
   CompareTable& comparison() const { return *table_; }
   const GhostLayer& ghosts() const { return *ghosts_; }
-  QPushButton& forkButton() const { return *fork_; }
-  QPushButton& besideButton() const { return *beside_; }
-  SideBySide* beside() const { return side_.get(); }  // null: nothing stands beside the map
-  void addRecorded(const QString& folder);            // read beside the window
-  void forkShown();                                   // asks how
+  QPushButton& branchButton() const { return *branchButton_; }
+  QPushButton& sideBySideButton() const { return *sideBySideButton_; }
+  SideBySide* sideBySide() const { return side_.get(); }  // Null: no side-by-side view.
+  void addRecorded(const QString& folder);                // Reads the run outside the GUI thread.
+  void createBranch();                                    // Opens a dialog.
 
  private:
-  /// A row: a branch of the run, or a recorded run of a folder.
+  /// A row: a branch of the run, or a recorded run from a folder.
   struct Row {
     int branch = -1;
     QString folder, name;
@@ -56,7 +56,7 @@ class RunsPanel : public QWidget {
   QWidget* makeHead();
   void makeList();
   void connectRuns();
-  void takeRead(const ReadRun& read);
+  void addReadRun(const ReadRun& read);
   std::vector<Row> rows() const;
   bool isShown(const Row& row) const { return row.branch >= 0 && row.branch == shownBranch(); }
   int shownBranch() const { return context_.runner.branch(); }
@@ -64,31 +64,31 @@ class RunsPanel : public QWidget {
   int styleOf(const Row& row) const;
   void fillList();
   void fillItem(QTreeWidgetItem& item, const Row& row);
-  void takeCheck(QTreeWidgetItem* item, int column);
+  void handleCheckChange(QTreeWidgetItem* item, int column);
   void showChosen();
   void removeChosen();
   void followChoice();
   void showGhosts();
   void measure();
-  void showBeside();
+  void showSideBySide();
   void showBranchColumns();
-  void showPartings();
-  void tellTimeline();
+  void showDivergences();
+  void updateTimeline();
   std::optional<Row> chosen() const;
   GhostLayer::Ghost ghostOf(const Row& row, double time) const;
 
   PanelContext& context_;
-  GhostLayer* ghosts_;  // of the scene
+  GhostLayer* ghosts_;  // Belongs to the scene.
   QTreeWidget* list_;
   CompareTable* table_;
-  QPushButton *fork_, *add_, *show_, *remove_, *beside_;
-  QLabel* partings_;
-  std::vector<Row> guests_;  // recorded runs
+  QPushButton *branchButton_, *add_, *show_, *remove_, *sideBySideButton_;
+  QLabel* divergences_;
+  std::vector<Row> recordedRuns_;  // Recorded runs.
   std::set<Row> ticked_;
   std::unique_ptr<SideBySide> side_;
   bool isFilling_ = false;
-  bool isTakingEdit_ = false;  // the rows of the list must stay meanwhile
-  QTimer later_;               // fills the list after the edit
+  bool isTakingEdit_ = false;  // The rows of the list must not change meanwhile.
+  QTimer later_;               // Fills the list after the edit.
   LatestTask<std::shared_ptr<ReadRun>> reading_;
 };
 

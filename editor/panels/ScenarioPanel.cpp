@@ -16,10 +16,10 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
-#include "editor/document/Groups.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/look/Icons.h"
-#include "editor/look/Typing.h"
-#include "editor/panels/BehaviorMenu.h"
+#include "editor/look/PendingEdit.h"
+#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -27,7 +27,7 @@ namespace editor {
 
 namespace {
 
-constexpr int kEmptyHeight = 72;  // two lines and their margins
+constexpr int kEmptyHeight = 72;  // Two lines and their margins.
 
 bool canBeOff(const QModelIndex& index) {
   const auto kind = static_cast<EntityKind>(index.data(EntityModel::IdKindRole).toInt());
@@ -42,8 +42,8 @@ bool showsEye(const QStyleOptionViewItem& option, const QModelIndex& index) {
   return isOff(index) || (option.state.testFlag(QStyle::State_MouseOver) && canBeOff(index));
 }
 
-/// Name and secondary text of an entity, and at the right end the eye that switches it on and off;
-/// it is seen where the mouse is and where something is off.
+/// Draws name and secondary text of an entity, and at the right end an eye icon that switches it on
+/// and off; the eye is visible in the hovered row and in rows that are switched off.
 class EntityRowDelegate : public RowDelegate {
  public:
   EntityRowDelegate(std::function<void(const QModelIndex&)> eyeClicked, QObject* parent)
@@ -55,7 +55,7 @@ class EntityRowDelegate : public RowDelegate {
     if (showsEye(option, index)) {
       tintedIcon(isOff(index) ? QStringLiteral("eye-off") : QStringLiteral("eye"),
                  option.palette.color(QPalette::PlaceholderText))
-          .paint(painter, ScenarioPanel::eyeOf(option.rect));
+          .paint(painter, ScenarioPanel::eyeRect(option.rect));
     }
   }
 
@@ -67,7 +67,7 @@ class EntityRowDelegate : public RowDelegate {
     }
     const auto* mouse = static_cast<QMouseEvent*>(event);
     if (mouse->button() != Qt::LeftButton ||
-        !ScenarioPanel::eyeOf(option.rect).contains(mouse->pos())) {
+        !ScenarioPanel::eyeRect(option.rect).contains(mouse->pos())) {
       return false;
     }
     if (!press) {
@@ -77,7 +77,7 @@ class EntityRowDelegate : public RowDelegate {
   }
 
  protected:
-  bool isPale(const QModelIndex& index) const override { return isOff(index); }
+  bool isDimmed(const QModelIndex& index) const override { return isOff(index); }
   bool isHeading(const QModelIndex& index) const override { return !index.parent().isValid(); }
   int rightMargin(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     return showsEye(option, index) ? 32 : 12;
@@ -91,8 +91,8 @@ class EntityRowDelegate : public RowDelegate {
   std::function<void(const QModelIndex&)> eyeClicked_;
 };
 
-/// Rows that follow each other as one range: a selection of thousands of ranges is slow.
-QItemSelection runsOf(QModelIndexList rows) {
+/// Contiguous rows as one range: a selection of thousands of ranges is slow.
+QItemSelection contiguousSelection(QModelIndexList rows) {
   std::sort(rows.begin(), rows.end(), [](const QModelIndex& a, const QModelIndex& b) {
     return std::pair(a.parent().row(), a.row()) < std::pair(b.parent().row(), b.row());
   });
@@ -136,7 +136,7 @@ QAction& offer(QMenu& menu, const QString& text, const QString& says,
 
 }  // namespace
 
-QRect ScenarioPanel::eyeOf(const QRect& row) {
+QRect ScenarioPanel::eyeRect(const QRect& row) {
   return {row.right() - 27, row.center().y() - 7, 16, 16};
 }
 
@@ -155,33 +155,33 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
   searchMark_ = filterField_->addAction(QIcon(), QLineEdit::LeadingPosition);
   tree_->setModel(filter_);
   tree_->setItemDelegate(
-      new EntityRowDelegate([this](const QModelIndex& index) { switchEye(index); }, this));
+      new EntityRowDelegate([this](const QModelIndex& index) { toggleListed(index); }, this));
   styleTree(*tree_);
-  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
-  layout->addLayout(arranged(new QVBoxLayout, {12, 0, 12, 0}, 0, {filterField_}));
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
+  layout->addLayout(configuredLayout(new QVBoxLayout, {12, 0, 12, 0}, 0, {filterField_}));
   auto* rows = new WholeRows(*tree_, this);
-  nothing_ = new NothingFound(*filterField_, *rows, this);
+  nothing_ = new NoMatchesPlaceholder(*filterField_, *rows, this);
   layout->addWidget(rows, 1);
   layout->addWidget(nothing_, 1);
   empty_->setMinimumHeight(kEmptyHeight);
   layout->addWidget(empty_);
   connect(filterField_, &QLineEdit::textChanged, this, [this](const QString& text) {
     filter_->setText(text);
-    tree_->setDragEnabled(text.isEmpty());  // rows that are hidden have no place to drag to
+    tree_->setDragEnabled(text.isEmpty());  // Hidden rows have no drop position.
     expandGroups();
-    showEmptiness();
+    updatePlaceholder();
   });
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &ScenarioPanel::giveSelection);
+          &ScenarioPanel::storeSelection);
   connect(tree_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
     if (const EntityId id = filter_->idOf(index)) {
       Q_EMIT activated(id);
     }
   });
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ScenarioPanel::offerMenu);
-  connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::takeSelection);
-  connect(&document_, &ScenarioDocument::settled, this, &ScenarioPanel::showEmptiness);
-  auto* scroll = new QTimer(this);  // to the top of another scenario, once its rows are there
+  connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::loadSelection);
+  connect(&document_, &ScenarioDocument::stepFinished, this, &ScenarioPanel::updatePlaceholder);
+  auto* scroll = new QTimer(this);  // Scrolls up when another scenario has its rows.
   scroll->setSingleShot(true);
   connect(scroll, &QTimer::timeout, tree_, &QTreeView::scrollToTop);
   connect(&document_, &ScenarioDocument::changed, scroll, [scroll](const Change& change) {
@@ -191,18 +191,18 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
   });
   setTheme(theme);
   expandGroups();
-  showEmptiness();
+  updatePlaceholder();
 }
 
-void ScenarioPanel::showEmptiness() {
+void ScenarioPanel::updatePlaceholder() {
   const sim2d::Scenario& scenario = document_.scenario();
   const int groups = filter_->rowCount();
   const bool isFound = groups > 0;
   if (groups > std::exchange(groups_, groups) && !filterField_->text().isEmpty()) {
-    expandGroups();  // what comes back is seen
+    expandGroups();  // Makes restored rows visible.
   }
   empty_->setVisible(isFound && scenario.humans.empty() && scenario.goals.empty());
-  nothing_->showFor(isFound);
+  nothing_->setMatchFound(isFound);
 }
 
 void ScenarioPanel::setTheme(const Theme& theme) {
@@ -221,8 +221,8 @@ void ScenarioPanel::expandGroups() {
   }
 }
 
-void ScenarioPanel::giveSelection() {
-  if (syncing_ || model_->isFollowing()) {
+void ScenarioPanel::storeSelection() {
+  if (syncing_ || model_->isUpdating()) {
     return;
   }
   std::vector<EntityId> ids;
@@ -235,11 +235,11 @@ void ScenarioPanel::giveSelection() {
   document_.setSelection(std::move(ids));
 }
 
-void ScenarioPanel::takeSelection() {
+void ScenarioPanel::loadSelection() {
   if (syncing_) {
     return;
   }
-  menu_.close();  // it is about the previous selection
+  menu_.close();  // The menu belongs to the previous selection.
   const QScopedValueRollback<bool> syncing(syncing_, true);
   QModelIndexList chosen;
   for (const EntityId id : document_.selection()) {
@@ -249,7 +249,7 @@ void ScenarioPanel::takeSelection() {
     }
   }
   const QModelIndex last = chosen.isEmpty() ? QModelIndex() : chosen.back();
-  const QItemSelection rows = runsOf(std::move(chosen));
+  const QItemSelection rows = contiguousSelection(std::move(chosen));
   tree_->selectionModel()->select(rows,
                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   if (last.isValid()) {
@@ -258,7 +258,7 @@ void ScenarioPanel::takeSelection() {
   }
 }
 
-/// In its row, which has to be seen for that.
+/// Shows the row and edits the name in it.
 void ScenarioPanel::rename(EntityId id) {
   for (QWidget* widget = parentWidget(); widget != nullptr; widget = widget->parentWidget()) {
     if (auto* dock = qobject_cast<QDockWidget*>(widget)) {
@@ -269,19 +269,19 @@ void ScenarioPanel::rename(EntityId id) {
   if (!filter_->indexOf(id).isValid()) {
     filterField_->clear();
   }
-  finishTyping(*tree_);  // also without keyboard focus: a list has one field at a time
+  commitPendingEdit(*tree_);  // Also without focus: a list has one editor at a time.
   const QModelIndex row = filter_->indexOf(id);
-  if (row.isValid()) {  // a menu may be older than what has become of the thing
+  if (row.isValid()) {  // The entity may have been removed since the menu was opened.
     tree_->scrollTo(row);
     tree_->setFocus();
     tree_->edit(row);
   }
 }
 
-void ScenarioPanel::switchEye(const QModelIndex& index) {
+void ScenarioPanel::toggleListed(const QModelIndex& index) {
   const EntityId id = filter_->idOf(index);
   const bool listed = index.data(EntityModel::ListedRole).toBool();
-  const bool whole = document_.isSelected(id);  // one of several that are selected
+  const bool whole = document_.isSelected(id);  // One of several selected entities.
   std::vector<EntityId> ids = whole ? document_.selection() : std::vector<EntityId>{id};
   pushListed(document_, ids, !listed);
 }
@@ -295,7 +295,8 @@ void addScenarioPanel(PanelRegistry& to) {
                        panel->setEditing(state == SimulationRunner::State::Editing);
                      });
     QObject::connect(panel, &ScenarioPanel::activated, &context.view, &MapView::centerOnEntity);
-    QObject::connect(panel, &ScenarioPanel::goalsWanted, &context, &PanelContext::goalsWanted);
+    QObject::connect(panel, &ScenarioPanel::goalsRequested, &context,
+                     &PanelContext::goalsRequested);
     return panel;
   });
 }
@@ -306,14 +307,14 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
     return;
   }
   QMenu& menu = menu_.begin(*this);
-  offer(menu, tr("Show on the map"), tr("Move the map there"),
+  offer(menu, tr("Show on the map"), tr("Centre the map on it"),
         [this, id] { Q_EMIT activated(id); });
   fillMenu(menu, id);
   menu.addSeparator();
-  offer(menu, tr("Duplicate"), tr("A copy of what is selected"), [this] {
+  offer(menu, tr("Duplicate"), tr("Duplicate the selection"), [this] {
     document_.setSelection(pushDuplicate(document_, document_.selection(), Vec2(0.5, -0.5)));
   });
-  offer(menu, tr("Delete"), tr("Remove what is selected; routes follow"),
+  offer(menu, tr("Delete"), tr("Remove the selection; routes are updated"),
         [this] { pushRemove(document_, document_.selection()); });
   menu.popup(tree_->viewport()->mapToGlobal(at));
 }
@@ -321,18 +322,18 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
 void ScenarioPanel::fillMenu(QMenu& menu, EntityId id) {
   menu.setToolTipsVisible(true);
   offer(menu, tr("Rename"),
-        id.kind == EntityKind::Goal ? tr("Give the goal another number")
-                                    : tr("Give it another name; what refers to it follows"),
+        id.kind == EntityKind::Goal ? tr("Change the number of the goal")
+                                    : tr("Rename it; references are updated"),
         [this, id] { rename(id); });
   if (id.kind != EntityKind::Goal) {
     const bool listed = model_->indexOf(id).data(EntityModel::ListedRole).toBool();
     offer(menu, listed ? tr("Switch off") : tr("Switch on"),
-          listed ? tr("Kept in the file, left out of the simulation")
-                 : tr("Part of the simulation again"),
+          listed ? tr("Keep it in the file, but not in the simulation")
+                 : tr("Include it in the simulation again"),
           [this, listed] { pushListed(document_, document_.selection(), !listed); });
   }
-  offer(menu, tr("Select all of the kind"),
-        tr("Everything of this kind, for changes of all at once"),
+  offer(menu, tr("Select all of this kind"),
+        tr("Select everything of this kind to change it together"),
         [this, id] { document_.setSelection(document_.entities(id.kind)); });
   if (id.kind == EntityKind::Human) {
     addPeopleActions(menu);
@@ -350,18 +351,18 @@ void ScenarioPanel::addPeopleActions(QMenu& menu) {
   }
   menu.addSeparator();
   fillBehaviorMenu(*menu.addMenu(tr("Behaviour")), document_, theme_, this, isEditing_);
-  offer(menu, tr("Assign goals…"), tr("Which people visit which goals, in which order"),
-        [this] { Q_EMIT goalsWanted(); });
+  offer(menu, tr("Assign goals…"), tr("Choose the goals that people visit, and their order"),
+        [this] { Q_EMIT goalsRequested(); });
   offer(menu, tr("Walk as a group"),
-        people > 1 ? tr("These people keep together as one group")
-                   : tr("A group takes two or more: select more people"),
+        people > 1 ? tr("Make these people walk together as a group")
+                   : tr("A group needs two or more people: select more"),
         [this] { pushGroup(document_, document_.selection()); })
       .setEnabled(people > 1);
   offer(menu, tr("Walk alone"),
         grouped > 0   ? tr("Leave the group")
         : people == 1 ? tr("This person is in no group")
                       : tr("None of these people is in a group"),
-        [this] { pushJoin(document_, document_.selection(), -1); })
+        [this] { pushJoinGroup(document_, document_.selection(), -1); })
       .setEnabled(grouped > 0);
 }
 

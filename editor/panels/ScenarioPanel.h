@@ -5,40 +5,41 @@
 #include <QTreeView>
 
 #include "editor/document/EntityModel.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
-#include "editor/look/PanelMenu.h"
 
 namespace editor {
 
-/// The left dock: the scenario as one tree with a filter. The selection goes both ways.
+/// The left dock: the scenario as a filterable tree. The selection is synchronized in both
+/// directions.
 class ScenarioPanel : public QWidget {
   Q_OBJECT
  public:
   ScenarioPanel(ScenarioDocument& document, const Theme& theme);
   void setTheme(const Theme& theme);
-  /// In runs behaviours are not given.
+  /// During a run behaviours cannot be set.
   void setEditing(bool editing) { isEditing_ = editing; }
   QTreeView& tree() const { return *tree_; }
   QLineEdit& filter() const { return *filterField_; }
   EntityModel& model() const { return *model_; }
-  static QRect eyeOf(const QRect& row);  // that switches what is in the row on and off
-  /// Entries for one thing that is selected, alone or with others.
+  static QRect eyeRect(const QRect& row);  // The icon that switches the entity of a row on and off.
+  /// Adds the actions of a selected entity, alone or with others.
   void fillMenu(QMenu& menu, EntityId id);
-  /// Lets its name be typed in its row.
+  /// Opens the name editor in its row.
   void rename(EntityId id);
 
  Q_SIGNALS:
-  void activated(editor::EntityId id);  // double click or return: go there on the map
-  void goalsWanted();                   // assign goals to who is selected
+  void activated(editor::EntityId id);  // Double click or return: requests showing it on the map.
+  void goalsRequested();                // Requests the goal assignment for the selection.
 
  private:
-  void takeSelection();
-  void showEmptiness();
-  void giveSelection();
+  void loadSelection();
+  void updatePlaceholder();
+  void storeSelection();
   void expandGroups();
   void offerMenu(const QPoint& at);
   void addPeopleActions(QMenu& menu);
-  void switchEye(const QModelIndex& index);
+  void toggleListed(const QModelIndex& index);
 
   ScenarioDocument& document_;
   Theme theme_;
@@ -49,10 +50,10 @@ class ScenarioPanel : public QWidget {
   QAction* searchMark_;
   QLabel* empty_;
   PanelMenu menu_;
-  NothingFound* nothing_ = nullptr;
+  NoMatchesPlaceholder* nothing_ = nullptr;
   bool syncing_ = false;
   bool isEditing_ = true;
-  int groups_ = 0;  // that are seen
+  int groups_ = 0;  // Number of visible groups.
 };
 
 }  // namespace editor

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLongest = 4 * 1024 * 1024;  // [bytes]
 
-/// The numbers of the lines in a margin at the left.
+/// A text widget with line numbers in a margin at the left.
 class NumberedText : public QPlainTextEdit {
  public:
   explicit NumberedText(QWidget* parent) : QPlainTextEdit(parent), margin_(new Margin(*this)) {
@@ -73,7 +73,7 @@ class NumberedText : public QPlainTextEdit {
 
 TextViewer::TextViewer(const Theme& theme, QWidget* parent)
     : QDialog(parent), theme_(theme), place_(new QLabel(this)), text_(new NumberedText(this)) {
-  resize(720, heightOnScreen(*this, 520));
+  resize(720, limitedToScreen(*this, 520));
   text_->setReadOnly(true);
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
   QFont fixed(QStringLiteral("monospace"));
@@ -87,10 +87,11 @@ TextViewer::TextViewer(const Theme& theme, QWidget* parent)
   QPushButton* outside = buttons->addButton(tr("Open with…"), QDialogButtonBox::ActionRole);
   outside->setAutoDefault(false);
   buttons->button(QDialogButtonBox::Close)->setDefault(true);
-  outside->setToolTip(tr("Open the file with the program of the desktop"));
+  outside->setToolTip(tr("Open the file with the default application"));
   connect(outside, &QPushButton::clicked, this, &TextViewer::openOutside);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = arranged(new QVBoxLayout(this), {16, 16, 16, 16}, 8, {place_, text_, buttons});
+  auto* layout =
+      configuredLayout(new QVBoxLayout(this), {16, 16, 16, 16}, 8, {place_, text_, buttons});
   layout->setStretchFactor(text_, 1);
 }
 
@@ -105,7 +106,7 @@ QString TextViewer::showFile(const QString& path, int line) {
     return QString::fromStdString(read.diagnostics().front().text());
   }
   if (read->size() > static_cast<std::size_t>(kLongest)) {
-    return tr("%1 is too long to be shown here").arg(path);
+    return tr("%1 is too long to display").arg(path);
   }
   path_ = path;
   line_ = line;
@@ -120,7 +121,7 @@ QString TextViewer::showFile(const QString& path, int line) {
 
 void TextViewer::openOutside() {
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path_))) {
-    place_->setText(tr("No program of this desktop opens %1").arg(path_));
+    place_->setText(tr("No application is available to open %1").arg(path_));
   }
 }
 

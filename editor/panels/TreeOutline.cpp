@@ -8,10 +8,13 @@
 #include <vector>
 
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "editor/document/TreeFiles.h"
+#include "bt/human/Breakpoints.h"
+#include "editor/document/PersonTree.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -24,14 +27,14 @@ using base::NodeStatus;
 constexpr int kNodeRole = Qt::UserRole + 1;
 constexpr int kMarkSize = 16;
 
-/// At the corner of the mark.
+/// Drawn at the corner of the mark.
 void paintBreakpoint(QPainter& painter, const Theme& theme) {
   painter.setPen(QPen(theme.color(Role::Panel), 1.0));
   painter.setBrush(theme.color(Role::Error));
   painter.drawEllipse(QPointF(3.5, 12.5), 3.0, 3.0);
 }
 
-/// Without a status: no run is shown.
+/// Null status: no run is shown.
 QIcon markOf(const NodeStatus* status, bool isBreakpoint, const Theme& theme) {
   const auto draw = [&](QPainter& painter) {
     if (status != nullptr) {
@@ -112,7 +115,7 @@ QString nodeValues(const bt::NodeSpec& node) {
     }
     const bt::PortSpec* port = manifest == nullptr ? nullptr : manifest->port(attribute.name);
     if (port != nullptr && port->portType == bt::PortType::Bool) {
-      continue;  // says nothing without its name
+      continue;  // Meaningless without its name.
     }
     const QString text = QString::fromStdString(attribute.text);
     const bool words = port != nullptr && port->portType == bt::PortType::String;
@@ -251,7 +254,7 @@ void TreeOutline::paintRow(std::size_t node) {
 
 void TreeOutline::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace) {
-    Q_EMIT removeWanted();
+    Q_EMIT removeRequested();
     return;
   }
   QTreeWidget::keyPressEvent(event);
@@ -271,6 +274,101 @@ void TreeOutline::selectNode(int node) {
   if (node >= 0 && node < static_cast<int>(rows_.size())) {
     setCurrentItem(rows_[static_cast<std::size_t>(node)]);
   }
+}
+
+namespace {
+
+using sim2d::TreeBreakpoint;
+
+struct BreakCondition {
+  const char* words;
+  std::optional<NodeStatus> status;
+};
+constexpr BreakCondition kBreakConditions[] = {
+    {QT_TRANSLATE_NOOP("editor", "is ticked"), std::nullopt},
+    {QT_TRANSLATE_NOOP("editor", "runs"), NodeStatus::Running},
+    {QT_TRANSLATE_NOOP("editor", "succeeds"), NodeStatus::Success},
+    {QT_TRANSLATE_NOOP("editor", "fails"), NodeStatus::Failure}};
+
+void addBreakpoint(SimulationRunner& runner, const TreeBreakpoint& point) {
+  std::vector<TreeBreakpoint> points = runner.breakpoints();
+  points.push_back(point);
+  runner.setBreakpoints(std::move(points));
+}
+
+/// Repeats the dialog until the condition is valid or the user cancels.
+void askForCondition(SimulationRunner& runner, const TreeBreakpoint& point, QWidget& window,
+                     const QString& problem = {}) {
+  auto* dialog = new QInputDialog(&window);
+  deleteWhenClosed(*dialog);
+  dialog->setWindowTitle(QObject::tr("Conditional breakpoint"));
+  dialog->setLabelText(problem.isEmpty()
+                           ? QObject::tr("Stop when the node is ticked and this blackboard "
+                                         "condition holds, for example  id == 2:")
+                           : problem);
+  dialog->setTextValue(QString::fromStdString(point.condition));
+  QObject::connect(dialog, &QInputDialog::textValueSelected, &window,
+                   [&runner, &window, asked = point](const QString& text) mutable {
+                     asked.condition = text.trimmed().toStdString();
+                     const base::Diagnostics wrong = bt::checkBreakpoint(asked);
+                     if (wrong.empty()) {
+                       addBreakpoint(runner, asked);
+                     } else {
+                       askForCondition(runner, asked, window,
+                                       QString::fromStdString(wrong.front().message));
+                     }
+                   });
+  dialog->open();
+}
+
+}  // namespace
+
+QString breakpointText(const TreeBreakpoint& point) {
+  const auto* const way =
+      std::find_if(std::begin(kBreakConditions), std::end(kBreakConditions),
+                   [&point](const BreakCondition& each) { return each.status == point.status; });
+  QString words =
+      QObject::tr("when it %1")
+          .arg(QObject::tr(way == std::end(kBreakConditions) ? "is skipped" : way->words));
+  if (!point.person) {
+    words += QObject::tr(", for any person");
+  }
+  if (!point.condition.empty()) {
+    words += QObject::tr(", if %1").arg(QString::fromStdString(point.condition));
+  }
+  return words;
+}
+
+void fillBreakpointMenu(QMenu& menu, SimulationRunner& runner, const std::string& path, int person,
+                        QWidget& window) {
+  const auto offer = [&](QMenu& to, std::optional<int> whose) {
+    for (const BreakCondition& way : kBreakConditions) {
+      const TreeBreakpoint point{whose, path, way.status, {}};
+      QAction* action = to.addAction(QObject::tr("It %1").arg(QObject::tr(way.words)), &menu,
+                                     [&runner, point] { addBreakpoint(runner, point); });
+      const auto& all = runner.breakpoints();
+      action->setEnabled(std::find(all.begin(), all.end(), point) == all.end());
+    }
+    const TreeBreakpoint asked{whose, path, std::nullopt, {}};
+    to.addAction(QObject::tr("A condition holds…"), &menu,
+                 [&runner, asked, &window] { askForCondition(runner, asked, window); });
+  };
+  offer(*menu.addMenu(QObject::tr("Stop the run when")), person);
+  offer(*menu.addMenu(QObject::tr("Stop the run for any person when")), std::nullopt);
+  menu.addSeparator();
+  for (const TreeBreakpoint& point : runner.breakpoints()) {
+    if (point.path == path && point.person.value_or(person) == person) {
+      menu.addAction(QObject::tr("Remove breakpoint %1").arg(breakpointText(point)), &menu,
+                     [&runner, point] {
+                       std::vector<TreeBreakpoint> points = runner.breakpoints();
+                       points.erase(std::remove(points.begin(), points.end(), point), points.end());
+                       runner.setBreakpoints(std::move(points));
+                     });
+    }
+  }
+  QAction* none = menu.addAction(QObject::tr("Remove all breakpoints"), &menu,
+                                 [&runner] { runner.setBreakpoints({}); });
+  none->setEnabled(!runner.breakpoints().empty());
 }
 
 }  // namespace editor

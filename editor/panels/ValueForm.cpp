@@ -6,8 +6,8 @@
 
 #include <QHBoxLayout>
 
-#include "bt/tree/TextValue.h"
-#include "editor/document/TreeFiles.h"
+#include "bt/tree/PortTextConversion.h"
+#include "editor/document/PersonTree.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ValueRow::Kind;
 
-constexpr const char* kRepeatKey = "happens";  // no keys of parameters
+constexpr const char* kRepeatKey = "happens";  // Not keys of parameters.
 constexpr const char* kChanceKey = "chance";
 
 QString qt(const std::string& text) {
@@ -33,7 +33,7 @@ void showChoice(ChoiceField& field, const ValueRow& row) {
     field.addItem(words, value);
   }
   const QString value = qt(row.text);
-  if (field.findData(value) < 0) {  // not in the scenario: shown as it is
+  if (field.findData(value) < 0) {  // A value that is not in the scenario is shown unchanged.
     field.addItem(QObject::tr("%1 (missing)").arg(value), value);
   }
   field.setCurrentIndex(field.findData(value));
@@ -47,12 +47,12 @@ void showChoices(ChoiceField& field, const ValueRow& row) {
     field.addItem((on ? QStringLiteral("✓ ") : QStringLiteral("    ")) + words, value);
     names += on ? QStringList(words) : QStringList();
   }
-  field.setPlaceholderText(names.isEmpty() ? QObject::tr("nobody")
+  field.setPlaceholderText(names.isEmpty() ? QObject::tr("none")
                                            : names.join(QStringLiteral(", ")));
   field.setCurrentIndex(-1);
 }
 
-std::string usualOf(const bt::PortSpec& port) {
+std::string defaultTextOf(const bt::PortSpec& port) {
   return port.fallbackText() != nullptr ? *port.fallbackText() : std::string();
 }
 
@@ -61,54 +61,54 @@ bool isNumeric(const bt::PortSpec& port) {
          port.portType == bt::PortType::Unsigned;
 }
 
-/// A constant is shown as a number, also that which counts without a text.
+/// Constants are shown as numbers, also the default of an empty text.
 bool takesNumber(const bt::PortSpec& port, const std::string& text) {
   const bool isNumber = isNumeric(port);
-  const std::string shown = text.empty() ? usualOf(port) : text;
+  const std::string shown = text.empty() ? defaultTextOf(port) : text;
   return isNumber && base::parseDouble(shown).has_value();
 }
 
 NumberField::Range rangeOf(const bt::PortSpec& port) {
   const bool whole = port.portType != bt::PortType::Double;
-  const base::Range usual = {whole ? -1000000.0 : -10000.0, 1000000.0};
-  return {std::isfinite(port.range.low) ? port.range.low : usual.low,
-          std::isfinite(port.range.high) ? port.range.high : usual.high, whole ? 0 : 2,
+  const base::Range defaultText = {whole ? -1000000.0 : -10000.0, 1000000.0};
+  return {std::isfinite(port.range.low) ? port.range.low : defaultText.low,
+          std::isfinite(port.range.high) ? port.range.high : defaultText.high, whole ? 0 : 2,
           whole ? 1.0 : 0.1};
 }
 
 ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {
-  const std::string* text = bt::findText(node.ports, port.key);
+  const std::string* text = bt::findAttribute(node.ports, port.key);
   ValueRow row;
   row.key = port.key;
   row.label = qt(port.key);
   row.text = text == nullptr ? std::string() : *text;
   row.help = qt(port.help);
-  row.usual = usualOf(port);
+  row.defaultText = defaultTextOf(port);
   if (takesNumber(port, row.text)) {
     row.kind = Kind::Number;
     row.help += QStringLiteral("\n%1");
     row.unit = qt(port.unit);
     row.range = rangeOf(port);
-    row.instead = "{" + port.key + "}";
+    row.alternative = "{" + port.key + "}";
   } else if (isNumeric(port)) {
-    const std::string usual = usualOf(port);
-    row.instead = base::parseDouble(usual) ? usual : "1";
+    const std::string defaultText = defaultTextOf(port);
+    row.alternative = base::parseDouble(defaultText) ? defaultText : "1";
   }
   row.check = [port](const QString& typed) {
     const std::string word = typed.toStdString();
     const bool fine = (word.empty() && !port.required) || bt::referencedKey(word, port.key) ||
                       (!word.empty() && bt::isConvertible(word, port.portType));
     return fine ? QString()
-                : QObject::tr("A value (%1) or the name of an entry in braces, such as {id}")
+                : QObject::tr("A value (%1) or a blackboard entry in braces, such as {id}")
                       .arg(QString::fromLatin1(bt::portTypeName(port.portType)));
   };
   return row;
 }
 
-QString modeWords(const std::string& mode) {
+QString modeText(const std::string& mode) {
   static const std::map<std::string, const char*> kWords = {
       {"nearest", QT_TR_NOOP("The nearest person")},
-      {"specific", QT_TR_NOOP("Somebody by name")},
+      {"specific", QT_TR_NOOP("A person by name")},
       {"robot", QT_TR_NOOP("The robot")}};
   const auto known = kWords.find(mode);
   return known == kWords.end() ? capitalized(qt(mode)) : QObject::tr(known->second);
@@ -118,11 +118,11 @@ ValueRow repeatRow(const bt::Block& block) {
   ValueRow row;
   row.kind = Kind::Choice;
   row.key = kRepeatKey;
-  row.label = QObject::tr("Happens");
+  row.label = QObject::tr("Occurs");
   row.text = std::to_string(static_cast<int>(block.repeat));
-  row.choices = {{QStringLiteral("0"), QObject::tr("Whenever it can")},
+  row.choices = {{QStringLiteral("0"), QObject::tr("Whenever possible")},
                  {QStringLiteral("1"), QObject::tr("Only once")},
-                 {QStringLiteral("2"), QObject::tr("By chance")}};
+                 {QStringLiteral("2"), QObject::tr("At random")}};
   return row;
 }
 
@@ -130,9 +130,9 @@ ValueRow chanceRow(const bt::Block& block) {
   ValueRow row;
   row.kind = Kind::Number;
   row.key = kChanceKey;
-  row.label = QObject::tr("Chance");
+  row.label = QObject::tr("Probability");
   row.text = base::formatDouble(block.probability);
-  row.help = QObject::tr("Drawn in every step in which the block could begin");
+  row.help = QObject::tr("Probability in each time step in which the block can start");
   row.range = {0.0, 1.0, 2, 0.05};
   row.isVisible = block.repeat == bt::BlockRepeat::Random;
   return row;
@@ -148,7 +148,7 @@ decltype(ValueRow::choices) choicesOf(const bt::BlockParameter& parameter,
     }
   } else if (parameter.kind == Of::Choice) {
     for (const std::string& choice : parameter.choices) {
-      choices.emplace_back(qt(choice), modeWords(choice));
+      choices.emplace_back(qt(choice), modeText(choice));
     }
   } else if (parameter.kind != Of::Number && parameter.kind != Of::Text) {
     for (const sim2d::Human& human : scenario.humans) {
@@ -174,12 +174,12 @@ ValueRow rowOf(const bt::BlockParameter& parameter, const bt::Block& block,
   row.range = {parameter.min, parameter.max, 2, parameter.max - parameter.min > 30.0 ? 5.0 : 0.1};
   if (parameter.kind == Of::Text) {
     row.check = [](const QString& text) {
-      return text.trimmed().isEmpty() ? QObject::tr("Say something") : QString();
+      return text.trimmed().isEmpty() ? QObject::tr("Enter a text") : QString();
     };
   }
   row.choices = choicesOf(parameter, document.scenario());
   if (parameter.kind == Of::People) {
-    row.help = QObject::tr("Choosing a person adds or takes them off");
+    row.help = QObject::tr("Select a person to add or remove");
   }
   return row;
 }
@@ -195,14 +195,14 @@ ValueRows portRows(const bt::NodeSpec& node, bool isEditable) {
     }
   }
   const QString note = manifest == nullptr ? QObject::tr("unknown node")
-                       : rows.empty()      ? QObject::tr("nothing to set")
+                       : rows.empty()      ? QObject::tr("no settings")
                        : isEditable        ? QString()
                                            : QObject::tr("in an included file");
   return {qt(node.id), qt(node.label()), note, std::move(rows), isEditable};
 }
 
 ValueRows blockRows(const bt::Block& block, const ScenarioDocument& document) {
-  const bt::BlockKind& kind = *bt::blockKind(block.id);
+  const bt::BlockType& kind = *bt::blockType(block.id);
   std::vector<ValueRow> rows;
   for (const bt::BlockParameter& parameter : kind.parameters) {
     rows.push_back(rowOf(parameter, block, document));
@@ -223,14 +223,14 @@ void setValue(bt::Block& block, const std::string& key, const QString& text) {
 }
 
 ValueForm::ValueForm(QWidget* parent)
-    : QWidget(parent), layout_(arranged(new QVBoxLayout(this), {}, 0)) {}
+    : QWidget(parent), layout_(configuredLayout(new QVBoxLayout(this), {}, 0)) {}
 
 void ValueForm::show(ValueRows what) {
   rows_ = std::move(what.rows);
   QString shape = what.isEditable ? what.name + QLatin1Char('+') : what.name;
   for (const ValueRow& row : rows_) {
     shape += QString::number(static_cast<int>(row.kind));
-    shape += row.instead.empty() ? QString() : qt(row.instead);
+    shape += row.alternative.empty() ? QString() : qt(row.alternative);
   }
   if (shape != shape_) {
     shape_ = shape;
@@ -244,8 +244,8 @@ void ValueForm::show(ValueRows what) {
     for (const ValueRow& row : rows_) {
       fields_.push_back(makeField(row, fields_.size()));
       fields_.back()->setEnabled(what.isEditable);
-      section_->addRow(row.label,
-                       row.instead.empty() ? fields_.back() : withSwitch(*fields_.back(), row));
+      section_->addRow(row.label, row.alternative.empty() ? fields_.back()
+                                                          : withToggleButton(*fields_.back(), row));
     }
     layout_->addWidget(section_);
     section_->show();
@@ -255,23 +255,23 @@ void ValueForm::show(ValueRows what) {
   }
 }
 
-/// A constant can become an entry of the blackboard, and the other way round.
-QWidget* ValueForm::withSwitch(QWidget& field, const ValueRow& row) {
+/// Adds a button that switches between a constant and a blackboard entry.
+QWidget* ValueForm::withToggleButton(QWidget& field, const ValueRow& row) {
   constexpr int kSwitchWidth = 30;
   auto* both = new QWidget(section_);
-  const bool toEntry = row.instead.front() == '{';
-  auto* button =
-      linkButton(toEntry ? QStringLiteral("{ }") : QStringLiteral("12"),
-                 toEntry ? tr("Take %1 from an entry of the blackboard").arg(row.label)
-                         : tr("Give %1 as a number").arg(row.label),
-                 both, [this, key = row.key, text = qt(row.instead)] { Q_EMIT edited(key, text); });
+  const bool toEntry = row.alternative.front() == '{';
+  auto* button = linkButton(
+      toEntry ? QStringLiteral("{ }") : QStringLiteral("12"),
+      toEntry ? tr("Read %1 from a blackboard entry").arg(row.label)
+              : tr("Enter %1 as a number").arg(row.label),
+      both, [this, key = row.key, text = qt(row.alternative)] { Q_EMIT edited(key, text); });
   button->setFixedWidth(kSwitchWidth);
   button->setEnabled(field.isEnabled());
   field.setAccessibleName(row.label);
   QSizePolicy policy = field.sizePolicy();
   policy.setHorizontalPolicy(QSizePolicy::Ignored);
   field.setSizePolicy(policy);
-  arranged(new QHBoxLayout(both), {}, 4, {&field, button})->setStretchFactor(&field, 1);
+  configuredLayout(new QHBoxLayout(both), {}, 4, {&field, button})->setStretchFactor(&field, 1);
   return both;
 }
 
@@ -284,15 +284,15 @@ QWidget* ValueForm::makeField(const ValueRow& row, std::size_t index) {
     }
     connect(field, &NumberField::edited, this,
             [change](double value) { change(qt(base::formatDouble(value))); });
-    if (row.usual) {
-      connect(field, &NumberField::defaultWanted, this, [change] { change({}); });
+    if (row.defaultText) {
+      connect(field, &NumberField::resetRequested, this, [change] { change({}); });
     }
     return field;
   }
   if (row.kind == Kind::Text) {
     auto* field = new TextField(section_);
     field->setHint(row.help);
-    field->setPlaceholderText(qt(row.usual.value_or("")));
+    field->setPlaceholderText(qt(row.defaultText.value_or("")));
     field->setCheck(row.check);
     connect(field, &TextField::edited, this, change);
     return field;
@@ -313,9 +313,9 @@ QWidget* ValueForm::makeField(const ValueRow& row, std::size_t index) {
 void ValueForm::showRow(const ValueRow& row, QWidget* widget) {
   section_->setRowVisible(widget, row.isVisible);
   if (row.kind == Kind::Number) {
-    const std::string shown = row.text.empty() ? row.usual.value_or("") : row.text;
+    const std::string shown = row.text.empty() ? row.defaultText.value_or("") : row.text;
     static_cast<NumberField*>(widget)->show(base::parseDouble(shown).value_or(0.0),
-                                            row.usual && row.text.empty());
+                                            row.defaultText && row.text.empty());
   } else if (row.kind == Kind::Text) {
     static_cast<TextField*>(widget)->show(qt(row.text));
   } else {

@@ -7,61 +7,61 @@
 
 #include <QVBoxLayout>
 
-#include "bt/human/Blocks.h"
+#include "bt/human/BehaviorBlocks.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 
 namespace editor {
 
-/// A value that is kept as text, as a row of a form: how it is edited and what it is now.
+/// A text value as a row of a form: its editor and its current value.
 struct ValueRow {
-  enum class Kind { Number, Text, Choice, Choices };  // Choices: several, one after the other
+  enum class Kind { Number, Text, Choice, Choices };  // Choices: a sequence of values.
   Kind kind = Kind::Text;
   std::string key;
   QString label;
   std::string text;
-  QString help{};  // its tooltip; of a number with %1 for the range
+  QString help{};  // Tooltip; for numbers with %1 for the range.
   QString unit{};
   NumberField::Range range{};
-  std::optional<std::string> usual{};  // counts while there is no text; none: there is always one
+  std::optional<std::string> defaultText{};  // Effective if `text` is empty; none: required.
   TextField::Check check{};
-  std::vector<std::pair<QString, QString>> choices{};  // value and words
+  std::vector<std::pair<QString, QString>> choices{};  // Value and label.
   bool isVisible = true;
-  /// What a button behind the field puts in its place: an entry of the blackboard for a constant, a
-  /// constant for an entry; empty: there is none.
-  std::string instead{};
+  /// The replacement that a button behind the field inserts: a blackboard entry for a constant, or
+  /// a constant for an entry; empty: no button.
+  std::string alternative{};
 };
 
-/// Rows for one thing.
+/// The rows of one object.
 struct ValueRows {
-  QString name;  // the same for things whose rows are of the same meaning
+  QString name;  // Equal for objects with the same kind of rows.
   QString title, note;
   std::vector<ValueRow> rows;
   bool isEditable = true;
 };
 
-/// The ports of one node: numbers with unit and range, words, or "{key}" of the blackboard. An
-/// empty text leaves the port out.
+/// The ports of a node: numbers with unit and range, texts, or "{key}" of the blackboard. An empty
+/// text removes the port.
 ValueRows portRows(const bt::NodeSpec& node, bool isEditable);
-/// The parameters of a block of behaviour, with units and ranges.
+/// The parameters of a behaviour block with units and ranges.
 ValueRows blockRows(const bt::Block& block, const ScenarioDocument& document);
-/// What was edited in such a row.
+/// Sets the value edited in a row.
 void setValue(bt::Block& block, const std::string& key, const QString& text);
 
-/// Shows one thing after another; its fields are made anew when the next one has others.
+/// A form for changing objects; its fields are recreated when the next object has other rows.
 class ValueForm : public QWidget {
   Q_OBJECT
  public:
   explicit ValueForm(QWidget* parent = nullptr);
-  void show(ValueRows what);  // without `edited`
+  void show(ValueRows what);  // Does not emit `edited`.
 
  Q_SIGNALS:
   void edited(const std::string& key, const QString& text);
 
  private:
   QWidget* makeField(const ValueRow& row, std::size_t index);
-  QWidget* withSwitch(QWidget& field, const ValueRow& row);
+  QWidget* withToggleButton(QWidget& field, const ValueRow& row);
   void showRow(const ValueRow& row, QWidget* widget);
 
   QVBoxLayout* layout_;

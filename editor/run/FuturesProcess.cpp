@@ -18,7 +18,7 @@ void FuturesProcess::ask(const app::FuturesQuestion& question) {
   process_ = new QProcess(this);
   connect(process_, &QProcess::readyReadStandardOutput, this, &FuturesProcess::read);
   connect(process_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
-          &FuturesProcess::tellEnd);
+          &FuturesProcess::reportEnd);
   connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart) {
       const QString why = process_->errorString();
@@ -27,13 +27,13 @@ void FuturesProcess::ask(const app::FuturesQuestion& question) {
     }
   });
   process_->start(program_, {QStringLiteral("futures"), QStringLiteral("-")});
-  if (process_ != nullptr) {  // else it has not started, which is told
+  if (process_ != nullptr) {  // Otherwise the process failed to start, which is reported.
     process_->write(QByteArray::fromStdString(app::questionBytes(question)));
     process_->closeWriteChannel();
   }
 }
 
-/// Its copies end with it: nobody waits for them.
+/// Kills the process; its children exit with it.
 void FuturesProcess::cancel() {
   rest_.clear();
   QProcess* const process = std::exchange(process_, nullptr);
@@ -43,8 +43,8 @@ void FuturesProcess::cancel() {
   constexpr int kKilledMs = 1000;
   process->disconnect(this);
   process->kill();
-  process->waitForFinished(kKilledMs);  // which takes no time
-  process->deleteLater();               // it may be what speaks just now
+  process->waitForFinished(kKilledMs);  // Returns almost immediately.
+  process->deleteLater();               // The process may be the sender of the current signal.
 }
 
 void FuturesProcess::read() {
@@ -55,8 +55,8 @@ void FuturesProcess::read() {
         app::futureOf(rest_.mid(begin, end - begin).toStdString());
     begin = end + 1;
     if (future) {
-      Q_EMIT came(*future);
-      if (process_ == nullptr) {  // whoever heard of it wants no more
+      Q_EMIT futureReceived(*future);
+      if (process_ == nullptr) {  // A receiver of the signal has cancelled the request.
         return;
       }
     }
@@ -64,7 +64,7 @@ void FuturesProcess::read() {
   rest_.remove(0, begin);
 }
 
-void FuturesProcess::tellEnd(int code, QProcess::ExitStatus status) {
+void FuturesProcess::reportEnd(int code, QProcess::ExitStatus status) {
   read();
   if (process_ == nullptr) {
     return;
@@ -73,9 +73,7 @@ void FuturesProcess::tellEnd(int code, QProcess::ExitStatus status) {
   const bool isFine = status == QProcess::NormalExit && code == 0;
   process_->deleteLater();
   process_ = nullptr;
-  Q_EMIT ended(isFine           ? QString()
-               : said.isEmpty() ? tr("The simulation of futures has crashed.")
-                                : said);
+  Q_EMIT ended(isFine ? QString() : said.isEmpty() ? tr("The futures simulation crashed.") : said);
 }
 
 }  // namespace editor

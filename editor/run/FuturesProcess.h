@@ -6,32 +6,32 @@
 
 namespace editor {
 
-/// `hunavsim futures` beside the window: a process of its own, which forks as many as it may use at
-/// a time. The window never waits for it. GUI thread.
+/// Runs `hunavsim futures` in a separate process, which forks up to its limit of parallel children.
+/// The window never blocks on it. GUI thread.
 class FuturesProcess : public QObject {
   Q_OBJECT
  public:
   explicit FuturesProcess(QObject* parent = nullptr);
-  ~FuturesProcess() override;  // ends it
+  ~FuturesProcess() override;  // Kills the process.
   Q_DISABLE_COPY_MOVE(FuturesProcess)
 
-  void setProgram(const QString& path) { program_ = path; }  // another than this one
+  void setProgram(const QString& path) { program_ = path; }  // Another executable.
   bool isRunning() const { return process_ != nullptr; }
-  void ask(const app::FuturesQuestion& question);  // ends what was asked before
-  void cancel();                                   // nothing is told any more
+  void ask(const app::FuturesQuestion& question);  // Cancels the previous request.
+  void cancel();                                   // No further signals are emitted.
 
  Q_SIGNALS:
-  void came(const app::Future& future);
-  /// All have come, or why not: what it said on standard error.
+  void futureReceived(const app::Future& future);
+  /// All futures have arrived, or `problems` contains the error output of the process.
   void ended(const QString& problems);
 
  private:
   void read();
-  void tellEnd(int code, QProcess::ExitStatus status);
+  void reportEnd(int code, QProcess::ExitStatus status);
 
   QString program_;
   QProcess* process_ = nullptr;
-  QByteArray rest_;  // of a line that has not come whole
+  QByteArray rest_;  // Start of an incomplete line.
 };
 
 }  // namespace editor

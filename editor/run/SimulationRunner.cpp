@@ -10,10 +10,10 @@ namespace editor {
 namespace {
 
 constexpr int kDisplayMs = 16;
-constexpr int kEndingMs = 1000;
-constexpr std::size_t kMostEntryChanges = 40000;     // of the person who is watched
-constexpr double kFastest = 64.0;                    // at which a recorded run is played
-constexpr std::chrono::milliseconds kPatience(100);  // with a run that is to end
+constexpr int kStoppingPollMs = 1000;
+constexpr std::size_t kMaxEntryChanges = 40000;      // For the watched person.
+constexpr double kFastest = 64.0;                    // Maximum playback speed of a recorded run.
+constexpr std::chrono::milliseconds kPatience(100);  // Time limit for a run to end.
 
 bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience) {
   return !thread.valid() || thread.wait_for(patience) == std::future_status::ready;
@@ -24,10 +24,10 @@ bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience)
 RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings) {
   app::Bundle bundle = document.bundle();
   bundle.settings = settings;
-  if (settings.code == sim2d::CodeUse::LeftOut) {  // there would be no world
-    bundle.settings.code = sim2d::CodeUse::Refused;
+  if (settings.code == sim2d::ExternalCodePolicy::Skipped) {  // Otherwise there would be no world.
+    bundle.settings.code = sim2d::ExternalCodePolicy::Refused;
   }
-  return requestOf(std::move(bundle));
+  return requestFor(std::move(bundle));
 }
 
 QString runEndText(const sim2d::Scenario& scenario) {
@@ -42,13 +42,13 @@ SimulationRunner::SimulationRunner(QObject* parent) : QObject(parent) {
   timer_.setInterval(kDisplayMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &SimulationRunner::poll);
-  endingTimer_.setInterval(kEndingMs);
-  connect(&endingTimer_, &QTimer::timeout, this, &SimulationRunner::forgetEndings);
+  stoppingTimer_.setInterval(kStoppingPollMs);
+  connect(&stoppingTimer_, &QTimer::timeout, this, &SimulationRunner::removeStoppedSessions);
 }
 
 SimulationRunner::~SimulationRunner() {
   stopSession();
-  for (Ending& ending : endings_) {
+  for (StoppingSession& ending : stoppingSessions_) {
     ending.thread.wait();
   }
 }
@@ -60,10 +60,10 @@ void SimulationRunner::setState(State state) {
   }
 }
 
-/// Whether there is a run now.
+/// Returns true if a run exists afterwards.
 bool SimulationRunner::start(bool paused) {
   Q_ASSERT(request_);
-  if (mayStart_ && !mayStart_(paused)) {
+  if (startCondition_ && !startCondition_(paused)) {
     return false;
   }
   branches_ = {{}};
@@ -79,29 +79,29 @@ void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInp
                              std::int64_t until, sim2d::StepInputs then) {
   measuredSpeed_ = 0.0;
   session_ = std::make_unique<app::Session>(request.rule);
-  left_ = request.left;
-  again_ = std::move(request.again);
-  session_->keepHistory(request.recordEvery, historyOfNext(), historyFolder_);
-  session_->changeWith(std::move(request.change));
-  session_->repeat(std::move(inputs), until);
-  for (sim2d::Input& input : then) {  // they act in the step after that
+  stopFlag_ = request.left;
+  recreate_ = std::move(request.again);
+  session_->enableHistory(request.recordEvery, memoryForNextRun(), historyFolder_);
+  session_->setStepHook(std::move(request.change));
+  session_->replayInputs(std::move(inputs), until);
+  for (sim2d::Input& input : then) {  // They act in the following step.
     session_->add(std::move(input));
   }
   session_->setBreakpoints(breakpoints_);
-  session_->watchEntries(watched_);
+  session_->watchBlackboard(watched_);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
   const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld),
-                    watch = watch_, guests = guests_, bundle = request.bundle] {
+                    watch = watch_, guests = observerFactory_, bundle = request.bundle] {
     const auto make = [&] {
       auto world = makeWorld();
       if (world) {
-        (*world)->watchPlanners(watch);
+        (*world)->setPlannerDebug(watch);
       }
       return world;
     };
     session->run(make, [&](sim2d::World& world) {
-      return guests ? guests(*session, world, bundle) : std::vector<app::Session::Guest>();
+      return guests ? guests(*session, world, bundle) : std::vector<app::Session::Observer>();
     });
   };
   thread_ = std::async(std::launch::async, run);
@@ -109,29 +109,30 @@ void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInp
   setState(paused ? State::Paused : State::Running);
 }
 
-void SimulationRunner::forgetEndings() {
-  endings_.erase(std::remove_if(endings_.begin(), endings_.end(),
-                                [](const Ending& each) { return isOver(each.thread, {}); }),
-                 endings_.end());
-  if (endings_.empty()) {
-    endingTimer_.stop();
+void SimulationRunner::removeStoppedSessions() {
+  stoppingSessions_.erase(
+      std::remove_if(stoppingSessions_.begin(), stoppingSessions_.end(),
+                     [](const StoppingSession& each) { return isOver(each.thread, {}); }),
+      stoppingSessions_.end());
+  if (stoppingSessions_.empty()) {
+    stoppingTimer_.stop();
   }
 }
 
-/// Whether it is over. On a large map a world may take seconds to be made, and so may a step; the
-/// session is kept until then, and nobody hears its last words.
+/// Returns true if the session has ended. Creating a world for a large map, or a step, may take
+/// seconds; the session is kept until then and its remaining messages are dropped.
 bool SimulationRunner::stopSession() {
   timer_.stop();
   if (session_ != nullptr) {
     session_->stop();
-    left_->stop();
+    stopFlag_->stop();
   }
   if (isOver(thread_, kPatience)) {
     thread_ = {};
     return true;
   }
-  endings_.push_back({std::move(session_), std::move(thread_)});
-  endingTimer_.start();
+  stoppingSessions_.push_back({std::move(session_), std::move(thread_)});
+  stoppingTimer_.start();
   return false;
 }
 
@@ -157,7 +158,7 @@ void SimulationRunner::play() {
     return;
   }
   seekNewest();
-  brokeAt_.reset();
+  currentBreak_.reset();
   session_->setPaused(false);
   setState(State::Running);
 }
@@ -189,8 +190,8 @@ void SimulationRunner::stepOnce() {
       showState(next);
     }
   } else if (!finished_) {
-    brokeAt_.reset();
-    session_->allowStep();
+    currentBreak_.reset();
+    session_->stepOnce();
   }
 }
 
@@ -199,9 +200,9 @@ void SimulationRunner::reset() {
     return;
   }
   if (stopSession() && session_ != nullptr && !finished_) {
-    poll();  // the last words of the session
+    poll();  // Handles the last messages of the session.
   }
-  leaveRun();
+  clearRun();
   branches_.clear();
   branch_ = -1;
   loop_.reset();
@@ -210,14 +211,14 @@ void SimulationRunner::reset() {
   setState(State::Editing);
 }
 
-/// Nothing is shown any more.
-void SimulationRunner::leaveRun() {
+/// Clears everything that is shown.
+void SimulationRunner::clearRun() {
   stopSession();
   session_.reset();
-  again_ = {};
+  recreate_ = {};
   finished_ = isRecorded_ = isCut_ = isLooping_ = false;
   result_.reset();
-  brokeAt_.reset();
+  currentBreak_.reset();
   setEntries(std::nullopt);
   pastEntries_.clear();
   recording_.reset();
@@ -247,18 +248,19 @@ double SimulationRunner::oldestTime() const {
   return first == 0 ? 0.0 : recording_->timeOf(first);
 }
 
-/// The oldest one that is kept for those before it. Null: its file cannot be read.
+/// A state of the recording; for dropped states the oldest one that is kept. Null: the file cannot
+/// be read.
 FramePtr SimulationRunner::stateAt(std::size_t index) const {
   std::size_t first = recording_->first();
   FramePtr kept = recording_->frameIfKept(std::max(index, first));
-  while (kept == nullptr && first != recording_->first()) {  // dropped meanwhile
+  while (kept == nullptr && first != recording_->first()) {  // Dropped in the meantime.
     first = recording_->first();
     kept = recording_->frameIfKept(std::max(index, first));
   }
   return kept;
 }
 
-/// One that cannot be read is told, and what is shown stays.
+/// Shows a state. A read error is reported and the shown state stays.
 void SimulationRunner::showState(std::size_t index) {
   if (FramePtr state = stateAt(index)) {
     show(std::move(state), !isRecorded_);
@@ -268,10 +270,10 @@ void SimulationRunner::showState(std::size_t index) {
   Q_EMIT warned({base::warning("run.history-unreadable", {recording_->timeOf(index)})});
 }
 
-void SimulationRunner::watchHistory() {
+void SimulationRunner::checkHistoryLimit() {
   const auto problem = recording_ == nullptr ? std::nullopt : recording_->history().problem();
   if (problem && !std::exchange(isCut_, true)) {
-    Q_EMIT historyCut({base::warning("run.history-cut", {problem->message()})});
+    Q_EMIT historyTruncated({base::warning("run.history-cut", {problem->message()})});
   }
 }
 
@@ -287,7 +289,7 @@ void SimulationRunner::openRecorded(RecordingPtr recording, std::function<RunReq
   recording_ = std::move(recording);
   newest_ = recording_->frame(recording_->size() - 1);
   isRecorded_ = finished_ = true;
-  again_ = std::move(again);
+  recreate_ = std::move(again);
   branches_ = {{}};
   branches_.front().name = tr("Recorded run");
   branch_ = 0;
@@ -295,7 +297,7 @@ void SimulationRunner::openRecorded(RecordingPtr recording, std::function<RunReq
   const FramePtr first = stateAt(0);
   show(first != nullptr ? first : newest_, false);
   setState(State::Paused);
-  watchHistory();
+  checkHistoryLimit();
   Q_EMIT branchesChanged();
 }
 
@@ -306,7 +308,7 @@ void SimulationRunner::startClock() {
   Q_EMIT speedMeasured(measuredSpeed_);
 }
 
-void SimulationRunner::playOn() {
+void SimulationRunner::advancePlayback() {
   const double passed = 0.001 * static_cast<double>(playing_.elapsed());
   const double time = playedFrom_ + passed * measuredSpeed_;
   const std::size_t index = recording_->indexAtTime(time);
@@ -318,7 +320,7 @@ void SimulationRunner::playOn() {
   if (recording_->stepOf(index) > shown_->step) {
     showState(index);
   }
-  if (index + 1 == recording_->size()) {  // the last step need not be one that is recorded
+  if (index + 1 == recording_->size()) {  // The last step may not be recorded.
     show(newest_, false);
     pause();
   }
@@ -326,7 +328,7 @@ void SimulationRunner::playOn() {
 
 void SimulationRunner::seek(std::int64_t step) {
   if (recording_ == nullptr || recording_->size() == 0 || newest_ == nullptr) {
-    return;  // a run that has just begun: nothing was shown yet
+    return;  // The run has just started and no frame has been shown yet.
   }
   pause();
   if (step >= newest_->step) {
@@ -359,10 +361,10 @@ void SimulationRunner::show(FramePtr frame, bool lookingBack) {
 
 void SimulationRunner::poll() {
   if (finished_ || isLooping_) {
-    playOn();
+    advancePlayback();
     return;
   }
-  app::SessionNews news = session_->takeNews();
+  app::SessionUpdate news = session_->takeUpdate();
   if (news.isStopped) {
     reset();
     return;
@@ -384,31 +386,31 @@ void SimulationRunner::poll() {
   if (news.history != nullptr) {
     recording_ = news.history;
   }
-  watchHistory();
+  checkHistoryLimit();
   if (news.newest != nullptr) {
     newest_ = std::move(news.newest);
     if (!lookingBack_) {
       show(newest_, false);
     }
-    watchRepeated();
+    checkReplayDivergence();
   }
-  takeTrees(news);
-  takeOrders(news);
+  handleTreeNews(news);
+  applyGuestRequests(news);
   if (news.measuredSpeed) {
     measuredSpeed_ = *news.measuredSpeed;
     Q_EMIT speedMeasured(measuredSpeed_);
   }
   if (news.result) {
-    takeEnd(*news.result);
+    handleRunEnd(*news.result);
   }
 }
 
-/// Of guests; own ones are as it is.
-void SimulationRunner::takeOrders(const app::SessionNews& news) {
+/// Applies the requests of guests.
+void SimulationRunner::applyGuestRequests(const app::SessionUpdate& news) {
   if (news.isPaused) {
     if (!*news.isPaused) {
       seekNewest();
-      brokeAt_.reset();
+      currentBreak_.reset();
     }
     if (!news.result) {
       setState(*news.isPaused ? State::Paused : State::Running);
@@ -416,7 +418,7 @@ void SimulationRunner::takeOrders(const app::SessionNews& news) {
   }
   if (news.speed && *news.speed != speed_) {
     speed_ = *news.speed;
-    Q_EMIT speedOrdered(speed_);
+    Q_EMIT speedRequested(speed_);
   }
 }
 
@@ -425,20 +427,20 @@ bool SimulationRunner::isLive() const {
          !isLooping_;
 }
 
-void SimulationRunner::give(sim2d::Input input) {
+void SimulationRunner::addInput(sim2d::Input input) {
   if (isLive()) {
     session_->add(std::move(input));
   }
 }
 
-const app::Entries* SimulationRunner::shownEntries() const {
+const app::BlackboardEntries* SimulationRunner::shownEntries() const {
   if (!lookingBack_ && !finished_) {
     return entries_ ? &*entries_ : nullptr;
   }
   if (shown_ == nullptr || isRecorded_) {
     return nullptr;
   }
-  const auto isLater = [](std::int64_t step, const app::StepEntries& each) {
+  const auto isLater = [](std::int64_t step, const app::BlackboardStep& each) {
     return step < each.step;
   };
   const auto next =
@@ -446,10 +448,11 @@ const app::Entries* SimulationRunner::shownEntries() const {
   return next == pastEntries_.begin() ? nullptr : &std::prev(next)->entries;
 }
 
-void SimulationRunner::takeTrees(app::SessionNews& news) {
-  std::move(news.pastEntries.begin(), news.pastEntries.end(), std::back_inserter(pastEntries_));
-  if (pastEntries_.size() > kMostEntryChanges) {
-    pastEntries_.erase(pastEntries_.begin(), pastEntries_.end() - kMostEntryChanges / 2);
+void SimulationRunner::handleTreeNews(app::SessionUpdate& news) {
+  std::move(news.blackboardHistory.begin(), news.blackboardHistory.end(),
+            std::back_inserter(pastEntries_));
+  if (pastEntries_.size() > kMaxEntryChanges) {
+    pastEntries_.erase(pastEntries_.begin(), pastEntries_.end() - kMaxEntryChanges / 2);
   }
   if (!news.refused.empty()) {
     Q_EMIT inputsRefused(news.refused);
@@ -457,10 +460,10 @@ void SimulationRunner::takeTrees(app::SessionNews& news) {
   if (news.entries) {
     setEntries(std::move(news.entries));
   }
-  if (news.broke) {
-    brokeAt_ = std::move(news.broke);
+  if (news.breakpointHit) {
+    currentBreak_ = std::move(news.breakpointHit);
     setState(State::Paused);
-    Q_EMIT broke(*brokeAt_);
+    Q_EMIT breakpointHit(*currentBreak_);
   }
 }
 
@@ -472,23 +475,23 @@ void SimulationRunner::setBreakpoints(std::vector<sim2d::TreeBreakpoint> points)
   Q_EMIT breakpointsChanged();
 }
 
-void SimulationRunner::watchEntries(std::optional<int> person) {
+void SimulationRunner::watchBlackboard(std::optional<int> person) {
   watched_ = person;
   if (session_ != nullptr) {
-    session_->watchEntries(person);
+    session_->watchBlackboard(person);
   }
   pastEntries_.clear();
   setEntries(std::nullopt);
 }
 
-void SimulationRunner::setEntries(std::optional<app::Entries> entries) {
+void SimulationRunner::setEntries(std::optional<app::BlackboardEntries> entries) {
   if (entries != entries_) {
     entries_ = std::move(entries);
     Q_EMIT entriesChanged();
   }
 }
 
-void SimulationRunner::takeEnd(const sim2d::RunResult& result) {
+void SimulationRunner::handleRunEnd(const sim2d::RunResult& result) {
   timer_.stop();
   if (thread_.valid()) {
     thread_.wait();

@@ -12,7 +12,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "app/run/RunOptions.h"
+#include "app/run/RunSpec.h"
 #include "app/run/Session.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/run/RunBranches.h"
@@ -21,18 +21,18 @@ namespace editor {
 
 using app::RunSettings;
 
-/// A run of the document as it is now: copies of scenario, map and trees. GUI thread. What a check
-/// refuses does not run.
+/// A run of the document in its current state, with copies of scenario, map and trees. GUI thread.
+/// A scenario with check errors does not run.
 RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings = {});
 
-/// What ends a run when the scenario gives no duration and a robot has a goal, which makes the run
-/// longer; else nothing. "until the robot arrives, at most 120 s"
+/// Describes what ends a run if the scenario has no duration and a robot's goal makes the run
+/// longer: "until the robot arrives, at most 120 s"; otherwise empty.
 QString runEndText(const sim2d::Scenario& scenario);
 
-/// A simulation beside the window. Lives in the GUI thread and owns one worker thread with
-/// the session. States come out through its history, which is there to be read while it grows and
-/// equals that of a headless run. A run that is over, or was recorded before, is played from its
-/// recording; nothing is computed twice.
+/// A simulation that runs outside the GUI thread. The object lives in the GUI thread and owns one
+/// worker thread with the session. States are read from its recording, which grows during the run
+/// and equals that of a headless run. A finished or recorded run is played from its recording
+/// without recomputation.
 class SimulationRunner : public QObject {
   Q_OBJECT
  public:
@@ -40,198 +40,203 @@ class SimulationRunner : public QObject {
   Q_ENUM(State)
 
   explicit SimulationRunner(QObject* parent = nullptr);
-  ~SimulationRunner() override;  // stops and waits
+  ~SimulationRunner() override;  // Stops the run and waits for it.
   Q_DISABLE_COPY_MOVE(SimulationRunner)
 
-  /// Called in the GUI thread when a run starts from Editing: takes a snapshot of the document.
+  /// Called in the GUI thread when a run starts from Editing; takes a snapshot of the document.
   void setRequest(std::function<RunRequest()> request) { request_ = std::move(request); }
 
-  /// Asked in the GUI thread before a run starts from Editing, `paused` or not; false: it does not.
-  void setGate(std::function<bool(bool paused)> mayStart) { mayStart_ = std::move(mayStart); }
+  /// Called in the GUI thread before a run starts from Editing, `paused` or not; false prevents the
+  /// start.
+  void setStartCondition(std::function<bool(bool paused)> mayStart) {
+    startCondition_ = std::move(mayStart);
+  }
 
   State state() const { return state_; }
-  bool isFinished() const { return finished_; }  // nothing more is computed; it is played or paused
-  /// How it ended; none: it has not, or was recorded before.
+  bool isFinished() const { return finished_; }  // Fully computed; played or paused.
+  /// The result; none: still running, or recorded.
   const std::optional<sim2d::RunResult>& result() const { return result_; }
   double speed() const { return speed_; }
-  double measuredSpeed() const { return measuredSpeed_; }  // simulated seconds per wall second
+  double measuredSpeed() const { return measuredSpeed_; }  // Simulated s per wall-clock s.
 
-  void play();  // from Editing: makes the world first; after the end: plays the recording
+  void play();  // From Editing: creates the world first; after the end: plays the recording.
   void pause();
-  void stepOnce();  // one step, then paused; from the past: one recorded frame forward
-  /// Ends the run, back to Editing. Does not wait for a world that is still being made, or in a
-  /// step that takes long.
+  void stepOnce();  // One step, then paused; when looking back: one recorded frame forward.
+  /// Ends the run and returns to Editing. Does not wait for a world that is still being created, or
+  /// for a long step.
   void reset();
-  void setSpeed(double factor);  // > 0; infinity = as fast as possible
-  /// Memory of the states of runs that begin from now on, as of `sim2d::Recording`: most of it [B],
-  /// and the folder of the temporary file (empty: the system's).
+  void setSpeed(double factor);  // > 0; infinity = as fast as possible.
+  /// The memory limit [B] for the states of future runs, as in `sim2d::Recording`, and the folder
+  /// of the temporary file (empty: system default).
   void setHistory(std::size_t mostInMemory, std::string folder = {});
   std::size_t historyMemory() const { return historyMemory_; }  // [B]
-  /// Who comes to the runs that begin from now on, in their threads, and may give orders; as of the
-  /// session. Null: nobody.
-  using Guests = std::function<std::vector<app::Session::Guest>(
+  /// Creates the guests of future runs. They run in the session's thread and may control the run.
+  /// Null: no guests.
+  using ObserverFactory = std::function<std::vector<app::Session::Observer>(
       app::Session&, sim2d::World&, const std::shared_ptr<const app::Bundle>&)>;
-  void setGuests(Guests guests) { guests_ = std::move(guests); }
-  /// Inputs of each step from now on, of the run that goes on.
+  void setObserverFactory(ObserverFactory guests) { observerFactory_ = std::move(guests); }
+  /// Sets the inputs of each step of the current run from now on.
   void steer(app::Session::Steering steering);
 
-  /// Of this run and those that follow: it pauses where one is met.
+  /// The run, and future runs, pause at these breakpoints.
   void setBreakpoints(std::vector<sim2d::TreeBreakpoint> points);
   const std::vector<sim2d::TreeBreakpoint>& breakpoints() const { return breakpoints_; }
-  /// Where it stands; none: it did not stop at a breakpoint, or has gone on.
-  const std::optional<sim2d::TreeBreak>& brokeAt() const { return brokeAt_; }
-  /// Whose blackboard is told from now on, by id.
-  void watchEntries(std::optional<int> person);
-  /// Of this run and those that follow: whether their newest states have costmaps of planners, and
-  /// ways that planners weigh and gather for display only. It costs time, and changes nothing.
-  void watchPlanners(bool costs, bool ways) {
+  /// The breakpoint at which the run is paused; none: not at a breakpoint.
+  const std::optional<sim2d::TreeBreakpointHit>& currentBreak() const { return currentBreak_; }
+  /// The person whose blackboard is recorded from now on, by id.
+  void watchBlackboard(std::optional<int> person);
+  /// For this and future runs: whether the newest states include planner costmaps, and trajectories
+  /// that planners collect for display only. This is slower and does not change results.
+  void setPlannerDebug(bool costs, bool ways) {
     watch_->costs = costs;
     watch_->ways = ways;
   }
   std::optional<int> watched() const { return watched_; }
-  /// Of that person in the newest state of a run that goes on; none: nothing is known.
-  const std::optional<app::Entries>& entries() const { return entries_; }
-  /// The same in the state that is shown, which may lie in the past; none: nobody watched then.
-  /// Null too for recorded runs: their files hold none.
-  const app::Entries* shownEntries() const;
+  /// The blackboard of that person in the newest state of the current run; none: unknown.
+  const std::optional<app::BlackboardEntries>& entries() const { return entries_; }
+  /// The same for the shown state, which may be in the past; null: not recorded then. Also null for
+  /// recorded runs, whose files contain no blackboards.
+  const app::BlackboardEntries* shownEntries() const;
 
-  /// A run goes on, and its newest state is shown: inputs act in its next step.
+  /// Returns true if a run is in progress and its newest state is shown, so that inputs act in the
+  /// next step.
   bool isLive() const;
-  /// Acts in the next step and is recorded. Nothing without a run that goes on.
-  void give(sim2d::Input input);
+  /// Adds an input that acts in the next step and is recorded. Does nothing without a current run.
+  void addInput(sim2d::Input input);
 
-  /// Shows a recorded run from its beginning; it holds states. reset() leaves it. `again`: the same
-  /// run made here; null: what it was made of is not known.
+  /// Shows a recorded run, which must contain states, from its beginning. reset() closes it.
+  /// `again`: creates the same run; null: its inputs are unknown.
   void openRecorded(RecordingPtr recording, std::function<RunRequest()> again = {});
   bool isRecorded() const { return isRecorded_; }
 
-  // the past
-  /// Of the run, growing while it goes on; null: there is none.
+  // History
+  /// The recording of the run, which grows during the run; null: no run.
   RecordingPtr recording() const { return recording_; }
   FramePtr newestFrame() const { return newest_; }
   FramePtr shownFrame() const { return shown_; }
   bool isLookingBack() const { return lookingBack_; }
-  /// Of the oldest state that can still be shown [s]; 0 unless the disk took no more of the run.
+  /// Time of the oldest state that can still be shown [s]; 0 unless the disk was full.
   double oldestTime() const;
   void seek(
-      std::int64_t step);  // shows the nearest kept frame at or before, else the oldest; pauses
+      std::int64_t step);  // Shows the last kept frame up to the step, else the oldest; pauses.
   void stepBack();
   void seekNewest();
-  /// Plays this part again and again, once there is a state of it; none: plays on.
-  struct Part {
+  /// Repeats this section once it contains a state; none: normal playback.
+  struct LoopRange {
     double from = 0.0, to = 0.0;  // [s], from < to
-    friend bool operator==(const Part& a, const Part& b) {
+    friend bool operator==(const LoopRange& a, const LoopRange& b) {
       return a.from == b.from && a.to == b.to;
     }
   };
-  void setLoop(std::optional<Part> loop);
-  const std::optional<Part>& loop() const { return loop_; }
+  void setLoop(std::optional<LoopRange> loop);
+  const std::optional<LoopRange>& loop() const { return loop_; }
 
-  // branches
-  static constexpr std::size_t kMostBranches = 9;  // with the first
-  /// The run is made again up to the state that is shown, as a branch beside it, and waits there:
-  /// it may take another way. False: it was told why not, and nothing has changed.
-  bool goOnFromShown(const app::RunOptions& changes = {}, const QString& name = {});
-  /// It is in the past of a run that can be made again, and there is room for one more.
-  bool canGoOnFromShown() const;
-  /// All runs that began as this one, in the order of their making; none while editing.
-  const std::vector<RunBranch>& branches() const { return branches_; }
-  int branch() const { return branch_; }  // number of the one that is shown; -1: none
-  /// What is known of a run, that of the branch shown too; null: nothing yet.
+  // Branches
+  static constexpr std::size_t kMaxBranches = 9;  // Includes the first run.
+  /// Re-runs up to the shown state as a new branch and pauses there, where the branch may diverge.
+  /// Returns false if that is impossible; the reason is reported and nothing changes.
+  bool branchFromShown(const app::RunSpec& changes = {}, const QString& name = {});
+  /// Returns true if the shown state is in the past of a reproducible run and another branch is
+  /// allowed.
+  bool canBranchFromShown() const;
+  /// All runs with the same beginning, in order of creation; empty while editing.
+  const std::vector<RunnerBranch>& branches() const { return branches_; }
+  int branch() const { return branch_; }  // Number of the shown branch; -1: none.
+  /// The recording of any branch, also the shown one; null: none yet.
   RecordingPtr recordingOf(int branch) const;
-  /// Shows another one at the same time of the run, paused. One that has not come to its end is
-  /// made again to where it was.
+  /// Shows another branch at the same time, paused. An unfinished branch is re-run up to its
+  /// previous state.
   void showBranch(int number);
   void renameBranch(int number, const QString& name);
-  void removeBranch(int number);  // not the one that is shown
-  /// The run that is shown, from its beginning; null: it cannot be made again.
-  const std::function<RunRequest()>& again() const { return again_; }
+  void removeBranch(int number);  // Not the shown one.
+  /// Creates the shown run again from its beginning; null: not possible.
+  const std::function<RunRequest()>& again() const { return recreate_; }
 
  Q_SIGNALS:
   void stateChanged(editor::SimulationRunner::State state);
-  void frameShown(std::shared_ptr<const sim2d::Frame> frame);  // at display rate; null: cleared
+  void frameShown(std::shared_ptr<const sim2d::Frame> frame);  // At display rate; null: cleared.
   void lookingBackChanged(bool lookingBack);
   void loopChanged();
   void branchesChanged();
   void breakpointsChanged();
-  void broke(const sim2d::TreeBreak& at);  // paused there
+  void breakpointHit(const sim2d::TreeBreakpointHit& at);  // Paused there.
   void entriesChanged();
   void inputsRefused(const base::Diagnostics& problems);
   void speedMeasured(double factor);
-  void speedOrdered(double factor);  // by a guest
+  void speedRequested(double factor);  // Requested by a guest.
   void finished(const sim2d::RunResult& result);
-  void failed(const QString& reason);                     // the world stopped; last state stays
-  void notStarted(const base::Diagnostics& diagnostics);  // the world could not be made
-  void warned(const base::Diagnostics& diagnostics);      // it could, with remarks
-  /// The disk takes no more of the run: its oldest states go. Once.
-  void historyCut(const base::Diagnostics& diagnostics);
+  void failed(const QString& reason);                     // The last state stays.
+  void notStarted(const base::Diagnostics& diagnostics);  // The world could not be created.
+  void warned(const base::Diagnostics& diagnostics);      // The world was created with warnings.
+  /// The disk is full, so that the oldest states are dropped. Emitted once.
+  void historyTruncated(const base::Diagnostics& diagnostics);
 
  private:
   bool start(bool paused);
   void begin(RunRequest request, bool paused, sim2d::RecordedInputs inputs = {},
              std::int64_t until = 0, sim2d::StepInputs then = {});
   void poll();
-  void takeEnd(const sim2d::RunResult& result);
-  void takeTrees(app::SessionNews& news);
-  void takeOrders(const app::SessionNews& news);
-  void setEntries(std::optional<app::Entries> entries);
+  void handleRunEnd(const sim2d::RunResult& result);
+  void handleTreeNews(app::SessionUpdate& news);
+  void applyGuestRequests(const app::SessionUpdate& news);
+  void setEntries(std::optional<app::BlackboardEntries> entries);
   void setState(State state);
   void show(FramePtr frame, bool lookingBack);
   bool stopSession();
-  void playOn();
+  void advancePlayback();
   void startClock();
   FramePtr stateAt(std::size_t index) const;
   void showState(std::size_t index);
-  void watchHistory();
+  void checkHistoryLimit();
   bool canLoop() const;
-  void leaveRun();
-  void keepShown();
-  RunBranch* branchOf(int number);
-  void showKept(const RunBranch& kept, double time);
-  std::size_t historyOfNext() const;
-  void watchRepeated();
+  void clearRun();
+  void storeShownBranch();
+  RunnerBranch* branchOf(int number);
+  void showStoredBranch(const RunnerBranch& kept, double time);
+  std::size_t memoryForNextRun() const;
+  void checkReplayDivergence();
 
   std::function<RunRequest()> request_;
-  std::function<bool(bool)> mayStart_;
-  Guests guests_;
-  std::function<RunRequest()> again_;  // of the session
+  std::function<bool(bool)> startCondition_;
+  ObserverFactory observerFactory_;
+  std::function<RunRequest()> recreate_;  // For the current session.
   std::unique_ptr<app::Session> session_;
-  std::future<void> thread_;  // of the session
-  struct Ending {
+  std::future<void> thread_;  // Thread of the session.
+  struct StoppingSession {
     std::unique_ptr<app::Session> session;
     std::future<void> thread;
   };
-  void forgetEndings();
-  std::shared_ptr<base::StopFlag> left_;  // of the session
-  std::vector<Ending> endings_;           // runs that were left and are not over yet
-  QTimer timer_, endingTimer_;
+  void removeStoppedSessions();
+  std::shared_ptr<base::StopFlag> stopFlag_;       // Stop flag of the session.
+  std::vector<StoppingSession> stoppingSessions_;  // Runs that were left and have not ended yet.
+  QTimer timer_, stoppingTimer_;
   State state_ = State::Editing;
   bool finished_ = false, lookingBack_ = false;
   double speed_ = 1.0, measuredSpeed_ = 0.0;
   FramePtr newest_, shown_;
   RecordingPtr recording_;
   bool isRecorded_ = false;
-  bool isCut_ = false;                                          // the history, and it was told
-  std::size_t historyMemory_ = sim2d::Recording::kUsualMemory;  // [B]
+  bool isCut_ = false;                                            // The history was cut (reported).
+  std::size_t historyMemory_ = sim2d::Recording::kDefaultMemory;  // [B]
   std::string historyFolder_;
   std::optional<sim2d::RunResult> result_;
   std::vector<sim2d::TreeBreakpoint> breakpoints_;
-  std::optional<sim2d::TreeBreak> brokeAt_;
+  std::optional<sim2d::TreeBreakpointHit> currentBreak_;
   std::optional<int> watched_;
-  std::shared_ptr<sim2d::PlannerWatch> watch_ = std::make_shared<sim2d::PlannerWatch>();
-  std::optional<app::Entries> entries_;
-  std::optional<Part> loop_;
-  bool isLooping_ = false;  // in the past of a run that has not come to its end
-  std::vector<RunBranch> branches_;
+  std::shared_ptr<sim2d::PlannerDebugFlags> watch_ = std::make_shared<sim2d::PlannerDebugFlags>();
+  std::optional<app::BlackboardEntries> entries_;
+  std::optional<LoopRange> loop_;
+  bool isLooping_ = false;  // Looping within a run that has not finished.
+  std::vector<RunnerBranch> branches_;
   struct Expected {
     std::int64_t step = 0;
-    std::string rows;  // of the trajectory
+    std::string rows;  // Rows of the trajectory.
   };
-  std::optional<Expected> expected_;  // of a run that is made again
+  std::optional<Expected> expected_;  // Expected state of a re-run.
   int branch_ = -1, nextBranch_ = 0;
-  QElapsedTimer playing_;                      // a recording
-  double playedFrom_ = 0.0;                    // [s], when `playing_` began
-  std::vector<app::StepEntries> pastEntries_;  // of the person who is watched, by step
+  QElapsedTimer playing_;                         // Runs while a recording is played.
+  double playedFrom_ = 0.0;                       // Simulated time when `playing_` started [s].
+  std::vector<app::BlackboardStep> pastEntries_;  // Blackboards of the watched person, by step.
 };
 
 }  // namespace editor

@@ -1,9 +1,9 @@
 #include "editor/document/EditCommands.h"
-#include "editor/document/FreeNames.h"
+#include "editor/document/UniqueNames.h"
 #include "editor/look/Fields.h"
-#include "editor/tools/Crowd.h"
-#include "editor/tools/CrowdOptions.h"
-#include "editor/tools/Drawing.h"
+#include "editor/tools/CrowdGenerator.h"
+#include "editor/tools/DrawingTools.h"
+#include "editor/tools/ToolOptionFields.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/map/Outlines.h"
 
@@ -12,15 +12,15 @@ namespace editor {
 namespace {
 
 constexpr int kKindCount = 4;
-constexpr int kPatternId = 0;        // those who walk themselves count from 1
-constexpr double kSourceRate = 0.5;  // people per second of a new source
+constexpr int kTemplateId = 0;       // The ids of walking people start at 1.
+constexpr double kSourceRate = 0.5;  // Rate of a new source [people/s].
 
-/// Areas: sources, sinks, waiting areas and exits. A drag makes a rectangle, clicks any polygon;
-/// 1 to 4 choose the kind. A source needs somebody whom its people are like: the selected person,
-/// else the first one; without people it brings a pattern of its own that takes no part itself.
-class AreaTool : public ShapeDrawing {
+/// Draws areas: sources, sinks, waiting areas and exits. A drag makes a rectangle, clicks make a
+/// polygon; 1 to 4 select the kind. A source needs a template person: the selected person, else the
+/// first one; without people the tool adds a template that is switched off.
+class AreaTool : public ShapeDrawingTool {
  public:
-  using ShapeDrawing::ShapeDrawing;
+  using ShapeDrawingTool::ShapeDrawingTool;
 
   bool keyPress(const QKeyEvent& event) override {
     const int index = event.key() - Qt::Key_1;
@@ -28,14 +28,14 @@ class AreaTool : public ShapeDrawing {
       setKind(static_cast<sim2d::AreaKind>(index));
       return true;
     }
-    return ShapeDrawing::keyPress(event);
+    return ShapeDrawingTool::keyPress(event);
   }
 
   QWidget* makeOptions(QWidget* parent) override {
     auto* row = new OptionsRow(parent);
     ChoiceField* box = addChoice(
         *row, tr("Kind"),
-        {tr("Source: people come in"), tr("Sink: people leave"), tr("Waiting area"), tr("Exit")},
+        {tr("Source: people appear"), tr("Sink: people leave"), tr("Waiting area"), tr("Exit")},
         static_cast<int>(kind_), [this](int at) { setKind(static_cast<sim2d::AreaKind>(at)); });
     connect(this, &Tool::statusTextChanged, box,
             [this, box] { box->setCurrentIndex(static_cast<int>(kind_)); });
@@ -46,20 +46,22 @@ class AreaTool : public ShapeDrawing {
   QString idleText() const override {
     switch (kind_) {
       case sim2d::AreaKind::Source:
-        return tr("Drag where people come in, or click the corners · 1 to 4 choose the kind");
+        return tr(
+            "Drag an area where people appear, or click its corners · 1 to 4 choose the "
+            "kind");
       case sim2d::AreaKind::Sink:
-        return tr("Drag where people leave after their last goal, or click the corners");
+        return tr("Drag an area where people leave after their last goal, or click its corners");
       case sim2d::AreaKind::Wait:
-        return tr("Drag where people wait, or click the corners · trees name it as their area");
+        return tr("Drag a waiting area, or click its corners · trees refer to it by name");
       case sim2d::AreaKind::Exit:
         break;
     }
-    return tr("Drag an exit that people flee to, or click the corners");
+    return tr("Drag an exit that people flee to, or click its corners");
   }
 
   Entity shapeOf(const Corners& corners) const override {
     sim2d::Area area;
-    area.key = ghostOf(EntityKind::Area);
+    area.key = previewIdOf(EntityKind::Area);
     area.kind = kind_;
     area.points = sim2d::polygonOutline(corners).points;
     return area;
@@ -69,7 +71,7 @@ class AreaTool : public ShapeDrawing {
     if (kind_ == sim2d::AreaKind::Source) {
       makeSource(std::get<sim2d::Area>(shapeOf(corners)));
     } else {
-      ShapeDrawing::make(corners);
+      ShapeDrawingTool::make(corners);
     }
   }
 
@@ -95,12 +97,12 @@ class AreaTool : public ShapeDrawing {
     area.rate = kSourceRate;
     if (const sim2d::Human* human = pattern()) {
       area.like = human->name;
-      addDrawn(document(), std::move(area));
+      addDrawnEntity(document(), std::move(area));
       return;
     }
     sim2d::Human visitor = newPerson();
-    visitor.name = FreeNames(document().scenario()).name("visitor");
-    visitor.id = kPatternId;
+    visitor.name = UniqueNames(document().scenario()).name("visitor");
+    visitor.id = kTemplateId;
     visitor.listed = false;
     visitor.cyclicGoals = false;
     visitor.initPose.position = *positionOf(area);
@@ -108,7 +110,7 @@ class AreaTool : public ShapeDrawing {
       visitor.goals = {document().scenario().goals.front().id};
     }
     area.like = visitor.name;
-    area.name = FreeNames(document().scenario()).name("source");
+    area.name = UniqueNames(document().scenario()).name("source");
     const std::vector<EntityId> ids =
         pushAdd(document(), std::vector<Entity>{visitor, area}, tr("Add source"));
     document().setSelection({ids.back()});

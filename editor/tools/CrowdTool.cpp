@@ -1,6 +1,6 @@
 #include "editor/tools/CrowdTool.h"
 
-#include "editor/tools/CrowdOptions.h"
+#include "editor/tools/ToolOptionFields.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Rng.h"
 
@@ -8,22 +8,22 @@ namespace editor {
 
 namespace {
 
-constexpr int kSideways = -2;  // agent number of the draws beside the drag
+constexpr int kLateralAgent = -2;  // Agent number of the lateral offset draws.
 
-/// Nothing when all had room.
-QString roomText(std::size_t placed, std::size_t wanted) {
+/// Empty if all people found space.
+QString skippedText(std::size_t placed, std::size_t wanted) {
   return placed == wanted ? QString()
-         : placed == 0    ? QObject::tr("There is no room for anybody here")
-                          : QObject::tr("There was room for %1 of %2")
+         : placed == 0    ? QObject::tr("No space for people here")
+                          : QObject::tr("Space for only %1 of %2")
                              .arg(QString::number(placed), peopleText(wanted));
 }
 
 }  // namespace
 
 QString BrushTool::statusText() const {
-  return ground_              ? tr("%1 · Esc drops them").arg(peopleText(people_.size()))
+  return ground_              ? tr("%1 · Esc cancels").arg(peopleText(people_.size()))
          : !result_.isEmpty() ? result_
-                              : tr("Drag to lay people along the way; they look where it goes");
+                              : tr("Drag to place people along the path; they face its direction");
 }
 
 QWidget* BrushTool::makeOptions(QWidget* parent) {
@@ -36,30 +36,30 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
   return row;
 }
 
-void BrushTool::lay(const Vec2& at, double heading) {
-  const int index = nextDraw(document()) + drawn_;
-  sim2d::Human human = drawnPerson(recipe_, index, document().scenario());
-  const base::AgentRng rng(static_cast<std::uint64_t>(recipe_.seed), kSideways,
+void BrushTool::placeAt(const Vec2& at, double heading) {
+  const int index = nextPersonIndex(document()) + drawn_;
+  sim2d::Human human = sampledPerson(recipe_, index, document().scenario());
+  const base::AgentRng rng(static_cast<std::uint64_t>(recipe_.seed), kLateralAgent,
                            static_cast<std::uint64_t>(index));
   ++drawn_;
-  const double aside = rng.uniform(-0.5 * width_, 0.5 * width_, base::Draw::Placement);
+  const double aside = rng.uniform(-0.5 * width_, 0.5 * width_, base::DrawPurpose::Placement);
   const Vec2 place = Pose2{at, heading}.toWorld(Vec2(0.0, aside));
-  human.initPose = {Vec2(toCentimetres(place.x()), toCentimetres(place.y())),
-                    toCentimetres(heading)};
+  human.initPose = {Vec2(roundedToCentimetres(place.x()), roundedToCentimetres(place.y())),
+                    roundedToCentimetres(heading)};
   if (ground_->isFree(human.initPose.position, *human.radius)) {
     ground_->take(human.initPose.position, *human.radius);
     people_.push_back(std::move(human));
   }
 }
 
-void BrushTool::layAlong(const Vec2& world) {
+void BrushTool::placeAlong(const Vec2& world) {
   for (Vec2 way = world - last_; way.norm() >= spacing_; way = world - last_) {
     const double heading = base::headingOf(way);
     if (drawn_ == 1 && people_.size() == 1) {
-      people_.front().initPose.heading = toCentimetres(heading);  // the way shows only now
+      people_.front().initPose.heading = roundedToCentimetres(heading);  // Unknown before.
     }
     last_ += spacing_ * way.normalized();
-    lay(last_, heading);
+    placeAt(last_, heading);
   }
 }
 
@@ -67,22 +67,24 @@ void BrushTool::press(const CanvasMouse& mouse) {
   cancel();
   ground_.emplace(document());
   last_ = mouse.world;
-  lay(last_, drawnPerson(recipe_, nextDraw(document()), document().scenario()).initPose.heading);
+  placeAt(
+      last_,
+      sampledPerson(recipe_, nextPersonIndex(document()), document().scenario()).initPose.heading);
   show();
 }
 
 void BrushTool::move(const CanvasMouse& mouse) {
   if (ground_) {
-    layAlong(mouse.world);
+    placeAlong(mouse.world);
     show();
   }
 }
 
 void BrushTool::release(const CanvasMouse& mouse) {
   if (ground_) {
-    layAlong(mouse.world);
+    placeAlong(mouse.world);
     const std::vector<sim2d::Human> people = std::move(people_);
-    const QString result = roomText(people.size(), static_cast<std::size_t>(drawn_));
+    const QString result = skippedText(people.size(), static_cast<std::size_t>(drawn_));
     cancel();
     addCrowd(document(), people);
     result_ = result;
@@ -104,9 +106,9 @@ void BrushTool::cancel() {
 }
 
 QString FillTool::idleText() const {
-  return result_.isEmpty() ? tr("Drag or click the corners of the ground that %1 are to fill")
-                                 .arg(peopleText(count_))
-                           : result_;
+  return result_.isEmpty()
+             ? tr("Drag or click the corners of an area to fill with %1").arg(peopleText(count_))
+             : result_;
 }
 
 QWidget* FillTool::makeOptions(QWidget* parent) {
@@ -127,7 +129,7 @@ void FillTool::preview(const Corners& corners) {
 
 void FillTool::make(const Corners& corners) {
   const std::vector<sim2d::Human> people = fillCrowd(corners, count_, recipe_, document());
-  result_ = roomText(people.size(), count_);
+  result_ = skippedText(people.size(), count_);
   addCrowd(document(), people);
   Q_EMIT statusTextChanged();
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "editor/tools/Crowd.h"
-#include "editor/tools/Drawing.h"
+#include "editor/tools/CrowdGenerator.h"
+#include "editor/tools/DrawingTools.h"
 
 namespace editor {
 
-/// People along a drag, looking where it goes, one every `spacing` metres and up to half of `width`
-/// beside it. A click places one. Those without room are left out.
+/// Places people along a drag, facing its direction, one every `spacing` metres and up to half of
+/// `width` beside it. A click places one person. Positions without free space are skipped.
 class BrushTool : public Tool {
   Q_OBJECT
  public:
@@ -25,26 +25,26 @@ class BrushTool : public Tool {
   void setWidth(double metres) { width_ = metres; }
 
  private:
-  void lay(const Vec2& at, double heading);
-  void layAlong(const Vec2& world);
+  void placeAt(const Vec2& at, double heading);
+  void placeAlong(const Vec2& world);
   void show();
 
   CrowdRecipe recipe_;
-  double spacing_ = 1.0;              // [m]
-  double width_ = 0.0;                // [m]
-  std::optional<FreeGround> ground_;  // while a gesture lasts
+  double spacing_ = 1.0;             // [m]
+  double width_ = 0.0;               // [m]
+  std::optional<FreeSpace> ground_;  // Exists during a gesture.
   std::vector<sim2d::Human> people_;
-  Vec2 last_ = Vec2::Zero();  // place on the drag of the last one
-  int drawn_ = 0;             // people drawn by the recipe so far
-  QString result_;            // of the last drag, when not all had room
+  Vec2 last_ = Vec2::Zero();  // Position of the last person along the drag.
+  int drawn_ = 0;             // Number of people drawn by the recipe so far.
+  QString result_;            // Message after a drag in which some people found no space.
 };
 
-/// Fills a polygon with people; as many as fit when there is too little room. The people are shown
-/// while the polygon grows.
-class FillTool : public CornerDrawing {
+/// Fills a polygon with people, or with as many as fit. The people are shown while the polygon is
+/// drawn.
+class FillTool : public CornerDrawingTool {
   Q_OBJECT
  public:
-  using CornerDrawing::CornerDrawing;
+  using CornerDrawingTool::CornerDrawingTool;
 
   QWidget* makeOptions(QWidget* parent) override;
 
@@ -60,7 +60,7 @@ class FillTool : public CornerDrawing {
  private:
   CrowdRecipe recipe_;
   std::size_t count_ = 20;
-  QString result_;  // of the last fill, when not all had room
+  QString result_;  // Message after a fill in which some people found no space.
 };
 
 }  // namespace editor

@@ -8,21 +8,20 @@ namespace editor {
 
 namespace {
 
-constexpr double kStepPx = 4.0;  // between the spots looked at in a sweep
+constexpr double kStepPx = 4.0;  // Distance between the sampled points of a drag.
 
-/// Removes what is clicked, or all that a sweep crosses, with one command; routes and sources
-/// follow. Areas lie under everything and go by a click only.
+/// Removes the clicked entity, or all entities crossed by a drag, with one command; routes and
+/// sources are updated. Areas are removed by a click only, because they lie beneath everything.
 class EraserTool : public Tool {
  public:
   using Tool::Tool;
 
   QString statusText() const override {
     if (pressedOn_) {
-      return taken_.size() == 1
-                 ? tr("Let go to remove it · Esc keeps it")
-                 : tr("Let go to remove %1 things · Esc keeps them").arg(taken_.size());
+      return taken_.size() == 1 ? tr("Release to remove it · Esc cancels")
+                                : tr("Release to remove %1 items · Esc cancels").arg(taken_.size());
     }
-    return tr("Click what is to go, or sweep over it · Areas go by a click");
+    return tr("Click items to remove them, or drag over them · Click areas to remove them");
   }
 
   void pressOther(Qt::MouseButton) override { cancel(); }
@@ -41,7 +40,7 @@ class EraserTool : public Tool {
     }
     if (!sweeping_ && isDrag(from_, mouse)) {
       sweeping_ = true;
-      if (pressedOn_->kind == EntityKind::Area) {  // it was only the ground of the sweep
+      if (pressedOn_->kind == EntityKind::Area) {  // The area was only the start of the drag.
         taken_.clear();
         scene().setFaded({});
       }
@@ -91,9 +90,9 @@ class EraserTool : public Tool {
   }
 
   std::vector<EntityId> taken_;
-  std::optional<EntityId> pressedOn_;  // while the button is down; may be none
-  Vec2 from_ = Vec2::Zero();           // of the gesture
-  Vec2 at_ = Vec2::Zero();             // as far as swept
+  std::optional<EntityId> pressedOn_;  // Set while the button is pressed; may be none.
+  Vec2 from_ = Vec2::Zero();           // Start of the gesture.
+  Vec2 at_ = Vec2::Zero();             // End of the processed part.
   bool sweeping_ = false;
 };
 

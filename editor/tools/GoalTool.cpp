@@ -1,21 +1,22 @@
 #include "editor/document/EditCommands.h"
-#include "editor/document/FreeNames.h"
+#include "editor/document/UniqueNames.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
 namespace {
 
-constexpr EntityId kGhost{EntityKind::Goal, -1};
+constexpr EntityId kPreviewId{EntityKind::Goal, -1};
 
-/// Click adds a goal; a click on a goal picks it up and the next one drops it, a drag moves it.
+/// A click adds a goal. A click on a goal picks it up and the next click places it; a drag moves
+/// it.
 class GoalTool : public Tool {
  public:
   using Tool::Tool;
 
   QString statusText() const override {
-    if (held_ && held_->key != kGhost) {
-      return tr("Click to drop goal %1 · Esc leaves it where it was").arg(held_->id);
+    if (held_ && held_->key != kPreviewId) {
+      return tr("Click to place goal %1 · Esc cancels").arg(held_->id);
     }
     return tr("Click to add a goal · Click or drag a goal to move it");
   }
@@ -24,7 +25,7 @@ class GoalTool : public Tool {
     pressed_ = true;
     from_ = mouse.world;
     justPicked_ = false;
-    if (held_) {  // picked up by the click before
+    if (held_) {  // Picked up by the previous click.
       preview(placeOf(mouse));
       return;
     }
@@ -37,8 +38,8 @@ class GoalTool : public Tool {
       document().setSelection({goal->key});
     } else {
       held_ = sim2d::GlobalGoal();
-      held_->key = kGhost;
-      held_->id = FreeNames(document().scenario()).nextGoal();
+      held_->key = kPreviewId;
+      held_->id = UniqueNames(document().scenario()).nextGoal();
       preview(placeOf(mouse));
     }
     Q_EMIT statusTextChanged();
@@ -56,7 +57,7 @@ class GoalTool : public Tool {
 
   void release(const CanvasMouse& mouse) override {
     const bool wasPressed = std::exchange(pressed_, false);
-    const bool isPickedUp = justPicked_ && !isDrag(from_, mouse);  // follows until the next click
+    const bool isPickedUp = justPicked_ && !isDrag(from_, mouse);  // Follows until next click.
     if (wasPressed && held_ && !isPickedUp) {
       drop(placeOf(mouse));
     }
@@ -81,7 +82,7 @@ class GoalTool : public Tool {
     sim2d::GlobalGoal goal = *held_;
     cancel();
     goal.position = at;
-    if (goal.key == kGhost) {
+    if (goal.key == kPreviewId) {
       document().setSelection({pushAdd(document(), goal)});
     } else {
       pushEdit(document(), {goal}, tr("Move goal %1").arg(goal.id));
@@ -93,9 +94,9 @@ class GoalTool : public Tool {
     return snapToGrid(mouse);
   }
 
-  std::optional<sim2d::GlobalGoal> held_;  // without a key in the document: a new one
+  std::optional<sim2d::GlobalGoal> held_;  // Without a key in the document: a new goal.
   Vec2 from_ = Vec2::Zero();
-  Vec2 grip_ = Vec2::Zero();  // from the cursor to the tip of the pin
+  Vec2 grip_ = Vec2::Zero();  // Offset from the cursor to the tip of the pin.
   bool pressed_ = false;
   bool justPicked_ = false;
 };

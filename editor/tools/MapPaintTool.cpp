@@ -2,7 +2,7 @@
 #include <array>
 
 #include "editor/document/MapEdit.h"
-#include "editor/tools/CrowdOptions.h"
+#include "editor/tools/ToolOptionFields.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Math.h"
 
@@ -11,21 +11,20 @@ namespace editor {
 namespace {
 
 constexpr std::array<MapPaint, 3> kPaints = {MapPaint::Occupied, MapPaint::Free, MapPaint::Unknown};
-constexpr double kLeastWidth = 0.05;  // of the brush [m]
-constexpr double kMostWidth = 5.0;
+constexpr double kMinWidth = 0.05;  // Brush width [m].
+constexpr double kMaxWidth = 5.0;
 
-/// Cells of the map under a brush become wall, free or unknown; one command per stroke. Shift
-/// paints free ground, whatever is chosen; 1, 2 and 3 choose, brackets make the brush smaller and
-/// larger.
+/// Paints map cells as wall, free or unknown; one command per stroke. Shift paints free cells
+/// regardless of the choice; 1, 2 and 3 choose, brackets change the brush width.
 class MapPaintTool : public Tool {
  public:
   using Tool::Tool;
 
   QString statusText() const override {
     if (document().map()->isEmpty()) {
-      return tr("There is no map to paint on: begin with a room, a map or an image");
+      return tr("No map to paint on: start with a room, a map or an image");
     }
-    const QStringList grounds = {tr("walls"), tr("free ground"), tr("unknown ground")};
+    const QStringList grounds = {tr("walls"), tr("free space"), tr("unknown space")};
     return tr("Drag to paint %1, %2 m wide · 1 wall, 2 free, 3 unknown · [ ] width · Shift: free")
         .arg(grounds[paint_])
         .arg(width_, 0, 'f', 2);
@@ -47,11 +46,11 @@ class MapPaintTool : public Tool {
 
   QWidget* makeOptions(QWidget* parent) override {
     auto* row = new OptionsRow(parent);
-    const QStringList words = {tr("Wall"), tr("Free ground"), tr("Unknown")};  // as in kPaints
+    const QStringList words = {tr("Wall"), tr("Free space"), tr("Unknown")};  // As in kPaints.
     ChoiceField* paint =
         addChoice(*row, tr("Paint"), words, paint_, [this](int index) { setPaint(index); });
-    paint->setAccessibleName(tr("What is painted"));
-    NumberField* width = addNumber(*row, tr("Width"), {kLeastWidth, kMostWidth, 2, 0.05}, tr("m"),
+    paint->setAccessibleName(tr("Cell type"));
+    NumberField* width = addNumber(*row, tr("Width"), {kMinWidth, kMaxWidth, 2, 0.05}, tr("m"),
                                    width_, [this](double value) { setWidth(value); });
     connect(this, &Tool::statusTextChanged, row, [this, paint, width] {
       paint->setCurrentIndex(paint_);
@@ -108,13 +107,13 @@ class MapPaintTool : public Tool {
   }
 
   void setWidth(double metres) {
-    width_ = std::clamp(metres, kLeastWidth, kMostWidth);
+    width_ = std::clamp(metres, kMinWidth, kMaxWidth);
     Q_EMIT statusTextChanged();
   }
 
   void paintTo(const Vec2& at) { stroke_->paint(way_.back(), at, 0.5 * width_, strokePaint_); }
 
-  /// What the stroke covers so far, and the brush.
+  /// Shows the current stroke and the brush.
   void show(const Vec2& at) {
     constexpr int kCorners = 24;
     ToolLine brush;
@@ -129,9 +128,9 @@ class MapPaintTool : public Tool {
     marks().strokeWidth = width_;
   }
 
-  int paint_ = 0;                    // in the order of kPaints
-  double width_ = 0.2;               // of the brush [m]
-  std::optional<MapStroke> stroke_;  // while a gesture lasts
+  int paint_ = 0;                    // Index in kPaints.
+  double width_ = 0.2;               // Brush width [m].
+  std::optional<MapStroke> stroke_;  // Exists during a gesture.
   MapPaint strokePaint_ = MapPaint::Occupied;
   std::vector<Vec2> way_;
 };

@@ -4,7 +4,7 @@ namespace editor {
 
 namespace {
 
-/// Distance and angle by a drag; the line stays until the next one. Changes nothing.
+/// Measures distance and angle by a drag; the line stays until the next one. Changes nothing.
 class MeasureTool : public Tool {
  public:
   using Tool::Tool;
@@ -14,7 +14,7 @@ class MeasureTool : public Tool {
       return tr("Drag from one point to another · Shift: 15° steps");
     }
     const Vec2 way = span_->second - span_->first;
-    return tr("Distance %1 m · angle %2 · across %3 m · up %4 m")
+    return tr("Distance %1 m · angle %2 · Δx %3 m · Δy %4 m")
         .arg(way.norm(), 0, 'f', 3)
         .arg(headingText(base::headingOf(way)))
         .arg(way.x(), 0, 'f', 3)
@@ -59,7 +59,7 @@ class MeasureTool : public Tool {
   }
 
  private:
-  std::optional<std::pair<Vec2, Vec2>> span_;  // from where to where; none before the first drag
+  std::optional<std::pair<Vec2, Vec2>> span_;  // Start and end; none before the first drag.
   Vec2 pressedAt_ = Vec2::Zero();
   bool pressed_ = false;
 };

@@ -5,25 +5,25 @@ namespace editor {
 
 namespace {
 
-/// The left button moves the map. The views do the work.
+/// The left button pans the map. The views implement it.
 class PanTool : public Tool {
  public:
   using Tool::Tool;
 
   QString statusText() const override { return tr("Drag to move the map · Wheel zooms"); }
   QCursor cursor() const override { return Qt::OpenHandCursor; }
-  void activate() override { setHandPan(true); }
-  void deactivate() override { setHandPan(false); }
+  void activate() override { setLeftButtonPan(true); }
+  void deactivate() override { setLeftButtonPan(false); }
   void press(const CanvasMouse&) override {}
   void move(const CanvasMouse&) override {}
   void release(const CanvasMouse&) override {}
   void cancel() override {}
 
  private:
-  void setHandPan(bool on) {
+  void setLeftButtonPan(bool on) {
     for (QGraphicsView* view : scene().views()) {
       if (auto* mapView = qobject_cast<MapView*>(view)) {
-        mapView->setHandPan(on);
+        mapView->setLeftButtonPan(on);
       }
     }
   }

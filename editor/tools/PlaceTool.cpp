@@ -1,17 +1,17 @@
 #include <algorithm>
 
 #include "editor/document/EditCommands.h"
-#include "editor/tools/Crowd.h"
-#include "editor/tools/Drawing.h"
+#include "editor/tools/CrowdGenerator.h"
+#include "editor/tools/DrawingTools.h"
 #include "editor/tools/ToolRegistry.h"
 
-// People, robots and docks.
+// Tools for people, robots and docks.
 namespace editor {
 
 namespace {
 
-/// Press places somebody, a drag turns it, by whole degrees (Ctrl: by 22.5, Alt: freely). A click
-/// leaves it turned as the last one was.
+/// A press places an entity; a drag sets its heading in whole degrees (Ctrl: 22.5 degrees, Alt:
+/// free). A click reuses the last heading.
 class PlacingTool : public Tool {
  public:
   using Tool::Tool;
@@ -25,7 +25,7 @@ class PlacingTool : public Tool {
 
   void move(const CanvasMouse& mouse) override {
     if (placing_ && isDrag(from_, mouse)) {
-      placing_ = turned(*placing_, headingTo(mouse));
+      placing_ = withHeading(*placing_, headingTo(mouse));
       scene().setPreview({*placing_});
       marks().arrow = {from_, mouse.world};
       marks().tag = {mouse.world, headingText(*headingOf(*placing_))};
@@ -34,7 +34,8 @@ class PlacingTool : public Tool {
 
   void release(const CanvasMouse& mouse) override {
     if (placing_) {
-      const Entity value = isDrag(from_, mouse) ? turned(*placing_, headingTo(mouse)) : *placing_;
+      const Entity value =
+          isDrag(from_, mouse) ? withHeading(*placing_, headingTo(mouse)) : *placing_;
       cancel();
       lastHeading_ = *headingOf(value);
       place(value);
@@ -48,7 +49,7 @@ class PlacingTool : public Tool {
 
  protected:
   virtual Entity somebodyAt(const Vec2& place, const CanvasMouse& mouse) const = 0;
-  virtual void place(const Entity& value) = 0;  // one command
+  virtual void place(const Entity& value) = 0;  // One command.
 
   bool isPlacing() const { return placing_.has_value(); }
   double lastHeading() const { return lastHeading_; }
@@ -73,14 +74,14 @@ class PersonTool : public PlacingTool {
   using PlacingTool::PlacingTool;
 
   QString statusText() const override {
-    return isPlacing() ? tr("Drag to where the person looks · Esc drops it")
-                       : tr("Press to place a person, drag to turn it");
+    return isPlacing() ? tr("Drag to set the heading · Esc cancels")
+                       : tr("Click to place a person; drag to set the heading");
   }
 
  protected:
   Entity somebodyAt(const Vec2& place, const CanvasMouse&) const override {
     sim2d::Human human = newPerson();
-    human.key = ghostOf(EntityKind::Human);
+    human.key = previewIdOf(EntityKind::Human);
     human.initPose = {place, lastHeading()};
     human.hasInitPose = true;
     return human;
@@ -93,18 +94,19 @@ class PersonTool : public PlacingTool {
   }
 };
 
-/// Press and drag sets where the robot starts and looks; the next click is its goal (a point, or a
-/// goal of the map). Changes the selected robot, else the first one; Shift makes another.
+/// Press and drag set the start pose of the robot; the next click sets its goal (a point, or a goal
+/// of the map). Changes the selected robot, else the first one; Shift adds another.
 class RobotTool : public PlacingTool {
  public:
   using PlacingTool::PlacingTool;
 
   QString statusText() const override {
     if (document().contains(waitsForGoal_) && waitsForGoal_) {
-      return tr("Click the robot's goal · Esc: no change of the goal");
+      return tr("Click the goal of the robot · Esc keeps the current goal");
     }
-    return isPlacing() ? tr("Drag to where the robot looks · Esc drops it")
-                       : tr("Press where the robot starts, drag to turn it · Shift makes another");
+    return isPlacing() ? tr("Drag to set the heading · Esc cancels")
+                       : tr("Click to place the robot; drag to set the heading · Shift adds "
+                            "another");
   }
 
   void activate() override { waitsForGoal_ = {}; }
@@ -133,7 +135,7 @@ class RobotTool : public PlacingTool {
   Entity somebodyAt(const Vec2& place, const CanvasMouse& mouse) const override {
     const std::vector<sim2d::Robot>& robots = document().scenario().robots;
     sim2d::Robot robot;
-    robot.key = ghostOf(EntityKind::Robot);
+    robot.key = previewIdOf(EntityKind::Robot);
     robot.start.heading = lastHeading();
     if (!mouse.modifiers.testFlag(Qt::ShiftModifier) && !robots.empty()) {
       const auto isSelected = [this](const auto& each) { return document().isSelected(each.key); };
@@ -145,7 +147,7 @@ class RobotTool : public PlacingTool {
   }
 
   void place(const Entity& value) override {
-    if (idOf(value) == ghostOf(EntityKind::Robot)) {
+    if (idOf(value) == previewIdOf(EntityKind::Robot)) {
       waitsForGoal_ = pushAdd(document(), value);
     } else {
       pushEdit(document(), {value}, tr("Place %1").arg(displayName(value)));
@@ -163,15 +165,14 @@ class RobotTool : public PlacingTool {
     if (goal != nullptr) {
       pushRoute(document(), {robot}, {goal->id});
     } else {
-      pushChange<sim2d::Robot>(document(), robot, tr("Goal of the robot"),
-                               [&](sim2d::Robot& value) {
-                                 value.goal.goals.clear();
-                                 value.goal.point = snapToGrid(mouse);
-                               });
+      pushChange<sim2d::Robot>(document(), robot, tr("Set robot goal"), [&](sim2d::Robot& value) {
+        value.goal.goals.clear();
+        value.goal.point = snapToGrid(mouse);
+      });
     }
   }
 
-  EntityId waitsForGoal_;  // the robot whose start was just set
+  EntityId waitsForGoal_;  // The robot whose start was just set.
 };
 
 class DockTool : public PlacingTool {
@@ -179,14 +180,14 @@ class DockTool : public PlacingTool {
   using PlacingTool::PlacingTool;
 
   QString statusText() const override {
-    return isPlacing() ? tr("Drag to where a docked robot heads · Esc cancels")
-                       : tr("Click where a docked robot stands; drag to set its heading");
+    return isPlacing() ? tr("Drag to set the heading of a docked robot · Esc cancels")
+                       : tr("Click the position of a docked robot; drag to set its heading");
   }
 
  protected:
   Entity somebodyAt(const Vec2& place, const CanvasMouse&) const override {
     sim2d::Dock dock;
-    dock.key = ghostOf(EntityKind::Dock);
+    dock.key = previewIdOf(EntityKind::Dock);
     dock.pose = {place, lastHeading()};
     return dock;
   }

@@ -11,8 +11,8 @@ bool isWalker(EntityId id) {
   return id.kind == EntityKind::Human || id.kind == EntityKind::Robot;
 }
 
-/// Click goals in the order in which the selected people are to visit them. Enter, a double click
-/// or another tool takes the route over; Escape drops it, Backspace takes the last goal back.
+/// Click goals in the order in which the selected people visit them. Enter, a double click or
+/// another tool applies the route; Escape discards it, Backspace removes the last goal.
 class RouteTool : public Tool {
  public:
   using Tool::Tool;
@@ -22,16 +22,16 @@ class RouteTool : public Tool {
       return refusal_;
     }
     if (walkers().empty()) {
-      return tr("Click the person or robot whose route it is (Shift adds more)");
+      return tr("Click the person or robot that follows the route (Shift adds more)");
     }
     if (goals_.empty()) {
-      return tr("Click the goals in the order of visiting");
+      return tr("Click the goals in visiting order");
     }
     QStringList numbers;
     for (const int goal : goals_) {
       numbers << QString::number(goal);
     }
-    return tr("Route %1 · Enter takes it · Backspace takes one back · Esc drops it")
+    return tr("Route %1 · Enter applies · Backspace removes the last goal · Esc cancels")
         .arg(numbers.join(QStringLiteral(" → ")));
   }
 
@@ -92,7 +92,7 @@ class RouteTool : public Tool {
   }
 
  private:
-  /// selected people and robots
+  /// The selected people and robots.
   std::vector<EntityId> walkers() const {
     std::vector<EntityId> ids = document().selection();
     ids.erase(std::remove_if(ids.begin(), ids.end(), [](EntityId id) { return !isWalker(id); }),
@@ -100,15 +100,15 @@ class RouteTool : public Tool {
     return ids;
   }
 
-  /// Null: there is none where the mouse was.
+  /// Null: no goal at the mouse position.
   void addGoal(const sim2d::GlobalGoal* goal) {
     refusedFor_ = document().selection();
     if (walkers().empty()) {
-      refusal_ = tr("Nobody is selected: click a person or robot first");
+      refusal_ = tr("Nothing is selected: click a person or robot first");
     } else if (goal == nullptr) {
-      refusal_ = tr("There is no goal here: click the pin of one, G makes more");
+      refusal_ = tr("No goal here: click the pin of a goal, or press G to add goals");
     } else if (!goals_.empty() && goals_.back() == goal->id) {
-      refusal_ = tr("%1 is the last of the route already").arg(goalName(goal->id));
+      refusal_ = tr("%1 is already the last goal of the route").arg(goalName(goal->id));
     } else {
       goals_.push_back(goal->id);
     }
@@ -130,8 +130,8 @@ class RouteTool : public Tool {
   }
 
   std::vector<int> goals_;
-  QString refusal_;                   // why the last click did nothing
-  std::vector<EntityId> refusedFor_;  // the selection then
+  QString refusal_;                   // Reason why the last click had no effect.
+  std::vector<EntityId> refusedFor_;  // The selection at that time.
 };
 
 }  // namespace

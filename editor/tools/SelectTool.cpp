@@ -24,23 +24,23 @@ bool hasHandle(const Entity& entity, Handle::Kind kind) {
                      [kind](const Handle& handle) { return handle.kind == kind; });
 }
 
-/// Click selects, drag moves, handles turn and size, a drag from empty ground selects what lies
-/// inside; arrows nudge. During a run it selects, and a drag pulls a robot.
+/// A click selects, a drag moves, handles rotate and resize, a drag from free ground selects the
+/// enclosed entities, arrow keys nudge. During a run it selects, and a drag pulls a robot.
 class SelectTool : public Tool {
  public:
   using Tool::Tool;
 
   QString statusText() const override {
     if (scene().isRunMode()) {
-      return scene().pull()        ? tr("The robot follows until the button goes up")
-             : scene().armedPush() ? tr("Drag an arrow: the longer, the stronger the push · Esc")
+      return scene().pull()        ? tr("The robot follows until you release the button")
+             : scene().armedPush() ? tr("Drag an arrow: a longer arrow pushes harder · Esc cancels")
              : scene().isPullable()
-                 ? tr("Click a person to look closer · Shift+drag pushes them · Drag a robot to "
-                      "lead it · Space pauses")
-                 : tr("Click a person to look closer · Space pauses");
+                 ? tr("Click a person for details · Shift+drag to push · Drag a robot to lead it · "
+                      "Space pauses")
+                 : tr("Click a person for details · Space pauses");
     }
     if (document().selection().empty()) {
-      return tr("Click to select · Drag over empty ground to select several");
+      return tr("Click to select · Drag over empty space to select several");
     }
     const std::optional<Entity> value = document().entity(document().selection().front());
     const bool isOnly = document().selection().size() == 1 && value;
@@ -48,10 +48,10 @@ class SelectTool : public Tool {
     if (isOnly && hasHandle(*value, Handle::Kind::Turn)) {
       parts << tr("Drag the round handle to turn");
     } else if (isOnly && hasHandle(*value, Handle::Kind::Size)) {
-      parts << tr("Drag a corner to size");
+      parts << tr("Drag a corner to resize");
     }
     if (isOnly && cornersOf(*value) != nullptr) {
-      parts << tr("Double click an edge for a new corner");
+      parts << tr("Double-click an edge to add a corner");
     } else {
       parts << tr("Ctrl+D duplicates") << tr("Del removes");
     }
@@ -59,7 +59,7 @@ class SelectTool : public Tool {
   }
 
   QCursor cursor() const override { return cursor_; }
-  /// the selection stays for the next tool
+  /// Keeps the selection for the next tool.
   void deactivate() override {
     end();
     scene().setHovered({});
@@ -73,14 +73,14 @@ class SelectTool : public Tool {
       if (beginPush(agent, mouse)) {
         return;
       }
-      watch(agent);
+      selectAgent(agent);
       const bool isRobot = agent && *agent < 0;
       pulledRobot_ = isRobot && scene().isPullable() ? agent : std::nullopt;
       return;
     }
     grabbed_ = scene().entityAt(mouse.world);
-    const bool isOfAnother = grabbed_ && !document().isSelected(grabbed_);
-    if (!(isAdding(mouse) && isOfAnother) && grabHandle(mouse)) {
+    const bool hasOtherScenario = grabbed_ && !document().isSelected(grabbed_);
+    if (!(isAdding(mouse) && hasOtherScenario) && grabHandle(mouse)) {
       return;
     }
     if (!grabbed_) {
@@ -93,7 +93,7 @@ class SelectTool : public Tool {
     } else if (!document().isSelected(grabbed_)) {
       document().setSelection({grabbed_});
     } else {
-      deselectOnRelease_ = true;  // a click on one of several leaves only that one
+      deselectOnRelease_ = true;  // A click on one of several selects only that one.
     }
     if (!isAdding(mouse) && grabbed_.kind == EntityKind::Robot) {
       grabRobotGoal(mouse);
@@ -152,7 +152,7 @@ class SelectTool : public Tool {
     Q_EMIT statusTextChanged();
   }
 
-  /// On an edge of a selected outline: a new corner; on a corner: away with it.
+  /// On an edge of a selected outline: adds a corner; on a corner: removes it.
   void doubleClick(const CanvasMouse& mouse) override {
     if (mouse.button != Qt::LeftButton || scene().isRunMode() ||
         document().selection().size() != 1) {
@@ -166,14 +166,14 @@ class SelectTool : public Tool {
     const auto [owner, handle] = scene().selectionLayer().handleAt(mouse.world);
     if (handle.kind == Handle::Kind::Vertex) {
       end();
-      if (corners->size() > fewestCorners(*value)) {
+      if (corners->size() > minimumCorners(*value)) {
         corners->erase(corners->begin() + handle.index);
         pushEdit(document(), {*value}, tr("Remove corner"));
       }
       return;
     }
     const double reach = kSnapReachPx / mouse.pixelsPerMetre;
-    if (const std::optional<std::size_t> edge = edgeNear(*value, mouse.world, reach)) {
+    if (const std::optional<std::size_t> edge = outlineEdgeAt(*value, mouse.world, reach)) {
       end();
       const Vec2 place = snap(mouse, {std::nullopt, {idOf(*value)}});
       corners->insert(corners->begin() + static_cast<std::ptrdiff_t>(*edge) + 1, place);
@@ -188,7 +188,7 @@ class SelectTool : public Tool {
     if (scene().armedPush()) {
       scene().armPush({});
     } else if (wasIdle) {
-      watch({});
+      selectAgent({});
     }
     scene().setHovered({});
     Q_EMIT statusTextChanged();
@@ -214,19 +214,19 @@ class SelectTool : public Tool {
 
  private:
   enum class Gesture { None, Pressed, Moving, Handle, Band };
-  /// In a run. Who came in by a source is nothing of the document, so that nothing is selected
-  /// then.
-  void watch(std::optional<int> agent) {
+  /// Selects an agent of a run. A spawned agent is not in the document, so the document selection
+  /// is then empty.
+  void selectAgent(std::optional<int> agent) {
     const EntityId known = agent ? scene().frameLayer().entityOf(*agent) : EntityId();
     document().setSelection(known ? std::vector<EntityId>{known} : std::vector<EntityId>());
-    scene().setGuest(known ? std::nullopt : agent);
+    scene().setSpawnedAgent(known ? std::nullopt : agent);
   }
-  /// A metre of the arrow is a metre per second.
+  /// One metre of the arrow is 1 m/s.
   Vec2 pushTo(const CanvasMouse& mouse) const {
     const Vec2 drawn = mouse.world - from_;
     return drawn.norm() > kStrongestPush ? Vec2(kStrongestPush * drawn.normalized()) : drawn;
   }
-  /// With Shift from a person, or from anywhere after the menu has asked for it.
+  /// With Shift from a person, or from anywhere after the menu has armed the push.
   bool beginPush(std::optional<int> agent, const CanvasMouse& mouse) {
     const bool isPerson = agent && *agent >= 0 && mouse.modifiers.testFlag(Qt::ShiftModifier);
     pushedPerson_ = scene().armedPush()                ? scene().armedPush()
@@ -276,7 +276,8 @@ class SelectTool : public Tool {
   }
 
   void grabRobotGoal(const CanvasMouse& mouse) {
-    // Selected just now, it shows its handles: one drag is enough to move its goal.
+    // The handles of a robot selected by this press are visible, so that a single drag can move its
+    // goal.
     const EntityId robot = grabbed_;
     if (grabHandle(mouse) && (grabbed_ != robot || handle_.kind != Handle::Kind::RobotGoal)) {
       gesture_ = Gesture::Pressed;
@@ -291,16 +292,16 @@ class SelectTool : public Tool {
       return Vec2::Zero();
     }
     Vec2 delta = mouse.world - from_;
-    SnapWish wish;
+    SnapRequest wish;
     wish.without = document().selection();
-    wish.ontoWalls = grabbed_.kind != EntityKind::Goal;  // nobody can reach one there
-    if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {   // along one axis
+    wish.ontoWalls = grabbed_.kind != EntityKind::Goal;  // Goals at walls are unreachable.
+    if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {   // Along one axis.
       (std::abs(delta.x()) < std::abs(delta.y()) ? delta.x() : delta.y()) = 0.0;
       wish.ontoPoints = false;
     }
     CanvasMouse target = mouse;
     if (wish.ontoPoints && grabbed_.kind != EntityKind::Robot) {
-      for (const Vec2& own : snapPointsOf(*entity)) {  // a corner may hold as well as the middle
+      for (const Vec2& own : snapPointsOf(*entity)) {  // Corners snap as well as the centre.
         target.world = own + delta;
         if (snapped(scene(), target, wish).isOnPoint) {
           return snap(target, wish) - own;
@@ -331,7 +332,7 @@ class SelectTool : public Tool {
       return;
     }
     const Vec2 to = handleTarget(*entity, mouse);
-    pulled_ = pulled(*entity, handle_, to, mouse.modifiers.testFlag(Qt::AltModifier));
+    pulled_ = withHandleMoved(*entity, handle_, to, mouse.modifiers.testFlag(Qt::AltModifier));
     scene().setPreview({*pulled_});
     marks().tag = {mouse.world, handleText(*entity, to)};
   }
@@ -347,14 +348,14 @@ class SelectTool : public Tool {
     if (handle_.kind == Handle::Kind::Size && kindOf(entity) == EntityKind::Human) {
       return mouse.world;
     }
-    SnapWish wish;
+    SnapRequest wish;
     wish.without = {grabbed_};
     const std::vector<Vec2>* corners = cornersOf(entity);
     if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
       wish.anchor = handle_.index == 0 ? door->to : door->from;
     } else if (corners != nullptr && handle_.kind == Handle::Kind::Vertex && corners->size() > 1) {
       const auto index = static_cast<std::size_t>(handle_.index);
-      const bool isStart = index == 0 && hasOpenLine(entity);
+      const bool isStart = index == 0 && isOpenPolyline(entity);
       wish.anchor = (*corners)[isStart ? 1 : (index + corners->size() - 1) % corners->size()];
     }
     return snap(mouse, wish);
@@ -424,8 +425,8 @@ class SelectTool : public Tool {
   std::optional<Entity> pulled_;
   Qt::CursorShape cursor_ = Qt::ArrowCursor;
   bool deselectOnRelease_ = false;
-  std::optional<int> pulledRobot_;   // pressed on in a run, as in frames
-  std::optional<int> pushedPerson_;  // idem, whose arrow is drawn
+  std::optional<int> pulledRobot_;   // The robot pressed in a run, by its id in the frames.
+  std::optional<int> pushedPerson_;  // The person being pushed, by the id in the frames.
 };
 
 }  // namespace

@@ -1,9 +1,16 @@
 #include "editor/tools/SelectionActions.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+
+#include <QJsonDocument>
+#include <QJsonObject>
 
 #include "editor/document/EditCommands.h"
+#include "editor/document/Entity.h"
 #include "editor/document/Geometry.h"
+#include "editor/document/UniqueNames.h"
 
 namespace editor {
 
@@ -46,7 +53,7 @@ Extent wholeOf(const std::vector<Piece>& pieces) {
   return *extentOf(corners);
 }
 
-/// The corner or middle by which pieces are aligned.
+/// The corner or centre by which bounding boxes are aligned.
 Vec2 placeOf(const Extent& extent, Align how) {
   if (how == Align::CentreX || how == Align::CentreY) {
     return extent.centre();
@@ -65,7 +72,7 @@ void alignSelection(ScenarioDocument& document, Align how) {
   std::vector<Entity> values;
   for (const Piece& piece : pieces) {
     Vec2 offset = placeOf(whole, how) - placeOf(piece.extent, how);
-    offset(how < Align::Top ? 1 : 0) = 0.0;  // along one axis
+    offset(how < Align::Top ? 1 : 0) = 0.0;  // Along one axis.
     values.push_back(moved(piece.value, offset));
   }
   pushEdit(document, std::move(values), QObject::tr("Align"));
@@ -109,6 +116,193 @@ void rotateSelection(ScenarioDocument& document, double angle) {
     values.push_back(rotated(piece.value, centre, angle));
   }
   pushEdit(document, std::move(values), QObject::tr("Rotate"));
+}
+
+namespace {
+
+constexpr const char* kTrees = "application/x-hunavsim-trees";
+/// A comment in the text that lists goals included only because of routes.
+constexpr const char* kAlong = "# goals along: ";
+constexpr const char* kHead = "# copied from HuNavSim Desktop\n";
+
+void addRoute(sim2d::Scenario& copied, const sim2d::Scenario& all, const std::vector<int>& goals,
+              QStringList& along) {
+  for (const int id : goals) {
+    const sim2d::GlobalGoal* goal = all.goal(id);
+    if (goal != nullptr && copied.goal(id) == nullptr) {
+      copied.goals.push_back(*goal);
+      along << QString::number(id);
+    }
+  }
+}
+
+sim2d::Scenario selected(const ScenarioDocument& document) {
+  sim2d::Scenario copied;
+  forEachList(document.scenario(), [&](EntityKind /*kind*/, const auto& list) {
+    for (const auto& value : list) {
+      if (document.isSelected(value.key)) {
+        listOf<std::decay_t<decltype(value)>>(copied).push_back(value);
+      }
+    }
+  });
+  return copied;
+}
+
+std::set<int> goalsAlong(const QString& text) {
+  std::set<int> ids;
+  for (const QString& line : text.split(QLatin1Char('\n'))) {
+    if (line.startsWith(QLatin1String(kAlong))) {
+      const QString words = line.mid(static_cast<int>(qstrlen(kAlong)));
+      for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        ids.insert(word.toInt());
+      }
+    }
+  }
+  return ids;
+}
+
+/// Replaces names and numbers that are taken before the command does, so that references can be
+/// updated.
+struct Renaming {
+  Renaming(const ScenarioDocument& document, const Vec2& shift, QJsonObject treesOfNames)
+      : present(document.scenario()),
+        names(document.scenario()),
+        delta(shift),
+        trees(std::move(treesOfNames)) {}
+
+  void takeGoals(const sim2d::Scenario& copied, const std::set<int>& along) {
+    for (const sim2d::GlobalGoal& goal : copied.goals) {
+      const bool isAlong = along.count(goal.id) > 0;
+      const sim2d::GlobalGoal* same = present.goal(goal.id);
+      if (isAlong && same != nullptr && same->position == goal.position) {
+        goals[goal.id] = goal.id;
+      } else {
+        add(moved(goal, isAlong ? Vec2(Vec2::Zero()) : delta), !isAlong);
+        goals[goal.id] = std::get<sim2d::GlobalGoal>(values.back()).id;
+      }
+    }
+  }
+
+  void takePeople(const sim2d::Scenario& copied) {
+    for (sim2d::Human human : copied.humans) {
+      const QString old = QString::fromStdString(human.name);
+      follow(human.goals);
+      // A number from another scenario would leave a gap.
+      human.id = std::min(human.id, names.nextHuman());
+      add(moved(human, delta));
+      people[old.toStdString()] = nameOf(values.back());
+      if (trees.contains(old)) {
+        own[values.size() - 1] = trees[old].toString().toStdString();
+      }
+    }
+  }
+
+  void takeRest(const sim2d::Scenario& copied) {
+    for (sim2d::Robot robot : copied.robots) {
+      follow(robot.goal.goals);
+      add(moved(robot, delta, true));
+    }
+    for (const sim2d::Obstacle& obstacle : copied.obstacles) {
+      add(moved(obstacle, delta));
+    }
+    for (const sim2d::Door& door : copied.doors) {
+      add(moved(door, delta));
+    }
+    for (sim2d::Area area : copied.areas) {
+      if (area.like && people.count(*area.like) > 0) {
+        area.like = people.at(*area.like);
+      }
+      add(moved(area, delta));
+    }
+    for (const sim2d::Dock& dock : copied.docks) {
+      add(moved(dock, delta));
+    }
+  }
+
+  void add(Entity value, bool isChosen = true) {
+    names.assignTo(value);
+    if (isChosen) {
+      chosen.push_back(values.size());
+    }
+    values.push_back(std::move(value));
+  }
+  void follow(std::vector<int>& route) const {
+    for (int& goal : route) {
+      const auto found = goals.find(goal);
+      goal = found == goals.end() ? goal : found->second;
+    }
+  }
+
+  const sim2d::Scenario& present;
+  UniqueNames names;
+  Vec2 delta;
+  std::vector<Entity> values;
+  std::vector<std::size_t> chosen;         // Indices of the values to be selected.
+  QJsonObject trees;                       // Custom trees by names in the text.
+  std::map<std::size_t, std::string> own;  // Custom trees by index of the values.
+  std::map<int, int> goals;
+  std::map<std::string, std::string> people;
+};
+
+}  // namespace
+
+std::unique_ptr<QMimeData> copiedSelection(const ScenarioDocument& document) {
+  sim2d::Scenario copied = selected(document);
+  QStringList along;
+  for (const sim2d::Human& human : copied.humans) {
+    addRoute(copied, document.scenario(), human.goals, along);
+  }
+  for (const sim2d::Robot& robot : copied.robots) {
+    addRoute(copied, document.scenario(), robot.goal.goals, along);
+  }
+  QString text = QLatin1String(kHead);
+  if (!along.empty()) {
+    text += QLatin1String(kAlong) + along.join(QLatin1Char(' ')) + QLatin1Char('\n');
+  }
+  QJsonObject trees;
+  for (const sim2d::Human& human : copied.humans) {
+    if (const std::optional<std::string> xml = document.tree(human.key)) {
+      trees[QString::fromStdString(human.name)] = QString::fromStdString(*xml);
+    }
+  }
+  auto data = std::make_unique<QMimeData>();
+  data->setText(text + QString::fromStdString(sim2d::writeScenario(copied)));
+  if (!trees.isEmpty()) {
+    data->setData(QLatin1String(kTrees), QJsonDocument(trees).toJson(QJsonDocument::Compact));
+  }
+  return data;
+}
+
+bool canPaste(const QMimeData* data) {
+  return data != nullptr && data->hasText() &&
+         data->text().contains(QLatin1String("hunav_loader:"));
+}
+
+bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta) {
+  if (!canPaste(&data)) {
+    return false;
+  }
+  const sim2d::ScenarioReading reading =
+      sim2d::readScenarioText(data.text().toStdString(), "clipboard");
+  if (!reading.ok()) {
+    return false;
+  }
+  Renaming renaming(document, delta,
+                    QJsonDocument::fromJson(data.data(QLatin1String(kTrees))).object());
+  renaming.takeGoals(reading.scenario, goalsAlong(data.text()));
+  renaming.takePeople(reading.scenario);
+  renaming.takeRest(reading.scenario);
+  if (renaming.values.empty()) {
+    return false;
+  }
+  const std::vector<EntityId> ids =
+      pushAdd(document, renaming.values, QObject::tr("Paste"), renaming.own);
+  std::vector<EntityId> chosen;
+  for (const std::size_t place : renaming.chosen) {
+    chosen.push_back(ids[place]);
+  }
+  document.setSelection(std::move(chosen));
+  return true;
 }
 
 }  // namespace editor

@@ -6,26 +6,28 @@
 
 namespace editor {
 
-/// What menus and keys do with the selection; one command each.
-void duplicateSelection(ScenarioDocument& document);  // the copies are selected
+/// Commands on the selection for menus and keys; each pushes one undo command.
+void duplicateSelection(ScenarioDocument& document);  // Selects the copies.
 void selectAll(ScenarioDocument& document);
 
 enum class Align { Left, CentreX, Right, Top, CentreY, Bottom };
-enum class Distribute { Across, Up };  // equal gaps between outlines
+enum class Distribute { Across, Up };  // Equal gaps between the outlines.
 
-/// Each is one command about the selection; nothing happens when there is too little of it.
+/// Each pushes one command, or none if too few entities are selected.
 void alignSelection(ScenarioDocument& document, Align how);
 void distributeSelection(ScenarioDocument& document, Distribute how);
-/// Turned about the middle of all of them [rad].
+/// Rotates the selection about its common centre [rad].
 void rotateSelection(ScenarioDocument& document, double angle);
 
-/// Copies go as text: a scenario in YAML with what was selected and the goals of the routes, so
-/// that they can be pasted into another window, or read. Trees of one's own go beside it.
+/// Copies the selection as text: a scenario in YAML with the selected entities and the goals of
+/// their routes, which can be pasted into another window or a text editor. Custom trees are stored
+/// in a separate format.
 std::unique_ptr<QMimeData> copiedSelection(const ScenarioDocument& document);
 bool canPaste(const QMimeData* data);
-/// Adds what was copied, shifted by `delta`, and selects it: one command. Names and numbers that
-/// are taken become free ones, routes and sources follow. A goal that was not selected itself and
-/// is in the document already stays shared. False: no scenario, or an empty one.
+/// Adds the copied entities, translated by `delta`, and selects them: one command. Taken names and
+/// numbers are replaced by unused ones, and routes and sources are updated. A goal that was not
+/// itself selected and already exists in the document stays shared. Returns false without a
+/// scenario, or if it is empty.
 bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta);
 
 }  // namespace editor

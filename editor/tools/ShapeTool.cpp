@@ -1,29 +1,29 @@
 #include <cmath>
 
-#include "editor/tools/Drawing.h"
+#include "editor/tools/DrawingTools.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/map/Outlines.h"
 
-// Obstacles and doors.
+// Tools for obstacles and doors.
 namespace editor {
 
 namespace {
 
 constexpr double kNarrowestDoor = 0.2;  // [m]
-constexpr double kLeastLength = 0.05;   // of a side [m]
+constexpr double kMinLength = 0.05;     // Minimum side length [m].
 
 sim2d::Obstacle obstacleOf(sim2d::ObstacleKind kind, std::vector<Vec2> points = {}) {
   sim2d::Obstacle obstacle;
-  obstacle.key = ghostOf(EntityKind::Obstacle);
+  obstacle.key = previewIdOf(EntityKind::Obstacle);
   obstacle.kind = kind;
   obstacle.points = std::move(points);
   return obstacle;
 }
 
-/// Walls as polylines, 0.1 m thick; a drag makes one straight wall.
-class WallTool : public ShapeDrawing {
+/// Draws walls as polylines, 0.1 m thick; a drag makes one straight wall.
+class WallTool : public ShapeDrawingTool {
  public:
-  using ShapeDrawing::ShapeDrawing;
+  using ShapeDrawingTool::ShapeDrawingTool;
 
  protected:
   QString idleText() const override {
@@ -32,37 +32,37 @@ class WallTool : public ShapeDrawing {
   bool isClosed() const override { return false; }
   QString problemOf(const Corners& corners) const override {
     if (corners.size() < 2) {
-      return tr("Two corners or more are needed");
+      return tr("At least two corners are required");
     }
     double length = 0.0;
     for (std::size_t i = 1; i < corners.size(); ++i) {
       length += (corners[i] - corners[i - 1]).norm();
     }
-    return length < kLeastLength ? tr("Too short") : QString();
+    return length < kMinLength ? tr("Too short") : QString();
   }
   Entity shapeOf(const Corners& corners) const override {
     return obstacleOf(sim2d::ObstacleKind::Wall, corners);
   }
-  Corners dragged(const Vec2& from, const Vec2& to) const override { return {from, to}; }
+  Corners draggedCorners(const Vec2& from, const Vec2& to) const override { return {from, to}; }
 };
 
-/// Obstacles of any outline; a drag makes a rectangle along the axes.
-class PolygonTool : public ShapeDrawing {
+/// Draws obstacles of any outline; a drag makes an axis-aligned rectangle.
+class PolygonTool : public ShapeDrawingTool {
  public:
-  using ShapeDrawing::ShapeDrawing;
+  using ShapeDrawingTool::ShapeDrawingTool;
 
  protected:
   QString idleText() const override {
-    return tr("Click the corners of an obstacle; the first one again closes it");
+    return tr("Click the corners of an obstacle; click the first one to close it");
   }
   Entity shapeOf(const Corners& corners) const override {
     return obstacleOf(sim2d::ObstacleKind::Polygon, sim2d::polygonOutline(corners).points);
   }
 };
 
-/// Makes something from one point to another by a drag. A click without a drag makes nothing,
-/// Escape or the right button drops the gesture.
-class DragDrawing : public Tool {
+/// Base of the tools that create an entity between two points of a drag. A click without a drag
+/// creates nothing; Escape or the right button cancels.
+class DragDrawingTool : public Tool {
  public:
   using Tool::Tool;
 
@@ -82,7 +82,7 @@ class DragDrawing : public Tool {
       return;
     }
     const Vec2 to = endFor(*from_, mouse);
-    if (const std::optional<Entity> entity = spanned(*from_, to)) {
+    if (const std::optional<Entity> entity = entityBetween(*from_, to)) {
       scene().setPreview({*entity});
     } else {
       scene().clearPreview();
@@ -96,10 +96,10 @@ class DragDrawing : public Tool {
     }
     const Vec2 from = *from_;
     const std::optional<Entity> entity =
-        isDrag(pressedAt_, mouse) ? spanned(from, endFor(from, mouse)) : std::nullopt;
+        isDrag(pressedAt_, mouse) ? entityBetween(from, endFor(from, mouse)) : std::nullopt;
     cancel();
     if (entity) {
-      addDrawn(document(), *entity);
+      addDrawnEntity(document(), *entity);
     }
   }
 
@@ -109,9 +109,9 @@ class DragDrawing : public Tool {
   }
 
  protected:
-  /// The entity between the points, without name and key in the document; none = too small.
-  virtual std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const = 0;
-  /// Where the drag ends; by default on angles of 15 degrees from the start with Shift.
+  /// The entity between the points, without name and key; none = too small.
+  virtual std::optional<Entity> entityBetween(const Vec2& from, const Vec2& to) const = 0;
+  /// The end point of the drag; by default at multiples of 15 degrees with Shift.
   virtual Vec2 endFor(const Vec2& from, const CanvasMouse& mouse) const {
     return snap(mouse, {from});
   }
@@ -122,18 +122,18 @@ class DragDrawing : public Tool {
   Vec2 pressedAt_ = Vec2::Zero();
 };
 
-/// Boxes from corner to corner; with Shift squares.
-class BoxTool : public DragDrawing {
+/// Draws boxes from corner to corner; squares with Shift.
+class BoxTool : public DragDrawingTool {
  public:
-  using DragDrawing::DragDrawing;
+  using DragDrawingTool::DragDrawingTool;
   QString statusText() const override {
     return tr("Drag a box from corner to corner · Shift makes a square");
   }
 
  protected:
-  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override {
+  std::optional<Entity> entityBetween(const Vec2& from, const Vec2& to) const override {
     const Vec2 size = (to - from).cwiseAbs();
-    if (size.minCoeff() < kLeastLength) {
+    if (size.minCoeff() < kMinLength) {
       return std::nullopt;
     }
     sim2d::Obstacle box = obstacleOf(sim2d::ObstacleKind::Box);
@@ -159,20 +159,20 @@ class BoxTool : public DragDrawing {
   }
 };
 
-/// Round obstacles: pressed at the centre, dragged to the rim.
-class CircleTool : public DragDrawing {
+/// Draws round obstacles from the centre to the rim.
+class CircleTool : public DragDrawingTool {
  public:
-  using DragDrawing::DragDrawing;
+  using DragDrawingTool::DragDrawingTool;
   QString statusText() const override {
-    return tr("Press at the centre of the circle, drag to its rim");
+    return tr("Drag from the centre of the circle to its edge");
   }
 
  protected:
-  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override {
+  std::optional<Entity> entityBetween(const Vec2& from, const Vec2& to) const override {
     sim2d::Obstacle circle = obstacleOf(sim2d::ObstacleKind::Circle);
     circle.pose.position = from;
     circle.radius = std::round((to - from).norm() * 100.0) / 100.0;
-    return circle.radius < kLeastLength ? std::nullopt : std::optional<Entity>(circle);
+    return circle.radius < kMinLength ? std::nullopt : std::optional<Entity>(circle);
   }
 
   QString tagFor(const Vec2& from, const Vec2& to) const override {
@@ -180,18 +180,18 @@ class CircleTool : public DragDrawing {
   }
 };
 
-/// Doors: from the hinge to the other jamb, open at the start.
-class DoorTool : public DragDrawing {
+/// Draws doors from the hinge to the other jamb, initially open.
+class DoorTool : public DragDrawingTool {
  public:
-  using DragDrawing::DragDrawing;
+  using DragDrawingTool::DragDrawingTool;
   QString statusText() const override {
     return tr("Drag a door from its hinge to the other jamb · Shift: 15° steps");
   }
 
  protected:
-  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override {
+  std::optional<Entity> entityBetween(const Vec2& from, const Vec2& to) const override {
     sim2d::Door door;
-    door.key = ghostOf(EntityKind::Door);
+    door.key = previewIdOf(EntityKind::Door);
     door.from = from;
     door.to = to;
     return (to - from).norm() < kNarrowestDoor ? std::nullopt : std::optional<Entity>(door);

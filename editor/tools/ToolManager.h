@@ -1,22 +1,25 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include <QActionGroup>
+#include <QWidget>
 
+#include "editor/canvas/MapView.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
-/// All tools and one exclusive group of checkable actions, in tool bar order. The first one
-/// (select) is active at the start.
+/// All tools and an exclusive group of checkable actions in tool bar order. The first tool (select)
+/// is active at the start.
 class ToolManager : public QObject {
   Q_OBJECT
  public:
   struct Entry {
     ToolInfo info;
     Tool* tool;
-    QAction* action;  // data() = name of the icon, set by the window
+    QAction* action;  // data() = icon name; the window sets the icon.
   };
 
   ToolManager(ScenarioDocument& document, MapScene& scene,
@@ -28,7 +31,7 @@ class ToolManager : public QObject {
   QActionGroup& actions() { return group_; }
   Tool* current() const { return current_; }
   bool isSelecting() const { return current_ == entries_.front().tool; }
-  /// Tools rest while a simulation runs; the select tool still selects.
+  /// Editing tools are disabled during a simulation; the select tool still selects.
   void setEditingEnabled(bool enabled);
 
  Q_SIGNALS:
@@ -36,7 +39,7 @@ class ToolManager : public QObject {
   void statusTextChanged(const QString& text);
 
  protected:
-  /// Escape in a tool that is doing nothing goes back to the first one.
+  /// Escape activates the first tool if the current tool has no gesture in progress.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -48,6 +51,25 @@ class ToolManager : public QObject {
   std::vector<Entry> entries_;
   Tool* current_ = nullptr;
   bool editingEnabled_ = true;
+};
+
+/// A bar over the upper left corner of the canvas with the options of the current tool; hidden if
+/// the tool has none.
+class ToolOptionsBar : public QWidget {
+  Q_OBJECT
+ public:
+  ToolOptionsBar(ToolManager& tools, MapView& view);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void showFor(Tool* tool);
+  void place();
+
+  MapView& view_;
+  std::map<Tool*, QWidget*> rows_;  // Created on first use; null: the tool has no options.
+  QWidget* row_ = nullptr;
 };
 
 }  // namespace editor

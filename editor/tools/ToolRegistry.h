@@ -9,17 +9,17 @@
 
 namespace editor {
 
-/// How a tool appears in tool bar and menu.
+/// Presentation of a tool in tool bar and menu.
 struct ToolInfo {
-  int order = 0;          // ascending in bar and menu; the first tool is the one to begin with
+  int order = 0;          // Ascending in bar and menu; the first tool is the default.
   QString name;           // "Person"
-  QString icon;           // "tool-person", of resources/icons
-  QKeySequence shortcut;  // without modifiers: heard by the canvas
-  QString button = {};    // tools of the same word share a button of the bar; empty: none
+  QString icon;           // "tool-person", from resources/icons.
+  QKeySequence shortcut;  // Without modifiers; handled by the canvas.
+  QString button = {};    // Tools with the same text share a button of the bar; empty: own button.
 };
 
-/// The tools that there are. Each file `tools/<Name>Tool.cpp` adds its own by a function
-/// void add<Name>Tool(ToolRegistry&), which CMake finds.
+/// The available tools. Each file `tools/<Name>Tool.cpp` registers its tools in a function void
+/// add<Name>Tool(ToolRegistry&), which CMake finds.
 class ToolRegistry {
  public:
   using Make = std::function<Tool*(ScenarioDocument&, MapScene&, QObject* parent)>;

@@ -9,7 +9,7 @@ namespace editor {
 
 namespace {
 
-constexpr double kLeastScale = 24.0, kMostScale = 60.0;  // [px/m]
+constexpr double kMinScale = 24.0, kMaxScale = 60.0;  // [px/m]
 constexpr double kInsetRadius = 6.0;
 
 }  // namespace
@@ -56,8 +56,8 @@ void MapInset::paintEvent(QPaintEvent* /*event*/) {
   shape.addRoundedRect(frame, kInsetRadius, kInsetRadius);
   painter.setClipPath(shape);
   painter.fillRect(rect(), scene_.groundColor());
-  // the sizes of names and lines are those of the map's own zoom
-  const double scale = std::clamp(scene_.pixelsPerMetre(), kLeastScale, kMostScale);
+  // The sizes of labels and lines correspond to the zoom of the main map.
+  const double scale = std::clamp(scene_.pixelsPerMetre(), kMinScale, kMaxScale);
   painter.save();
   painter.translate(frame.center());
   painter.scale(scale, scale);

@@ -9,8 +9,8 @@
 
 namespace editor {
 
-/// A small piece of the map around a person, in the corner of a tree that has taken the map's
-/// place: what the person does while the nodes run. To look at only.
+/// A small read-only map around a person, shown in a corner of the tree view while the map is
+/// hidden. It shows the person's motion while the nodes run.
 class MapInset : public QWidget {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class MapInset : public QWidget {
 
   MapInset(MapScene& scene, SimulationRunner& runner, QWidget* parent);
   void follow(EntityId person);
-  /// Of the person in the state that is shown, else at the start; nothing: there is nobody.
+  /// Position of the person in the shown state, else at the start; none if there is no person.
   std::optional<Vec2> centre() const;
 
  protected:

@@ -9,8 +9,8 @@
 #include <QMimeData>
 #include <QVBoxLayout>
 
-#include "bt/human/Blocks.h"
-#include "editor/document/TreeFiles.h"
+#include "bt/human/BehaviorBlocks.h"
+#include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/RowDelegate.h"
@@ -30,7 +30,7 @@ QString qtText(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-/// Rows that are dragged as XML.
+/// A list whose rows are dragged as XML.
 class NodeList : public QTreeWidget {
  protected:
   QStringList mimeTypes() const override { return {QString::fromLatin1(TreeCanvas::kMime)}; }
@@ -54,7 +54,7 @@ class PaletteDelegate : public RowDelegate {
   bool isHeading(const QModelIndex& index) const override { return !index.parent().isValid(); }
 };
 
-/// What a node takes, one port per line.
+/// The ports of a node, one per line.
 QString portsText(const bt::NodeManifest& manifest) {
   QStringList lines;
   for (const bt::PortSpec& port : manifest.ports) {
@@ -63,7 +63,7 @@ QString portsText(const bt::NodeManifest& manifest) {
     line += port.unit.empty() ? QString() : QStringLiteral(", ") + qtText(port.unit);
     line += port.fallbackText() == nullptr || port.fallbackText()->empty()
                 ? QString()
-                : QObject::tr(", else %1").arg(qtText(*port.fallbackText()));
+                : QObject::tr(", default %1").arg(qtText(*port.fallbackText()));
     lines << line + QStringLiteral("): ") + qtText(port.help);
   }
   return lines.join(QLatin1Char('\n'));
@@ -76,7 +76,7 @@ NodePalette::NodePalette(const Theme& theme)
   searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
   search_->setPlaceholderText(tr("Find a node"));
   search_->setAccessibleName(tr("Find a node"));
-  search_->setToolTip(tr("By name, or by what it does"));
+  search_->setToolTip(tr("Search by name or description"));
   search_->setClearButtonEnabled(true);
   styleList(*list_, tr("Nodes"));
   list_->header()->hide();
@@ -85,7 +85,7 @@ NodePalette::NodePalette(const Theme& theme)
   list_->setItemDelegate(new PaletteDelegate(list_));
   list_->setDragEnabled(true);
   list_->setDragDropMode(QAbstractItemView::DragOnly);
-  nothing_ = new NothingFound(*search_, *list_, this);
+  nothing_ = new NoMatchesPlaceholder(*search_, *list_, this);
   help_->setWordWrap(true);
   help_->setTextFormat(Qt::PlainText);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -93,8 +93,8 @@ NodePalette::NodePalette(const Theme& theme)
   help_->setContentsMargins(12, 6, 12, 6);
   help_->setForegroundRole(QPalette::PlaceholderText);
   auto* top = new QWidget(this);
-  arranged(new QVBoxLayout(top), {12, 8, 12, 6}, 0, {search_});
-  auto* layout = arranged(new QVBoxLayout(this), {}, 0, {top, nothing_});
+  configuredLayout(new QVBoxLayout(top), {12, 8, 12, 6}, 0, {search_});
+  auto* layout = configuredLayout(new QVBoxLayout(this), {}, 0, {top, nothing_});
   layout->addWidget(list_, 1);
   layout->addWidget(dividerLine(this));
   layout->addWidget(help_);
@@ -102,13 +102,13 @@ NodePalette::NodePalette(const Theme& theme)
   addRows();
   connect(search_, &QLineEdit::textChanged, this, &NodePalette::filter);
   connect(search_, &QLineEdit::returnPressed, this, [this] {
-    if (const QTreeWidgetItem* row = bestFound()) {
-      Q_EMIT wanted(xmlOf(row));
+    if (const QTreeWidgetItem* row = bestMatch()) {
+      Q_EMIT addRequested(xmlOf(row));
     }
   });
   connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
     if (!xmlOf(row).isEmpty()) {
-      Q_EMIT wanted(xmlOf(row));
+      Q_EMIT addRequested(xmlOf(row));
     }
   });
   connect(list_, &QTreeWidget::currentItemChanged, this, &NodePalette::explain);
@@ -153,7 +153,7 @@ void NodePalette::addRows() {
     for (const bt::NodeManifest& manifest : treeCatalogue().all()) {
       if (manifest.kind == kind) {
         const QString ports = portsText(manifest);
-        addNode(*group, freshNode(manifest.id), qtText(manifest.id),
+        addNode(*group, defaultNode(manifest.id), qtText(manifest.id),
                 qtText(manifest.description) +
                     (ports.isEmpty() ? QString() : QLatin1Char('\n') + ports));
       }
@@ -163,10 +163,10 @@ void NodePalette::addRows() {
   }
   trees_ = addGroup(tr("Subtrees"));
   QTreeWidgetItem* templates = addGroup(tr("Templates"));
-  for (const bt::BlockKind& kind : bt::blockKinds()) {
+  for (const bt::BlockType& kind : bt::blockTypes()) {
     bt::Block block;
     block.id = kind.id;
-    addNode(*templates, bt::makeBlock(block), qtText(kind.title), qtText(kind.description));
+    addNode(*templates, bt::blockToNode(block), qtText(kind.title), qtText(kind.description));
   }
 }
 
@@ -177,7 +177,7 @@ void NodePalette::showTrees(const QStringList& ids) {
     node.id = "SubTree";
     node.subTree = id.toStdString();
     node.autoRemap = true;
-    addNode(*trees_, node, id, tr("Runs the tree %1 with all entries of this one.").arg(id));
+    addNode(*trees_, node, id, tr("Runs the tree %1 with all entries of this tree.").arg(id));
   }
   trees_->setHidden(ids.isEmpty());
   filter();
@@ -200,8 +200,9 @@ void NodePalette::setTheme(const Theme& theme) {
   }
 }
 
-/// Of the rows that are seen: one whose name begins like that, else has it, else the first.
-const QTreeWidgetItem* NodePalette::bestFound() const {
+/// Among the visible rows: one whose name starts with the text, else one that contains it, else the
+/// first.
+const QTreeWidgetItem* NodePalette::bestMatch() const {
   const QString text = search_->text().trimmed();
   const QTreeWidgetItem* best = nullptr;
   int bestRank = 3;
@@ -239,14 +240,14 @@ void NodePalette::filter() {
     }
     found = found || count > 0;
   }
-  nothing_->showFor(found);
+  nothing_->setMatchFound(found);
 }
 
 void NodePalette::explain() {
   const QTreeWidgetItem* row = list_->currentItem();
   const QString help = row == nullptr ? QString() : row->data(0, kHelpRole).toString();
   help_->setText(help.isEmpty() ? tr("Drag a node into the tree, or double-click it to add it to "
-                                     "the node that is chosen.")
+                                     "the selected node.")
                                 : help.section(QLatin1Char('\n'), 0, 0));
   help_->setToolTip(help);
 }

@@ -10,22 +10,22 @@
 
 namespace editor {
 
-/// All that a tree can be made of, by kind, with a search over names and explanations: nodes of the
-/// catalogue, trees of the file, and blocks of behaviour as templates. Rows can be dragged.
+/// All building blocks of a tree, grouped by kind, with a search over names and descriptions: nodes
+/// of the catalogue, trees of the file, and behaviour blocks as templates. Rows can be dragged.
 class NodePalette : public QWidget {
   Q_OBJECT
  public:
   explicit NodePalette(const Theme& theme);
   void setTheme(const Theme& theme);
-  /// Trees that a SubTree of the person may run.
+  /// The trees that a SubTree of the person may run.
   void showTrees(const QStringList& ids);
   QTreeWidget& list() const { return *list_; }
   QLineEdit& search() const { return *search_; }
-  /// XML of the row; empty: it is a heading.
+  /// XML of the row; empty for headings.
   static QString xmlOf(const QTreeWidgetItem* row);
 
  Q_SIGNALS:
-  void wanted(const QString& xml);  // by a double click, or Enter
+  void addRequested(const QString& xml);  // Emitted on a double click, or Enter.
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -35,7 +35,7 @@ class NodePalette : public QWidget {
   QTreeWidgetItem* addGroup(const QString& title);
   void addNode(QTreeWidgetItem& group, const bt::NodeSpec& node, const QString& title,
                const QString& help);
-  const QTreeWidgetItem* bestFound() const;  // of the search; null = none
+  const QTreeWidgetItem* bestMatch() const;  // Best match of the search; null = none.
   void filter();
   void explain();
 
@@ -43,8 +43,8 @@ class NodePalette : public QWidget {
   QLineEdit* search_;
   QAction* searchMark_;
   QTreeWidget* list_;
-  NothingFound* nothing_;
-  QLabel* help_;  // where there is room for it
+  NoMatchesPlaceholder* nothing_;
+  QLabel* help_;  // Shown if there is space.
   QTreeWidgetItem* trees_ = nullptr;
 };
 

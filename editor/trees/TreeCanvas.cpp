@@ -7,16 +7,16 @@
 #include <QHelpEvent>
 #include <QToolTip>
 
-#include "editor/document/TreeFiles.h"
+#include "editor/document/PersonTree.h"
 
 namespace editor {
 
 namespace {
 
-constexpr double kLeastZoom = 0.2, kMostZoom = 2.0;
-constexpr double kReadableZoom = 0.6;  // smaller only when asked for
-constexpr double kDots = 20.0;         // of the ground [px]
-constexpr double kEdgeRoom = 40.0;     // of the tree that stays in the window [px]
+constexpr double kMinZoom = 0.2, kMaxZoom = 2.0;
+constexpr double kReadableZoom = 0.6;  // Smaller zooms only on request.
+constexpr double kDots = 20.0;         // Grid spacing of the background [px].
+constexpr double kEdgeRoom = 40.0;     // Minimum visible part of the tree [px].
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void TreeCanvas::showTree(const PersonTree& tree) {
 }
 
 void TreeCanvas::relayout() {
-  fitsItself_ ? fitTo(fitLeast_) : keepInView();
+  isAutoFit_ ? fitTo(fitLeast_) : keepPartlyVisible();
   update();
   Q_EMIT moved();
 }
@@ -98,7 +98,7 @@ void TreeCanvas::select(std::vector<int> nodes, int chosen) {
 
 void TreeCanvas::chooseByUser(int node) {
   choose(node);
-  Q_EMIT chose(view_.chosen);
+  Q_EMIT choiceChanged(view_.chosen);
 }
 
 void TreeCanvas::setDirection(TreeDirection direction) {
@@ -106,50 +106,50 @@ void TreeCanvas::setDirection(TreeDirection direction) {
   fit();
 }
 
-void TreeCanvas::setPlacing(TreeGraph::Placing placing) {
-  graph_.setPlacing(placing);
+void TreeCanvas::setPositionSource(TreeGraph::PositionSource positionSource) {
+  graph_.setPositionSource(positionSource);
   fit();
 }
 
 void TreeCanvas::fit() {
-  fitTo(kLeastZoom);
+  fitTo(kMinZoom);
 }
 
 void TreeCanvas::fitTo(double leastZoom) {
   const QRectF all = graph_.bounds();
   const double wide = width() / std::max(all.width(), 1.0);
   const double high = height() / std::max(all.height(), 1.0);
-  zoom_ = std::clamp(std::min({wide, high, 1.0}), leastZoom, kMostZoom);
+  zoom_ = std::clamp(std::min({wide, high, 1.0}), leastZoom, kMaxZoom);
   const bool isDown = graph_.direction() == TreeDirection::Down;
   const QPointF middle(0.5 * (width() - zoom_ * all.width()),
                        0.5 * (height() - zoom_ * all.height()));
   origin_ = isDown ? QPointF(middle.x(), std::min(middle.y(), 16.0))
                    : QPointF(std::min(middle.x(), 16.0), middle.y());
   origin_ = {std::round(origin_.x()), std::round(origin_.y())};
-  if (!graph_.nodes().empty() && (wide < zoom_ || high < zoom_)) {  // too large: the root is seen
+  if (!graph_.nodes().empty() && (wide < zoom_ || high < zoom_)) {  // Too large: root visible.
     const QPointF root = zoom_ * graph_.box(0).center();
     origin_ = isDown
                   ? QPointF(wide < zoom_ ? std::round(0.5 * width() - root.x()) : origin_.x(), 8)
                   : QPointF(8, high < zoom_ ? std::round(0.5 * height() - root.y()) : origin_.y());
   }
   fitLeast_ = leastZoom;
-  fitsItself_ = true;
+  isAutoFit_ = true;
   update();
   Q_EMIT moved();
 }
 
 void TreeCanvas::zoomBy(double factor, const QPointF& about) {
   const QPointF held = toGraph(about);
-  zoom_ = std::clamp(zoom_ * factor, kLeastZoom, kMostZoom);
+  zoom_ = std::clamp(zoom_ * factor, kMinZoom, kMaxZoom);
   origin_ = about - zoom_ * held;
-  fitsItself_ = false;
-  keepInView();
+  isAutoFit_ = false;
+  keepPartlyVisible();
   update();
   Q_EMIT moved();
 }
 
-/// Some of it is always seen.
-void TreeCanvas::keepInView() {
+/// Keeps a part of the tree visible.
+void TreeCanvas::keepPartlyVisible() {
   const QRectF all(origin_, zoom_ * graph_.bounds().size());
   const auto within = [](double begin, double length, double room) {
     const double most = room - kEdgeRoom, least = kEdgeRoom - length;
@@ -168,7 +168,7 @@ void TreeCanvas::bringIntoView(int node) {
                    shift(box.top(), box.bottom(), room.top(), room.bottom()));
   if (!by.isNull() && room.width() > box.width() && room.height() > box.height()) {
     origin_ += by;
-    fitsItself_ = false;
+    isAutoFit_ = false;
     Q_EMIT moved();
   }
 }
@@ -199,10 +199,10 @@ QString TreeCanvas::tipOf(int node) const {
   const bt::NodeSpec& spec = *graph_.node(node).node;
   const bt::NodeManifest* manifest = treeCatalogue().find(spec.id);
   QStringList lines = {QString::fromStdString(spec.isSubTree() ? spec.subTree : spec.id)};
-  lines << (manifest == nullptr ? tr("This program does not know the node; it is kept as it is.")
+  lines << (manifest == nullptr ? tr("Unknown node type; it is kept unchanged.")
                                 : QString::fromStdString(manifest->description));
   if (!graph_.isEditable(node)) {
-    lines << tr("In an included file: not edited here");
+    lines << tr("In an included file: read-only here");
   }
   for (const TreeGraph::Problem& problem : graph_.problemsOf(node)) {
     lines << QStringLiteral("⚠ ") + problem.text;

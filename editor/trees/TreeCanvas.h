@@ -8,13 +8,13 @@
 
 namespace editor {
 
-/// A tree that can be looked at and edited by mouse and keys: it tells what is wanted, others do
-/// it. Wheel zooms, dragging the ground moves the picture, with Shift or Ctrl it selects what the
-/// frame touches; a click with these adds a node to those that are selected, or takes it away.
+/// Displays a tree and handles mouse and keys. It emits the requested edits as signals and does not
+/// edit the tree. The wheel zooms, dragging the background pans, and with Shift or Ctrl it selects
+/// the nodes that the band touches; a click with these keys toggles the selection of a node.
 class TreeCanvas : public QWidget {
   Q_OBJECT
  public:
-  static constexpr const char* kMime = "application/x-hunavsim-node";  // XML of a node
+  static constexpr const char* kMime = "application/x-hunavsim-node";  // XML of a node.
 
   explicit TreeCanvas(const Theme& theme);
   void setTheme(const Theme& theme);
@@ -24,32 +24,33 @@ class TreeCanvas : public QWidget {
   void showTree(const PersonTree& tree);
   void showStatuses(std::vector<base::NodeStatus> statuses);
   void showBreakpoints(std::vector<sim2d::TreeBreakpoint> points);
-  /// Without `chosen`; what hides it is unfolded, and it comes into view.
+  /// Chooses a node without emitting `choiceChanged`, unfolds its ancestors and scrolls it into
+  /// view.
   void choose(int node);
   int chosen() const { return view_.chosen; }
-  /// Several at once; `chosen`: the one among them that others show, else the last.
+  /// Selects several nodes; `chosen`: the current one of them, else the last.
   void select(std::vector<int> nodes, int chosen);
-  const std::vector<int>& selected() const { return view_.selected; }  // rising
+  const std::vector<int>& selected() const { return view_.selected; }  // Ascending.
   void setDirection(TreeDirection direction);
-  void setPlacing(TreeGraph::Placing placing);
-  void fit();  // all of it, at most at 100 %; it stays so until the user zooms or moves it
+  void setPositionSource(TreeGraph::PositionSource positionSource);
+  void fit();  // Fits the tree, up to 100 %; it stays fitted until the user zooms or pans.
   double zoom() const { return zoom_; }
   void zoomBy(double factor, const QPointF& about);
-  void relayout();                        // folds have changed
-  bool isFree(const QRect& place) const;  // nothing of the tree lies there
+  void relayout();                        // Call it after folds have changed.
+  bool isFree(const QRect& place) const;  // No part of the tree is in the rectangle.
   QPointF toGraph(const QPointF& at) const { return (at - origin_) / zoom_; }
   QPointF fromGraph(const QPointF& at) const { return at * zoom_ + origin_; }
   QPoint centreOf(int node) const { return fromGraph(graph_.box(node).center()).toPoint(); }
 
  Q_SIGNALS:
-  void chose(int node);  // -1 = none
-  void openWanted(int node);
-  void menuWanted(int node, const QPoint& global);
-  void moveWanted(int node, const editor::DropPlace& to);
-  void dropWanted(const QString& xml, const editor::DropPlace& to);
+  void choiceChanged(int node);  // -1 = none.
+  void openRequested(int node);
+  void menuRequested(int node, const QPoint& global);
+  void moveRequested(int node, const editor::DropTarget& to);
+  void dropRequested(const QString& xml, const editor::DropTarget& to);
   void escaped();
-  void moved();  // other things lie in other places of the widget now
-  void keyCommand(int key, Qt::KeyboardModifiers modifiers);  // of those in `isCommand`
+  void moved();                                               // The tree has moved in the widget.
+  void keyCommand(int key, Qt::KeyboardModifiers modifiers);  // For keys accepted by `isCommand`.
 
  protected:
   bool event(QEvent* event) override;
@@ -74,12 +75,12 @@ class TreeCanvas : public QWidget {
   bool moveChosen(const QKeyEvent& event);
   void hover(const QPoint& at);
   void endGesture();
-  void keepInView();
+  void keepPartlyVisible();
   void fitTo(double leastZoom);
   void bringIntoView(int node);
   void chooseByUser(int node);
   void toggleByUser(int node);
-  bool pressKnob(const QPointF& at);
+  bool pressFoldHandle(const QPointF& at);
   std::vector<int> movedNodes() const;
   void selectBand(const QRectF& band);
   QString tipOf(int node) const;
@@ -88,9 +89,9 @@ class TreeCanvas : public QWidget {
   TreeGraph graph_;
   TreeView view_;
   double zoom_ = 1.0;
-  QPointF origin_;          // of the graph, in the widget [px]
-  bool fitsItself_ = true;  // until the user zooms or moves it
-  double fitLeast_;         // zoom then
+  QPointF origin_;         // Position of the graph in the widget [px].
+  bool isAutoFit_ = true;  // Until the user zooms or pans.
+  double fitLeast_;        // Minimum zoom for fitting.
   Gesture gesture_ = Gesture::None;
   QPoint pressedAt_;
   QPointF originBefore_;

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "bt/tree/TreeXml.h"
-#include "editor/document/TreeFiles.h"
+#include "editor/document/PersonTree.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
 
 namespace {
 
-bt::NodeSpec* mutableNode(bt::TreeFile& file, const TreePlace& place) {
+bt::NodeSpec* mutableNode(bt::TreeFile& file, const NodeLocation& place) {
   bt::TreeSpec* tree = file.find(place.tree);
   return tree == nullptr ? nullptr : bt::nodeAt(*tree, place.path);
 }
@@ -30,7 +31,7 @@ void forEachNode(const bt::NodeSpec& node, const std::function<void(const bt::No
   }
 }
 
-int usesOf(const bt::TreeFile& file, const std::string& tree) {
+int usageCount(const bt::TreeFile& file, const std::string& tree) {
   int uses = file.mainTree == tree || file.trees.size() == 1 ? 1 : 0;
   for (const bt::TreeSpec& each : file.trees) {
     forEachNode(each.root, [&](const bt::NodeSpec& node) {
@@ -61,29 +62,29 @@ std::string treeIdOf(const std::string& wanted) {
 
 }  // namespace
 
-TreePlace TreePlace::parent() const {
-  TreePlace place = *this;
+NodeLocation NodeLocation::parent() const {
+  NodeLocation place = *this;
   place.path.pop_back();
   return place;
 }
 
-TreePlace TreePlace::child(int index) const {
-  TreePlace place = *this;
+NodeLocation NodeLocation::child(int index) const {
+  NodeLocation place = *this;
   place.path.push_back(index);
   return place;
 }
 
-bool TreePlace::holds(const TreePlace& other) const {
+bool NodeLocation::holds(const NodeLocation& other) const {
   return tree == other.tree && path.size() <= other.path.size() &&
          std::equal(path.begin(), path.end(), other.path.begin());
 }
 
-const bt::NodeSpec* nodeAt(const bt::TreeFile& file, const TreePlace& place) {
+const bt::NodeSpec* nodeAt(const bt::TreeFile& file, const NodeLocation& place) {
   const bt::TreeSpec* tree = file.find(place.tree);
   return tree == nullptr ? nullptr : bt::nodeAt(*tree, place.path);
 }
 
-int mostChildren(const bt::NodeSpec& node) {
+int maxChildCount(const bt::NodeSpec& node) {
   if (node.isSubTree()) {
     return 0;
   }
@@ -91,12 +92,12 @@ int mostChildren(const bt::NodeSpec& node) {
   return manifest == nullptr ? -1 : manifest->maxChildren;
 }
 
-bool takesChild(const bt::NodeSpec& node) {
-  const int most = mostChildren(node);
+bool canHaveChildren(const bt::NodeSpec& node) {
+  const int most = maxChildCount(node);
   return most < 0 || static_cast<int>(node.children.size()) < most;
 }
 
-bt::NodeSpec freshNode(const std::string& id) {
+bt::NodeSpec defaultNode(const std::string& id) {
   bt::NodeSpec node;
   node.id = id;
   if (const bt::NodeManifest* manifest = treeCatalogue().find(id)) {
@@ -109,9 +110,10 @@ bt::NodeSpec freshNode(const std::string& id) {
   return node;
 }
 
-MaybePlace addNode(bt::TreeFile& file, const TreePlace& parent, int index, bt::NodeSpec node) {
+OptionalLocation addNode(bt::TreeFile& file, const NodeLocation& parent, int index,
+                         bt::NodeSpec node) {
   bt::NodeSpec* above = mutableNode(file, parent);
-  if (above == nullptr || !takesChild(*above)) {
+  if (above == nullptr || !canHaveChildren(*above)) {
     return std::nullopt;
   }
   const int place = std::clamp(index, 0, static_cast<int>(above->children.size()));
@@ -119,7 +121,7 @@ MaybePlace addNode(bt::TreeFile& file, const TreePlace& parent, int index, bt::N
   return parent.child(place);
 }
 
-MaybePlace removeNode(bt::TreeFile& file, const TreePlace& place) {
+OptionalLocation removeNode(bt::TreeFile& file, const NodeLocation& place) {
   if (place.isRoot() || nodeAt(file, place) == nullptr) {
     return std::nullopt;
   }
@@ -129,14 +131,15 @@ MaybePlace removeNode(bt::TreeFile& file, const TreePlace& place) {
   return left == 0 ? place.parent() : place.parent().child(std::min(place.path.back(), left - 1));
 }
 
-MaybePlace moveNode(bt::TreeFile& file, const TreePlace& from, const TreePlace& parent, int index) {
+OptionalLocation moveNode(bt::TreeFile& file, const NodeLocation& from, const NodeLocation& parent,
+                          int index) {
   const bt::NodeSpec* node = nodeAt(file, from);
   const bt::NodeSpec* above = nodeAt(file, parent);
   if (from.isRoot() || node == nullptr || above == nullptr || from.holds(parent)) {
     return std::nullopt;
   }
   const bool staysBelow = from.parent() == parent;
-  if (!staysBelow && !takesChild(*above)) {
+  if (!staysBelow && !canHaveChildren(*above)) {
     return std::nullopt;
   }
   if (staysBelow && (index == from.path.back() || index == from.path.back() + 1)) {
@@ -145,7 +148,7 @@ MaybePlace moveNode(bt::TreeFile& file, const TreePlace& from, const TreePlace& 
   bt::NodeSpec moved = *node;
   bt::NodeSpec& before = *mutableNode(file, from.parent());
   before.children.erase(before.children.begin() + from.path.back());
-  TreePlace to = parent;  // as it is now that the node is gone
+  NodeLocation to = parent;  // After the removal of the node.
   const std::size_t level = from.path.size() - 1;
   if (from.parent().holds(parent) && parent.path.size() > level &&
       parent.path[level] > from.path.back()) {
@@ -155,9 +158,9 @@ MaybePlace moveNode(bt::TreeFile& file, const TreePlace& from, const TreePlace& 
   return addNode(file, to, place, std::move(moved));
 }
 
-MaybePlace wrapNode(bt::TreeFile& file, const TreePlace& place, bt::NodeSpec around) {
+OptionalLocation wrapNode(bt::TreeFile& file, const NodeLocation& place, bt::NodeSpec around) {
   bt::NodeSpec* node = mutableNode(file, place);
-  if (node == nullptr || !takesChild(around)) {
+  if (node == nullptr || !canHaveChildren(around)) {
     return std::nullopt;
   }
   around.children.push_back(std::move(*node));
@@ -165,7 +168,7 @@ MaybePlace wrapNode(bt::TreeFile& file, const TreePlace& place, bt::NodeSpec aro
   return place;
 }
 
-MaybePlace unwrapNode(bt::TreeFile& file, const TreePlace& place) {
+OptionalLocation unwrapNode(bt::TreeFile& file, const NodeLocation& place) {
   bt::NodeSpec* node = mutableNode(file, place);
   if (node == nullptr || node->children.empty()) {
     return std::nullopt;
@@ -176,7 +179,7 @@ MaybePlace unwrapNode(bt::TreeFile& file, const TreePlace& place) {
     return place;
   }
   bt::NodeSpec* above = place.isRoot() ? nullptr : mutableNode(file, place.parent());
-  if (above == nullptr || mostChildren(*above) >= 0) {  // one place for several nodes
+  if (above == nullptr || maxChildCount(*above) >= 0) {  // The position can hold only one node.
     return std::nullopt;
   }
   const auto at = above->children.begin() + place.path.back();
@@ -184,16 +187,17 @@ MaybePlace unwrapNode(bt::TreeFile& file, const TreePlace& place) {
   return place;
 }
 
-MaybePlace duplicateNode(bt::TreeFile& file, const TreePlace& place) {
+OptionalLocation duplicateNode(bt::TreeFile& file, const NodeLocation& place) {
   const bt::NodeSpec* node = nodeAt(file, place);
   return node == nullptr || place.isRoot()
              ? std::nullopt
              : addNode(file, place.parent(), place.path.back() + 1, *node);
 }
 
-MaybePlace replaceNode(bt::TreeFile& file, const TreePlace& place, const bt::NodeSpec& by) {
+OptionalLocation replaceNode(bt::TreeFile& file, const NodeLocation& place,
+                             const bt::NodeSpec& by) {
   bt::NodeSpec* node = mutableNode(file, place);
-  const int most = mostChildren(by);
+  const int most = maxChildCount(by);
   if (node == nullptr || (most >= 0 && static_cast<int>(node->children.size()) > most)) {
     return std::nullopt;
   }
@@ -201,7 +205,7 @@ MaybePlace replaceNode(bt::TreeFile& file, const TreePlace& place, const bt::Nod
   const bt::NodeManifest* manifest = treeCatalogue().find(by.id);
   for (const bt::Attribute& port : node->ports) {
     if (manifest != nullptr && manifest->port(port.name) != nullptr) {
-      bt::setText(other.ports, port.name, port.text);
+      bt::setAttribute(other.ports, port.name, port.text);
     }
   }
   other.name = node->name;
@@ -212,7 +216,8 @@ MaybePlace replaceNode(bt::TreeFile& file, const TreePlace& place, const bt::Nod
   return place;
 }
 
-MaybePlace extractTree(bt::TreeFile& file, const TreePlace& place, const std::string& wanted) {
+OptionalLocation extractTree(bt::TreeFile& file, const NodeLocation& place,
+                             const std::string& wanted) {
   bt::NodeSpec* node = mutableNode(file, place);
   if (node == nullptr || place.isRoot()) {
     return std::nullopt;
@@ -229,13 +234,13 @@ MaybePlace extractTree(bt::TreeFile& file, const TreePlace& place, const std::st
   node->subTree = tree.id;
   node->autoRemap = true;
   if (file.mainTree.empty() && file.trees.size() == 1) {
-    file.mainTree = file.trees.front().id;  // with two trees it has to be said
+    file.mainTree = file.trees.front().id;  // Required if there are two trees.
   }
   file.trees.push_back(std::move(tree));
   return place;
 }
 
-MaybePlace inlineTree(bt::TreeFile& file, const TreePlace& place) {
+OptionalLocation inlineTree(bt::TreeFile& file, const NodeLocation& place) {
   bt::NodeSpec* node = mutableNode(file, place);
   const bool isWhole = node != nullptr && node->isSubTree() && node->autoRemap &&
                        node->ports.empty() && node->conditions.empty();
@@ -245,14 +250,15 @@ MaybePlace inlineTree(bt::TreeFile& file, const TreePlace& place) {
   }
   const std::string id = tree->id;
   *node = bt::NodeSpec(tree->root);
-  if (usesOf(file, id) == 0) {
+  if (usageCount(file, id) == 0) {
     file.trees.erase(std::find_if(file.trees.begin(), file.trees.end(),
                                   [&id](const bt::TreeSpec& each) { return each.id == id; }));
   }
   return place;
 }
 
-MaybePlace renameNode(bt::TreeFile& file, const TreePlace& place, const std::string& name) {
+OptionalLocation renameNode(bt::TreeFile& file, const NodeLocation& place,
+                            const std::string& name) {
   bt::NodeSpec* node = mutableNode(file, place);
   if (node == nullptr || node->name == name) {
     return std::nullopt;
@@ -289,6 +295,169 @@ base::Result<bt::NodeSpec> nodeFromText(const std::string& text, bt::TreeFile& i
     }
   }
   return main->root;
+}
+
+namespace {
+
+/// Adjusts a position after the removal of the node `gone`; `index` counts its children.
+void follow(const NodeLocation& gone, NodeLocation& parent, int& index) {
+  const NodeLocation above = gone.parent();
+  if (!above.holds(parent)) {
+    return;
+  }
+  const std::size_t level = gone.path.size() - 1;
+  if (parent.path.size() > level) {
+    parent.path[level] -= parent.path[level] > gone.path.back() ? 1 : 0;
+  } else {
+    index -= index > gone.path.back() ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+std::vector<NodeLocation> withoutDescendants(std::vector<NodeLocation> places) {
+  std::sort(places.begin(), places.end(), [](const NodeLocation& a, const NodeLocation& b) {
+    return std::tie(a.tree, a.path) < std::tie(b.tree, b.path);
+  });
+  std::vector<NodeLocation> outer;
+  for (NodeLocation& place : places) {  // Parents precede children.
+    if (outer.empty() || !outer.back().holds(place)) {
+      outer.push_back(std::move(place));
+    }
+  }
+  return outer;
+}
+
+bool areSiblings(const std::vector<NodeLocation>& places) {
+  return std::all_of(places.begin(), places.end(), [&places](const NodeLocation& each) {
+    return !each.isRoot() && !places.front().isRoot() && each.parent() == places.front().parent();
+  });
+}
+
+OptionalLocations removeNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places) {
+  const std::vector<NodeLocation> outer = withoutDescendants(places);
+  OptionalLocation left;
+  for (auto place = outer.rbegin(); place != outer.rend(); ++place) {
+    left = removeNode(file, *place);
+    if (!left) {
+      return std::nullopt;
+    }
+  }
+  return left ? OptionalLocations({*left}) : std::nullopt;
+}
+
+OptionalLocations addNodes(bt::TreeFile& file, const NodeLocation& parent, int index,
+                           const std::vector<bt::NodeSpec>& nodes) {
+  std::vector<NodeLocation> added;
+  for (const bt::NodeSpec& node : nodes) {
+    const OptionalLocation place =
+        addNode(file, parent, index + static_cast<int>(added.size()), node);
+    if (!place) {
+      return std::nullopt;
+    }
+    added.push_back(*place);
+  }
+  return added.empty() ? std::nullopt : OptionalLocations(std::move(added));
+}
+
+OptionalLocations moveNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places,
+                            const NodeLocation& parent, int index) {
+  const std::vector<NodeLocation> outer = withoutDescendants(places);
+  std::vector<bt::NodeSpec> nodes;
+  for (const NodeLocation& place : outer) {
+    const bt::NodeSpec* node = nodeAt(file, place);
+    if (node == nullptr || place.isRoot() || place.holds(parent)) {
+      return std::nullopt;
+    }
+    nodes.push_back(*node);
+  }
+  const bool isThere = areSiblings(outer) && !outer.empty() && outer.front().parent() == parent;
+  const int first = outer.empty() ? 0 : outer.front().path.back();
+  const int count = static_cast<int>(outer.size());
+  const bool isOneRow = isThere && outer.back().path.back() == first + count - 1;
+  if (isOneRow && index >= first && index <= first + count) {
+    return std::nullopt;  // The nodes are already at that position.
+  }
+  NodeLocation to = parent;
+  for (auto place = outer.rbegin(); place != outer.rend(); ++place) {
+    if (!removeNode(file, *place)) {
+      return std::nullopt;
+    }
+    follow(*place, to, index);
+  }
+  return addNodes(file, to, index, nodes);
+}
+
+OptionalLocations wrapNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places,
+                            bt::NodeSpec around) {
+  const std::vector<NodeLocation> outer = withoutDescendants(places);
+  if (outer.size() == 1) {
+    const OptionalLocation place = wrapNode(file, outer.front(), std::move(around));
+    return place ? OptionalLocations({*place}) : std::nullopt;
+  }
+  if (outer.empty() || !areSiblings(outer)) {
+    return std::nullopt;
+  }
+  for (const NodeLocation& place : outer) {
+    const bt::NodeSpec* node = nodeAt(file, place);
+    if (node == nullptr || !canHaveChildren(around)) {
+      return std::nullopt;
+    }
+    around.children.push_back(*node);
+  }
+  if (!removeNodes(file, outer)) {
+    return std::nullopt;
+  }
+  return addNodes(file, outer.front().parent(), outer.front().path.back(), {std::move(around)});
+}
+
+OptionalLocations duplicateNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places) {
+  const std::vector<NodeLocation> outer = withoutDescendants(places);
+  std::vector<NodeLocation> added;
+  if (areSiblings(outer) && !outer.empty()) {
+    std::vector<bt::NodeSpec> copies;
+    for (const NodeLocation& place : outer) {
+      const bt::NodeSpec* node = nodeAt(file, place);
+      copies.push_back(node == nullptr ? bt::NodeSpec() : *node);
+    }
+    return addNodes(file, outer.front().parent(), outer.back().path.back() + 1, copies);
+  }
+  for (auto place = outer.rbegin(); place != outer.rend(); ++place) {
+    const OptionalLocation copy = duplicateNode(file, *place);
+    if (!copy) {
+      return std::nullopt;
+    }
+    for (NodeLocation& later : added) {  // Following siblings are shifted by one.
+      const std::size_t level = copy->path.size() - 1;
+      if (copy->parent().holds(later) && later.path.size() > level &&
+          later.path[level] >= copy->path.back()) {
+        ++later.path[level];
+      }
+    }
+    added.insert(added.begin(), *copy);
+  }
+  return added.empty() ? std::nullopt : OptionalLocations(std::move(added));
+}
+
+std::string nodesText(const std::vector<const bt::NodeSpec*>& nodes) {
+  std::string text;
+  for (const bt::NodeSpec* node : nodes) {
+    text += nodeText(*node);
+  }
+  return text;
+}
+
+base::Result<std::vector<bt::NodeSpec>> nodesFromText(const std::string& text, bt::TreeFile& into) {
+  const base::Result<bt::NodeSpec> one = nodeFromText(text, into);
+  if (one) {
+    return std::vector<bt::NodeSpec>{*one};
+  }
+  const base::Result<bt::NodeSpec> row =
+      nodeFromText("<Sequence>" + base::trimmed(text) + "</Sequence>", into);
+  if (!row || row->children.empty()) {
+    return one.diagnostics();
+  }
+  return row->children;
 }
 
 }  // namespace editor

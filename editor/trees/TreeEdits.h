@@ -2,62 +2,95 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bt/tree/TreeSpec.h"
 
-/// Edits of a tree file as a value. Each returns where the node stands that is looked at
-/// afterwards; nothing: it cannot be done, and nothing has changed.
+/// Edits of a tree file by value. Each function returns the position of the node to be chosen
+/// afterwards, or none if the edit is impossible; the file is unchanged then.
 namespace editor {
 
-/// A node of a file: its tree and its place there.
-struct TreePlace {
+/// The position of a node: its tree and its path.
+struct NodeLocation {
   std::string tree;  // ID
   bt::NodePath path;
 
-  TreePlace parent() const;  // of a node that is no root
-  TreePlace child(int index) const;
+  NodeLocation parent() const;  // For nodes other than roots.
+  NodeLocation child(int index) const;
   bool isRoot() const { return path.empty(); }
-  /// The same node, or one above it.
-  bool holds(const TreePlace& other) const;
-  friend bool operator==(const TreePlace& a, const TreePlace& b) {
+  /// Returns true for the same node or a descendant.
+  bool holds(const NodeLocation& other) const;
+  friend bool operator==(const NodeLocation& a, const NodeLocation& b) {
     return a.tree == b.tree && a.path == b.path;
   }
 };
-using MaybePlace = std::optional<TreePlace>;
+using OptionalLocation = std::optional<NodeLocation>;
 
-const bt::NodeSpec* nodeAt(const bt::TreeFile& file, const TreePlace& place);  // null = none
+const bt::NodeSpec* nodeAt(const bt::TreeFile& file, const NodeLocation& place);  // Null = none.
 
-/// How many children a node may have: -1 = any number; unknown nodes may have any.
-int mostChildren(const bt::NodeSpec& node);
-bool takesChild(const bt::NodeSpec& node);
-/// A node of this kind with the values that a new one has.
-bt::NodeSpec freshNode(const std::string& id);
+/// Maximum number of children: -1 = unlimited, also for unknown nodes.
+int maxChildCount(const bt::NodeSpec& node);
+bool canHaveChildren(const bt::NodeSpec& node);
+/// A node of this kind with default values.
+bt::NodeSpec defaultNode(const std::string& id);
 
-/// Before the child that stands at `index` now, or behind all.
-MaybePlace addNode(bt::TreeFile& file, const TreePlace& parent, int index, bt::NodeSpec node);
-/// With all that is below. No root.
-MaybePlace removeNode(bt::TreeFile& file, const TreePlace& place);
-/// To before what stands at `index` of `parent` now. Not into itself.
-MaybePlace moveNode(bt::TreeFile& file, const TreePlace& from, const TreePlace& parent, int index);
-/// `around` takes the place of the node and gets it as its last child.
-MaybePlace wrapNode(bt::TreeFile& file, const TreePlace& place, bt::NodeSpec around);
-/// The children take the place of the node.
-MaybePlace unwrapNode(bt::TreeFile& file, const TreePlace& place);
-/// Behind the node; no root.
-MaybePlace duplicateNode(bt::TreeFile& file, const TreePlace& place);
-/// Another kind of node in the same place: children stay, and values of ports that it has too.
-MaybePlace replaceNode(bt::TreeFile& file, const TreePlace& place, const bt::NodeSpec& by);
-/// The node becomes a tree of the file, with a SubTree in its place that shares all entries.
-/// `wanted`: the ID of the tree; a number is put behind it when it is taken. No root.
-MaybePlace extractTree(bt::TreeFile& file, const TreePlace& place, const std::string& wanted);
-/// The opposite: what the SubTree runs stands in its place. Only where it shares all entries and
-/// the file has the tree; a tree that nobody runs then is taken out of the file.
-MaybePlace inlineTree(bt::TreeFile& file, const TreePlace& place);
-MaybePlace renameNode(bt::TreeFile& file, const TreePlace& place, const std::string& name);
+/// Inserts before the child that is at `index` now, or appends.
+OptionalLocation addNode(bt::TreeFile& file, const NodeLocation& parent, int index,
+                         bt::NodeSpec node);
+/// Removes a node with all its descendants; not for roots.
+OptionalLocation removeNode(bt::TreeFile& file, const NodeLocation& place);
+/// Moves a node to before the current child `index` of `parent`; not into itself.
+OptionalLocation moveNode(bt::TreeFile& file, const NodeLocation& from, const NodeLocation& parent,
+                          int index);
+/// Replaces the node by `around`, which gets the node as its last child.
+OptionalLocation wrapNode(bt::TreeFile& file, const NodeLocation& place, bt::NodeSpec around);
+/// Replaces the node by its children.
+OptionalLocation unwrapNode(bt::TreeFile& file, const NodeLocation& place);
+/// Inserts a copy after the node; not for roots.
+OptionalLocation duplicateNode(bt::TreeFile& file, const NodeLocation& place);
+/// Replaces the node by another kind; children and values of common ports stay.
+OptionalLocation replaceNode(bt::TreeFile& file, const NodeLocation& place, const bt::NodeSpec& by);
+/// Moves the node into a new tree of the file and replaces it by a SubTree that shares all entries.
+/// `wanted`: ID of the tree; a number is appended if it is taken. Not for roots.
+OptionalLocation extractTree(bt::TreeFile& file, const NodeLocation& place,
+                             const std::string& wanted);
+/// The inverse: replaces a SubTree by the content of its tree. Only if it shares all entries and
+/// the file contains the tree. A tree that is no longer used is removed from the file.
+OptionalLocation inlineTree(bt::TreeFile& file, const NodeLocation& place);
+OptionalLocation renameNode(bt::TreeFile& file, const NodeLocation& place, const std::string& name);
 
-/// A node as XML, for the clipboard, and back: an element, or a file, of whose main tree it is the
-/// root; trees of it that `into` lacks come along.
+/// A node as XML for the clipboard, and the inverse. The text is an element, or a file whose main
+/// tree has the node as its root; its trees that `into` lacks are added to it.
 std::string nodeText(const bt::NodeSpec& node);
 base::Result<bt::NodeSpec> nodeFromText(const std::string& text, bt::TreeFile& into);
+
+/// Edits of several nodes of a tree file. Each function returns their positions afterwards, or none
+/// if the edit is impossible for any of them; the file must be discarded then.
+
+using OptionalLocations = std::optional<std::vector<NodeLocation>>;
+
+/// In file order, without descendants of other elements.
+std::vector<NodeLocation> withoutDescendants(std::vector<NodeLocation> places);
+bool areSiblings(const std::vector<NodeLocation>& places);  // Children of the same parent.
+
+/// Returns one position, as removeNode() does. Not for roots.
+OptionalLocations removeNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places);
+/// Moves nodes to before the current child `index` of `parent`, in their order; not into one of
+/// them.
+OptionalLocations moveNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places,
+                            const NodeLocation& parent, int index);
+/// Inserts before the child that is at `index` now, or appends.
+OptionalLocations addNodes(bt::TreeFile& file, const NodeLocation& parent, int index,
+                           const std::vector<bt::NodeSpec>& nodes);
+/// Replaces the first node by `around`, which gets all of them; they must be siblings.
+OptionalLocations wrapNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places,
+                            bt::NodeSpec around);
+/// Inserts each copy after its node; copies of siblings after the last of them.
+OptionalLocations duplicateNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places);
+
+/// Nodes as consecutive XML elements, and the inverse, which reads whatever nodeFromText() reads,
+/// or several elements.
+std::string nodesText(const std::vector<const bt::NodeSpec*>& nodes);
+base::Result<std::vector<bt::NodeSpec>> nodesFromText(const std::string& text, bt::TreeFile& into);
 
 }  // namespace editor

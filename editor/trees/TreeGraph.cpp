@@ -7,19 +7,19 @@
 
 #include <QFontMetricsF>
 
-#include "editor/document/TreeFiles.h"
+#include "editor/document/PersonTree.h"
 #include "editor/panels/TreeOutline.h"
-#include "editor/trees/FilePlaces.h"
+#include "editor/trees/TreeLayout.h"
 
 namespace editor {
 
 namespace {
 
-constexpr double kLeastWidth = 104.0, kMostWidth = 190.0;  // of a node [px]
+constexpr double kMinWidth = 104.0, kMaxWidth = 190.0;  // Node width [px].
 constexpr double kTextMargin = 10.0;
-constexpr double kSignRoom = 24.0;    // right of the second line
-constexpr double kDropReach = 170.0;  // from the mouse to a place [px]
-constexpr double kDropBeyond = 12.0;  // places before the first child and behind the last
+constexpr double kSignRoom = 24.0;    // To the right of the second line.
+constexpr double kDropReach = 170.0;  // Maximum distance from the mouse to a target [px].
+constexpr double kDropMargin = 12.0;  // Targets before the first child and after the last.
 
 double lengthOf(const QPointF& a, const QPointF& b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y());
@@ -86,11 +86,11 @@ void TreeGraph::findProblems() {
   }
 }
 
-TreePlace TreeGraph::placeOf(int number) const {
+NodeLocation TreeGraph::locationOf(int number) const {
   return {node(number).tree, node(number).path};
 }
 
-int TreeGraph::nodeAtPlace(const TreePlace& place, int beside) const {
+int TreeGraph::nodeAtLocation(const NodeLocation& place, int beside) const {
   int best = -1;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const int number = static_cast<int>(i);
@@ -148,7 +148,7 @@ void TreeGraph::show(int number) {
 }
 
 int TreeGraph::below(int number) const {
-  int last = number + 1;  // all below stand behind it
+  int last = number + 1;  // Descendants follow their ancestor.
   while (last < static_cast<int>(nodes_.size()) && isBelow(last, number)) {
     ++last;
   }
@@ -173,12 +173,12 @@ double TreeGraph::widthOf(int number) const {
       QFontMetricsF(theme_.font(9.5, QFont::DemiBold)).horizontalAdvance(nodeTitle(spec));
   const double detail = QFontMetricsF(theme_.font(9.0)).horizontalAdvance(nodeDetail(spec));
   return std::ceil(
-      std::clamp(std::max(title, detail + kSignRoom) + 2.0 * kTextMargin, kLeastWidth, kMostWidth));
+      std::clamp(std::max(title, detail + kSignRoom) + 2.0 * kTextMargin, kMinWidth, kMaxWidth));
 }
 
 void TreeGraph::layOut() {
   std::vector<LayoutNode> seen;
-  std::vector<int> places(nodes_.size(), -1);  // of the nodes among those that are seen
+  std::vector<int> places(nodes_.size(), -1);  // Indices among the visible nodes.
   shown_.clear();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const int parent = nodes_[i].parent;
@@ -193,7 +193,7 @@ void TreeGraph::layOut() {
   }
   const LayoutGaps gaps =
       direction_ == TreeDirection::Down ? LayoutGaps{8.0, 44.0} : LayoutGaps{12.0, 44.0};
-  const TreePlaces laid = layOutTree(seen, direction_, gaps);
+  const TreeLayoutResult laid = layOutTree(seen, direction_, gaps);
   boxes_.assign(nodes_.size(), {});
   for (std::size_t k = 0; k < shown_.size(); ++k) {
     const LayoutBox& box = laid.boxes[k];
@@ -201,24 +201,26 @@ void TreeGraph::layOut() {
         QRectF(std::round(box.x) + kMargin, std::round(box.y) + kMargin, box.width, box.height);
   }
   bounds_ = QRectF(0.0, 0.0, laid.width + 2.0 * kMargin, laid.height + 2.0 * kMargin);
-  if (placing_ == Placing::File && hasFilePlaces()) {
-    moveToFilePlaces();
+  if (positionSource_ == PositionSource::File && hasStoredPositions()) {
+    applyStoredPositions();
   }
 }
 
-bool TreeGraph::hasFilePlaces() const {
-  const auto hasPlace = [](const OutlineNode& each) { return placeInFile(*each.node).has_value(); };
+bool TreeGraph::hasStoredPositions() const {
+  const auto hasPlace = [](const OutlineNode& each) {
+    return storedNodePosition(*each.node).has_value();
+  };
   return !nodes_.empty() && hasPlace(nodes_.front()) &&
          std::any_of(nodes_.begin() + 1, nodes_.end(), hasPlace);
 }
 
-void TreeGraph::moveToFilePlaces() {
+void TreeGraph::applyStoredPositions() {
   const std::vector<QRectF> ours = boxes_;
   QRectF all;
-  for (const int each : shown_) {  // parents before their children
+  for (const int each : shown_) {  // Parents precede children.
     const auto k = static_cast<std::size_t>(each);
     const int parent = node(each).parent;
-    if (const std::optional<QPointF> place = placeInFile(*node(each).node)) {
+    if (const std::optional<QPointF> place = storedNodePosition(*node(each).node)) {
       boxes_[k].moveTopLeft(*place);
     } else if (parent >= 0) {
       const auto above = static_cast<std::size_t>(parent);
@@ -232,14 +234,15 @@ void TreeGraph::moveToFilePlaces() {
   bounds_ = QRectF(QPointF(), all.size() + QSizeF(2.0 * kMargin, 2.0 * kMargin));
 }
 
-/// Its lines go the way in which most children of the file lie.
-void TreeGraph::setPlacing(Placing placing) {
-  placing_ = placing;
-  if (placing == Placing::File) {
+/// Lines follow the direction in which most children lie in the file.
+void TreeGraph::setPositionSource(PositionSource positionSource) {
+  positionSource_ = positionSource;
+  if (positionSource == PositionSource::File) {
     int down = 0;
     for (const OutlineNode& each : nodes_) {
-      const auto place = placeInFile(*each.node);
-      const auto above = each.parent < 0 ? std::nullopt : placeInFile(*node(each.parent).node);
+      const auto place = storedNodePosition(*each.node);
+      const auto above =
+          each.parent < 0 ? std::nullopt : storedNodePosition(*node(each.parent).node);
       if (place && above) {
         const QPointF way = *place - *above;
         down += std::abs(way.y()) >= std::abs(way.x()) ? 1 : -1;
@@ -287,7 +290,7 @@ int TreeGraph::beside(int number, Way way) const {
   return nextOnLevel(number, way == Way::Right || way == Way::Down ? 1.0 : -1.0);
 }
 
-/// Whoever its parent is; the node itself where there is none.
+/// The next node of the level, independent of the parent; the node itself if there is none.
 int TreeGraph::nextOnLevel(int number, double sign) const {
   const bool isDown = direction_ == TreeDirection::Down;
   const auto across = [&](int each) {
@@ -307,17 +310,17 @@ int TreeGraph::nextOnLevel(int number, double sign) const {
   return best;
 }
 
-DropPlace TreeGraph::onlyPlaceBelow(int parent) const {
+DropTarget TreeGraph::onlyTargetBelow(int parent) const {
   const bool isDown = direction_ == TreeDirection::Down;
   const QPointF gap = isDown ? QPointF(0.0, 20.0) : QPointF(20.0, 0.0);
   const QPointF at = outlet(parent) + gap;
   const QPointF half = isDown ? QPointF(0.4 * box(parent).width(), 0.0) : QPointF(0.0, 18.0);
-  return {DropPlace::How::Below, parent, 0, QLineF(at - half, at + half), at};
+  return {DropTarget::How::Below, parent, 0, QLineF(at - half, at + half), at};
 }
 
-void TreeGraph::addPlacesBelow(int parent, std::vector<DropPlace>& places) const {
+void TreeGraph::addTargetsBelow(int parent, std::vector<DropTarget>& places) const {
   if (childrenOf(parent).empty()) {
-    places.push_back(onlyPlaceBelow(parent));
+    places.push_back(onlyTargetBelow(parent));
     return;
   }
   const bool isDown = direction_ == TreeDirection::Down;
@@ -330,18 +333,18 @@ void TreeGraph::addPlacesBelow(int parent, std::vector<DropPlace>& places) const
   const QPointF level = box(children.front()).center();
   for (int index = 0; index <= static_cast<int>(children.size()); ++index) {
     const auto k = static_cast<std::size_t>(index);
-    const double across = index == 0 ? edge(children.front(), false) - kDropBeyond
+    const double across = index == 0 ? edge(children.front(), false) - kDropMargin
                           : k == children.size()
-                              ? edge(children.back(), true) + kDropBeyond
+                              ? edge(children.back(), true) + kDropMargin
                               : 0.5 * (edge(children[k - 1], true) + edge(children[k], false));
     const QPointF at = isDown ? QPointF(across, level.y()) : QPointF(level.x(), across);
-    places.push_back({DropPlace::How::Below, parent, index, QLineF(at - half, at + half), at});
+    places.push_back({DropTarget::How::Below, parent, index, QLineF(at - half, at + half), at});
   }
 }
 
-/// For those that move, or one that is new, beside the children that stay.
-bool TreeGraph::hasRoom(int parent, const std::vector<int>& moving) const {
-  const int most = mostChildren(*node(parent).node);
+/// Returns true if the moved nodes, or one new node, fit beside the remaining children.
+bool TreeGraph::canHoldChildren(int parent, const std::vector<int>& moving) const {
+  const int most = maxChildCount(*node(parent).node);
   const std::vector<int>& children = childrenOf(parent);
   const auto stay = std::count_if(children.begin(), children.end(), [&moving](int child) {
     return std::find(moving.begin(), moving.end(), child) == moving.end();
@@ -350,43 +353,43 @@ bool TreeGraph::hasRoom(int parent, const std::vector<int>& moving) const {
                          static_cast<std::size_t>(most);
 }
 
-std::vector<DropPlace> TreeGraph::dropPlaces(const bt::NodeSpec& what,
-                                             const std::vector<int>& moving) const {
-  std::vector<DropPlace> places;
+std::vector<DropTarget> TreeGraph::dropTargets(const bt::NodeSpec& what,
+                                               const std::vector<int>& moving) const {
+  std::vector<DropTarget> places;
   for (const int each : shown_) {
     const bool isMoving =
         std::any_of(moving.begin(), moving.end(), [&](int above) { return isBelow(each, above); });
     if (!isEditable(each) || isMoving || isFolded(each)) {
       continue;
     }
-    if (hasRoom(each, moving)) {
-      addPlacesBelow(each, places);
+    if (canHoldChildren(each, moving)) {
+      addTargetsBelow(each, places);
     }
-    if (moving.empty() && takesChild(what)) {
+    if (moving.empty() && canHaveChildren(what)) {
       const QPointF above = direction_ == TreeDirection::Down ? QPointF(0, -12) : QPointF(-12, 0);
-      places.push_back({DropPlace::How::Around, each, 0, {}, inlet(each) + above});
+      places.push_back({DropTarget::How::Around, each, 0, {}, inlet(each) + above});
     }
   }
   return places;
 }
 
-std::optional<DropPlace> TreeGraph::dropAt(const QPointF& at, const bt::NodeSpec& what,
-                                           const std::vector<int>& moving) const {
-  const std::vector<DropPlace> places = dropPlaces(what, moving);
+std::optional<DropTarget> TreeGraph::dropTargetAt(const QPointF& at, const bt::NodeSpec& what,
+                                                  const std::vector<int>& moving) const {
+  const std::vector<DropTarget> places = dropTargets(what, moving);
   const int under = nodeAt(at);
-  const DropPlace* best = nullptr;
-  if (under >= 0) {  // on the middle of a node: into it, else around it
+  const DropTarget* best = nullptr;
+  if (under >= 0) {  // In the middle of a node: into it, else around it.
     const QRectF inner =
         box(under).adjusted(0.2 * box(under).width(), 0.0, -0.2 * box(under).width(), 0.0);
-    for (const DropPlace& place : places) {
+    for (const DropTarget& place : places) {
       const bool isInto = place.node == under && inner.contains(at);
-      if (isInto && (best == nullptr || place.how == DropPlace::How::Below)) {
-        best = &place;  // the last: behind all children
+      if (isInto && (best == nullptr || place.how == DropTarget::How::Below)) {
+        best = &place;  // The last one: after all children.
       }
     }
   }
   if (best == nullptr) {
-    for (const DropPlace& place : places) {
+    for (const DropTarget& place : places) {
       const double far = lengthOf(place.centre, at);
       if (far < kDropReach && (best == nullptr || far < lengthOf(best->centre, at))) {
         best = &place;

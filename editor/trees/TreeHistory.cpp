@@ -22,12 +22,12 @@ namespace {
 using base::NodeStatus;
 
 constexpr int kRow = 20;        // [px]
-constexpr int kAxis = 18;       // below the rows
-constexpr int kNames = 160;     // left of the bands
-constexpr int kRightRoom = 16;  // of the bands
+constexpr int kAxis = 18;       // Height below the rows.
+constexpr int kNames = 160;     // Width to the left of the bands.
+constexpr int kRightRoom = 16;  // Margin to the right of the bands.
 constexpr double kTickRoom = 80.0;
 
-QString statusWords(NodeStatus status) {
+QString nodeStatusText(NodeStatus status) {
   switch (status) {
     case NodeStatus::Running:
       return QObject::tr("Running");
@@ -48,7 +48,7 @@ Role roleOfStatus(NodeStatus status) {
                                          : Role::ErrorSoft;
 }
 
-/// 1, 2 or 5 times a power of ten, at least so long [s].
+/// 1, 2 or 5 times a power of ten, at least `least` [s].
 double roundStep(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-3))));
   for (const double each : {1.0, 2.0, 5.0}) {
@@ -82,11 +82,11 @@ void TreeHistory::setTheme(const Theme& theme) {
 
 void TreeHistory::showPerson(int id) {
   person_ = id;
-  recording_ = nullptr;  // read anew
-  isOther_ = false;
+  recording_ = nullptr;  // Reads the recording again.
+  isOtherTree_ = false;
   bands_.assign(graph_.nodes().size(), {});
   follow();
-  fitBars();
+  updateScrollBars();
 }
 
 void TreeHistory::choose(int node) {
@@ -102,21 +102,21 @@ void TreeHistory::choose(int node) {
   viewport()->update();
 }
 
-/// A part of what is new at a time: a run that was recorded before may be long.
+/// Reads a part of the new states at a time, because a recorded run may be long.
 void TreeHistory::follow() {
   constexpr std::int64_t kStepsAtOnce = 2000;
   const RecordingPtr now = runner_.recording();
   if (now != recording_) {
     recording_ = now;
     read_ = 0;
-    isOther_ = false;
+    isOtherTree_ = false;
     paths_ = nullptr;
     bands_.assign(graph_.nodes().size(), {});
-    fitBars();
+    updateScrollBars();
   }
   if (recording_ != nullptr) {
     const std::int64_t end = std::min(newestStep(), read_ + kStepsAtOnce);
-    while (read_ < end && !isOther_) {
+    while (read_ < end && !isOtherTree_) {
       readStep(++read_);
     }
     if (end < newestStep()) {
@@ -136,7 +136,7 @@ void TreeHistory::readStep(std::int64_t step) {
     findNodes();
   }
   for (std::size_t k = 0; k < state.statuses.size() && k < nodesOfPaths_.size(); ++k) {
-    std::vector<Stretch>& band = bands_[static_cast<std::size_t>(nodesOfPaths_[k])];
+    std::vector<StatusInterval>& band = bands_[static_cast<std::size_t>(nodesOfPaths_[k])];
     const NodeStatus before = band.empty() ? NodeStatus::Idle : band.back().status;
     if (state.statuses[k] != before) {
       band.push_back({step, state.statuses[k]});
@@ -144,7 +144,7 @@ void TreeHistory::readStep(std::int64_t step) {
   }
 }
 
-/// Which nodes of the tree that is shown those of the record are.
+/// Maps the nodes of the recording to those of the shown tree.
 void TreeHistory::findNodes() {
   std::map<std::string_view, int> places;
   for (std::size_t k = 0; k < graph_.names().size(); ++k) {
@@ -154,7 +154,7 @@ void TreeHistory::findNodes() {
   for (const std::string& path : *paths_) {
     const auto place = places.find(path);
     if (place == places.end()) {
-      isOther_ = true;
+      isOtherTree_ = true;
       nodesOfPaths_.clear();
       return;
     }
@@ -203,7 +203,7 @@ std::int64_t TreeHistory::stepAt(int x) const {
   return std::llround(std::clamp(share, 0.0, 1.0) * static_cast<double>(newestStep()));
 }
 
-void TreeHistory::fitBars() {
+void TreeHistory::updateScrollBars() {
   const int all = recording_ == nullptr ? 0 : kRow * static_cast<int>(graph_.shown().size());
   const int room = std::max(1, viewport()->height() - kAxis);
   verticalScrollBar()->setRange(0, std::max(0, all - room));
@@ -214,14 +214,14 @@ void TreeHistory::fitBars() {
 
 void TreeHistory::resizeEvent(QResizeEvent* event) {
   QAbstractScrollArea::resizeEvent(event);
-  fitBars();
+  updateScrollBars();
 }
 
 void TreeHistory::mousePressEvent(QMouseEvent* event) {
   const int node = nodeAtY(event->y());
   if (node >= 0) {
     choose(node);
-    Q_EMIT chose(node);
+    Q_EMIT choiceChanged(node);
   }
   if (event->x() >= kNames && runner_.recording() != nullptr) {
     runner_.seek(stepAt(event->x()));
@@ -245,13 +245,13 @@ bool TreeHistory::viewportEvent(QEvent* event) {
     }
     const std::int64_t step = stepAt(help.x());
     NodeStatus status = NodeStatus::Idle;
-    for (const Stretch& each : stretchesOf(node)) {
+    for (const StatusInterval& each : intervalsOf(node)) {
       status = each.from <= step ? each.status : status;
     }
     QString text = nodeTitle(*graph_.node(node).node);
     if (help.x() >= kNames) {
       text += QStringLiteral("\n%1 · %2")
-                  .arg(clockText(static_cast<double>(step) * stepLength()), statusWords(status));
+                  .arg(clockText(static_cast<double>(step) * stepLength()), nodeStatusText(status));
     }
     QToolTip::showText(help.globalPos(), text, viewport());
     return true;
@@ -262,11 +262,11 @@ bool TreeHistory::viewportEvent(QEvent* event) {
 void TreeHistory::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(viewport());
   painter.fillRect(viewport()->rect(), theme_.color(Role::Panel));
-  if (runner_.recording() == nullptr || isOther_) {
+  if (runner_.recording() == nullptr || isOtherTree_) {
     painter.setPen(theme_.color(Role::TextSecondary));
     painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     isOther_
-                         ? tr("The run is of another tree: run it again to see its nodes here.")
+                     isOtherTree_
+                         ? tr("The run used another tree: run it again to see its nodes here.")
                          : tr("Run the scenario to see what each node returns over time."));
     return;
   }
@@ -297,11 +297,11 @@ void TreeHistory::paintRow(QPainter& painter, int row, int node) const {
   painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                    painter.fontMetrics().elidedText(nodeTitle(*graph_.node(node).node),
                                                     Qt::ElideRight, room.width()));
-  paintBand(painter, bandOf(node), stretchesOf(node));
+  paintBand(painter, bandOf(node), intervalsOf(node));
 }
 
 void TreeHistory::paintBand(QPainter& painter, const QRect& band,
-                            const std::vector<Stretch>& its) const {
+                            const std::vector<StatusInterval>& its) const {
   painter.fillRect(QRect(band.left(), band.center().y(), band.width(), 1),
                    theme_.color(Role::Line));
   painter.setFont(theme_.font(8.0));
@@ -317,7 +317,7 @@ void TreeHistory::paintBand(QPainter& painter, const QRect& band,
     painter.fillRect(part, theme_.color(roleOfStatus(status), 0.3));
     painter.fillRect(QRect(part.left(), part.top(), std::min(2, part.width()), part.height()),
                      theme_.color(roleOfStatus(status)));
-    const QString words = statusWords(status);
+    const QString words = nodeStatusText(status);
     if (painter.fontMetrics().horizontalAdvance(words) + 14 < part.width()) {
       painter.setPen(theme_.color(Role::Text));
       painter.drawText(part.adjusted(7, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, words);

@@ -12,31 +12,31 @@
 
 namespace editor {
 
-/// What each node of a tree returned over the time of a run, as bands below each other, one row per
-/// node that the graph shows. A click looks at that moment.
+/// The return values of tree nodes over the time of a run as horizontal bands, one row per visible
+/// node of the graph. A click seeks to that time.
 class TreeHistory : public QAbstractScrollArea {
   Q_OBJECT
  public:
-  struct Stretch {
-    std::int64_t from = 0;  // step; to the next one, or to the newest state
+  struct StatusInterval {
+    std::int64_t from = 0;  // First step; up to the next stretch, or to the newest state.
     base::NodeStatus status = base::NodeStatus::Idle;
   };
 
   TreeHistory(const TreeGraph& graph, SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
-  void showPerson(int id);  // of the tree of the graph, which may be another one now
+  void showPerson(int id);  // Person whose tree the graph shows; it may have changed.
   void choose(int node);
-  /// What is known of a node by now, in order of time.
-  const std::vector<Stretch>& stretchesOf(int node) const {
+  /// The known stretches of a node in order of time.
+  const std::vector<StatusInterval>& intervalsOf(int node) const {
     return bands_[static_cast<std::size_t>(node)];
   }
-  QRect bandOf(int node) const;  // in the viewport; null: not shown
+  QRect bandOf(int node) const;  // In viewport coordinates; null: hidden.
   std::int64_t stepAt(int x) const;
   int xOf(std::int64_t step) const;
   QSize sizeHint() const override { return {400, 120}; }
 
  Q_SIGNALS:
-  void chose(int node);
+  void choiceChanged(int node);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -46,16 +46,17 @@ class TreeHistory : public QAbstractScrollArea {
   bool viewportEvent(QEvent* event) override;
 
  private:
-  void follow();  // reads what is new
+  void follow();  // Reads new states.
   void readStep(std::int64_t step);
   void findNodes();
-  void fitBars();
-  int rowOf(int node) const;  // -1 = not shown
+  void updateScrollBars();
+  int rowOf(int node) const;  // -1 = hidden.
   int nodeAtY(int y) const;
   std::int64_t newestStep() const;
   double stepLength() const;  // [s]
   void paintRow(QPainter& painter, int row, int node) const;
-  void paintBand(QPainter& painter, const QRect& band, const std::vector<Stretch>& its) const;
+  void paintBand(QPainter& painter, const QRect& band,
+                 const std::vector<StatusInterval>& its) const;
   void paintAxis(QPainter& painter) const;
 
   const TreeGraph& graph_;
@@ -63,13 +64,13 @@ class TreeHistory : public QAbstractScrollArea {
   Theme theme_;
   int person_ = 0;
   int chosen_ = -1;
-  RecordingPtr recording_;  // that was read
-  std::int64_t read_ = 0;   // the last step of it
+  RecordingPtr recording_;  // The recording that has been read.
+  std::int64_t read_ = 0;   // Last step that has been read.
   sim2d::TreeChanges::Paths paths_;
   std::vector<int> nodesOfPaths_;
-  QTimer more_;                              // of it is to be read
-  bool isOther_ = false;                     // the run is of another tree
-  std::vector<std::vector<Stretch>> bands_;  // by node
+  QTimer more_;                                     // Schedules reading of the rest.
+  bool isOtherTree_ = false;                        // The run has a different tree.
+  std::vector<std::vector<StatusInterval>> bands_;  // By node.
 };
 
 }  // namespace editor

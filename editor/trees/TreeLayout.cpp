@@ -1,7 +1,11 @@
 #include "editor/trees/TreeLayout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <string>
+
+#include "sim2d/base/Text.h"
 
 namespace editor {
 
@@ -9,18 +13,18 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// One node while places across the levels are looked for. Names are those of the paper: the place
-/// of a node is `prelim` and the `mod` of all above it.
+/// State of a node during the layout across the levels. Names are those of the paper: the position
+/// of a node is `prelim` plus the `mod` of all its ancestors.
 struct Walker {
   int parent = kNone, firstChild = kNone, lastChild = kNone, left = kNone, right = kNone;
-  int number = 0;  // among its siblings
+  int number = 0;  // Index among its siblings.
   int depth = 0;
-  double breadth = 0.0;  // across the levels
+  double breadth = 0.0;  // Extent across the levels.
   double prelim = 0.0, mod = 0.0, change = 0.0, shift = 0.0, middle = 0.0;
   int thread = kNone, ancestor = kNone;
 };
 
-/// Works on an invisible root (the last entry) over the roots of the list.
+/// Uses an invisible root (the last entry) above the roots of the list.
 class TidyTree {
  public:
   TidyTree(const std::vector<LayoutNode>& nodes, TreeDirection direction, double gap);
@@ -72,7 +76,7 @@ void TidyTree::link(int child, int parent) {
   above.lastChild = child;
 }
 
-/// What is below the children is in place already, relative to each of them.
+/// The subtrees of the children are already placed relative to each child.
 void TidyTree::placeChildren(int parent) {
   if (at(parent).firstChild == kNone) {
     return;
@@ -92,13 +96,13 @@ void TidyTree::placeChildren(int parent) {
   at(parent).middle = 0.5 * (at(at(parent).firstChild).prelim + at(at(parent).lastChild).prelim);
 }
 
-/// Moves a subtree right until it is clear of those left of it.
+/// Moves a subtree to the right until it does not overlap those to its left.
 int TidyTree::apportion(int node, int defaultAncestor) {
   if (at(node).left == kNone) {
     return defaultAncestor;
   }
-  int insideRight = node, outsideRight = node;  // contours of this subtree …
-  int insideLeft = at(node).left;               // … and of those left of it
+  int insideRight = node, outsideRight = node;  // Contours of this subtree …
+  int insideLeft = at(node).left;               // … and of those to its left.
   int outsideLeft = at(at(node).parent).firstChild;
   double sumInsideRight = at(insideRight).mod, sumOutsideRight = at(outsideRight).mod;
   double sumInsideLeft = at(insideLeft).mod, sumOutsideLeft = at(outsideLeft).mod;
@@ -155,14 +159,14 @@ void TidyTree::executeShifts(int parent) {
 
 std::vector<double> TidyTree::centres() {
   const int root = static_cast<int>(walkers_.size()) - 1;
-  for (int node = root - 1; node >= 0; --node) {  // children before their parents
+  for (int node = root - 1; node >= 0; --node) {  // Children before their parents.
     placeChildren(node);
   }
   placeChildren(root);
-  std::vector<double> sums(walkers_.size(), 0.0);  // of the mods above a node
+  std::vector<double> sums(walkers_.size(), 0.0);  // Sums of `mod` over the ancestors of a node.
   std::vector<double> places;
   places.reserve(walkers_.size());
-  for (int node = 0; node < root; ++node) {  // parents before their children
+  for (int node = 0; node < root; ++node) {  // Parents before their children.
     const auto parent = static_cast<std::size_t>(at(node).parent);
     sums[static_cast<std::size_t>(node)] = sums[parent] + at(static_cast<int>(parent)).mod;
     places.push_back(at(node).prelim + sums[static_cast<std::size_t>(node)]);
@@ -172,12 +176,12 @@ std::vector<double> TidyTree::centres() {
 
 }  // namespace
 
-TreePlaces layOutTree(const std::vector<LayoutNode>& nodes, TreeDirection direction,
-                      const LayoutGaps& gaps) {
+TreeLayoutResult layOutTree(const std::vector<LayoutNode>& nodes, TreeDirection direction,
+                            const LayoutGaps& gaps) {
   const bool isDown = direction == TreeDirection::Down;
   TidyTree tidy(nodes, direction, gaps.sibling);
   const std::vector<double> centres = tidy.centres();
-  std::vector<double> depths;  // [px] of each level, then where it begins
+  std::vector<double> depths;  // Depth of each level, then its start [px].
   double least = 0.0;
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     const auto level = static_cast<std::size_t>(tidy.depthOf(node));
@@ -192,7 +196,7 @@ TreePlaces layOutTree(const std::vector<LayoutNode>& nodes, TreeDirection direct
     depth = begin;
     begin += its + gaps.level;
   }
-  TreePlaces places;
+  TreeLayoutResult places;
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     const LayoutNode& from = nodes[node];
     const double along = depths[static_cast<std::size_t>(tidy.depthOf(node))];
@@ -203,6 +207,36 @@ TreePlaces layOutTree(const std::vector<LayoutNode>& nodes, TreeDirection direct
     places.height = std::max(places.height, places.boxes.back().y + from.height);
   }
   return places;
+}
+
+namespace {
+
+constexpr double kFarthestPlace = 1e6;  // [px]
+
+std::optional<QPointF> positionFromTexts(const std::string& x, const std::string& y) {
+  const std::optional<double> across = base::parseDouble(base::trimmed(x));
+  const std::optional<double> down = base::parseDouble(base::trimmed(y));
+  const bool isPlace = across && down && std::fabs(*across) <= kFarthestPlace &&
+                       std::fabs(*down) <= kFarthestPlace;  // Also excludes NaN.
+  return isPlace ? std::optional(QPointF(*across, *down)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<QPointF> storedNodePosition(const bt::NodeSpec& node) {
+  const std::string* x = bt::findAttribute(node.others, "_x");
+  const std::string* y = bt::findAttribute(node.others, "_y");
+  if (x != nullptr && y != nullptr) {
+    return positionFromTexts(*x, *y);
+  }
+  for (const char* name : {"_pos", "_position"}) {
+    const std::string* both = bt::findAttribute(node.others, name);
+    const std::size_t middle = both == nullptr ? std::string::npos : both->find_first_of(";,");
+    if (middle != std::string::npos) {
+      return positionFromTexts(both->substr(0, middle), both->substr(middle + 1));
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace editor

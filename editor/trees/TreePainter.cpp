@@ -6,7 +6,7 @@
 #include <QFontMetricsF>
 #include <QPainterPath>
 
-#include "editor/document/TreeFiles.h"
+#include "editor/document/PersonTree.h"
 #include "editor/panels/TreeOutline.h"
 
 namespace editor {
@@ -16,10 +16,10 @@ namespace {
 using base::NodeStatus;
 
 constexpr double kNodeRadius = 6.0;
-constexpr double kBend = 8.0;  // radius of the corners of lines
+constexpr double kBend = 8.0;  // Corner radius of lines.
 constexpr double kNodeTextLeft = 10.0;
 
-/// From a parent to a child: out, across, in, with round corners.
+/// An orthogonal line from parent to child with rounded corners.
 QPainterPath lineBetween(const QPointF& from, const QPointF& to, bool isDown) {
   QPainterPath path(from);
   const double half = isDown ? 0.5 * (to.y() - from.y()) : 0.5 * (to.x() - from.x());
@@ -119,14 +119,14 @@ const NodeStatus* TreeView::statusOf(int node) const {
   return node >= 0 && place < statuses.size() ? &statuses[place] : nullptr;
 }
 
-QRectF TreePainter::knobOf(const TreeGraph& graph, int node) {
+QRectF TreePainter::foldHandleRect(const TreeGraph& graph, int node) {
   if (graph.childrenOf(node).empty() || !graph.isShown(node)) {
     return {};
   }
   const bool isFolded = graph.isFolded(node);
-  const double width = isFolded ? 30.0 : kKnob;
+  const double width = isFolded ? 30.0 : kFoldHandle;
   const QPointF at = graph.outlet(node);
-  return {at.x() - 0.5 * width, at.y() - 0.5 * kKnob, width, kKnob};
+  return {at.x() - 0.5 * width, at.y() - 0.5 * kFoldHandle, width, kFoldHandle};
 }
 
 void TreePainter::paint(QPainter& painter, const QRectF& visible) const {
@@ -137,7 +137,7 @@ void TreePainter::paint(QPainter& painter, const QRectF& visible) const {
       lines.push_back(node);
     }
   }
-  // what runs lies over what does not
+  // Lines of running nodes are drawn last.
   std::stable_partition(lines.begin(), lines.end(), [this](int node) {
     const NodeStatus* status = view_.statusOf(node);
     return status == nullptr || *status != NodeStatus::Running;
@@ -213,12 +213,12 @@ void TreePainter::paintNode(QPainter& painter, int node) const {
   painter.setBrush(theme_.color(node == view_.hovered ? Role::RowHover : Role::Panel));
   painter.drawRoundedRect(box, kNodeRadius, kNodeRadius);
   paintTexts(painter, node, isIdle || !graph_.isEditable(node));
-  paintKnob(painter, node);
+  paintFoldHandle(painter, node);
   paintMarks(painter, node);
   painter.setOpacity(1.0);
 }
 
-void TreePainter::paintTexts(QPainter& painter, int node, bool isPale) const {
+void TreePainter::paintTexts(QPainter& painter, int node, bool isDimmed) const {
   const bt::NodeSpec& spec = *graph_.node(node).node;
   const QRectF box = graph_.box(node).adjusted(kNodeTextLeft, 5.0, -kNodeTextLeft, -5.0);
   const auto write = [&](const QFont& font, const QRectF& where, const QString& text, Role role) {
@@ -229,11 +229,11 @@ void TreePainter::paintTexts(QPainter& painter, int node, bool isPale) const {
   };
   const double half = 0.5 * box.height();
   write(theme_.font(9.5, QFont::DemiBold), QRectF(box.left(), box.top(), box.width(), half),
-        nodeTitle(spec), isPale ? Role::TextSecondary : Role::Text);
+        nodeTitle(spec), isDimmed ? Role::TextSecondary : Role::Text);
   write(theme_.font(9.0), QRectF(box.left(), box.top() + half, box.width() - 18.0, half),
         nodeDetail(spec), graph_.isUnknown(node) ? Role::Warning : Role::TextSecondary);
   paintNodeSign(painter, spec, QPointF(box.right() - 5.0, box.bottom() - 0.5 * half),
-                theme_.color(isPale ? Role::TextSecondary : Role::Text));
+                theme_.color(isDimmed ? Role::TextSecondary : Role::Text));
 }
 
 bool TreePainter::isStopped(int node) const {
@@ -282,10 +282,10 @@ void TreePainter::paintMarks(QPainter& painter, int node) const {
   }
 }
 
-/// A number where something is folded; while the mouse is there a sign that it can be.
-void TreePainter::paintKnob(QPainter& painter, int node) const {
+/// Draws the number of hidden nodes if folded; otherwise a sign while the mouse is over the node.
+void TreePainter::paintFoldHandle(QPainter& painter, int node) const {
   const bool isFolded = graph_.isFolded(node);
-  const QRectF knob = knobOf(graph_, node);
+  const QRectF knob = foldHandleRect(graph_, node);
   if (knob.isNull() || (!isFolded && node != view_.hovered)) {
     return;
   }
@@ -312,10 +312,10 @@ void TreePainter::paintDrop(QPainter& painter) const {
   if (!view_.drop) {
     return;
   }
-  const DropPlace& drop = *view_.drop;
+  const DropTarget& drop = *view_.drop;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme_.color(Role::Accent), 2.0, Qt::DashLine));
-  if (drop.how == DropPlace::How::Around) {
+  if (drop.how == DropTarget::How::Around) {
     painter.drawRoundedRect(graph_.box(drop.node).adjusted(-8, -8, 8, 8), 10, 10);
     return;
   }

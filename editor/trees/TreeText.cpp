@@ -26,19 +26,22 @@ TreeText::TreeText(const Theme& theme)
   text_->setFont(fixed);
   text_->setFrameShape(QFrame::NoFrame);
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  text_->setUndoRedoEnabled(false);  // the document's commands are what is undone
+  text_->setUndoRedoEnabled(false);  // Undo is provided by the commands of the document.
   text_->setAccessibleName(tr("XML of the tree"));
   problem_->setTextFormat(Qt::PlainText);
   problem_->setWordWrap(true);
-  back_ = linkButton(tr("Give it up"), tr("Back to the tree as it counts now"), this, [this] {
-    const std::string counts = taken_;
-    taken_.clear();
-    showText(counts);
-  });
+  back_ = linkButton(tr("Discard"),
+                     tr("Discard the edit and show the current "
+                        "tree"),
+                     this, [this] {
+                       const std::string counts = taken_;
+                       taken_.clear();
+                       showText(counts);
+                     });
   auto* below = new QWidget(this);
-  arranged(new QHBoxLayout(below), {12, 2, 12, 2}, 8, {problem_, back_})
+  configuredLayout(new QHBoxLayout(below), {12, 2, 12, 2}, 8, {problem_, back_})
       ->setStretchFactor(problem_, 1);
-  auto* layout = arranged(new QVBoxLayout(this), {}, 0, {text_, below});
+  auto* layout = configuredLayout(new QVBoxLayout(this), {}, 0, {text_, below});
   layout->setStretchFactor(text_, 1);
   back_->hide();
   pause_.setSingleShot(true);
@@ -76,7 +79,7 @@ void TreeText::showText(const std::string& text) {
   back_->hide();
   const QString now = QString::fromStdString(text);
   if (now == text_->toPlainText()) {
-    return;  // it was typed here: the cursor stays
+    return;  // The text was typed here: the cursor stays.
   }
   showing_ = true;
   const int line = text_->textCursor().blockNumber();
@@ -86,7 +89,7 @@ void TreeText::showText(const std::string& text) {
   showing_ = false;
 }
 
-void TreeText::finishTyping() {
+void TreeText::commitPendingEdit() {
   if (pause_.isActive()) {
     pause_.stop();
     take();
@@ -95,7 +98,7 @@ void TreeText::finishTyping() {
 
 bool TreeText::eventFilter(QObject* watched, QEvent* event) {
   if (watched == text_ && event->type() == QEvent::FocusOut) {
-    finishTyping();
+    commitPendingEdit();
   }
   return QWidget::eventFilter(watched, event);
 }

@@ -12,24 +12,24 @@
 
 namespace editor {
 
-/// The XML of a tree, as it will be in its file, beside the graph: what is typed is taken as soon
-/// as it can be read, and what is wrong is said below with its line.
+/// The XML of a tree as in its file, beside the graph. Typed text is applied as soon as it can be
+/// parsed; errors are shown below with their line.
 class TreeText : public QWidget {
   Q_OBJECT
  public:
   explicit TreeText(const Theme& theme);
   void setTheme(const Theme& theme);
-  /// The text that counts now; what is typed and not taken yet is lost only if that is another one
-  /// than before.
+  /// Sets the current text. Typed text that has not been applied is lost only if `text` differs
+  /// from the previous one.
   void showText(const std::string& text);
-  void showLine(int line);  // from 1; 0 = none
-  void finishTyping();      // applies the typed text now, if it can be parsed
+  void showLine(int line);   // From 1; 0 = none.
+  void commitPendingEdit();  // Applies the typed text immediately if it can be parsed.
   QPlainTextEdit& text() const { return *text_; }
   QString problem() const { return problem_->text(); }
 
  Q_SIGNALS:
-  void edited(const std::string& xml);  // a file that can be read
-  void lineChosen(int line);            // by the mouse or the arrows
+  void edited(const std::string& xml);  // A parsable file.
+  void lineChosen(int line);            // By mouse or arrow keys.
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,7 +38,7 @@ class TreeText : public QWidget {
   void take();
   void markLine();
   Theme theme_;
-  std::string taken_;  // counts now
+  std::string taken_;  // The current text.
   int line_ = 0;
   bool showing_ = false;
   QTimer pause_;

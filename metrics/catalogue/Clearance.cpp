@@ -1,11 +1,11 @@
-#include "metrics/Motion.h"
-#include "metrics/TermSums.h"
+#include "metrics/RobotMotion.h"
+#include "metrics/TermStatistics.h"
 
 namespace metrics {
 
 namespace {
 
-constexpr char kNoObstacle[] = "no obstacle in reach of the robot";
+constexpr char kNoObstacle[] = "no obstacle in range of the robot";
 
 double clearance(const Instant& at) {
   const Robot& robot = at.now.robot;
@@ -16,7 +16,7 @@ bool isTooClose(const Instant& at) {
   return at.term(clearance) < at.parameters.safetyDistance;
 }
 
-MetricValue timeTooClose(const Times& times, const Instant& last) {
+MetricValue timeTooClose(const ConditionTime& times, const Instant& last) {
   return last.context.hasObstacles ? times.percentOfTime(last) : undefinedValue(kNoObstacles);
 }
 
@@ -26,16 +26,16 @@ clearing_distance_min|Smallest clearance|m|(-inf, inf)|min over the samples with
   negative inside)
 clearing_distance_avg|Mean clearance|m|(-inf, inf)|mean over the same samples of the clearance
 = Safety & Collisions|lower|robot, obstacles|MRPB; SRPB
-obstacle_safety|Time too close to obstacles|%|[0, 100]|share of time with clearance < safety_distance; where no edge is within 5 m it is not
+obstacle_safety|Time too close to obstacles|%|[0, 100]|share of time with clearance < safety_distance; false where no edge is within 5 m
 )";
 
 }  // namespace
 
 void addClearance(MetricRegistry& to) {
   to.add(kClearanceMetrics,
-         {{"clearing_distance_min", figuresOf<clearance>(&Figures::least, kNoObstacle)},
-          {"clearing_distance_avg", figuresOf<clearance>(&Figures::mean, kNoObstacle)},
-          {"obstacle_safety", timesOf<isTooClose>(timeTooClose)}});
+         {{"clearing_distance_min", statisticsOf<clearance>(&TermStatistics::least, kNoObstacle)},
+          {"clearing_distance_avg", statisticsOf<clearance>(&TermStatistics::mean, kNoObstacle)},
+          {"obstacle_safety", conditionTimeOf<isTooClose>(timeTooClose)}});
 }
 
 }  // namespace metrics

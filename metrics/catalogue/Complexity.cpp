@@ -3,26 +3,26 @@
 #include <map>
 #include <set>
 
-#include "metrics/Motion.h"
-#include "sim2d/trace/Arrival.h"
+#include "metrics/RobotMotion.h"
+#include "sim2d/trace/RobotArrival.h"
 
-/// How much went on: turning round each other, new plans, arrivals.
+/// Complexity of the run: mutual winding, replanning, arrivals.
 namespace metrics {
 
 namespace {
 
-/// Turns that each person and the robot made around each other, with their sense. A jump is no
-/// turn: the bearing begins anew.
+/// Signed turns of each person and the robot around each other. A jump is not a turn: the bearing
+/// restarts.
 class Winding : public Accumulator {
  public:
   void add(const Instant& at) override {
     before_.swap(now_);
     now_.clear();
     std::size_t next = 0;
-    for (const Person& person : at.now.people) {
+    for (const Pedestrian& person : at.now.people) {
       const double bearing = person.pair.bearing;
-      const Turned* then = findInOrder(before_, next, person.id);
-      Turned turned{person.id, person.position, bearing, 0.0};
+      const WindingAngle* then = findInOrder(before_, next, person.id);
+      WindingAngle turned{person.id, person.position, bearing, 0.0};
       turned.angle = then != nullptr ? then->angle : angleOf(person.id);
       if (then != nullptr && !hasJumped(then->position, person, at.context.seam)) {
         turned.angle += base::angleDiff(bearing, then->bearing);
@@ -37,20 +37,20 @@ class Winding : public Accumulator {
     for (const auto& [id, angle] : lost_) {
       sum += std::fabs(angle) / (2.0 * base::kPi);
     }
-    for (const Turned& one : now_) {
+    for (const WindingAngle& one : now_) {
       sum += std::fabs(one.angle) / (2.0 * base::kPi);
     }
     return sum;
   }
 
  private:
-  struct Turned {
+  struct WindingAngle {
     int id = 0;
     Vec2 position = Vec2::Zero();
     double bearing = 0.0, angle = 0.0;
   };
 
-  /// Takes back what was kept of somebody who was away.
+  /// Returns the angle of a person who was absent.
   double angleOf(int id) {
     const auto found = lost_.find(id);
     const double angle = found != lost_.end() ? found->second : 0.0;
@@ -61,15 +61,15 @@ class Winding : public Accumulator {
   }
   void keepLost() {
     std::size_t next = 0;
-    for (const Turned& one : before_) {
+    for (const WindingAngle& one : before_) {
       if (findInOrder(now_, next, one.id) == nullptr) {
         lost_[one.id] = one.angle;
       }
     }
   }
 
-  std::vector<Turned> now_, before_;
-  std::map<int, double> lost_;  // who is away: id, angle [rad]
+  std::vector<WindingAngle> now_, before_;
+  std::map<int, double> lost_;  // absent people: id, angle [rad]
 };
 
 class Replans : public Accumulator {
@@ -84,11 +84,11 @@ class Replans : public Accumulator {
   double count_ = 0.0;
 };
 
-/// First arrival of each; who has goals and does not arrive counts with the whole time.
+/// First arrival of each; bodies with goals that do not arrive count with the whole time.
 class Arrivals : public Accumulator {
  public:
   void add(const Instant& at) override {
-    for (const Person& person : at.now.people) {
+    for (const Pedestrian& person : at.now.people) {
       if (person.wantsToArrive) {
         wanting_.insert(person.id);
       }
@@ -97,7 +97,7 @@ class Arrivals : public Accumulator {
   }
   void note(const RunContext& context, double elapsed, const sim2d::Event& event) override {
     const bool isPerson = event.kind == sim2d::EventKind::Arrived && event.hasId && event.id >= 0;
-    if (isPerson || sim2d::isRobotsArrival(event, context.robotId)) {
+    if (isPerson || sim2d::isRobotArrival(event, context.robotId)) {
       times_.emplace(event.id, elapsed);
     }
   }
@@ -117,23 +117,22 @@ class Arrivals : public Accumulator {
     }
     const std::optional<double> arrival = robot_.time(last);
     const bool isTold = times_.count(last.context.robotId) > 0;
-    if (last.context.hasRobot && !isTold && arrival && !last.isOriginal()) {
-      sum += *arrival;  // events do not record it
+    if (last.context.hasRobot && !isTold && arrival && !last.usesHunavProfile()) {
+      sum += *arrival;  // not recorded by events
       ++count;
     } else if (last.context.hasRobot && !last.context.goals.empty()) {
       wait(last.context.robotId);
     }
-    return count > 0 ? MetricValue(sum) : undefinedValue("nobody has a goal to arrive at");
+    return count > 0 ? MetricValue(sum) : undefinedValue("no person has a goal");
   }
 
  private:
   std::map<int, double> times_;  // [s] from the first sample
-  std::set<int> wanting_;        // people that were there
-  Arriving robot_;
+  std::set<int> wanting_;        // people who were present
+  ArrivalTime robot_;
 };
 
-/// Distance to the goals while the robot has hardly moved for a while: of that while its places
-/// are kept.
+/// Distance to the goals while the robot has hardly moved for a time window.
 class StoppedDistance : public Accumulator {
  public:
   void add(const Instant& at) override {
@@ -142,7 +141,7 @@ class StoppedDistance : public Accumulator {
     const Vec2& place = at.now.robot.position;
     places_.emplace_back(time, place);
     while (places_.size() > 1 && time - places_[1].first >= window) {
-      places_.pop_front();  // the last that is old enough stays
+      places_.pop_front();  // the last one that is old enough is kept
     }
     if (at.elapsed() >= window &&
         lengthOf(place - places_.front().second) < at.parameters.stoppedDistance) {
@@ -164,14 +163,14 @@ class StoppedDistance : public Accumulator {
 
 constexpr char kComplexityMetrics[] = R"(
 = Social Behavior|neutral|robot, people|Mavrogiannis and Knepper 2019
-topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(b_i - b_(i-1))| / 2 pi, b = bearing of a from the robot
-  = angle of C, over the i at which a is there and was at i-1 and has not jumped; for a person who comes back the sum continues
+topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(b_i - b_(i-1))| / 2 pi, b = bearing of a from the robot = angle of
+  C, over the i at which a is present, was present at i-1 and has not jumped; for a person who returns the sum continues
 = Navigation Performance|lower|robot|Arena; MRPB
-replanning_count|New plans of the robot||0, 1, ...|number of events replan with the robot's id on its way
+replanning_count|Replans of the robot||0, 1, ...|number of events replan with the robot's id in its evaluation interval
 = Navigation Performance|lower|nothing|Francis et al. 2025
-aggregated_time|Aggregated time to the goals|s|[0, inf)|sum over the people with goals (goals not empty and cyclic_goals false in trace.json) that
-  were there, everyone who has an event arrived, and the robot if it has a goal, of the time of their first event arrived (robot: its arrival) from the
-  first sample of the record, T for those who do not arrive by the last sample; undefined if there is none of them
+aggregated_time|Aggregated time to the goals|s|[0, inf)|sum over the people with goals (goals not empty and cyclic_goals false in trace.json) that were present,
+  all people with an event arrived, and the robot if it has a goal, of the time of their first event arrived (robot: its arrival) from the first sample of the
+  record, T for those who do not arrive by the last sample; undefined if there are none
 = Navigation Performance|lower|robot, goal|SEAN 2.0
 mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean over i of min over goals of |p_i - g|, over the i with t_i -
   t_0 >= stopped_window and |p_i - p_j| < stopped_distance, j = last sample with t_j <= t_i - stopped_window (times to 1e-9 s); undefined if there is
@@ -182,10 +181,10 @@ mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf
 
 void addComplexity(MetricRegistry& to) {
   to.add(kComplexityMetrics,
-         {{"topological_complexity", streamOf<Winding>(&Winding::turns)},
-          {"replanning_count", streamOf<Replans>(&Replans::count)},
-          {"aggregated_time", streamOf<Arrivals>(&Arrivals::sum)},
-          {"mean_dist_to_target_not_moving", streamOf<StoppedDistance>(&StoppedDistance::mean)}});
+         {{"topological_complexity", metricOf<Winding>(&Winding::turns)},
+          {"replanning_count", metricOf<Replans>(&Replans::count)},
+          {"aggregated_time", metricOf<Arrivals>(&Arrivals::sum)},
+          {"mean_dist_to_target_not_moving", metricOf<StoppedDistance>(&StoppedDistance::mean)}});
 }
 
 }  // namespace metrics

@@ -3,17 +3,17 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/CrowdCells.h"
-#include "metrics/TermSums.h"
+#include "metrics/TermStatistics.h"
+#include "metrics/VoronoiCells.h"
 
-/// The people as a crowd, with or without a robot.
+/// Crowd measures, with or without a robot.
 namespace metrics {
 
 namespace {
 
-constexpr double kWalkingSpeed = 0.05;  // [m/s] slower has no direction
+constexpr double kWalkingSpeed = 0.05;  // [m/s] slower people have no direction
 
-// Places of the measures.
+// Indices of the measures.
 constexpr std::size_t kDensity = 0;
 constexpr std::size_t kVoronoiDensity = 1;
 constexpr std::size_t kSpecificFlow = 2;
@@ -22,10 +22,10 @@ constexpr std::size_t kLaneOrder = 4;
 constexpr std::size_t kMeasures = 5;
 using Measures = std::array<double, kMeasures>;  // of one sample; NaN: undefined
 
-/// Where everybody is, then the images beyond the seam of who is near it.
-std::vector<Vec2> withImages(const Sample& sample, const Seam& seam, double reach) {
+/// Positions of all people, followed by the images of those near the seam.
+std::vector<Vec2> withPeriodicImages(const Sample& sample, const Seam& seam, double reach) {
   std::vector<Vec2> places;
-  for (const Person& person : sample.people) {
+  for (const Pedestrian& person : sample.people) {
     places.push_back(person.position);
   }
   const std::size_t count = seam.isThere() ? places.size() : 0;
@@ -43,7 +43,7 @@ std::vector<Vec2> withImages(const Sample& sample, const Seam& seam, double reac
 
 std::vector<std::vector<Vec2>> othersOf(const std::vector<Vec2>& places, double reach) {
   std::vector<std::vector<Vec2>> others;
-  for (const std::vector<std::size_t>& numbers : neighbours(places, reach)) {
+  for (const std::vector<std::size_t>& numbers : neighboursWithin(places, reach)) {
     std::vector<Vec2>& near = others.emplace_back();
     for (const std::size_t number : numbers) {
       near.push_back(places[number]);
@@ -64,10 +64,10 @@ double classicDensity(const std::vector<std::vector<Vec2>>& others,
   return sum / static_cast<double>(count) / (base::kPi * radius * radius);
 }
 
-/// Densities and the flow per metre of width, one point of the fundamental diagram.
-void addDensities(const Sample& sample, const RunContext& context, double radius, CellAreas& areas,
-                  Measures& to) {
-  const std::vector<Vec2> positions = withImages(sample, context.seam, 2.0 * radius);
+/// Densities and the flow per metre of width: one point of the fundamental diagram.
+void addDensities(const Sample& sample, const RunContext& context, double radius,
+                  VoronoiCellAreas& areas, Measures& to) {
+  const std::vector<Vec2> positions = withPeriodicImages(sample, context.seam, 2.0 * radius);
   const std::vector<std::vector<Vec2>> others = othersOf(positions, 2.0 * radius);
   to[kDensity] = classicDensity(others, positions, sample.people.size(), radius);
   double density = 0.0;
@@ -86,7 +86,7 @@ void addDensities(const Sample& sample, const RunContext& context, double radius
 double polarisation(const Sample& sample) {
   Vec2 sum = Vec2::Zero();
   double count = 0.0;
-  for (const Person& person : sample.people) {
+  for (const Pedestrian& person : sample.people) {
     if (person.speed > kWalkingSpeed) {
       sum += person.velocity / person.speed;
       count += 1.0;
@@ -95,12 +95,12 @@ double polarisation(const Sample& sample) {
   return count > 0.0 ? lengthOf(sum) / count : kNaN;
 }
 
-/// Axis along which most walk, whichever way.
+/// The axis along which most people walk, in either direction.
 Vec2 mainAxis(const Sample& sample) {
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
-  for (const Person& person : sample.people) {
+  for (const Pedestrian& person : sample.people) {
     xx += person.velocity.x() * person.velocity.x();
     xy += person.velocity.x() * person.velocity.y();
     yy += person.velocity.y() * person.velocity.y();
@@ -110,15 +110,15 @@ Vec2 mainAxis(const Sample& sample) {
 }
 
 struct Walker {
-  double place = 0.0;  // across the main axis
+  double place = 0.0;  // coordinate across the main axis
   bool forward = true;
 };
 
-/// Who walks, sorted across the main axis.
+/// Walking people, sorted across the main axis.
 std::vector<Walker> walkersOf(const Sample& sample) {
   const Vec2 axis = mainAxis(sample);
   std::vector<Walker> walkers;
-  for (const Person& person : sample.people) {
+  for (const Pedestrian& person : sample.people) {
     if (person.speed > kWalkingSpeed) {
       walkers.push_back({base::cross(axis, person.position), axis.dot(person.velocity) > 0.0});
     }
@@ -130,7 +130,7 @@ std::vector<Walker> walkersOf(const Sample& sample) {
 
 double laneOrder(const Sample& sample, double laneWidth) {
   const std::vector<Walker> walkers = walkersOf(sample);
-  std::vector<double> forward(walkers.size() + 1, 0.0);  // how many up to here
+  std::vector<double> forward(walkers.size() + 1, 0.0);  // prefix counts
   for (std::size_t k = 0; k < walkers.size(); ++k) {
     forward[k + 1] = forward[k] + (walkers[k].forward ? 1.0 : 0.0);
   }
@@ -151,10 +151,11 @@ double laneOrder(const Sample& sample, double laneWidth) {
   return walkers.empty() ? kNaN : sum / static_cast<double>(walkers.size());
 }
 
-/// Looks at the crowd at least crowd_interval apart: its measures are costly and change slowly.
-class CrowdLooks : public Accumulator {
+/// Measures the crowd at intervals of at least crowd_interval, since the measures are costly and
+/// change slowly.
+class CrowdMeasurements : public Accumulator {
  public:
-  explicit CrowdLooks(const MetricParameters& parameters) : areas_(parameters.crowdRadius) {}
+  explicit CrowdMeasurements(const MetricParameters& parameters) : areas_(parameters.crowdRadius) {}
 
   void add(const Instant& at) override {
     if (at.now.time - last_ >= at.parameters.crowdInterval - kTimeSlack) {
@@ -166,7 +167,7 @@ class CrowdLooks : public Accumulator {
     }
   }
 
-  /// Mean over the looks where the measure is defined. Its series holds between the looks.
+  /// Mean over the measurements where the measure is defined. Its series is constant in between.
   MetricValue mean(std::size_t measure) const {
     return withSeries(counts_[measure] > 0.0 ? sums_[measure] / counts_[measure] : kNaN,
                       series_[measure].values());
@@ -190,47 +191,48 @@ class CrowdLooks : public Accumulator {
     }
   }
 
-  CellAreas areas_;
+  VoronoiCellAreas areas_;
   double last_ = -std::numeric_limits<double>::infinity();  // [s]
   Measures measures_{}, sums_{}, counts_{};
   double largest_ = kNaN;  // Voronoi density [1/m^2]
   std::array<SeriesColumn, kMeasures> series_;
 };
 
-Stream meanOf(std::size_t measure) {
-  return streamOf<CrowdLooks>([measure](const CrowdLooks& looks) { return looks.mean(measure); },
-                              kNobody);
+MetricComputation meanOf(std::size_t measure) {
+  return metricOf<CrowdMeasurements>(
+      [measure](const CrowdMeasurements& looks) { return looks.mean(measure); }, kNoPeople);
 }
 
 constexpr char kCrowdMetrics[] = R"(
 = Social Behavior|neutral|people|Steffen and Seyfried 2010
-crowd_density|Density around people|1/m²|[0, inf)|mean over looks (crowd_interval) with people of the mean over people of n/(pi crowd_radius^2), n =
+crowd_density|Density around people|1/m²|[0, inf)|mean over crowd samples (crowd_interval) with people of the mean over people of n/(pi crowd_radius^2), n =
   people within crowd_radius of q, themselves included
-crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over looks (crowd_interval) with people of the mean over people of 1/area of their cell (0 if
-  that is 0): what is within crowd_radius of q, not behind a wall as seen from q (edges of all entries of obstacles but doors), and not nearer to
-  another person within 2 crowd_radius of q (at another place) between whom and q there is no wall
-crowd_voronoi_density_max|Voronoi density, largest look|1/m²|[0, inf)|max over looks of the mean over people of the same
+crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over crowd samples (crowd_interval) with people of the mean over people of 1/area of their cell (0 if
+  that is 0): the points that are within crowd_radius of q, not behind a wall as seen from q (edges of all entries of obstacles but doors), and not nearer to
+  another person within 2 crowd_radius of q (at another position) between whom and q there is no wall
+crowd_voronoi_density_max|Voronoi density, largest sample|1/m²|[0, inf)|max over crowd samples of the mean over people of the same
 = Social Behavior|neutral|people|Seyfried et al. 2005
-crowd_specific_flow|Flow per metre of width|1/(m s)|[0, inf)|mean over looks with people of the mean over people of 1/area of their cell * |u|
+crowd_specific_flow|Specific flow of the crowd|1/(m s)|[0, inf)|mean over crowd samples with people of the mean over people of 1/area of their cell * |u|
   (fundamental diagram)
 = Social Behavior|neutral|people|Vicsek et al. 1995
-crowd_polarisation|Common direction of the crowd||[0, 1]|mean over looks at which people walk (|u| > 0.05 m/s) of |mean of u/|u|| of those who walk
+crowd_polarisation|Crowd polarisation||[0, 1]|mean over crowd samples at which people walk (|u| > 0.05 m/s) of |mean of u/|u|| of those who walk
 = Social Behavior|neutral|people|Rex and Loewen 2007
-crowd_lane_order|Lanes of the crowd||[0, 1]|mean over looks at which people walk of the mean over those who walk of ((same - opposite)/(same +
-  opposite))^2, over those who walk with |n q_b - n q_a| <= lane_width, a included; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2
-  - u_y^2))/2 over all people at that look, n = m turned left; opposite: the sign of m u > 0 differs
+crowd_lane_order|Crowd lane order||[0, 1]|mean over crowd samples at which people walk of the mean over those who walk of ((same - opposite)/(same +
+  opposite))^2, over those who walk with |n q_b - n q_a| <= lane_width, a included; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2 -
+  u_y^2))/2 over all people at that crowd sample, n = m turned left; opposite: the sign of m u > 0 differs
 )";
 
 }  // namespace
 
 void addCrowd(MetricRegistry& to) {
-  to.add(kCrowdMetrics, {{"crowd_density", meanOf(kDensity)},
-                         {"crowd_voronoi_density", meanOf(kVoronoiDensity)},
-                         {"crowd_voronoi_density_max",
-                          streamOf<CrowdLooks>(&CrowdLooks::largestVoronoiDensity, kNobody)},
-                         {"crowd_specific_flow", meanOf(kSpecificFlow)},
-                         {"crowd_polarisation", meanOf(kPolarisation)},
-                         {"crowd_lane_order", meanOf(kLaneOrder)}});
+  to.add(kCrowdMetrics,
+         {{"crowd_density", meanOf(kDensity)},
+          {"crowd_voronoi_density", meanOf(kVoronoiDensity)},
+          {"crowd_voronoi_density_max",
+           metricOf<CrowdMeasurements>(&CrowdMeasurements::largestVoronoiDensity, kNoPeople)},
+          {"crowd_specific_flow", meanOf(kSpecificFlow)},
+          {"crowd_polarisation", meanOf(kPolarisation)},
+          {"crowd_lane_order", meanOf(kLaneOrder)}});
 }
 
 }  // namespace metrics

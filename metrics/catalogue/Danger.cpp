@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/TermSums.h"
+#include "metrics/TermStatistics.h"
 
 namespace metrics {
 
 namespace {
 
-constexpr double kSmallAngle = 1e-6;  // [rad] a smaller one is noise around 0
+constexpr double kSmallAngle = 1e-6;  // [rad] smaller angles are noise around 0
 
 /// 1 / time to collision, capped; 0 without a collision course.
-double fearCost(const Body& robot, const Person& person, const MetricParameters& parameters) {
+double fearCost(const Body& robot, const Pedestrian& person, const MetricParameters& parameters) {
   if (parameters.profile == Profile::Hunav2) {
     const Vec2 centres = person.position - robot.position;
     const Vec2 closing = robot.velocity - person.velocity;
@@ -20,7 +20,7 @@ double fearCost(const Body& robot, const Person& person, const MetricParameters&
   return time * parameters.fearCap <= 1.0 ? parameters.fearCap : 1.0 / time;
 }
 
-/// Of approaching pairs that will narrowly miss each other.
+/// Cost of approaching pairs that narrowly miss each other.
 double panicCost(const Body& robot, const Body& person, const MetricParameters& parameters) {
   const Vec2 centres = person.position - robot.position;
   const Vec2 closing = robot.velocity - person.velocity;
@@ -36,11 +36,11 @@ double panicCost(const Body& robot, const Body& person, const MetricParameters& 
     const double miss = separation * sine;
     return miss > radii && sine > kSmallAngle ? speed / ((miss - radii) * sine) : 0.0;
   }
-  // In this order of operations the last digits are those of the published reference values.
+  // This order of operations reproduces the last digits of the published reference values.
   const double speed2 = closing.squaredNorm();
   const double squared = centres.squaredNorm();
   const double aside = std::sqrt(std::max(speed2 * squared - along * along, 0.0));  // g
-  const double margin = aside - std::sqrt(speed2) * radii;  // not above 0 on a collision course
+  const double margin = aside - std::sqrt(speed2) * radii;  // <= 0 on a collision course
   return margin > parameters.panicEpsilon ? std::sqrt(speed2 / squared) * aside / margin : 0.0;
 }
 
@@ -49,7 +49,7 @@ class DangerSum : public PersonCosts {
   DangerSum() : PersonCosts(2) {}
 
  protected:
-  bool addCosts(const Instant& at, const Person& person, std::vector<double>& costs) override {
+  bool addCosts(const Instant& at, const Pedestrian& person, std::vector<double>& costs) override {
     costs[0] = fearCost(at.now.robot, person, at.parameters);
     costs[1] = panicCost(at.now.robot, person, at.parameters);
     return true;
@@ -66,8 +66,8 @@ constexpr char kDangerMetrics[] = R"(
 }  // namespace
 
 void addDanger(MetricRegistry& to) {
-  to.addSums(kDangerMetrics, {{"danger_fear_cost", streamOfPart<DangerSum>(0)},
-                              {"danger_panic_cost", streamOfPart<DangerSum>(1)}});
+  to.addSums(kDangerMetrics, {{"danger_fear_cost", metricOfPart<DangerSum>(0)},
+                              {"danger_panic_cost", metricOfPart<DangerSum>(1)}});
 }
 
 }  // namespace metrics

@@ -3,10 +3,10 @@
 #include <limits>
 #include <map>
 
-#include "metrics/GaussianSpace.h"
-#include "metrics/TermSums.h"
+#include "metrics/MapFields.h"
+#include "metrics/TermStatistics.h"
 
-/// Shares of personal and group space that the robot takes.
+/// Intrusion of the robot into personal and group space.
 namespace metrics {
 
 namespace {
@@ -18,38 +18,38 @@ std::vector<double> inPercent(std::vector<double> values) {
   return values;
 }
 
-double largest(const Figures& shares) {
+double largest(const TermStatistics& shares) {
   return 100.0 * shares.largest();
 }
 
-/// Weighted with time; 0 where there never is a share.
-double average(const Figures& shares) {
+/// Weighted by time; 0 if undefined at all samples.
+double average(const TermStatistics& shares) {
   return std::fmax(100.0 * shares.timeMean(), 0.0);
 }
 
-MetricValue averageWithSeries(const Figures& shares) {
+MetricValue averageWithSeries(const TermStatistics& shares) {
   return withSeries(average(shares), inPercent(shares.series()));
 }
 
-/// How far outside the space of a person the robot stands, 0 at its centre.
-double outsideness(const Person& person, const Robot& robot) {
+/// Exponent of the personal space at the robot's position, 0 at its centre.
+double outsideness(const Pedestrian& person, const Robot& robot) {
   const Vec2 offset = robot.position - person.position;
   const Vec2 local(person.pair.ahead.dot(offset), base::cross(person.pair.ahead, offset));
-  return gaussianSpaceOf(person.speed).outsideness(local);
+  return personalSpaceOf(person.speed).outsideness(local);
 }
 
-/// Not above the same: the variance ahead is the largest.
-double leastOutsideness(const Person& person, const Robot& robot) {
+/// A lower bound of outsideness(): uses the largest variance, which is the one ahead.
+double leastOutsideness(const Pedestrian& person, const Robot& robot) {
   constexpr double kSlack = 1.0 - 1e-9;
   return kSlack * (robot.position - person.position).squaredNorm() /
-         (2.0 * gaussianSpaceOf(person.speed).ahead);
+         (2.0 * personalSpaceOf(person.speed).ahead);
 }
 
 /// Deepest intrusion of a sample; NaN without people.
 double deepestInPerson(const Instant& at) {
   const Robot& robot = at.now.robot;
   double least = std::numeric_limits<double>::infinity();
-  for (const Person& person : at.now.people) {
+  for (const Pedestrian& person : at.now.people) {
     if (leastOutsideness(person, robot) < least) {
       least = std::min(least, outsideness(person, robot));
     }
@@ -57,17 +57,17 @@ double deepestInPerson(const Instant& at) {
   return at.now.people.empty() ? kNaN : std::exp(-least);
 }
 
-MetricValue averageInPerson(const Figures& depths) {
+MetricValue averageInPerson(const TermStatistics& depths) {
   const double mean = depths.time() > 0.0 ? 100.0 * depths.integral() / depths.time() : 0.0;
   return withSeries(mean, inPercent(depths.series()));
 }
 
-double smallest(const Figures& depths) {
+double smallest(const TermStatistics& depths) {
   return 100.0 * depths.least();
 }
 
 /// Share of the time with people.
-class DeepTime : public Accumulator {
+class DeepIntrusionTime : public Accumulator {
  public:
   void add(const Instant& at) override {
     const double depth = at.term(deepestInPerson);
@@ -77,26 +77,26 @@ class DeepTime : public Accumulator {
   double share() const { return deep_.percentOf(peopled_.time()); }
 
  private:
-  Times peopled_, deep_;
+  ConditionTime peopled_, deep_;
 };
 
-using Members = std::vector<const Person*>;
+using Members = std::vector<const Pedestrian*>;
 
 /// Calls visit(id, members) for the groups with enough members, by id.
 template <class Visit>
 void forEachGroup(const Instant& at, Visit visit) {
   Members all;
-  for (const Person& person : at.now.people) {
+  for (const Pedestrian& person : at.now.people) {
     if (person.group != -1) {
       all.push_back(&person);
     }
   }
-  std::sort(all.begin(), all.end(), [](const Person* a, const Person* b) {
+  std::sort(all.begin(), all.end(), [](const Pedestrian* a, const Pedestrian* b) {
     return a->group != b->group ? a->group < b->group : a < b;
   });
   Members members;
   for (auto first = all.begin(); first != all.end();) {
-    const auto end = std::find_if(first, all.end(), [first](const Person* person) {
+    const auto end = std::find_if(first, all.end(), [first](const Pedestrian* person) {
       return person->group != (*first)->group;
     });
     members.assign(first, end);
@@ -107,11 +107,11 @@ void forEachGroup(const Instant& at, Visit visit) {
   }
 }
 
-/// Quarter of the room that the members take along the direction, bodies included.
+/// A quarter of the extent of the members along the direction, including their radii.
 double quarterSpan(const Members& members, const Vec2& direction) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const Person* member : members) {
+  for (const Pedestrian* member : members) {
     const double along = direction.dot(member->position);
     low = std::min(low, along - member->radius);
     high = std::max(high, along + member->radius);
@@ -119,16 +119,16 @@ double quarterSpan(const Members& members, const Vec2& direction) {
   return (high - low) / 4.0;
 }
 
-/// 1 at the centre of the members, falling along the axes of their arrangement.
+/// 1 at the centre of the members, decreasing along the axes of their arrangement.
 double groupIntrusion(const Members& members, const Vec2& position) {
   Vec2 centre = Vec2::Zero();
-  for (const Person* member : members) {
+  for (const Pedestrian* member : members) {
     centre += member->position / static_cast<double>(members.size());
   }
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
-  for (const Person* member : members) {
+  for (const Pedestrian* member : members) {
     const Vec2 from = member->position - centre;
     xx += from.x() * from.x();
     xy += from.x() * from.y();
@@ -151,25 +151,26 @@ double deepestInGroup(const Instant& at) {
   return value;
 }
 
-double largestInGroup(const Figures& depths) {
+double largestInGroup(const TermStatistics& depths) {
   return std::fmax(100.0 * depths.largest(), 0.0);
 }
 
-/// Left (> 0) or right of the line from a to b.
+/// Side of the line from a to b: left if > 0.
 double side(const Vec2& a, const Vec2& b, const Vec2& point) {
   return base::cross(b - a, point - a);
 }
 
-/// Between two samples the robot passed between two members, who did not jump.
-bool passesBetween(const Sample& before, const Sample& now, const Seam& seam, const Person& a,
-                   const Person& b) {
+/// Whether the robot passed between two members since the previous sample. Members must not have
+/// jumped.
+bool passesBetween(const Sample& before, const Sample& now, const Seam& seam, const Pedestrian& a,
+                   const Pedestrian& b) {
   const Vec2 line = b.position - a.position;
   const double place = line.dot(now.robot.position - a.position);
   if (!(place >= 0.0 && place <= line.squaredNorm())) {
     return false;
   }
-  const Person* const a0 = findPerson(before, a.id);
-  const Person* const b0 = findPerson(before, b.id);
+  const Pedestrian* const a0 = findPerson(before, a.id);
+  const Pedestrian* const b0 = findPerson(before, b.id);
   if (a0 == nullptr || b0 == nullptr || hasJumped(a0->position, a, seam) ||
       hasJumped(b0->position, b, seam)) {
     return false;
@@ -179,16 +180,16 @@ bool passesBetween(const Sample& before, const Sample& now, const Seam& seam, co
   return (then > 0.0) != (after > 0.0);
 }
 
-/// Inside the hull of the members: no line through two members has all of them on one side and the
-/// robot on the other.
+/// Whether the position is inside the convex hull: no line through two members has all members on
+/// one side and the position on the other.
 bool isInside(const Members& members, const Vec2& position) {
   if (members.size() < 3) {
     return false;
   }
-  for (const Person* a : members) {
-    for (const Person* b : members) {
+  for (const Pedestrian* a : members) {
+    for (const Pedestrian* b : members) {
       const bool isEdge =
-          a != b && std::all_of(members.begin(), members.end(), [&](const Person* other) {
+          a != b && std::all_of(members.begin(), members.end(), [&](const Pedestrian* other) {
             return side(a->position, b->position, other->position) >= 0.0;
           });
       if (isEdge && side(a->position, b->position, position) < 0.0) {
@@ -235,17 +236,17 @@ double gaussian(double x, double sigma) {
   return std::exp(-x * x / (2.0 * sigma * sigma));
 }
 
-/// The part that speed and distance have in it; the whole is not larger.
-double presence(const Person& person, const Robot& robot, const MetricParameters& parameters) {
+/// Factor for speed and distance, an upper bound of the disturbance.
+double presence(const Pedestrian& person, const Robot& robot, const MetricParameters& parameters) {
   const double separation = distance(robot, person);
   const double near = (robot.radius + parameters.disturbanceRadius) / separation;
   const double fast = robot.speed / parameters.disturbanceSpeed;
   return separation > 0.0 ? std::fmin(fast, 1.0) * std::fmin(near, 1.0) : 0.0;
 }
 
-/// How much the robot's heading bothers the person: it aims at the place where the person stands,
-/// from where it is seen.
-double disturbance(const Person& person, const Robot& robot, const Vec2& heading,
+/// How much the robot's heading disturbs the person: it points at the person and is visible to
+/// them.
+double disturbance(const Pedestrian& person, const Robot& robot, const Vec2& heading,
                    const MetricParameters& parameters) {
   const auto toLocal = [&person](const Vec2& vector) {
     return Vec2(person.pair.ahead.dot(vector), base::cross(person.pair.ahead, vector));
@@ -261,11 +262,11 @@ double disturbance(const Person& person, const Robot& robot, const Vec2& heading
          gaussian(base::headingOf(place), parameters.disturbanceFieldOfView / 4.0);
 }
 
-double worst(const Instant& at) {
+double strongestDisturbance(const Instant& at) {
   const Robot& robot = at.now.robot;
   double value = at.now.people.empty() ? kNaN : 0.0;
   const Vec2 heading = base::directionOf(robot.heading);
-  for (const Person& person : at.now.people) {
+  for (const Pedestrian& person : at.now.people) {
     const double most = presence(person, robot, at.parameters);
     if (most > value) {
       value = std::fmax(value, most * disturbance(person, robot, heading, at.parameters));
@@ -289,9 +290,9 @@ formation_space_intrusion|Intrusion into the space of groups|%|[0, 100]|time-wei
   along these (METRICS.md, Groups and crowds)
 formation_space_intrusion_max|Intrusion into the space of groups, largest|%|[0, 100]|max over the samples of the same, 0 without groups
 = Social Behavior|lower|robot, people, groups|Katyal et al. 2022; Okal and Arras 2016
-group_crossings|Groups crossed||0, 1, ...|number of pairs of a sample i and a group that the robot crosses at i and did not at the last sample at which it had enough members (group_minimum_members):
-  it is inside the convex hull of its members (3 or more, the border included), or passed between two members a, b since i-1: 0 <= (b - a)(p - a) <=
-  |b - a|^2 at i, cross(b - a, p - a) > 0 holds at one of i-1 and i only, both were there at i-1 and have not jumped
+group_crossings|Group crossings||0, 1, ...|number of pairs of a sample i and a group that the robot crosses at i and did not at the last sample at which it had
+  enough members (group_minimum_members): it is inside the convex hull of its members (3 or more, the border included), or passed between two members a, b since
+  i-1: 0 <= (b - a)(p - a) <= |b - a|^2 at i, cross(b - a, p - a) > 0 holds at one of i-1 and i only, both were present at i-1 and have not jumped
 = Social Behavior|lower|robot, people|SRPB
 heading_direction_disturbance|Disturbance by the robot's heading|%|[0, 100]|time-weighted mean over the samples with people of the largest over a of
   100 G(y + k m_y; disturbance_radius/2) * G(atan2(y, x); disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r +
@@ -303,16 +304,21 @@ heading_direction_disturbance_max|Disturbance by the robot's heading, largest|%|
 }  // namespace
 
 void addIntrusions(MetricRegistry& to) {
-  to.add(kIntrusionsMetrics,
-         {{"personal_space_intrusion_gaussian", seriesFiguresOf<deepestInPerson>(averageInPerson)},
-          {"personal_space_intrusion_gaussian_min", figuresOf<deepestInPerson>(smallest, kNobody)},
-          {"personal_space_intrusion_gaussian_max", figuresOf<deepestInPerson>(largest, kNobody)},
-          {"personal_space_intrusion_gaussian_above", streamOf<DeepTime>(&DeepTime::share)},
-          {"formation_space_intrusion", figuresOf<deepestInGroup>(average)},
-          {"formation_space_intrusion_max", figuresOf<deepestInGroup>(largestInGroup)},
-          {"group_crossings", streamOf<GroupCrossings>(&GroupCrossings::count)},
-          {"heading_direction_disturbance", seriesFiguresOf<worst>(averageWithSeries)},
-          {"heading_direction_disturbance_max", figuresOf<worst>(largest, kNobody)}});
+  to.add(
+      kIntrusionsMetrics,
+      {{"personal_space_intrusion_gaussian", seriesStatisticsOf<deepestInPerson>(averageInPerson)},
+       {"personal_space_intrusion_gaussian_min",
+        statisticsOf<deepestInPerson>(smallest, kNoPeople)},
+       {"personal_space_intrusion_gaussian_max", statisticsOf<deepestInPerson>(largest, kNoPeople)},
+       {"personal_space_intrusion_gaussian_above",
+        metricOf<DeepIntrusionTime>(&DeepIntrusionTime::share)},
+       {"formation_space_intrusion", statisticsOf<deepestInGroup>(average)},
+       {"formation_space_intrusion_max", statisticsOf<deepestInGroup>(largestInGroup)},
+       {"group_crossings", metricOf<GroupCrossings>(&GroupCrossings::count)},
+       {"heading_direction_disturbance",
+        seriesStatisticsOf<strongestDisturbance>(averageWithSeries)},
+       {"heading_direction_disturbance_max",
+        statisticsOf<strongestDisturbance>(largest, kNoPeople)}});
 }
 
 }  // namespace metrics

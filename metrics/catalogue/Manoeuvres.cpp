@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "metrics/TermSums.h"
+#include "metrics/TermStatistics.h"
 
 namespace metrics {
 
@@ -32,19 +32,19 @@ bool turnsInPlace(const Instant& at) {
 
 constexpr char kManoeuvresMetrics[] = R"(
 = Motion Analysis|lower|robot|SRPB
-oscillations|Hardly moving|%|[0, 100]|share of time with |vx|, |vy|, s < oscillation_speed and |w| < oscillation_angular_speed; (vx, vy) = v in the
-  frame of the robot, ahead and left
-backward_movements|Driving backwards|%|[0, 100]|share of time with vx < -backward_speed, vx as in oscillations
-inplace_rotations|Turning in place|%|[0, 100]|share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed, vx, vy as in
-  oscillations
+oscillations|Time hardly moving|%|[0, 100]|share of time with |vx|, |vy|, s < oscillation_speed and |w| < oscillation_angular_speed; (vx, vy) = v in the frame
+  of the robot, ahead and left
+backward_movements|Time driving backwards|%|[0, 100]|share of time with vx < -backward_speed, vx as in oscillations
+inplace_rotations|Time rotating in place|%|[0, 100]|share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed, vx, vy as in oscillations
 )";
 
 }  // namespace
 
 void addManoeuvres(MetricRegistry& to) {
-  to.add(kManoeuvresMetrics, {{"oscillations", timesOf<oscillates>(&Times::percentOfTime)},
-                              {"backward_movements", timesOf<backsUp>(&Times::percentOfTime)},
-                              {"inplace_rotations", timesOf<turnsInPlace>(&Times::percentOfTime)}});
+  to.add(kManoeuvresMetrics,
+         {{"oscillations", conditionTimeOf<oscillates>(&ConditionTime::percentOfTime)},
+          {"backward_movements", conditionTimeOf<backsUp>(&ConditionTime::percentOfTime)},
+          {"inplace_rotations", conditionTimeOf<turnsInPlace>(&ConditionTime::percentOfTime)}});
 }
 
 }  // namespace metrics

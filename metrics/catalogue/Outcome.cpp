@@ -1,24 +1,24 @@
 #include <cmath>
 
-#include "metrics/Motion.h"
+#include "metrics/RobotMotion.h"
 
-/// How it ended, and contacts on the way.
+/// Outcome of the run, and contacts.
 namespace metrics {
 
 namespace {
 
-/// What the original decides for one person in contact at one sample.
-struct Blame {
+/// Decision of HuNavSim's evaluator for one person in contact at one sample.
+struct ContactBlame {
   bool robot = false, person = false;
 };
 
-Blame originalBlame(const Robot& robot, const Person& person) {
+ContactBlame originalBlame(const Robot& robot, const Pedestrian& person) {
   const base::Pose2 personPose{person.position, person.heading};
   const base::Pose2 robotPose{robot.position, robot.heading};
   const Vec2 robotInPerson = personPose.toLocal(robot.position);
   const Vec2 personInRobot = robotPose.toLocal(person.position);
   const double toRobot = std::fabs(std::atan2(robotInPerson.y(), robotInPerson.x()));
-  // The arguments are swapped there, so straight ahead gives pi/2.
+  // The evaluator swaps the arguments, so straight ahead gives pi/2.
   const double toPerson = std::fabs(std::atan2(personInRobot.x(), personInRobot.y()));
   const bool differ = robot.speed != person.speed;
   const bool tie = toRobot == toPerson && !differ;
@@ -29,8 +29,8 @@ bool isTimeout(const Instant& last) {
   return last.elapsed() >= last.parameters.timeLimit;
 }
 
-/// Contacts with people and obstacles. The original counts a person at each sample in contact; its
-/// series is 0 or 1.
+/// Contacts with people and obstacles. HuNavSim's evaluator counts a person at each sample in
+/// contact; its series is 0 or 1.
 class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
  public:
   using ContactsWithin::ContactsWithin;
@@ -38,15 +38,15 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
   void add(const Instant& at) override {
     ContactsWithin::add(at);
     obstacles_.add(at);
-    if (at.isOriginal()) {
+    if (at.usesHunavProfile()) {
       addOriginal(at);
     }
   }
   MetricValue ofRobot(const Instant& last) const {
-    return last.isOriginal() ? valueOf(originalOfRobot_) : byRobot();
+    return last.usesHunavProfile() ? valueOf(originalOfRobot_) : byRobot();
   }
   MetricValue ofPerson(const Instant& last) const {
-    return last.isOriginal() ? valueOf(originalOfPerson_) : byPerson();
+    return last.usesHunavProfile() ? valueOf(originalOfPerson_) : byPerson();
   }
   double success(const Instant& last) const {
     if (last.context.goals.empty()) {
@@ -69,10 +69,10 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
   }
 
   void addOriginal(const Instant& at) {
-    Blame any;
-    for (const Person& person : at.now.people) {
+    ContactBlame any;
+    for (const Pedestrian& person : at.now.people) {
       if (gap(at.now.robot, person) < at.parameters.contactDistance) {
-        const Blame blame = originalBlame(at.now.robot, person);
+        const ContactBlame blame = originalBlame(at.now.robot, person);
         originalOfRobot_.contacts += blame.robot ? 1.0 : 0.0;
         originalOfPerson_.contacts += blame.person ? 1.0 : 0.0;
         any = {any.robot || blame.robot, any.person || blame.person};
@@ -88,17 +88,17 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
 
 constexpr char kOutcomeMetrics[] = R"(
 = Safety & Collisions|lower|robot, people|Tsoi et al., SEAN 2.0, RA-L 2022
-16 robot_on_person_collision|Robot runs into a person||0, 1, ...|number of contacts (gap < contact_distance begins) that the robot caused or both, by
-  who closes in faster (METRICS.md, Distances and zones)
-17 person_on_robot_collision|Person runs into the robot||0, 1, ...|number of contacts (gap < contact_distance begins) that the person caused or both,
-  by who closes in faster
+16 robot_on_person_collision|Robot runs into a person||0, 1, ...|number of contacts (gap < contact_distance begins) caused by the robot or by both, according to
+  who approaches faster (METRICS.md, Distances and zones)
+17 person_on_robot_collision|Person runs into the robot||0, 1, ...|number of contacts (gap < contact_distance begins) caused by the person or by both, according
+  to who approaches faster
 = Navigation Performance|higher|robot, people, obstacles, goal|Francis et al. 2025; SocNavBench; CrowdNav; Arena
 success|Success||0 or 1|1 if completed, no contact with a person (gap < contact_distance), obstacle_collisions = 0 (or no obstacles) and not timeout;
   else 0; undefined without goal
 = Navigation Performance|lower|nothing|all benchmarks
-total_time|Duration of the record|s|[0, inf)|T of the whole record, not of the way
+total_time|Duration of the record|s|[0, inf)|T of the whole record, not of the evaluation interval
 = Navigation Performance|lower|robot|Arena; CrowdNav
-timeout|Timeout||0 or 1|1 if T >= time_limit, T of the way
+timeout|Timeout||0 or 1|1 if T >= time_limit, T of the evaluation interval
 = Safety & Collisions|lower|robot, obstacles|SEAN 2.0; SocNavBench; Arena
 obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of i at which the clearance is <= 0 and was not at i-1, the first sample included
 )";
@@ -107,12 +107,12 @@ obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of i at which 
 
 void addOutcome(MetricRegistry& to) {
   to.add(kOutcomeMetrics,
-         {{"robot_on_person_collision", streamOf<Collisions>(&Collisions::ofRobot)},
-          {"person_on_robot_collision", streamOf<Collisions>(&Collisions::ofPerson)},
-          {"success", streamOf<Collisions>(&Collisions::success, kNoGoal)},
-          {"total_time", streamOfLast(&Instant::elapsed)},
-          {"timeout", streamOfLast(isTimeout)},
-          {"obstacle_collisions", streamOf<Collisions>(&Collisions::obstacles, kNoObstacles)}});
+         {{"robot_on_person_collision", metricOf<Collisions>(&Collisions::ofRobot)},
+          {"person_on_robot_collision", metricOf<Collisions>(&Collisions::ofPerson)},
+          {"success", metricOf<Collisions>(&Collisions::success, kNoGoal)},
+          {"total_time", metricOfLast(&Instant::elapsed)},
+          {"timeout", metricOfLast(isTimeout)},
+          {"obstacle_collisions", metricOf<Collisions>(&Collisions::obstacles, kNoObstacles)}});
 }
 
 }  // namespace metrics

@@ -1,42 +1,43 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/Motion.h"
-#include "metrics/TermSums.h"
+#include "metrics/RobotMotion.h"
+#include "metrics/TermStatistics.h"
 #include "sim2d/map/PathPlanner.h"
 
-/// The robot's way: how long, how direct, how bent.
+/// The robot's path: length, directness, curvature.
 namespace metrics {
 
 namespace {
 
 constexpr char kNoWay[] = "the robot did not move";
-constexpr char kNoTriple[] = "needs three samples";
+constexpr char kNoTriple[] = "at least three samples are needed";
 constexpr double kSameplace = 1e-9;  // [m]
 
-/// best / max(best, actual); 1 when both are 0.
+/// best / max(best, actual); 1 if both are 0.
 double ratioToBest(double best, double actual) {
   const double larger = std::max(best, actual);
   return larger > 0.0 ? best / larger : 1.0;
 }
 
 double shortestToGoal(const Vec2& start, const Instant& last) {
-  return sim2d::lengthOfWay(shortestPath(last.context, start, last.context.goals.front().position));
+  return sim2d::polylineLength(
+      shortestPath(last.context, start, last.context.goals.front().position));
 }
 
-double successByLength(const RobotWay& way, const Instant& last) {
+double successByLength(const RobotPath& way, const Instant& last) {
   if (last.context.goals.empty()) {
     return kNaN;
   }
   return isCompleted(last) ? ratioToBest(shortestToGoal(way.start(), last), way.length()) : 0.0;
 }
 
-/// When it arrived, and from where.
-class ArrivingWay : public Arriving {
+/// Arrival time and start position.
+class ArrivalPath : public ArrivalTime {
  public:
   void add(const Instant& at) override {
     start_ = at.before == nullptr ? at.now.robot.position : start_;
-    Arriving::add(at);
+    ArrivalTime::add(at);
   }
   const Vec2& start() const { return start_; }
 
@@ -44,34 +45,34 @@ class ArrivingWay : public Arriving {
   Vec2 start_ = Vec2::Zero();
 };
 
-/// The original measures the whole record.
-MetricValue successByTime(const ArrivingWay& way, const Instant& last) {
+/// HuNavSim's profile uses the duration of the record.
+MetricValue successByTime(const ArrivalPath& way, const Instant& last) {
   if (last.context.goals.empty()) {
     return undefinedValue(kNoGoal);
   }
   const double fastest = last.context.robotMaxSpeed;
   if (!(fastest > 0.0)) {
-    return undefinedValue("the robot has no largest speed");
+    return undefinedValue("the robot has no maximum speed");
   }
   const std::optional<double> arrival = way.time(last);
   if (!arrival) {
     return 0.0;
   }
   return ratioToBest(shortestToGoal(way.start(), last) / fastest,
-                     last.isOriginal() ? last.elapsed() : *arrival);
+                     last.usesHunavProfile() ? last.elapsed() : *arrival);
 }
 
-std::vector<Vec2> shortestToEnd(const RobotWay& way, const Instant& last) {
+std::vector<Vec2> shortestToEnd(const RobotPath& way, const Instant& last) {
   return shortestPath(last.context, way.start(), last.now.robot.position);
 }
 
-double pathEfficiency(const RobotWay& way, const Instant& last) {
+double pathEfficiency(const RobotPath& way, const Instant& last) {
   return way.length() > 0.0
-             ? ratioToBest(sim2d::lengthOfWay(shortestToEnd(way, last)), way.length())
+             ? ratioToBest(sim2d::polylineLength(shortestToEnd(way, last)), way.length())
              : kNaN;
 }
 
-/// Turning along a path, the first alignment included.
+/// Turning along a path, including the initial alignment.
 double neededTurning(const std::vector<Vec2>& path, double heading) {
   double turning = 0.0;
   for (std::size_t k = 1; k < path.size(); ++k) {
@@ -86,7 +87,7 @@ double neededTurning(const std::vector<Vec2>& path, double heading) {
   return turning;
 }
 
-double pathIrregularity(const RobotWay& way, const Instant& last) {
+double pathIrregularity(const RobotPath& way, const Instant& last) {
   if (way.length() <= 0.0) {
     return kNaN;
   }
@@ -94,12 +95,12 @@ double pathIrregularity(const RobotWay& way, const Instant& last) {
   return std::max(way.turning() - needed, 0.0) / way.length();
 }
 
-double angleOverLength(const RobotWay& way) {
+double angleOverLength(const RobotPath& way) {
   return way.length() > 0.0 ? way.turning() / way.length() : kNaN;
 }
 
-/// Whether the robot has moved before and after the middle one of the three newest positions: a
-/// turn on the spot has no curvature.
+/// Whether the robot moved before and after the middle one of the three newest positions: a turn on
+/// the spot has no curvature.
 bool isMotion(const Instant& at) {
   const double slowest = at.parameters.stopLinearSpeed;
   return at.earlier != nullptr && distance(at.now.robot, at.before->robot) >= slowest * at.step() &&
@@ -117,7 +118,7 @@ struct Triple {
   const Vec2 &a, &b, &c;
 };
 
-/// After Menger.
+/// Menger curvature.
 double curvature(const Instant& at) {
   if (!isMotion(at)) {
     return kNaN;
@@ -128,13 +129,13 @@ double curvature(const Instant& at) {
   return sides > 0.0 ? 2.0 * bend.twiceArea() / sides : 0.0;
 }
 
-/// Who never moves bends nowhere.
-template <double (Figures::*kRead)() const>
-double bend(const Figures& bends, const Instant& last) {
+/// 0 for a robot that never moves.
+template <double (TermStatistics::*kRead)() const>
+double bend(const TermStatistics& bends, const Instant& last) {
   return bends.count() > 0.0 || last.count() < 3 ? (bends.*kRead)() : 0.0;
 }
 
-/// Of who turns back the ends lie close to each other: the longest side bounds it.
+/// Uses the longest side: for a reversal the end points are close to each other.
 double roughness(const Instant& at) {
   if (!isMotion(at)) {
     return kNaN;
@@ -151,38 +152,38 @@ constexpr char kPathQualityMetrics[] = R"(
 = Motion Analysis|lower|robot|Perez-Higueras, Caballero, Merino, IJSR 2018
 3 cumulative_heading_changes|Cumulative heading changes|rad|[0, inf)|sum of |wrap(psi_(i+1) - psi_i)|
 = Navigation Performance|higher|robot, goal|Anderson et al. 2018; Francis et al. 2025
-spl|Success weighted by path length||[0, 1]|completed ? L*/max(L, L*) : 0, L* = length of the shortest way from p_0 to the centre of the first goal, L
-  = path_length; 1 if both are 0
+spl|Success weighted by path length||[0, 1]|completed ? L*/max(L, L*) : 0, L* = length of the shortest path from p_0 to the centre of the first goal, L =
+  path_length; 1 if both are 0
 = Navigation Performance|higher|robot, goal|SocNavGym
 stl|Success weighted by time||[0, 1]|completed ? T*/max(T*, time_to_reach_goal) : 0, T* = L*/v_max, L* as in spl; 1 if both are 0; undefined if v_max
   is not above 0
 = Navigation Performance|higher|robot|SEAN 2.0; Arena
-path_efficiency|Path efficiency||[0, 1]|S/max(S, L), S = length of the shortest way from p_0 to p_(N-1), L = path_length; undefined if L = 0
+path_efficiency|Path efficiency||[0, 1]|S/max(S, L), S = length of the shortest path from p_0 to p_(N-1), L = path_length; undefined if L = 0
 = Navigation Performance|lower|robot|Guzzi et al. 2013; SocNavBench; SEAN 2.0
-path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest way from p_0 to p_(N-1), from psi_0 on
-  to its first leg and from leg to leg, those below 1e-9 m left out)/L; undefined if L = path_length = 0
+path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest path from p_0 to p_(N-1), from psi_0 on to its
+  first leg and from leg to leg, without legs below 1e-9 m)/L; undefined if L = path_length = 0
 = Motion Analysis|lower|robot|Arena; bench-mr
 angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / path_length; undefined if the latter is 0
-curvature_avg|Mean curvature|1/m|[0, inf)|mean over i of 4A/(d01 d12 d20), A = area of the triangle p_(i-1), p_i, p_(i+1) with these sides, where dt_i
-  > 0, d01 >= stop_linear_speed dt_(i-1) and d12 >= stop_linear_speed dt_i; 0 where a side is 0, and if no i is so; undefined if N < 3
+curvature_avg|Mean curvature|1/m|[0, inf)|mean over i of 4A/(d01 d12 d20), A = area of the triangle p_(i-1), p_i, p_(i+1) with these sides, where dt_i > 0, d01
+  >= stop_linear_speed dt_(i-1) and d12 >= stop_linear_speed dt_i; 0 where a side is 0, and if there is no such i; undefined if N < 3
 curvature_max|Largest curvature|1/m|[0, inf)|max over the same i of the same
-roughness_avg|Mean roughness||[0, 0.87]|mean over the same i of 2A/max(d01, d12, d20)^2, 0 if it never moves so
+roughness_avg|Mean roughness||[0, 0.87]|mean over the same i of 2A/max(d01, d12, d20)^2, 0 if there is no such i
 )";
 
 }  // namespace
 
 void addPathQuality(MetricRegistry& to) {
   to.add(kPathQualityMetrics,
-         {{"path_length", streamOf<RobotWay>(&RobotWay::length)},
-          {"cumulative_heading_changes", streamOf<RobotWay>(&RobotWay::headingChanges)},
-          {"spl", streamOf<RobotWay>(successByLength, kNoGoal)},
-          {"stl", streamOf<ArrivingWay>(successByTime)},
-          {"path_efficiency", streamOf<RobotWay>(pathEfficiency, kNoWay)},
-          {"path_irregularity", streamOf<RobotWay>(pathIrregularity, kNoWay)},
-          {"angle_over_length", streamOf<RobotWay>(angleOverLength, kNoWay)},
-          {"curvature_avg", figuresOf<curvature>(bend<&Figures::mean>, kNoTriple)},
-          {"curvature_max", figuresOf<curvature>(bend<&Figures::largest>, kNoTriple)},
-          {"roughness_avg", figuresOf<roughness>(bend<&Figures::mean>, kNoTriple)}});
+         {{"path_length", metricOf<RobotPath>(&RobotPath::length)},
+          {"cumulative_heading_changes", metricOf<RobotPath>(&RobotPath::headingChanges)},
+          {"spl", metricOf<RobotPath>(successByLength, kNoGoal)},
+          {"stl", metricOf<ArrivalPath>(successByTime)},
+          {"path_efficiency", metricOf<RobotPath>(pathEfficiency, kNoWay)},
+          {"path_irregularity", metricOf<RobotPath>(pathIrregularity, kNoWay)},
+          {"angle_over_length", metricOf<RobotPath>(angleOverLength, kNoWay)},
+          {"curvature_avg", statisticsOf<curvature>(bend<&TermStatistics::mean>, kNoTriple)},
+          {"curvature_max", statisticsOf<curvature>(bend<&TermStatistics::largest>, kNoTriple)},
+          {"roughness_avg", statisticsOf<roughness>(bend<&TermStatistics::mean>, kNoTriple)}});
 }
 
 }  // namespace metrics

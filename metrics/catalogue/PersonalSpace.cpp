@@ -1,21 +1,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/TermSums.h"
+#include "metrics/TermStatistics.h"
 
-/// How near people are.
+/// Distances to people.
 namespace metrics {
 
 namespace {
 
 MetricValue amongPeople(double value, const Instant& last) {
-  const char* why = last.isOriginal() ? "ValueError: nobody in the record" : kNobody;
+  const char* why = last.usesHunavProfile() ? "ValueError: no people in the recording" : kNoPeople;
   return std::isnan(value) ? undefinedValue(why) : value;
 }
 
-/// The original's series leaves out samples without people.
-MetricValue averageDistance(const Figures& closest, const Instant& last) {
-  if (!last.isOriginal()) {
+/// The evaluator's series excludes samples without people.
+MetricValue averageDistance(const TermStatistics& closest, const Instant& last) {
+  if (!last.usesHunavProfile()) {
     return closest.meanWithSeries();
   }
   std::vector<double> series = closest.series();
@@ -25,43 +25,43 @@ MetricValue averageDistance(const Figures& closest, const Instant& last) {
   return withSeries(closest.sum() / static_cast<double>(last.count()), std::move(series));
 }
 
-MetricValue minimumDistance(const Figures& closest, const Instant& last) {
+MetricValue minimumDistance(const TermStatistics& closest, const Instant& last) {
   return amongPeople(closest.least(), last);
 }
 
 double farthestGap(const Instant& at) {
   double farthest = kNaN;
-  for (const Person& person : at.now.people) {
+  for (const Pedestrian& person : at.now.people) {
     farthest = std::fmax(farthest, gap(at.now.robot, person));
   }
   return farthest;
 }
 
-MetricValue maximumDistance(const Figures& farthest, const Instant& last) {
+MetricValue maximumDistance(const TermStatistics& farthest, const Instant& last) {
   const double largest = farthest.largest();
-  return amongPeople(last.isOriginal() ? largest : std::max(largest, 0.0), last);
+  return amongPeople(last.usesHunavProfile() ? largest : std::max(largest, 0.0), last);
 }
 
-MetricValue minimumTimeToCollision(const Figures& times) {
+MetricValue minimumTimeToCollision(const TermStatistics& times) {
   return times.count() > 0.0 ? times.least() : infiniteValue("never on a collision course");
 }
 
 bool complies(const Instant& at) {
-  return !(at.term(closestGapTerm) < at.parameters.complianceDistance);
+  return !(at.term(smallestGapTerm) < at.parameters.complianceDistance);
 }
 
 bool isUncomfortable(const Instant& at) {
-  return at.term(closestGapTerm) < at.parameters.discomfortDistance;
+  return at.term(smallestGapTerm) < at.parameters.discomfortDistance;
 }
 
 double uncomfortableGap(const Instant& at) {
-  return isUncomfortable(at) ? at.term(closestGapTerm) : kNaN;
+  return isUncomfortable(at) ? at.term(smallestGapTerm) : kNaN;
 }
 
-/// A person's centre lies within the personal radius.
+/// Whether a person's centre lies within the personal radius.
 bool isInPersonalSpace(const Instant& at) {
-  const std::vector<Person>& people = at.now.people;
-  return std::any_of(people.begin(), people.end(), [&at](const Person& person) {
+  const std::vector<Pedestrian>& people = at.now.people;
+  return std::any_of(people.begin(), people.end(), [&at](const Pedestrian& person) {
     return distance(at.now.robot, person) <= at.parameters.personalRadius;
   });
 }
@@ -71,15 +71,15 @@ double speedInPersonalSpace(const Instant& at) {
 }
 
 double speedInIntimateSpace(const Instant& at) {
-  return at.term(closestGapTerm) < at.parameters.intimateDistance ? lengthOf(at.now.robot.velocity)
-                                                                  : kNaN;
+  return at.term(smallestGapTerm) < at.parameters.intimateDistance ? lengthOf(at.now.robot.velocity)
+                                                                   : kNaN;
 }
 
-double meanOrZero(const Figures& speeds) {
+double meanOrZero(const TermStatistics& speeds) {
   return std::fmax(speeds.mean(), 0.0);
 }
 
-double largestOrZero(const Figures& speeds) {
+double largestOrZero(const TermStatistics& speeds) {
   return std::fmax(speeds.largest(), 0.0);
 }
 
@@ -92,14 +92,13 @@ constexpr char kPersonalSpaceMetrics[] = R"(
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavBench; SocNavGym
 min_time_to_collision|Smallest time to collision|s|[0, inf]|min over i, a of ttc, infinite if never on a collision course
 = Social Behavior|higher|robot, people|Francis et al. 2025; SocNavGym
-space_compliance|Personal space kept|%|[0, 100]|share of samples with c_i >= compliance_distance or no person present
+space_compliance|Personal space compliance|%|[0, 100]|share of samples with c_i >= compliance_distance or no person present
 = Social Behavior|lower|robot, people|CrowdNav
-discomfort_frequency|Uncomfortably close|%|[0, 100]|share of samples with c_i < discomfort_distance
+discomfort_frequency|Discomfort frequency|%|[0, 100]|share of samples with c_i < discomfort_distance
 = Social Behavior|higher|robot, people|CrowdNav
-discomfort_distance_avg|Mean distance when uncomfortably close|m|[0, inf)|mean of c_i over the samples with c_i < discomfort_distance; undefined if
-  there is none
+discomfort_distance_avg|Mean distance during discomfort|m|[0, inf)|mean of c_i over the samples with c_i < discomfort_distance; undefined if there is none
 = Social Behavior|lower|robot, people|Arena
-time_in_personal_space|Time in a person's personal space|s|[0, T]|time with d <= personal_radius for some person; centres
+time_in_personal_space|Time in personal space|s|[0, T]|time with d <= personal_radius for some person; centres
 avg_speed_in_personal_space|Mean speed in personal space|m/s|[0, inf)|mean of s_i over the samples with d <= personal_radius for some person, 0 if
   there is none; centres
 max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of s_i over the samples with c_i < intimate_distance, 0 if there is none
@@ -108,19 +107,20 @@ max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of 
 }  // namespace
 
 void addPersonalSpace(MetricRegistry& to) {
-  to.add(kPersonalSpaceMetrics,
-         {{"avg_distance_to_closest_person",
-           seriesFiguresOf<closestGapTerm>(averageDistance, kNobody)},
-          {"minimum_distance_to_people", figuresOf<closestGapTerm>(minimumDistance)},
-          {"maximum_distance_to_people", figuresOf<farthestGap>(maximumDistance)},
-          {"min_time_to_collision", figuresOf<collisionTerm>(minimumTimeToCollision)},
-          {"space_compliance", timesOf<complies>(&Times::percentOfSamples)},
-          {"discomfort_frequency", timesOf<isUncomfortable>(&Times::percentOfSamples)},
-          {"discomfort_distance_avg",
-           figuresOf<uncomfortableGap>(&Figures::mean, "nobody came that close")},
-          {"time_in_personal_space", timesOf<isInPersonalSpace>(&Times::time)},
-          {"avg_speed_in_personal_space", figuresOf<speedInPersonalSpace>(meanOrZero)},
-          {"max_speed_in_intimate_space", figuresOf<speedInIntimateSpace>(largestOrZero)}});
+  to.add(
+      kPersonalSpaceMetrics,
+      {{"avg_distance_to_closest_person",
+        seriesStatisticsOf<smallestGapTerm>(averageDistance, kNoPeople)},
+       {"minimum_distance_to_people", statisticsOf<smallestGapTerm>(minimumDistance)},
+       {"maximum_distance_to_people", statisticsOf<farthestGap>(maximumDistance)},
+       {"min_time_to_collision", statisticsOf<timeToCollisionTerm>(minimumTimeToCollision)},
+       {"space_compliance", conditionTimeOf<complies>(&ConditionTime::percentOfSamples)},
+       {"discomfort_frequency", conditionTimeOf<isUncomfortable>(&ConditionTime::percentOfSamples)},
+       {"discomfort_distance_avg",
+        statisticsOf<uncomfortableGap>(&TermStatistics::mean, "no person came that close")},
+       {"time_in_personal_space", conditionTimeOf<isInPersonalSpace>(&ConditionTime::time)},
+       {"avg_speed_in_personal_space", statisticsOf<speedInPersonalSpace>(meanOrZero)},
+       {"max_speed_in_intimate_space", statisticsOf<speedInIntimateSpace>(largestOrZero)}});
 }
 
 }  // namespace metrics

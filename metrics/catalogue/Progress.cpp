@@ -1,14 +1,14 @@
-#include "metrics/Motion.h"
-#include "metrics/TermSums.h"
+#include "metrics/RobotMotion.h"
+#include "metrics/TermStatistics.h"
 
-/// On the way to the goals.
+/// Progress towards the goals.
 namespace metrics {
 
 namespace {
 
-/// The original gives the duration of the record.
-MetricValue timeToGoal(const Arriving& arriving, const Instant& last) {
-  if (last.isOriginal()) {
+/// HuNavSim's evaluator uses the duration of the record.
+MetricValue timeToGoal(const ArrivalTime& arriving, const Instant& last) {
+  if (last.usesHunavProfile()) {
     return last.elapsed();
   }
   if (last.context.goals.empty()) {
@@ -22,14 +22,14 @@ MetricValue goalDistance(double distance, const Instant& last) {
   if (!last.context.goals.empty()) {
     return distance;
   }
-  return last.isOriginal() ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
+  return last.usesHunavProfile() ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
 }
 
 double toNearestGoal(const Instant& at) {
   return distanceToGoals(at.context, at.now.robot.position);
 }
 
-MetricValue smallestDistance(const Figures& distances, const Instant& last) {
+MetricValue smallestDistance(const TermStatistics& distances, const Instant& last) {
   return goalDistance(distances.least(), last);
 }
 
@@ -61,7 +61,7 @@ class GoalProgress : public Accumulator {
   }
 
  private:
-  double first_ = 0.0, before_ = 0.0;  // [m] at the first and the newest sample
+  double first_ = 0.0, before_ = 0.0;  // [m] at the first and newest sample
   double worse_ = 0.0;
 };
 
@@ -69,7 +69,7 @@ bool isStalled(const Instant& at) {
   return lengthOf(at.now.robot.velocity) < at.parameters.stallSpeed;
 }
 
-MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
+MetricValue finalDistanceOverLength(const RobotPath& way, const Instant& last) {
   if (last.context.goals.empty()) {
     return undefinedValue(kNoGoal);
   }
@@ -77,13 +77,13 @@ MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
                             : undefinedValue("the robot did not move");
 }
 
-/// failure_to_progress counts samples: twice as many, twice the value.
+/// failure_to_progress counts samples: it doubles with the sampling rate.
 constexpr char kProgressMetrics[] = R"(
 = Navigation Performance|lower|robot, goal|Perez-Higueras, Caballero, Merino, IJSR 2018
-1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|time of arrival - t_0 (METRICS.md, The robot's way), 0 if it lies before t_0; undefined if the
-  robot does not arrive by the last sample
+1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|time of arrival - t_0 (METRICS.md, Evaluation interval), 0 if it is before t_0; undefined if the robot
+  does not arrive by the last sample
 = Navigation Performance|higher|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
-13 completed|Goal reached||0 or 1|1 if the robot has arrived by the last sample (METRICS.md, The robot's way), else 0
+13 completed|Goal reached||0 or 1|1 if the robot has arrived by the last sample (METRICS.md, Evaluation interval), else 0
 = Navigation Performance|lower|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
 14 minimum_distance_to_target|Smallest distance to the goal|m|[0, inf)|min over i and goals g of |p_i - g|, to the centre
 15 final_distance_to_target|Final distance to the goal|m|[0, inf)|min over goals g of |p_(N-1) - g|, to the centre
@@ -92,7 +92,7 @@ failure_to_progress|Steps away from the goal||0, 1, ...|number of i > 0 with |p_
 = Navigation Performance|lower|robot|Francis et al. 2025; SocNavGym
 stalled_time|Time stalled|s|[0, T]|time with |v_i| < stall_speed, turning or not
 = Navigation Performance|lower|robot, goal|SocNavBench
-goal_traversal_ratio|Share of the distance left||[0, inf)||p_(N-1) - g| / |p_0 - g|, g = first goal; undefined if |p_0 - g| <= 1e-9
+goal_traversal_ratio|Remaining share of the distance||[0, inf)||p_(N-1) - g| / |p_0 - g|, g = first goal; undefined if |p_0 - g| <= 1e-9
 = Navigation Performance|lower|robot, goal|SEAN 2.0
 targ_dist_norm|Final distance per path length||[0, inf)|final_distance_to_target / L, L = path_length; undefined if L = 0
 )";
@@ -101,14 +101,14 @@ targ_dist_norm|Final distance per path length||[0, inf)|final_distance_to_target
 
 void addProgress(MetricRegistry& to) {
   to.add(kProgressMetrics,
-         {{"time_to_reach_goal", streamOf<Arriving>(timeToGoal)},
-          {"completed", streamOfLast(isCompleted)},
-          {"minimum_distance_to_target", figuresOf<toNearestGoal>(smallestDistance)},
-          {"final_distance_to_target", streamOfLast(finalDistance)},
-          {"failure_to_progress", streamOf<GoalProgress>(&GoalProgress::failures, kNoGoal)},
-          {"stalled_time", timesOf<isStalled>(&Times::time)},
-          {"goal_traversal_ratio", streamOf<GoalProgress>(&GoalProgress::ratioLeft)},
-          {"targ_dist_norm", streamOf<RobotWay>(finalDistanceOverLength)}});
+         {{"time_to_reach_goal", metricOf<ArrivalTime>(timeToGoal)},
+          {"completed", metricOfLast(isCompleted)},
+          {"minimum_distance_to_target", statisticsOf<toNearestGoal>(smallestDistance)},
+          {"final_distance_to_target", metricOfLast(finalDistance)},
+          {"failure_to_progress", metricOf<GoalProgress>(&GoalProgress::failures, kNoGoal)},
+          {"stalled_time", conditionTimeOf<isStalled>(&ConditionTime::time)},
+          {"goal_traversal_ratio", metricOf<GoalProgress>(&GoalProgress::ratioLeft)},
+          {"targ_dist_norm", metricOf<RobotPath>(finalDistanceOverLength)}});
 }
 
 }  // namespace metrics

@@ -2,19 +2,19 @@
 #include <iterator>
 #include <limits>
 
-#include "metrics/Motion.h"
+#include "metrics/RobotMotion.h"
 #include "sim2d/map/PathPlanner.h"
 
-/// The robot against a reference: a recorded run, else the shortest way to its goal, driven at full
-/// speed.
+/// Compares the robot with a reference: a recorded run, otherwise the shortest path to its goal at
+/// maximum speed.
 namespace metrics {
 
 namespace {
 
 constexpr char kNoReference[] = "there is no goal and no reference";
-constexpr std::size_t kMostPoints = 800;  // of a comparison of all with all, the last aside
+constexpr std::size_t kMostPoints = 800;  // limit for pairwise comparison, besides the last
 
-/// Empty without reference. `first`: the sample with which the run begins.
+/// Empty without a reference. `first`: the first sample of the run.
 std::vector<Vec2> referencePath(const RunContext& context, const Sample& first) {
   std::vector<Vec2> path;
   for (const auto& [time, place] : context.reference) {
@@ -26,7 +26,7 @@ std::vector<Vec2> referencePath(const RunContext& context, const Sample& first) 
   return path;
 }
 
-/// The point of the way after this length; its end beyond.
+/// The point at this arc length of the path; its end beyond.
 Vec2 pointAt(const std::vector<Vec2>& path, double length) {
   for (std::size_t k = 1; k < path.size(); ++k) {
     const double part = (path[k] - path[k - 1]).norm();
@@ -38,8 +38,8 @@ Vec2 pointAt(const std::vector<Vec2>& path, double length) {
   return path.back();
 }
 
-/// Where the recorded run was; its ends before and after.
-Vec2 recordedPlace(const TimedWay& reference, double time) {
+/// Position in the recorded run; its ends before and after.
+Vec2 recordedPlace(const TimedPath& reference, double time) {
   const auto after =
       std::upper_bound(reference.begin(), reference.end(), time,
                        [](double wanted, const auto& point) { return wanted < point.first; });
@@ -62,9 +62,9 @@ double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
   return nearest;
 }
 
-/// Evenly along the way, both ends included.
+/// Evenly spaced points along the path, both ends included.
 std::vector<Vec2> spread(const std::vector<Vec2>& path, std::size_t count) {
-  const double length = sim2d::lengthOfWay(path);
+  const double length = sim2d::polylineLength(path);
   std::vector<Vec2> points;
   for (std::size_t k = 0; k < count; ++k) {
     const double share = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;
@@ -73,8 +73,8 @@ std::vector<Vec2> spread(const std::vector<Vec2>& path, std::size_t count) {
   return points;
 }
 
-/// Cheapest pairing of two ways in order, divided by the number of points of the first.
-double warped(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+/// Dynamic time warping of two paths, divided by the number of points of the first.
+double dynamicTimeWarping(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto count = static_cast<Eigen::Index>(b.size());
   Eigen::ArrayXd x(count), y(count), distances(count);
@@ -98,7 +98,7 @@ double warped(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 }
 
 /// The positions of every 2^k-th sample, as many as fit into the limit.
-class ThinnedWay {
+class ThinnedPath {
  public:
   void add(std::size_t index, const Vec2& place) {
     if (index % stride_ == 0 && places_.size() == kMostPoints) {
@@ -113,7 +113,7 @@ class ThinnedWay {
       places_.push_back(place);
     }
   }
-  /// With the newest in any case.
+  /// Always includes the newest position.
   std::vector<Vec2> upTo(const Vec2& newest) const {
     std::vector<Vec2> way = places_;
     if (!isNewestIn_) {
@@ -128,7 +128,7 @@ class ThinnedWay {
   bool isNewestIn_ = false;
 };
 
-class Comparison : public Accumulator {
+class ReferenceComparison : public Accumulator {
  public:
   void add(const Instant& at) override {
     if (at.before == nullptr) {
@@ -146,7 +146,7 @@ class Comparison : public Accumulator {
     deviations_.add(at, distanceToPath(path_, driven));
     way_.add(at.index, driven);
   }
-  /// From the place where the reference is at the same time.
+  /// Relative to the position of the reference at the same time.
   MetricValue meanDisplacement(const Instant& last) const { return meanOf(displacements_, last); }
   double finalDisplacement() const { return displacement_; }
   MetricValue meanDeviation(const Instant& last) const { return meanOf(deviations_, last); }
@@ -156,13 +156,13 @@ class Comparison : public Accumulator {
     }
     const std::vector<Vec2> driven = way_.upTo(last.now.robot.position);
     if (last.context.reference.empty()) {
-      return warped(driven, spread(path_, driven.size()));
+      return dynamicTimeWarping(driven, spread(path_, driven.size()));
     }
-    ThinnedWay recorded;  // as the driven one: a run with itself is 0
+    ThinnedPath recorded;  // thinned like the driven path, so that equal runs give 0
     for (std::size_t k = 0; k < path_.size(); ++k) {
       recorded.add(k, path_[k]);
     }
-    return warped(driven, recorded.upTo(path_.back()));
+    return dynamicTimeWarping(driven, recorded.upTo(path_.back()));
   }
 
  private:
@@ -172,33 +172,36 @@ class Comparison : public Accumulator {
   }
 
   std::vector<Vec2> path_;
-  double displacement_ = kNaN;  // newest [m]
+  double displacement_ = kNaN;  // newest value [m]
   SeriesSum displacements_, deviations_;
-  ThinnedWay way_;
+  ThinnedPath way_;
 };
 
 constexpr char kReferencePathMetrics[] = R"(
 = Navigation Performance|lower|robot, goal|Gao and Huang 2022
-ade|Mean displacement from the reference|m|[0, inf)|mean over i of |p_i - b_i|, b_i = place of the recorded reference (--reference, from the beginning
-  of its way, linear between its samples, its ends beyond) at t_i - t_0, else the point v_max (t_i - t_0) metres along the shortest way from p_0 to
-  the first goal, or its end
+ade|Mean displacement from the reference|m|[0, inf)|mean over i of |p_i - b_i|, b_i = position of the recorded reference (--reference, from the beginning of its
+  evaluation interval, linear between its samples, constant beyond its ends) at t_i - t_0, else the point v_max (t_i - t_0) metres along the shortest path from
+  p_0 to the first goal, or its end
 fde|Final displacement from the reference|m|[0, inf)||p_(N-1) - b_(N-1)|, b as in ade
-dtw|Warped distance from the reference|m|[0, inf)|dynamic time warping of the positions p_i (of more than 800 samples every 2nd, 4th ... as often as
-  needed for 800, from the first on, and the last) and those of the recorded reference, else as many points as these positions, evenly along the
-  shortest way of ade, ends included: D(0, 0) = 0, D(j, k) = distance + min(D(j-1, k), D(j, k-1), D(j-1, k-1)), last D / number of positions
-= Navigation Performance|lower|robot, goal|ours
-path_deviation|Mean distance from the way of the reference|m|[0, inf)|mean over i of the distance of p_i from the polyline of the reference (its
-  positions, else the shortest way of ade)
+dtw|DTW distance from the reference|m|[0, inf)|dynamic time warping of the positions p_i (of more than 800 samples every 2nd, 4th ... as often as needed for
+  800, from the first on, and the last) and those of the recorded reference, else as many points as these positions, evenly along the shortest path of ade, ends
+  included: D(0, 0) = 0, D(j, k) = distance + min(D(j-1, k), D(j, k-1), D(j-1, k-1)), last D / number of positions
+= Navigation Performance|lower|robot, goal|HuNavSim Desktop
+path_deviation|Mean distance from the reference path|m|[0, inf)|mean over i of the distance of p_i from the polyline of the reference (its positions, else the
+  shortest path of ade)
 )";
 
 }  // namespace
 
 void addReferencePath(MetricRegistry& to) {
-  to.add(kReferencePathMetrics,
-         {{"ade", streamOf<Comparison>(&Comparison::meanDisplacement, kNoReference)},
-          {"fde", streamOf<Comparison>(&Comparison::finalDisplacement, kNoReference)},
-          {"dtw", streamOf<Comparison>(&Comparison::warping, kNoReference)},
-          {"path_deviation", streamOf<Comparison>(&Comparison::meanDeviation, kNoReference)}});
+  to.add(
+      kReferencePathMetrics,
+      {{"ade", metricOf<ReferenceComparison>(&ReferenceComparison::meanDisplacement, kNoReference)},
+       {"fde",
+        metricOf<ReferenceComparison>(&ReferenceComparison::finalDisplacement, kNoReference)},
+       {"dtw", metricOf<ReferenceComparison>(&ReferenceComparison::warping, kNoReference)},
+       {"path_deviation",
+        metricOf<ReferenceComparison>(&ReferenceComparison::meanDeviation, kNoReference)}});
 }
 
 }  // namespace metrics

@@ -3,19 +3,19 @@
 
 #include "metrics/MetricRegistry.h"
 
-/// Who gets out of whose way.
+/// Contributions of robot and people to the resolution of conflicts.
 namespace metrics {
 
 namespace {
 
-constexpr double kNoise = 1e-3;  // [m/s] slower widening is rounding
+constexpr double kNoise = 1e-3;  // [m/s] smaller changes are rounding errors
 
-/// Two bodies that approach each other on straight courses.
+/// Two bodies that approach each other at constant velocities.
 struct Encounter {
   Vec2 centres = Vec2::Zero();  // from the robot to the person
-  double clear = 1.0;           // miss distance of the centres that is enough [m]
+  double clear = 1.0;           // sufficient miss distance of the centres [m]
 
-  /// Distance at which the centres pass each other, at most `clear`.
+  /// Minimum distance of the centres, at most `clear`.
   double miss(const Vec2& robot, const Vec2& person) const {
     const Vec2 closing = robot - person;
     if (centres.dot(closing) <= 0.0) {
@@ -30,9 +30,9 @@ struct Encounter {
   }
 };
 
-/// How much each side widens the passing of conflicts from one sample to the next: its change of
-/// velocity alone, averaged over before and after that of the other side.
-class Resolution : public Accumulator {
+/// How much each side increases the miss distance of conflicts between two samples: the effect of
+/// its change of velocity, averaged over both orders of the changes.
+class ConflictResolution : public Accumulator {
  public:
   void add(const Instant& at) override {
     if (at.before == nullptr) {
@@ -40,8 +40,8 @@ class Resolution : public Accumulator {
     }
     std::size_t next = 0;
     bool isBusy = false;
-    for (const Person& person : at.before->people) {
-      const Person* const after = findInOrder(at.now.people, next, person.id);
+    for (const Pedestrian& person : at.before->people) {
+      const Pedestrian* const after = findInOrder(at.now.people, next, person.id);
       if (after != nullptr && !after->isNew) {
         isBusy = addPair(at, person, *after) || isBusy;
       }
@@ -55,7 +55,7 @@ class Resolution : public Accumulator {
   double engagement() const { return time_ > 0.0 ? byRobot_ / time_ : kNaN; }
 
  private:
-  bool addPair(const Instant& at, const Person& person, const Person& personAfter) {
+  bool addPair(const Instant& at, const Pedestrian& person, const Pedestrian& personAfter) {
     const Robot& robot = at.before->robot;
     const Robot& robotAfter = at.now.robot;
     Encounter pair;
@@ -83,10 +83,10 @@ class Resolution : public Accumulator {
 
 constexpr char kResponsibilityMetrics[] = R"(
 = Social Behavior|neutral|robot, people|after Wenzel and Probst 2025
-responsibility|Responsibility of the robot|%|[0, 100]|100 W_r/(W_r + W_p). For each i > 0 and person there at i-1 and i without event enter since,
-  with C, R and velocities v, u of i-1 and v', u' of i: clear = R + conflict_margin, miss(v, u) = min(|cross(C, V)|/|V|, clear) with V = v - u, clear
-  if C V <= 0. A conflict is C V > 0, C V <= conflict_horizon |V|^2 and miss(v, u) < clear. In one W_r grows by g = ((miss(v', u) - miss(v, u)) +
-  (miss(v', u') - miss(v, u')))/2 if g > 0.001 dt_(i-1), W_p by the same with the parts of robot and person exchanged; undefined if neither grows
+responsibility|Responsibility of the robot|%|[0, 100]|100 W_r/(W_r + W_p). For each i > 0 and person present at i-1 and i without event enter since, with C, R
+  and velocities v, u of i-1 and v', u' of i: clear = R + conflict_margin, miss(v, u) = min(|cross(C, V)|/|V|, clear) with V = v - u, clear if C V <= 0. A
+  conflict is C V > 0, C V <= conflict_horizon |V|^2 and miss(v, u) < clear. In a conflict W_r grows by g = ((miss(v', u) - miss(v, u)) + (miss(v', u') -
+  miss(v, u')))/2 if g > 0.001 dt_(i-1), W_p by the same with the parts of robot and person exchanged; undefined if neither grows
 = Social Behavior|higher|robot, people|after Wenzel and Probst 2025
 engagement|Engagement of the robot|m/s|[0, inf)|W_r of responsibility / sum of dt_(i-1) of the i with a conflict (conflict_horizon, conflict_margin)
   with a person; undefined without conflict
@@ -95,10 +95,11 @@ engagement|Engagement of the robot|m/s|[0, inf)|W_r of responsibility / sum of d
 }  // namespace
 
 void addResponsibility(MetricRegistry& to) {
-  to.add(
-      kResponsibilityMetrics,
-      {{"responsibility", streamOf<Resolution>(&Resolution::share, "no conflict was resolved")},
-       {"engagement", streamOf<Resolution>(&Resolution::engagement, "no conflict with a person")}});
+  to.add(kResponsibilityMetrics,
+         {{"responsibility",
+           metricOf<ConflictResolution>(&ConflictResolution::share, "no conflict was resolved")},
+          {"engagement", metricOf<ConflictResolution>(&ConflictResolution::engagement,
+                                                      "no conflict with a person")}});
 }
 
 }  // namespace metrics

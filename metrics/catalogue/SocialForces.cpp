@@ -1,14 +1,14 @@
 #include <array>
 #include <cmath>
 
-#include "metrics/Motion.h"
+#include "metrics/RobotMotion.h"
 
 namespace metrics {
 
 namespace {
 
-/// The original leaves out pairs with equal ids.
-bool counts(const Sample& sample, const Person& person, const MetricParameters& parameters) {
+/// HuNavSim's evaluator excludes pairs with equal ids.
+bool counts(const Sample& sample, const Pedestrian& person, const MetricParameters& parameters) {
   return parameters.profile == Profile::Corrected || person.id != sample.robot.id;
 }
 
@@ -34,19 +34,19 @@ Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   return sum;
 }
 
-/// `hadPoints`: bodies came with points of their own.
+/// `hadPoints`: the record contains obstacle points of bodies.
 bool lacksObstacles(const Instant& last, bool hadPoints) {
-  return !last.context.hasObstacles && !hadPoints && !last.isOriginal();
+  return !last.context.hasObstacles && !hadPoints && !last.usesHunavProfile();
 }
 
-// Places of the sums.
+// Indices of the sums.
 constexpr std::size_t kOnPeople = 0;
 constexpr std::size_t kOnRobot = 1;
 constexpr std::size_t kWork = 2;
 constexpr std::size_t kObstaclesOnRobot = 3;
 constexpr std::size_t kForceSums = 4;
 
-/// What acts between the robot and its surroundings.
+/// Forces between the robot and its surroundings.
 class RobotForces : public Accumulator {
  public:
   void add(const Instant& at) override {
@@ -54,7 +54,7 @@ class RobotForces : public Accumulator {
     double onPeople = 0.0;
     double onRobot = 0.0;
     Vec2 total = Vec2::Zero();
-    for (const Person& person : now.people) {
+    for (const Pedestrian& person : now.people) {
       if (counts(now, person, at.parameters)) {
         onPeople += person.pair.forceOnPerson;
         onRobot += lengthOf(person.pair.forceOnRobot);
@@ -75,16 +75,16 @@ class RobotForces : public Accumulator {
 
  private:
   std::array<SeriesSum, kForceSums> sums_;
-  bool hadPoints_ = false;  // the robot
+  bool hadPoints_ = false;  // for the robot
 };
 
-/// The original divides by the number of people of every sample.
+/// HuNavSim's evaluator divides by the number of people of every sample.
 class PeopleObstacles : public Accumulator {
  public:
   void add(const Instant& at) override {
-    const std::vector<Person>& people = at.now.people;
+    const std::vector<Pedestrian>& people = at.now.people;
     double sum = 0.0;
-    for (const Person& person : people) {
+    for (const Pedestrian& person : people) {
       sum += lengthOf(obstacleForce(person, at.parameters));
       hadPoints_ = hadPoints_ || !person.obstacles.empty();
     }
@@ -95,7 +95,7 @@ class PeopleObstacles : public Accumulator {
     if (lacksObstacles(last, hadPoints_)) {
       return undefinedValue(kNoObstacles);
     }
-    return last.isOriginal() && empty_
+    return last.usesHunavProfile() && empty_
                ? undefinedValue("ZeroDivisionError: a sample without people")
                : withTerms(sum_);
   }
@@ -103,7 +103,7 @@ class PeopleObstacles : public Accumulator {
  private:
   SeriesSum sum_;
   bool empty_ = false;
-  bool hadPoints_ = false;  // some person
+  bool hadPoints_ = false;  // for any person
 };
 
 constexpr char kSocialForcesMetrics[] = R"(
@@ -122,11 +122,11 @@ constexpr char kSocialForcesMetrics[] = R"(
 
 void addSocialForces(MetricRegistry& to) {
   to.addSums(kSocialForcesMetrics,
-             {{"social_force_on_agents", streamOfPart<RobotForces>(kOnPeople)},
-              {"social_force_on_robot", streamOfPart<RobotForces>(kOnRobot)},
-              {"social_work", streamOfPart<RobotForces>(kWork)},
-              {"obstacle_force_on_robot", streamOfPart<RobotForces>(kObstaclesOnRobot)},
-              {"obstacle_force_on_agents", streamOf<PeopleObstacles>(&PeopleObstacles::value)}});
+             {{"social_force_on_agents", metricOfPart<RobotForces>(kOnPeople)},
+              {"social_force_on_robot", metricOfPart<RobotForces>(kOnRobot)},
+              {"social_work", metricOfPart<RobotForces>(kWork)},
+              {"obstacle_force_on_robot", metricOfPart<RobotForces>(kObstaclesOnRobot)},
+              {"obstacle_force_on_agents", metricOf<PeopleObstacles>(&PeopleObstacles::value)}});
 }
 
 }  // namespace metrics

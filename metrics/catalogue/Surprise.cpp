@@ -1,18 +1,18 @@
 #include <algorithm>
 
-#include "metrics/TermSums.h"
+#include "metrics/TermStatistics.h"
 
 namespace metrics {
 
 namespace {
 
-/// A person who sees the robot.
+/// The view of a person who sees the robot.
 struct View {
   double proxemic = 0.45;    // d_prox [m]
   double distance = 1.0;     // D [m]
   double angle = 0.0;        // theta [rad]
   double halfField = 1.0;    // half the field of view [rad]
-  double recognition = 0.0;  // SR, 0 = just seen, 1 = reaction over
+  double recognition = 0.0;  // SR, 0: just seen, 1: reaction complete
   double shockRate = 4.0;    // reaction time / recognition time
 };
 
@@ -26,7 +26,7 @@ double reactCost(const View& view) {
   return view.proxemic / view.distance * (1.0 - view.recognition);
 }
 
-// Places of the costs.
+// Indices of the costs.
 constexpr std::size_t kVisibility = 0;
 constexpr std::size_t kShock = 1;
 constexpr std::size_t kReact = 2;
@@ -37,11 +37,11 @@ class SurpriseSum : public PersonCosts {
   SurpriseSum() : PersonCosts(kCosts) {}
 
   MetricValue value(std::size_t cost, const Instant& last) const {
-    if (last.isOriginal() && last.context.map.isEmpty()) {
+    if (last.usesHunavProfile() && last.context.map.isEmpty()) {
       return undefinedValue("there is no map");
     }
-    if (last.isOriginal() && cost != kVisibility && last.count() < 2) {
-      return undefinedValue("IndexError: one sample only");
+    if (last.usesHunavProfile() && cost != kVisibility && last.count() < 2) {
+      return undefinedValue("IndexError: only one sample");
     }
     return PersonCosts::value(cost, last);
   }
@@ -53,11 +53,11 @@ class SurpriseSum : public PersonCosts {
     next_ = 0;
   }
 
-  bool addCosts(const Instant& at, const Person& person, std::vector<double>& costs) override {
+  bool addCosts(const Instant& at, const Pedestrian& person, std::vector<double>& costs) override {
     const double half = at.parameters.fieldOfView / 2.0;
     const double angle = person.pair.viewAngle;
-    const bool unseen = angle > half || (at.isOriginal() && angle == 0.0);
-    if (unseen || (at.isOriginal() && at.context.map.isEmpty())) {
+    const bool unseen = angle > half || (at.usesHunavProfile() && angle == 0.0);
+    if (unseen || (at.usesHunavProfile() && at.context.map.isEmpty())) {
       return true;
     }
     const Sight sight = person.pair.sight;
@@ -68,7 +68,7 @@ class SurpriseSum : public PersonCosts {
   }
 
  private:
-  void addVisible(const Instant& at, const Person& person, std::vector<double>& costs) {
+  void addVisible(const Instant& at, const Pedestrian& person, std::vector<double>& costs) {
     const MetricParameters& parameters = at.parameters;
     const Robot& robot = at.now.robot;
     View view;
@@ -76,9 +76,9 @@ class SurpriseSum : public PersonCosts {
     view.angle = person.pair.viewAngle;
     view.halfField = parameters.fieldOfView / 2.0;
     view.shockRate = parameters.reactionTime / parameters.recognitionTime;
-    if (at.isOriginal()) {
+    if (at.usesHunavProfile()) {
       view.distance = distance(robot, person);
-      view.recognition = 1.0;  // its clock runs backwards and never enters the reaction
+      view.recognition = 1.0;  // the evaluator's clock runs backwards, so no reaction starts
     } else {
       view.distance = std::max(gap(robot, person), parameters.surpriseMinimumDistance);
       const double seenFor = at.now.time - seenSince(person.id, at.now.time);
@@ -88,14 +88,15 @@ class SurpriseSum : public PersonCosts {
         return;
       }
     }
-    const bool isKnown = !at.isOriginal() && parameters.surpriseVisibilityOnlyUnrecognised > 0 &&
+    const bool isKnown = !at.usesHunavProfile() &&
+                         parameters.surpriseVisibilityOnlyUnrecognised > 0 &&
                          view.recognition >= 1.0;
     costs[kVisibility] = isKnown ? 0.0 : visibilityCost(view);
     costs[kShock] = shockCost(view);
     costs[kReact] = reactCost(view);
   }
 
-  /// Begin of the uninterrupted sight; notes that it goes on.
+  /// Start of the uninterrupted sight; records that it continues.
   double seenSince(int id, double now) {
     const Seen* found = findInOrder(seenBefore_, next_, id);
     seen_.push_back({id, found != nullptr ? found->since : now});
@@ -107,17 +108,17 @@ class SurpriseSum : public PersonCosts {
     double since = 0.0;  // [s]
   };
   std::vector<Seen> seen_, seenBefore_;
-  std::size_t next_ = 0;  // in seenBefore_
+  std::size_t next_ = 0;  // index in seenBefore_
 };
 
 constexpr char kSurpriseMetrics[] = R"(
 = Danger & Surprise Metrics|lower|robot, people, map|Singamaneni, Favier, Alami, RO-MAN 2023
 32 surprise_visibility_cost|Surprise: visibility||[0, inf)|sum over i and each a who sees the robot (field_of_view; METRICS.md, Walls and obstacles) of
-  (surprise_distance/D) * theta/(field_of_view/2), D = max(gap, surprise_minimum_distance); none for SR = 1 if surprise_visibility_only_unrecognised
-  is 1; none of a robot with s < stop_linear_speed if surprise_requires_motion is 1
+  (surprise_distance/D) * theta/(field_of_view/2), D = max(gap, surprise_minimum_distance); 0 for SR = 1 if surprise_visibility_only_unrecognised is 1; 0 for a
+  robot with s < stop_linear_speed if surprise_requires_motion is 1
 33 surprise_shock_cost|Surprise: shock||[0, inf)|sum over i and each a who sees the robot of max((surprise_distance/D) * (1 - SR
-  reaction_time/recognition_time), 0), SR = min((t_i - t_k)/reaction_time, 1), k = first of the samples since which a has seen it without a break; D
-  and surprise_requires_motion as in surprise_visibility_cost
+  reaction_time/recognition_time), 0), SR = min((t_i - t_k)/reaction_time, 1), k = first of the samples since which a has seen it without interruption; D and
+  surprise_requires_motion as in surprise_visibility_cost
 34 surprise_react_cost|Surprise: reaction||[0, inf)|sum over i and each a who sees the robot of (surprise_distance/D) * (1 - SR), SR (reaction_time)
   as in surprise_shock_cost
 )";
@@ -126,9 +127,9 @@ constexpr char kSurpriseMetrics[] = R"(
 
 void addSurprise(MetricRegistry& to) {
   to.addSums(kSurpriseMetrics,
-             {{"surprise_visibility_cost", streamOfPart<SurpriseSum>(kVisibility)},
-              {"surprise_shock_cost", streamOfPart<SurpriseSum>(kShock)},
-              {"surprise_react_cost", streamOfPart<SurpriseSum>(kReact)}});
+             {{"surprise_visibility_cost", metricOfPart<SurpriseSum>(kVisibility)},
+              {"surprise_shock_cost", metricOfPart<SurpriseSum>(kShock)},
+              {"surprise_react_cost", metricOfPart<SurpriseSum>(kReact)}});
 }
 
 }  // namespace metrics

@@ -6,17 +6,17 @@
 #include <set>
 #include <string>
 
-#include "metrics/Motion.h"
-#include "metrics/TermSums.h"
+#include "metrics/RobotMotion.h"
+#include "metrics/TermStatistics.h"
 
-/// The zones round people after Hall: how long the robot is in them, how often it enters.
+/// Hall's proxemic zones of people: time of the robot in them, number of entries.
 namespace metrics {
 
 namespace {
 
-/// A band of Hall's proxemics: inner edge included, outer edge not.
+/// A band of Hall's proxemics, including its inner edge and excluding its outer edge.
 struct Band {
-  double MetricParameters::*inner;  // null: from 0 on
+  double MetricParameters::*inner;  // null: from 0
   double MetricParameters::*outer;
 };
 
@@ -32,7 +32,7 @@ bool isInBand(double distance, const Band& band, const MetricParameters& paramet
   return distance >= inner && distance < parameters.*band.outer;
 }
 
-/// The samples whose distance lies in each of the bands; NaN, nobody there, is in none.
+/// Samples whose distance lies in each band; NaN (no people) is in none.
 class BandCounts : public Accumulator {
  public:
   MetricValue value(std::size_t band, const Instant& last) const {
@@ -53,7 +53,7 @@ class BandCounts : public Accumulator {
 
 class GapBands : public BandCounts {
  public:
-  void add(const Instant& at) override { count(at, at.term(closestGapTerm)); }
+  void add(const Instant& at) override { count(at, at.term(smallestGapTerm)); }
 };
 
 /// Sum and number of the members' interaction points.
@@ -64,7 +64,7 @@ struct Centre {
 
 std::map<int, Centre> centresOf(const Sample& sample, const MetricParameters& parameters) {
   std::map<int, Centre> centres;
-  for (const Person& person : sample.people) {
+  for (const Pedestrian& person : sample.people) {
     if (person.group != -1) {
       Centre& centre = centres[person.group];
       centre.sum +=
@@ -80,13 +80,13 @@ double distanceTo(const Centre& centre, const Robot& robot) {
   return std::max(lengthOf(robot.position - middle) - robot.radius, 0.0);
 }
 
-/// Distance to the nearest group at each sample. The original takes the groups of the first sample,
-/// singles too, for the whole run.
+/// Distance to the nearest group at each sample. HuNavSim's evaluator uses the groups of the first
+/// sample, including single members, for the whole run.
 class GroupDistances : public BandCounts {
  public:
   void add(const Instant& at) override {
     const std::map<int, Centre> centres = centresOf(at.now, at.parameters);
-    if (!at.isOriginal()) {
+    if (!at.usesHunavProfile()) {
       count(at, nearestOf(centres, at));
       return;
     }
@@ -99,7 +99,7 @@ class GroupDistances : public BandCounts {
   }
 
   MetricValue value(std::size_t band, const Instant& last) const {
-    if (last.isOriginal() && groups_.empty()) {
+    if (last.usesHunavProfile() && groups_.empty()) {
       return 0.0;
     }
     return failure_.empty() ? BandCounts::value(band, last) : undefinedValue(failure_);
@@ -125,14 +125,14 @@ class GroupDistances : public BandCounts {
       if (found != centres.end()) {
         nearest = std::min(nearest, distanceTo(found->second, now.robot));
       } else if (failure_.empty()) {
-        failure_ = now.people.empty() ? "ValueError: nobody at a sample"
-                                      : "ZeroDivisionError: a group lost its members";
+        failure_ = now.people.empty() ? "ValueError: no people at a sample"
+                                      : "ZeroDivisionError: a group has no members";
       }
     }
     return nearest;
   }
 
-  std::set<int> groups_;  // of the first sample
+  std::set<int> groups_;  // at the first sample
   std::string failure_;
 };
 
@@ -141,12 +141,12 @@ using PersonalEntries = ContactsWithin<&MetricParameters::personalDistance>;
 
 constexpr char kZonesMetrics[] = R"(
 = Social Behavior|lower|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966
-7 intimate_space_intrusions|Intrusions into the intimate space|%|[0, 100]|share of samples with c_i in the intimate band (intimate_distance): surface
-  to surface, Hall measured between persons
-8 personal_space_intrusions|Intrusions into the personal space|%|[0, 100]|share of samples with c_i in the personal band (intimate_distance,
-  personal_distance): surface to surface, Hall measured between persons
-9 social_space_intrusions|Intrusions into the social space|%|[0, 100]|share of samples with c_i in the social band (personal_distance,
-  social_distance): surface to surface, Hall measured between persons
+7 intimate_space_intrusions|Intrusions into the intimate space|%|[0, 100]|share of samples with c_i in the intimate band (intimate_distance): surface to
+  surface, whereas Hall measured between people
+8 personal_space_intrusions|Intrusions into the personal space|%|[0, 100]|share of samples with c_i in the personal band (intimate_distance, personal_distance):
+  surface to surface, whereas Hall measured between people
+9 social_space_intrusions|Intrusions into the social space|%|[0, 100]|share of samples with c_i in the social band (personal_distance, social_distance): surface
+  to surface, whereas Hall measured between people
 = Social Behavior|lower|robot, people, groups|Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016
 10 group_intimate_space_intrusions|Intrusions into the intimate space of groups|%|[0, 100]|share of samples with x_i in the intimate band
   (intimate_distance), x_i from the centre of the nearest group to the surface of the robot; 0 without groups
@@ -156,33 +156,33 @@ constexpr char kZonesMetrics[] = R"(
   (personal_distance, social_distance), x_i from the centre of the nearest group to the surface of the robot; 0 without groups
 = Social Behavior|lower|robot, people|SEAN 2.0 (distance violations)
 intimate_zone_entries|Entries into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance
-intimate_zone_entries_by_robot|Entries of the robot into the intimate zone||0, 1, ...|those of intimate_zone_entries that the robot caused or both, by
-  who closes in faster (intimate_distance; METRICS.md, Distances and zones)
-intimate_zone_entries_by_person|Entries of people into the intimate zone||0, 1, ...|those of intimate_zone_entries that the person caused or both, by
-  who closes in faster (intimate_distance)
+intimate_zone_entries_by_robot|Entries of the robot into the intimate zone||0, 1, ...|those of intimate_zone_entries caused by the robot or by both, according
+  to who approaches faster (intimate_distance; METRICS.md, Distances and zones)
+intimate_zone_entries_by_person|Entries of people into the intimate zone||0, 1, ...|those of intimate_zone_entries caused by the person or by both, according to
+  who approaches faster (intimate_distance)
 personal_zone_entries|Entries into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance
-personal_zone_entries_by_robot|Entries of the robot into the personal zone||0, 1, ...|those of personal_zone_entries that the robot caused or both, by
-  who closes in faster (personal_distance; METRICS.md, Distances and zones)
-personal_zone_entries_by_person|Entries of people into the personal zone||0, 1, ...|those of personal_zone_entries that the person caused or both, by
-  who closes in faster (personal_distance)
+personal_zone_entries_by_robot|Entries of the robot into the personal zone||0, 1, ...|those of personal_zone_entries caused by the robot or by both, according
+  to who approaches faster (personal_distance; METRICS.md, Distances and zones)
+personal_zone_entries_by_person|Entries of people into the personal zone||0, 1, ...|those of personal_zone_entries caused by the person or by both, according to
+  who approaches faster (personal_distance)
 )";
 
 }  // namespace
 
 void addZones(MetricRegistry& to) {
   to.add(kZonesMetrics,
-         {{"intimate_space_intrusions", streamOfPart<GapBands>(0)},
-          {"group_intimate_space_intrusions", streamOfPart<GroupDistances>(0)},
-          {"personal_space_intrusions", streamOfPart<GapBands>(1)},
-          {"group_personal_space_intrusions", streamOfPart<GroupDistances>(1)},
-          {"social_space_intrusions", streamOfPart<GapBands>(2)},
-          {"group_social_space_intrusions", streamOfPart<GroupDistances>(2)},
-          {"intimate_zone_entries", streamOf<IntimateEntries>(&Contacts::count)},
-          {"intimate_zone_entries_by_robot", streamOf<IntimateEntries>(&Contacts::byRobot)},
-          {"intimate_zone_entries_by_person", streamOf<IntimateEntries>(&Contacts::byPerson)},
-          {"personal_zone_entries", streamOf<PersonalEntries>(&Contacts::count)},
-          {"personal_zone_entries_by_robot", streamOf<PersonalEntries>(&Contacts::byRobot)},
-          {"personal_zone_entries_by_person", streamOf<PersonalEntries>(&Contacts::byPerson)}});
+         {{"intimate_space_intrusions", metricOfPart<GapBands>(0)},
+          {"group_intimate_space_intrusions", metricOfPart<GroupDistances>(0)},
+          {"personal_space_intrusions", metricOfPart<GapBands>(1)},
+          {"group_personal_space_intrusions", metricOfPart<GroupDistances>(1)},
+          {"social_space_intrusions", metricOfPart<GapBands>(2)},
+          {"group_social_space_intrusions", metricOfPart<GroupDistances>(2)},
+          {"intimate_zone_entries", metricOf<IntimateEntries>(&Contacts::count)},
+          {"intimate_zone_entries_by_robot", metricOf<IntimateEntries>(&Contacts::byRobot)},
+          {"intimate_zone_entries_by_person", metricOf<IntimateEntries>(&Contacts::byPerson)},
+          {"personal_zone_entries", metricOf<PersonalEntries>(&Contacts::count)},
+          {"personal_zone_entries_by_robot", metricOf<PersonalEntries>(&Contacts::byRobot)},
+          {"personal_zone_entries_by_person", metricOf<PersonalEntries>(&Contacts::byPerson)}});
 }
 
 }  // namespace metrics

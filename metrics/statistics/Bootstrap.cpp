@@ -13,17 +13,18 @@ namespace {
 
 using Rows = std::vector<std::size_t>;
 
-/// The rows of one resample.
+/// Draws the rows of one resample.
 void draw(std::size_t n, const BootstrapOptions& options, int resample, Rows& rows) {
   const base::AgentRng rng(options.seed, 0, static_cast<std::uint64_t>(resample));
   rows.resize(n);
   for (std::size_t k = 0; k < n; ++k) {  // 32 bits times n: the bias is below n / 2^32
-    const std::uint64_t bits = rng.bits(base::Draw::Bootstrap, static_cast<std::uint32_t>(k));
+    const std::uint64_t bits =
+        rng.bits(base::DrawPurpose::Bootstrap, static_cast<std::uint32_t>(k));
     rows[k] = static_cast<std::size_t>((bits * n) >> 32U);
   }
 }
 
-/// Σ d³ / (6 (Σ d²)^1.5) of the jackknife values' distances below their mean; 0 when all are equal.
+/// Σ d³ / (6 (Σ d²)^1.5) of the jackknife values' distances below their mean; 0 if all are equal.
 double accelerationOf(const Numbers& jackknife) {
   const double centre = mean(jackknife);
   double squares = 0.0;
@@ -36,14 +37,14 @@ double accelerationOf(const Numbers& jackknife) {
   return squares > 0.0 ? cubes / (6.0 * std::pow(squares, 1.5)) : 0.0;
 }
 
-/// Where in the sorted resamples the end lies whose normal quantile is z.
+/// Position in the sorted resamples of the end with normal quantile z.
 double shiftedShare(double bias, double acceleration, double z) {
   const double shifted = bias + z;
   return normalCdf(bias + shifted / (1.0 - acceleration * shifted));
 }
 
-/// Resamples that are equal to the estimate but for the order of their sums.
-constexpr double kRounding = 1e-12;  // of the largest number
+/// Tolerance for resamples that equal the estimate except for summation order.
+constexpr double kRounding = 1e-12;  // relative to the largest number
 
 Interval intervalOf(double estimate, Numbers resampled, const Numbers& jackknife, double level) {
   const auto [least, most] = std::minmax_element(resampled.begin(), resampled.end());
@@ -56,7 +57,7 @@ Interval intervalOf(double estimate, Numbers resampled, const Numbers& jackknife
     below += std::abs(value - estimate) <= rounding ? 0.5 : value < estimate ? 1.0 : 0.0;
   }
   const auto count = static_cast<double>(resampled.size());
-  // Estimates beyond all resamples would shift the interval out of the world.
+  // Limits estimates beyond all resamples.
   const double share = std::clamp(below / count, 0.5 / count, 1.0 - 0.5 / count);
   const double bias = normalQuantile(share);
   const double acceleration = accelerationOf(jackknife);
@@ -81,7 +82,7 @@ Interval bootstrapRowsInterval(std::size_t n, const RowStatistic& statistic,
   for (std::size_t left = 0; left < n; ++left) {
     jackknife[left] = statistic(others);
     if (left + 1 < n) {
-      others[left] = left;  // comes back, the next goes
+      others[left] = left;  // replaces the next left-out row
     }
   }
   Numbers resampled(static_cast<std::size_t>(options.resamples));

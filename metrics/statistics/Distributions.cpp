@@ -16,7 +16,7 @@ namespace statistics {
 namespace {
 
 namespace bm = boost::math;
-// What the argument cannot be gives NaN, no exception.
+// Invalid arguments give NaN instead of exceptions.
 using Policy = bm::policies::policy<bm::policies::domain_error<bm::policies::ignore_error>,
                                     bm::policies::pole_error<bm::policies::ignore_error>,
                                     bm::policies::overflow_error<bm::policies::ignore_error>,
@@ -26,7 +26,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 8.5;  // the normal density beyond is below 1e-16
 
-/// Integral over [low, high] in `pieces` equal pieces of 15 points of Gauss each.
+/// Integral over [low, high] by 15-point Gauss quadrature on `pieces` equal intervals.
 template <class Function>
 double integrate(Function function, double low, double high, int pieces) {
   const double width = (high - low) / pieces;
@@ -46,7 +46,8 @@ double rangeCdf(double q, int groups) {
   return std::min(1.0, groups * integrate(term, -kFar, kFar + std::min(q, kFar), 8));
 }
 
-/// Logarithm of the density of s, the estimate of a spread of 1: freedom * s² is chi-squared.
+/// Logarithm of the density of s, the estimate of a standard deviation of 1: freedom * s² is
+/// chi-squared.
 double logSpreadDensity(double s, double freedom) {
   const double half = freedom / 2.0;
   return half * std::log(half) + std::log(2.0) - bm::lgamma(half) + (freedom - 1.0) * std::log(s) -
@@ -108,7 +109,7 @@ double studentizedRangeTail(double q, int groups, double freedom) {
   if (std::isinf(freedom)) {
     return std::max(0.0, 1.0 - rangeCdf(q, groups));
   }
-  const double spread = 8.0 / std::sqrt(2.0 * freedom);  // 8 of its standard deviations
+  const double spread = 8.0 / std::sqrt(2.0 * freedom);  // 8 standard deviations of s
   const double low = std::max(1e-9, 1.0 - spread);
   const auto term = [q, groups, freedom](double s) {
     return std::exp(logSpreadDensity(s, freedom)) * rangeCdf(q * s, groups);

@@ -9,8 +9,8 @@ namespace statistics {
 
 namespace {
 
-/// Doubles and whole numbers in the same order, neighbours to neighbours.
-std::int64_t orderOf(double value) {
+/// Maps doubles to integers in the same order; adjacent doubles give adjacent integers.
+std::int64_t toOrderedBits(double value) {
   std::int64_t bits = 0;
   const double positiveZero = value == 0.0 ? 0.0 : value;
   std::memcpy(&bits, &positiveZero, sizeof bits);
@@ -24,7 +24,7 @@ double valueAt(std::int64_t order) {
   return value;
 }
 
-/// Chances of 0, 1, … to chances of at most 0, 1, …
+/// Converts probabilities to cumulative probabilities.
 void accumulate(Numbers& chances) {
   std::partial_sum(chances.begin(), chances.end(), chances.begin());
 }
@@ -75,7 +75,7 @@ Numbers signedRankCdf(int n) {
   return chances;
 }
 
-double signedSumAtMost(const Numbers& ranks, double t) {
+double signedRankSumCdf(const Numbers& ranks, double t) {
   constexpr double kHalves = 2.0;  // sums of half ranks
   Numbers chances(static_cast<std::size_t>(kHalves * t) + 1, 0.0);
   chances[0] = 1.0;
@@ -112,7 +112,7 @@ Numbers rankSumCdf(int n, int m) {
 
 double pairMeansUpTo(const Numbers& sorted, double x) {
   double count = 0.0;
-  std::size_t end = sorted.size();  // partners of the i-th lie before it
+  std::size_t end = sorted.size();  // partners of the i-th have smaller indices
   for (std::size_t i = 0; i < end; ++i) {
     while (end > i && 0.5 * (sorted[i] + sorted[end - 1]) > x) {
       --end;
@@ -124,11 +124,11 @@ double pairMeansUpTo(const Numbers& sorted, double x) {
 
 double orderStatistic(const std::function<double(double)>& countUpTo, double k, double low,
                       double high) {
-  std::int64_t from = orderOf(low);
-  std::int64_t to = orderOf(high);
+  std::int64_t from = toOrderedBits(low);
+  std::int64_t to = toOrderedBits(high);
   while (from < to) {
     const std::int64_t middle =
-        (from & to) + ((from ^ to) >> 1);  // their mean, downwards, without overflow
+        (from & to) + ((from ^ to) >> 1);  // their mean, rounded down, without overflow
     if (countUpTo(valueAt(middle)) >= k) {
       to = middle;
     } else {

@@ -9,7 +9,7 @@ namespace statistics {
 
 namespace {
 
-/// z of the two-sided level and of the power.
+/// Normal quantiles of the two-sided level and of the power.
 std::pair<double, double> quantilesOf(const Power& power) {
   return {normalQuantile(1.0 - power.level / 2.0), normalQuantile(power.power)};
 }

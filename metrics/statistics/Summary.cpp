@@ -28,7 +28,7 @@ double mean(const Numbers& values) {
   if (values.empty()) {
     return kUndefined;
   }
-  const double first = values.front();  // differences to it: equal numbers keep their bits
+  const double first = values.front();  // sums the differences: exact for equal numbers
   double sum = 0.0;
   for (const double value : values) {
     sum += value - first;
@@ -80,8 +80,8 @@ Interval meanInterval(const Numbers& values, double level) {
 
 Interval medianInterval(Numbers values, double level) {
   const auto n = static_cast<double>(values.size());
-  const double miss = (1.0 - level) / 2.0;  // on either side
-  std::size_t outside = 0;                  // order statistics left out on either side
+  const double miss = (1.0 - level) / 2.0;  // on each side
+  std::size_t outside = 0;                  // order statistics excluded on each side
   while (binomialCdf(static_cast<double>(outside), n, 0.5) <= miss) {
     ++outside;
   }

@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kPiece = 1U << 16U;  // [bytes] that a growing file writes at once
+constexpr std::size_t kWriteSize = 1U << 16U;  // [bytes] written per system call
 
-/// The file that is meant: what a symbolic link points at, so that the link stays.
+/// The file to replace: the target of a symbolic link, so that the link is kept.
 std::string targetOf(const std::string& path) {
   std::error_code error;
   const bool isLink = fs::is_symlink(path, error);
@@ -32,12 +32,12 @@ std::string targetOf(const std::string& path) {
   return error ? path : real.string();
 }
 
-/// "cannot write the file: permission denied" at the file.
+/// A diagnostic at `path` with the system's message: "cannot write the file: permission denied".
 Diagnostic fileError(std::string_view code, const std::string& path, const std::error_code& why) {
   return error(code, {why.message()}, path);
 }
 
-/// Of the last call to the system.
+/// The error of the last system call.
 std::error_code lastError() {
   return {errno, std::generic_category()};
 }
@@ -46,19 +46,20 @@ std::error_code errorUnless(bool isDone) {
   return isDone ? std::error_code() : lastError();
 }
 
-constexpr std::string_view kNew = ".new-", kOld = "-old";
+constexpr std::string_view kTemporarySuffix = ".new-", kBackupSuffix = "-old";
 
 bool endsWith(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-/// Of "<file>.new-<process>-<number>", with "-old" or without, the process; none: another name.
-std::optional<long long> makerOf(std::string_view name, std::string_view file) {
-  if (name.substr(0, file.size()) != file || name.substr(file.size(), kNew.size()) != kNew) {
+/// The process id in "<file>.new-<process>-<number>", optionally with "-old". None: another name.
+std::optional<long long> writerPidOf(std::string_view name, std::string_view file) {
+  if (name.substr(0, file.size()) != file ||
+      name.substr(file.size(), kTemporarySuffix.size()) != kTemporarySuffix) {
     return std::nullopt;
   }
-  name.remove_prefix(file.size() + kNew.size());
-  name.remove_suffix(endsWith(name, kOld) ? kOld.size() : 0);
+  name.remove_prefix(file.size() + kTemporarySuffix.size());
+  name.remove_suffix(endsWith(name, kBackupSuffix) ? kBackupSuffix.size() : 0);
   const std::vector<std::string> numbers = split(std::string(name), '-');
   const bool isMade =
       numbers.size() == 2 && std::all_of(numbers.begin(), numbers.end(), [](const auto& text) {
@@ -67,68 +68,69 @@ std::optional<long long> makerOf(std::string_view name, std::string_view file) {
   return isMade ? parseInt(numbers.front()) : std::nullopt;
 }
 
-/// On this machine: a name that it uses may be made again at any moment.
-bool isAlive(long long process) {
+/// Whether the process runs on this machine: it may create its temporary files at any time.
+bool isProcessRunning(long long process) {
   return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
-/// The lock of a file that nobody who lives has; it lasts as long as this.
-class FreeFile {
+/// Tries to take the lock of a file that no running process holds; keeps it while this object
+/// lives.
+class FileLockProbe {
  public:
-  explicit FreeFile(const std::string& path)
+  explicit FileLockProbe(const std::string& path)
       : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)),
-        isFree_(file_ < 0 ? errno == ENOENT : ::flock(file_, LOCK_EX | LOCK_NB) == 0) {}
-  ~FreeFile() {
+        isUnlocked_(file_ < 0 ? errno == ENOENT : ::flock(file_, LOCK_EX | LOCK_NB) == 0) {}
+  ~FileLockProbe() {
     if (file_ >= 0) {
       ::close(file_);
     }
   }
-  FreeFile(const FreeFile&) = delete;
-  FreeFile& operator=(const FreeFile&) = delete;
-  FreeFile(FreeFile&&) = delete;
-  FreeFile& operator=(FreeFile&&) = delete;
+  FileLockProbe(const FileLockProbe&) = delete;
+  FileLockProbe& operator=(const FileLockProbe&) = delete;
+  FileLockProbe(FileLockProbe&&) = delete;
+  FileLockProbe& operator=(FileLockProbe&&) = delete;
 
-  /// No: somebody has it, or that cannot be found out.
-  bool isFree() const { return isFree_; }
+  /// False: another process holds the lock, or this cannot be determined.
+  bool isUnlocked() const { return isUnlocked_; }
 
  private:
   int file_;
-  bool isFree_;
+  bool isUnlocked_;
 };
 
-/// What killed processes left of their work on a file. One that lives on another machine has the
-/// lock of the new file until its end, wherever that lies by now.
-void removeLeftBehind(const std::string& target) {
+/// Removes temporary files of `target` that killed processes left. A writer on another machine
+/// holds the lock of its new file until it ends, also after the rename.
+void removeStaleFiles(const std::string& target) {
   const std::string file = fs::path(target).filename().string();
   const fs::path folder = fs::path(target).parent_path();
-  std::error_code error;  // a folder that cannot be looked at keeps what is in it
+  std::error_code error;  // an unreadable folder is left unchanged
   std::vector<std::string> left;
   for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error), end;
        !error && at != end; at.increment(error)) {
     std::error_code ignored;
-    const std::optional<long long> maker = makerOf(at->path().filename().string(), file);
-    if (maker && !isAlive(*maker) && fs::is_regular_file(at->symlink_status(ignored))) {
+    const std::optional<long long> maker = writerPidOf(at->path().filename().string(), file);
+    if (maker && !isProcessRunning(*maker) && fs::is_regular_file(at->symlink_status(ignored))) {
       left.push_back(at->path().string());
     }
   }
   for (const std::string& name : left) {
-    const bool isOld = endsWith(name, kOld);
-    const std::string made = isOld ? name.substr(0, name.size() - kOld.size()) : name;
-    const FreeFile maker(made);  // nobody else takes it up before it is gone
-    if (maker.isFree() && (!isOld || FreeFile(target).isFree())) {
+    const bool isOld = endsWith(name, kBackupSuffix);
+    const std::string made = isOld ? name.substr(0, name.size() - kBackupSuffix.size()) : name;
+    const FileLockProbe maker(made);  // locked, so no other process opens it before removal
+    if (maker.isUnlocked() && (!isOld || FileLockProbe(target).isUnlocked())) {
       ::unlink(name.c_str());
     }
   }
 }
 
-/// A new file with its lock; negative: errno tells why not.
-int makeLocked(const std::string& name) {
+/// Creates a file and locks it. Negative: errno has the reason.
+int createLockedFile(const std::string& name) {
   const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   struct stat made = {};
   if (file >= 0) {
-    // Where a disk has no locks nobody takes it away either.
+    // File systems without locks also report no lock holder, so nobody removes the file.
     const bool isTaken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (isTaken || (::fstat(file, &made) == 0 && made.st_nlink == 0)) {  // taken for left behind
+    if (isTaken || (::fstat(file, &made) == 0 && made.st_nlink == 0)) {  // removed as stale
       ::close(file);
       errno = EEXIST;
       return -1;
@@ -139,15 +141,16 @@ int makeLocked(const std::string& name) {
 
 }  // namespace
 
-GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), target_(targetOf(path_)) {
+AtomicFileWriter::AtomicFileWriter(std::string path)
+    : path_(std::move(path)), targetPath_(targetOf(path_)) {
   std::error_code error;
-  if (path_.empty() || fs::is_directory(target_, error)) {
+  if (path_.empty() || fs::is_directory(targetPath_, error)) {
     note(std::make_error_code(path_.empty() ? std::errc::no_such_file_or_directory
                                             : std::errc::is_a_directory));
     return;
   }
   error.clear();
-  const fs::path folder = fs::path(target_).parent_path();
+  const fs::path folder = fs::path(targetPath_).parent_path();
   if (!folder.empty()) {
     fs::create_directories(folder, error);
   }
@@ -158,26 +161,27 @@ GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), target_(tar
   }
 }
 
-GrowingFile::~GrowingFile() {
-  removeRest();
+AtomicFileWriter::~AtomicFileWriter() {
+  removeTemporaryFiles();
 }
 
-void GrowingFile::note(const std::error_code& error) {
+void AtomicFileWriter::note(const std::error_code& error) {
   if (error && problems_.empty()) {
     problems_.push_back(fileError("file.cannot-write", path_, error));
   }
 }
 
-std::error_code GrowingFile::open() {
-  removeLeftBehind(target_);
-  const std::string stem = target_ + std::string(kNew) + std::to_string(::getpid()) + "-";
+std::error_code AtomicFileWriter::open() {
+  removeStaleFiles(targetPath_);
+  const std::string stem =
+      targetPath_ + std::string(kTemporarySuffix) + std::to_string(::getpid()) + "-";
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = stem + std::to_string(attempt);
-    descriptor_ = makeLocked(name);
+    descriptor_ = createLockedFile(name);
     if (descriptor_ >= 0) {
-      new_ = name;
-      struct stat old = {};  // a file that is replaced keeps its permissions
-      return errorUnless(::stat(target_.c_str(), &old) != 0 ||
+      temporaryPath_ = name;
+      struct stat old = {};  // keep the old permissions
+      return errorUnless(::stat(targetPath_.c_str(), &old) != 0 ||
                          ::fchmod(descriptor_, old.st_mode & 07777U) == 0);
     }
     if (errno != EEXIST) {
@@ -187,22 +191,22 @@ std::error_code GrowingFile::open() {
   return lastError();
 }
 
-void GrowingFile::append(std::string_view content) {
-  waiting_ += content;
-  if (waiting_.size() >= kPiece) {
+void AtomicFileWriter::append(std::string_view content) {
+  buffer_ += content;
+  if (buffer_.size() >= kWriteSize) {
     flush();
   }
 }
 
-void GrowingFile::flush() {
+void AtomicFileWriter::flush() {
   if (isOpen()) {
     note(write());
   }
-  waiting_.clear();
+  buffer_.clear();
 }
 
-std::error_code GrowingFile::write() const {
-  std::string_view rest = waiting_;
+std::error_code AtomicFileWriter::write() const {
+  std::string_view rest = buffer_;
   while (!rest.empty()) {
     const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
     if (count < 0 && errno != EINTR) {
@@ -213,7 +217,7 @@ std::error_code GrowingFile::write() const {
   return {};
 }
 
-const Diagnostics& GrowingFile::complete() {
+const Diagnostics& AtomicFileWriter::complete() {
   flush();
   if (isOpen()) {
     note(errorUnless(::fsync(descriptor_) == 0));
@@ -221,86 +225,87 @@ const Diagnostics& GrowingFile::complete() {
   return problems_;
 }
 
-Diagnostics GrowingFile::finish() {
+Diagnostics AtomicFileWriter::finish() {
   complete();
   if (isOpen()) {
-    note(putInPlace());
+    note(replaceTarget());
   }
-  removeRest();
+  removeTemporaryFiles();
   return problems_;
 }
 
-std::error_code GrowingFile::putInPlace() {
-  if (::rename(new_.c_str(), target_.c_str()) != 0) {
+std::error_code AtomicFileWriter::replaceTarget() {
+  if (::rename(temporaryPath_.c_str(), targetPath_.c_str()) != 0) {
     return lastError();
   }
-  new_.clear();
+  temporaryPath_.clear();
   return {};
 }
 
-std::error_code GrowingFile::keepOld() {
+std::error_code AtomicFileWriter::backUpTarget() {
   std::error_code error;
-  if (!fs::exists(target_, error)) {
+  if (!fs::exists(targetPath_, error)) {
     return error;
   }
-  const std::string name = new_ + std::string(kOld);
-  fs::create_hard_link(target_, name, error);
-  if (error) {  // not every file system has them
-    fs::copy_file(target_, name, error);
+  const std::string name = temporaryPath_ + std::string(kBackupSuffix);
+  fs::create_hard_link(targetPath_, name, error);
+  if (error) {  // not every file system supports links
+    fs::copy_file(targetPath_, name, error);
   }
   if (!error) {
-    old_ = name;
+    backupPath_ = name;
   }
   return error;
 }
 
-std::error_code GrowingFile::takeBack() {
-  if (old_.empty()) {
-    return errorUnless(::unlink(target_.c_str()) == 0);
+std::error_code AtomicFileWriter::restoreTarget() {
+  if (backupPath_.empty()) {
+    return errorUnless(::unlink(targetPath_.c_str()) == 0);
   }
-  if (::rename(old_.c_str(), target_.c_str()) != 0) {
+  if (::rename(backupPath_.c_str(), targetPath_.c_str()) != 0) {
     return lastError();
   }
-  old_.clear();
+  backupPath_.clear();
   return {};
 }
 
-bool GrowingFile::close() {
+bool AtomicFileWriter::close() {
   const int descriptor = std::exchange(descriptor_, -1);
   return descriptor < 0 || ::close(descriptor) == 0;
 }
 
-void GrowingFile::removeRest() {
-  for (std::string* name : {&new_, &old_}) {
+void AtomicFileWriter::removeTemporaryFiles() {
+  for (std::string* name : {&temporaryPath_, &backupPath_}) {
     if (!name->empty()) {
       ::unlink(name->c_str());
       name->clear();
     }
   }
-  close();  // and the lock; all is on the disk since complete()
+  close();  // releases the lock; complete() has synced the data
 }
 
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content) {
-  return writeFilesTogether({{path, std::string(content)}});
+  return writeFilesAtomically({{path, std::string(content)}});
 }
 
-/// All or none of them, as far as the disk lets us.
-Diagnostics GrowingFile::putTogether(const std::vector<FileContent>& files,
-                                     const std::vector<std::unique_ptr<GrowingFile>>& made) {
+/// Replaces all targets or none, as far as the file system permits.
+Diagnostics AtomicFileWriter::replaceAll(
+    const std::vector<FileContent>& files,
+    const std::vector<std::unique_ptr<AtomicFileWriter>>& made) {
   for (std::size_t i = 0; i < made.size(); ++i) {
     std::error_code error;
-    if (i + 1 < made.size()) {  // nothing can go wrong any more after the last one
-      error = made[i]->keepOld();
+    if (i + 1 < made.size()) {  // no step can fail after the last file
+      error = made[i]->backUpTarget();
     }
     if (!error) {
-      error = made[i]->putInPlace();
+      error = made[i]->replaceTarget();
     }
     if (!error) {
       continue;
     }
     Diagnostics problems = {fileError("file.cannot-write", files[i].path, error)};
     for (std::size_t done = i; done-- > 0;) {
-      if (const std::error_code lost = made[done]->takeBack()) {
+      if (const std::error_code lost = made[done]->restoreTarget()) {
         problems.push_back(fileError("file.cannot-restore", files[done].path, lost));
       }
     }
@@ -309,12 +314,12 @@ Diagnostics GrowingFile::putTogether(const std::vector<FileContent>& files,
   return {};
 }
 
-Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
+Diagnostics writeFilesAtomically(const std::vector<FileContent>& files) {
   Diagnostics problems;
-  std::vector<std::unique_ptr<GrowingFile>> made;
-  std::set<std::string> told;  // a folder that cannot be made, once
+  std::vector<std::unique_ptr<AtomicFileWriter>> made;
+  std::set<std::string> told;  // report an uncreatable folder once
   for (const FileContent& file : files) {
-    made.push_back(std::make_unique<GrowingFile>(file.path));
+    made.push_back(std::make_unique<AtomicFileWriter>(file.path));
     made.back()->append(file.content);
     for (const Diagnostic& problem : made.back()->complete()) {
       if (told.insert(problem.text()).second) {
@@ -322,7 +327,7 @@ Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
       }
     }
   }
-  return problems.empty() ? GrowingFile::putTogether(files, made) : problems;
+  return problems.empty() ? AtomicFileWriter::replaceAll(files, made) : problems;
 }
 
 bool ScratchFile::fail() {
@@ -335,7 +340,7 @@ bool ScratchFile::openIn(const std::string& folder) {
 #ifdef O_TMPFILE
   descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
 #endif
-  if (descriptor < 0) {  // a file system that knows no files without a name
+  if (descriptor < 0) {  // the file system does not support O_TMPFILE
     std::string name = folder + "/hunavsim-XXXXXX";
     descriptor = ::mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0) {
@@ -363,13 +368,13 @@ bool ScratchFile::open() {
          openIn("/tmp");
 }
 
-bool ScratchFile::hasRoom(std::size_t size) {
+bool ScratchFile::hasFreeSpace(std::size_t size) {
   struct statvfs disk = {};
-  if (leavesFree_ <= 0 || ::fstatvfs(fileno(file_.get()), &disk) != 0) {
-    return true;  // writing tells
+  if (minFreeSpace_ <= 0 || ::fstatvfs(fileno(file_.get()), &disk) != 0) {
+    return true;  // the write reports a full disk
   }
   const double left = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
-  if (left >= static_cast<double>(leavesFree_) + static_cast<double>(size)) {
+  if (left >= static_cast<double>(minFreeSpace_) + static_cast<double>(size)) {
     return true;
   }
   errno = ENOSPC;
@@ -377,7 +382,7 @@ bool ScratchFile::hasRoom(std::size_t size) {
 }
 
 std::optional<ScratchFile::Piece> ScratchFile::append(std::string_view bytes) {
-  if (!open() || !hasRoom(bytes.size())) {
+  if (!open() || !hasFreeSpace(bytes.size())) {
     return std::nullopt;
   }
   const Piece piece{end_, bytes.size()};
@@ -391,7 +396,7 @@ std::optional<ScratchFile::Piece> ScratchFile::append(std::string_view bytes) {
 bool ScratchFile::overwrite(const Piece& piece, std::string_view bytes) {
   long long place = piece.place;
   while (!bytes.empty()) {
-    errno = EIO;  // when nothing is written without a reason
+    errno = EIO;  // in case a call writes nothing and sets no error
     const ssize_t count = pwrite(fileno(file_.get()), bytes.data(), bytes.size(), place);
     if (count <= 0 && errno != EINTR) {
       return fail();
@@ -404,7 +409,7 @@ bool ScratchFile::overwrite(const Piece& piece, std::string_view bytes) {
   return true;
 }
 
-void ScratchFile::announce(const Piece& piece) const {
+void ScratchFile::prefetch(const Piece& piece) const {
   if (file_ != nullptr) {
     ::posix_fadvise(fileno(file_.get()), piece.place, static_cast<off_t>(piece.size),
                     POSIX_FADV_WILLNEED);

@@ -12,8 +12,8 @@
 
 #include "sim2d/base/Result.h"
 
-/// Files that are written whole or not at all, and files for a while. A single text:
-/// writeFileAtomically of Text.h.
+/// Atomic writing of files, and temporary files. For a single text use writeFileAtomically
+/// (Text.h).
 namespace base {
 
 struct FileContent {
@@ -21,80 +21,79 @@ struct FileContent {
   std::string content;
 };
 
-/// writeFileAtomically (Text.h) for files that belong together: all are written beside their places
-/// before the first one is put there; when one cannot be, those before it are put back as they
-/// were. Empty = written.
-Diagnostics writeFilesTogether(const std::vector<FileContent>& files);
+/// Writes several files, all or none: each is first written next to its target, then all are
+/// renamed. If one fails, the files already replaced are restored. Empty: all are written.
+Diagnostics writeFilesAtomically(const std::vector<FileContent>& files);
 
-/// A file written piece by piece beside its place and put there at the end, so a reader sees the
-/// old or the new content, never half. Folders are made, the permissions of a replaced file and
-/// symbolic links stay. What was not finished leaves nothing behind. One thread at a time.
-class GrowingFile {
+/// Writes a file in pieces to a temporary name next to it and renames it at the end, so that
+/// readers see the old or the new content. Creates folders; keeps the permissions of the replaced
+/// file and symbolic links. Without finish() the temporary file is removed. Not thread-safe.
+class AtomicFileWriter {
  public:
-  explicit GrowingFile(std::string path);
-  ~GrowingFile();
-  GrowingFile(const GrowingFile&) = delete;
-  GrowingFile& operator=(const GrowingFile&) = delete;
-  GrowingFile(GrowingFile&&) = delete;
-  GrowingFile& operator=(GrowingFile&&) = delete;
+  explicit AtomicFileWriter(std::string path);
+  ~AtomicFileWriter();
+  AtomicFileWriter(const AtomicFileWriter&) = delete;
+  AtomicFileWriter& operator=(const AtomicFileWriter&) = delete;
+  AtomicFileWriter(AtomicFileWriter&&) = delete;
+  AtomicFileWriter& operator=(AtomicFileWriter&&) = delete;
 
   void append(std::string_view content);
-  /// Something could not be written: the rest is not tried, finish() tells why.
+  /// A write failed: further content is ignored, and finish() returns the error.
   bool hasFailed() const { return !problems_.empty(); }
-  /// All that was appended is on the disk, still beside its place; what finish() would tell.
+  /// Syncs the content to disk under the temporary name and returns the errors so far.
   const Diagnostics& complete();
-  /// Empty = the file is in its place.
+  /// Renames the file to its target. Empty: it is written.
   Diagnostics finish();
 
  private:
-  friend Diagnostics writeFilesTogether(const std::vector<FileContent>& files);
+  friend Diagnostics writeFilesAtomically(const std::vector<FileContent>& files);
 
-  static Diagnostics putTogether(const std::vector<FileContent>& files,
-                                 const std::vector<std::unique_ptr<GrowingFile>>& made);
+  static Diagnostics replaceAll(const std::vector<FileContent>& files,
+                                const std::vector<std::unique_ptr<AtomicFileWriter>>& made);
   bool isOpen() const { return problems_.empty() && descriptor_ >= 0; }
   void note(const std::error_code& error);
   std::error_code open();
   void flush();
   std::error_code write() const;
-  std::error_code putInPlace();
-  std::error_code keepOld();   // what stands there gets a second name until this object ends
-  std::error_code takeBack();  // after putInPlace: as it was before
+  std::error_code replaceTarget();
+  std::error_code backUpTarget();   // links or copies the target to backupPath_
+  std::error_code restoreTarget();  // undoes replaceTarget
   bool close();
-  void removeRest();
+  void removeTemporaryFiles();
 
-  std::string path_, target_;  // as named; what a symbolic link points at
-  std::string waiting_;        // not written yet
-  std::string new_, old_;      // names of the file beside its place, and of the one it replaces
+  std::string path_, targetPath_;           // as given; with symbolic links resolved
+  std::string buffer_;                      // buffered content
+  std::string temporaryPath_, backupPath_;  // paths of the temporary file and of the backup
   int descriptor_ = -1;
   Diagnostics problems_;
 };
 
-/// Bytes put aside on the disk, in a temporary file that has no name and is gone with this, however
-/// the program ends. One thread writes; what append() has returned may be read by others meanwhile.
+/// An unnamed temporary file; the system removes it when the process ends. One thread writes; other
+/// threads may read pieces that append() has returned.
 class ScratchFile {
  public:
   struct Piece {
     long long place = 0;
     std::size_t size = 0;  // [B]
   };
-  /// In that folder; empty: in the first of $TMPDIR, /var/tmp (/tmp lies in memory on many systems)
-  /// and /tmp that takes it. The disk counts as full when less than `leavesFree` [B] is left on it.
-  explicit ScratchFile(std::string folder = {}, long long leavesFree = 0)
-      : folder_(std::move(folder)), leavesFree_(leavesFree) {}
+  /// Creates the file in `folder`; if empty, in the first usable of $TMPDIR, /var/tmp and /tmp (on
+  /// many systems /tmp is in memory). The disk counts as full when less than `minFreeSpace` [B]
+  /// would remain.
+  explicit ScratchFile(std::string folder = {}, long long minFreeSpace = 0)
+      : folder_(std::move(folder)), minFreeSpace_(minFreeSpace) {}
 
-  /// None when the disk takes no more: problem() tells why.
+  /// None: the write failed, see problem().
   std::optional<Piece> append(std::string_view bytes);
-  /// The same over what was put there before; false: it lies there in part, and problem() tells
-  /// why.
+  /// Overwrites a piece that append() returned. False: it is written in part, see problem().
   bool overwrite(const Piece& piece, std::string_view bytes);
-  /// None when it cannot be read back.
+  /// None: it cannot be read.
   std::optional<std::string> read(const Piece& piece) const;
-  /// The same into `to`, which has room for it.
+  /// Reads into `to`, which has `piece.size` bytes.
   bool read(const Piece& piece, char* to) const;
-  /// It will be read soon: the system may fetch it meanwhile.
-  void announce(const Piece& piece) const;
+  /// Asks the system to read the piece ahead.
+  void prefetch(const Piece& piece) const;
   long long size() const { return end_; }  // [B]
-  /// Of the last write that failed.
+  /// The error of the last failed write.
   const std::error_code& problem() const { return problem_; }
 
  private:
@@ -103,12 +102,12 @@ class ScratchFile {
   };
   bool open();
   bool openIn(const std::string& folder);
-  bool hasRoom(std::size_t size);
-  bool fail();  // by errno
+  bool hasFreeSpace(std::size_t size);
+  bool fail();  // sets problem_ from errno
 
   std::string folder_;
-  long long leavesFree_ = 0;
-  std::unique_ptr<std::FILE, Close> file_;  // made when it is first needed
+  long long minFreeSpace_ = 0;
+  std::unique_ptr<std::FILE, Close> file_;  // opened on first use
   long long end_ = 0;
   std::error_code problem_;
 };

@@ -45,10 +45,10 @@ class Lexer {
 
   void next() {
     const char c = at(position_);
-    const std::string_view sign = signHere();
+    const std::string_view sign = operatorHere();
     if (isDigit(c) || (c == '.' && sign.empty())) {
       readNumber();
-    } else if (c == '\'' && rules_.hasTexts) {
+    } else if (c == '\'' && rules_.hasStringLiterals) {
       readText();
     } else if (startsName(c)) {
       readName();
@@ -57,16 +57,16 @@ class Lexer {
     }
   }
 
-  std::string_view signHere() const {
+  std::string_view operatorHere() const {
     const auto found = std::find_if(
         rules_.signs.begin(), rules_.signs.end(),
         [this](std::string_view sign) { return source_.substr(position_, sign.size()) == sign; });
     return found == rules_.signs.end() ? std::string_view() : *found;
   }
 
-  /// Digits, points and an exponent, as many as follow: a number of two points is unreadable.
+  /// Reads all digits, points and an exponent: two points make the number invalid.
   void readNumber() {
-    if (rules_.hasHexadecimals && at(position_) == '0' && isOneOf(at(position_ + 1), "xX")) {
+    if (rules_.hasHexNumbers && at(position_) == '0' && isOneOf(at(position_ + 1), "xX")) {
       readHexadecimal();
       return;
     }
@@ -82,7 +82,7 @@ class Lexer {
       }
     }
     const std::optional<double> value = parseDouble(source_.substr(position_, end - position_));
-    const bool isRead = value && (rules_.mayNameTouchNumber || !startsName(at(end)));
+    const bool isRead = value && (rules_.allowsNameAfterNumber || !startsName(at(end)));
     push(isRead ? Kind::Number : Kind::Unreadable, end - position_, value.value_or(0.0));
   }
 
@@ -126,7 +126,7 @@ class Lexer {
 
 }  // namespace
 
-std::vector<Token> tokensOf(std::string_view source, const LexerRules& rules) {
+std::vector<Token> tokenize(std::string_view source, const LexerRules& rules) {
   return Lexer(source, rules).run();
 }
 

@@ -7,12 +7,11 @@
 #include <cstring>
 #include <limits>
 
-#include "sim2d/base/MathEach.h"
 #include "sim2d/base/Types.h"
 
 // Arguments are reduced with constants split into parts whose products with the number of periods
-// are exact (Cody and Waite 1980); the rest is the Taylor series of the reduced argument. Only
-// operations that IEEE 754 rounds correctly are used: + - * / sqrt fmod ldexp frexp.
+// are exact (Cody and Waite 1980), then a Taylor series is evaluated. Only operations that IEEE 754
+// rounds correctly are used: + - * / sqrt fmod ldexp frexp.
 namespace base {
 namespace {
 
@@ -23,7 +22,7 @@ constexpr double kLn2High = 0x1.62e42fefp-1;  // 33 bits
 constexpr double kLn2Low = 0x1.473de6af278edp-34;
 constexpr double kInvLn2 = 0x1.71547652b82fep+0;
 
-constexpr double kHalfPiA = 0x1.921fb544p+0;  // A, B, C: 33 bits each, D: the rest
+constexpr double kHalfPiA = 0x1.921fb544p+0;  // A, B, C: 33 bits each, D: the remainder
 constexpr double kHalfPiB = 0x1.0b4611a6p-34;
 constexpr double kHalfPiC = 0x1.3198a2ep-69;
 constexpr double kHalfPiD = 0x1.b839a252049c1p-104;
@@ -32,11 +31,11 @@ constexpr double kHalfPiLow = 0x1.1a62633145c07p-54;
 
 constexpr double kLargestAngle = 1e5;  // below it the products with A, B and C are exact
 
-// What follows works on a number or, with the same bits each, on two.
+// The templates below work on one number or, with the same bits for each, on two.
 using Two = Eigen::Array2d;
 
-/// The nearest whole number, ties to the even one, of |x| < 2^51: what nearbyint gives, without a
-/// call. The sum has no bits left for a fraction.
+/// Rounds to the nearest integer, ties to even, for |x| < 2^51, as nearbyint does, without a call:
+/// the sum has no fraction bits.
 template <class Number>
 Number nearest(const Number& x) {
   constexpr double kNoFraction = 0x1.8p52;
@@ -44,7 +43,7 @@ Number nearest(const Number& x) {
   return sum - kNoFraction;
 }
 
-/// x * 2^exponent. Without a call where both factors are normal numbers and so is the product.
+/// x * 2^exponent, without a call if both factors and the product are normal numbers.
 double scaled(double x, int exponent) {
   constexpr int kBias = 1023;
   constexpr unsigned kFraction = 52;  // [bits]
@@ -63,7 +62,7 @@ struct SplitNumber {
   int exponent;
 };
 
-/// Of a finite number > 0: what frexp gives, without a call for normal ones.
+/// Splits a finite number > 0 as frexp does, without a call for normal numbers.
 SplitNumber splitNumber(double x) {
   constexpr std::uint64_t kFractionBits = (std::uint64_t{1} << 52U) - 1;
   constexpr int kBiasOfHalf = 1022;
@@ -80,7 +79,7 @@ SplitNumber splitNumber(double x) {
   return {x, exponent};
 }
 
-/// -x or x.
+/// -x if `isNegative`, else x.
 double negatedIf(double x, bool isNegative) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof(x));
@@ -120,20 +119,20 @@ constexpr auto kExp = inverseFactorials<12>(2, 1, 1.0);  // e^r = 1 + r + r^2 (�
 constexpr auto kSin = inverseFactorials<8>(3, 2, -1.0);  // sin r = r - r^3 (…)
 constexpr auto kCos = inverseFactorials<7>(4, 2, -1.0);  // cos r = 1 - r^2/2 + r^4 (…)
 
-/// A number as the sum of two.
-struct TwoParts {
+/// An unevaluated sum of two numbers.
+struct DoubleDouble {
   double high;
   double low;
 };
 
-/// An angle as quarter turns and a rest of at most an eighth turn.
+/// An angle as quarter turns plus a remainder of at most an eighth turn.
 struct ReducedAngle {
   int quadrant;
-  TwoParts rest;
+  DoubleDouble rest;
 };
 
-/// a + b without loss (Knuth's TwoSum).
-TwoParts addedExactly(double a, double b) {
+/// a + b without rounding error (Knuth's TwoSum).
+DoubleDouble twoSum(double a, double b) {
   const double sum = a + b;
   const double part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
@@ -144,17 +143,17 @@ ReducedAngle reduceAngle(double x) {
     x = std::fmod(x, 2.0 * kPi);
   }
   const double turns = nearest(x / kHalfPi);
-  const TwoParts b = addedExactly(x - turns * kHalfPiA, -turns * kHalfPiB);
-  const TwoParts c = addedExactly(b.high, -turns * kHalfPiC);
-  return {static_cast<int>(turns) & 3, addedExactly(c.high, b.low + c.low - turns * kHalfPiD)};
+  const DoubleDouble b = twoSum(x - turns * kHalfPiA, -turns * kHalfPiB);
+  const DoubleDouble c = twoSum(b.high, -turns * kHalfPiC);
+  return {static_cast<int>(turns) & 3, twoSum(c.high, b.low + c.low - turns * kHalfPiD)};
 }
 
-double sinOfReduced(const TwoParts& a) {
+double sinOfReduced(const DoubleDouble& a) {
   const double z = a.high * a.high;
   return a.high + (a.low * (1.0 - 0.5 * z) - a.high * z * polynomial(kSin, z));
 }
 
-double cosOfReduced(const TwoParts& a) {
+double cosOfReduced(const DoubleDouble& a) {
   const double z = a.high * a.high;
   const double half = 0.5 * z;
   const double head = 1.0 - half;
@@ -174,7 +173,7 @@ double sinShifted(double x, int quarters) {
 }
 
 /// atan(i / 8)
-constexpr std::array<TwoParts, 9> kAtanOfEighths = {{
+constexpr std::array<DoubleDouble, 9> kAtanOfEighths = {{
     {0.0, 0.0},
     {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
     {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
@@ -186,19 +185,20 @@ constexpr std::array<TwoParts, 9> kAtanOfEighths = {{
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 }};
 
-/// atan of t in [0, 1]: the nearest eighth from the table, the series for what remains.
+/// atan of t in [0, 1]: the nearest eighth from the table plus a series for the difference.
 double atanOfUnit(double t) {
   static constexpr std::array<double, 7> kSeries = {1.0 / 3,  -1.0 / 5,  1.0 / 7, -1.0 / 9,
                                                     1.0 / 11, -1.0 / 13, 1.0 / 15};
   const double eighths = nearest(t * 8.0);
   const double centre = eighths / 8.0;
-  const TwoParts& known = kAtanOfEighths[static_cast<std::size_t>(eighths)];
+  const DoubleDouble& known = kAtanOfEighths[static_cast<std::size_t>(eighths)];
   const double u = (t - centre) / (1.0 + t * centre);
   const double z = u * u;
   return known.high + (u - (u * z * polynomial(kSeries, z) - known.low));
 }
 
-/// Infinite components become +-1 and finite ones beside them 0, so that the ratio exists.
+/// If any component is infinite, infinite components become +-1 and finite ones 0, so that their
+/// ratio is defined.
 double limited(double component, bool anyInfinite) {
   if (!anyInfinite) {
     return component;
@@ -212,7 +212,7 @@ struct SplitExp {
   Number value, exponent;
 };
 
-/// exp of a number for which it neither overflows nor underflows to 0.
+/// exp of a number for which the result neither overflows nor underflows.
 template <class Number>
 SplitExp<Number> splitExp(const Number& x) {
   const Number k = nearest<Number>(x * kInvLn2);
@@ -238,7 +238,7 @@ double exp(double x) {
   return scaled(split.value, static_cast<int>(split.exponent));
 }
 
-void expEach(double* numbers, std::size_t count) {
+void expArray(double* numbers, std::size_t count) {
   const auto isUsual = [](double x) { return std::abs(x) < 700.0; };
   std::size_t i = 0;
   for (; i + 1 < count; i += 2) {
@@ -268,7 +268,7 @@ double log(double x) {
   if (std::isinf(x)) {
     return x;
   }
-  // 2/3, 2/5 … of log((1 + s) / (1 - s)) = 2 s + s (2/3 s^2 + 2/5 s^4 + …)
+  // Coefficients 2/3, 2/5 … of log((1 + s) / (1 - s)) = 2 s + s (2/3 s^2 + 2/5 s^4 + …)
   static constexpr std::array<double, 10> kSeries = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,
                                                      2.0 / 11, 2.0 / 13, 2.0 / 15, 2.0 / 17,
                                                      2.0 / 19, 2.0 / 21};
@@ -300,7 +300,7 @@ SinCos sinCos(double x) {
   const auto [quadrant, rest] = reduceAngle(x);
   const double sine = sinOfReduced(rest);
   const double cosine = cosOfReduced(rest);
-  const bool isAcross = (quadrant & 1) != 0;  // no branches: any quadrant may follow any other
+  const bool isAcross = (quadrant & 1) != 0;  // branchless: quadrants are unpredictable
   return {negatedIf(isAcross ? cosine : sine, (quadrant & 2) != 0),
           negatedIf(isAcross ? sine : cosine, ((quadrant + 1) & 2) != 0)};
 }
@@ -342,7 +342,7 @@ double tanh(double x) {
   }
   const double size = std::abs(x);
   if (size < 0.55) {
-    // Lambert's continued fraction cut after the ninth level, written as x - x * (…) / (…).
+    // Lambert's continued fraction up to the ninth level, written as x - x * (…) / (…).
     static constexpr std::array<double, 4> kRest = {11486475, 810810, 12870, 44};
     static constexpr std::array<double, 5> kBelow = {34459425, 16216200, 945945, 13860, 45};
     const double z = x * x;

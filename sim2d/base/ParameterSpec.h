@@ -5,19 +5,19 @@
 #include <variant>
 #include <vector>
 
-/// One description of a value that people may set: a key of a file, a parameter of a planner, a
-/// model, a metric or a tree node. Readers, checks, `--set`, forms, lists and documents are made
-/// from it, so that a value is described in one place.
+/// Description of a settable value: a key of a file, or a parameter of a planner, pedestrian model,
+/// metric or tree node. Readers, checks, `--set`, forms, lists and documentation are generated from
+/// it.
 namespace base {
 
-/// Allowed numbers, ends included unless `above`: then `low` itself is refused.
+/// Allowed numbers. Both ends are included; with `excludesLow`, `low` is excluded.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool above = false;
+  bool excludesLow = false;
 
   bool contains(double value) const {
-    return (above ? value > low : value >= low) && value <= high;
+    return (excludesLow ? value > low : value >= low) && value <= high;
   }
 };
 constexpr Range kAnyNumber{};
@@ -26,16 +26,16 @@ constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true};
 
 enum class ParameterType { Boolean, Integer, Number, Text, Choice, Numbers, Integers };
 
-/// A value of any of these types; monostate = none is given. A choice is its word.
+/// A value of one of these types; monostate: not given. A choice is stored as its text.
 using ParameterValue = std::variant<std::monostate, bool, long long, double, std::string,
                                     std::vector<double>, std::vector<int>>;
 
-/// How a form offers a number; the range it may have is `ParameterSpec::range`.
+/// How a form shows a number; its limits are in `ParameterSpec::range`.
 struct FormHints {
-  std::string label;      // "Top speed"; empty = made from the key
-  int decimals = 2;       // after the point
-  double step = 0.1;      // of the arrows
-  double sliderTo = 0.0;  // > 0: a slider from the low end of the range to here
+  std::string label;       // "Top speed"; empty: generated from the key
+  int decimals = 2;        // shown after the point
+  double step = 0.1;       // of the spin box
+  double sliderMax = 0.0;  // > 0: shows a slider from range.low to this value
 };
 
 struct ParameterSpec {
@@ -43,10 +43,10 @@ struct ParameterSpec {
   ParameterType type = ParameterType::Number;
   std::string unit;                  // "m", "m/s", "rad" …; empty = none
   Range range;                       // of a number, an integer, or each item of a list
-  ParameterValue fallback;           // what counts when nothing is given; monostate = nothing does
-  std::vector<std::string> choices;  // words of a choice, index = enumerator
-  std::string help;                  // one sentence for people
-  std::string source;  // paper and equation, or where the figure is from; may be empty
+  ParameterValue fallback;           // default; monostate: none
+  std::vector<std::string> choices;  // texts of a choice, index = enumerator
+  std::string help;                  // one sentence for the user
+  std::string source;                // paper and equation, or origin of the value; may be empty
   FormHints form;
 };
 

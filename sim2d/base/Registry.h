@@ -10,15 +10,15 @@
 
 namespace base {
 
-/// What can be chosen by name, in the order of registration: planners, models, types of robots.
+/// Named factories in the order of registration: planners, models, robot types.
 template <class Maker>
 class Registry {
  public:
   struct Entry {
     std::string name;
-    std::vector<ParameterSpec> parameters;  // what can be set of it
+    std::vector<ParameterSpec> parameters;  // its settable parameters
     Maker make;
-    std::string help;  // a sentence or two for people; may be empty
+    std::string help;  // one or two sentences for the user; may be empty
   };
 
   void add(std::string name, std::vector<ParameterSpec> parameters, Maker make,
@@ -33,7 +33,7 @@ class Registry {
     }
     return names;
   }
-  /// Null when there is no such name.
+  /// Null: unknown name.
   const Entry* find(const std::string& name) const {
     const auto found = std::find_if(entries_.begin(), entries_.end(),
                                     [&](const Entry& entry) { return entry.name == name; });
@@ -44,8 +44,8 @@ class Registry {
   std::vector<Entry> entries_;
 };
 
-/// The parameters of a planner or model that lie in a struct `Values`: each is described here and
-/// nowhere else; its default is the member's.
+/// Parameters of a planner or model that are members of a struct `Values`. Each is described once;
+/// its default is the member's initial value.
 template <class Values>
 class ParameterTable {
  public:
@@ -61,7 +61,7 @@ class ParameterTable {
         {[member](Values& values) -> double& { return values.*member; }, std::move(spec)});
     return *this;
   }
-  /// A number of things: forms show it without decimals.
+  /// A count: forms show it without decimals.
   ParameterTable& addCount(double Values::*member, std::string key, Range range, std::string help,
                            std::string source = {}) {
     add(member, std::move(key), {}, range, std::move(help), std::move(source));
@@ -69,7 +69,7 @@ class ParameterTable {
     rows_.back().spec.form.step = 1.0;
     return *this;
   }
-  /// Those of a struct inside.
+  /// Adds the parameters of a nested struct.
   template <class Inner>
   ParameterTable& include(Inner Values::*member, const ParameterTable<Inner>& inner) {
     for (const auto& row : inner.rows()) {
@@ -94,7 +94,7 @@ class ParameterTable {
     }
     return specs;
   }
-  /// Sets what is given by name; names that the table does not know are left alone.
+  /// Sets the given parameters; unknown names are ignored.
   void set(Values& values, const std::vector<std::pair<std::string, double>>& given) const {
     for (const auto& [name, value] : given) {
       for (const Row& row : rows_) {

@@ -11,14 +11,14 @@
 namespace base {
 namespace {
 
-/// A hole of a text: {name}, or {name?shown only with a value, which stands at %}.
-struct Hole {
+/// A placeholder in a text: {name}, or {name?text shown only with a value, which replaces %}.
+struct Placeholder {
   std::size_t begin = std::string_view::npos, end = 0;
   std::string_view name;
   std::string_view pattern = "%";
 };
 
-std::optional<Hole> nextHole(std::string_view text, std::size_t from) {
+std::optional<Placeholder> nextPlaceholder(std::string_view text, std::size_t from) {
   const auto isLower = [](char c) { return c >= 'a' && c <= 'z'; };
   for (from = text.find('{', from); from != text.npos; from = text.find('{', from + 1)) {
     std::size_t at = from + 1;
@@ -27,19 +27,19 @@ std::optional<Hole> nextHole(std::string_view text, std::size_t from) {
     }
     const std::size_t end = text.find('}', at);
     if (at > from + 1 && end != text.npos && (end == at || text[at] == '?')) {
-      Hole hole{from, end + 1, text.substr(from + 1, at - from - 1)};
+      Placeholder placeholder{from, end + 1, text.substr(from + 1, at - from - 1)};
       if (end > at) {
-        hole.pattern = text.substr(at + 1, end - at - 1);
+        placeholder.pattern = text.substr(at + 1, end - at - 1);
       }
-      return hole;
+      return placeholder;
     }
   }
   return std::nullopt;
 }
 
-std::string filled(const Hole& hole, const std::string& value) {
-  const bool isHint = hole.name == "nearest" && hole.pattern == "%";
-  std::string text(isHint ? " (did you mean '%'?)" : hole.pattern);
+std::string substituted(const Placeholder& placeholder, const std::string& value) {
+  const bool isHint = placeholder.name == "nearest" && placeholder.pattern == "%";
+  std::string text(isHint ? " (did you mean '%'?)" : placeholder.pattern);
   const std::size_t place = text.find('%');
   return value.empty() || place == text.npos ? std::string() : text.replace(place, 1, value);
 }
@@ -67,7 +67,7 @@ bool hasErrors(const Diagnostics& diagnostics) {
 }
 
 void append(Diagnostics& to, const Diagnostics& more) {
-  const std::size_t count = more.size();  // also right when both are the same list
+  const std::size_t count = more.size();  // also correct if both are the same list
   to.reserve(to.size() + count);
   for (std::size_t i = 0; i < count; ++i) {
     to.push_back(more[i]);
@@ -97,19 +97,20 @@ Diagnostic problem(Severity severity, std::string_view code, ProblemValues value
   const std::string_view text = known->text;
   auto next = values.begin();
   std::size_t at = 0;
-  while (const std::optional<Hole> hole = nextHole(text, at)) {
-    made.message += text.substr(at, hole->begin - at);
-    at = hole->end;
-    const bool again = std::any_of(made.values.begin(), made.values.end(),
-                                   [&](const auto& value) { return value.first == hole->name; });
+  while (const std::optional<Placeholder> placeholder = nextPlaceholder(text, at)) {
+    made.message += text.substr(at, placeholder->begin - at);
+    at = placeholder->end;
+    const bool again = std::any_of(made.values.begin(), made.values.end(), [&](const auto& value) {
+      return value.first == placeholder->name;
+    });
     if (!again) {
-      assert(next != values.end() && "a hole without its value");
-      made.values.emplace_back(hole->name,
+      assert(next != values.end() && "a placeholder without a value");
+      made.values.emplace_back(placeholder->name,
                                next == values.end() ? std::string() : std::move((next++)->text));
     }
-    made.message += filled(*hole, made.value(hole->name));
+    made.message += substituted(*placeholder, made.value(placeholder->name));
   }
-  assert(next == values.end() && "a value without its hole");
+  assert(next == values.end() && "a value without a placeholder");
   made.message += text.substr(at);
   return made;
 }
@@ -126,23 +127,23 @@ Diagnostic warning(std::string_view code, ProblemValues values, std::string file
 
 Diagnostic outOfRange(const std::string& found, const Range& range) {
   const bool isBounded = !std::isinf(range.high);
-  if (isBounded && range.above) {
+  if (isBounded && range.excludesLow) {
     return error("yaml.out-of-half-open-range", {found, range.low, range.high});
   }
   if (isBounded) {
     return std::isinf(range.low) ? error("yaml.too-high", {found, range.high})
                                  : error("yaml.out-of-range", {found, range.low, range.high});
   }
-  return error(range.above ? "yaml.not-above" : "yaml.too-low", {found, range.low});
+  return error(range.excludesLow ? "yaml.not-above" : "yaml.too-low", {found, range.low});
 }
 
-Diagnostic within(const std::string& where, Diagnostic problem) {
+Diagnostic withContext(const std::string& where, Diagnostic problem) {
   problem.message.insert(0, where + ": ");
   problem.values.emplace(problem.values.begin(), "where", where);
   return problem;
 }
 
-Diagnostic elsewhere(const std::string& where, Diagnostic problem) {
+Diagnostic withNewContext(const std::string& where, Diagnostic problem) {
   assert(!problem.values.empty() && problem.values.front().first == "where");
   problem.message.replace(0, problem.values.front().second.size(), where);
   problem.values.front().second = where;

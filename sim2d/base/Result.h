@@ -10,32 +10,32 @@
 
 #include "sim2d/base/Types.h"
 
-/// Bad input is a value: readers gather every problem and hand it to whoever shows it.
+/// Errors in the input are values: readers collect all diagnostics and return them to the caller.
 namespace base {
 
 enum class Severity { Info, Warning, Error };
 
 struct Diagnostic {
   Severity severity = Severity::Error;
-  std::string file;            // as the user named it; empty = unknown
-  int line = 0;                // from 1; 0 = unknown
-  int column = 0;              // from 1; 0 = unknown
-  std::string message;         // one sentence, hint in brackets at the end: the text of `code`
-  EntityId entity;             // what it is about, if anything
-  std::string_view code = {};  // which problem: an id of Problems.cpp; programs go by this
-  std::vector<std::pair<std::string_view, std::string>> values = {};  // what fills the text's holes
+  std::string file;            // as given by the user; empty: unknown
+  int line = 0;                // from 1; 0: unknown
+  int column = 0;              // from 1; 0: unknown
+  std::string message;         // one sentence, a hint in brackets at the end: text of `code`
+  EntityId entity;             // the entity concerned, if any
+  std::string_view code = {};  // an id of Problems.cpp; programs depend on it
+  std::vector<std::pair<std::string_view, std::string>> values = {};  // values of the placeholders
 
-  /// The value of that name; empty when there is none.
+  /// The value of that name; empty if there is none.
   std::string value(std::string_view name) const;
 
-  /// "cafe.yaml:12:7: warning: unknown key 'max_vell' (did you mean 'max_vel'?)"; what is unknown
-  /// is left out.
+  /// "cafe.yaml:12:7: warning: unknown key 'max_vell' (did you mean 'max_vel'?)"; unknown parts are
+  /// omitted.
   std::string text() const;
 };
 using Diagnostics = std::vector<Diagnostic>;
 struct Range;
 
-/// Fills one hole of a problem's text: words, or a number as files write it.
+/// The value of one placeholder: a text, or a number formatted as in files.
 struct ProblemValue {
   ProblemValue(std::string value) : text(std::move(value)) {}                          // NOLINT
   ProblemValue(std::string_view value) : text(value) {}                                // NOLINT
@@ -49,8 +49,8 @@ struct ProblemValue {
 };
 using ProblemValues = std::vector<ProblemValue>;
 
-/// A problem of the catalogue (Problems.cpp): `values` fill the holes of its text in the order in
-/// which they first stand there.
+/// Creates a problem of the catalogue (Problems.cpp); `values` fill the placeholders of its text in
+/// order of first appearance.
 Diagnostic error(std::string_view code, ProblemValues values = {}, std::string file = {},
                  int line = 0, int column = 0);
 Diagnostic warning(std::string_view code, ProblemValues values = {}, std::string file = {},
@@ -58,18 +58,18 @@ Diagnostic warning(std::string_view code, ProblemValues values = {}, std::string
 Diagnostic problem(Severity severity, std::string_view code, ProblemValues values = {},
                    std::string file = {}, int line = 0, int column = 0);
 
-/// The problem with the thing that has it in front: "anna: …", as its value "where".
-Diagnostic within(const std::string& where, Diagnostic problem);
-/// The same problem of another thing.
-Diagnostic elsewhere(const std::string& where, Diagnostic problem);
-/// The problem of a number that its range does not contain.
+/// Prefixes the message with the object concerned, "anna: …", and stores it as the value "where".
+Diagnostic withContext(const std::string& where, Diagnostic problem);
+/// Replaces that prefix.
+Diagnostic withNewContext(const std::string& where, Diagnostic problem);
+/// The problem of a number outside its range.
 Diagnostic outOfRange(const std::string& found, const Range& range);
 
 const char* severityName(Severity severity);  // "info", "warning", "error"
 bool hasErrors(const Diagnostics& diagnostics);
 void append(Diagnostics& to, const Diagnostics& more);
 
-/// A value with warnings, or no value with at least one error.
+/// A value with optional warnings, or no value and at least one error.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -2,21 +2,28 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <fcntl.h>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
 
 namespace base {
 namespace {
 
 constexpr std::size_t kLongestFixed = 1100;  // sign, "0.", 323 zeros and 17 digits; or 309 digits
 
-char loweredChar(char c) {
+char toLowerChar(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// The whole token, as std::from_chars reads it, and a '+' before it.
+/// Parses the whole token with std::from_chars; also accepts a leading '+'.
 template <class Number>
 std::optional<Number> parseWhole(std::string_view token) {
   const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
@@ -108,11 +115,11 @@ std::string pointText(const Vec2& point) {
 
 std::optional<std::string> nearestName(std::string_view word,
                                        const std::vector<std::string>& candidates) {
-  const std::string wanted = lowered(word);
+  const std::string wanted = toLower(word);
   std::size_t smallest = std::max<std::size_t>(1, wanted.size() / 3) + 1;
   std::optional<std::string> nearest;
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = editDistance(wanted, lowered(candidate));
+    const std::size_t distance = editDistance(wanted, toLower(candidate));
     if (distance < smallest && distance < wanted.size()) {
       smallest = distance;
       nearest = candidate;
@@ -123,7 +130,7 @@ std::optional<std::string> nearestName(std::string_view word,
 
 namespace {
 
-/// Bytes of the character of UTF-8 that begins there (RFC 3629); 0: none does.
+/// Length [bytes] of the UTF-8 character at the start (RFC 3629); 0: invalid.
 std::size_t lengthOfCharacter(std::string_view text) {
   const auto byteAt = [text](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -149,7 +156,7 @@ std::size_t lengthOfCharacter(std::string_view text) {
 
 }  // namespace
 
-std::string visible(std::string_view text, std::string_view kept) {
+std::string escapedControls(std::string_view text, std::string_view kept) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string shown;
   shown.reserve(text.size());
@@ -201,10 +208,109 @@ std::string join(const std::vector<std::string>& parts, const std::string& separ
   return text;
 }
 
-std::string lowered(std::string_view text) {
+std::string toLower(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), loweredChar);
+  std::transform(result.begin(), result.end(), result.begin(), toLowerChar);
   return result;
+}
+
+namespace {
+
+class OpenFile {
+ public:
+  /// Opening a pipe does not block.
+  explicit OpenFile(const std::string& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
+  ~OpenFile() {
+    if (descriptor_ >= 0) {
+      ::close(descriptor_);
+    }
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  OpenFile(OpenFile&&) = delete;
+  OpenFile& operator=(OpenFile&&) = delete;
+
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+Diagnostic tooLarge(const std::string& path, std::size_t most) {
+  return error("file.too-large", {most >> 20U}, path);
+}
+
+Diagnostic unreadable(const std::string& path, int error) {
+  return base::error("file.cannot-read", {std::generic_category().message(error)}, path);
+}
+
+/// Reads to the end; `expected`: probable size [bytes].
+Result<std::string> readAll(int descriptor, const std::string& path, std::size_t expected,
+                            std::size_t most) {
+  constexpr std::size_t kReadPiece = std::size_t{1} << 16U;  // [B]
+  std::string content;
+  std::size_t size = 0;
+  while (true) {
+    if (size == content.size()) {
+      content.resize(std::max(size == 0 ? expected + 1 : 2 * size, size + kReadPiece));
+    }
+    const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
+    if (count < 0 && errno != EINTR) {
+      return unreadable(path, errno);
+    }
+    size += count > 0 ? static_cast<std::size_t>(count) : 0;
+    if (size > most) {
+      return tooLarge(path, most);
+    }
+    if (count == 0) {
+      content.resize(size);
+      return content;
+    }
+  }
+}
+
+/// The text, or an error if it is a Git LFS pointer.
+Result<std::string> rejectLfsPointer(Result<std::string> text, const std::string& path) {
+  return text && isLfsPointer(*text) ? error("file.lfs-pointer", {}, path) : std::move(text);
+}
+
+/// Read once and cached, because a run opens its files more than once.
+const Result<std::string>& standardInput() {
+  static const Result<std::string> kText =
+      rejectLfsPointer(readAll(STDIN_FILENO, "-", 0, kMaxRecord), "-");
+  return kText;
+}
+
+}  // namespace
+
+Result<std::string> readTextFile(const std::string& path, std::size_t most) {
+  if (path == "-") {
+    return standardInput();
+  }
+  const OpenFile file(path);
+  struct stat about = {};
+  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &about) != 0) {
+    return unreadable(path, errno);
+  }
+  if (S_ISDIR(about.st_mode)) {
+    return unreadable(path, EISDIR);
+  }
+  if (!S_ISREG(about.st_mode)) {
+    return error("file.no-file", {}, path);
+  }
+  const auto size = static_cast<std::size_t>(std::max<off_t>(about.st_size, 0));
+  return size > most ? Result<std::string>(tooLarge(path, most))
+                     : rejectLfsPointer(readAll(file.descriptor(), path, size, most), path);
+}
+
+Diagnostics lfsPointerProblem(const std::string& path) {
+  const OpenFile file(path);
+  std::array<char, 64> begin{};
+  const ssize_t count =
+      file.descriptor() < 0 ? 0 : ::read(file.descriptor(), begin.data(), begin.size());
+  const std::string_view text(begin.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return isLfsPointer(text) ? Diagnostics{error("file.lfs-pointer", {}, path)} : Diagnostics();
 }
 
 }  // namespace base

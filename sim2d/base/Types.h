@@ -4,24 +4,24 @@
 
 #include <Eigen/Core>
 
-/// Types of every layer. SI units, radians. World frame: x right, y up, headings counter-clockwise
+/// Types of all layers. SI units, radians. World frame: x right, y up, headings counter-clockwise
 /// from +x in (-pi, pi].
 namespace base {
 
-using Vec2 = Eigen::Vector2d;  // [m] or [m/s]; start values with Vec2::Zero(), Vec2{} is not set
+using Vec2 = Eigen::Vector2d;  // [m] or [m/s]; initialise with Vec2::Zero(), Vec2{} is not set
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kFarthest = 1e6;  // [m]; places lie no farther out
+constexpr double kMaxCoordinate = 1e6;  // [m], largest absolute coordinate
 
-/// Whether a place is finite and lies within that.
-inline bool isInReach(const Vec2& place) {
-  return std::abs(place.x()) <= kFarthest && std::abs(place.y()) <= kFarthest;
+/// Whether a position is finite and within kMaxCoordinate.
+inline bool isWithinCoordinateRange(const Vec2& place) {
+  return std::abs(place.x()) <= kMaxCoordinate && std::abs(place.y()) <= kMaxCoordinate;
 }
 
-/// The angle in (-pi, pi] that differs from `angle` by whole turns. Not finite in, NaN out.
+/// The equivalent angle in (-pi, pi]. NaN if `angle` is not finite.
 double wrapToPi(double angle);
 
-/// Turn from `from` to `to`, in (-pi, pi].
+/// Signed angle from `from` to `to`, in (-pi, pi].
 double angleDiff(double to, double from);
 
 /// Unit vector of a heading, and the heading of a vector (0 for the zero vector).
@@ -49,14 +49,14 @@ struct Pose2 {
   friend bool operator!=(const Pose2& a, const Pose2& b) { return !(a == b); }
 };
 
-/// Command of a differential drive.
+/// Velocity command of a differential drive.
 struct Twist2 {
   double linear = 0.0;   // v [m/s], along the heading
   double angular = 0.0;  // omega [rad/s], counter-clockwise
 };
 
-/// What a message, a command or a selection is about. `key` is unique within one loaded scenario
-/// for its whole life and is not written to files; 0 is "none".
+/// Identifies the object of a message, command or selection. `key` is unique within a loaded
+/// scenario and is not saved; 0 is "none".
 enum class EntityKind { None, Scenario, Human, Robot, Goal, Obstacle, Door, Area, Dock };
 struct EntityId {
   EntityKind kind = EntityKind::None;
@@ -70,7 +70,7 @@ struct EntityId {
   }
 };
 
-/// Result of a tick of a behaviour-tree node; Skipped is returned, never stored.
+/// Result of ticking a behaviour-tree node. Skipped is returned, never stored.
 enum class NodeStatus : unsigned char { Idle, Running, Success, Failure, Skipped };
 const char* nodeStatusName(NodeStatus status);  // "IDLE", "RUNNING" …
 

@@ -11,18 +11,18 @@ namespace {
 using Index = BlockGraph::Index;
 using Pair = std::pair<Index, Index>;
 
-constexpr int kLeastSide = 12;            // [cells]
-constexpr double kMostGraphBlocks = 6e4;  // a search over them takes about 7 ms
+constexpr int kMinSide = 12;             // [cells]
+constexpr double kMaxGraphBlocks = 6e4;  // a search over them takes about 7 ms
 constexpr Index kNoLabel = -1;
 
 int sideFor(const OccupancyGrid& grid) {
   const double cells = static_cast<double>(grid.width()) * grid.height();
-  return std::max(kLeastSide, static_cast<int>(std::ceil(std::sqrt(cells / kMostGraphBlocks))));
+  return std::max(kMinSide, static_cast<int>(std::ceil(std::sqrt(cells / kMaxGraphBlocks))));
 }
 
-/// Gives the cells from `first` that hang together within the rectangle the same label.
-void spread(const Terrain& terrain, Terrain::Index first, Cell low, Cell high, Index label,
-            std::vector<Index>& labels) {
+/// Flood fill: labels the cells connected to `first` within the rectangle.
+void floodFill(const Terrain& terrain, Terrain::Index first, Cell low, Cell high, Index label,
+               std::vector<Index>& labels) {
   std::vector<Terrain::Index> waiting;
   const bool isUnknown = terrain.isUnknown(first);
   const auto enter = [&](Terrain::Index index) {
@@ -63,26 +63,26 @@ void forEachCell(const Terrain& terrain, Cell low, Cell high, Visit visit) {
   }
 }
 
-/// Labels the pieces of a block from `label` on, in the order of their first cells; gives the next
-/// label.
-Index labelPieces(const Terrain& terrain, Cell low, Cell high, Index label,
-                  std::vector<Index>& labels) {
+/// Labels the connected regions of a block from `label` on, in the order of their first cells.
+/// Returns the next free label.
+Index labelRegions(const Terrain& terrain, Cell low, Cell high, Index label,
+                   std::vector<Index>& labels) {
   forEachCell(terrain, low, high, [&](Terrain::Index index) {
     if (terrain.isOpen(index) && labels[static_cast<std::size_t>(index)] == kNoLabel) {
-      spread(terrain, index, low, high, label++, labels);
+      floodFill(terrain, index, low, high, label++, labels);
     }
   });
   return label;
 }
 
-void sortOut(std::vector<Pair>& pairs) {
+void sortUnique(std::vector<Pair>& pairs) {
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 }  // namespace
 
-/// Goes over the map one row of blocks after another, so that little of it is in memory at a time.
+/// Processes the map one row of blocks at a time, to limit memory.
 class BlockGraph::Builder {
  public:
   explicit Builder(BlockGraph& graph) : graph_(graph), grid_(graph.field_.grid()) {}
@@ -94,7 +94,7 @@ class BlockGraph::Builder {
       addRow(row);
     }
     graph_.firstNode_.push_back(static_cast<Index>(graph_.nodes_.size()));
-    sortOut(touching_);
+    sortUnique(adjacent_);
     addSteps();
   }
 
@@ -108,7 +108,7 @@ class BlockGraph::Builder {
       const int last = std::min(column + graph_.side_, grid_.width()) - 1;
       addBlock(terrain, {column, row}, {last, high.row});
     }
-    addTouching(terrain, low, high);
+    addAdjacentPairs(terrain, low, high);
     const auto top = labels_.begin() + terrain.indexOf({-1, high.row});
     below_.assign(top, top + terrain.stride());
   }
@@ -116,7 +116,7 @@ class BlockGraph::Builder {
   void addBlock(const Terrain& terrain, Cell low, Cell high) {
     const auto first = static_cast<Index>(graph_.nodes_.size());
     graph_.firstNode_.push_back(first);
-    const Index end = labelPieces(terrain, low, high, first, labels_);
+    const Index end = labelRegions(terrain, low, high, first, labels_);
     graph_.nodes_.resize(at(end));
     const Vec2 middle(0.5 * (low.column + high.column), 0.5 * (low.row + high.row));
     std::vector<double> nearest(at(end - first), 0.0);
@@ -127,18 +127,19 @@ class BlockGraph::Builder {
       }
       Node& node = graph_.nodes_[at(label)];
       const Cell cell = terrain.cellOf(index);
-      const auto price = static_cast<std::uint8_t>(terrain.price(index));
+      const auto cellCost = static_cast<std::uint8_t>(terrain.cellCost(index));
       const double offset = (Vec2(cell.column, cell.row) - middle).squaredNorm();
       double& best = nearest[at(label - first)];
-      if (node.price == 0 || std::make_pair(price, offset) < std::make_pair(node.price, best)) {
-        node = {cell, price, terrain.isUnknown(index)};
+      if (node.cellCost == 0 ||
+          std::make_pair(cellCost, offset) < std::make_pair(node.cellCost, best)) {
+        node = {cell, cellCost, terrain.isUnknown(index)};
         best = offset;
       }
     });
   }
 
-  /// Pairs of nodes with cells beside each other, both ways round.
-  void addTouching(const Terrain& terrain, Cell low, Cell high) {
+  /// Collects pairs of nodes with adjacent cells, in both directions.
+  void addAdjacentPairs(const Terrain& terrain, Cell low, Cell high) {
     std::vector<Pair> found;
     const auto note = [&found](Index a, Index b) {
       if (a != b && a != kNoLabel && b != kNoLabel &&
@@ -157,10 +158,10 @@ class BlockGraph::Builder {
         note(labels_[first + i - 1], labels_[first + i]);
       }
     }
-    sortOut(found);
+    sortUnique(found);
     for (const auto& [a, b] : found) {
-      touching_.emplace_back(a, b);
-      touching_.emplace_back(b, a);
+      adjacent_.emplace_back(a, b);
+      adjacent_.emplace_back(b, a);
     }
   }
 
@@ -169,7 +170,7 @@ class BlockGraph::Builder {
     return {anchor.column / graph_.side_, anchor.row / graph_.side_};
   }
 
-  bool isOverCorner(Index a, Index b) const {
+  bool isDiagonal(Index a, Index b) const {
     const Cell first = blockOf(a);
     const Cell second = blockOf(b);
     return first.column != second.column && first.row != second.row &&
@@ -177,8 +178,8 @@ class BlockGraph::Builder {
   }
 
   void addSteps() {
-    std::vector<std::size_t> first(graph_.size() + 1, 0);  // of each node in touching_
-    for (const Pair& pair : touching_) {
+    std::vector<std::size_t> first(graph_.size() + 1, 0);  // first pair of each node in adjacent_
+    for (const Pair& pair : adjacent_) {
       ++first[at(pair.first) + 1];
     }
     for (std::size_t i = 1; i < first.size(); ++i) {
@@ -190,11 +191,11 @@ class BlockGraph::Builder {
       graph_.stopFlag().check();
       ends.clear();
       for (std::size_t i = first[at(node)]; i < first[at(node) + 1]; ++i) {
-        const Index beside = touching_[i].second;
+        const Index beside = adjacent_[i].second;
         ends.push_back(beside);
         for (std::size_t k = first[at(beside)]; k < first[at(beside) + 1]; ++k) {
-          const Index far = touching_[k].second;
-          if (graph_.isUnknown(beside) == graph_.isUnknown(node) && isOverCorner(node, far)) {
+          const Index far = adjacent_[k].second;
+          if (graph_.isUnknown(beside) == graph_.isUnknown(node) && isDiagonal(node, far)) {
             ends.push_back(far);
           }
         }
@@ -211,8 +212,8 @@ class BlockGraph::Builder {
 
   BlockGraph& graph_;
   const OccupancyGrid& grid_;
-  std::vector<Index> labels_, below_;  // of the row of blocks; of the cells under it
-  std::vector<Pair> touching_;
+  std::vector<Index> labels_, below_;  // of the current row of blocks; of the cells below it
+  std::vector<Pair> adjacent_;
 };
 
 BlockGraph::BlockGraph(const DistanceField& field, double radius)
@@ -221,31 +222,31 @@ BlockGraph::BlockGraph(const DistanceField& field, double radius)
       side_(sideFor(field.grid())),
       columns_((field.grid().width() + side_ - 1) / side_) {
   Builder(*this).build();
-  numberParts();
+  labelComponents();
 }
 
 std::uint32_t BlockGraph::costBetween(const Node& a, const Node& b) const {
   const double length = std::hypot(a.anchor.column - b.anchor.column, a.anchor.row - b.anchor.row);
   const auto cost =
-      static_cast<std::uint32_t>(std::lround(kCellLength * length * (a.price + b.price)));
+      static_cast<std::uint32_t>(std::lround(kCellLength * length * (a.cellCost + b.cellCost)));
   return a.isUnknown || b.isUnknown ? kUnknownFactor * cost : cost;
 }
 
-void BlockGraph::numberParts() {
-  part_.assign(size(), kNoLabel);
+void BlockGraph::labelComponents() {
+  component_.assign(size(), kNoLabel);
   std::vector<Index> waiting;
   for (Index node = 0; node < static_cast<Index>(size()); ++node) {
-    if (part_[at(node)] != kNoLabel) {
+    if (component_[at(node)] != kNoLabel) {
       continue;
     }
-    part_[at(node)] = node;
+    component_[at(node)] = node;
     waiting.push_back(node);
     while (!waiting.empty()) {
       const Index from = waiting.back();
       waiting.pop_back();
       forEachStep(from, [&](Index to, std::uint32_t) {
-        if (part_[at(to)] == kNoLabel) {
-          part_[at(to)] = node;
+        if (component_[at(to)] == kNoLabel) {
+          component_[at(to)] = node;
           waiting.push_back(to);
         }
       });
@@ -266,14 +267,14 @@ Index BlockGraph::nodeOf(Cell cell) const {
                   std::min(low.row + side_, grid.height()) - 1};
   const Terrain terrain(field_, radius_, low, high);
   std::vector<Index> labels(terrain.size(), kNoLabel);
-  labelPieces(terrain, low, high, first, labels);
+  labelRegions(terrain, low, high, first, labels);
   return labels[static_cast<std::size_t>(terrain.indexOf(cell))];
 }
 
 std::size_t BlockGraph::bytes() const {
   return sizeof(Index) * firstNode_.capacity() + sizeof(Node) * nodes_.capacity() +
          sizeof(std::uint32_t) * firstStep_.capacity() + sizeof(Step) * steps_.capacity() +
-         sizeof(std::int32_t) * part_.capacity();
+         sizeof(std::int32_t) * component_.capacity();
 }
 
 }  // namespace sim2d

@@ -3,15 +3,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim2d/map/Terrain.h"
+#include "sim2d/map/TraversableSpace.h"
 
 namespace sim2d {
 
-/// The open cells of a large map for bodies of one radius, in square blocks: each piece of a block
-/// whose cells hang together by their sides, all known or all unknown, is a node. Two nodes are
-/// joined where their cells touch, or over a corner by way of a third one, so ways exist between
-/// nodes exactly where they exist between cells. Lengths are those between the anchors of nodes in
-/// eight directions, hence up to about 8 % too long and rough by a block. Immutable.
+/// Coarse graph of the open cells of a large map for bodies of one radius. The map is divided into
+/// square blocks; each 4-connected region of a block, all known or all unknown, is a node. Two
+/// nodes are connected if their cells touch, or diagonally through a third node, so that a path
+/// between nodes exists exactly where one between cells does. Edge lengths are those between the
+/// anchors of the nodes in eight directions, so paths are up to about 8 % too long, plus about a
+/// block. Immutable.
 class BlockGraph {
  public:
   using Index = std::int32_t;
@@ -20,10 +21,10 @@ class BlockGraph {
 
   /// The node of an open cell.
   Index nodeOf(Cell cell) const;
-  /// Of its cells with the most room the one nearest to the middle of the block.
+  /// The cell of lowest cost in the node; of several, the one nearest to the centre of the block.
   Cell anchor(Index node) const { return nodes_[at(node)].anchor; }
-  /// Ways exist within a part and nowhere else.
-  std::int32_t part(Index node) const { return part_[at(node)]; }
+  /// Connected component of a node: paths exist only within a component.
+  std::int32_t component(Index node) const { return component_[at(node)]; }
   bool isUnknown(Index node) const { return nodes_[at(node)].isUnknown; }
   std::size_t size() const { return nodes_.size(); }
   const base::StopFlag& stopFlag() const { return field_.stopFlag(); }
@@ -41,7 +42,7 @@ class BlockGraph {
  private:
   struct Node {
     Cell anchor;
-    std::uint8_t price = 0;
+    std::uint8_t cellCost = 0;
     bool isUnknown = false;
   };
   struct Step {
@@ -52,17 +53,17 @@ class BlockGraph {
 
   static std::size_t at(Index node) { return static_cast<std::size_t>(node); }
   std::uint32_t costBetween(const Node& a, const Node& b) const;
-  void numberParts();
+  void labelComponents();
 
   const DistanceField& field_;
   double radius_;
-  int side_;                              // of a block [cells]
-  int columns_;                           // of blocks
-  std::vector<Index> firstNode_;          // by block, and the end
-  std::vector<Node> nodes_;               // block by block, in the order of their first cells
-  std::vector<std::uint32_t> firstStep_;  // by node, and the end
+  int side_;                              // block side [cells]
+  int columns_;                           // blocks per row
+  std::vector<Index> firstNode_;          // first node of each block, and the end
+  std::vector<Node> nodes_;               // ordered by block, then by first cell
+  std::vector<std::uint32_t> firstStep_;  // first step of each node, and the end
   std::vector<Step> steps_;
-  std::vector<std::int32_t> part_;
+  std::vector<std::int32_t> component_;
 };
 
 }  // namespace sim2d

@@ -3,70 +3,73 @@
 #include <memory>
 #include <vector>
 
-#include "sim2d/map/CellDistances.h"
-#include "sim2d/map/ObstaclePass.h"
+#include "sim2d/base/StopFlag.h"
+#include "sim2d/map/DistanceTransform.h"
+#include "sim2d/map/ObstacleClearance.h"
 #include "sim2d/map/Obstacles.h"
 
 namespace sim2d {
 
-/// Clearance of every cell of a regular grid over the world: the map's own cells, or 0.1 m cells
-/// (coarser beyond 4 million) over the obstacles' bounds plus a margin when there is no map.
-/// Euclidean distance from the cell centre to the nearest wall [m]: exact for the cells of the map
-/// and within 1.2 m of enabled obstacles, farther ones to one cell; 0 inside walls, infinite when
-/// there is no wall. Immutable; safe to share between threads.
-/// Large maps are kept in two bytes per cell: rounded down to 1/256 cell, 255 cells at most.
+/// Clearance of every cell of a regular grid: the cells of the map, or without a map 0.1 m cells
+/// (coarser above 4 million) over the bounds of the obstacles plus a margin. Value: Euclidean
+/// distance [m] from the cell centre to the nearest wall; exact for map cells and within 1.2 m of
+/// enabled obstacles, otherwise accurate to one cell; 0 inside walls, infinite if there is no wall.
+/// Immutable and thread-safe. Large maps use two bytes per cell: rounded down to 1/256 cell, at
+/// most 255 cells.
 class DistanceField {
  public:
-  /// `bounds` are points that must lie inside when the map is the open plane (starts, goals …).
-  /// `obstacles` are built; parts may repeat the outlines of the map. Parts switched off are free.
-  /// Maps of more than `mostCells` are large. `walls`: as of `wallsOf`, null: they are worked out.
+  /// `bounds`: points that the grid must contain if there is no map (starts, goals …). `obstacles`
+  /// must be built; its parts may include the map's outlines; disabled parts count as free. Maps of
+  /// more than `mostCells` cells are large. `walls`: result of `mapWallDistances`; null: it is
+  /// computed.
   DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
-                const std::vector<Vec2>& bounds = {}, double mostCells = kMostCells,
+                const std::vector<Vec2>& bounds = {}, double mostCells = kMaxCells,
                 base::StopFlagPtr stop = std::make_shared<const base::StopFlag>(),
                 const std::shared_ptr<const CellDistances>& walls = nullptr);
-  /// As of an ordinary map, whatever its size; for one of more cells than `mostKept` distances are
-  /// worked out when they are asked for, so that `obstacles` must live and stay as long as this.
-  static std::shared_ptr<const DistanceField> ofExactCells(const OccupancyGrid& grid,
-                                                           const Obstacles& obstacles,
-                                                           const std::vector<Vec2>& bounds,
-                                                           double mostKept = kMostCells);
-  /// The share of the walls of a map in its fields, whatever else stands there.
-  static std::shared_ptr<const CellDistances> wallsOf(const OccupancyGrid& grid, bool isLarge,
-                                                      const base::StopFlag& stop);
+  /// A field with exact distances for maps of any size. Above `mostKept` cells they are computed on
+  /// demand, so `obstacles` must outlive the field and stay unchanged.
+  static std::shared_ptr<const DistanceField> withExactDistances(const OccupancyGrid& grid,
+                                                                 const Obstacles& obstacles,
+                                                                 const std::vector<Vec2>& bounds,
+                                                                 double mostKept = kMaxCells);
+  /// The distances to the walls of the map alone, which several fields can share.
+  static std::shared_ptr<const CellDistances> mapWallDistances(const OccupancyGrid& grid,
+                                                               bool isLarge,
+                                                               const base::StopFlag& stop);
 
-  static constexpr double kMostCells = 4e6;
+  static constexpr double kMaxCells = 4e6;
 
-  /// Wall = map wall or obstacle; where distances are few or none the map itself, whose cells are
-  /// shared.
+  /// Walls include obstacles, except on large maps and for distances on demand: there it is the map
+  /// itself, which shares its cells.
   const OccupancyGrid& grid() const { return grid_; }
   bool isLarge() const { return isLarge_; }
-  bool isOpenPlane() const { return isOpenPlane_; }  // there was no map: free beyond the grid
-  double distanceAt(Cell cell) const;          // outside the grid: to the nearest wall of the grid
-  double distanceAt(const Vec2& point) const;  // bilinear
-  /// [cells] from the centre to the nearest unknown cell: 0 inside, infinite when all is known. Of
-  /// a large map, from any point of the cell and at least so much.
+  bool isOpenPlane() const { return isOpenPlane_; }  // no map: free beyond the grid
+  double distanceAt(Cell cell) const;                // outside: to the nearest wall in the grid
+  double distanceAt(const Vec2& point) const;        // bilinear
+  /// [cells] from the cell centre to the nearest unknown cell: 0 inside, infinite if all cells are
+  /// known. On a large map a lower bound for any point of the cell.
   double unknownDistance(Cell cell) const;
   bool hasUnknown() const {
-    return asked_ != nullptr ? asked_->unknown().isAny() : !toUnknown_.empty();
+    return lazy_ != nullptr ? lazy_->unknown().isAny() : !toUnknown_.empty();
   }
-  /// No obstacle covers it either, unless the map is large.
+  /// Unknown in the map and not covered by an obstacle (on large maps: unknown in the map).
   bool isUnknown(Cell cell) const {
-    return grid_.isUnknown(cell) && (asked_ == nullptr || !asked_->isCovered(cell));
+    return grid_.isUnknown(cell) && (lazy_ == nullptr || !lazy_->isCovered(cell));
   }
-  /// Distances are worked out when they are asked for, which takes a microsecond or more, and those
-  /// of neighbours differ by a cell at most, but for the places where they begin to be exact.
-  bool isAskedAndSmooth() const { return asked_ != nullptr && asked_->isSmooth(); }
-  /// For all that is worked out from it, as for itself.
+  /// Distances are computed on demand, which takes a microsecond or more; neighbours differ by at
+  /// most one cell, except where the exact range begins.
+  bool isLazyAndSmooth() const { return lazy_ != nullptr && lazy_->isSmooth(); }
+  /// Also stops the computation of everything derived from this field.
   const base::StopFlag& stopFlag() const { return *stop_; }
-  /// Memory taken, but for the cells of the map.
+  /// Memory [bytes] without the cells of the map.
   std::size_t bytes() const;
 
  private:
-  struct Asked {};
-  DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles, Asked);
+  struct LazyTag {};
+  DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles, LazyTag);
   void keepDistances(const Obstacles& obstacles, const std::vector<char>& covered);
   float valueAt(std::size_t index) const {
-    return asked_ == nullptr ? distance_.at(index) : asked_->at(index);
+    return lazy_ == nullptr ? distance_.at(index) : lazy_->at(index);
   }
   bool isSolid(Cell cell) const;
   void findBorder();
@@ -77,10 +80,20 @@ class DistanceField {
   OccupancyGrid grid_;
   bool isOpenPlane_ = false;
   bool isLarge_ = false;
-  CellDistances distance_;  // [m]; none when there is the next
-  std::unique_ptr<const AskedDistances> asked_;
-  std::vector<float> toUnknown_;  // [cells] by cell, [blocks] by block of a large map
-  std::vector<Cell> border_;      // wall cells beside free ones, for places outside the grid
+  CellDistances distance_;  // [m]; empty if lazy_ is set
+  std::unique_ptr<const LazyDistances> lazy_;
+  std::vector<float> toUnknown_;  // [cells] per cell; on a large map [blocks] per block
+  std::vector<Cell> border_;      // wall cells next to free ones, for positions outside the grid
 };
+
+/// Marks the cells of `grid` (row-major, 1 = marked) that enabled obstacles cover: cells whose
+/// centre is solid, and cells that an outline crosses unless they are next to a wall of the map (so
+/// that the map's own outlines do not thicken its walls). `isLarge`: ignores the outlines of the
+/// map.
+std::vector<char> cellsOfObstacles(const OccupancyGrid& grid, const Obstacles& obstacles,
+                                   bool isLarge, const base::StopFlag& stop = {});
+
+/// Marks the wall cells of the map.
+std::vector<char> cellsOfWalls(const OccupancyGrid& grid);
 
 }  // namespace sim2d

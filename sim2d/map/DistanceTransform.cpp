@@ -1,10 +1,10 @@
+#include "sim2d/map/DistanceTransform.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-
-#include "sim2d/map/CellDistances.h"
 
 namespace sim2d {
 
@@ -19,11 +19,11 @@ float stepFrom(float neighbour) {
 std::uint16_t stepFrom(std::uint16_t neighbour) {
   constexpr int kCell = static_cast<int>(kStepsPerCell);
   const int far = neighbour == 0 ? kCell / 2 : neighbour + kCell;
-  return static_cast<std::uint16_t>(std::min<int>(far, kMostSteps));
+  return static_cast<std::uint16_t>(std::min<int>(far, kMaxSteps));
 }
 
 std::uint16_t stepsOf(float steps) {
-  return static_cast<std::uint16_t>(std::min(steps, static_cast<float>(kMostSteps)));
+  return static_cast<std::uint16_t>(std::min(steps, static_cast<float>(kMaxSteps)));
 }
 
 /// Distances within each column.
@@ -47,8 +47,8 @@ std::vector<Value> columnDistances(std::size_t width, std::size_t height,
   return distance;
 }
 
-/// Combines the columns of one row. The nearest square of another column is met at its left or
-/// right border, so the parabolas stand on the borders k - 0.5 between columns.
+/// Combines the column distances along one row. The nearest square in another column is reached at
+/// its left or right border, so the parabolas are placed on the borders k - 0.5.
 class RowPass {
  public:
   explicit RowPass(std::size_t width) : width_(width), height_(width + 1) {
@@ -106,9 +106,9 @@ class RowPass {
   }
 
   std::size_t width_;
-  std::vector<double> height_;        // by border, squared
-  std::vector<std::size_t> borders_;  // of the envelope
-  std::vector<double> from_;          // where each begins
+  std::vector<double> height_;        // squared, by border
+  std::vector<std::size_t> borders_;  // of the lower envelope
+  std::vector<double> from_;          // where each parabola begins
 };
 
 }  // namespace
@@ -128,19 +128,20 @@ std::vector<float> distancesToMarked(int width, int height, const std::vector<ch
   return distance;
 }
 
-std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vector<char>& marked,
-                                         const base::StopFlag& stop) {
+std::vector<std::uint16_t> quantizedDistancesToMarked(int width, int height,
+                                                      const std::vector<char>& marked,
+                                                      const base::StopFlag& stop) {
   assert(width > 0 && height > 0);
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
-  std::vector<std::uint16_t> steps = columnDistances(columns, rows, marked, kMostSteps, stop);
+  std::vector<std::uint16_t> steps = columnDistances(columns, rows, marked, kMaxSteps, stop);
   RowPass pass(columns);
   std::vector<float> cells(columns);
   for (std::size_t row = 0; row < rows; ++row) {
     stop.check();
     std::uint16_t* const of = steps.data() + row * columns;
     std::transform(of, of + columns, cells.begin(), [](std::uint16_t value) {
-      return value == kMostSteps ? kNowhere : static_cast<float>(value) / kStepsPerCell;
+      return value == kMaxSteps ? kNowhere : static_cast<float>(value) / kStepsPerCell;
     });
     pass.run(cells.data());
     std::transform(cells.begin(), cells.end(), of,
@@ -150,12 +151,12 @@ std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vecto
 }
 
 CellDistances::CellDistances(int width, int height, const std::vector<char>& marked, float cell,
-                             bool isSmall, const base::StopFlag& stop)
+                             bool isQuantized, const base::StopFlag& stop)
     : step_(cell / kStepsPerCell) {
-  if (isSmall) {
+  if (isQuantized) {
     const bool isAny = std::find(marked.begin(), marked.end(), char{1}) != marked.end();
-    beyond_ = isAny ? static_cast<float>(kMostSteps) * step_ : kNowhere;
-    steps_ = stepsToMarked(width, height, marked, stop);
+    saturatedValue_ = isAny ? static_cast<float>(kMaxSteps) * step_ : kNowhere;
+    steps_ = quantizedDistancesToMarked(width, height, marked, stop);
     return;
   }
   exact_ = distancesToMarked(width, height, marked, stop);
@@ -177,9 +178,9 @@ void CellDistances::replaceInfinite(float distance) {
   if (std::any_of(exact_.begin(), exact_.end(), isFinite)) {
     std::replace(exact_.begin(), exact_.end(), kNowhere, distance);
   }
-  const auto isNear = [](std::uint16_t value) { return value < kMostSteps; };
-  if (std::isinf(beyond_) && std::any_of(steps_.begin(), steps_.end(), isNear)) {
-    beyond_ = std::min(distance, static_cast<float>(kMostSteps) * step_);
+  const auto isNear = [](std::uint16_t value) { return value < kMaxSteps; };
+  if (std::isinf(saturatedValue_) && std::any_of(steps_.begin(), steps_.end(), isNear)) {
+    saturatedValue_ = std::min(distance, static_cast<float>(kMaxSteps) * step_);
   }
 }
 

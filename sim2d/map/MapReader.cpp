@@ -14,9 +14,8 @@
 #include <system_error>
 #include <utility>
 
-#include "sim2d/base/LfsPointer.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/RepeatedKeys.h"
+#include "sim2d/base/yaml/DuplicateKeys.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
 namespace sim2d {
@@ -28,10 +27,9 @@ constexpr double kFinest = 0.001, kCoarsest = 10.0;  // [m/pixel]
 namespace fs = std::filesystem;
 using base::YamlNode;
 
-/// Spellings that programs use for numbers that are not finite: nan, -.nan, -nan(ind), +inf,
-/// 1.#QNAN, 1e999.
+/// Common spellings of non-finite numbers: nan, -.nan, -nan(ind), +inf, 1.#QNAN, 1e999.
 bool isNotFinite(const std::string& text) {
-  std::string word = base::lowered(text);
+  std::string word = base::toLower(text);
   word.erase(0, word.find_first_not_of("+-"));
   word.erase(0, word.find_first_not_of('.'));
   const auto begins = [&word](std::string_view with) {
@@ -49,15 +47,15 @@ const std::vector<std::string>& mapKeys() {
   return keys;
 }
 
-/// The keys of one YAML text with all that is wrong with them.
+/// Reads the keys of a map YAML and collects all problems.
 class DescriptionReader {
  public:
   explicit DescriptionReader(std::string file) { report_.file = std::move(file); }
 
   void read(const std::string& text) {
     base::Diagnostics problems;
-    root_ = base::parseYaml(text, report_.file, base::RepeatedKeys::FirstCounts, problems);
-    takeProblems(problems);
+    root_ = base::parseYaml(text, report_.file, base::DuplicateKeys::FirstWins, problems);
+    translateProblems(problems);
     if (!isReadable_) {
       return;
     }
@@ -84,9 +82,9 @@ class DescriptionReader {
 
   const MapDescription& description() const { return description_; }
   const base::Diagnostics& diagnostics() const { return report_.diagnostics; }
-  /// Of the image, with the place of its name.
+  /// A problem of the image, reported at the key `image`.
   void add(const base::Diagnostic& problem, const std::string& image) {
-    report_.add(imagePlace_, base::within("image '" + image + "'", problem));
+    report_.add(imagePlace_, base::withContext("image '" + image + "'", problem));
   }
 
  private:
@@ -97,8 +95,8 @@ class DescriptionReader {
     report_.add(at, base::warning(code, std::move(values)));
   }
 
-  /// What is wrong with the text, in the words of map files. A second document is not read.
-  void takeProblems(const base::Diagnostics& problems) {
+  /// Reports the problems of the YAML text as problems of map files. A second document is ignored.
+  void translateProblems(const base::Diagnostics& problems) {
     for (const base::Diagnostic& problem : problems) {
       YamlNode at;
       at.line = problem.line;
@@ -132,7 +130,7 @@ class DescriptionReader {
     }
   }
 
-  /// `instead`: what to write instead of a number that is not finite.
+  /// `instead`: suggestion for a number that is not finite.
   std::optional<double> number(const YamlNode& node, const char* key, const char* instead) {
     const std::optional<double> value =
         node.isScalar() ? base::parseDouble(node.text) : std::nullopt;
@@ -158,7 +156,7 @@ class DescriptionReader {
 
   void readResolution(const YamlNode& node) {
     const std::optional<double> value =
-        number(node, "resolution", "the metres per pixel, 0.05 mostly");
+        number(node, "resolution", "the metres per pixel, usually 0.05");
     if (value && *value <= 0.0) {
       error("map.resolution-not-positive", {node.text}, node);
     } else if (value && !(*value >= kFinest && *value <= kCoarsest)) {
@@ -183,7 +181,8 @@ class DescriptionReader {
     if (!areFine) {
       return;
     }
-    if (std::fabs(values[0]) > base::kFarthest || std::fabs(values[1]) > base::kFarthest) {
+    if (std::fabs(values[0]) > base::kMaxCoordinate ||
+        std::fabs(values[1]) > base::kMaxCoordinate) {
       error("map.origin-too-far", {}, node);
       return;
     }
@@ -195,7 +194,7 @@ class DescriptionReader {
   }
 
   void readNegate(const YamlNode& node) {
-    const std::string word = node.isScalar() ? base::lowered(node.text) : std::string();
+    const std::string word = node.isScalar() ? base::toLower(node.text) : std::string();
     const std::optional<long long> value = base::parseInt(word);
     if (value) {
       description_.negate = *value != 0;
@@ -210,7 +209,7 @@ class DescriptionReader {
     high_ = number(node, "occupied_thresh", "0.65");
   }
 
-  /// The later one: both together.
+  /// Read after occupied_thresh; checks both.
   void readFreeThreshold(const YamlNode& node) {
     const std::optional<double> low = number(node, "free_thresh", "0.196");
     if (!high_ || !low) {
@@ -227,7 +226,7 @@ class DescriptionReader {
   void readMode(const YamlNode& node) {
     static const std::map<std::string, MapMode> kModes = {
         {"trinary", MapMode::Trinary}, {"scale", MapMode::Scale}, {"raw", MapMode::Raw}};
-    const auto mode = node.isScalar() ? kModes.find(base::lowered(node.text)) : kModes.end();
+    const auto mode = node.isScalar() ? kModes.find(base::toLower(node.text)) : kModes.end();
     if (mode == kModes.end()) {
       error("map.bad-mode", {}, node);
     } else {
@@ -238,7 +237,7 @@ class DescriptionReader {
   base::ReadReport report_;
   YamlNode root_;
   YamlNode imagePlace_;
-  std::optional<double> high_;  // of the thresholds
+  std::optional<double> high_;  // occupied_thresh
   bool isReadable_ = true;
   MapDescription description_;
 };
@@ -250,7 +249,7 @@ bool isPgm(const fs::path& path) {
   return input && magic[0] == 'P' && (magic[1] == '2' || magic[1] == '5');
 }
 
-/// A file that begins like an image of another format has that format, whatever its name is.
+/// Whether the first bytes are those of another image format, whatever the file's name is.
 bool isOtherImage(const fs::path& path) {
   static constexpr std::string_view kBegins[] = {
       {"\x89PNG", 4}, {"\xFF\xD8\xFF", 3}, {"GIF8", 4}, {"BM", 2}, {"RIFF", 4}, {"II*\0", 4},
@@ -272,8 +271,8 @@ base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader
     return image;
   }
   const std::int64_t pixels = std::int64_t{image->width} * image->height;
-  if (pixels > kMostMapCells) {
-    return base::error("image.too-large", {image->width, image->height, kMostMapCells});
+  if (pixels > kMaxMapCells) {
+    return base::error("image.too-large", {image->width, image->height, kMaxMapCells});
   }
   if (pixels < 1 || image->maximum < 1 || !image->readRow) {
     return base::error("image.no-pixels");
@@ -281,7 +280,7 @@ base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader
   return image;
 }
 
-/// The cells of the image, whatever kind of file it is.
+/// Reads the image in any supported format and converts it to cells.
 base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& loader,
                                       const MapDescription& description, MapRule rule) {
   std::error_code code;
@@ -299,7 +298,7 @@ base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& l
     return pointer;
   }
   const bool isGrey =
-      isPgm(path) || (base::lowered(path.extension().string()) == ".pgm" && !isOtherImage(path));
+      isPgm(path) || (base::toLower(path.extension().string()) == ".pgm" && !isOtherImage(path));
   const base::Result<MapImage> image = isGrey ? readPgm(path.string()) : loadImage(path, loader);
   return image ? base::Result<OccupancyGrid>(gridFromImage(*image, description, rule),
                                              image.diagnostics())

@@ -14,17 +14,17 @@
 
 namespace sim2d {
 
-/// An image file, first row on top; shade and alpha in 0..1 steps of 1/maximum. Its values are
-/// asked for row by row, so that those of a large image stay as narrow as the file has them.
+/// An image, first row on top; grey and alpha values from 0 to `maximum`. Rows are read on request,
+/// so that a large image keeps the value size of its file.
 struct MapImage {
   int width = 0, height = 0;
-  bool isGrey = false;  // one value per pixel, else four: red, green, blue, alpha
+  bool isGrey = false;  // one value per pixel; else four: red, green, blue, alpha
   bool hasAlpha = false;
-  int maximum = 255;  // value of full white or opaque, 1..65535
+  int maximum = 255;  // value of white or opaque, 1 to 65535
   std::function<void(int row, std::uint16_t* values)> readRow;  // writes `valuesPerRow`
 
   std::size_t valuesPerRow() const { return static_cast<std::size_t>(width) * (isGrey ? 1U : 4U); }
-  /// Those of all rows, one after the other.
+  /// Sets the values of all rows, row by row.
   template <class Value>
   void setValues(std::vector<Value> values);
 };
@@ -35,17 +35,17 @@ void MapImage::setValues(std::vector<Value> values) {
     std::copy_n(kept->data() + static_cast<std::size_t>(row) * count, count, to);
   };
 }
-/// A PGM image (P2 and P5, 8 and 16 bit, comments), which is grey.
+/// Reads a PGM image (P2 and P5, 8 and 16 bit, comments).
 base::Result<MapImage> readPgm(const std::string& path);
-/// Reads what the reader itself does not (all but PGM): PNG, BMP …
+/// Reads image formats other than PGM: PNG, BMP …
 using ImageLoader = std::function<base::Result<MapImage>(const std::string& path)>;
 
 enum class MapMode { Trinary, Scale, Raw };
-enum class MapRule { Humble, Main };  // which nav2 decides (differences: thresholds, alpha)
+enum class MapRule { Humble, Main };  // Nav2 version (thresholds and alpha differ)
 
 /// The keys of a map_server YAML.
 struct MapDescription {
-  std::string image;  // as written
+  std::string image;  // as given in the file
   double resolution = 0.05;
   Pose2 origin;
   bool negate = false;
@@ -55,27 +55,27 @@ struct MapDescription {
 };
 
 struct MapFile {
-  std::string path;       // of the YAML
-  std::string imagePath;  // resolved
+  std::string path;       // of the YAML file
+  std::string imagePath;  // resolved path
   MapDescription description;
   OccupancyGrid grid;
 };
 
-/// More pixels than this are refused with a message, PGM before memory is taken for them.
-constexpr std::int64_t kMostMapCells = 100'000'000;
+/// Larger images are rejected; PGM before memory is allocated.
+constexpr std::int64_t kMaxMapCells = 100'000'000;
 
-/// Reads YAML and image; a leading `~/` of the path stands for $HOME. All problems of both files
-/// come at once; those of the image carry the place of the key `image`. PGM (P2, P5, 8 and 16 bit,
-/// comments) is read here whatever it is called, other formats by `loader` (none: an error).
+/// Reads YAML and image; a leading `~/` of the path means $HOME. Returns the problems of both
+/// files; those of the image are reported at the key `image`. PGM is recognised by its content and
+/// read here, other formats by `loader` (empty: an error).
 base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& loader,
                               MapRule rule = MapRule::Humble);
-/// `file` names the text in messages.
+/// `file` is the file name in messages.
 base::Result<MapDescription> parseMapDescription(const std::string& text, const std::string& file);
-/// The image must have pixels. First row on top becomes the last row of cells.
+/// The image must have pixels. Its first row becomes the last cell row.
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description, MapRule rule);
 
-/// A map as files: the image as PGM (P5: 254 free, 0 occupied, 205 unknown; thresholds 0.65 and
-/// 0.196, trinary), then the YAML. An error for the open plane.
+/// The files of a map: a PGM image (P5: 254 free, 0 occupied, 205 unknown) and a trinary YAML with
+/// thresholds 0.65 and 0.196. An error for the open plane.
 base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid& grid,
                                                              const std::string& yamlPath);
 

@@ -9,20 +9,20 @@ namespace sim2d {
 namespace {
 
 constexpr double kOpen = 1e9;  // [m]
-constexpr std::size_t kMostLayers = 8;
-constexpr double kRadiiPerMetre = 1000.0;  // bodies whose radii round alike share a planner
+constexpr std::size_t kMaxLayers = 8;
+constexpr double kRadiiPerMetre = 1000.0;  // radii that round to the same value share a planner
 
-constexpr double kBlock = 0.5;       // [m]
-constexpr double kMostBlocks = 1e6;  // coarser beyond
-constexpr double kNearWall = 1.5;    // [cells] from the middle of a cell: a wall may reach into it
+constexpr double kBlock = 0.5;      // [m]
+constexpr double kMaxBlocks = 1e6;  // larger blocks above this
+constexpr double kNearWall = 1.5;   // [cells] from the cell centre: a wall may reach into the cell
 
 int cellsPerBlock(const OccupancyGrid& grid) {
   const double cells = static_cast<double>(grid.width()) * grid.height();
   const double usual = kBlock / grid.resolution();
-  return static_cast<int>(std::ceil(std::max({1.0, usual, std::sqrt(cells / kMostBlocks)})));
+  return static_cast<int>(std::ceil(std::max({1.0, usual, std::sqrt(cells / kMaxBlocks)})));
 }
 
-bool standsAnything(const OccupancyGrid& map, const Obstacles& obstacles) {
+bool hasAnyObstacle(const OccupancyGrid& map, const Obstacles& obstacles) {
   if (!map.isEmpty()) {
     return true;
   }
@@ -90,9 +90,9 @@ NavigationLayer::NavigationLayer(const OccupancyGrid& map, const Obstacles& obst
                                  const std::vector<Vec2>& places, base::StopFlagPtr stop,
                                  const std::shared_ptr<const CellDistances>& walls,
                                  std::size_t mostBytes)
-    : field_(standsAnything(map, obstacles)
+    : field_(hasAnyObstacle(map, obstacles)
                  ? std::make_shared<const DistanceField>(
-                       map, obstacles, places, DistanceField::kMostCells, std::move(stop), walls)
+                       map, obstacles, places, DistanceField::kMaxCells, std::move(stop), walls)
                  : nullptr),
       blocks_(field_ != nullptr ? std::make_unique<const OpenBlocks>(field_) : nullptr),
       mostBytes_(mostBytes) {}
@@ -125,9 +125,9 @@ std::shared_ptr<PathPlanner> NavigationLayer::plannerFor(double radius) const {
   return found->second.planner;
 }
 
-std::shared_ptr<const NavigationLayer> NavigationLayers::of(const OccupancyGrid& map,
-                                                            const Obstacles& obstacles,
-                                                            const std::vector<Vec2>& places) {
+std::shared_ptr<const NavigationLayer> NavigationLayerCache::of(const OccupancyGrid& map,
+                                                                const Obstacles& obstacles,
+                                                                const std::vector<Vec2>& places) {
   Entry wanted;
   for (int part = 0; part < obstacles.partCount(); ++part) {
     wanted.enabled.push_back(obstacles.isEnabled(part) ? 1 : 0);
@@ -144,8 +144,8 @@ std::shared_ptr<const NavigationLayer> NavigationLayers::of(const OccupancyGrid&
     return entries_.front().layer;
   }
   if (walls_ == nullptr && !map.isEmpty() &&
-      static_cast<double>(map.cells().size()) <= DistanceField::kMostCells) {
-    walls_ = DistanceField::wallsOf(map, false, *stop_);
+      static_cast<double>(map.cells().size()) <= DistanceField::kMaxCells) {
+    walls_ = DistanceField::mapWallDistances(map, false, *stop_);
   }
   wanted.layer =
       std::make_shared<const NavigationLayer>(map, obstacles, places, stop_, walls_, mostBytes_);
@@ -155,19 +155,19 @@ std::shared_ptr<const NavigationLayer> NavigationLayers::of(const OccupancyGrid&
         entries_.begin(), entries_.end(), std::size_t{0},
         [](std::size_t sum, const Entry& entry) { return sum + entry.layer->bytes(); });
   };
-  while (entries_.size() > 1 && (entries_.size() > kMostLayers || bytes() > mostBytes_)) {
+  while (entries_.size() > 1 && (entries_.size() > kMaxLayers || bytes() > mostBytes_)) {
     entries_.pop_back();
   }
   return entries_.front().layer;
 }
 
 NavigationMap::NavigationMap(const OccupancyGrid& map, const Obstacles& obstacles,
-                             std::vector<Vec2> places, std::shared_ptr<NavigationLayers> layers)
+                             std::vector<Vec2> places, std::shared_ptr<NavigationLayerCache> layers)
     : places_(std::move(places)),
-      layers_(layers != nullptr ? std::move(layers) : std::make_shared<NavigationLayers>()),
+      layers_(layers != nullptr ? std::move(layers) : std::make_shared<NavigationLayerCache>()),
       layer_(layers_->of(map, obstacles, places_)) {
   if (isOpenPlane()) {
-    places_ = {};  // what may stand is known from the start
+    places_ = {};  // without obstacles the positions are not needed
   }
 }
 
@@ -180,8 +180,9 @@ std::vector<Vec2> NavigationMap::plan(double radius, const Vec2& start, const Ve
   return isOpenPlane() ? std::vector<Vec2>{start, goal} : plannerFor(radius)->plan(start, goal);
 }
 
-std::optional<Vec2> NavigationMap::nearestFit(double radius, const Vec2& point) const {
-  return isOpenPlane() ? std::optional<Vec2>(point) : plannerFor(radius)->space().nearestFit(point);
+std::optional<Vec2> NavigationMap::nearestFreePosition(double radius, const Vec2& point) const {
+  return isOpenPlane() ? std::optional<Vec2>(point)
+                       : plannerFor(radius)->space().nearestFreePosition(point);
 }
 
 double NavigationMap::clearance(const Vec2& point) const {

@@ -13,41 +13,41 @@
 
 namespace sim2d {
 
-/// Which blocks of cells no wall reaches into, so that a line of sight across such blocks alone
-/// needs no look at the walls. Immutable; thread: any.
+/// Blocks of cells that contain no wall: a line of sight across such blocks needs no check against
+/// walls. Immutable and thread-safe.
 class OpenBlocks {
  public:
   explicit OpenBlocks(std::shared_ptr<const DistanceField> field);
 
-  /// True: no wall stands in the rectangle, along the grid, about the two points. False: one may.
+  /// True: no wall in the grid-aligned rectangle with these corners. False: there may be one.
   bool areFree(const Vec2& from, const Vec2& to) const;
 
  private:
   int wallsBelow(int column, int row) const;
 
   std::shared_ptr<const DistanceField> field_;
-  int width_ = 0, height_ = 0;  // blocks
-  double perCell_ = 1.0;        // blocks
-  std::vector<int> below_;  // blocks with walls of lower column and row, (width + 1) x (height + 1)
+  int width_ = 0, height_ = 0;  // [blocks]
+  double perCell_ = 1.0;        // [blocks]
+  std::vector<int> below_;  // summed-area table of blocks with walls, (width + 1) x (height + 1)
 };
 
-/// What routes take of a map and all that stands on it, for one state of its doors. Made once and
-/// shared by all who plan there; planners come as radii are asked for, and those that have not been
-/// asked for longest go when all take more than `mostBytes`. Thread: any.
+/// Distance field and path planners of a map with obstacles, for one state of its doors; shared by
+/// all planners of routes. Path planners are created per radius; the least recently used ones are
+/// removed when all use more than `mostBytes`. Thread-safe.
 class NavigationLayer {
  public:
-  /// `places`: starts and goals; they bound the plane where there is no map.
+  /// `places`: starts and goals; they bound the grid if there is no map.
   NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
                   const std::vector<Vec2>& places, base::StopFlagPtr stop,
                   const std::shared_ptr<const CellDistances>& walls,
-                  std::size_t mostBytes = kMostBytes);
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
+                  std::size_t mostBytes = kMaxBytes);
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;
 
-  const DistanceField* field() const { return field_.get(); }  // null: nothing stands anywhere
-  const OpenBlocks* blocks() const { return blocks_.get(); }   // idem
-  /// Where something stands.
+  const DistanceField* field() const { return field_.get(); }  // null: there is no obstacle
+  const OpenBlocks* blocks() const { return blocks_.get(); }   // also null then
+  /// Requires an obstacle or a map.
   std::shared_ptr<PathPlanner> plannerFor(double radius) const;
-  /// Memory taken, but for the cells of the map.
+  /// Memory [bytes] without the cells of the map.
   std::size_t bytes() const;
 
  private:
@@ -65,14 +65,14 @@ class NavigationLayer {
   mutable std::int64_t uses_ = 0;
 };
 
-/// The layers of one map and what stands on it, by the state of the doors; the last ones are kept
-/// within `mostBytes`, and of ordinary maps the distances to walls, which no door alters.
-/// Thread: any.
-class NavigationLayers {
+/// Cache of the layers of one map with its obstacles, by the state of the doors: the last ones
+/// within `mostBytes`. Layers of maps that are not large share the distances to the map's walls.
+/// Thread-safe.
+class NavigationLayerCache {
  public:
-  /// `stop`: ends the work on layers, by `base::Stopped`.
-  explicit NavigationLayers(base::StopFlagPtr stop = std::make_shared<const base::StopFlag>(),
-                            std::size_t mostBytes = NavigationLayer::kMostBytes)
+  /// `stop` cancels the computation of layers (`base::Stopped`).
+  explicit NavigationLayerCache(base::StopFlagPtr stop = std::make_shared<const base::StopFlag>(),
+                                std::size_t mostBytes = NavigationLayer::kMaxBytes)
       : stop_(std::move(stop)), mostBytes_(mostBytes) {}
   std::shared_ptr<const NavigationLayer> of(const OccupancyGrid& map, const Obstacles& obstacles,
                                             const std::vector<Vec2>& places);
@@ -80,32 +80,33 @@ class NavigationLayers {
 
  private:
   struct Entry {
-    std::vector<char> enabled;  // by part
-    std::vector<Vec2> places;   // without a map
+    std::vector<char> enabled;  // enabled state of each part
+    std::vector<Vec2> places;   // used without a map only
     std::shared_ptr<const NavigationLayer> layer;
   };
   const base::StopFlagPtr stop_;
   const std::size_t mostBytes_;
   std::mutex mutex_;
-  std::shared_ptr<const CellDistances> walls_;  // of an ordinary map, for all layers
-  std::list<Entry> entries_;                    // last used first
+  std::shared_ptr<const CellDistances> walls_;  // shared by all layers; null for a large map
+  std::list<Entry> entries_;                    // most recently used first
 };
 
-/// Routes round walls for bodies of every radius, over what stands now. Thread: one at a time.
+/// Path planning around walls and obstacles for bodies of any radius, for the current state of the
+/// doors. Not thread-safe.
 class NavigationMap {
  public:
-  /// `layers`: of this map and these obstacles; null: its own.
+  /// `layers`: cache for this map and these obstacles; null: creates its own.
   NavigationMap(const OccupancyGrid& map, const Obstacles& obstacles, std::vector<Vec2> places,
-                std::shared_ptr<NavigationLayers> layers = nullptr);
-  /// After doors were switched.
+                std::shared_ptr<NavigationLayerCache> layers = nullptr);
+  /// To be called after doors were opened or closed.
   void update(const OccupancyGrid& map, const Obstacles& obstacles);
-  /// Counts the calls of `update`; routes from before are out of date.
+  /// Number of calls of `update`; older routes are outdated.
   int version() const { return version_; }
 
-  /// From start to goal; empty when there is none.
+  /// From start to goal; empty if there is no path.
   std::vector<Vec2> plan(double radius, const Vec2& start, const Vec2& goal) const;
-  /// The same, and out of convex polygons; none may hold the start or the goal; empty as well where
-  /// nothing else stands: there is room to pass.
+  /// The same, also avoiding convex polygons, which must not contain the start or the goal. Empty
+  /// as well on the open plane, where no detour is needed.
   std::vector<Vec2> planAround(double radius, const Vec2& start, const Vec2& goal,
                                const std::vector<std::vector<Vec2>>& closed) const {
     return isOpenPlane() ? std::vector<Vec2>()
@@ -117,12 +118,13 @@ class NavigationMap {
   bool isClear(double radius, const Vec2& from, const Vec2& to) const {
     return isOpenPlane() || plannerFor(radius)->isClear(from, to);
   }
-  std::optional<Vec2> nearestFit(double radius, const Vec2& point) const;
-  /// At least this much room to the next wall [m], by the grid; large where nothing stands.
+  std::optional<Vec2> nearestFreePosition(double radius, const Vec2& point) const;
+  /// Lower bound of the distance to the next wall [m], from the grid; a large value without
+  /// obstacles.
   double clearance(const Vec2& point) const;
-  /// Nothing stands anywhere.
+  /// There is no map and no obstacle.
   bool isOpenPlane() const { return layer_->field() == nullptr; }
-  /// True: surely no wall between the two; false: perhaps one.
+  /// True: certainly no wall between the points. False: there may be one.
   bool isOpenBetween(const Vec2& from, const Vec2& to) const {
     return isOpenPlane() || layer_->blocks()->areFree(from, to);
   }
@@ -131,7 +133,7 @@ class NavigationMap {
   std::shared_ptr<PathPlanner> plannerFor(double radius) const;
 
   std::vector<Vec2> places_;
-  std::shared_ptr<NavigationLayers> layers_;
+  std::shared_ptr<NavigationLayerCache> layers_;
   std::shared_ptr<const NavigationLayer> layer_;
   int version_ = 0;
 };

@@ -1,4 +1,4 @@
-// Rules by which obstacles act on bodies: the two queries of Obstacles that yield points.
+// The two rules by which obstacles act on bodies: boundary points and ray points.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,22 +8,23 @@
 #include <limits>
 #include <utility>
 
-#include "sim2d/map/ObstacleMemory.h"
+#include "sim2d/map/ObstacleQueryCache.h"
 #include "sim2d/map/Obstacles.h"
-#include "sim2d/map/TautWay.h"
+#include "sim2d/map/StringPulling.h"
 
 namespace sim2d {
 
 namespace {
 
-constexpr double kSlack = 1e-9;         // [m] rounding where an edge is cut into pieces
-constexpr double kStepOut = 1e-6;       // [m] from a border into what is free
+constexpr double kSlack = 1e-9;         // [m], rounding where an edge is split
+constexpr double kStepOut = 1e-6;       // [m], step from a border into free space
 constexpr double kMergeDistance = 0.3;  // [m]
 constexpr double kRayRange = 4.0;       // [m]
 
-constexpr double kSurely = 2e-9;  // [m]; distances so far apart are in different steps
+constexpr double kSurely = 2e-9;  // [m]; a larger difference always means different ranks
 
-/// In steps of a nanometre: feet of equal distance stay in one order however their outline is cut.
+/// Compares distances rounded to a nanometre, so that equally distant points keep one order however
+/// their outline is split.
 bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
   if (std::abs(a.distance - b.distance) > kSurely) {
     return a.distance < b.distance;
@@ -38,9 +39,8 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
-/// From each of the points before it, which are sorted by distance. One that is nearer to the
-/// position by more than the merge distance is farther than that from the point, and so are all
-/// before it.
+/// Whether the point keeps the merge distance from all given points, which are sorted by distance.
+/// Points that are nearer to the position by more than the merge distance cannot be within it.
 template <class Iterator>
 bool isFarFromAll(const Obstacles::Point& point, Iterator begin, Iterator end) {
   while (begin != end) {
@@ -58,7 +58,7 @@ bool isFarFromAll(const Obstacles::Point& point, Iterator begin, Iterator end) {
 }  // namespace
 
 struct Obstacles::PointQuery {
-  /// A local minimum on one edge, or where two meet.
+  /// A local minimum of distance on an edge or at a corner.
   struct Candidate {
     Point point;
     int edge, other;
@@ -83,7 +83,8 @@ struct Obstacles::PointQuery::Rank {
   std::size_t candidate = 0;
 };
 
-/// Ranks are moved about instead of candidates, which are large. Valid until the next call.
+/// Candidate indices sorted by distance; cheaper than sorting the candidates, which are large.
+/// Valid until the next call.
 const std::vector<Obstacles::PointQuery::Rank>& Obstacles::PointQuery::nearestFirst() const {
   thread_local std::vector<Rank> ranks;
   ranks.clear();
@@ -100,7 +101,7 @@ const std::vector<Obstacles::PointQuery::Rank>& Obstacles::PointQuery::nearestFi
     std::sort(ranks.begin(), ranks.end(), isBefore);
     return ranks;
   }
-  for (std::size_t k = 1; k < ranks.size(); ++k) {  // most stand in their order
+  for (std::size_t k = 1; k < ranks.size(); ++k) {  // most are already in order
     const Rank rank = ranks[k];
     std::size_t at = k;
     for (; at > 0 && isBefore(rank, ranks[at - 1]); --at) {
@@ -113,9 +114,9 @@ const std::vector<Obstacles::PointQuery::Rank>& Obstacles::PointQuery::nearestFi
 
 void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
                                double range) const {
-  const Question<3> question(version_, {position.x(), position.y(), range});
-  PointsAnswer& slot = lastPoints().slotOf(question);
-  if (version_ != 0 && slot.question == question) {
+  const QueryKey<3> queryKey(version_, {position.x(), position.y(), range});
+  CachedPoints& slot = pointsCache().slotOf(queryKey);
+  if (version_ != 0 && slot.queryKey == queryKey) {
     points.insert(points.end(), slot.points.begin(),
                   slot.points.begin() + static_cast<std::ptrdiff_t>(slot.count));
     return;
@@ -123,7 +124,7 @@ void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
   const std::size_t first = points.size();
   findBoundaryPoints(position, points, range);
   if (points.size() - first <= slot.points.size()) {
-    slot.question = question;
+    slot.queryKey = queryKey;
     slot.count = points.size() - first;
     std::copy(points.end() - static_cast<std::ptrdiff_t>(slot.count), points.end(),
               slot.points.begin());
@@ -133,7 +134,7 @@ void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
 void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& points,
                                    double range) const {
   if (isInside(position)) {
-    points.push_back(nearestWayOut(position));
+    points.push_back(nearestExit(position));
     return;
   }
   thread_local std::vector<PointQuery::Candidate> candidates;
@@ -144,7 +145,7 @@ void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& poi
   for (const PointQuery::Rank& rank : query.nearestFirst()) {
     const PointQuery::Candidate& each = candidates[rank.candidate];
     const bool isAlone = isFarFromAll(each.point, points.begin() + start, points.end());
-    if (isAlone && isExposed(each.point.position, each.edge, each.other)) {  // the dear one last
+    if (isAlone && isExposed(each.point.position, each.edge, each.other)) {  // expensive, so last
       points.push_back(each.point);
     }
   }
@@ -169,9 +170,10 @@ void Obstacles::PointQuery::addCandidates() const {
                 [&](unsigned each) { add(static_cast<int>(each >> 2U), each); });
 }
 
-/// Of the square of the position; null where they are too many. Valid until the next call.
+/// Cached edges of the square around the position; null: too many. Valid until the next call.
 const NearEdges* Obstacles::PointQuery::nearEdges() const {
-  const bool isUsual = position.cwiseAbs().maxCoeff() < base::kFarthest && range < base::kFarthest;
+  const bool isUsual =
+      position.cwiseAbs().maxCoeff() < base::kMaxCoordinate && range < base::kMaxCoordinate;
   if (obstacles.version_ == 0 || !isUsual) {
     return nullptr;
   }
@@ -185,10 +187,10 @@ const NearEdges* Obstacles::PointQuery::nearEdges() const {
   return kept.count <= NearEdges::kMost ? &kept : nullptr;
 }
 
-/// From near to far, so that there is little to sort at any position.
+/// Nearest first, so that candidates are almost sorted for any position in the square.
 void Obstacles::PointQuery::findNearEdges(NearEdges& square) const {
   const Vec2 middle = square.middle();
-  thread_local std::vector<std::pair<double, unsigned>> found;  // distance from the middle [m]
+  thread_local std::vector<std::pair<double, unsigned>> found;  // [m] to the centre, edge
   found.clear();
   obstacles.cells_.visitNear(middle, range + kHalfDiagonal, [&](int edge) {
     const unsigned has = (mayHaveFoot(edge, middle) ? NearEdges::kFoot : 0U) |
@@ -208,7 +210,7 @@ void Obstacles::PointQuery::findNearEdges(NearEdges& square) const {
   }
 }
 
-/// Whether `addFoot` may find one for a position in the square around the middle.
+/// Whether `addFoot` may find a point for some position in the square around `middle`.
 bool Obstacles::PointQuery::mayHaveFoot(int edge, const Vec2& middle) const {
   constexpr double kWithin = kHalfDiagonal + 2.0 * kSlack;
   const Edge& info = obstacles.edges_[static_cast<std::size_t>(edge)];
@@ -244,8 +246,8 @@ void Obstacles::addFoot(int edge, const PointQuery& query) const {
       {{place, (query.position - place).norm(), false, info.part}, edge, edge});
 }
 
-/// The first corner of an edge is a local minimum when the position lies ahead of neither of the
-/// two edges that leave it.
+/// The first corner of an edge is a local minimum if the position projects onto neither adjacent
+/// edge.
 void Obstacles::addCorner(int edge, const PointQuery& query) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Vec2& corner = segments_[static_cast<std::size_t>(edge)].a;
@@ -262,15 +264,15 @@ void Obstacles::addCorner(int edge, const PointQuery& query) const {
   }
 }
 
-/// Whether free space begins at a point of two edges (or twice the same), on their right: no other
-/// obstacle covers it.
+/// Whether free space begins to the right of the two edges (or twice the same) at this point: no
+/// other obstacle covers it.
 bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Edge& otherInfo = edges_[static_cast<std::size_t>(other)];
-  const bool isBare = edge == other ? info.isBare
-                                    : (info.next == other && otherInfo.isCornerBare &&
-                                       place == segments_[static_cast<std::size_t>(other)].a);
-  return isBare || !isCovered(place, edge, other, false);
+  const bool isUncovered = edge == other ? info.isUncovered
+                                         : (info.next == other && otherInfo.isCornerUncovered &&
+                                            place == segments_[static_cast<std::size_t>(other)].a);
+  return isUncovered || !isCovered(place, edge, other, false);
 }
 
 bool Obstacles::isCovered(const Vec2& place, int edge, int other, bool withDisabled) const {
@@ -283,45 +285,46 @@ bool Obstacles::isCovered(const Vec2& place, int edge, int other, bool withDisab
   return length > kSlack && solidPartAt(place + kStepOut / length * outward, withDisabled) >= 0;
 }
 
-/// No edge but its neighbours comes near this one.
-bool Obstacles::isApart(int edge) const {
+/// No edge except its neighbours comes near this one.
+bool Obstacles::isIsolated(int edge) const {
   const Segment& segment = segments_[static_cast<std::size_t>(edge)];
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Vec2 low = segment.a.cwiseMin(segment.b) - Vec2::Constant(kStepOut);
   const Vec2 high = segment.a.cwiseMax(segment.b) + Vec2::Constant(kStepOut);
-  bool isApart = true;
+  bool isIsolated = true;
   index_.visitAlong(segment, [&](int other) {
-    if (!isApart || other == edge || other == info.previous || other == info.next) {
+    if (!isIsolated || other == edge || other == info.previous || other == info.next) {
       return;
     }
     const Segment& near = segments_[static_cast<std::size_t>(other)];
     const bool isBeside = (near.a.cwiseMax(near.b).array() < low.array()).any() ||
                           (near.a.cwiseMin(near.b).array() > high.array()).any();
-    isApart = isBeside || distanceBetween(segment, near) > kStepOut;
+    isIsolated = isBeside || distanceBetween(segment, near) > kStepOut;
   });
-  return isApart;
+  return isIsolated;
 }
 
-/// An edge that no other one comes near is covered everywhere or nowhere. Neither depends on which
-/// parts are switched on when it is free with all of them.
-void Obstacles::findBare(const base::StopFlag& stop) {
+/// An isolated edge is covered entirely or not at all. If it is free with all parts enabled, it is
+/// free in every state of the doors.
+void Obstacles::findUncovered(const base::StopFlag& stop) {
   std::vector<char> apart(edges_.size());
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     stop.check();
-    apart[i] = isApart(static_cast<int>(i)) ? 1 : 0;
+    apart[i] = isIsolated(static_cast<int>(i)) ? 1 : 0;
   }
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     Edge& edge = edges_[i];
     const Segment& segment = segments_[i];
     const auto number = static_cast<int>(i);
-    edge.isBare = apart[i] != 0 && !isCovered(0.5 * (segment.a + segment.b), number, number, true);
-    edge.isCornerBare = apart[i] != 0 && apart[static_cast<std::size_t>(edge.previous)] != 0 &&
-                        !isCovered(segment.a, edge.previous, number, true);
+    edge.isUncovered =
+        apart[i] != 0 && !isCovered(0.5 * (segment.a + segment.b), number, number, true);
+    edge.isCornerUncovered = apart[i] != 0 && apart[static_cast<std::size_t>(edge.previous)] != 0 &&
+                             !isCovered(segment.a, edge.previous, number, true);
   }
 }
 
-/// The nearest exposed point of an edge: the point itself, or where other edges cross it.
-void Obstacles::improveWayOut(int edge, const Vec2& position, Point& best) const {
+/// The nearest exposed point of an edge: the closest point, or an intersection with another edge.
+void Obstacles::improveExit(int edge, const Vec2& position, Point& best) const {
   const Segment& segment = segments_[static_cast<std::size_t>(edge)];
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Vec2 nearest = closestOnSegment(segment, position);
@@ -350,15 +353,15 @@ void Obstacles::improveWayOut(int edge, const Vec2& position, Point& best) const
   });
 }
 
-Obstacles::Point Obstacles::nearestWayOut(const Vec2& position) const {
+Obstacles::Point Obstacles::nearestExit(const Vec2& position) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Point best{position, kFar, true, -1};
   index_.visitNear(position, best.distance, [&](int edge) {
     if (isOn(edge)) {
-      improveWayOut(edge, position, best);
+      improveExit(edge, position, best);
     }
   });
-  if (best.part < 0) {  // covered on all sides
+  if (best.part < 0) {  // covered everywhere
     best = nearestPoint(position, kFar).value_or(Point{position, 0.0, true, -1});
     best.inside = true;
   }

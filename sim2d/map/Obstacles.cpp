@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/map/ObstacleMemory.h"
+#include "sim2d/map/ObstacleQueryCache.h"
 
 namespace sim2d {
 
@@ -14,8 +14,8 @@ namespace {
 constexpr double kBucketSize = 1.0;  // [m]
 constexpr double kCellSide = 2.0;    // [m]
 
-/// The segment is crossed by the horizontal line of `y`, seen from its lower end (half open, so a
-/// line through a corner meets one of the two edges).
+/// Whether the interval of an edge contains `at` (half open: a line through a corner crosses one of
+/// its two edges).
 bool straddles(double low, double high, double at) {
   return (low <= at) != (high <= at);
 }
@@ -24,23 +24,23 @@ bool isLeftOf(const Segment& segment, const Vec2& point) {
   return base::cross(segment.b - segment.a, point - segment.a) > 0.0;
 }
 
-/// The point lies towards -x of a segment that rises or falls.
+/// The point lies towards -x of a segment that is not horizontal.
 bool isWestOf(const Segment& segment, const Vec2& point) {
   return isLeftOf(segment, point) == (segment.b.y() > segment.a.y());
 }
 
-/// True only where `raySegmentHit` finds nothing as near as `most`, and that without its divisions:
-/// most segments near a ray are beside it. `length` of the segment [m].
-bool surelyMisses(const Vec2& from, const Vec2& direction, double most, const Segment& segment,
-                  double length) {
-  constexpr double kMore = 1e-8;  // share and [m], more than its tolerance and all rounding
+/// Cheap test without divisions: true only if `raySegmentHit` finds no hit within `most`. Most
+/// segments near a ray are rejected by it. `length`: of the segment [m].
+bool certainlyMisses(const Vec2& from, const Vec2& direction, double most, const Segment& segment,
+                     double length) {
+  constexpr double kMore = 1e-8;  // fraction and [m]; exceeds its tolerance and rounding errors
   const Vec2 along = segment.b - segment.a;
   const Vec2 offset = segment.a - from;
   const double slope = base::cross(direction, along);
   const double side = slope < 0.0 ? -1.0 : 1.0;
   const double depth = side * slope;
-  const double onRay = side * base::cross(offset, along);          // times depth
-  const double onSegment = side * base::cross(offset, direction);  // share of it, times depth
+  const double onRay = side * base::cross(offset, along);          // distance, times depth
+  const double onSegment = side * base::cross(offset, direction);  // fraction, times depth
   const double slack = kMore * (1.0 + length) * depth;
   return onSegment * length < -slack || (onSegment - depth) * length > slack || onRay < -slack ||
          onRay > (most + kMore * (1.0 + most)) * depth;
@@ -86,7 +86,7 @@ void Obstacles::build(const base::StopFlag& stop) {
   index_.build(segments_, kBucketSize);
   cells_.build(segments_, kCellSide);
   countWindings(stop);
-  findBare(stop);
+  findUncovered(stop);
   rays_.clear();
   for (int degrees = 0; degrees < 360; degrees += 4) {
     const double angle = degrees * base::kPi / 180.0;
@@ -114,8 +114,8 @@ void Obstacles::addOutline(const Outline& outline, int part) {
   }
 }
 
-/// Windings round the centres of the buckets, from which those of any point follow by the few
-/// edges in its bucket.
+/// Winding numbers at the bucket centres; those of any point follow from the few edges in its
+/// bucket.
 void Obstacles::countWindings(const base::StopFlag& stop) {
   windings_.clear();
   windingStart_.assign(1, 0);
@@ -125,8 +125,8 @@ void Obstacles::countWindings(const base::StopFlag& stop) {
   }
 }
 
-/// The edges met by the line through the centres of a row, with the last column whose centre lies
-/// to the left of the edge.
+/// The edges that cross the centre line of a row, each with the last column whose centre lies to
+/// its left.
 std::vector<Obstacles::Crossing> Obstacles::crossingsOfRow(int row) const {
   std::vector<int> edges;
   for (int column = 0; column < index_.width(); ++column) {
@@ -156,7 +156,7 @@ std::vector<Obstacles::Crossing> Obstacles::crossingsOfRow(int row) const {
   return crossings;
 }
 
-/// From the left: what lies to the right of a centre is all less what has been passed.
+/// From left to right: starts with the sum of all crossings and subtracts those passed.
 void Obstacles::countWindingsOfRow(int row) {
   const std::vector<Crossing> crossings = crossingsOfRow(row);
   std::vector<int> counts = background_;
@@ -182,7 +182,7 @@ void Obstacles::countWindingsOfRow(int row) {
   }
 }
 
-/// Walks from the bucket's centre along x, then along y, and counts the edges crossed.
+/// Moves from the bucket's centre along x, then along y, and counts the edges crossed.
 int Obstacles::windingAt(const Vec2& point, SegmentGrid::Bucket bucket,
                          const Winding& atCentre) const {
   const Vec2 centre = index_.centreOf(bucket);
@@ -277,7 +277,7 @@ Obstacles::Hit Obstacles::firstHit(const Vec2& from, const Vec2& direction, doub
     for (const int edge : items) {
       const Segment& segment = segments_[static_cast<std::size_t>(edge)];
       const double length = edges_[static_cast<std::size_t>(edge)].length;
-      if (!isOn(edge) || surelyMisses(from, direction, best.distance, segment, length)) {
+      if (!isOn(edge) || certainlyMisses(from, direction, best.distance, segment, length)) {
         continue;
       }
       const std::optional<double> hit = raySegmentHit(from, direction, segment);
@@ -290,14 +290,14 @@ Obstacles::Hit Obstacles::firstHit(const Vec2& from, const Vec2& direction, doub
   return best;
 }
 
-/// Whether `firstHit` has an edge: any will do.
+/// Whether `firstHit` finds any edge.
 bool Obstacles::isHit(const Vec2& from, const Vec2& direction, double range) const {
   bool isHit = false;
   index_.visitRay(from, direction, range, [&](SegmentGrid::Items items, double /*end*/) {
     isHit = std::any_of(items.begin(), items.end(), [&](int edge) {
       const Segment& segment = segments_[static_cast<std::size_t>(edge)];
       const double length = edges_[static_cast<std::size_t>(edge)].length;
-      if (!isOn(edge) || surelyMisses(from, direction, range, segment, length)) {
+      if (!isOn(edge) || certainlyMisses(from, direction, range, segment, length)) {
         return false;
       }
       const std::optional<double> hit = raySegmentHit(from, direction, segment);
@@ -308,20 +308,20 @@ bool Obstacles::isHit(const Vec2& from, const Vec2& direction, double range) con
   return isHit;
 }
 
-/// Asked from one end, whichever it is: who is seen sees. The last answers stay, as those of
-/// `boundaryPoints` do: people, a robot's sensors and the metrics ask the same.
+/// Always evaluated in the same direction, so that visibility is symmetric. Recent results are
+/// cached, as for `boundaryPoints`: people, sensors and metrics query the same pairs.
 bool Obstacles::isVisible(const Vec2& from, const Vec2& to) const {
   const bool isForward = from.x() != to.x() ? from.x() < to.x() : from.y() <= to.y();
   const Vec2& first = isForward ? from : to;
   const Vec2& second = isForward ? to : from;
-  const Question<4> question(version_, {first.x(), first.y(), second.x(), second.y()});
-  SightAnswer& slot = lastSights().slotOf(question);
-  if (version_ == 0 || !(slot.question == question)) {
+  const QueryKey<4> queryKey(version_, {first.x(), first.y(), second.x(), second.y()});
+  CachedVisibility& slot = visibilityCache().slotOf(queryKey);
+  if (version_ == 0 || !(slot.queryKey == queryKey)) {
     const Vec2 whole = second - first;
     const double range = whole.norm();
     slot.isSeen = !isInside(first) && (range == 0.0 || !isHit(first, whole / range, range)) &&
                   !isInside(second);
-    slot.question = question;
+    slot.queryKey = queryKey;
   }
   return slot.isSeen;
 }

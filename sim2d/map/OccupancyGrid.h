@@ -21,14 +21,14 @@ struct Cell {
   friend bool operator!=(Cell a, Cell b) { return !(a == b); }
 };
 
-/// A nav2 occupancy grid. Values: 100 occupied, 0 free, -1 unknown, 1..99 probability. Row-major
-/// from the lower left. A grid without cells is the open plane: free everywhere. Outside the cells
-/// nothing stands. Immutable after reading; safe to share between threads; copies share the cells.
+/// A Nav2 occupancy grid. Values: 100 occupied, 0 free, -1 unknown, 1..99 probability. Row-major
+/// from the lower left. A grid without cells is the open plane: free everywhere. Outside the grid
+/// is free. Immutable and thread-safe; copies share the cells.
 class OccupancyGrid {
  public:
   OccupancyGrid() = default;  // open plane
-  /// `cells` holds width * height values; resolution [m] > 0; `origin` = pose of the lower left
-  /// corner of the lower left cell.
+  /// `cells`: width * height values; `resolution` [m] > 0; `origin`: pose of the lower left corner
+  /// of the lower left cell.
   OccupancyGrid(int width, int height, double resolution, Pose2 origin,
                 std::vector<std::int8_t> cells);
 
@@ -48,14 +48,14 @@ class OccupancyGrid {
   bool isWall(Cell cell) const { return valueAt(cell) > 50; }
   bool isUnknown(Cell cell) const { return valueAt(cell) < 0; }
 
-  std::size_t indexOf(Cell cell) const {  // into cells(); the cell must lie inside
+  std::size_t indexOf(Cell cell) const {  // index in cells(); the cell must lie inside
     assert(contains(cell));
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(cell.column);
   }
 
   Cell worldToCell(const Vec2& point) const;    // floor; may lie outside; NaN: (-1, -1)
-  Vec2 worldToCorner(const Vec2& point) const;  // the same without floor: inverse of cornerToWorld
+  Vec2 worldToCorner(const Vec2& point) const;  // without floor; inverse of cornerToWorld
   Vec2 cellToWorld(Cell cell) const {           // centre
     return cornerToWorld(cell.column + 0.5, cell.row + 0.5);
   }
@@ -71,5 +71,15 @@ class OccupancyGrid {
   Vec2 axis_{1.0, 0.0};                                    // direction of growing columns
   std::shared_ptr<const std::vector<std::int8_t>> cells_;  // null: none
 };
+
+/// A planner's costmap, for display. Axes of the world frame; row-major from the lower left. Values
+/// as in Nav2: 0 free, 1 … 252 inflated, 253 inscribed, 254 lethal, 255 unknown.
+struct CostGrid {
+  int columns = 0, rows = 0;
+  double resolution = 0.05;                // [m], cell size
+  base::Vec2 origin = base::Vec2::Zero();  // lower left corner [m]
+  std::vector<std::uint8_t> costs;         // columns * rows
+};
+using CostGridPtr = std::shared_ptr<const CostGrid>;
 
 }  // namespace sim2d

@@ -9,19 +9,19 @@ namespace sim2d {
 
 namespace {
 
-/// A corner of the border of the wall cells, in cell coordinates.
+/// A corner of the border of wall cells, in cell coordinates.
 struct Corner {
   int column = 0, row = 0;
-  int direction = 0;     // of the edge that leaves it: 0 = +x, 1 = +y, 2 = -x, 3 = -y
+  int direction = 0;     // of the outgoing edge: 0 = +x, 1 = +y, 2 = -x, 3 = -y
   bool left = false;     // the border turns left here
-  bool pinched = false;  // two wall cells touch here by their corners alone
+  bool pinched = false;  // two wall cells touch only by their corners
 };
 using Ring = std::vector<Corner>;
 
 constexpr std::array<Cell, 4> kStep = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-/// Follows the borders with the solid on the left. Where wall cells touch by their corners they
-/// count as joined, so nothing slips between them.
+/// Traces borders with the solid on the left. Wall cells that touch by a corner count as connected,
+/// so nothing passes between them.
 class BorderWalk {
  public:
   BorderWalk(const OccupancyGrid& grid, const base::StopFlag& stop)
@@ -63,7 +63,7 @@ class BorderWalk {
     return ring;
   }
 
-  /// The cell ahead on the left of who stands on a corner.
+  /// The cell ahead on the left, seen from a corner in this direction.
   static Cell aheadLeft(Cell corner, int direction) {
     constexpr std::array<Cell, 4> kAhead = {{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
     const Cell offset = kAhead[static_cast<std::size_t>(direction)];
@@ -75,7 +75,7 @@ class BorderWalk {
   std::vector<bool> visited_;  // lower edges of wall cells
 };
 
-/// A side of one cell between a left and a right turn: part of a staircase, a slanted wall.
+/// A border edge of one cell between a left and a right turn: part of a staircase (slanted wall).
 bool isStep(const Ring& ring, std::size_t index) {
   const Corner& from = ring[index];
   const Corner& to = ring[(index + 1) % ring.size()];
@@ -87,7 +87,7 @@ Vec2 pointOf(const Corner& corner) {
   return Vec2(corner.column, corner.row);
 }
 
-/// A pinched corner is cut so that the border does not touch itself there.
+/// Cuts a pinched corner, so that the border does not touch itself.
 void appendCorner(const Corner& corner, std::vector<Vec2>& points) {
   constexpr double kCut = 0.25;
   if (!corner.pinched) {
@@ -108,8 +108,8 @@ std::vector<Vec2> exactRing(const Ring& ring) {
   return points;
 }
 
-/// Douglas-Peucker over a ring. Staircases are judged by the middles of their steps; the distance
-/// to the true corners is what has to stay within the tolerance.
+/// Douglas-Peucker on a ring. Candidates in staircases are the middles of the steps; the distance
+/// to the true corners must stay within the tolerance.
 class Simplifier {
  public:
   Simplifier(const Ring& ring, const base::StopFlag& stop) : stop_(stop) {
@@ -129,7 +129,7 @@ class Simplifier {
 
   std::vector<Vec2> points() {
     startAtCandidate();
-    const std::size_t count = marks_.size() - 1;  // the last repeats the first
+    const std::size_t count = marks_.size() - 1;  // the last mark repeats the first
     keep_.assign(marks_.size(), false);
     std::size_t far = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -165,7 +165,7 @@ class Simplifier {
     marks_.push_back(marks_.front());
   }
 
-  /// In pieces of bounded length, so that long borders do not cost their square.
+  /// Processes long borders in pieces, to avoid quadratic time.
   void keepBetween(std::size_t first, std::size_t last) {
     constexpr std::size_t kPiece = 4096;
     std::vector<std::pair<std::size_t, std::size_t>> open;
@@ -193,7 +193,7 @@ class Simplifier {
     }
   }
 
-  /// The candidate farthest from the chord when some mark is too far from it, else `low`.
+  /// The candidate farthest from the chord if a mark exceeds the tolerance, else `low`.
   std::size_t worstBetween(std::size_t low, std::size_t high) const {
     constexpr double kTolerance = 0.5 + 1e-9;  // [cells]
     const Segment chord{marks_[low].point, marks_[high].point};
@@ -234,7 +234,7 @@ bool isConflict(const Segment& first, const Segment& second, bool sameRing) {
   return segmentsTouch(first, second);
 }
 
-/// Numbers of the rings that touch or cross themselves or another one.
+/// Indices of the rings that touch or cross themselves or another ring.
 std::vector<std::size_t> conflicts(const std::vector<std::vector<Vec2>>& rings,
                                    const base::StopFlag& stop) {
   std::vector<Segment> edges;
@@ -273,7 +273,7 @@ std::vector<Outline> traceOutlines(const OccupancyGrid& grid, const base::StopFl
     shapes.push_back(simplifiedRing(ring, stop));
   }
   std::vector<bool> exact(rings.size(), false);
-  // Exact rings never touch, so this ends.
+  // Exact rings never touch, so the loop terminates.
   for (bool changed = true; changed;) {
     changed = false;
     for (const std::size_t ring : conflicts(shapes, stop)) {

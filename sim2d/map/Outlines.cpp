@@ -36,12 +36,12 @@ Outline boxAlong(const Vec2& from, const Vec2& to, double thickness, const Vec2&
   return {{from - side, to - side, to + side, from + side}};
 }
 
-/// Offset of a joint of two legs to the left by half the thickness, as a mitre; none where the
-/// mitre would grow longer than twice that.
+/// Mitre offset to the left of a joint, at half the thickness; none if the mitre would be longer
+/// than twice that.
 std::optional<Vec2> mitre(const Vec2& before, const Vec2& at, const Vec2& after, double half) {
   const Vec2 in = (at - before).normalized();
   const Vec2 out = (after - at).normalized();
-  const Vec2 sum(-in.y() - out.y(), in.x() + out.x());  // of the left normals
+  const Vec2 sum(-in.y() - out.y(), in.x() + out.x());  // sum of the left normals
   const double square = sum.squaredNorm();
   if (square < 1.0) {  // |sum| = 2 cos(turn / 2); mitre length = half / cos(turn / 2)
     return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<Vec2> mitre(const Vec2& before, const Vec2& at, const Vec2& after,
   return Vec2(2.0 * half / square * sum);
 }
 
-/// Offset of each point of the line to its left; none when a turn is too sharp.
+/// Offset of each point to its left; none if a turn is too sharp.
 std::optional<std::vector<Vec2>> leftOffsets(const std::vector<Vec2>& line, bool closed,
                                              double half) {
   const std::size_t count = line.size();
@@ -71,7 +71,7 @@ std::optional<std::vector<Vec2>> leftOffsets(const std::vector<Vec2>& line, bool
   return offsets;
 }
 
-/// One border runs counter-clockwise round the other, which runs clockwise.
+/// Whether one border runs counter-clockwise around the other, which runs clockwise.
 bool isRing(const std::vector<Vec2>& right, const std::vector<Vec2>& left) {
   if (!isSimple(left) || !isSimple(right) || signedArea(left) * signedArea(right) >= 0.0) {
     return false;
@@ -80,8 +80,8 @@ bool isRing(const std::vector<Vec2>& right, const std::vector<Vec2>& left) {
   return leftInside != isInside(left, right.front()) && signedArea(leftInside ? right : left) > 0.0;
 }
 
-/// The strip as one polygon (open line) or as outer and inner border (closed line); empty where
-/// the strip would overlap itself.
+/// The strip as one polygon (open line), or as outer and inner border (closed line); empty if it
+/// would overlap itself.
 std::vector<Outline> mitredStrip(const std::vector<Vec2>& line, bool closed, double thickness) {
   const std::optional<std::vector<Vec2>> offsets = leftOffsets(line, closed, 0.5 * thickness);
   if (!offsets) {
@@ -266,6 +266,115 @@ bool isSimple(const std::vector<Vec2>& polygon) {
     }
   }
   return true;
+}
+
+namespace {
+
+constexpr double kTouching = 1e-6;  // [m]; a line that is inside for less only touches
+
+bool isLeftTurn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return base::cross(b - a, c - b) > 0.0;
+}
+
+/// One half of the hull; `begin` to `end` are sorted by x.
+template <class Iterator>
+void appendHalf(Iterator begin, Iterator end, std::vector<Vec2>& hull) {
+  const std::size_t first = hull.size();
+  for (Iterator point = begin; point != end; ++point) {
+    while (hull.size() >= first + 2 && !isLeftTurn(hull[hull.size() - 2], hull.back(), *point)) {
+      hull.pop_back();
+    }
+    hull.push_back(*point);
+  }
+  hull.pop_back();  // first point of the other half
+}
+
+/// The corners from index `from` to `to`, counter-clockwise.
+std::vector<Vec2> alongFrom(const std::vector<Vec2>& polygon, std::size_t from, std::size_t to) {
+  std::vector<Vec2> path = {polygon[from]};
+  while (from != to) {
+    from = from + 1 < polygon.size() ? from + 1 : 0;
+    path.push_back(polygon[from]);
+  }
+  return path;
+}
+
+}  // namespace
+
+std::vector<Vec2> convexHull(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) {
+    return points;
+  }
+  std::vector<Vec2> hull;
+  hull.reserve(points.size() + 1);
+  appendHalf(points.begin(), points.end(), hull);
+  appendHalf(points.rbegin(), points.rend(), hull);
+  return hull;
+}
+
+std::optional<PolygonEntry> entryPoint(const std::vector<Vec2>& polygon, const Vec2& from,
+                                       const Vec2& to) {
+  if (polygon.empty()) {
+    return std::nullopt;
+  }
+  const Vec2 along = to - from;
+  const double length = along.norm();
+  PolygonEntry entry;
+  double leaves = 1.0;
+  double nearest = -1e300;  // signed distance to the nearest edge, for a line that begins inside
+  bool isInside = true;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 edge = polygon[i + 1 < polygon.size() ? i + 1 : 0] - polygon[i];
+    const Vec2 outwards = Vec2(edge.y(), -edge.x()) / std::max(edge.norm(), 1e-12);
+    const double outside = (from - polygon[i]).dot(outwards);
+    const double rate = along.dot(outwards);
+    if (outside >= 0.0) {
+      isInside = false;
+      if (rate >= 0.0) {
+        return std::nullopt;
+      }
+      if (outside / -rate >= entry.share) {
+        entry = {outside / -rate, i};
+      }
+    } else if (rate > 0.0) {
+      leaves = std::min(leaves, -outside / rate);
+    }
+    if (isInside && outside > nearest) {
+      nearest = outside;
+      entry.edge = i;
+    }
+  }
+  if (!isInside && (leaves - entry.share) * length <= kTouching) {
+    return std::nullopt;
+  }
+  return entry;
+}
+
+PathsAround pathsAround(const std::vector<Vec2>& polygon, const Vec2& from, const Vec2& to) {
+  PathsAround paths;
+  const std::optional<PolygonEntry> entry = entryPoint(polygon, from, to);
+  if (!entry || entry->share <= 0.0) {
+    return paths;
+  }
+  std::vector<Vec2> points = polygon;
+  points.push_back(from);
+  points.push_back(to);
+  const std::vector<Vec2> hull = convexHull(std::move(points));
+  const auto begin = std::find(hull.begin(), hull.end(), from);
+  const auto end = std::find(hull.begin(), hull.end(), to);
+  if (begin == hull.end() || end == hull.end()) {
+    return paths;
+  }
+  const auto first = static_cast<std::size_t>(begin - hull.begin());
+  const auto last = static_cast<std::size_t>(end - hull.begin());
+  paths.right = alongFrom(hull, first, last);
+  paths.left = alongFrom(hull, last, first);
+  std::reverse(paths.left.begin(), paths.left.end());
+  return paths;
 }
 
 }  // namespace sim2d

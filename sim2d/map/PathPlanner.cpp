@@ -5,19 +5,19 @@
 #include <cmath>
 #include <utility>
 
-#include "sim2d/map/ConvexPolygon.h"
-#include "sim2d/map/GoalField.h"
+#include "sim2d/map/GoalSearch.h"
+#include "sim2d/map/Outlines.h"
 
 namespace sim2d {
 
 namespace {
 
 using Polygons = std::vector<std::vector<Vec2>>;
-constexpr double kMostAround = 4e6;  // cells that a way round bodies is searched among
+constexpr double kMaxAround = 4e6;  // cells of a search around polygons
 
 bool meets(const Polygons& polygons, const Vec2& from, const Vec2& to) {
   return std::any_of(polygons.begin(), polygons.end(), [&](const std::vector<Vec2>& polygon) {
-    return entryInto(polygon, from, to).has_value();
+    return entryPoint(polygon, from, to).has_value();
   });
 }
 
@@ -26,12 +26,12 @@ struct CellBox {
   Cell low, high;
 };
 
-/// Cells of a terrain that lie in a box, but for those in polygons. One at a time per thread.
-class TerrainAround {
+/// Cells of a terrain inside a box and outside polygons. At most one object per thread.
+class MaskedTerrain {
  public:
   using Index = Terrain::Index;
 
-  TerrainAround(const Terrain& terrain, const CellBox& box, const OccupancyGrid& grid,
+  MaskedTerrain(const Terrain& terrain, const CellBox& box, const OccupancyGrid& grid,
                 const Polygons& closed)
       : terrain_(terrain), box_(box), isClosed_(marks(terrain.size())) {
     fillBox(0);
@@ -39,11 +39,11 @@ class TerrainAround {
       close(grid, polygon);
     }
   }
-  ~TerrainAround() { fillBox(1); }
-  TerrainAround(const TerrainAround&) = delete;
-  TerrainAround& operator=(const TerrainAround&) = delete;
-  TerrainAround(TerrainAround&&) = delete;
-  TerrainAround& operator=(TerrainAround&&) = delete;
+  ~MaskedTerrain() { fillBox(1); }
+  MaskedTerrain(const MaskedTerrain&) = delete;
+  MaskedTerrain& operator=(const MaskedTerrain&) = delete;
+  MaskedTerrain(MaskedTerrain&&) = delete;
+  MaskedTerrain& operator=(MaskedTerrain&&) = delete;
 
   std::size_t size() const { return terrain_.size(); }
   const base::StopFlag& stopFlag() const { return terrain_.stopFlag(); }
@@ -59,7 +59,8 @@ class TerrainAround {
   }
 
  private:
-  /// All set between two searches: to fill those of a large map anew costs more than a search.
+  /// All cells are closed between two searches: refilling the buffer of a large map would cost more
+  /// than a search.
   static std::vector<char>& marks(std::size_t size) {
     thread_local std::vector<char> all;
     if (all.size() < size) {
@@ -100,9 +101,9 @@ class TerrainAround {
   std::vector<char>& isClosed_;
 };
 
-/// The cells within kAroundReach of two.
+/// The cells within kDetourRange of either cell.
 CellBox boxAround(const OccupancyGrid& grid, Cell a, Cell b) {
-  const int margin = static_cast<int>(PathPlanner::kAroundReach / grid.resolution());
+  const int margin = static_cast<int>(PathPlanner::kDetourRange / grid.resolution());
   return {{std::max(0, std::min(a.column, b.column) - margin),
            std::max(0, std::min(a.row, b.row) - margin)},
           {std::min(grid.width() - 1, std::max(a.column, b.column) + margin),
@@ -113,10 +114,10 @@ double cellsIn(const CellBox& box) {
   return double(box.high.column - box.low.column + 1) * double(box.high.row - box.low.row + 1);
 }
 
-/// The places of a way over cells, to be pulled straight.
-class CellWay {
+/// A path over cells, to be shortened to straight legs.
+class CellPath {
  public:
-  explicit CellWay(const WalkSpace& space, const Polygons& closed = {})
+  explicit CellPath(const TraversableSpace& space, const Polygons& closed = {})
       : space_(space), closed_(closed) {}
 
   void append(const Vec2& place) {
@@ -126,7 +127,7 @@ class CellWay {
     unknownUpTo_.push_back(before + (space_.isUnknown(place) ? 1 : 0));
   }
 
-  std::vector<Vec2> pulled() const {
+  std::vector<Vec2> tightened() const {
     std::vector<Vec2> points{places_.front()};
     for (std::size_t at = 0; at + 1 < places_.size();) {
       at = farthestFrom(at);
@@ -138,9 +139,9 @@ class CellWay {
   }
 
  private:
-  /// A straight leg may replace the way between two places when it keeps about the clearance that
-  /// the way has there (all that is wanted at most, the radius at least), and when it enters
-  /// unknown cells only in place of such.
+  /// A straight leg may replace the path between two places if it keeps about the clearance that
+  /// the path has there (at most the preferred one, at least the radius), and enters unknown cells
+  /// only where all places are unknown.
   bool canShorten(std::size_t from, std::size_t to, double lowest) const {
     const int unknown = unknownUpTo_[to] - (from > 0 ? unknownUpTo_[from - 1] : 0);
     const bool isAllUnknown = unknown == static_cast<int>(to - from + 1);
@@ -148,15 +149,15 @@ class CellWay {
       return false;
     }
     const double wanted =
-        std::min(space_.radius() + kWantedClearance, lowest - space_.grid().resolution());
+        std::min(space_.radius() + kPreferredClearance, lowest - space_.grid().resolution());
     const double clearance = std::max(space_.bodyRadius(), wanted);
-    return space_.lineKeeps(places_[from], places_[to], clearance, isAllUnknown);
+    return space_.lineHasClearance(places_[from], places_[to], clearance, isAllUnknown);
   }
 
-  /// The farthest place that a straight leg reaches, by doubling and halving.
+  /// The farthest place that a straight leg reaches, by exponential and binary search.
   std::size_t farthestFrom(std::size_t from) const {
     const std::size_t last = places_.size() - 1;
-    std::vector<double> lowest{clearance_[from]};  // of the places from..from + i
+    std::vector<double> lowest{clearance_[from]};  // for places from..from + i
     const auto reaches = [&](std::size_t to) {
       while (lowest.size() <= to - from) {
         lowest.push_back(std::min(lowest.back(), clearance_[from + lowest.size()]));
@@ -177,107 +178,108 @@ class CellWay {
     return good;
   }
 
-  const WalkSpace& space_;
-  Polygons closed_;  // to be kept out of
+  const TraversableSpace& space_;
+  Polygons closed_;  // polygons to avoid
   std::vector<Vec2> places_;
   std::vector<double> clearance_;  // [m]
-  std::vector<int> unknownUpTo_;   // unknown places among those up to each
+  std::vector<int> unknownUpTo_;   // number of unknown places up to each
 };
 
 }  // namespace
 
-double lengthOfWay(const std::vector<Vec2>& way) {
-  return way.empty() ? 0.0 : lengthOfWay(way.front(), way, 1);
+double polylineLength(const std::vector<Vec2>& path) {
+  return path.empty() ? 0.0 : polylineLength(path.front(), path, 1);
 }
 
-double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t first) {
+double polylineLength(const Vec2& from, const std::vector<Vec2>& path, std::size_t first) {
   double length = 0.0;
   Vec2 at = from;
-  for (std::size_t i = first; i < way.size(); ++i) {
-    length += (way[i] - at).norm();
-    at = way[i];
+  for (std::size_t i = first; i < path.size(); ++i) {
+    length += (path[i] - at).norm();
+    at = path[i];
   }
   return length;
 }
 
-PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radius, Prices prices)
-    : space_(std::move(field), radius), prices_(prices) {
+PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radius,
+                         PathObjective objective)
+    : space_(std::move(field), radius), objective_(objective) {
   assert(radius >= 0.0);
 }
 
-/// Made when first asked for: bodies of many radii walk straight.
-WayFinder& PathPlanner::finder() {
+/// Created on first use: many bodies only need straight lines.
+CellPathFinder& PathPlanner::finder() {
   if (finder_ == nullptr) {
-    finder_ = makeWayFinder(space_, prices_);
+    finder_ = makeCellPathFinder(space_, objective_);
   }
   return *finder_;
 }
 
-std::vector<Cell> PathPlanner::cellsOfWay(Cell from, Cell to) {
+std::vector<Cell> PathPlanner::cellPath(Cell from, Cell to) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<Cell> cells = finder().way(from, to);
+  std::vector<Cell> cells = finder().path(from, to);
   bytes_ = finder_->bytes();
   return cells;
 }
 
-/// Empty: there is no way.
-std::vector<Vec2> PathPlanner::planRound(const WalkSpace::Anchor& from,
-                                         const WalkSpace::Anchor& to) {
-  const std::vector<Cell> cells = cellsOfWay(from.cell, to.cell);
+/// Empty: there is no path.
+std::vector<Vec2> PathPlanner::planThroughCells(const TraversableSpace::Anchor& from,
+                                                const TraversableSpace::Anchor& to) {
+  const std::vector<Cell> cells = cellPath(from.cell, to.cell);
   if (cells.empty()) {
     return {};
   }
-  CellWay way(space_);
-  way.append(from.place);
+  CellPath path(space_);
+  path.append(from.place);
   for (const Cell cell : cells) {
-    way.append(space_.grid().cellToWorld(cell));
+    path.append(space_.grid().cellToWorld(cell));
   }
-  way.append(to.place);
-  return way.pulled();
+  path.append(to.place);
+  return path.tightened();
 }
 
 std::vector<Vec2> PathPlanner::plan(const Vec2& start, const Vec2& goal) {
-  const std::optional<WalkSpace::Anchor> from = space_.anchorOf(start);
-  const std::optional<WalkSpace::Anchor> to = space_.anchorOf(goal);
+  const std::optional<TraversableSpace::Anchor> from = space_.anchorOf(start);
+  const std::optional<TraversableSpace::Anchor> to = space_.anchorOf(goal);
   if (!from || !to) {
     return {};
   }
-  std::vector<Vec2> way;
-  const double comfortable = space_.bodyRadius() + kWantedClearance;
-  if (space_.lineKeeps(from->place, to->place, comfortable, false)) {
-    way = {from->place, to->place};
+  std::vector<Vec2> path;
+  const double comfortable = space_.bodyRadius() + kPreferredClearance;
+  if (space_.lineHasClearance(from->place, to->place, comfortable, false)) {
+    path = {from->place, to->place};
   } else {
-    way = planRound(*from, *to);
-    if (way.empty()) {
+    path = planThroughCells(*from, *to);
+    if (path.empty()) {
       return {};
     }
   }
-  if (from->place != start && space_.leadsOut(start, from->place)) {
-    way.insert(way.begin(), start);
+  if (from->place != start && space_.canExitTo(start, from->place)) {
+    path.insert(path.begin(), start);
   }
-  return way;
+  return path;
 }
 
-/// The prices of a finder that goes by cells are those of any box as well. Null: it goes by others.
+/// The cell costs of the finder also apply to any box. Null: the finder does not search cells.
 const Terrain* PathPlanner::knownTerrain() {
   if (space_.field().isLarge()) {
-    return nullptr;  // not worth a graph of blocks
+    return nullptr;  // not worth building the block graph
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Terrain* const terrain = finder().roomTerrain();
+  const Terrain* const terrain = finder().clearanceTerrain();
   bytes_ = finder_->bytes();
   return terrain;
 }
 
 std::vector<Vec2> PathPlanner::planAround(const Vec2& start, const Vec2& goal,
                                           const Polygons& closed) {
-  const std::optional<WalkSpace::Anchor> from = space_.anchorOf(start);
-  const std::optional<WalkSpace::Anchor> to = space_.anchorOf(goal);
+  const std::optional<TraversableSpace::Anchor> from = space_.anchorOf(start);
+  const std::optional<TraversableSpace::Anchor> to = space_.anchorOf(goal);
   if (!from || !to) {
     return {};
   }
   const CellBox box = boxAround(space_.grid(), from->cell, to->cell);
-  if (cellsIn(box) > kMostAround) {
+  if (cellsIn(box) > kMaxAround) {
     return {};
   }
   const Terrain* const known = knownTerrain();
@@ -285,26 +287,26 @@ std::vector<Vec2> PathPlanner::planAround(const Vec2& start, const Vec2& goal,
       known != nullptr ? std::optional<Terrain>()
                        : Terrain(space_.field(), space_.radius(), box.low, box.high);
   const Terrain& terrain = known != nullptr ? *known : *own;
-  const TerrainAround open(terrain, box, space_.grid(), closed);
+  const MaskedTerrain open(terrain, box, space_.grid(), closed);
   const Terrain::Index begin = terrain.indexOf(from->cell);
-  GoalSearch<TerrainAround> search(open, terrain.indexOf(to->cell));
+  GoalSearch<MaskedTerrain> search(open, terrain.indexOf(to->cell));
   if (open.isClosed(begin) || open.isClosed(search.goal()) || !search.reach(begin)) {
     return {};
   }
-  CellWay way(space_, closed);
-  way.append(from->place);
-  way.append(space_.grid().cellToWorld(from->cell));
+  CellPath path(space_, closed);
+  path.append(from->place);
+  path.append(space_.grid().cellToWorld(from->cell));
   for (Terrain::Index at = begin; at != search.goal();) {
     at = search.next(at);
-    way.append(space_.grid().cellToWorld(terrain.cellOf(at)));
+    path.append(space_.grid().cellToWorld(terrain.cellOf(at)));
   }
-  way.append(to->place);
-  return way.pulled();
+  path.append(to->place);
+  return path.tightened();
 }
 
 bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
-  const std::optional<WalkSpace::Anchor> from = space_.anchorOf(start);
-  const std::optional<WalkSpace::Anchor> to = space_.anchorOf(goal);
+  const std::optional<TraversableSpace::Anchor> from = space_.anchorOf(start);
+  const std::optional<TraversableSpace::Anchor> to = space_.anchorOf(goal);
   if (!from || !to) {
     return false;
   }

@@ -17,7 +17,7 @@ namespace sim2d {
 
 namespace {
 
-/// One PGM file; the first problem ends the reading.
+/// Reads a PGM file; stops at the first problem.
 class PgmReader {
  public:
   explicit PgmReader(const std::string& path) : path_(path), input_(path, std::ios::binary) {}
@@ -25,7 +25,7 @@ class PgmReader {
   base::Result<MapImage> read() {
     try {
       return readFile();
-    } catch (const std::ios_base::failure&) {  // of the disk
+    } catch (const std::ios_base::failure&) {  // disk error
       return base::error("image.not-readable", {}, path_);
     }
   }
@@ -78,8 +78,8 @@ class PgmReader {
     if (*maximum < 1 || *maximum > 65535) {
       return fail("image.bad-maximum", {*maximum});
     }
-    if (std::int64_t{*width} * *height > kMostMapCells) {
-      return fail("image.too-large", {*width, *height, kMostMapCells});
+    if (std::int64_t{*width} * *height > kMaxMapCells) {
+      return fail("image.too-large", {*width, *height, kMaxMapCells});
     }
     image_.width = *width;
     image_.height = *height;
@@ -105,7 +105,7 @@ class PgmReader {
     return c;
   }
 
-  /// The next decimal number, after blanks and comments; takes one character behind it.
+  /// The next decimal number after blanks and comments; also consumes the character after it.
   std::optional<int> readNumber() {
     int c = nextAfterBlanks();
     constexpr int kLimit = 100'000'000;
@@ -143,7 +143,7 @@ class PgmReader {
     return std::min(value, image_.maximum);
   }
 
-  /// How many could be read.
+  /// Returns the number of values read.
   template <class Value>
   std::size_t readText(std::vector<Value>& shades) {
     for (std::size_t i = 0; i < shades.size(); ++i) {
@@ -156,7 +156,7 @@ class PgmReader {
     return shades.size();
   }
 
-  /// As many bytes per pixel as the values have.
+  /// The file has sizeof(Value) bytes per pixel.
   template <class Value>
   std::size_t readBinary(std::vector<Value>& shades) {
     constexpr std::size_t kBytes = sizeof(Value);
@@ -184,7 +184,7 @@ class PgmReader {
   std::ifstream input_;
   base::Diagnostic problem_;
   bool isText_ = false;
-  bool isAbove_ = false;  // some pixels, of the maximum
+  bool isAbove_ = false;  // some pixels exceed the maximum
   MapImage image_;
 };
 

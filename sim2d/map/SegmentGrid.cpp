@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace sim2d {
@@ -12,13 +13,14 @@ constexpr double kReach = 1e-6;  // [m]
 
 int toBucket(double value) {
   constexpr double kFar = 1e8;
-  if (!(value > -kFar)) {  // NaN as well
+  if (!(value > -kFar)) {  // also NaN
     return static_cast<int>(-kFar);
   }
   return static_cast<int>(std::floor(std::min(value, kFar)));
 }
 
-/// The part of [low, high] of a segment's parameter where one coordinate lies in [from, to].
+/// Restricts the parameter range [low, high] of a segment to where one coordinate lies in [from,
+/// to].
 void clipParameter(double start, double change, double from, double to, double& low, double& high) {
   if (change == 0.0) {
     return;
@@ -43,10 +45,10 @@ void SegmentGrid::build(const std::vector<Segment>& segments, double bucketSize)
     low = low.cwiseMin(segment.a).cwiseMin(segment.b);
     high = high.cwiseMax(segment.a).cwiseMax(segment.b);
   }
-  constexpr double kMostBuckets = 1e6;
+  constexpr double kMaxBuckets = 1e6;
   const Vec2 extent = high - low + Vec2::Constant(4.0 * kReach);
-  size_ = std::max({bucketSize, std::sqrt(extent.x() * extent.y() / kMostBuckets),
-                    extent.maxCoeff() / kMostBuckets});
+  size_ = std::max({bucketSize, std::sqrt(extent.x() * extent.y() / kMaxBuckets),
+                    extent.maxCoeff() / kMaxBuckets});
   origin_ = low - Vec2::Constant(2.0 * kReach);
   width_ = toBucket(extent.x() / size_) + 1;
   height_ = toBucket(extent.y() / size_) + 1;
@@ -65,24 +67,24 @@ void SegmentGrid::build(const std::vector<Segment>& segments, double bucketSize)
       items_[static_cast<std::size_t>(fill[numberOf(bucket)]++)] = static_cast<int>(i);
     });
   }
-  findAway();
+  computeRingDistances();
 }
 
-/// In two sweeps, from opposite corners: each is a ring farther away than the nearest beside it.
-void SegmentGrid::findAway() {
+/// Chebyshev distance transform in two sweeps from opposite corners.
+void SegmentGrid::computeRingDistances() {
   constexpr int kMost = 255;
-  away_.assign(start_.size() - 1, 0);
+  ringDistances_.assign(start_.size() - 1, 0);
   const auto farther = [this](int column, int row) {
-    return contains({column, row}) ? away({column, row}) + 1 : kMost;
+    return contains({column, row}) ? ringDistance({column, row}) + 1 : kMost;
   };
   const auto lower = [&](Bucket at, int side, int most) {
     const Items here = items(at);
     const int before = at.row + side;
-    const int away =
+    const int ringDistance =
         std::min({most, farther(at.column + side, at.row), farther(at.column - 1, before),
                   farther(at.column, before), farther(at.column + 1, before)});
-    away_[static_cast<std::size_t>(indexOf(at))] =
-        static_cast<std::uint8_t>(here.first != here.last ? 0 : away);
+    ringDistances_[static_cast<std::size_t>(indexOf(at))] =
+        static_cast<std::uint8_t>(here.first != here.last ? 0 : ringDistance);
   };
   for (int row = 0; row < height_; ++row) {
     for (int column = 0; column < width_; ++column) {
@@ -91,7 +93,7 @@ void SegmentGrid::findAway() {
   }
   for (int row = height_ - 1; row >= 0; --row) {
     for (int column = width_ - 1; column >= 0; --column) {
-      lower({column, row}, 1, away({column, row}));
+      lower({column, row}, 1, ringDistance({column, row}));
     }
   }
 }
@@ -127,7 +129,7 @@ Vec2 SegmentGrid::centreOf(Bucket bucket) const {
   return origin_ + size_ * Vec2(bucket.column + 0.5, bucket.row + 0.5);
 }
 
-/// Cuts the ray to the area of the buckets; false when it misses them.
+/// Clips the ray to the area of the grid; false: it misses.
 bool SegmentGrid::clip(const Vec2& from, const Vec2& direction, double& begin, double& end) const {
   const Vec2 high = origin_ + size_ * Vec2(width_, height_);
   for (int axis = 0; axis < 2; ++axis) {
@@ -136,7 +138,7 @@ bool SegmentGrid::clip(const Vec2& from, const Vec2& direction, double& begin, d
     }
     clipParameter(from[axis], direction[axis], origin_[axis], high[axis], begin, end);
   }
-  // Of places too far apart for a number the direction is 0: such a ray leaves no bucket.
+  // For points too far apart the direction underflows to 0: such a ray stays in its bucket.
   end = std::min(end, std::numeric_limits<double>::max());
   return begin <= end;
 }
@@ -158,6 +160,63 @@ SegmentGrid::Walk SegmentGrid::startWalk(const Vec2& from, const Vec2& direction
     walk.borders[axis] = std::fabs(direction[axis]) / size_;
   }
   return walk;
+}
+
+Cell SegmentCells::cellAt(const Vec2& point) const {
+  const Vec2 at = (point - origin_) / side_;
+  const auto within = [](double value, int count) {  // NaN: the first cell
+    return value > 0.0 ? static_cast<int>(std::min(value, count - 1.0)) : 0;
+  };
+  return {within(at.x(), width_), within(at.y(), height_)};
+}
+
+void SegmentCells::build(const std::vector<Segment>& segments, double side) {
+  assert(side > 0.0);
+  *this = SegmentCells();
+  constexpr double kRounding = 1e-6;  // [m]
+  std::vector<Item> small;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& segment = segments[i];
+    const Item item{0.5 * (segment.a + segment.b), 0.5 * (segment.b - segment.a).norm() + kRounding,
+                    static_cast<int>(i)};
+    (item.half > side ? items_ : small).push_back(item);
+  }
+  long_ = items_.size();
+  if (small.empty()) {
+    return;
+  }
+  Vec2 low = small.front().middle;
+  Vec2 high = low;
+  for (const Item& item : small) {
+    low = low.cwiseMin(item.middle);
+    high = high.cwiseMax(item.middle);
+    longest_ = std::max(longest_, item.half);
+  }
+  constexpr double kMaxCells = 1e6;
+  const Vec2 extent = high - low;
+  side_ = std::max(
+      {side, std::sqrt(extent.x() * extent.y() / kMaxCells), extent.maxCoeff() / kMaxCells});
+  origin_ = low;
+  width_ = static_cast<int>(extent.x() / side_) + 1;
+  height_ = static_cast<int>(extent.y() / side_) + 1;
+  const auto numberOf = [this](const Item& item) {
+    const Cell cell = cellAt(item.middle);
+    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(cell.column);
+  };
+  start_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 1, 0);
+  for (const Item& item : small) {
+    ++start_[numberOf(item) + 1];
+  }
+  start_.front() = long_;
+  for (std::size_t i = 1; i < start_.size(); ++i) {
+    start_[i] += start_[i - 1];
+  }
+  items_.resize(items_.size() + small.size());
+  std::vector<std::size_t> fill(start_.begin(), start_.end() - 1);
+  for (const Item& item : small) {
+    items_[fill[numberOf(item)]++] = item;
+  }
 }
 
 }  // namespace sim2d

@@ -8,22 +8,23 @@ namespace {
 
 constexpr double kSecondsPerHour = 3600.0;
 
-double shareOf(double value, double most) {
+double clampedRatio(double value, double most) {
   return most > 0.0 ? std::min(1.0, std::fabs(value) / most) : 0.0;
 }
 
 }  // namespace
 
-double effortOf(const BodyTwist& motion, const DriveLimits& limits) {
+double driveEffort(const BodyTwist& motion, const DriveLimits& limits) {
   const double speed = std::sqrt(motion.linear * motion.linear + motion.lateral * motion.lateral);
-  return std::max(shareOf(speed, limits.maxVel), shareOf(motion.angular, limits.maxOmega));
+  return std::max(clampedRatio(speed, limits.maxVel),
+                  clampedRatio(motion.angular, limits.maxOmega));
 }
 
 double batteryPower(const BatteryParameters& battery, double effort, bool isCharging) {
   return isCharging ? battery.chargePower : -(battery.idlePower + battery.motionPower * effort);
 }
 
-double levelAfter(const BatteryParameters& battery, double level, double power, double dt) {
+double chargeLevelAfter(const BatteryParameters& battery, double level, double power, double dt) {
   return std::clamp(level + power * dt / (kSecondsPerHour * battery.capacity), 0.0, 1.0);
 }
 

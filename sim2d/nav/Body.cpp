@@ -15,7 +15,7 @@ const char* kinematicsName(Kinematics kinematics) {
   }
 }
 
-double reachOf(const Footprint& footprint) {
+double circumscribedRadius(const Footprint& footprint) {
   double reach = footprint.isDisc() ? footprint.radius : 0.0;
   for (const Vec2& corner : footprint.corners) {
     reach = std::max(reach, corner.norm());

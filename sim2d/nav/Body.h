@@ -6,7 +6,8 @@
 
 #include "sim2d/base/Types.h"
 
-/// What a robot is, as far as its own software may know. SI, robot frame: x ahead, y to the left.
+/// Properties of a robot's body that its own software may use. SI units, robot frame: x forward, y
+/// left.
 namespace sim2d {
 
 using base::Pose2;
@@ -15,9 +16,10 @@ using base::Vec2;
 enum class Kinematics { Differential, Omnidirectional, Ackermann };
 const char* kinematicsName(Kinematics kinematics);  // "differential" …
 
-/// Motion of a body in its own frame, or the wish for one. Only omnidirectional robots go sideways.
+/// Velocity of a body in its own frame, or a commanded one. `lateral` is nonzero for
+/// omnidirectional robots only.
 struct BodyTwist {
-  double linear = 0.0;   // v_x [m/s], ahead
+  double linear = 0.0;   // v_x [m/s], forward
   double angular = 0.0;  // omega [rad/s], counter-clockwise
   double lateral = 0.0;  // v_y [m/s], to the left
 
@@ -27,17 +29,17 @@ struct BodyTwist {
   friend bool operator!=(const BodyTwist& a, const BodyTwist& b) { return !(a == b); }
 };
 
-/// What the drive can do. An omnidirectional robot has `maxVel` and `maxAcc` in each direction.
+/// Limits of the drive. An omnidirectional robot has `maxVel` and `maxAcc` in each direction.
 struct DriveLimits {
-  double maxVel = 1.0;         // [m/s], ahead
-  double maxReverse = 1.0;     // [m/s], backwards, >= 0
-  double maxAcc = 1.0;         // [m/s²], speeding up and slowing down
+  double maxVel = 1.0;         // [m/s], forward
+  double maxReverse = 1.0;     // [m/s], backward, >= 0
+  double maxAcc = 1.0;         // [m/s²], for acceleration and deceleration
   double maxOmega = 1.5;       // [rad/s]
   double maxAlpha = 3.0;       // [rad/s²]
-  double turningRadius = 0.0;  // [m]; Ackermann: the least
+  double turningRadius = 0.0;  // [m]; Ackermann: the minimum
 };
 
-/// A disc, or a simple polygon in robot frame, counter-clockwise (then `radius` is not used).
+/// A disc, or a simple polygon in robot frame, counter-clockwise (`radius` is then unused).
 struct Footprint {
   double radius = 0.35;  // [m]
   std::vector<Vec2> corners;
@@ -45,8 +47,8 @@ struct Footprint {
   bool isDisc() const { return corners.empty(); }
 };
 
-/// Of the smallest circle about the robot's origin that holds it [m].
-double reachOf(const Footprint& footprint);
+/// Circumscribed radius: of the smallest circle about the robot's origin that encloses it [m].
+double circumscribedRadius(const Footprint& footprint);
 
 struct RobotBody {
   Kinematics kinematics = Kinematics::Differential;

@@ -9,77 +9,77 @@
 namespace sim2d {
 namespace {
 
-constexpr double kMostCell = 0.15;   // [m]
-constexpr double kUnknownFar = 1e6;  // [m], of places without a way
-constexpr double kKeptFor = 0.2;     // [s]
-constexpr double kKeptWithin = 2.0;  // [cells] of the robot's way
-constexpr double kBySight = 2.5;     // [cells]; nearer to the target the distance itself counts
-constexpr double kAmongWalls = 2.0;  // slowness added in the narrowest place
-constexpr double kThroughBody = 30.0;
-constexpr double kWithinMargin = 4.0;
-constexpr double kTouchShare = 0.3;  // of the margin that the robot keeps in any case
-constexpr double kNearBody = 2.0;
-constexpr double kPersonalRing = 0.3;  // [m], where that counts
-constexpr int kMostRounds = 8;         // of four sweeps; few places need more than two
+constexpr double kMaxCell = 0.15;         // [m]
+constexpr double kUnreachable = 1e6;      // [m], value of unreachable cells
+constexpr double kMaxAge = 0.2;           // [s]
+constexpr double kMaxDisplacement = 2.0;  // [cells] moved by the robot
+constexpr double kDirectRange = 2.5;  // [cells]; nearer to the target the straight distance is used
+constexpr double kNarrowPenalty = 2.0;  // additional slowness in the narrowest place
+constexpr double kOccupiedSlowness = 30.0;
+constexpr double kMarginSlowness = 4.0;
+constexpr double kContactMarginRatio = 0.3;  // ratio of the margin that always applies
+constexpr double kPersonalSlowness = 2.0;
+constexpr double kPersonalRing = 0.3;  // [m], width of the ring in which kPersonalSlowness applies
+constexpr int kMaxSweepRounds = 8;     // of four sweeps; more than two are seldom needed
 
 }  // namespace
 
 CostToGo::CostToGo(double inscribed, double reach, double margin)
-    : cell_(std::clamp(0.8 * inscribed, 0.05, kMostCell)),
+    : cell_(std::clamp(0.8 * inscribed, 0.05, kMaxCell)),
       inscribed_(inscribed),
       reach_(reach),
       margin_(margin),
       slowness_(static_cast<std::size_t>(kStride) * kStride, 0.0),
-      value_(static_cast<std::size_t>(kStride) * kStride, kUnknownFar),
-      least_(kSide, 0.0) {}
+      value_(static_cast<std::size_t>(kStride) * kStride, kUnreachable),
+      minByRadius_(kSide, 0.0) {}
 
-Vec2 CostToGo::middleOf(int column, int row) const {
+Vec2 CostToGo::cellCentre(int column, int row) const {
   return origin_ + cell_ * Vec2(column + 0.5, row + 0.5);
 }
 
 bool CostToGo::isCurrent(const Observation& observation) const {
   return version_ == observation.navigation->version() && goal_ == observation.goal &&
-         observation.time - madeAt_ < kKeptFor && observation.time >= madeAt_ &&
-         (observation.pose.position - madeFor_).norm() < kKeptWithin * cell_;
+         observation.time - updateTime_ < kMaxAge && observation.time >= updateTime_ &&
+         (observation.pose.position - updatePosition_).norm() < kMaxDisplacement * cell_;
 }
 
-void CostToGo::choosePlace(const Observation& observation, const RobotRoute& route) {
+void CostToGo::placeGrid(const Observation& observation, const RobotRoute& route) {
   const Vec2& position = observation.pose.position;
-  // On whole cells, so that the same places have the same numbers from one time to the next.
+  // Aligned to whole cells, so that the values of a place do not jitter between updates.
   constexpr int kHalfSide = kSide / 2;
   const double half = kHalfSide;
   origin_.x() = cell_ * (std::floor(position.x() / cell_) - half);
   origin_.y() = cell_ * (std::floor(position.y() / cell_) - half);
   const double within = cell_ * (0.5 * kSide - 2.0);
-  const double whole = route.restLength(position);
+  const double whole = route.remainingLength(position);
   const int steps = static_cast<int>(std::ceil(whole / cell_)) + 1;
   target_ = route.pointAhead(position, 0.0);
-  rest_ = whole;
-  endsHere_ = false;
-  for (int i = 1; i <= steps && !endsHere_; ++i) {
+  remainingLength_ = whole;
+  containsRouteEnd_ = false;
+  for (int i = 1; i <= steps && !containsRouteEnd_; ++i) {
     const Vec2 point = route.pointAhead(position, i * cell_);
     if ((point - position).cwiseAbs().maxCoeff() > within) {
       return;
     }
     target_ = point;
-    endsHere_ = point == route.points().back();
-    rest_ = endsHere_ ? 0.0 : std::max(0.0, whole - i * cell_);
+    containsRouteEnd_ = point == route.points().back();
+    remainingLength_ = containsRouteEnd_ ? 0.0 : std::max(0.0, whole - i * cell_);
   }
 }
 
 void CostToGo::markWalls(const Observation& observation) {
-  // Cells that a wall passes are closed, so that no way leads through a thin one; and cells where
-  // no part of the cell has room for the robot.
+  // Closes cells that a wall crosses, so that no path leads through a thin wall, and cells in which
+  // no point leaves enough clearance for the robot.
   const double closed = std::max(0.5 * cell_, inscribed_ - 0.71 * cell_);
   const double wide = reach_ + margin_;
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
-      const Vec2 middle = middleOf(column, row);
+      const Vec2 middle = cellCentre(column, row);
       double room = observation.navigation->clearance(middle);
       if (room < wide) {
         room = observation.obstacles->clearance(middle, wide);
       }
-      const double narrow = kAmongWalls * (1.0 - std::min(room / wide, 1.0));
+      const double narrow = kNarrowPenalty * (1.0 - std::min(room / wide, 1.0));
       slowness_[static_cast<std::size_t>(indexOf(column, row))] =
           room <= closed ? 0.0 : 1.0 + narrow;
     }
@@ -87,7 +87,7 @@ void CostToGo::markWalls(const Observation& observation) {
 }
 
 void CostToGo::markDisc(const Vec2& centre, double radius) {
-  const double taken = radius + reach_ + kTouchShare * margin_;
+  const double taken = radius + reach_ + kContactMarginRatio * margin_;
   const double near = radius + reach_ + margin_;
   const double ring = near + kPersonalRing;
   const Vec2 low = (centre - origin_) / cell_ - Vec2::Constant(ring / cell_);
@@ -100,33 +100,33 @@ void CostToGo::markDisc(const Vec2& centre, double radius) {
   };
   for (int row = clipped(low.y()); row <= clipped(high.y()); ++row) {
     for (int column = clipped(low.x()); column <= clipped(high.x()); ++column) {
-      const double distance = (middleOf(column, row) - centre).norm();
+      const double distance = (cellCentre(column, row) - centre).norm();
       double& slowness = slowness_[static_cast<std::size_t>(indexOf(column, row))];
       if (slowness > 0.0 && distance < ring) {
-        const double price = distance < near ? kWithinMargin : kNearBody;
-        slowness = std::max(slowness, distance < taken ? kThroughBody : price);
+        const double price = distance < near ? kMarginSlowness : kPersonalSlowness;
+        slowness = std::max(slowness, distance < taken ? kOccupiedSlowness : price);
       }
     }
   }
 }
 
-void CostToGo::start(const Observation& observation) {
-  std::fill(value_.begin(), value_.end(), kUnknownFar);
+void CostToGo::seedTarget(const Observation& observation) {
+  std::fill(value_.begin(), value_.end(), kUnreachable);
   const Vec2 at = (target_ - origin_) / cell_;
-  const int reach = static_cast<int>(kBySight) + 1;
+  const int reach = static_cast<int>(kDirectRange) + 1;
   const auto centreColumn = static_cast<int>(std::floor(at.x()));
   const auto centreRow = static_cast<int>(std::floor(at.y()));
   for (int row = std::max(0, centreRow - reach); row <= std::min(kSide - 1, centreRow + reach);
        ++row) {
     for (int column = std::max(0, centreColumn - reach);
          column <= std::min(kSide - 1, centreColumn + reach); ++column) {
-      const Vec2 middle = middleOf(column, row);
+      const Vec2 middle = cellCentre(column, row);
       const double distance = (middle - target_).norm();
       const auto index = static_cast<std::size_t>(indexOf(column, row));
       const bool isOwn = row == centreRow && column == centreColumn;
-      if (isOwn || (distance <= kBySight * cell_ && slowness_[index] > 0.0 &&
+      if (isOwn || (distance <= kDirectRange * cell_ && slowness_[index] > 0.0 &&
                     observation.obstacles->isVisible(middle, target_))) {
-        value_[index] = rest_ + distance;
+        value_[index] = remainingLength_ + distance;
         slowness_[index] = std::max(slowness_[index], 1.0);
       }
     }
@@ -168,7 +168,7 @@ bool CostToGo::sweep(bool isUp, bool isRight) {
 
 void CostToGo::solve() {
   bool isBetter = true;
-  for (int round = 0; round < kMostRounds && isBetter; ++round) {
+  for (int round = 0; round < kMaxSweepRounds && isBetter; ++round) {
     isBetter = sweep(true, true);
     isBetter = sweep(true, false) || isBetter;
     isBetter = sweep(false, false) || isBetter;
@@ -176,7 +176,8 @@ void CostToGo::solve() {
   }
 }
 
-/// Closed cells get values above those beside them, so that near a wall it goes away from it.
+/// Gives closed cells values above those of their neighbours, so that the gradient points away from
+/// walls.
 void CostToGo::fillBlocked() {
   constexpr double kPerCell = 3.0;
   for (int row = 0; row < kSide; ++row) {
@@ -185,13 +186,13 @@ void CostToGo::fillBlocked() {
       if (slowness_[i] > 0.0) {
         continue;
       }
-      double beside = kUnknownFar;
+      double beside = kUnreachable;
       for (const std::size_t other : {i - 1, i + 1, i - kStride, i + kStride}) {
         if (slowness_[other] > 0.0) {
           beside = std::min(beside, value_[other]);
         }
       }
-      value_[i] = std::min(kUnknownFar, beside + kPerCell * cell_);
+      value_[i] = std::min(kUnreachable, beside + kPerCell * cell_);
     }
   }
 }
@@ -203,9 +204,9 @@ void CostToGo::update(const Observation& observation, const RobotRoute& route, d
   }
   version_ = observation.navigation->version();
   goal_ = observation.goal;
-  madeAt_ = observation.time;
-  madeFor_ = observation.pose.position;
-  choosePlace(observation, route);
+  updateTime_ = observation.time;
+  updatePosition_ = observation.pose.position;
+  placeGrid(observation, route);
   markWalls(observation);
   for (const TrackedBody& body : observation.bodies) {
     if (body.velocity.norm() < slowSpeed) {
@@ -215,35 +216,36 @@ void CostToGo::update(const Observation& observation, const RobotRoute& route, d
   for (const Vec2& point : points) {
     markDisc(point, 0.0);
   }
-  start(observation);
+  seedTarget(observation);
   solve();
   fillBlocked();
-  findLeast();
+  updateMinima();
 }
 
-void CostToGo::findLeast() {
-  std::fill(least_.begin(), least_.end(), kUnknownFar);
+void CostToGo::updateMinima() {
+  std::fill(minByRadius_.begin(), minByRadius_.end(), kUnreachable);
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
       const double value = value_[static_cast<std::size_t>(indexOf(column, row))];
-      const double known = value < kUnknownFar ? value : rest_ + cell_ * kSide;
-      const double cells = (middleOf(column, row) - madeFor_).norm() / cell_;
-      double& least = least_[std::min(static_cast<std::size_t>(cells), least_.size() - 1)];
+      const double known = value < kUnreachable ? value : remainingLength_ + cell_ * kSide;
+      const double cells = (cellCentre(column, row) - updatePosition_).norm() / cell_;
+      double& least =
+          minByRadius_[std::min(static_cast<std::size_t>(cells), minByRadius_.size() - 1)];
       least = std::min(least, known);
     }
   }
-  for (std::size_t i = 1; i < least_.size(); ++i) {
-    least_[i] = std::min(least_[i], least_[i - 1]);
+  for (std::size_t i = 1; i < minByRadius_.size(); ++i) {
+    minByRadius_[i] = std::min(minByRadius_[i], minByRadius_[i - 1]);
   }
 }
 
-double CostToGo::leastWithin(const Vec2& from, double radius) const {
-  constexpr double kToCorner = 1.5;  // [cells] from a place to the middles that it is mixed of
-  const double cells = (radius + (from - madeFor_).norm()) / cell_ + kToCorner;
-  double least = least_[static_cast<std::size_t>(std::min(cells, kSide - 1.0))];
+double CostToGo::minWithin(const Vec2& from, double radius) const {
+  constexpr double kToCorner = 1.5;  // [cells], from a place to the centres it interpolates
+  const double cells = (radius + (from - updatePosition_).norm()) / cell_ + kToCorner;
+  double least = minByRadius_[static_cast<std::size_t>(std::min(cells, kSide - 1.0))];
   const double direct = std::max(0.0, (target_ - from).norm() - radius);
-  if (direct < kBySight * cell_) {
-    least = std::min(least, rest_ + direct);
+  if (direct < kDirectRange * cell_) {
+    least = std::min(least, remainingLength_ + direct);
   }
   return least;
 }
@@ -256,7 +258,7 @@ CostToGo::Corners CostToGo::cornersAt(const Vec2& place) const {
   Corners corners;
   corners.s = at.x() - column;
   corners.t = at.y() - row;
-  double least = kUnknownFar;
+  double least = kUnreachable;
   for (int up = 0; up < 2; ++up) {
     for (int right = 0; right < 2; ++right) {
       const double value = value_[static_cast<std::size_t>(indexOf(column + right, row + up))];
@@ -266,7 +268,7 @@ CostToGo::Corners CostToGo::cornersAt(const Vec2& place) const {
   }
   for (auto& ofRow : corners.values) {
     for (double& value : ofRow) {
-      value = value >= kUnknownFar ? least + 3.0 * cell_ : value;
+      value = value >= kUnreachable ? least + 3.0 * cell_ : value;
     }
   }
   return corners;
@@ -274,21 +276,21 @@ CostToGo::Corners CostToGo::cornersAt(const Vec2& place) const {
 
 double CostToGo::at(const Vec2& place) const {
   const double direct = (place - target_).norm();
-  if (direct < kBySight * cell_) {
-    return rest_ + direct;
+  if (direct < kDirectRange * cell_) {
+    return remainingLength_ + direct;
   }
   const Corners c = cornersAt(place);
   const double value = (1.0 - c.t) * ((1.0 - c.s) * c.values[0][0] + c.s * c.values[0][1]) +
                        c.t * ((1.0 - c.s) * c.values[1][0] + c.s * c.values[1][1]);
-  return value < kUnknownFar ? value : rest_ + 2.0 * direct + cell_ * kSide;
+  return value < kUnreachable ? value : remainingLength_ + 2.0 * direct + cell_ * kSide;
 }
 
 Vec2 CostToGo::direction(const Vec2& place) const {
   Vec2 downhill = target_ - place;
   const Corners c = cornersAt(place);
   const bool isKnown =
-      std::max({c.values[0][0], c.values[0][1], c.values[1][0], c.values[1][1]}) < kUnknownFar;
-  if (downhill.norm() >= kBySight * cell_ && isKnown) {
+      std::max({c.values[0][0], c.values[0][1], c.values[1][0], c.values[1][1]}) < kUnreachable;
+  if (downhill.norm() >= kDirectRange * cell_ && isKnown) {
     downhill.x() =
         (1.0 - c.t) * (c.values[0][0] - c.values[0][1]) + c.t * (c.values[1][0] - c.values[1][1]);
     downhill.y() =

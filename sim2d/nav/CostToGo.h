@@ -6,66 +6,67 @@
 
 namespace sim2d {
 
-/// How long the way to the goal still is from every place near a robot, round walls and round
-/// people that stand: the route knows nothing of people, and who weighs short arcs by the distance
-/// to it gets stuck before them. The eikonal equation |grad T| = slowness over a square of cells
-/// about the robot, by fast sweeping (Zhao 2005), from the point where the route leaves the square.
-/// One robot; thread: one at a time.
+/// Remaining path length to the goal from every place near one robot, around walls and people who
+/// stand still. The route ignores people, and a planner that scores short arcs by their distance to
+/// the route would get stuck in front of them. Solves the eikonal equation |grad T| = slowness on a
+/// square grid about the robot by fast sweeping (Zhao 2005), from the point where the route leaves
+/// the grid. Not thread-safe.
 class CostToGo {
  public:
-  /// Circles about the robot's origin inside and round its footprint [m]; room to leave [m].
+  /// Inscribed and circumscribed radius of the footprint [m]; clearance to keep [m].
   CostToGo(double inscribed, double reach, double margin);
 
-  /// The route is not empty. Bodies slower than `slowSpeed` [m/s] stand; `points` stand as well
-  /// (world frame, [m]).
+  /// The route must not be empty. Bodies slower than `slowSpeed` [m/s] and all `points` (world
+  /// frame, [m]) count as standing obstacles.
   void update(const Observation& observation, const RobotRoute& route, double slowSpeed,
               const std::vector<Vec2>& points);
 
-  /// Length of the way from there [m], more than that through places that are narrow or taken.
+  /// Remaining path length from `place` [m]; larger through narrow or occupied places.
   double at(const Vec2& place) const;
-  /// No place nearer than `radius` [m] to `from` has less [m].
-  double leastWithin(const Vec2& from, double radius) const;
-  /// Where to go from there: unit vector, zero where nothing is better.
+  /// Lower bound of `at` over the places within `radius` [m] of `from` [m].
+  double minWithin(const Vec2& from, double radius) const;
+  /// Descent direction: unit vector, or zero at a minimum.
   Vec2 direction(const Vec2& place) const;
-  /// The goal, or the end of the way to it, lies in the square.
-  bool endsHere() const { return endsHere_; }
-  /// Where the route leaves the square, or ends.
+  /// True if the goal, or the end of the route, lies in the grid.
+  bool containsRouteEnd() const { return containsRouteEnd_; }
+  /// Point where the route leaves the grid, or its end.
   const Vec2& target() const { return target_; }
 
  private:
-  struct Corners {  // of the square of cells' middles about a place
+  struct Corners {  // bilinear interpolation between four cell centres
     double values[2][2] = {{0.0, 0.0}, {0.0, 0.0}};  // [row][column]
-    double s = 0.0, t = 0.0;                         // place between them, 0 to 1
+    double s = 0.0, t = 0.0;                         // relative position between them, 0 to 1
   };
   bool isCurrent(const Observation& observation) const;
-  void choosePlace(const Observation& observation, const RobotRoute& route);
+  void placeGrid(const Observation& observation, const RobotRoute& route);
   void markWalls(const Observation& observation);
   void markDisc(const Vec2& centre, double radius);
-  void start(const Observation& observation);
+  void seedTarget(const Observation& observation);
   void solve();
   bool sweep(bool isUp, bool isRight);
   bool improve(int index);
   void fillBlocked();
-  void findLeast();
-  Vec2 middleOf(int column, int row) const;
+  void updateMinima();
+  Vec2 cellCentre(int column, int row) const;
   int indexOf(int column, int row) const { return (row + 1) * kStride + column + 1; }
   Corners cornersAt(const Vec2& place) const;
 
   static constexpr int kSide = 48;           // cells along each side
-  static constexpr int kStride = kSide + 2;  // a border of blocked cells runs round them
+  static constexpr int kStride = kSide + 2;  // including a border of blocked cells
 
   double cell_;  // [m]
   double inscribed_, reach_, margin_;
   std::vector<double> slowness_;  // 0: blocked
   std::vector<double> value_;     // [m]
-  std::vector<double> least_;     // [m] of cells at most that many cells away from madeFor_
-  Vec2 origin_ = Vec2::Zero();    // lower left corner
+  std::vector<double>
+      minByRadius_;             // [m], minimum over cells within that many cells of updatePosition_
+  Vec2 origin_ = Vec2::Zero();  // lower left corner
   Vec2 target_ = Vec2::Zero();
-  double rest_ = 0.0;  // of the route, from the target on [m]
-  bool endsHere_ = false;
+  double remainingLength_ = 0.0;  // length of the route after the target [m]
+  bool containsRouteEnd_ = false;
   Vec2 goal_ = Vec2::Zero();
-  double madeAt_ = -1e9;  // [s]
-  Vec2 madeFor_ = Vec2::Zero();
+  double updateTime_ = -1e9;  // [s]
+  Vec2 updatePosition_ = Vec2::Zero();
   int version_ = -1;
 };
 

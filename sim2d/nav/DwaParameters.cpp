@@ -14,37 +14,38 @@ base::ParameterTable<DwaParameters> dwaTable() {
   base::ParameterTable<P> table;
   table
       .addCount(&P::linearSamples, "linear_samples", kCount,
-                "Speeds that are tried; omnidirectional: the samples in all are shared out evenly.")
-      .addCount(&P::angularSamples, "angular_samples", kCount,
-                "Turn rates that are tried with each speed.")
+                "Sampled speeds; omnidirectional: the total number of samples is distributed "
+                "evenly.")
+      .addCount(&P::angularSamples, "angular_samples", kCount, "Sampled turn rates for each speed.")
       .add(&P::window, "window", "s", {0.01, 2.0},
-           "Time within which a velocity must be reached to be tried.", std::string(fox) + ", 0.25")
+           "Time within which a sampled velocity must be reachable.", std::string(fox) + ", 0.25")
       .add(&P::horizon, "horizon", "s", {0.2, 10.0},
-           "How far ahead arcs are driven in thought; more where braking takes longer.")
-      .add(&P::step, "step", "s", {0.02, 0.5}, "Time between two looks along an arc.")
-      .add(&P::margin, "margin", "m", base::kDistance,
-           "Room that the robot leaves to walls and people.")
+           "Time for which arcs are simulated; longer if braking takes longer.")
+      .add(&P::step, "step", "s", {0.02, 0.5}, "Time between two checks along an arc.")
+      .add(&P::margin, "margin", "m", base::kDistance, "Minimum distance to walls and people.")
       .add(&P::clearance, "clearance", "m", {0.01, 5.0},
-           "Room beyond which more of it makes an arc no better.")
+           "Clearance above which more clearance does not improve the score of an arc.")
       .add(&P::goalWeight, "goal_weight", "", base::kWeight,
-           "Weight of the way that is left at the end of an arc.")
+           "Weight of the remaining path length at the end of an arc.")
       .add(&P::headingWeight, "heading_weight", "", base::kWeight,
-           "Weight of the turn that is left where the robot would stand if it braked.", fox)
+           "Weight of the remaining rotation at the position where the robot would stop if it "
+           "braked.",
+           fox)
       .add(&P::clearanceWeight, "clearance_weight", "", base::kWeight,
-           "Weight of missing room along an arc.", fox)
+           "Weight of missing clearance along an arc.", fox)
       .add(&P::velocityWeight, "velocity_weight", "", base::kWeight,
-           "Weight of what is missing to the full speed.", fox)
+           "Weight of the difference to the maximum speed.", fox)
       .add(&P::smoothnessWeight, "smoothness_weight", "", base::kWeight,
-           "Weight of the difference to the last command.")
+           "Weight of the difference from the last command.")
       .add(&P::slowDistance, "slow_distance", "m", base::kDistance,
-           "Gap to a person ahead below which the robot is slower.")
-      .add(&P::slowShare, "slow_share", "", kShare,
-           "Share of the full speed that is left close to a person.")
+           "Gap to a person ahead below which the robot slows down.")
+      .add(&P::slowShare, "slow_share", "", kShare, "Share of the maximum speed close to a person.")
       .add(&P::standingSpeed, "standing_speed", "m/s", base::kSpeed,
-           "Who is slower is taken to stand: the way leads round them.")
+           "People below this speed count as standing: the path leads around them.")
       .add(&P::patience, "patience", "s", base::kTimeSpan,
-           "After this time without progress the robot moves off a little and tries anew.")
-      .add(&P::reverseDistance, "reverse_distance", "m", base::kDistance, "How far it moves off.");
+           "Time without progress after which the robot backs off and tries again.")
+      .add(&P::reverseDistance, "reverse_distance", "m", base::kDistance,
+           "Distance that it backs off.");
   return table;
 }
 

@@ -4,7 +4,7 @@
 
 namespace sim2d {
 
-/// Of the dynamic window planner (planners/Dwa.cpp).
+/// Parameters of the dynamic window planner (planners/Dwa.cpp).
 struct DwaParameters {
   double linearSamples = 20.0;
   double angularSamples = 20.0;

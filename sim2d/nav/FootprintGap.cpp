@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "sim2d/map/ConvexPolygon.h"
 #include "sim2d/map/Outlines.h"
 
 namespace sim2d {
@@ -16,7 +15,7 @@ Segment footprintEdge(const std::vector<Vec2>& corners, std::size_t index) {
   return {corners[index], corners[index + 1 < corners.size() ? index + 1 : 0]};
 }
 
-/// Of a point to the polygon's border [m].
+/// Distance from a point to the polygon's boundary [m].
 double distanceToEdges(const std::vector<Vec2>& corners, const Vec2& point) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -26,15 +25,15 @@ double distanceToEdges(const std::vector<Vec2>& corners, const Vec2& point) {
   return std::sqrt(least);
 }
 
-/// The same, negative inside.
+/// Same, negative inside.
 double signedDistanceToEdges(const std::vector<Vec2>& corners, const Vec2& point) {
   const double distance = distanceToEdges(corners, point);
   return isInside(corners, point) ? -distance : distance;
 }
 
-/// Where the wall is cut next by the polygon's border, as a share of its length; 1 when no more.
-/// Cuts barely beside an edge's end count too: one too many does no harm.
-double nextCut(const std::vector<Vec2>& corners, const Segment& wall, double after) {
+/// Next intersection of the wall with the polygon's boundary, as a fraction of the wall's length; 1
+/// if none. Intersections slightly beyond the end of an edge count too; an extra one does no harm.
+double nextIntersection(const std::vector<Vec2>& corners, const Segment& wall, double after) {
   constexpr double kBeside = 1e-9;
   const Vec2 along = wall.b - wall.a;
   double next = 1.0;
@@ -43,7 +42,7 @@ double nextCut(const std::vector<Vec2>& corners, const Segment& wall, double aft
     const Vec2 side = edge.b - edge.a;
     const double slope = base::cross(along, side);
     if (slope == 0.0) {
-      continue;  // parallel: the neighbouring edges cut it
+      continue;  // parallel: the neighbouring edges intersect it
     }
     const double onWall = base::cross(edge.a - wall.a, side) / slope;
     const double onEdge = base::cross(edge.a - wall.a, along) / slope;
@@ -54,13 +53,12 @@ double nextCut(const std::vector<Vec2>& corners, const Segment& wall, double aft
   return next;
 }
 
-/// How deep the middle of a piece of the wall lies inside of the polygon [m], the deepest of all;
-/// 0 when none is inside.
-double depthOfWall(const std::vector<Vec2>& corners, const Segment& wall) {
+/// Largest depth inside the polygon [m] of the midpoints of the wall's pieces; 0 if none is inside.
+double wallDepth(const std::vector<Vec2>& corners, const Segment& wall) {
   double depth = 0.0;
   double from = 0.0;
   while (from < 1.0) {
-    const double to = nextCut(corners, wall, from);
+    const double to = nextIntersection(corners, wall, from);
     const Vec2 middle = wall.a + 0.5 * (from + to) * (wall.b - wall.a);
     if (isInside(corners, middle)) {
       depth = std::max(depth, distanceToEdges(corners, middle));
@@ -70,33 +68,32 @@ double depthOfWall(const std::vector<Vec2>& corners, const Segment& wall) {
   return depth;
 }
 
-/// Between two segments that do not touch [m].
-double distanceOfApartSegments(const Segment& one, const Segment& other) {
+/// Distance of two segments that do not touch [m].
+double disjointSegmentDistance(const Segment& one, const Segment& other) {
   return std::min({distanceToSegment(one, other.a), distanceToSegment(one, other.b),
                    distanceToSegment(other, one.a), distanceToSegment(other, one.b)});
 }
 
-/// Room between a polygon and one wall, both in robot frame.
+/// Gap between a polygon and one wall, both in robot frame.
 double gapToWall(const std::vector<Vec2>& corners, const Segment& wall) {
   double gap = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Segment edge = footprintEdge(corners, i);
     if (segmentsTouch(edge, wall)) {
-      return -depthOfWall(corners, wall);
+      return -wallDepth(corners, wall);
     }
-    gap = std::min(gap, distanceOfApartSegments(edge, wall));
+    gap = std::min(gap, disjointSegmentDistance(edge, wall));
   }
-  return isInside(corners, wall.a) ? -depthOfWall(corners, wall) : gap;
+  return isInside(corners, wall.a) ? -wallDepth(corners, wall) : gap;
 }
 
-/// The least gap to the borders within `range` of the robot's origin, `limit` when there is none
-/// below.
+/// Minimum gap to the boundaries within `range` of the robot's origin; `limit` if none is smaller.
 double gapToBorders(const Footprint& footprint, const Pose2& pose, const Obstacles& obstacles,
                     double range, double limit) {
   thread_local std::vector<Segment> walls;
   walls.clear();
   obstacles.segmentsNear(pose.position, range, walls);
-  const double reach = reachOf(footprint);
+  const double reach = circumscribedRadius(footprint);
   const Vec2 ahead = pose.direction();
   const auto toLocal = [&](const Vec2& point) {
     const Vec2 offset = point - pose.position;
@@ -104,7 +101,7 @@ double gapToBorders(const Footprint& footprint, const Pose2& pose, const Obstacl
   };
   double gap = limit;
   for (const Segment& wall : walls) {
-    // What lies at a distance from the origin is apart by that less the reach, at least.
+    // The gap is at least the distance from the origin minus the circumscribed radius.
     if (distanceToSegment(wall, pose.position) - reach < gap) {
       gap = std::min(gap, gapToWall(footprint.corners, {toLocal(wall.a), toLocal(wall.b)}));
     }
@@ -114,19 +111,19 @@ double gapToBorders(const Footprint& footprint, const Pose2& pose, const Obstacl
 
 double gapOfPolygon(const Footprint& footprint, const Pose2& pose, const Obstacles& obstacles,
                     double limit) {
-  const double reach = reachOf(footprint);
+  const double reach = circumscribedRadius(footprint);
   const double clearance = obstacles.clearance(pose.position, limit + reach);
   if (clearance >= limit + reach) {
     return limit;
   }
-  // The border nearest to the origin is apart from the footprint by `nearest` at most.
+  // The boundary nearest to the origin has a gap of at most `nearest` to the footprint.
   const double inner = -signedDistanceToEdges(footprint.corners, Vec2::Zero());
   const double nearest = std::clamp(std::fabs(clearance) - inner, 0.0, limit);
   double gap = gapToBorders(footprint, pose, obstacles, reach + nearest, limit);
   if (inner > 0.0 && clearance < 0.0) {
     gap = std::min(gap, clearance - inner);
   }
-  if (inner <= 0.0) {  // any place of the footprint tells whether it is inside as a whole
+  if (inner <= 0.0) {  // any point of the footprint decides whether all of it is inside
     const double depth =
         -obstacles.clearance(pose.toWorld(footprint.corners.front()), limit + reach);
     gap = depth > 0.0 ? std::min(gap, -depth) : gap;
@@ -159,9 +156,10 @@ OutlineDirections outlineDirections(double heading) {
   return directions;
 }
 
-std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, double distance,
-                                const OutlineDirections& directions) {
-  const double radius = (distance + (footprint.isDisc() ? footprint.radius : 0.0)) * kOutlineExcess;
+std::vector<Vec2> inflatedOutline(const Footprint& footprint, const Pose2& pose, double distance,
+                                  const OutlineDirections& directions) {
+  const double radius =
+      (distance + (footprint.isDisc() ? footprint.radius : 0.0)) * kOutlineInflation;
   const std::vector<Vec2> middles =
       footprint.isDisc() ? std::vector<Vec2>{Vec2::Zero()} : footprint.corners;
   std::vector<Vec2> points;

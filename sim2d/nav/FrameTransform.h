@@ -2,15 +2,16 @@
 
 #include "sim2d/base/Types.h"
 
-/// Poses in frames that move: map, odom, the robot (REP 105). A frame is given as its pose in its
-/// parent frame. Headings are in (-pi, pi].
+/// Poses in moving frames: map, odom, robot (REP 105). A frame is given by its pose in its parent
+/// frame. Headings are in (-pi, pi].
 namespace sim2d {
 
 inline bool isIdentity(const base::Pose2& frame) {
   return frame == base::Pose2{};
 }
 
-/// A pose that is given in `frame`, in the parent of `frame`. An identity changes no bit.
+/// Converts a pose from `frame` to the parent of `frame`. With the identity, the result is
+/// bit-identical.
 inline base::Pose2 toParent(const base::Pose2& frame, const base::Pose2& inFrame) {
   if (isIdentity(frame)) {
     return inFrame;
@@ -18,7 +19,7 @@ inline base::Pose2 toParent(const base::Pose2& frame, const base::Pose2& inFrame
   return {frame.toWorld(inFrame.position), base::wrapToPi(frame.heading + inFrame.heading)};
 }
 
-/// The inverse: a pose that is given in the parent of `frame`, in `frame`.
+/// Inverse: converts a pose from the parent of `frame` to `frame`.
 inline base::Pose2 toFrame(const base::Pose2& frame, const base::Pose2& inParent) {
   if (isIdentity(frame)) {
     return inParent;
@@ -31,7 +32,7 @@ inline base::Pose2 inverse(const base::Pose2& frame) {
   return toFrame(frame, base::Pose2{});
 }
 
-/// The frame in which a body that is at `inParent` is at `inFrame`.
+/// The frame in which the pose `inParent` has the coordinates `inFrame`.
 inline base::Pose2 frameBetween(const base::Pose2& inParent, const base::Pose2& inFrame) {
   if (inParent == inFrame) {
     return {};

@@ -10,14 +10,14 @@
 namespace sim2d {
 namespace {
 
-constexpr std::uint32_t kStrideDraw = 0x80000000U;  // beyond those of beams
-constexpr double kWalkRatio = 0.39;                 // W [m s]
-constexpr double kHalfShoulder = 0.1;               // [m]
-constexpr double kLegRadius = 0.06;                 // [m]
-constexpr double kShortestStep = 0.005;             // [m]; slower people hardly lift their feet
+constexpr std::uint32_t kGaitPhaseDraw = 0x80000000U;  // above the draw indices of beams
+constexpr double kWalkRatio = 0.39;                    // W [m s]
+constexpr double kHalfShoulder = 0.1;                  // [m]
+constexpr double kLegRadius = 0.06;                    // [m]
+constexpr double kMinStepLength = 0.005;               // [m]; slower people hardly lift their feet
 
-double strideAfter(double stride, double walked, double speed) {
-  const double after = stride + walked / (2.0 * std::max(stepLength(speed), kShortestStep));
+double advancedPhase(double stride, double walked, double speed) {
+  const double after = stride + walked / (2.0 * std::max(stepLength(speed), kMinStepLength));
   return after - std::floor(after);
 }
 
@@ -27,7 +27,7 @@ double stepLength(double speed) {
   return std::sqrt(kWalkRatio * speed);
 }
 
-Legs legsOf(const SensedBody& person, double stride) {
+Legs legsAt(const SensedBody& person, double stride) {
   Legs legs;
   legs.radius = std::min(kLegRadius, 0.5 * person.radius);
   const double reach = person.radius - legs.radius;  // of a leg's centre
@@ -37,8 +37,8 @@ Legs legsOf(const SensedBody& person, double stride) {
   const double ahead = std::clamp(swing * (std::fabs(4.0 * stride - 2.0) - 1.0), -room, room);
   const Vec2 direction = base::directionOf(person.heading);
   const Vec2 offset =
-      ahead * direction + aside * Vec2(-direction.y(), direction.x());  // of the left one
-  // Opposite in both: the right leg mirrors the left one at the body's centre.
+      ahead * direction + aside * Vec2(-direction.y(), direction.x());  // of the left leg
+  // The right leg mirrors the left one at the body's centre.
   legs.left = person.position + offset;
   legs.right = person.position - offset;
   return legs;
@@ -59,9 +59,10 @@ void LegGait::update(const std::vector<SensedBody>& bodies) {
     }
     const bool isKnown = old < before_.size() && before_[old].id == body.id;
     const double stride =
-        isKnown ? strideAfter(before_[old].stride, (body.position - before_[old].position).norm(),
-                              body.velocity.norm())
-                : base::AgentRng(seed_, body.id).uniform01(base::Draw::Lidar, kStrideDraw);
+        isKnown
+            ? advancedPhase(before_[old].stride, (body.position - before_[old].position).norm(),
+                            body.velocity.norm())
+            : base::AgentRng(seed_, body.id).uniform01(base::DrawPurpose::Lidar, kGaitPhaseDraw);
     walkers_[i] = {body.id, body.position, stride};
   }
 }

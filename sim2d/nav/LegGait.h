@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim2d/nav/SensedWorld.h"
+#include "sim2d/nav/Observation.h"
 
-/// People as a lidar at shin height sees them: two legs that swing as they walk.
+/// Pedestrians as seen by a lidar at shin height: two legs that swing while walking.
 namespace sim2d {
 
 /// Two discs; world frame.
@@ -15,27 +15,28 @@ struct Legs {
   double radius = 0.06;                            // [m]
 };
 
-/// L = sqrt(W v) [m] at speed v [m/s]: step length over step rate, the walk ratio W, does not
-/// depend on speed; 0.0065 m/(steps/min) = 0.39 m s in adults (Sekiya & Nagasaki 1998, Gait &
-/// Posture 7). v = 1.34 m/s: L = 0.72 m, 111 steps/min. 0 when standing.
+/// Step length L = sqrt(W v) [m] at speed v [m/s]. The walk ratio W (step length over step rate)
+/// does not depend on speed; 0.0065 m/(steps/min) = 0.39 m s in adults (Sekiya & Nagasaki 1998,
+/// Gait & Posture 7). v = 1.34 m/s: L = 0.72 m, 111 steps/min. 0 when standing.
 double stepLength(double speed);
 
-/// The person's legs at a share of the stride in [0, 1): half a shoulder (0.1 m) to either side;
-/// the left one from furthest ahead (0) to furthest back (0.5) and ahead again (1), the right one
-/// opposite, evenly. Half a step to the front and back, so that the leg on the ground stays there;
-/// less where the disc of the body has less room, for legs never leave it. Standing: side by side.
-Legs legsOf(const SensedBody& person, double stride);
+/// Legs of a pedestrian at a gait phase in [0, 1), half a shoulder width (0.1 m) to either side.
+/// The left leg moves linearly from the foremost position (0) to the rearmost (0.5) and back (1),
+/// the right one opposite. The amplitude is half a step, so that the foot on the ground does not
+/// slide; less if the legs would leave the disc of the body. Standing: side by side.
+Legs legsAt(const SensedBody& person, double stride);
 
-/// How far everybody is in his stride: a stride is two steps, by the distance walked. Where each
-/// begins is drawn by (seed, person), so all gaits of one seed are alike. Thread: one at a time.
+/// Gait phase of each pedestrian, from the distance walked; a stride is two steps. Initial phases
+/// are drawn from (seed, person), so all gaits of one seed agree. Not thread-safe.
 class LegGait {
  public:
   explicit LegGait(std::uint64_t seed) : seed_(seed) {}
 
-  /// Each step. People stand by id in `bodies`; who was not there before begins anew.
+  /// Call once per step. Pedestrians in `bodies` are sorted by id; new ones start with a drawn
+  /// phase.
   void update(const std::vector<SensedBody>& bodies);
-  /// Of the body of that number in the last update, in [0, 1); of robots 0.
-  double strideOf(std::size_t number) const { return walkers_[number].stride; }
+  /// Phase of the body with that index in the last update, in [0, 1); 0 for robots.
+  double gaitPhase(std::size_t number) const { return walkers_[number].stride; }
 
  private:
   struct Walker {
@@ -45,7 +46,7 @@ class LegGait {
   };
 
   std::uint64_t seed_;
-  std::vector<Walker> walkers_, before_;  // as in `bodies`
+  std::vector<Walker> walkers_, before_;  // same order as `bodies`
 };
 
 }  // namespace sim2d

@@ -10,18 +10,18 @@
 namespace sim2d {
 namespace {
 
-constexpr double kNoAngle = 1e-6;      // [rad]
-constexpr double kStraightOn = 1e-6;   // [m/s]; slower has no direction
-constexpr double kNoDirection = 0.01;  // [m/s]
-constexpr int kSpotCorners = 5;        // on each side
-/// Where the curve of velocities that are met on the spot is as far back as at 180 degrees:
-/// cos(x) / x = -1 / pi.
+constexpr double kMinAngle = 1e-6;      // [rad]
+constexpr double kMinSpeed = 1e-6;      // [m/s]; lower speeds have no direction
+constexpr double kSlowSpeed = 0.01;     // [m/s]
+constexpr int kTurnInPlaceCorners = 5;  // per side
+/// Angle at which the boundary of turn-in-place velocities is as far back as at 180 degrees: cos(x)
+/// / x = -1 / pi.
 constexpr double kLastCorner = 2.4813323829;  // [rad]
 
-/// x / 2 cot(x / 2): share of the wanted speed on the arc.
+/// x / 2 cot(x / 2): ratio of the speed on the arc to the reference speed.
 double arcSpeed(double angle) {
   const double half = 0.5 * std::fabs(angle);
-  return half < kNoAngle ? 1.0 : half * base::cos(half) / base::sin(half);
+  return half < kMinAngle ? 1.0 : half * base::cos(half) / base::sin(half);
 }
 
 /// Duration of the arc [s].
@@ -29,8 +29,8 @@ double arcTime(const TrackingModel& model, double speed, double angle) {
   double time = std::max(model.turnTime, std::fabs(angle) / model.maxOmega);
   if (model.kinematics == Kinematics::Ackermann) {
     const double half = 0.5 * std::fabs(angle);
-    const double tangent = base::sin(half) / std::max(base::cos(half), kNoAngle);
-    time = std::max(time, 2.0 * model.turningRadius * tangent / std::max(speed, kStraightOn));
+    const double tangent = base::sin(half) / std::max(base::cos(half), kMinAngle);
+    time = std::max(time, 2.0 * model.turningRadius * tangent / std::max(speed, kMinSpeed));
   }
   return time;
 }
@@ -39,8 +39,8 @@ HalfPlane edgeBetween(const Vec2& from, const Vec2& to) {
   return {from, (to - from).normalized()};
 }
 
-/// Directions up to `angle` to both sides, and of those what is not too far aside.
-std::vector<HalfPlane> velocitiesAhead(double angle, double aside) {
+/// Directions up to `angle` to both sides, with a lateral component of at most `aside`.
+std::vector<HalfPlane> forwardVelocities(double angle, double aside) {
   const Vec2 apex = Vec2::Zero();
   const Vec2 low = base::directionOf(-angle);
   const Vec2 high = base::directionOf(angle);
@@ -50,15 +50,15 @@ std::vector<HalfPlane> velocitiesAhead(double angle, double aside) {
           {Vec2(0.0, -aside), Vec2(1.0, 0.0)}};
 }
 
-/// Chords of the curve V_H = epsilon omega_max / theta_H, which is bent outwards.
-std::vector<HalfPlane> velocitiesOnSpot(double firstAngle, double unit) {
+/// Chords of the convex curve V_H = epsilon omega_max / theta_H.
+std::vector<HalfPlane> turnInPlaceVelocities(double firstAngle, double unit) {
   std::vector<Vec2> corners;
-  corners.reserve(std::size_t{2} * kSpotCorners);
-  for (int i = 0; i < kSpotCorners; ++i) {
-    const double angle = firstAngle + (kLastCorner - firstAngle) * i / (kSpotCorners - 1);
+  corners.reserve(std::size_t{2} * kTurnInPlaceCorners);
+  for (int i = 0; i < kTurnInPlaceCorners; ++i) {
+    const double angle = firstAngle + (kLastCorner - firstAngle) * i / (kTurnInPlaceCorners - 1);
     corners.emplace_back(unit / angle * base::directionOf(angle));
   }
-  for (int i = kSpotCorners - 1; i >= 0; --i) {
+  for (int i = kTurnInPlaceCorners - 1; i >= 0; --i) {
     const Vec2& left = corners[static_cast<std::size_t>(i)];
     corners.emplace_back(left.x(), -left.y());
   }
@@ -72,7 +72,7 @@ std::vector<HalfPlane> velocitiesOnSpot(double firstAngle, double unit) {
 
 }  // namespace
 
-TrackingModel trackingModelOf(const RobotBody& body, double turnTime) {
+TrackingModel trackingModelFor(const RobotBody& body, double turnTime) {
   const DriveLimits& limits = body.limits;
   TrackingModel model;
   model.kinematics = body.kinematics;
@@ -98,7 +98,7 @@ double trackingError(const TrackingModel& model, double speed, double angle) {
   return speed * arcTime(model, speed, size) * base::sin(0.5 * size);
 }
 
-double steeringAngle(double turningRadius, double epsilon) {
+double maxTrackableAngle(double turningRadius, double epsilon) {
   if (turningRadius <= 0.0) {
     return 0.5 * base::kPi;
   }
@@ -108,46 +108,47 @@ double steeringAngle(double turningRadius, double epsilon) {
   return std::min(base::acos(1.0 - 2.0 * squared), 0.5 * base::kPi);
 }
 
-double fastestTracked(const TrackingModel& model, double angle, double epsilon) {
+double maxTrackableSpeed(const TrackingModel& model, double angle, double epsilon) {
   const double size = std::fabs(angle);
-  if (model.kinematics == Kinematics::Omnidirectional || size < kNoAngle) {
+  if (model.kinematics == Kinematics::Omnidirectional || size < kMinAngle) {
     return model.maxVel;
   }
   if (model.kinematics == Kinematics::Differential && size > arcAngle(model)) {
     return std::min(model.maxVel, epsilon * model.maxOmega / size);
   }
   if (model.kinematics == Kinematics::Ackermann &&
-      size > steeringAngle(model.turningRadius, epsilon)) {
+      size > maxTrackableAngle(model.turningRadius, epsilon)) {
     return 0.0;
   }
   const double time = arcTime(model, std::numeric_limits<double>::infinity(), size);
   return std::min(model.maxVel, epsilon / (time * base::sin(0.5 * size)));
 }
 
-std::vector<std::vector<HalfPlane>> trackedVelocities(const TrackingModel& model, double epsilon) {
+std::vector<std::vector<HalfPlane>> trackableVelocities(const TrackingModel& model,
+                                                        double epsilon) {
   if (model.kinematics == Kinematics::Omnidirectional) {
     return {{}};
   }
   double angle = arcAngle(model);
   if (model.kinematics == Kinematics::Ackermann) {
-    angle = std::min(angle, steeringAngle(model.turningRadius, epsilon));
+    angle = std::min(angle, maxTrackableAngle(model.turningRadius, epsilon));
   }
-  // On the border of the set v_y = 2 epsilon / T cos(theta_H / 2).
+  // On the boundary of the set, v_y = 2 epsilon / T cos(theta_H / 2).
   const double aside = 2.0 * epsilon / model.turnTime * base::cos(0.5 * angle);
   std::vector<std::vector<HalfPlane>> pieces;
-  pieces.push_back(velocitiesAhead(angle, aside));
+  pieces.push_back(forwardVelocities(angle, aside));
   if (model.kinematics == Kinematics::Differential) {
-    pieces.push_back(velocitiesOnSpot(angle, epsilon * model.maxOmega));
+    pieces.push_back(turnInPlaceVelocities(angle, epsilon * model.maxOmega));
   }
   return pieces;
 }
 
 BodyTwist track(const TrackingModel& model, const Vec2& velocity) {
   const double speed = std::min(velocity.norm(), model.maxVel);
-  if (speed < kStraightOn) {
+  if (speed < kMinSpeed) {
     return {};
   }
-  const double fullTurn = std::min(1.0, speed / kNoDirection);
+  const double fullTurn = std::min(1.0, speed / kSlowSpeed);
   const double angle = base::headingOf(velocity);
   if (model.kinematics == Kinematics::Omnidirectional) {
     const double turn = std::clamp(angle / model.turnTime, -model.maxOmega, model.maxOmega);
@@ -157,10 +158,152 @@ BodyTwist track(const TrackingModel& model, const Vec2& velocity) {
     const double within = std::clamp(angle, -0.5 * base::kPi, 0.5 * base::kPi);
     return {speed * arcSpeed(within), within / arcTime(model, speed, within)};
   }
-  if (std::fabs(angle) > arcAngle(model) + kNoAngle) {
+  if (std::fabs(angle) > arcAngle(model) + kMinAngle) {
     return {0.0, fullTurn * (angle > 0.0 ? model.maxOmega : -model.maxOmega)};
   }
   return {speed * arcSpeed(angle), fullTurn * angle / model.turnTime};
+}
+
+namespace {
+
+constexpr double kGearStandstillSpeed = 0.02;  // [m/s]
+constexpr double kBlockedTime = 1.0;           // [s] at standstill before the gear is changed
+constexpr double kMinGearTime = 2.0;           // minimum time in a gear, unless blocked [s]
+constexpr double kMaxReverseTime = 6.0;        // [s]
+constexpr double kTurningCircleFactor =
+    1.2;                                  // in turning radii; beyond it the robot drives forward
+constexpr double kGoalRadiusRatio = 0.8;  // in goal radii; maximum miss distance of an arc
+constexpr double kLookaheadRadii = 1.5;
+
+}  // namespace
+
+BodyTwist DriveReference::toRobotCommand(const BodyTwist& twist) const {
+  return isReversing ? BodyTwist{-twist.linear, twist.angular, -twist.lateral} : twist;
+}
+
+GearSelector::GearSelector(const RobotBody& body, double turnTime)
+    : model_(trackingModelFor(body, turnTime)), maxReverse_(body.limits.maxReverse) {}
+
+double GearSelector::minLookahead() const {
+  return model_.kinematics == Kinematics::Ackermann ? kLookaheadRadii * model_.turningRadius : 0.0;
+}
+
+/// Whether `target` (robot frame) lies inside the circle to its left or right.
+bool GearSelector::isInsideTurningCircle(const Vec2& target, double radius) const {
+  return Vec2(target.x(), std::fabs(target.y()) - model_.turningRadius).norm() < radius;
+}
+
+void GearSelector::update(const Observation& observation, const Vec2& target, bool wantsToMove) {
+  const double time = observation.time;
+  if (lastMotionTime_ < 0.0 || !wantsToMove ||
+      std::fabs(observation.motion.linear) > kGearStandstillSpeed) {
+    lastMotionTime_ = time;
+  }
+  bool isChanging = time - lastMotionTime_ > kBlockedTime;
+  const double lasted = time - since_;
+  if (isReversing_) {
+    isChanging = isChanging || lasted > kMaxReverseTime ||
+                 (lasted > kMinGearTime &&
+                  !isInsideTurningCircle(target, kTurningCircleFactor * model_.turningRadius));
+  } else if (lasted > kMinGearTime) {
+    const double missed = model_.turningRadius - kGoalRadiusRatio * observation.goalRadius;
+    isChanging = isChanging || (wantsToMove && isInsideTurningCircle(target, missed));
+  }
+  if (isChanging) {
+    isReversing_ = !isReversing_;
+    since_ = time;
+    lastMotionTime_ = time;
+  }
+}
+
+DriveReference GearSelector::choose(const Observation& observation, const Vec2& target,
+                                    const Vec2& wanted, double epsilon) {
+  const Pose2& pose = observation.pose;
+  DriveReference aim{model_, pose.heading, wanted, false};
+  if (model_.kinematics != Kinematics::Ackermann) {
+    return aim;
+  }
+  const double speed = wanted.norm();
+  if (maxReverse_ > 0.0) {
+    update(observation, pose.toLocal(target), speed > 0.0);
+  }
+  const double bearing = base::headingOf(rotated(wanted, -pose.heading));
+  const double most = maxTrackableAngle(model_.turningRadius, epsilon);
+  double aside = std::clamp(bearing, -most, most);
+  aim.isReversing = isReversing_;
+  if (isReversing_) {
+    aim.model.maxVel = std::min(model_.maxVel, maxReverse_);
+    aim.heading = base::wrapToPi(pose.heading + base::kPi);
+    aside = bearing > 0.0 ? most : -most;
+  }
+  aim.wanted =
+      std::min(speed, aim.model.maxVel) * base::directionOf(base::wrapToPi(aim.heading + aside));
+  return aim;
+}
+
+namespace {
+
+constexpr std::size_t kMaxVisible = 24;
+constexpr double kWallTolerance =
+    2e-3;  // [m], minimum distance to walls, so that the planes do not exclude zero
+
+}  // namespace
+
+std::vector<TrackedBody> visibleBodies(const Observation& observation, double range) {
+  const Vec2& eye = observation.pose.position;
+  const auto distance = [&eye](const TrackedBody& body) {
+    return (body.position - eye).squaredNorm();
+  };
+  std::vector<TrackedBody> found;
+  found.reserve(observation.bodies.size());
+  for (const TrackedBody& body : observation.bodies) {
+    if (distance(body) <= range * range &&
+        (observation.navigation->isOpenBetween(eye, body.position) ||
+         observation.obstacles->isVisible(eye, body.position))) {
+      found.push_back(body);
+    }
+  }
+  std::sort(found.begin(), found.end(), [&](const TrackedBody& a, const TrackedBody& b) {
+    return distance(a) != distance(b) ? distance(a) < distance(b) : a.id < b.id;
+  });
+  if (found.size() > kMaxVisible) {
+    found.resize(kMaxVisible);
+  }
+  return found;
+}
+
+std::vector<HalfPlane> wallPlanes(const Observation& observation, double radius, double speed,
+                                  double horizon) {
+  std::vector<Obstacles::Point> points;
+  const Vec2& position = observation.pose.position;
+  observation.obstacles->boundaryPoints(position, points, radius + speed * horizon);
+  std::vector<HalfPlane> planes;
+  planes.reserve(points.size());
+  for (const Obstacles::Point& point : points) {
+    const double size = point.inside ? radius : std::min(radius, point.distance - kWallTolerance);
+    planes.push_back(
+        pointHalfPlane(Walker(0, position, Vec2::Zero(), size), point, horizon, observation.dt));
+  }
+  return planes;
+}
+
+Vec2 rotated(const Vec2& vector, double angle) {
+  const double cosine = base::cos(angle);
+  const double sine = base::sin(angle);
+  return {cosine * vector.x() - sine * vector.y(), sine * vector.x() + cosine * vector.y()};
+}
+
+HalfPlane rotated(const HalfPlane& plane, double heading) {
+  return {rotated(plane.point, heading), rotated(plane.direction, heading)};
+}
+
+double worstViolation(const std::vector<HalfPlane>& planes, std::size_t first,
+                      const Vec2& velocity) {
+  double worst = 0.0;
+  for (std::size_t i = first; i < planes.size(); ++i) {
+    worst = std::max(worst, planes[i].violation(velocity));
+  }
+  return worst;
 }
 
 }  // namespace sim2d

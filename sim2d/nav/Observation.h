@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -7,28 +8,29 @@
 #include <vector>
 
 #include "sim2d/map/NavigationMap.h"
+#include "sim2d/map/Obstacles.h"
 #include "sim2d/nav/Battery.h"
 #include "sim2d/nav/Body.h"
 
-/// What a robot knows when it decides. World frame, SI, radians.
+/// Information that a robot has when it decides. World frame, SI, radians.
 namespace sim2d {
 
-/// One turn of a lidar: distances counter-clockwise from `angleMin`, in the sensor's frame.
+/// One lidar scan: distances counter-clockwise from `angleMin`, in the sensor frame.
 struct LaserScan {
-  Pose2 sensor;                   // where the robot takes its sensor to be [m], [rad]
+  Pose2 sensor;                   // pose as estimated by the robot [m], [rad]
   double time = 0.0;              // [s]
   double angleMin = 0.0;          // [rad], of the first beam
-  double perBeam = 0.0;           // [rad] between neighbours
-  double range = 30.0;            // [m]; beams without a hit have it
+  double angleIncrement = 0.0;    // [rad] between neighbours
+  double range = 30.0;            // [m]; the distance of beams without a hit
   std::vector<double> distances;  // [m]
-  Pose2 mapToOdom;                // of the robot at this time, see `Observation`
+  Pose2 mapToOdom;                // of the robot at this time; see `Observation`
 };
 
 enum class BodyKind : std::uint8_t { Person, Robot };
 
-/// Somebody the robot knows of: by its detector, or as it is (ground truth).
+/// A body that the robot perceives: by its detector, or as ground truth.
 struct TrackedBody {
-  int id = 0;  // of the track; the detector may swap them
+  int id = 0;  // track id; the detector may swap ids
   BodyKind kind = BodyKind::Person;
   Vec2 position = Vec2::Zero();  // [m]
   Vec2 velocity = Vec2::Zero();  // [m/s]
@@ -36,35 +38,72 @@ struct TrackedBody {
   double radius = 0.35;          // [m]
 };
 
-/// A dock of the scenario: the pose of a robot that has driven in with its nose first.
-struct DockPlace {
+/// A dock of the scenario: the pose of a robot that has docked nose first.
+struct DockPose {
   std::string name;
   Pose2 pose;  // [m], [rad]
   bool isCharging = true;
 };
 
-/// The world as it was when the step began, as far as the robot's sensors tell. Pointers are valid
-/// during the call.
+/// Perception of the robot at the start of the step. Pointers are valid during the call only.
 struct Observation {
   Pose2 pose;                                 // in the map, as the robot estimates it
-  BodyTwist motion;                           // own, by odometry
-  Vec2 goal = Vec2::Zero();                   // the current one [m]
-  std::vector<Vec2> goalsAfter;               // those that follow it, in order [m]
-  int orders = 0;                             // goals from outside so far: each is a new one
-  double goalRadius = 0.2;                    // arrived = centre inside [m]
+  BodyTwist motion;                           // from odometry
+  Vec2 goal = Vec2::Zero();                   // current goal [m]
+  std::vector<Vec2> remainingGoals;           // subsequent goals, in order [m]
+  int externalGoalCount = 0;                  // number of goals set from outside; each is a new one
+  double goalRadius = 0.2;                    // a goal is reached when the centre is inside [m]
   double time = 0.0, dt = 0.05;               // [s]
-  std::vector<TrackedBody> bodies;            // people, then other robots, by id
-  std::optional<BatteryState> battery;        // none: it never runs low
-  std::vector<DockPlace> docks;               // those that its dock detector sees, by odometry
-  std::optional<BodyTwist> teleop;            // command of a person, for assisted teleoperation
-  const LaserScan* scan = nullptr;            // null: no lidar, or not turned yet
+  std::vector<TrackedBody> bodies;            // people, then other robots, sorted by id
+  std::optional<BatteryState> battery;        // none: unlimited power
+  std::vector<DockPose> docks;                // docks that its dock detector sees, by odometry
+  std::optional<BodyTwist> teleop;            // command of a user, for assisted teleoperation
+  const LaserScan* scan = nullptr;            // null: no lidar, or no scan yet
   const Obstacles* obstacles = nullptr;       // walls of the known map; never null
-  const NavigationMap* navigation = nullptr;  // routes over them; never null
-  Pose2 mapToOdom;                            // of the localiser: the frame odom in the map
-  bool isLocalized = true;                    // false: no correction has come yet
-  bool canRelocalize = false;                 // there is a localiser that corrects again
-  /// The frame of all poses here, in the map: an identity, unless they were converted.
+  const NavigationMap* navigation = nullptr;  // routing over them; never null
+  Pose2 mapToOdom;                            // of the localiser: pose of the frame odom in the map
+  bool isLocalized = true;                    // false: no correction has been made yet
+  bool canRelocalize = false;                 // the localiser makes further corrections
+  /// Frame of all poses here, in the map: identity unless they were converted.
   Pose2 frame;
 };
+
+/// Input of a robot's sensors: the true world. World frame, SI, radians.
+
+/// True state of a body. A robot may have a polygon footprint enclosed by `radius`; null: a disc.
+struct SensedBody {
+  int id = 0;  // unique within its kind
+  BodyKind kind = BodyKind::Person;
+  Vec2 position = Vec2::Zero();  // [m]
+  double heading = 0.0;          // [rad]
+  Vec2 velocity = Vec2::Zero();  // [m/s]
+  double radius = 0.35;          // [m]
+  const Footprint* footprint = nullptr;
+
+  Pose2 pose() const { return {position, heading}; }
+};
+
+/// State at one step. `obstacles` is the same object at every step and is not rebuilt; its parts
+/// may be switched. `bodies`: people sorted by id, then robots sorted by id, possibly including the
+/// robot itself.
+struct SensedWorld {
+  Pose2 pose;      // true pose of the robot
+  Pose2 odometry;  // estimated pose in the map
+  const Obstacles& obstacles;
+  const std::vector<SensedBody>& bodies;
+  double time = 0.0;  // [s], >= 0, nondecreasing
+  Pose2 mapToOdom{};  // of the robot's localiser
+};
+
+/// Index of the last event at or before `time` [s], for events at 0, 1/rate, 2/rate … (rate [Hz]),
+/// with a tolerance of 1e-6 periods for rounded times.
+inline std::int64_t eventIndexAt(double time, double rate) {
+  return static_cast<std::int64_t>(std::floor(time * rate + 1e-6));
+}
+
+/// True if `point` lies within `range` and within `halfAngle` of the heading, and no obstacle is in
+/// between.
+bool isInView(const Pose2& eye, const Vec2& point, double range, double halfAngle,
+              const Obstacles& obstacles);
 
 }  // namespace sim2d

@@ -2,33 +2,33 @@
 
 #include <algorithm>
 
+#include "sim2d/nav/DriveKinematics.h"
 #include "sim2d/nav/FootprintGap.h"
-#include "sim2d/nav/Motion.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kSafetyShares[] = {1.0, 0.75, 0.5, 0.25};
-constexpr double kSameGap = 1e-9;        // [m]
-constexpr int kMostBrakingSteps = 1000;  // of braking
+constexpr double kSpeedFractions[] = {1.0, 0.75, 0.5, 0.25};
+constexpr double kSameGap = 1e-9;  // [m]
+constexpr int kMaxBrakingSteps = 1000;
 
-/// Poses at the end of each step from now until the robot stands.
-std::vector<Pose2> posesUntilStanding(const RobotBody& body, const Observation& observation,
-                                      const BodyTwist& twist) {
+/// Poses at the end of each step until the robot stands still.
+std::vector<Pose2> brakingPoses(const RobotBody& body, const Observation& observation,
+                                const BodyTwist& twist) {
   const double dt = observation.dt;
   std::vector<Pose2> poses;
   BodyTwist now = reached(body, observation.motion, twist, dt);
   Pose2 pose = observation.pose;
-  for (int step = 0; step < kMostBrakingSteps && now != BodyTwist{}; ++step) {
-    pose = advanced(pose, now, dt);
+  for (int step = 0; step < kMaxBrakingSteps && now != BodyTwist{}; ++step) {
+    pose = propagated(pose, now, dt);
     poses.push_back(pose);
     now = reached(body, now, BodyTwist{}, dt);
   }
   return poses;
 }
 
-/// How far the robot gets from where it is [m].
-double reachOfPoses(const std::vector<Pose2>& poses, const Vec2& start) {
+/// Largest displacement from `start` [m].
+double maxDisplacement(const std::vector<Pose2>& poses, const Vec2& start) {
   double farthest = 0.0;
   for (const Pose2& pose : poses) {
     farthest = std::max(farthest, (pose.position - start).norm());
@@ -36,8 +36,9 @@ double reachOfPoses(const std::vector<Pose2>& poses, const Vec2& start) {
   return farthest;
 }
 
-bool keepsClearOf(const TrackedBody& other, const RobotBody& body, const Observation& observation,
-                  const std::vector<Pose2>& poses, double margin) {
+bool keepsClearOfBody(const TrackedBody& other, const RobotBody& body,
+                      const Observation& observation, const std::vector<Pose2>& poses,
+                      double margin) {
   double time = 0.0;
   for (const Pose2& pose : poses) {
     time += observation.dt;
@@ -68,26 +69,26 @@ bool keepsClearOfWalls(const RobotBody& body, const Observation& observation,
 
 bool isPassivelySafe(const RobotBody& body, const Observation& observation, const BodyTwist& twist,
                      double margin) {
-  const std::vector<Pose2> poses = posesUntilStanding(body, observation, twist);
+  const std::vector<Pose2> poses = brakingPoses(body, observation, twist);
   const double time = static_cast<double>(poses.size()) * observation.dt;
   const Vec2& start = observation.pose.position;
-  const double room = reachOf(body.footprint) + reachOfPoses(poses, start) + margin;
+  const double room = circumscribedRadius(body.footprint) + maxDisplacement(poses, start) + margin;
   for (const TrackedBody& other : observation.bodies) {
     const double near = room + other.radius + time * other.velocity.norm();
     if ((other.position - start).squaredNorm() < near * near &&
-        !keepsClearOf(other, body, observation, poses, margin)) {
+        !keepsClearOfBody(other, body, observation, poses, margin)) {
       return false;
     }
   }
   return keepsClearOfWalls(body, observation, poses, margin, room);
 }
 
-BodyTwist passivelySafe(const RobotBody& body, const Observation& observation,
-                        const BodyTwist& wanted, double margin) {
+BodyTwist nearestSafeTwist(const RobotBody& body, const Observation& observation,
+                           const BodyTwist& wanted, double margin) {
   const BodyTwist full = reached(body, observation.motion, wanted, observation.dt);
   const BodyTwist turning{0.0, wanted.angular, 0.0};
   const BodyTwist slow = reached(body, observation.motion, turning, observation.dt);
-  for (const double share : kSafetyShares) {
+  for (const double share : kSpeedFractions) {
     const BodyTwist tried{slow.linear + share * (full.linear - slow.linear),
                           slow.angular + share * (full.angular - slow.angular),
                           slow.lateral + share * (full.lateral - slow.lateral)};

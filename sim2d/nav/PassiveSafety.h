@@ -4,21 +4,21 @@
 
 #include "sim2d/nav/Observation.h"
 
-/// The rule by which a robot never drives into what it knows of: it stands before anything touches
-/// it ("passive motion safety", Macek, Vasquez, Fraichard & Siegwart 2009; Bouraine, Fraichard &
-/// Salhi 2012). World frame, SI. Thread: any.
+/// Passive motion safety: the robot has stopped before anything that it perceives touches it
+/// (Macek, Vasquez, Fraichard & Siegwart 2009; Bouraine, Fraichard & Salhi 2012). World frame, SI.
+/// Thread-safe.
 namespace sim2d {
 
-/// The robot takes the twist within one step, keeps it for that step, then brakes until it stands.
-/// True: all that time it keeps `margin` [m] to everybody, who go on with constant velocity, and to
-/// walls, or comes no nearer to them than if it stood.
+/// The robot changes to the twist within one step, keeps it for that step, then brakes to a
+/// standstill. True if it keeps `margin` [m] to all bodies (at constant velocity) and walls all
+/// that time, or comes no nearer to them than if it stood still.
 bool isPassivelySafe(const RobotBody& body, const Observation& observation, const BodyTwist& twist,
                      double margin);
 
-/// The twist, within one step of `observation.motion`, nearest to the wanted one that is passively
-/// safe: as wanted, slower, turning on the spot, or braking when nothing else is left. While the
-/// last one was safe and people go on as they went, braking is.
-BodyTwist passivelySafe(const RobotBody& body, const Observation& observation,
-                        const BodyTwist& wanted, double margin);
+/// Twist nearest to the wanted one that is reachable within one step from `observation.motion` and
+/// passively safe: as wanted, slower, turning in place, or else braking. Braking is safe if the
+/// last twist was safe and people keep their velocities.
+BodyTwist nearestSafeTwist(const RobotBody& body, const Observation& observation,
+                           const BodyTwist& wanted, double margin);
 
 }  // namespace sim2d

@@ -13,13 +13,104 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
+#include "sim2d/base/Types.h"
 
 namespace sim2d {
+
+void ConstantVelocityFilter::start(const Vec2& place) {
+  position_ = place;
+  velocity_ = Vec2::Zero();
+  pp_ = positionVariance_;
+  pv_ = 0.0;
+  vv_ = 1.0;
+}
+
+void ConstantVelocityFilter::predict(double duration) {
+  const double t = duration;
+  const double q = accelerationPower_;
+  position_ += t * velocity_;
+  pp_ += t * (2.0 * pv_ + t * vv_) + q * t * t * t / 3.0;
+  pv_ += t * vv_ + q * t * t / 2.0;
+  vv_ += q * t;
+}
+
+void ConstantVelocityFilter::correct(const Vec2& place) {
+  const double variance = pp_ + positionVariance_;  // S
+  if (variance <= 0.0) {  // two measurements at the same time without noise
+    return;
+  }
+  const double forPosition = pp_ / variance;
+  const double forVelocity = pv_ / variance;
+  const Vec2 innovation = place - position_;
+  position_ += forPosition * innovation;
+  velocity_ += forVelocity * innovation;
+  vv_ -= forVelocity * pv_;
+  pv_ -= forPosition * pv_;
+  pp_ -= forPosition * pp_;
+}
+
+namespace {
+
+/// Calls visit(low, high) for the one or two parts of the interval within [-pi, pi].
+template <class Visit>
+void forUnwrappedParts(double from, double width, Visit visit) {
+  constexpr double kTurn = 2.0 * base::kPi;
+  if (width >= kTurn) {
+    visit(-base::kPi, base::kPi);
+    return;
+  }
+  double low = base::wrapToPi(from);
+  low = low == base::kPi ? -base::kPi : low;
+  const double high = low + width;
+  visit(low, std::min(high, base::kPi));
+  if (high > base::kPi) {
+    visit(-base::kPi, high - kTurn);
+  }
+}
+
+}  // namespace
+
+void AngularIntervalSet::add(double from, double width) {
+  forUnwrappedParts(from, width, [this](double low, double high) { addUnwrapped(low, high); });
+}
+
+double AngularIntervalSet::covered(double from, double width) const {
+  double sum = 0.0;
+  forUnwrappedParts(from, width,
+                    [&](double low, double high) { sum += coveredUnwrapped(low, high); });
+  return sum;
+}
+
+void AngularIntervalSet::addUnwrapped(double low, double high) {
+  const auto first = std::lower_bound(intervals_.begin(), intervals_.end(), low,
+                                      [](const Interval& i, double at) { return i.high < at; });
+  auto last = first;
+  for (; last != intervals_.end() && last->low <= high; ++last) {
+  }
+  if (first == last) {
+    intervals_.insert(first, {low, high});
+    return;
+  }
+  const Interval joined{std::min(low, first->low), std::max(high, std::prev(last)->high)};
+  *first = joined;
+  intervals_.erase(std::next(first), last);
+}
+
+double AngularIntervalSet::coveredUnwrapped(double low, double high) const {
+  auto at = std::lower_bound(intervals_.begin(), intervals_.end(), low,
+                             [](const Interval& i, double angle) { return i.high < angle; });
+  double sum = 0.0;
+  for (; at != intervals_.end() && at->low < high; ++at) {
+    sum += std::min(at->high, high) - std::max(at->low, low);
+  }
+  return sum;
+}
+
 namespace {
 
 constexpr double kAllAround = 2.0 * base::kPi;
 constexpr double kHeadingSpeed = 0.2;   // [m/s]; slower tracks keep their heading
-constexpr double kTimeRounding = 1e-9;  // [s], rounding of the steps' times
+constexpr double kTimeRounding = 1e-9;  // [s], rounding of step times
 
 enum class DetectorDraw : std::uint32_t { Miss, ErrorX, ErrorY, Swap };
 
@@ -32,7 +123,7 @@ std::uint32_t bodyIndex(DetectorDraw purpose, const SensedBody& body) {
   return detectorIndex(purpose, kind | (static_cast<std::uint32_t>(body.id) & 0x7FFFFFFU));
 }
 
-/// Two ids do not fit into one index: mixed, so that pairs hardly ever share theirs.
+/// Hash of two ids, which do not fit into one draw index; collisions are rare.
 std::uint32_t pairIndex(int first, int second) {
   const auto mixed = base::philox4x32(
       {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second), 0U, 0U}, {0U, 0U});
@@ -43,7 +134,7 @@ bool isTrackBefore(const TrackedBody& a, const TrackedBody& b) {
   return std::tie(a.kind, a.id) < std::tie(b.kind, b.id);
 }
 
-/// Pairs of people closer to each other than that, as (lower, higher id), ascending.
+/// Pairs of people closer than `distance`, as (lower, higher id), ascending.
 std::vector<std::pair<int, int>> closePairs(std::vector<const SensedBody*> people,
                                             double distance) {
   std::sort(people.begin(), people.end(), [](const SensedBody* a, const SensedBody* b) {
@@ -65,7 +156,7 @@ std::vector<std::pair<int, int>> closePairs(std::vector<const SensedBody*> peopl
 
 }  // namespace
 
-DetectorParameters groundTruth() {
+DetectorParameters groundTruthDetector() {
   DetectorParameters parameters;
   parameters.range = std::numeric_limits<double>::infinity();
   parameters.rate = 0.0;
@@ -75,7 +166,7 @@ DetectorParameters groundTruth() {
   parameters.swaps = 0.0;
   parameters.isOccluded = false;
   parameters.coastTime = 0.0;
-  parameters.isMotionMeasured = true;
+  parameters.measuresVelocity = true;
   return parameters;
 }
 
@@ -86,7 +177,7 @@ DetectorParameters idealDetector() {
   parameters.noise = 0.0;
   parameters.misses = 0.0;
   parameters.swaps = 0.0;
-  parameters.isMotionMeasured = true;
+  parameters.measuresVelocity = true;
   return parameters;
 }
 
@@ -99,53 +190,55 @@ PeopleDetector::PeopleDetector(const DetectorParameters& parameters, std::uint64
 
 void PeopleDetector::update(const SensedWorld& world) {
   if (beginCycle(world.time)) {
-    look(world);
+    detect(world);
   }
-  auto next = untold_.begin();
-  for (; next != untold_.end() && next->time + parameters_.latency <= world.time + kTimeRounding;
+  auto next = pendingCycles_.begin();
+  for (; next != pendingCycles_.end() &&
+         next->time + parameters_.latency <= world.time + kTimeRounding;
        ++next) {
-    tell(*next);
+    report(*next);
   }
-  std::move(untold_.begin(), next, std::back_inserter(told_));
-  untold_.erase(untold_.begin(), next);
+  std::move(pendingCycles_.begin(), next, std::back_inserter(reusedCycles_));
+  pendingCycles_.erase(pendingCycles_.begin(), next);
 }
 
 bool PeopleDetector::beginCycle(double time) {
-  const std::int64_t due = parameters_.rate > 0.0 ? eventAt(time, parameters_.rate) : cycle_ + 1;
+  const std::int64_t due =
+      parameters_.rate > 0.0 ? eventIndexAt(time, parameters_.rate) : cycle_ + 1;
   const bool isDue = due > cycle_;
   cycle_ = std::max(cycle_, due);
   return isDue;
 }
 
-/// In [0, 1), of this cycle.
-double PeopleDetector::chance(std::uint32_t index) const {
+/// Uniform in [0, 1), for this cycle.
+double PeopleDetector::uniformDraw(std::uint32_t index) const {
   return base::AgentRng(seed_, robotId_, static_cast<std::uint64_t>(cycle_))
-      .uniform01(base::Draw::Detector, index);
+      .uniform01(base::DrawPurpose::Detector, index);
 }
 
-void PeopleDetector::look(const SensedWorld& world) {
+void PeopleDetector::detect(const SensedWorld& world) {
   findBodiesInSight(world);
   const auto isMissed = [&](std::size_t i) {
     return parameters_.misses > 0.0 &&
-           chance(bodyIndex(DetectorDraw::Miss, world.bodies[i])) < parameters_.misses;
+           uniformDraw(bodyIndex(DetectorDraw::Miss, world.bodies[i])) < parameters_.misses;
   };
   seen_.erase(std::remove_if(seen_.begin(), seen_.end(), isMissed), seen_.end());
   swapTracks(world.bodies);
-  if (told_.empty()) {
-    told_.emplace_back();
+  if (reusedCycles_.empty()) {
+    reusedCycles_.emplace_back();
   }
-  Cycle& cycle = untold_.emplace_back(std::move(told_.back()));
-  told_.pop_back();
+  Cycle& cycle = pendingCycles_.emplace_back(std::move(reusedCycles_.back()));
+  reusedCycles_.pop_back();
   cycle.time = world.time;
   cycle.seen.clear();
   cycle.seen.reserve(seen_.size());
   for (const std::size_t i : seen_) {
-    cycle.seen.push_back(measured(world, world.bodies[i]));
+    cycle.seen.push_back(measurementOf(world, world.bodies[i]));
   }
   std::sort(cycle.seen.begin(), cycle.seen.end(), isTrackBefore);
 }
 
-/// Everybody else in range; nearest first when that matters.
+/// All other bodies in range; sorted by distance if occlusion is simulated.
 void PeopleDetector::findCandidates(const SensedWorld& world) {
   const Vec2& eye = world.pose.position;
   candidates_.clear();
@@ -159,7 +252,7 @@ void PeopleDetector::findCandidates(const SensedWorld& world) {
     }
     candidates_.push_back({i, distance, 0.0, 0.0});
     if (parameters_.isOccluded) {
-      setSpan(candidates_.back(), eye, body);
+      setAngularSpan(candidates_.back(), eye, body);
     }
   }
   if (parameters_.isOccluded) {
@@ -169,8 +262,8 @@ void PeopleDetector::findCandidates(const SensedWorld& world) {
   }
 }
 
-/// To either side of the bearing of its centre.
-void PeopleDetector::setSpan(Candidate& candidate, const Vec2& eye, const SensedBody& body) {
+/// Sets the angular interval of the body about the bearing of its centre.
+void PeopleDetector::setAngularSpan(Candidate& candidate, const Vec2& eye, const SensedBody& body) {
   const double bearing = base::headingOf(body.position - eye);
   double left = 0.0;
   double right = 0.0;
@@ -194,32 +287,32 @@ void PeopleDetector::setSpan(Candidate& candidate, const Vec2& eye, const Sensed
 
 void PeopleDetector::findBodiesInSight(const SensedWorld& world) {
   findCandidates(world);
-  hidden_.clear();
+  occludedAngles_.clear();
   seen_.clear();
   for (const Candidate& candidate : candidates_) {
     if (isInSight(candidate, world)) {
       seen_.push_back(candidate.number);
     }
     if (parameters_.isOccluded) {
-      hidden_.add(candidate.from, candidate.width);
+      occludedAngles_.add(candidate.from, candidate.width);
     }
   }
 }
 
 bool PeopleDetector::isInSight(const Candidate& candidate, const SensedWorld& world) const {
   const Vec2& place = world.bodies[candidate.number].position;
-  if (!isInField(world.pose, place)) {
+  if (!isInFieldOfView(world.pose, place)) {
     return false;
   }
   if (!parameters_.isOccluded) {
     return true;
   }
-  const double hidden = hidden_.covered(candidate.from, candidate.width);
-  return hidden <= parameters_.hiddenShare * candidate.width &&
+  const double hidden = occludedAngles_.covered(candidate.from, candidate.width);
+  return hidden <= parameters_.maxOcclusion * candidate.width &&
          world.obstacles.isVisible(world.pose.position, place);
 }
 
-bool PeopleDetector::isInField(const Pose2& eye, const Vec2& place) const {
+bool PeopleDetector::isInFieldOfView(const Pose2& eye, const Vec2& place) const {
   if (parameters_.field >= kAllAround) {
     return true;
   }
@@ -227,7 +320,7 @@ bool PeopleDetector::isInField(const Pose2& eye, const Vec2& place) const {
   return std::fabs(bearing) <= 0.5 * parameters_.field;
 }
 
-TrackedBody PeopleDetector::measured(const SensedWorld& world, const SensedBody& body) const {
+TrackedBody PeopleDetector::measurementOf(const SensedWorld& world, const SensedBody& body) const {
   TrackedBody seen;
   seen.id = body.kind == BodyKind::Person ? trackOf(body.id) : body.id;
   seen.kind = body.kind;
@@ -244,7 +337,7 @@ TrackedBody PeopleDetector::measured(const SensedWorld& world, const SensedBody&
   if (parameters_.noise > 0.0) {
     const base::AgentRng rng(seed_, robotId_, static_cast<std::uint64_t>(cycle_));
     const auto error = [&](DetectorDraw axis) {
-      return rng.normal(0.0, parameters_.noise, base::Draw::Detector, bodyIndex(axis, body));
+      return rng.normal(0.0, parameters_.noise, base::DrawPurpose::Detector, bodyIndex(axis, body));
     };
     seen.position += Vec2(error(DetectorDraw::ErrorX), error(DetectorDraw::ErrorY));
   }
@@ -263,20 +356,20 @@ void PeopleDetector::swapTracks(const std::vector<SensedBody>& bodies) {
     }
   }
   for (const auto& [first, second] : closePairs(std::move(people), parameters_.swapDistance)) {
-    if (chance(pairIndex(first, second)) < parameters_.swaps) {
-      int& one = swapped_.try_emplace(first, first).first->second;
-      int& other = swapped_.try_emplace(second, second).first->second;
+    if (uniformDraw(pairIndex(first, second)) < parameters_.swaps) {
+      int& one = trackIds_.try_emplace(first, first).first->second;
+      int& other = trackIds_.try_emplace(second, second).first->second;
       std::swap(one, other);
     }
   }
 }
 
 int PeopleDetector::trackOf(int person) const {
-  const auto found = swapped_.find(person);
-  return found == swapped_.end() ? person : found->second;
+  const auto found = trackIds_.find(person);
+  return found == trackIds_.end() ? person : found->second;
 }
 
-void PeopleDetector::tell(const Cycle& cycle) {
+void PeopleDetector::report(const Cycle& cycle) {
   tracksBefore_.swap(tracks_);
   tracks_.clear();
   const auto coastUntil = [&](auto old, const auto& isReached) {
@@ -292,10 +385,10 @@ void PeopleDetector::tell(const Cycle& cycle) {
   for (const TrackedBody& seen : cycle.seen) {
     old = coastUntil(old, [&](const Track& track) { return !isTrackBefore(track.body, seen); });
     if (old != tracksBefore_.end() && !isTrackBefore(seen, old->body)) {
-      follow(*old, seen, cycle.time);
+      updateTrack(*old, seen, cycle.time);
       tracks_.push_back(*old++);
     } else {
-      tracks_.push_back(started(seen, cycle.time));
+      tracks_.push_back(newTrack(seen, cycle.time));
     }
   }
   coastUntil(old, [](const Track& /*track*/) { return false; });
@@ -306,18 +399,19 @@ void PeopleDetector::tell(const Cycle& cycle) {
   }
 }
 
-PeopleDetector::Track PeopleDetector::started(const TrackedBody& seen, double time) const {
-  Track track{seen, MotionFilter(parameters_.noise, parameters_.accelerationPower), time, time};
+PeopleDetector::Track PeopleDetector::newTrack(const TrackedBody& seen, double time) const {
+  Track track{seen, ConstantVelocityFilter(parameters_.noise, parameters_.accelerationPower), time,
+              time};
   track.filter.start(seen.position);
-  if (!parameters_.isMotionMeasured) {
+  if (!parameters_.measuresVelocity) {
     track.body.velocity = Vec2::Zero();
     track.body.heading = 0.0;
   }
   return track;
 }
 
-void PeopleDetector::follow(Track& track, const TrackedBody& seen, double time) const {
-  if (parameters_.isMotionMeasured) {
+void PeopleDetector::updateTrack(Track& track, const TrackedBody& seen, double time) const {
+  if (parameters_.measuresVelocity) {
     track.body = seen;
   } else {
     track.filter.predict(time - track.time);

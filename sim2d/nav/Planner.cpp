@@ -5,7 +5,7 @@
 
 namespace sim2d {
 
-std::string fileOf(const PlannerSetup& setup, const std::string& key) {
+std::string fileParameter(const PlannerSetup& setup, const std::string& key) {
   const auto given = std::find_if(setup.texts.begin(), setup.texts.end(),
                                   [&](const auto& text) { return text.first == key; });
   return given == setup.texts.end() || given->second.empty()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,48 +12,59 @@
 
 #include "sim2d/base/Registry.h"
 #include "sim2d/base/Result.h"
-#include "sim2d/base/Stop.h"
-#include "sim2d/map/CostGrid.h"
-#include "sim2d/nav/NavigationEnd.h"
+#include "sim2d/base/StopFlag.h"
+#include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/external/CodePermission.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
-/// Local planners of robots, and how they are chosen by name.
 namespace sim2d {
 
-/// A way that a planner has weighed, for display.
+/// Result of the navigation to a goal, for planners that decide themselves when a goal is over; the
+/// result of a navigator action as Nav2 reports it to its client.
+struct NavigationResult {
+  bool hasSucceeded = false;
+  /// Why it failed, by name: "planner NO_VALID_PATH (208)"; empty on success.
+  std::string reason;
+  std::string message;    // the same as a sentence; empty: none
+  int errorCode = 0;      // Nav2 error code; 0: none
+  std::size_t goals = 1;  // number of goals that this result ends, starting with the current one
+};
+
+/// Local planners of robots, and their registry.
+
+/// A trajectory that a planner evaluated, for display.
 struct Candidate {
-  std::vector<Vec2> points;  // [m], the robot's place first
-  double cost = 0.0;         // the less the better; infinite: would hit something
+  std::vector<Vec2> points;  // [m], starting at the robot
+  double cost = 0.0;         // lower is better; infinite: collision
   bool isChosen = false;
-  /// What each part of the cost came to, in the planner's own words: "PathAlign", 3.2. They add up
-  /// to the cost; none: the planner does not tell.
+  /// Cost by component, in the planner's own terms: "PathAlign", 3.2. The values add up to the
+  /// cost; empty: not reported.
   std::vector<std::pair<std::string, double>> scores{};
 };
 
-/// What of a planner is looked at, for display alone: nothing that it does depends on it, what
-/// nobody looks at costs no time. Switched in any thread.
-struct PlannerWatch {
+/// Which debug data a planner collects, for display only: the planner's behaviour does not depend
+/// on it, and data that is not displayed costs no time. May be set from any thread.
+struct PlannerDebugFlags {
   std::atomic<bool> costs{false};  // `PlannerView::localCosts`, `globalCosts`
-  std::atomic<bool> ways{false};   // `candidates` of planners that gather them only then; the rest
+  std::atomic<bool> ways{false};   // optional `candidates` and the rest
 };
 
-/// What a planner knows beside its path, for display. World frame [m].
+/// Planner state beside the path, for display. World frame [m].
 struct PlannerView {
-  CostGridPtr localCosts, globalCosts;  // while watched; null: it has none
-  std::string controller;               // which part of it drives: "FollowPath"; empty: itself
-  std::vector<Vec2> lookahead;          // what it aims at, the first is followed
-  std::vector<Vec2> predicted;          // where it means to go
+  CostGridPtr localCosts, globalCosts;  // null: none, or not watched
+  std::string controller;               // "FollowPath"; empty: the planner itself
+  std::vector<Vec2> lookahead;          // points that it aims at; the first is the current one
+  std::vector<Vec2> predicted;          // predicted trajectory
 };
 
-/// A behaviour tree as a record wants it: paths of nodes, and what each returned in the last step.
-struct DrivingTree {
+/// Behaviour tree state for the recording: paths of nodes, and their status after the last step.
+struct TreeStatus {
   std::shared_ptr<const std::vector<std::string>> paths;
-  std::vector<base::NodeStatus> statuses;  // beside them
+  std::vector<base::NodeStatus> statuses;  // same order
 };
 
-/// Something that a planner did and that belongs into the record of a run.
+/// An event of a planner for the recording of a run.
 struct PlannerEvent {
   enum class Kind : std::uint8_t { Dock, Photo };
   Kind kind = Kind::Dock;
@@ -61,18 +73,18 @@ struct PlannerEvent {
 
 constexpr const char* kNav2Planner = "nav2";
 
-/// Files and values of the planner `nav2`; empty: Nav2's own.
-struct Nav2Choice {
+/// Files and values of the planner `nav2`; empty: Nav2 defaults.
+struct Nav2Config {
   std::vector<std::string> params;                          // files and `name:=value`, in order
-  std::string tree;                                         // a file
-  std::optional<nav2::Distro> distro;                       // none: as the file tells
+  std::string tree;                                         // path of a tree file
+  std::optional<nav2::Distro> distro;                       // none: as given by the file
   std::vector<std::pair<std::string, std::string>> values;  // "FollowPath.temperature", YAML
-  /// "12 controller_selector FollowPath2; 20 /pause": what is published, when [s].
+  /// "12 controller_selector FollowPath2; 20 /pause": topics published at a time [s].
   std::string topics{};
 };
 
-/// A local planner of one robot. Thread: one at a time. Equal observations in the same order give
-/// equal commands, to the bit.
+/// Local planner of one robot. Not thread-safe. Equal observations in the same order give
+/// bit-identical commands.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -85,73 +97,75 @@ class Planner {
   /// Called once per step while the robot has a goal. The world limits the command to what the
   /// drive can do. An error ends the run.
   virtual base::Result<BodyTwist> command(const Observation& observation) = 0;
-  /// False: it never looks at `Observation::scan`, and no turns need be made for it.
+  /// False: `Observation::scan` is never read, and no scans need to be computed for it.
   virtual bool readsScan() const { return true; }
-  /// False: it is asked without a goal too, and after the last one; the goal is the robot's place.
+  /// False: `command` is also called without a goal and after the last one; the goal is then the
+  /// robot's position.
   virtual bool needsGoal() const { return true; }
-  /// What it follows now, for display; the robot's place first.
+  /// The path that it follows now, for display, starting at the robot.
   virtual std::vector<Vec2> path() const { return {}; }
-  /// What it weighed in the last call, for display; a sample of it when there is much.
+  /// Trajectories that it evaluated in the last call, for display; a sample if there are many.
   virtual std::vector<Candidate> candidates() const { return {}; }
-  /// From the next call on these are told.
+  /// Selects the debug data to collect from the next call on.
   virtual void watch(bool /*costs*/, bool /*ways*/) {}
   virtual PlannerView view() const { return {}; }
-  /// Draws by another seed from now on. Planners that draw nothing, and those outside, stay as they
-  /// are.
+  /// Sets the seed for further draws. No effect for planners without random draws and for external
+  /// ones.
   virtual void reseed(std::uint64_t /*seed*/) {}
-  /// It planned anew, or does not get on, since the last call.
+  /// True if it replanned, or was stuck, since the last call.
   virtual bool takeReplanned() { return false; }
-  /// Goals that it has driven through without being inside `goalRadius` of them, since the last
-  /// call; they count as reached. The last goal never does.
+  /// Number of goals that it passed without being inside their `goalRadius`, since the last call;
+  /// they count as reached. The last goal is never included.
   virtual std::size_t takePassedGoals() { return 0; }
-  /// True: a goal is over when `takeEnd` reports it. False: when the robot's true position is
-  /// within `goalRadius` of it.
-  virtual bool endsGoals() const { return false; }
-  /// The result of the navigation to the current goal, if the last call of `command` ended it.
-  /// Afterwards the goal is over: the next call of `command` is for another one.
-  virtual std::optional<NavigationEnd> takeEnd() { return std::nullopt; }
-  /// It has asked for a global localisation since the last call.
-  virtual bool takeRelocalization() { return false; }
-  /// It drives by a map of its own: `takeMap` is called before the first step.
-  virtual bool wantsMap() const { return false; }
-  /// The known map: that of the file with the obstacles that are drawn, doors open. Problems of it.
+  /// True: a goal is over when `takeNavigationResult` reports it. False: when the robot's true
+  /// position is within `goalRadius` of it.
+  virtual bool decidesGoalEnd() const { return false; }
+  /// Result of the navigation to the current goal, if the last call of `command` ended it. The next
+  /// call of `command` is then for another goal.
+  virtual std::optional<NavigationResult> takeNavigationResult() { return std::nullopt; }
+  /// True if it requested a global localisation since the last call.
+  virtual bool takeRelocalizationRequest() { return false; }
+  /// True: `takeMap` is called before the first step.
+  virtual bool needsMap() const { return false; }
+  /// Sets the known map: the map file with the drawn obstacles, doors open. Returns its problems.
   virtual base::Diagnostics takeMap(const OccupancyGrid& /*map*/) { return {}; }
-  /// It wants `Observation::teleop`: commands of a person are its input instead of replacing its
-  /// own.
-  virtual bool wantsTeleop() const { return false; }
-  /// Events since the last call, for the record: what was done, see EventKind::Photo and Dock.
+  /// True: `Observation::teleop` (the command of a user) is an input of the planner instead of
+  /// replacing its command.
+  virtual bool usesTeleop() const { return false; }
+  /// Events since the last call, for the recording; see EventKind::Photo and Dock.
   virtual std::vector<PlannerEvent> takeEvents() { return {}; }
-  /// The behaviour tree that drives it, where one does; null: none does.
-  virtual const DrivingTree* tree() const { return nullptr; }
-  /// What a manifest should tell beside the parameters, as JSON; empty: nothing.
-  virtual std::string reportJson() const { return {}; }
+  /// Behaviour tree that drives the robot; null: none.
+  virtual const TreeStatus* tree() const { return nullptr; }
+  /// Additional content of the run manifest, as JSON; empty: none.
+  virtual std::string manifestJson() const { return {}; }
 };
 
-/// All that a planner is made of.
+/// Arguments for constructing a planner.
 struct PlannerSetup {
-  std::string robot;  // its name, for errors
+  std::string robot;  // name of the robot, for error messages
   RobotBody body;
-  std::vector<std::pair<std::string, double>> parameters;  // given ones, checked against the specs
-  std::vector<std::pair<std::string, std::string>> texts;  // idem, of specs of type Text
-  Nav2Choice nav2;
+  std::vector<std::pair<std::string, double>> parameters;  // given values, already checked
+  std::vector<std::pair<std::string, std::string>> texts;  // same, for specs of type Text
+  Nav2Config nav2;
   double goalRadius = 0.2;  // [m]
-  double dt = 0.05;         // [s], step of the world
+  double dt = 0.05;         // [s], time step of the world
   std::uint64_t seed = 1;
-  int robotId = -1;     // with the seed: whose draws
-  std::string command;  // the program of an external planner, see `commandWords`
-  std::string folder;   // where relative files begin; empty: the current one
-  CodeUse code = CodeUse::Refused;
-  std::vector<DockPlace> docks;                    // of the scenario, in its order
-  std::vector<std::pair<std::string, int>> names;  // of people and robots, with their ids
+  int robotId = -1;     // random draws depend on this and the seed
+  std::string command;  // program of an external planner; see `splitCommandLine`
+  std::string folder;   // base of relative paths; empty: current directory
+  ExternalCodePolicy code = ExternalCodePolicy::Refused;
+  std::vector<DockPose> docks;                     // of the scenario, in order
+  std::vector<std::pair<std::string, int>> names;  // names and ids of people and robots
   base::StopFlagPtr stop =
-      std::make_shared<const base::StopFlag>();  // ends waits, by base::Stopped
+      std::make_shared<const base::StopFlag>();  // interrupts waits, with base::Stopped
 };
 
-/// The file that a text names, empty: none does. Relative ones begin in the folder of the setup.
-std::string fileOf(const PlannerSetup& setup, const std::string& key);
+/// Path of the file given by a text parameter, resolved against the folder of the setup; empty if
+/// not given.
+std::string fileParameter(const PlannerSetup& setup, const std::string& key);
 
-/// A file in planners/ registers its own in `add<File>`; errors name the robot.
-using PlannerMaker = std::function<base::Result<std::shared_ptr<Planner>>(const PlannerSetup&)>;
-using PlannerRegistry = base::Registry<PlannerMaker>;
+/// Each file in planners/ registers its planner in `add<File>`; errors contain the robot's name.
+using PlannerFactory = std::function<base::Result<std::shared_ptr<Planner>>(const PlannerSetup&)>;
+using PlannerRegistry = base::Registry<PlannerFactory>;
 
 }  // namespace sim2d

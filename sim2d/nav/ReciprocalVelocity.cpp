@@ -7,40 +7,40 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSmall = 1e-9;
+constexpr double kOrcaEpsilon = 1e-9;
 
 Vec2 leftOf(const Vec2& direction) {
   return {-direction.y(), direction.x()};
 }
 
-/// The plane whose allowed side lies along `outwards` from `edge`.
-HalfPlane planeThrough(const Vec2& edge, const Vec2& outwards) {
+/// The half plane with its boundary through `edge` and its allowed side along `outwards`.
+HalfPlane halfPlaneThrough(const Vec2& edge, const Vec2& outwards) {
   return {edge, Vec2(outwards.y(), -outwards.x())};
 }
 
-/// Change of the relative velocity to the nearest place outside the disc of velocities that lead to
+/// Change of the relative velocity to the nearest point outside the disc of velocities that lead to
 /// contact after exactly `time`.
 struct Change {
   Vec2 amount = Vec2::Zero();
   Vec2 outwards = Vec2(1.0, 0.0);
 };
 
-Change outOfDisc(const Vec2& relative, const Vec2& apart, double reach, double time) {
+Change escapeDisc(const Vec2& relative, const Vec2& apart, double reach, double time) {
   const Vec2 fromCentre = relative - apart / time;
   const double length = fromCentre.norm();
   Change change;
-  if (length > kSmall) {
+  if (length > kOrcaEpsilon) {
     change.outwards = fromCentre / length;
   } else {
     const double distance = apart.norm();
-    change.outwards = distance > kSmall ? Vec2(-apart / distance) : Vec2(1.0, 0.0);
+    change.outwards = distance > kOrcaEpsilon ? Vec2(-apart / distance) : Vec2(1.0, 0.0);
   }
   change.amount = (reach / time - length) * change.outwards;
   return change;
 }
 
-/// The same for the cone of velocities that lead to contact at any time: out at its nearer leg.
-Change outOfCone(const Vec2& relative, const Vec2& apart, double reach, bool isLeft) {
+/// Same for the cone of velocities that lead to contact at any time, over its nearer leg.
+Change escapeCone(const Vec2& relative, const Vec2& apart, double reach, bool isLeft) {
   const double squared = apart.squaredNorm();
   const double tangent = std::sqrt(std::max(0.0, squared - reach * reach));
   const double side = isLeft ? 1.0 : -1.0;
@@ -51,13 +51,13 @@ Change outOfCone(const Vec2& relative, const Vec2& apart, double reach, bool isL
   return change;
 }
 
-/// Part of a line that other planes leave over.
-struct Stretch {
+/// Part of a line that satisfies other half planes.
+struct LineInterval {
   double from = 0.0, to = 0.0;
 };
 
-std::optional<Stretch> stretchWithin(const std::vector<HalfPlane>& planes, std::size_t line,
-                                     double fastest) {
+std::optional<LineInterval> feasibleInterval(const std::vector<HalfPlane>& planes, std::size_t line,
+                                             double fastest) {
   const HalfPlane& on = planes[line];
   const double along = on.point.dot(on.direction);
   const double square = along * along + fastest * fastest - on.point.squaredNorm();
@@ -65,11 +65,11 @@ std::optional<Stretch> stretchWithin(const std::vector<HalfPlane>& planes, std::
     return std::nullopt;
   }
   const double half = std::sqrt(square);
-  Stretch stretch{-along - half, -along + half};
+  LineInterval stretch{-along - half, -along + half};
   for (std::size_t i = 0; i < line; ++i) {
     const double crossing = base::cross(on.direction, planes[i].direction);
     const double beyond = base::cross(planes[i].direction, on.point - planes[i].point);
-    if (std::fabs(crossing) <= kSmall) {
+    if (std::fabs(crossing) <= kOrcaEpsilon) {
       if (beyond < 0.0) {
         return std::nullopt;
       }
@@ -88,14 +88,14 @@ std::optional<Stretch> stretchWithin(const std::vector<HalfPlane>& planes, std::
   return stretch;
 }
 
-enum class Aim { Nearest, Farthest };  // to a velocity, or in a direction
+enum class Objective { Nearest, Farthest };  // nearest to a velocity, or farthest in a direction
 
-/// Best velocity under the first planes; the number of planes that could be kept.
-std::size_t solve(const std::vector<HalfPlane>& planes, const Vec2& wanted, double fastest, Aim aim,
-                  Vec2& best) {
+/// Best velocity under the half planes; returns the number of planes that could be satisfied.
+std::size_t solve(const std::vector<HalfPlane>& planes, const Vec2& wanted, double fastest,
+                  Objective aim, Vec2& best) {
   const double length = wanted.norm();
   best = wanted;
-  if (aim == Aim::Farthest) {
+  if (aim == Objective::Farthest) {
     best = wanted * fastest;
   } else if (length > fastest) {
     best = wanted * (fastest / length);
@@ -104,13 +104,13 @@ std::size_t solve(const std::vector<HalfPlane>& planes, const Vec2& wanted, doub
     if (planes[i].violation(best) <= 0.0) {
       continue;
     }
-    const std::optional<Stretch> stretch = stretchWithin(planes, i, fastest);
+    const std::optional<LineInterval> stretch = feasibleInterval(planes, i, fastest);
     if (!stretch) {
       return i;
     }
     const Vec2& direction = planes[i].direction;
     double place = direction.dot(wanted - planes[i].point);
-    if (aim == Aim::Farthest) {
+    if (aim == Objective::Farthest) {
       place = direction.dot(wanted) > 0.0 ? stretch->to : stretch->from;
     }
     best = planes[i].point + std::clamp(place, stretch->from, stretch->to) * direction;
@@ -118,18 +118,18 @@ std::size_t solve(const std::vector<HalfPlane>& planes, const Vec2& wanted, doub
   return planes.size();
 }
 
-/// The planes of equal violation of `plane` and each of the earlier ones that can give.
-std::vector<HalfPlane> balanced(const std::vector<HalfPlane>& planes, std::size_t fixed,
-                                std::size_t plane) {
+/// The planes of equal violation of `plane` and each of the earlier ones that are not fixed.
+std::vector<HalfPlane> bisectorPlanes(const std::vector<HalfPlane>& planes, std::size_t fixed,
+                                      std::size_t plane) {
   const HalfPlane& own = planes[plane];
   std::vector<HalfPlane> found(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(fixed));
   for (std::size_t k = fixed; k < plane; ++k) {
     const HalfPlane& other = planes[k];
     const double crossing = base::cross(own.direction, other.direction);
     HalfPlane middle;
-    if (std::fabs(crossing) <= kSmall) {
+    if (std::fabs(crossing) <= kOrcaEpsilon) {
       if (own.direction.dot(other.direction) > 0.0) {
-        continue;  // the same way: one of them holds with the other
+        continue;  // same direction: one of them implies the other
       }
       middle.point = 0.5 * (own.point + other.point);
     } else {
@@ -138,7 +138,7 @@ std::vector<HalfPlane> balanced(const std::vector<HalfPlane>& planes, std::size_
     }
     const Vec2 between = other.direction - own.direction;
     const double length = between.norm();
-    if (length > kSmall) {
+    if (length > kOrcaEpsilon) {
       middle.direction = between / length;
       found.push_back(middle);
     }
@@ -146,7 +146,7 @@ std::vector<HalfPlane> balanced(const std::vector<HalfPlane>& planes, std::size_
   return found;
 }
 
-/// From plane `first` on: as little violation of the worst one as possible.
+/// Minimises the largest violation of the planes from `first` on.
 void relax(const std::vector<HalfPlane>& planes, std::size_t fixed, std::size_t first,
            double fastest, Vec2& best) {
   double worst = 0.0;
@@ -154,11 +154,11 @@ void relax(const std::vector<HalfPlane>& planes, std::size_t fixed, std::size_t 
     if (planes[i].violation(best) <= worst) {
       continue;
     }
-    const std::vector<HalfPlane> between = balanced(planes, fixed, i);
+    const std::vector<HalfPlane> between = bisectorPlanes(planes, fixed, i);
     const Vec2 before = best;
-    if (solve(between, leftOf(planes[i].direction), fastest, Aim::Farthest, best) <
+    if (solve(between, leftOf(planes[i].direction), fastest, Objective::Farthest, best) <
         between.size()) {
-      best = before;  // only by rounding: the old velocity is on the edge
+      best = before;  // rounding only: the previous velocity is on the boundary
     }
     worst = planes[i].violation(best);
   }
@@ -166,42 +166,43 @@ void relax(const std::vector<HalfPlane>& planes, std::size_t fixed, std::size_t 
 
 }  // namespace
 
-HalfPlane avoidBody(const Walker& self, const Walker& other, double horizon, double dt,
-                    double share) {
+HalfPlane bodyHalfPlane(const Walker& self, const Walker& other, double horizon, double dt,
+                        double share) {
   const Vec2 apart = other.position - self.position;
   const Vec2 relative = self.velocity - other.velocity;
   const double reach = self.radius + other.radius;
   Change change;
   if (apart.squaredNorm() <= reach * reach) {
-    change = outOfDisc(relative, apart, reach, dt);
+    change = escapeDisc(relative, apart, reach, dt);
   } else {
     const Vec2 fromCentre = relative - apart / horizon;
     const double inFront = fromCentre.dot(apart);
     const bool isRound =
         inFront < 0.0 && inFront * inFront > reach * reach * fromCentre.squaredNorm();
-    change = isRound ? outOfDisc(relative, apart, reach, horizon)
-                     : outOfCone(relative, apart, reach, base::cross(apart, fromCentre) > 0.0);
+    change = isRound ? escapeDisc(relative, apart, reach, horizon)
+                     : escapeCone(relative, apart, reach, base::cross(apart, fromCentre) > 0.0);
   }
-  return planeThrough(self.velocity + share * change.amount, change.outwards);
+  return halfPlaneThrough(self.velocity + share * change.amount, change.outwards);
 }
 
-HalfPlane avoidPoint(const Walker& self, const Obstacles::Point& point, double horizon, double dt) {
+HalfPlane pointHalfPlane(const Walker& self, const Obstacles::Point& point, double horizon,
+                         double dt) {
   const Vec2 apart = point.position - self.position;
   const double distance = apart.norm();
-  if (distance < kSmall) {
-    return planeThrough(Vec2::Zero(), Vec2(1.0, 0.0));
+  if (distance < kOrcaEpsilon) {
+    return halfPlaneThrough(Vec2::Zero(), Vec2(1.0, 0.0));
   }
   const double side = point.inside ? -1.0 : 1.0;
   const Vec2 towards = side * apart / distance;
   const double room = side * distance - self.radius;
   const double fastest = room >= 0.0 ? room / horizon : std::max(room / dt, -0.5);
-  return planeThrough(fastest * towards, -towards);
+  return halfPlaneThrough(fastest * towards, -towards);
 }
 
-Vec2 nearestAllowed(const std::vector<HalfPlane>& planes, std::size_t fixed, const Vec2& wanted,
-                    double fastest) {
+Vec2 nearestFeasibleVelocity(const std::vector<HalfPlane>& planes, std::size_t fixed,
+                             const Vec2& wanted, double fastest) {
   Vec2 best = Vec2::Zero();
-  const std::size_t kept = solve(planes, wanted, fastest, Aim::Nearest, best);
+  const std::size_t kept = solve(planes, wanted, fastest, Objective::Nearest, best);
   if (kept < planes.size()) {
     relax(planes, fixed, kept, fastest, best);
   }

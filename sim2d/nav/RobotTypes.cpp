@@ -6,10 +6,10 @@
 namespace sim2d {
 namespace {
 
-/// A rectangle in robot frame; all zero: the robot is a disc.
+/// A rectangle in robot frame; all zero: disc.
 struct RobotBox {
   double rear = 0.0, front = 0.0;  // x [m]
-  double half = 0.0;               // of the width [m]
+  double half = 0.0;               // half width [m]
 };
 
 struct RobotRow {
@@ -29,7 +29,7 @@ constexpr Kinematics kDifferential = Kinematics::Differential;
 constexpr double kLidarDegree = base::kPi / 180.0;
 constexpr RobotBox kNoRobotBox{};
 
-/// Beams all round, the first one backwards.
+/// Beams over a full turn, starting backward.
 constexpr RobotLidar allRoundLidar(int beams, double range, double rate) {
   return {beams, -base::kPi, base::kPi * (1.0 - 2.0 / beams), range, rate, 0.0, 0.0, 0.3, 0.01};
 }
@@ -44,7 +44,7 @@ constexpr RobotLidar mountedLidar(RobotLidar lidar, double x, double height, dou
   return lidar;
 }
 
-// SICK TIM571 as PAL mounts it.
+// SICK TIM571 as mounted by PAL.
 constexpr RobotLidar kTim571 =
     mountedLidar(sectorLidar(666, 110.0, 25.0, 10.0), 0.202, 0.095, 0.02);
 // Limits: max_vel, max_reverse, max_acc, max_omega, max_alpha, turning radius.
@@ -61,7 +61,7 @@ constexpr RobotRow kRobotRows[] = {
      50.0,
      1.0,
      mountedLidar(allRoundLidar(360, 10.0, 10.0), 0.0, 0.3, 0.01),
-     "No particular robot: a service robot of middle size."},
+     "A generic service robot of medium size."},
     {"pmb2", "PAL PMB-2", kDifferential, 0.27, kNoRobotBox, kPmb2Drive, 32.9, 0.3, kTim571,
      "pal-robotics/pmb2_robot @6fcda26 (base.urdf.xacro: base 28.3 kg, wheels 2 x 1.8 kg, rest "
      "about 1 kg; footprint.yaml, mobile_base_controller.yaml, SICK TIM571). Height and noise of "
@@ -80,9 +80,9 @@ constexpr RobotRow kRobotRows[] = {
      0.556,
      mountedLidar(allRoundLidar(3200, 30.0, 10.0), 0.0, 0.3, 0.03),
      "NVIDIA's Nova Carter page (0.725 x 0.500 x 0.556 m, 48 kg; the drive reaches 3.3 m/s) and "
-     "NVIDIA-ISAAC-ROS/nova_carter @f03bba7 (place of the axle, navigation at 0.7 m/s and 1.9 "
-     "rad/s, 2.5 m/s²). Angular acceleration: default of nav2's velocity smoother. Lidar (one, "
-     "all round, for its two RPLIDAR S2E), reverse speed: unverified."},
+     "NVIDIA-ISAAC-ROS/nova_carter @f03bba7 (position of the axle, navigation at 0.7 m/s and 1.9 "
+     "rad/s, 2.5 m/s²). Angular acceleration: default of nav2's velocity smoother. Lidar (one with "
+     "a full turn, in place of its two RPLIDAR S2E), reverse speed: unverified."},
     {"jetbot",
      "NVIDIA JetBot",
      kDifferential,
@@ -92,8 +92,8 @@ constexpr RobotRow kRobotRows[] = {
      0.8,
      0.13,
      std::nullopt,
-     "Size, mass and speeds: figures of its makers, unverified. Accelerations: none are "
-     "published, assumed. It has a camera, no lidar."},
+     "Size, mass and speeds: manufacturer's figures, unverified. Accelerations: not published, "
+     "assumed. It has a camera, no lidar."},
     {"create3",
      "iRobot Create 3",
      kDifferential,
@@ -117,7 +117,7 @@ constexpr RobotRow kRobotRows[] = {
      mountedLidar(allRoundLidar(360, 3.5, 5.0), -0.032, 0.182, 0.01),
      "ROBOTIS-GIT/turtlebot3 @da785b7 (urdf, teleop_keyboard.py), turtlebot3_simulations "
      "model.sdf @eb50ff8 (LDS-01); accelerations of nav2's bringup. Size 0.138 x 0.178 x 0.192 m "
-     "and mass: manufacturer's figures, unverified; the body is taken to be centred on its lidar."},
+     "and mass: manufacturer's figures, unverified; assumed: the body is centred on its lidar."},
     {"turtlebot3_waffle",
      "TurtleBot 3 Waffle",
      kDifferential,
@@ -129,7 +129,7 @@ constexpr RobotRow kRobotRows[] = {
      mountedLidar(allRoundLidar(360, 3.5, 5.0), -0.064, 0.132, 0.01),
      "ROBOTIS-GIT/turtlebot3 @da785b7 (urdf, teleop_keyboard.py), turtlebot3_simulations "
      "model.sdf @eb50ff8 (LDS-01); accelerations of nav2's bringup. Size 0.281 x 0.306 x 0.141 m "
-     "and mass: manufacturer's figures, unverified; the body is taken to be centred on its lidar."},
+     "and mass: manufacturer's figures, unverified; assumed: the body is centred on its lidar."},
     {"turtlebot4",
      "TurtleBot 4",
      kDifferential,
@@ -151,10 +151,10 @@ constexpr RobotRow kRobotRows[] = {
      28.7,
      1.21,
      mountedLidar(sectorLidar(15, 30.0, 5.0, 6.66), 0.056, 0.05, 0.03),
-     "ros-naoqi/pepper_robot @60d4e08 (mass: sum of pepper.urdf; range of the laser: a guess of "
-     "its driver), SoftBank's page of the laser (6.66 Hz). Size, speeds (defaults; 0.55 m/s and 2 "
-     "rad/s at most), accelerations: manufacturer's figures, unverified. The lidar is the front "
-     "one of three, its beams, place and noise unverified."},
+     "ros-naoqi/pepper_robot @60d4e08 (mass: sum of pepper.urdf; range of the laser: the default "
+     "of its driver), SoftBank's page of the laser (6.66 Hz). Size, speeds (defaults; 0.55 m/s and "
+     "2 rad/s at most), accelerations: manufacturer's figures, unverified. The lidar is the front "
+     "one of three, its beams, position and noise are unverified."},
     {"jackal",
      "Clearpath Jackal",
      kDifferential,
@@ -165,10 +165,10 @@ constexpr RobotRow kRobotRows[] = {
      0.25,
      mountedLidar(sectorLidar(720, 135.0, 10.0, 40.0), 0.12, 0.33, 0.03),
      "clearpathrobotics/cpr-documentation user_manual_jackal.mdx @df69220, clearpath_nav2_demos "
-     "@e7a2b36 (footprint), jackal/jackal @c6ab6ca (URDF 16.5 + 4 x 0.48 kg, control.yaml: the "
-     "accelerations are its controller's, the ground may give less; 720 beams). Skid steering, "
-     "taken as differential. Height, and the Hokuyo UST-10LX's range, rate, noise and place: "
-     "manufacturer's figures, unverified."},
+     "@e7a2b36 (footprint), jackal/jackal @c6ab6ca (URDF 16.5 + 4 x 0.48 kg, control.yaml: "
+     "accelerations of its controller, less on slippery ground; 720 beams). Skid steering, "
+     "modelled as differential drive. Height, and the Hokuyo UST-10LX's range, rate, noise and "
+     "position: manufacturer's figures, unverified."},
     {"wheelchair",
      "Electric wheelchair",
      kDifferential,
@@ -178,9 +178,10 @@ constexpr RobotRow kRobotRows[] = {
      200.0,
      1.3,
      std::nullopt,
-     "A dealer's page (cnboxin.com: turning radius 20 to 30 in, top speed 3 to 8 mph); the axle "
-     "is where 30 in result. Size, mass with a person, speeds and accelerations of autonomous "
-     "ones: common figures, unverified; reverse speed and angular acceleration assumed."},
+     "A dealer's page (cnboxin.com: turning radius 20 to 30 in, top speed 3 to 8 mph); the "
+     "position of the axle results in 30 in. Size, mass with a person, speeds and accelerations of "
+     "autonomous ones: typical figures, unverified; reverse speed and angular acceleration "
+     "assumed."},
     {"ackermann_car",
      "Model car 1/10",
      Kinematics::Ackermann,
@@ -190,9 +191,10 @@ constexpr RobotRow kRobotRows[] = {
      4.5,
      0.2,
      mountedLidar(sectorLidar(1081, 135.0, 10.0, 40.0), 0.1, 0.15, 0.03),
-     "A student project's hardware page (Traxxas Maxx, nishant-zfyii.github.io: footprint, least "
-     "turning radius 0.65 m). Mass, speed (1 to 2 m/s indoors), lidar: common figures, "
-     "unverified; height, reverse speed and accelerations assumed."},
+     "A student project's hardware page (Traxxas Maxx, nishant-zfyii.github.io: footprint, minimum "
+     "turning radius 0.65 m). Mass, speed (1 to 2 m/s indoors), lidar: typical figures, "
+     "unverified; "
+     "height, reverse speed and accelerations assumed."},
 };
 
 RobotType robotTypeOf(const RobotRow& row) {
@@ -210,7 +212,7 @@ RobotType robotTypeOf(const RobotRow& row) {
   if (box.half > 0.0) {
     type.body.footprint.corners = {
         {box.rear, -box.half}, {box.front, -box.half}, {box.front, box.half}, {box.rear, box.half}};
-    type.body.footprint.radius = reachOf(type.body.footprint);
+    type.body.footprint.radius = circumscribedRadius(type.body.footprint);
   }
   return type;
 }

@@ -5,20 +5,18 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/base/MathEach.h"
 #include "sim2d/base/Ranges.h"
-#include "sim2d/nav/ObstacleForces.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kShortest = 1e-6;  // below this a vector has no direction
-constexpr double kSubStep = 0.2;    // of the time 1 / rate in which the goal force acts
-constexpr int kMostSubSteps = 1000;
+constexpr double kMinLength = 1e-6;  // shorter vectors have no direction
+constexpr double kSubStep = 0.2;     // fraction of the time constant 1 / rate of the goal force
+constexpr int kMaxSubSteps = 1000;
 
-/// For two bodies in one place: some direction that both sides agree on and that differs from pair
-/// to pair.
-Vec2 directionOfPair(int selfId, int otherId) {
+/// Direction between two bodies at the same position: antisymmetric in the pair and different for
+/// each pair.
+Vec2 pairDirection(int selfId, int otherId) {
   const int low = std::min(selfId, otherId);
   const int high = std::max(selfId, otherId);
   const double turn = 2.399963229728653 * (low * 7.0 + high);  // golden angle
@@ -27,14 +25,14 @@ Vec2 directionOfPair(int selfId, int otherId) {
 }
 
 Vec2 directionTo(const Walker& self, const Walker& other, double distance) {
-  if (distance < kShortest) {
-    return directionOfPair(self.id, other.id);
+  if (distance < kMinLength) {
+    return pairDirection(self.id, other.id);
   }
   return (other.position - self.position) / distance;
 }
 
-/// -1 to 1: on which side of the interaction the other is; a step, or a ramp of half width `width`.
-double sideOf(double theta, double width) {
+/// -1 to 1: side of the interaction on which the other is; a step, or a ramp of half width `width`.
+double sideSign(double theta, double width) {
   if (std::fabs(theta) < width) {
     return theta / width;
   }
@@ -45,10 +43,11 @@ Vec2 awayFrom(const Obstacles::Point& point, const Walker& self) {
   return point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
 }
 
-/// `share` of the factor that is left at the distance.
-Vec2 pushOf(const ForceParameters& parameters, const Vec2& away, double distance, double share) {
-  return distance < kShortest ? Vec2::Zero()
-                              : Vec2(parameters.obstacleFactor * share / distance * away);
+/// Repulsion with the fraction `share` of the obstacle factor.
+Vec2 obstacleRepulsion(const ForceParameters& parameters, const Vec2& away, double distance,
+                       double share) {
+  return distance < kMinLength ? Vec2::Zero()
+                               : Vec2(parameters.obstacleFactor * share / distance * away);
 }
 
 }  // namespace
@@ -61,23 +60,24 @@ base::ParameterTable<ForceParameters> forceTable() {
   base::ParameterTable<ForceParameters> table;
   table
       .add(&P::relaxationTime, "relaxation_time", "s", base::kTimeSpan,
-           "tau: time in which the velocity comes near the wanted one.", walls)
+           "tau: relaxation time of the velocity towards the desired one.", walls)
       .add(&P::obstacleRange, "obstacle_range", "m", base::kLength,
-           "sigma: distance over which the force of walls falls to 1/e.", walls)
+           "sigma: distance over which the force of walls decays to 1/e.", walls)
       .add(&P::lambda, "lambda", "s/m", base::kWeight,
            "Weight of the relative velocity in the direction of an interaction.", people)
       .add(&P::gamma, "gamma", "m", base::kLength,
-           "Range of an interaction per length of its vector.", people)
-      .add(&P::n, "n", "1/m", base::kWeight, "Angular width of turning aside.", people)
-      .add(&P::nPrime, "n_prime", "1/m", base::kWeight, "Angular width of slowing down.", people)
+           "Range of an interaction per length of the interaction vector.", people)
+      .add(&P::n, "n", "1/m", base::kWeight, "Angular width of the evasion term.", people)
+      .add(&P::nPrime, "n_prime", "1/m", base::kWeight, "Angular width of the deceleration term.",
+           people)
       .add(&P::epsilon, "epsilon", "rad/m", base::kFactor,
-           "Side to which people give way who meet head on.", people)
+           "Bias to one side for people who meet head-on.", people)
       .add(&P::gazeFactor, "gaze_factor", "", base::kWeight,
-           "Weight of turning back for members of the group behind.", groups)
+           "Weight of the gaze force: turning back to group members behind.", groups)
       .add(&P::coherenceFactor, "coherence_factor", "", base::kWeight,
-           "Weight of the pull to the middle of the group.", groups)
+           "Weight of the attraction to the centre of the group.", groups)
       .add(&P::repulsionFactor, "repulsion_factor", "", base::kWeight,
-           "Weight of keeping apart inside the group.", groups);
+           "Weight of the repulsion between group members.", groups);
   return table;
 }
 
@@ -93,7 +93,7 @@ Vec2 meanGoalForce(const ForceParameters& parameters, const Vec2& velocity, cons
                    double desiredSpeed, const Vec2& otherTerms, double time) {
   const double rate = parameters.goalFactor / parameters.relaxationTime;
   const double wanted = std::ceil(time * rate / kSubStep - 1e-9);
-  const int count = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(kMostSubSteps)));
+  const int count = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(kMaxSubSteps)));
   Vec2 reached = velocity;
   Vec2 sum = Vec2::Zero();
   for (int i = 0; i < count; ++i) {
@@ -109,7 +109,7 @@ Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Wa
   const Vec2 toOther = directionTo(self, other, distance);
   const Vec2 interaction = parameters.lambda * (self.velocity - other.velocity) + toOther;
   const double length = interaction.norm();
-  if (length < kShortest) {
+  if (length < kMinLength) {
     return Vec2::Zero();
   }
   const Vec2 along = interaction / length;
@@ -122,9 +122,9 @@ Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Wa
   const double forTurn = parameters.n * reach * theta;
   const double decay = -distance / reach;
   std::array<double, 2> shares = {decay - forSpeed * forSpeed, decay - forTurn * forTurn};
-  base::expEach(shares.data(), shares.size());
+  base::expArray(shares.data(), shares.size());
   const double slowing = -shares[0];
-  const double turning = -sideOf(theta, parameters.turnWidth) * shares[1];
+  const double turning = -sideSign(theta, parameters.turnWidth) * shares[1];
   return parameters.socialFactor * (slowing * along + turning * left);
 }
 
@@ -136,7 +136,7 @@ bool isNegligible(const ForceParameters& parameters, const Walker& self, const W
                   double cutOff) {
   const Vec2 apart = other.position - self.position;
   const double distance = apart.norm();
-  if (distance < kShortest) {
+  if (distance < kMinLength) {
     return false;
   }
   const Vec2 relative = self.velocity - other.velocity;
@@ -157,7 +157,7 @@ Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
   const Vec2 away = awayFrom(point, self);
   const double distance = away.norm();
   const double gap = distance - self.radius;
-  return pushOf(parameters, away, distance, base::exp(-gap / parameters.obstacleRange));
+  return obstacleRepulsion(parameters, away, distance, base::exp(-gap / parameters.obstacleRange));
 }
 
 void obstacleForces(const ForceParameters& parameters, const Walker& self,
@@ -174,9 +174,9 @@ void obstacleForces(const ForceParameters& parameters, const Walker& self,
     distances.push_back(distance);
     shares.push_back(-gap / parameters.obstacleRange);
   }
-  base::expEach(shares.data(), shares.size());
+  base::expArray(shares.data(), shares.size());
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    forces[i] = pushOf(parameters, forces[i], distances[i], shares[i]);
+    forces[i] = obstacleRepulsion(parameters, forces[i], distances[i], shares[i]);
   }
 }
 
@@ -208,7 +208,7 @@ GroupForce groupForce(const ForceParameters& parameters, const Walker& self, con
   const auto otherCount = static_cast<double>(others.size());
   const Vec2 toOthers = sumOfOthers / otherCount - self.position;
   const double ahead = direction.dot(toOthers);
-  if (ahead < 0.0) {  // more than 90 degrees off the walking direction
+  if (ahead < 0.0) {  // more than 90 degrees from the walking direction
     force.gaze = parameters.gazeFactor * ahead * direction;
   }
   const Vec2 toCentre = (sumOfOthers + self.position) / (otherCount + 1.0) - self.position;

@@ -5,9 +5,9 @@
 #include "sim2d/base/Registry.h"
 #include "sim2d/map/Obstacles.h"
 
-/// The social force model as pure functions. Forces are accelerations [m/s²], world frame. Sources:
+/// Social force model as pure functions. Forces are accelerations [m/s²], world frame. Sources:
 /// Helbing & Molnár 1995 (goal, walls), Moussaïd et al. 2009 (between people) and 2010 (groups), in
-/// the form of the library lightsfm. Thread: any.
+/// the form of the library lightsfm. Thread-safe.
 namespace sim2d {
 
 struct ForceParameters {
@@ -21,27 +21,27 @@ struct ForceParameters {
   double n = 2.0;                // [1/m]
   double nPrime = 3.0;           // [1/m]
   double epsilon = 0.005;        // side preference [rad/m]; 0 = none
-  double turnWidth = 0.0;        // |theta| from which the turning part counts fully [rad]
+  double turnWidth = 0.0;        // |theta| at which the turning part reaches full strength [rad]
   double gazeFactor = 3.0;       // k_gz
   double coherenceFactor = 2.0;  // k_gc
   double repulsionFactor = 1.0;  // k_gr
 };
 
-/// Without the factors that are keys of a person.
+/// Without the factors that are keys of a person in the scenario.
 base::ParameterTable<ForceParameters> forceTable();
 
-/// How one person feels the others in a crowd. Without parameters the person is felt, but feels
-/// nothing.
-struct SocialLaw {
+/// How one person reacts to the others in a crowd. Without parameters, the person exerts forces but
+/// feels none.
+struct CrowdForceModel {
   const ForceParameters* parameters = nullptr;
   bool goesThroughWalls = false;
 
-  friend bool operator==(const SocialLaw& a, const SocialLaw& b) {
+  friend bool operator==(const CrowdForceModel& a, const CrowdForceModel& b) {
     return a.parameters == b.parameters && a.goesThroughWalls == b.goesThroughWalls;
   }
 };
 
-/// A body that feels or causes forces.
+/// A body that exerts or feels social forces.
 struct Walker {
   Vec2 position = Vec2::Zero();  // [m]
   Vec2 velocity = Vec2::Zero();  // [m/s]
@@ -53,32 +53,33 @@ struct Walker {
       : position(place), velocity(speed), radius(size), id(number) {}
 };
 
-/// Pull towards `direction` (unit vector) at `desiredSpeed` [m/s]. Direction zero: brakes, with the
-/// rate 1 / tau alone.
+/// Force towards `direction` (unit vector) at `desiredSpeed` [m/s]. Zero direction: deceleration at
+/// the rate 1 / tau.
 Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
                double desiredSpeed);
 
-/// The goal force averaged over `time` [s], `otherTerms` held. In sub-steps so short that the
-/// velocity comes near the goal's as it does in time, not in steps; the force itself while one
-/// sub-step is enough (up to 0.05 s with the default parameters).
+/// Goal force averaged over `time` [s] with constant `otherTerms`, in sub-steps short enough that
+/// the relaxation of the velocity does not depend on the step size; equals the force itself while
+/// one sub-step is enough (up to 0.05 s with the default parameters).
 Vec2 meanGoalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
                    double desiredSpeed, const Vec2& otherTerms, double time);
 
-/// What `other` does to `self`. Bodies in one place are told apart by their ids; where the
-/// interaction vector vanishes the force is its limit, zero.
+/// Force of `other` on `self`. Bodies at the same position are distinguished by their ids; where
+/// the interaction vector vanishes, the force is its limit, zero.
 Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Walker& other);
 
-/// How far a cut-off goes that leaves out what is below `share` of k_s: -ln(share).
+/// Exponent of a cut-off that ignores forces below `share` of k_s: -ln(share).
 double cutOff(double share);
-/// True when both components of the force are below the share of k_s that `cutOff` was made of, by
-/// a bound that costs no exponential (exact for epsilon = 0).
+/// True if both components of the force are below the share of k_s given by `cutOff`, by a bound
+/// without exponentials (exact for epsilon = 0).
 bool isNegligible(const ForceParameters& parameters, const Walker& self, const Walker& other,
                   double cutOff);
-/// Distance from which on `isNegligible` holds, for bodies of these speeds at most [m].
+/// Distance from which on `isNegligible` holds, for bodies of at most these speeds [m].
 double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,
                    double cutOff);
 
-/// Inside an obstacle the force leads to the point instead of away from it.
+/// Force of one boundary point; inside an obstacle it points towards the point instead of away from
+/// it.
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
                    const Obstacles::Point& point);
 /// Sum over all points.
@@ -89,8 +90,14 @@ struct GroupForce {
   Vec2 gaze = Vec2::Zero(), coherence = Vec2::Zero(), repulsion = Vec2::Zero();
   Vec2 sum() const { return gaze + coherence + repulsion; }
 };
-/// `direction`: where `self` walks (unit vector, or zero: no gaze). `others`: the other members.
+/// `direction`: walking direction of `self` (unit vector, or zero: no gaze). `others`: the other
+/// members.
 GroupForce groupForce(const ForceParameters& parameters, const Walker& self, const Vec2& direction,
                       const std::vector<Walker>& others);
+
+/// `obstacleForce` [m/s^2] of each point of a wall separately, in order and bit-identical; replaces
+/// the contents of `forces`. Defined in SocialForce.cpp. Thread-safe.
+void obstacleForces(const ForceParameters& parameters, const Walker& self,
+                    const std::vector<Obstacles::Point>& points, std::vector<Vec2>& forces);
 
 }  // namespace sim2d

@@ -2,33 +2,33 @@
 
 namespace sim2d {
 
-void TeleopInput::say(Wish wish) {
+void TeleopInput::post(Command wish) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  wish.number = wish_.number + 1;
-  wish_ = wish;
+  wish.number = command_.number + 1;
+  command_ = wish;
 }
 
 void TeleopInput::drive(const BodyTwist& twist) {
-  Wish wish;
+  Command wish;
   wish.kind = Kind::Drive;
   wish.twist = twist;
-  say(wish);
+  post(wish);
 }
 
-void TeleopInput::headFor(const Vec2& point) {
-  Wish wish;
-  wish.kind = Kind::HeadFor;
+void TeleopInput::driveTo(const Vec2& point) {
+  Command wish;
+  wish.kind = Kind::DriveTo;
   wish.point = point;
-  say(wish);
+  post(wish);
 }
 
 void TeleopInput::release() {
-  say({});
+  post({});
 }
 
-TeleopInput::Wish TeleopInput::newest() const {
+TeleopInput::Command TeleopInput::latest() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return wish_;
+  return command_;
 }
 
 }  // namespace sim2d

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 namespace {
@@ -14,9 +14,9 @@ void setDefaultFactors(Behavior& behavior) {
   behavior.socialForceFactor = 5.0;
 }
 
-/// What the loader of 2024 put in the place of the file's numbers with configuration 0; `dist` in
-/// the meaning of that time.
-void applyOldDefaults(Human& human) {
+/// Values that the loader of 2024 used instead of the file's with configuration 0; `dist` in its
+/// meaning of that time.
+void applyDialectBDefaults(Human& human) {
   Behavior& behavior = human.behavior;
   setDefaultFactors(behavior);
   if (!behavior.type || !reactsToRobot(*behavior.type)) {
@@ -37,78 +37,81 @@ void applyOldDefaults(Human& human) {
   }
 }
 
-void tell(const Human& human, const YamlNode& at, const char* code, base::ProblemValues values,
-          ReadReport& report) {
-  report.add(at,
-             base::within(human.name, base::problem(base::Severity::Info, code, std::move(values))),
-             human.key);
+void reportInfo(const Human& human, const YamlNode& at, const char* code,
+                base::ProblemValues values, ReadReport& report) {
+  report.add(
+      at,
+      base::withContext(human.name, base::problem(base::Severity::Info, code, std::move(values))),
+      human.key);
 }
 
-/// `dist` was the distance kept from the robot for two of the types, which noticed it within a
-/// fixed distance.
-void moveDistance(Human& human, const YamlNode& at, ReadReport& report) {
+/// For two types `dist` was the distance kept from the robot, which they noticed within a fixed
+/// distance.
+void convertDistance(Human& human, const YamlNode& at, ReadReport& report) {
   Behavior& behavior = human.behavior;
   if (behavior.type == BehaviorType::Curious) {
     behavior.stopDist = behavior.dist;
     behavior.dist = 10.0;
-    tell(human, at, "scenario.distance-becomes-stop", {}, report);
+    reportInfo(human, at, "scenario.distance-becomes-stop", {}, report);
   } else if (behavior.type == BehaviorType::Threatening) {
     behavior.frontDist = behavior.dist;
     behavior.dist = 4.5;
-    tell(human, at, "scenario.distance-becomes-front", {}, report);
+    reportInfo(human, at, "scenario.distance-becomes-front", {}, report);
   } else if (behavior.type == BehaviorType::Scared && !behavior.safeDistance) {
     behavior.safeDistance = 5.0;
   }
 }
 
-/// Dialect B: `dist` had another meaning for some types, configuration 0 overruled the file.
+/// Converts dialect B: for some types `dist` had another meaning, and configuration 0 overrode the
+/// file.
 void convertFromB(Human& human, const YamlNode& at, ReadReport& report) {
   const Configuration configuration = human.behavior.configuration.value_or(Configuration::Default);
   if (configuration == Configuration::Default) {
     const Behavior before = human.behavior;
-    applyOldDefaults(human);
+    applyDialectBDefaults(human);
     if (!(before == human.behavior)) {
-      tell(human, at, "scenario.configuration-overruled", {}, report);
+      reportInfo(human, at, "scenario.configuration-overruled", {}, report);
     }
   } else if (configuration != Configuration::Custom) {
-    tell(human, at, "scenario.configuration-drew", {static_cast<int>(configuration)}, report);
+    reportInfo(human, at, "scenario.configuration-drew", {static_cast<int>(configuration)}, report);
   }
-  moveDistance(human, at, report);
+  convertDistance(human, at, report);
 }
 
-struct FirstReaction {
+struct DialectAReaction {
   double dist, duration;
   bool once = true;
   double vel = 0.0;
-  std::optional<double> Behavior::*kept = nullptr;  // the distance from the robot, with `vel`
-  double keptAt = 0.0;
+  std::optional<double> Behavior::*kept = nullptr;  // distance from the robot, set with `vel`
+  double storedAt = 0.0;
 };
 
-/// Dialect A had a number and no parameters: what the program of that time did, as parameters.
+/// Converts dialect A, which has only a type number: sets the parameters of the program of that
+/// time.
 void convertFromA(Human& human, const YamlNode& at, ReadReport& report) {
   Behavior& behavior = human.behavior;
   behavior.configuration = Configuration::Default;
   setDefaultFactors(behavior);
   behavior.otherForceFactor = 20.0;
-  static const std::map<BehaviorType, FirstReaction> kFirstReactions = {
+  static const std::map<BehaviorType, DialectAReaction> kDialectAReactions = {
       {BehaviorType::Surprised, {4.0, 30.0}},
       {BehaviorType::Scared, {3.0, 40.0, false, 0.6, &Behavior::safeDistance, 5.0}},
       {BehaviorType::Curious, {10.0, 30.0, true, 1.8, &Behavior::stopDist, 1.5}},
       {BehaviorType::Threatening, {4.0, 40.0, true, 2.0, &Behavior::frontDist, 1.1}}};
-  const auto found = kFirstReactions.find(behavior.type.value_or(BehaviorType::Regular));
-  if (found == kFirstReactions.end()) {
+  const auto found = kDialectAReactions.find(behavior.type.value_or(BehaviorType::Regular));
+  if (found == kDialectAReactions.end()) {
     return;
   }
-  const FirstReaction& reaction = found->second;
+  const DialectAReaction& reaction = found->second;
   behavior.dist = reaction.dist;
   behavior.duration = reaction.duration;
   behavior.once = reaction.once;
   if (reaction.kept != nullptr) {
     behavior.vel = reaction.vel;
-    behavior.*reaction.kept = reaction.keptAt;
+    behavior.*reaction.kept = reaction.storedAt;
   }
   if (behavior.type == BehaviorType::Curious) {
-    tell(human, at, "scenario.curious-slowed", {}, report);
+    reportInfo(human, at, "scenario.curious-slowed", {}, report);
   }
 }
 
@@ -121,10 +124,10 @@ std::optional<int> behaviorNumber(const std::string& text) {
 }
 
 void readBehaviorMap(YamlMap& view, Human& human, LoaderReading& reading) {
-  readThing(view, human.behavior, reading.tables);
+  readObject(view, human.behavior, reading.tables);
   const YamlNode* type = view.node().find("type");
   if (type != nullptr && behaviorNumber(type->text)) {
-    reading.numberedType = true;
+    reading.hasNumberedType = true;
     convertFromB(human, view.node(), reading.report);
   }
 }
@@ -144,9 +147,9 @@ void readBehavior(YamlMap& agent, Human& human, LoaderReading& reading) {
     return;
   }
   setBehaviorType(human.behavior, node->text);
-  warnForeign(human.behavior, *node, "behavior", agent);
+  warnUnknownBehavior(human.behavior, *node, "behavior", agent);
   if (base::parseInt(node->text)) {
-    reading.scalarBehavior = true;
+    reading.hasScalarBehavior = true;
     convertFromA(human, *node, reading.report);
   }
 }
@@ -158,36 +161,36 @@ void readPose(YamlMap& agent, Human& human) {
     return;
   }
   YamlMap view(node, agent.pathOf("init_pose"), human.key, agent.report());
-  human.initPose.position = {view.number("x", base::kWithinReach).value_or(0.0),
-                             view.number("y", base::kWithinReach).value_or(0.0)};
-  human.initZ = view.number("z", base::kWithinReach);
+  human.initPose.position = {view.number("x", base::kCoordinateRange).value_or(0.0),
+                             view.number("y", base::kCoordinateRange).value_or(0.0)};
+  human.initZ = view.number("z", base::kCoordinateRange);
   human.initPose.heading = view.number("h", base::kHeading).value_or(0.0);
-  human.initPoseUnknown = view.takeUnknown();
+  human.initPoseUnknown = view.takeUnknownKeys();
 }
 
-/// The goal that an agent's own name stands for; 0 = there is none of that name.
+/// The goal defined in the agent's block under this name; 0: there is none.
 int namedGoal(YamlMap& agent, const std::string& name, LoaderReading& reading) {
   const YamlNode* node = agent.node().find(name);
   if (node == nullptr || !node->isMap()) {
     return 0;
   }
-  agent.know(name);
+  agent.markKnown(name);
   YamlMap view(node, agent.pathOf(name), agent.entity(), agent.report());
   const Vec2 position = readPoint(view);
   const auto heading = view.number("h", base::kHeading);
   UnknownKeys unknown;
-  // the first editor put the height of the click, 1.25, where the heading belongs
+  // The first editor wrote the height of the click, 1.25, instead of the heading.
   if (heading && *heading != 0.0 && *heading != 1.25) {
     unknown.push_back(unknownKey(*node->find("h")));
   }
-  for (UnknownKey& key : view.takeUnknown()) {
+  for (UnknownKey& key : view.takeUnknownKeys()) {
     unknown.push_back(std::move(key));
   }
-  reading.namedGoals = true;
+  reading.hasNamedGoals = true;
   return reading.addGoal(position, std::move(unknown), *node);
 }
 
-/// The global goal that an item of the list `goals` means; nothing when it is not defined.
+/// The global goal of an item of the list `goals`; none if it is not defined.
 std::optional<int> goalOf(const YamlNode& item, YamlMap& agent, std::map<std::string, int>& named,
                           LoaderReading& reading) {
   const bool isWord = item.isScalar() && !item.text.empty();
@@ -204,7 +207,7 @@ std::optional<int> goalOf(const YamlNode& item, YamlMap& agent, std::map<std::st
     return named[item.text];
   }
   if (isNumber) {
-    reading.undefinedNumber = true;  // the check of the meaning tells
+    reading.hasUndefinedGoal = true;  // reported by checkScenario
     return id;
   }
   if (isWord && base::parseDouble(item.text)) {
@@ -217,10 +220,10 @@ std::optional<int> goalOf(const YamlNode& item, YamlMap& agent, std::map<std::st
   return std::nullopt;
 }
 
-/// Whether there is a value somewhere in it; empty maps and lists are not written again.
-bool saysAnything(const YamlNode& value) {
+/// Whether the value contains any scalar; empty maps and lists are not written again.
+bool hasAnyScalar(const YamlNode& value) {
   return value.isScalar() ? !value.text.empty()
-                          : std::any_of(value.items.begin(), value.items.end(), saysAnything);
+                          : std::any_of(value.items.begin(), value.items.end(), hasAnyScalar);
 }
 
 void readGoalList(YamlMap& agent, Human& human, LoaderReading& reading) {
@@ -267,7 +270,7 @@ bool looksLikeAgent(const YamlNode& block) {
   }
   const auto has = [&](const char* key) {
     const YamlNode* value = block.find(key);
-    return value != nullptr && saysAnything(*value);
+    return value != nullptr && hasAnyScalar(*value);
   };
   static constexpr std::array<const char*, 6> kUsual = {"id",      "group_id", "skin",
                                                         "max_vel", "radius",   "goals"};
@@ -285,27 +288,27 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
   readPose(view, human);
   readBehavior(view, human, reading);
   readGoalList(view, human, reading);
-  human.unknown = view.takeUnknown();
+  human.unknown = view.takeUnknownKeys();
   return human;
 }
 
-void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& key,
-                 YamlMap& view) {
-  if (!behavior.foreignType.empty()) {
-    view.add(at, key, base::warning("scenario.foreign-behavior", {behavior.foreignType}));
+void warnUnknownBehavior(const Behavior& behavior, const YamlNode& at, const std::string& key,
+                         YamlMap& view) {
+  if (!behavior.unknownType.empty()) {
+    view.add(at, key, base::warning("scenario.foreign-behavior", {behavior.unknownType}));
   }
 }
 
 void setBehaviorType(Behavior& behavior, const std::string& text) {
   const std::string word = base::trimmed(text);
-  behavior.foreignType.clear();
+  behavior.unknownType.clear();
   if (const auto number = behaviorNumber(word)) {
     behavior.type = static_cast<BehaviorType>(*number);
   } else if (const auto named = behaviorFromName(word)) {
     behavior.type = named;
   } else {
     behavior.type = BehaviorType::Regular;
-    behavior.foreignType = text;
+    behavior.unknownType = text;
   }
 }
 

@@ -2,30 +2,30 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/ExportGoals.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 
 namespace {
 
-/// The first of those that are listed, and how many more there are.
+/// The names of the first listed objects, and the number of the others.
 template <class T>
 std::string namesOf(const std::vector<T>& list) {
-  constexpr std::size_t kMostNamed = 4;
+  constexpr std::size_t kMaxNamed = 4;
   std::vector<std::string> names;
   forEachListed(list, [&](const T& each) { names.push_back(each.name); });
-  const std::size_t more = std::max(names.size(), kMostNamed) - kMostNamed;
+  const std::size_t more = std::max(names.size(), kMaxNamed) - kMaxNamed;
   names.resize(names.size() - more);
   return base::join(names, ", ") + (more > 0 ? " and " + std::to_string(more) + " more" : "");
 }
 
-/// The keys of one person that no other program reads, where they say something.
-std::string ownKeysOf(const Human& human) {
+/// The keys of one agent that only hunavsim reads and that differ from their default.
+std::string extensionKeysOf(const Human& human) {
   std::vector<std::string> keys;
   for (const Field<PersonExtension>& field : fieldsOf<PersonExtension>()) {
     const ParameterValue value = field.value(human.ours);
@@ -36,7 +36,7 @@ std::string ownKeysOf(const Human& human) {
   return base::join(keys, ", ");
 }
 
-/// Old name -> one that is safe and free.
+/// Maps each name to a safe and unique one.
 std::map<std::string, std::string> safeNames(const Scenario& scenario) {
   std::set<std::string> taken;
   for (const Human& human : scenario.humans) {
@@ -59,7 +59,7 @@ std::map<std::string, std::string> safeNames(const Scenario& scenario) {
   return names;
 }
 
-/// Everything that makes a scenario acceptable to a wrapper, step by step.
+/// Converts a scenario step by step until the wrapper accepts it.
 class Exporter {
  public:
   Exporter(const Scenario& scenario, const TargetInfo& target, const ExportOptions& options)
@@ -71,11 +71,11 @@ class Exporter {
     scenario().yamlBaseName = options_.baseName;
     placeFiles();
     if (!isNative()) {
-      tellLosses();
+      reportLosses();
       rename();
       renumberPeople();
-      closeGaps();
-      giveGoals();
+      closeGoalNumberGaps();
+      addMissingGoals();
       for (Human& human : scenario().humans) {
         complete(human);
       }
@@ -85,10 +85,11 @@ class Exporter {
     } else {
       keepNumbers();
     }
-    if (isOld()) {
-      countGoals();
+    if (isDialectB()) {
+      numberGoalsForDialectB();
     }
-    result_.text = isOld() ? writeScenarioB(scenario(), result_.report) : writeScenario(scenario());
+    result_.text =
+        isDialectB() ? writeScenarioB(scenario(), result_.report) : writeScenario(scenario());
     result_.startCommand = target_.startCommand(scenario());
     return std::move(result_);
   }
@@ -96,21 +97,21 @@ class Exporter {
  private:
   Scenario& scenario() { return result_.scenario; }
   bool isNative() const { return target_.target == ExportTarget::Native; }
-  bool isOld() const { return options_.dialect.value_or(target_.dialect) == Dialect::B; }
+  bool isDialectB() const { return options_.dialect.value_or(target_.dialect) == Dialect::B; }
 
-  void countGoals() {
-    const GoalNumbers counted = numbersOfDialectB(scenario());
+  void numberGoalsForDialectB() {
+    const GoalNumbers counted = dialectBGoalNumbers(scenario());
     if (!isNative()) {
-      tellOldFormat();
+      reportDialectBLimits();
     }
     renumberGoals(scenario(), counted);
-    result_.goals = chained(result_.goals, counted);
+    result_.goals = composed(result_.goals, counted);
   }
 
-  /// What HuNavSim 1.5 does not read of the files, by the numbers that the user knows.
-  void tellOldFormat() {
+  /// Reports what HuNavSim 1.5 does not read, with the user's goal numbers.
+  void reportDialectBLimits() {
     std::set<int> apart;
-    for (const GlobalGoal& goal : goalsOfNobody(scenario())) {
+    for (const GlobalGoal& goal : unusedGoals(scenario())) {
       apart.insert(goal.id);
     }
     std::vector<std::string> numbers;
@@ -133,26 +134,26 @@ class Exporter {
     result_.report.push_back(std::move(said));
   }
   void note(const Human& human, base::Diagnostic said) {
-    note(base::within(human.name, std::move(said)), human.key);
+    note(base::withContext(human.name, std::move(said)), human.key);
   }
   void noteChange(EntityId entity, const char* code, base::ProblemValues values) {
     note(base::problem(base::Severity::Info, code, std::move(values)), entity);
   }
 
-  /// What only we can express, one line per kind of thing.
-  void tellLosses() {
+  /// Reports what the target cannot express, one line per kind of object.
+  void reportLosses() {
     const auto lose = [this](const char* what, const std::string& names) {
       if (!names.empty()) {
         note(base::warning("export.stays-here", {what, names}));
       }
     };
-    lose("the robot", namesOf(scenario().robots));
-    lose("what was drawn as obstacle", namesOf(scenario().obstacles));
-    lose("the door", namesOf(scenario().doors));
-    lose("the area", namesOf(scenario().areas));
-    lose("the dock", namesOf(scenario().docks));
+    lose("robots", namesOf(scenario().robots));
+    lose("obstacles", namesOf(scenario().obstacles));
+    lose("doors", namesOf(scenario().doors));
+    lose("areas", namesOf(scenario().areas));
+    lose("docks", namesOf(scenario().docks));
     for (const Human& human : scenario().humans) {
-      const std::string keys = ownKeysOf(human);
+      const std::string keys = extensionKeysOf(human);
       if (human.listed && !keys.empty()) {
         note(human, base::warning("export.keys-unknown", {keys}));
       }
@@ -166,7 +167,7 @@ class Exporter {
     }
   }
 
-  /// Fills the keys that the wrapper asks for with the values that count, keeps skins in range.
+  /// Fills the keys that the wrapper requires with the effective values; keeps skins in range.
   void complete(Human& human) {
     const ResolvedHuman counts =
         resolveHuman(scenario(), human, scenario().desktop.seed.value_or(1));
@@ -201,7 +202,7 @@ class Exporter {
     }
   }
 
-  /// Map and trees lie where the search finds them: their keys are not needed.
+  /// Map and trees are exported to where they are searched for, so their keys are removed.
   void placeFiles() {
     if (!options_.mapName.empty()) {
       scenario().map = options_.mapName;
@@ -242,11 +243,11 @@ class Exporter {
     }
   }
 
-  void closeGaps() {
-    result_.goals = numbersWithoutGaps(scenario());
+  void closeGoalNumberGaps() {
+    result_.goals = contiguousGoalNumbers(scenario());
     for (const GlobalGoal& goal : scenario().goals) {
       const int number = result_.goals.at(goal.id);
-      if (goal.id != number && !isOld()) {
+      if (goal.id != number && !isDialectB()) {
         noteChange(goal.key, "export.goal-renumbered", {goal.id, number});
       }
     }
@@ -262,8 +263,8 @@ class Exporter {
     }
   }
 
-  /// A person without goals makes the loader fail: one at the start keeps them there.
-  void giveGoals() {
+  /// The loader fails for an agent without goals: adds a goal at its start.
+  void addMissingGoals() {
     for (Human& human : scenario().humans) {
       if (!human.listed || !human.goals.empty()) {
         continue;
@@ -290,7 +291,7 @@ class Exporter {
       note(target_.worldOfMap(map));
     }
     const bool isNamed = std::any_of(worlds.begin(), worlds.end(), [&](const std::string& world) {
-      return base::lowered(options_.baseName).find(world) != std::string::npos;
+      return base::toLower(options_.baseName).find(world) != std::string::npos;
     });
     if (target_.target == ExportTarget::Isaac && !isNamed) {
       note(base::warning("export.isaac-world"));
@@ -312,7 +313,7 @@ ExportedScenario exportScenario(const Scenario& scenario, const TargetInfo& targ
 std::string safeName(const std::string& name) {
   std::string safe;
   for (const char letter : name) {
-    const bool isTail = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;  // inside UTF-8
+    const bool isTail = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;  // in UTF-8
     if (base::isLetter(letter) || base::isDigit(letter) || letter == '_') {
       safe += letter;
     } else if (!isTail) {
@@ -320,6 +321,63 @@ std::string safeName(const std::string& name) {
     }
   }
   return isEntityName(safe) ? safe : "agent_" + safe;
+}
+
+GoalNumbers contiguousGoalNumbers(const Scenario& scenario) {
+  GoalNumbers numbers;
+  for (const GlobalGoal& goal : scenario.goals) {
+    numbers[goal.id] = 0;
+  }
+  int next = 1;
+  for (auto& [old, now] : numbers) {
+    now = next++;
+  }
+  return numbers;
+}
+
+GoalNumbers dialectBGoalNumbers(const Scenario& scenario) {
+  GoalNumbers numbers;
+  int next = 1;
+  for (const GlobalGoal& goal : unusedGoals(scenario)) {
+    numbers.emplace(goal.id, next++);
+  }
+  for (const bool listed : {true, false}) {  // in file order
+    for (const Human& human : scenario.humans) {
+      for (const int goal : human.listed == listed ? human.goals : std::vector<int>()) {
+        if (scenario.goal(goal) != nullptr) {
+          numbers.emplace(goal, next++);  // counts also for a goal that already has a number
+        }
+      }
+    }
+  }
+  return numbers;
+}
+
+void renumberGoals(Scenario& scenario, const GoalNumbers& numbers) {
+  const auto renumber = [&numbers](int& goal) {
+    const auto found = numbers.find(goal);
+    goal = found == numbers.end() ? goal : found->second;
+  };
+  for (GlobalGoal& goal : scenario.goals) {
+    renumber(goal.id);
+  }
+  std::stable_sort(scenario.goals.begin(), scenario.goals.end(),
+                   [](const GlobalGoal& a, const GlobalGoal& b) { return a.id < b.id; });
+  for (Human& human : scenario.humans) {
+    std::for_each(human.goals.begin(), human.goals.end(), renumber);
+  }
+  for (Robot& robot : scenario.robots) {
+    std::for_each(robot.goal.goals.begin(), robot.goal.goals.end(), renumber);
+  }
+}
+
+GoalNumbers composed(const GoalNumbers& first, const GoalNumbers& second) {
+  GoalNumbers numbers = first;
+  for (auto& [old, now] : numbers) {
+    const auto found = second.find(now);
+    now = found == second.end() ? now : found->second;
+  }
+  return numbers;
 }
 
 }  // namespace sim2d

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kIsaacPlane = "empty_world";
 
-/// As one word of a shell's command.
+/// Quotes the text as one word of a shell command.
 std::string shellWord(const std::string& text) {
   static constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=-+,@%";
@@ -66,7 +66,7 @@ std::string TargetInfo::startCommand(const Scenario& scenario) const {
     return "ros2 run " + package + " hunav_isaac_launcher --config " + shellWord(file) +
            " --world " + (hasWorld(map) ? map : std::string(kIsaacPlane)) + " --batch";
   }
-  const bool hasChoice = !map.empty() && worlds.size() > 1;  // else its usual world
+  const bool hasChoice = !map.empty() && worlds.size() > 1;  // else its default world
   const std::string world = hasChoice ? " " + shellWord("environment_name:=" + map) : "";
   return launch.empty() ? std::string()
                         : "ros2 launch " + package + " " + launch + world + " " +
@@ -77,7 +77,7 @@ bool TargetInfo::hasWorld(const std::string& map) const {
   return std::find(worlds.begin(), worlds.end(), map) != worlds.end();
 }
 
-/// Gazebo puts its robot where it is told.
+/// Only the Gazebo Classic launch file takes the robot's start.
 std::string TargetInfo::robotStart(const Scenario& scenario) const {
   const auto robot = std::find_if(scenario.robots.begin(), scenario.robots.end(),
                                   [](const Robot& each) { return each.listed; });

@@ -6,19 +6,19 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/FieldMaking.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/FieldBuilder.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 namespace {
 
 constexpr double kLargestInteger = 2147483647.0;
 
-/// What an integer of 64 bits may be at the most is not told.
-std::optional<long long> readInteger(YamlMap& view, const ParameterSpec& spec, bool isWide) {
+/// For 64-bit integers the upper limit is not checked.
+std::optional<long long> readInteger(YamlMap& view, const ParameterSpec& spec, bool is64Bit) {
   const auto low = static_cast<long long>(std::max(spec.range.low, -kLargestInteger));
   const auto high = static_cast<long long>(std::min(spec.range.high, kLargestInteger));
-  return isWide ? view.integer(spec.key, low) : view.integer(spec.key, low, high);
+  return is64Bit ? view.integer(spec.key, low) : view.integer(spec.key, low, high);
 }
 
 template <class T>
@@ -32,13 +32,13 @@ std::set<std::string> keysWith(std::set<std::string> keys) {
 std::string rangeText(const Range& range) {
   const std::string low = base::formatDouble(range.low);
   const std::string high = base::formatDouble(range.high);
-  if (range.high >= kLargestInteger) {  // says nothing to people
-    return std::isinf(range.low) ? "" : (range.above ? "> " : "≥ ") + low;
+  if (range.high >= kLargestInteger) {  // not informative
+    return std::isinf(range.low) ? "" : (range.excludesLow ? "> " : "≥ ") + low;
   }
   if (std::isinf(range.low)) {
     return "≤ " + high;
   }
-  return (range.above ? "above " : "") + low + " to " + high;
+  return (range.excludesLow ? "above " : "") + low + " to " + high;
 }
 
 std::string valuesText(const ParameterSpec& spec) {
@@ -88,12 +88,12 @@ const FieldTables& fieldTables() {
   return kTables;
 }
 
-ParameterValue readValue(YamlMap& view, const ParameterSpec& spec, bool isWide) {
+ParameterValue readValue(YamlMap& view, const ParameterSpec& spec, bool is64Bit) {
   switch (spec.type) {
     case ParameterType::Boolean:
       return valueFrom(view.boolean(spec.key), spec);
     case ParameterType::Integer:
-      return valueFrom(readInteger(view, spec, isWide), spec);
+      return valueFrom(readInteger(view, spec, is64Bit), spec);
     case ParameterType::Number:
       return valueFrom(view.number(spec.key, spec.range), spec);
     case ParameterType::Numbers:
@@ -130,7 +130,7 @@ const std::set<std::string>& loaderKeys() {
   return kKeys;
 }
 
-const std::set<std::string>& blockKeys() {
+const std::set<std::string>& desktopKeys() {
   // "map": a menu of HuNavSim searches the whole text for that key
   static const std::set<std::string> kKeys = keysWith<DesktopSettings>(
       {"format", "map", "robots", "obstacles", "doors", "areas", "docks", "metrics"});
@@ -151,7 +151,7 @@ std::vector<KeyTable> keyTables(const FieldTables& tables) {
       tableOf<DesktopSettings>("The run", "", tables),
       tableOf<VariationSettings>("`variation`", "variation.", tables),
       tableOf<MetricsSettings>("`metrics`", "metrics.", tables),
-      tableOf<PersonExtension>("A person, keys of ours", "PERSON.", tables),
+      tableOf<PersonExtension>("A person, keys of HuNavSim Desktop", "PERSON.", tables),
       tableOf<Robot>("A robot", "ROBOT.", tables),
       tableOf<LidarSettings>("The `lidar` of a robot", "ROBOT.lidar.", tables),
       tableOf<DetectorSettings>("The `detector` of a robot", "ROBOT.detector.", tables),

@@ -10,21 +10,21 @@
 
 #include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/yaml/YamlMap.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/Scenario.h"
 
-/// The keys of each kind of thing in a scenario file, described once. Reader, range checks, writer,
-/// canonical order, default-skipping, equality, `--set`, defaults, forms, `list keys` and the
-/// tables of FORMAT.md come from these tables. What is made of parts (poses, points, goals) brings
-/// a function to read and one to write it.
+/// Declarative field tables: the keys of each kind of object in a scenario file. Reader, range
+/// checks, writer, canonical order, omission of defaults, equality, `--set`, defaults, forms, `list
+/// keys` and the tables of FORMAT.md are generated from them. Composite values (poses, points,
+/// goals) have their own read and write functions.
 namespace sim2d {
 
 using base::ParameterSpec;
 using base::ParameterType;
 using base::ParameterValue;
 
-/// What counts in a run for a T whose keys may be absent.
-struct NothingResolved {};
+/// The struct with the effective values of a T.
+struct NoResolvedType {};
 template <class T>
 using Resolved = std::conditional_t<
     std::is_same_v<T, Robot> || std::is_same_v<T, LidarSettings> ||
@@ -33,39 +33,39 @@ using Resolved = std::conditional_t<
     ResolvedRobot,
     std::conditional_t<std::is_same_v<T, Human> || std::is_same_v<T, Behavior> ||
                            std::is_same_v<T, PersonExtension>,
-                       ResolvedHuman, NothingResolved>>;
+                       ResolvedHuman, NoResolvedType>>;
 
-/// One key of a T: its description and its place in the plain struct.
+/// One key of a T: its description and its member.
 template <class T>
 struct Field {
   ParameterSpec spec;
   bool required = false;
-  bool isWide = false;  // an integer of 64 bits
-  int digits = 1;       // after the point, at least, in canonical files
-  std::string group;    // forms fold the keys of a group under this title; empty: none
+  bool is64Bit = false;  // 64-bit integer
+  int digits = 1;        // minimum number of decimals in canonical files
+  std::string group;     // title of the collapsible section in forms; empty: none
 
   std::function<ParameterValue(const T&, const ParameterSpec&)> get;
   std::function<void(T&, const ParameterValue&, const ParameterSpec&)> set;
   std::function<bool(const T&, const T&)> equal;
   std::function<void(const T&, Resolved<T>&, const ParameterSpec&)> resolve;
-  // the value that counts in a run; null: a run has no member for it
+  // The effective value; null: a run does not use it.
   std::function<ParameterValue(const Resolved<T>&, const ParameterSpec&)> resolved;
 
-  // What differs from field to field; null = as usual.
-  std::function<bool(const T&)> applies;  // the key belongs to such a T
+  // Exceptions; null: default behaviour.
+  std::function<bool(const T&)> applies;  // whether a T has this key
   std::function<int(const T&)> digitsOf;
   std::function<ParameterValue(const T&, const DesktopSettings&)> fallbackOf;
   std::function<void(base::YamlMap&, T&)> read;
   std::function<void(base::YamlNode&, const T&)> write;
 
-  /// Made of parts: no single value to get or set.
+  /// Composite: no single value to get or set.
   bool isStructure() const { return !get; }
   bool belongsTo(const T& of) const { return !applies || applies(of); }
-  /// As written; monostate = absent, also for an empty list.
+  /// As written; monostate: absent or an empty list.
   ParameterValue value(const T& of) const { return get(of, spec); }
-  /// monostate takes it away; where a number is always there it becomes 0.
+  /// monostate removes the value; a member that is not optional becomes 0.
   void assign(T& of, const ParameterValue& value) const { set(of, value, spec); }
-  /// What counts in this place when the key is absent; monostate = nothing does.
+  /// The default in this context; monostate: none.
   ParameterValue fallback(const T& of, const DesktopSettings& desktop) const {
     return fallbackOf ? fallbackOf(of, desktop) : spec.fallback;
   }
@@ -74,7 +74,7 @@ struct Field {
 template <class T>
 using Fields = std::vector<Field<T>>;
 
-/// A table for each kind of thing, in canonical order.
+/// One table per kind of object, in canonical order.
 struct FieldTables
     : std::tuple<Fields<ScenarioSettings>, Fields<Human>, Fields<Behavior>, Fields<PersonExtension>,
                  Fields<Robot>, Fields<LidarSettings>, Fields<DetectorSettings>,
@@ -90,7 +90,7 @@ const Fields<T>& fieldsOf(const FieldTables& tables = fieldTables()) {
   return std::get<Fields<T>>(tables);
 }
 
-/// nullptr = no such key.
+/// nullptr: unknown key.
 template <class T>
 const Field<T>* fieldOf(std::string_view key, const FieldTables& tables = fieldTables()) {
   const Fields<T>& all = fieldsOf<T>(tables);
@@ -99,7 +99,7 @@ const Field<T>* fieldOf(std::string_view key, const FieldTables& tables = fieldT
   return found == all.end() ? nullptr : &*found;
 }
 
-/// Takes away what stands at its default.
+/// Removes values that equal their default.
 template <class T>
 void dropDefaults(T& from, const DesktopSettings& desktop,
                   const FieldTables& tables = fieldTables()) {
@@ -114,7 +114,7 @@ void dropDefaults(T& from, const DesktopSettings& desktop,
   }
 }
 
-/// Puts the values that are there into what counts in a run.
+/// Copies the given values to the effective ones.
 template <class T>
 void resolveFields(const T& from, Resolved<T>& to) {
   for (const Field<T>& field : fieldsOf<T>()) {
@@ -124,7 +124,7 @@ void resolveFields(const T& from, Resolved<T>& to) {
   }
 }
 
-/// Fills these keys with the values that count: where they are absent, or everywhere.
+/// Sets these keys to the effective values: where they are absent, or all.
 template <class T>
 void fillFields(T& to, const Resolved<T>& counts, const std::vector<std::string_view>& keys,
                 bool overwrite = false) {
@@ -136,17 +136,17 @@ void fillFields(T& to, const Resolved<T>& counts, const std::vector<std::string_
   }
 }
 
-// The keys as people read about them: `list keys` and FORMAT.md.
+// The keys for documentation: `list keys` and FORMAT.md.
 struct KeyRow {
   std::string key;
   std::string values;    // "> 0", "planned, direct", "text" …
   std::string unit;      // may be empty
-  std::string fallback;  // what counts when it is absent; "required"; empty = nothing does
+  std::string fallback;  // default; "required"; empty: none
   std::string help;
 };
 struct KeyTable {
   std::string title;  // "A robot"
-  std::string path;   // before the key in `--set`: "ROBOT."
+  std::string path;   // prefix of the key in `--set`: "ROBOT."
   std::vector<KeyRow> rows;
 };
 

@@ -16,7 +16,7 @@ const std::vector<std::string>& behaviorWords() {
   return kWords;
 }
 
-/// All keys of the table of such a thing.
+/// Compares all keys of the field table.
 template <class T>
 bool haveSameKeys(const T& a, const T& b) {
   const Fields<T>& all = fieldsOf<T>();
@@ -29,10 +29,10 @@ bool haveSameKeys(const Scenario& a, const Scenario& b) {
   return haveSameKeys<ScenarioSettings>(a, b);
 }
 
-/// What is compared beside the keys.
+/// Members that are compared in addition to the table.
 template <class T>
 auto restOf(const T& of) {
-  if constexpr (std::is_base_of_v<Named, T>) {
+  if constexpr (std::is_base_of_v<NamedEntity, T>) {
     return std::tie(of.name, of.listed);
   } else {
     return std::tuple<>();
@@ -48,7 +48,7 @@ auto restOf(const Human& of) {
 auto restOf(const DesktopSettings& of) {
   return std::tie(of.metrics);
 }
-/// What is kept in the map of each quantity.
+/// Unknown keys in the map of each quantity.
 std::vector<UnknownKeys> restOf(const VariationSettings& of) {
   std::vector<UnknownKeys> unknown;
   std::transform(of.spreads.begin(), of.spreads.end(), std::back_inserter(unknown),
@@ -67,9 +67,9 @@ const char* behaviorName(BehaviorType type) {
 }
 
 std::optional<BehaviorType> behaviorFromName(const std::string& word) {
-  const std::string lower = base::lowered(word);
+  const std::string lower = base::toLower(word);
   for (std::size_t i = 0; i < behaviorWords().size(); ++i) {
-    if (base::lowered(behaviorWords()[i]) == lower) {
+    if (base::toLower(behaviorWords()[i]) == lower) {
       return static_cast<BehaviorType>(i + 1);
     }
   }
@@ -77,7 +77,7 @@ std::optional<BehaviorType> behaviorFromName(const std::string& word) {
 }
 
 const GlobalGoal* Scenario::goal(int id) const {
-  const auto usual = static_cast<std::size_t>(id) - 1;  // most files count from 1
+  const auto usual = static_cast<std::size_t>(id) - 1;  // usually numbered from 1
   if (id >= 1 && usual < goals.size() && goals[usual].id == id) {
     return &goals[usual];
   }

@@ -9,12 +9,11 @@
 #include "sim2d/base/Types.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/Body.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
-/// The scenario as written in a file: plain values, compared by content (EntityIds are identity
-/// within one document, not content, and are left out of comparisons). What a file leaves out is
-/// nullopt here and stays out when written; Defaults.h gives the values that count then.
-/// World frame, SI, radians.
+/// The scenario as written in a file: plain values, compared by content (without EntityIds, which
+/// identify objects within one document). Absent keys are nullopt and are not written; Defaults.h
+/// has the effective values. World frame, SI units, radians.
 namespace sim2d {
 
 using base::EntityId;
@@ -28,20 +27,20 @@ enum class BehaviorType { Regular = 1, Impassive, Surprised, Scared, Curious, Th
 enum class Configuration { Default = 0, Custom = 1, Normal = 2, Uniform = 3 };
 
 const char* behaviorName(BehaviorType type);                            // "Regular" …
-std::optional<BehaviorType> behaviorFromName(const std::string& word);  // any case
+std::optional<BehaviorType> behaviorFromName(const std::string& word);  // ignores case
 inline bool reactsToRobot(BehaviorType type) {
   return type != BehaviorType::Regular && type != BehaviorType::Impassive;
 }
-/// The numbers that a person's behaviour uses are drawn.
+/// Whether force factors and reactions are drawn.
 inline bool isDrawn(Configuration configuration) {
   return configuration == Configuration::Normal || configuration == Configuration::Uniform;
 }
 
-/// What has a name and a block of its own in the file.
-struct Named {
+/// An object with a name and a block of its own in the file.
+struct NamedEntity {
   EntityId key;
   std::string name;    // unique
-  bool listed = true;  // false: block present but switched off
+  bool listed = true;  // false: the block exists but is switched off
   UnknownKeys unknown;
 };
 
@@ -55,7 +54,7 @@ struct GlobalGoal {
 /// The `behavior` map of an agent. Distances [m], duration [s], vel [m/s].
 struct Behavior {
   std::optional<BehaviorType> type;
-  std::string foreignType;  // the text found when it is none of the six (`type` is Regular then)
+  std::string unknownType;  // the original text of an unknown type (`type` is Regular then)
   std::optional<Configuration> configuration;
   std::optional<double> dist;  // the robot is noticed within
   std::optional<double> duration;
@@ -72,7 +71,7 @@ enum class PersonKind { Adult, Child, Elderly, Wheelchair, Luggage };
 enum class Route { Planned, Direct };
 enum class AtEnd { Stop, Leave, Restart };
 
-/// Our keys of one person (block `hunavsim_desktop`).
+/// Keys of an agent in the node `hunavsim_desktop`.
 struct PersonExtension {
   std::optional<double> startTime;  // [s]
   std::optional<PersonKind> kind;
@@ -85,7 +84,7 @@ struct PersonExtension {
   UnknownKeys unknown;
 };
 
-struct Human : Named {
+struct Human : NamedEntity {
   int id = -1;                 // >= 0, unique
   std::optional<int> groupId;  // -1 = alone
   std::optional<int> skin;
@@ -95,24 +94,24 @@ struct Human : Named {
   std::optional<bool> cyclicGoals;
   Pose2 initPose;
   bool hasInitPose = true;
-  std::optional<double> initZ;  // [m], no meaning in the plane
+  std::optional<double> initZ;  // [m], not used in 2-D
   UnknownKeys initPoseUnknown;
   Behavior behavior;
-  std::vector<int> goals;  // ids of global goals, visiting order
+  std::vector<int> goals;  // ids of global goals in visiting order
   PersonExtension ours;
 };
 
-struct RobotGoal {  // at most one of the two
+struct RobotGoal {  // at most one is set
   std::optional<Vec2> point;
   std::vector<int> goals;  // ids of global goals, in order
 };
 
-/// Parameters of a planner or model by their names: YAML scalars as text.
+/// Parameters of a planner or model by name: YAML scalars as text.
 using ParameterTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// The `lidar` of a robot; what is absent is as its type has it. x, y: of the sensor, robot frame.
+/// The `lidar` of a robot; absent keys default to its type. x, y: sensor position, robot frame.
 struct LidarSettings {
-  std::optional<int> beams;                           // 0: none
+  std::optional<int> beams;                           // 0: no lidar
   std::optional<double> range, rate;                  // [m], [Hz]
   std::optional<double> angleMin, angleMax, x, y, h;  // [rad], [m]
   std::optional<double> noise;                        // [m]
@@ -123,12 +122,12 @@ struct LidarSettings {
 enum class DetectorKind { Sensor, GroundTruth };
 enum class TrackVelocities { Measured, Filtered };
 
-/// The `detector` of a robot: how it knows of people and other robots.
+/// The `detector` of a robot: perception of people and other robots.
 struct DetectorSettings {
   std::optional<DetectorKind> kind;
   std::optional<double> range, field, rate, latency, noise, misses, swaps, swapDistance;
   std::optional<bool> occlusion;
-  std::optional<double> hiddenShare, coastTime;
+  std::optional<double> maxOcclusion, coastTime;
   std::optional<TrackVelocities> velocities;
   std::optional<double> accelerationNoise;
   UnknownKeys unknown;
@@ -147,26 +146,26 @@ struct LocalizationSettings {
   UnknownKeys unknown;
 };
 
-/// The `battery` of a robot; without capacity it never runs low.
+/// The `battery` of a robot; without capacity it is never empty.
 struct BatterySettings {
   std::optional<double> capacity;                   // [Wh]
-  std::optional<double> level;                      // at the start, 0 to 1
+  std::optional<double> level;                      // initial charge, 0 to 1
   std::optional<double> idlePower, motionPower;     // [W]
-  std::optional<double> chargePower;                // [W], at a dock
+  std::optional<double> chargePower;                // [W], at a charging dock
   std::optional<double> emptyVoltage, fullVoltage;  // [V]
   UnknownKeys unknown;
 };
 
-struct Robot : Named {
+struct Robot : NamedEntity {
   std::optional<std::string> type, planner;
   std::optional<std::string> command;  // the program of planner `external`
   ParameterTexts plannerParameters;
   std::vector<std::string> nav2Params;  // of planner `nav2`: files and `name:=value`, in order
-  std::optional<std::string> nav2Tree;  // idem: a file
-  std::optional<bool> nav2Body;         // idem: the body is that of its parameter files
+  std::optional<std::string> nav2Tree;  // of planner `nav2`: a file
+  std::optional<bool> nav2Body;         // of planner `nav2`: uses the body of its parameter files
   std::optional<nav2::Distro> nav2Distro;
-  std::optional<std::string> nav2Topics;  // what is published to it
-  ParameterTexts nav2Values;              // instead of the file's: "FollowPath.temperature"
+  std::optional<std::string> nav2Topics;  // messages published to Nav2
+  ParameterTexts nav2Values;              // override the file: "FollowPath.temperature"
   Pose2 start;
   RobotGoal goal;
   std::optional<double> goalRadius, startTime, radius, mass, maxVel, maxAcc, maxOmega, maxAlpha;
@@ -181,7 +180,7 @@ struct Robot : Named {
 };
 
 enum class ObstacleKind { Box, Circle, Polygon, Wall };
-struct Obstacle : Named {
+struct Obstacle : NamedEntity {
   ObstacleKind kind = ObstacleKind::Box;
   Pose2 pose;                        // box: centre and heading; circle: centre
   double length = 1.0, width = 1.0;  // box
@@ -190,7 +189,7 @@ struct Obstacle : Named {
   std::optional<double> thickness;   // wall, 0.1
 };
 
-struct Door : Named {
+struct Door : NamedEntity {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
   std::optional<double> thickness;  // 0.05
   std::optional<bool> open;         // true
@@ -198,23 +197,23 @@ struct Door : Named {
 };
 
 enum class AreaKind { Source, Sink, Wait, Exit };
-struct Area : Named {
+struct Area : NamedEntity {
   AreaKind kind = AreaKind::Wait;
   std::vector<Vec2> points;
-  std::optional<std::string> like;  // source: name of a person
+  std::optional<std::string> like;  // source: name of the agent to copy
   std::optional<double> rate;       // [1/s]
   std::optional<double> from, until;
   std::optional<int> count;
 };
 
 enum class DockKind { Charging, Parking };
-/// Where robots dock: the place of a robot that has driven in with its nose first.
-struct Dock : Named {
+/// A dock: the pose of a robot that has docked forwards.
+struct Dock : NamedEntity {
   DockKind kind = DockKind::Charging;
   Pose2 pose;
 };
 
-/// Key `metrics` of the block. `from`, `until` as written ("goal", "time 5.0", "event contact").
+/// Key `metrics` of the block. `from`, `until`: as written ("goal", "time 5.0", "event contact").
 struct MetricsSettings {
   std::optional<std::string> from, until;
   std::optional<double> frequency;
@@ -227,34 +226,36 @@ struct MetricsSettings {
 
 enum class VariationPreset { None, Light, Strong };
 enum class SpreadKind { None, Normal, Uniform };
-/// What of a person differs from seed to seed. The numbers are part of each draw.
-enum class Varied { StartTime, Start, Heading, Speed, ReactionTime, FirstGoal };
+/// Quantities of an agent that vary with the seed. The numbers are part of each draw.
+enum class VariationQuantity { StartTime, Start, Heading, Speed, ReactionTime, FirstGoal };
 constexpr std::size_t kVariedCount = 6;
 
-/// How far one quantity goes from what is written, in its unit; absent: see Variation.h.
+/// Distribution of one quantity, in its unit; defaults for absent values: see Variation.h.
 struct SpreadSettings {
   std::optional<SpreadKind> kind;
   std::optional<double> sd, halfWidth, min, max;
   UnknownKeys unknown;
 };
 
-/// Key `variation` of the block: people are drawn anew for each seed.
+/// Key `variation` of the block: agents are drawn for each seed.
 struct VariationSettings {
   std::optional<VariationPreset> preset;
-  std::array<SpreadSettings, kVariedCount> spreads;  // by Varied
+  std::array<SpreadSettings, kVariedCount> spreads;  // index: Varied
   UnknownKeys unknown;
 
-  SpreadSettings& of(Varied quantity) { return spreads[static_cast<std::size_t>(quantity)]; }
-  const SpreadSettings& of(Varied quantity) const {
+  SpreadSettings& of(VariationQuantity quantity) {
+    return spreads[static_cast<std::size_t>(quantity)];
+  }
+  const SpreadSettings& of(VariationQuantity quantity) const {
     return spreads[static_cast<std::size_t>(quantity)];
   }
 };
 
 enum class ObstaclePoints { Boundary, Rays };
-/// What a robot must touch on its way for the run to end: people, or whatever is solid.
+/// Contacts of a moving robot that end the run: with people, or with any solid object.
 enum class StopOnCollision { None, People, Any };
 
-/// The rest of the block `hunavsim_desktop`.
+/// Keys of the block `hunavsim_desktop` itself.
 struct DesktopSettings {
   std::optional<std::string> mapFile;
   std::optional<std::string> mapRule;  // "humble", "main"
@@ -269,42 +270,42 @@ struct DesktopSettings {
   std::optional<ObstaclePoints> obstaclePoints;
   std::optional<bool> loopTrees;
   std::vector<double> wrapX;                        // empty or 2
-  std::vector<std::pair<int, std::string>> groups;  // names of groups
+  std::vector<std::pair<int, std::string>> groups;  // number and name
   VariationSettings variation;
   MetricsSettings metrics;
   UnknownKeys unknown;
 };
 
-/// What belongs to the scenario as a whole.
+/// Keys of the scenario itself.
 struct ScenarioSettings {
   std::optional<std::string> yamlBaseName, simulator, map;
   std::optional<bool> publishPeople;
   DesktopSettings desktop;
 };
 
-/// A scenario but for its people: all that a running world keeps of it.
+/// A scenario without its agents: the part that a running world keeps.
 struct Environment : ScenarioSettings {
   std::vector<GlobalGoal> goals;    // in file order
-  std::vector<Robot> robots;        // listed ones first; ids -1, -2 … over them
-  std::vector<Obstacle> obstacles;  // idem
+  std::vector<Robot> robots;        // listed first; they have the ids -1, -2 …
+  std::vector<Obstacle> obstacles;  // listed first
   std::vector<Door> doors;
   std::vector<Area> areas;
   std::vector<Dock> docks;
-  UnknownKeys unknown;     // beside the known global keys of hunav_loader
-  UnknownKeys otherNodes;  // further nodes of the file
+  UnknownKeys unknown;     // unknown global keys of hunav_loader
+  UnknownKeys otherNodes;  // other nodes of the file
 };
 
 struct Scenario : Environment {
-  std::vector<Human> humans;  // listed ones first in list order, then the others
+  std::vector<Human> humans;  // listed ones in list order, then the others
 
   const GlobalGoal* goal(int id) const;
   const Human* human(const std::string& name) const;
   const Human* humanById(int id) const;
-  /// A key that no entity of this scenario has used.
+  /// A key that no entity of this scenario uses.
   int nextKey() const;
 };
 
-/// Calls `visit` with each kind of entity and the member of a scenario that lists them.
+/// Calls visit(kind, member of Scenario) for each list of entities.
 template <class Visit>
 void forEachKind(Visit visit) {
   visit(base::EntityKind::Human, &Scenario::humans);
@@ -316,13 +317,13 @@ void forEachKind(Visit visit) {
   visit(base::EntityKind::Dock, &Scenario::docks);
 }
 
-/// Calls `visit` with the kind of what each list holds, and the list.
+/// Calls visit(kind, list) for each list of entities.
 template <class S, class Visit>
 void forEachList(S& scenario, Visit&& visit) {
   forEachKind([&](base::EntityKind kind, auto list) { visit(kind, scenario.*list); });
 }
 
-/// Those that take part.
+/// Calls visit for each listed object.
 template <class T, class Visit>
 void forEachListed(const std::vector<T>& all, Visit visit) {
   for (const T& each : all) {
@@ -332,7 +333,7 @@ void forEachListed(const std::vector<T>& all, Visit visit) {
   }
 }
 
-/// Comparison by content, of all that may have unknown keys.
+/// Compares content; for all types that keep unknown keys.
 template <class T>
 auto operator==(const T& a, const T& b) -> decltype(a.unknown == b.unknown);
 bool operator==(const ScenarioSettings& a, const ScenarioSettings& b);

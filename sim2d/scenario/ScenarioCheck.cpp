@@ -10,9 +10,9 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/external/CodePermission.h"
-#include "sim2d/scenario/CheckParts.h"
-#include "sim2d/scenario/Defaults.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/CheckReport.h"
+#include "sim2d/scenario/ResolvedValues.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 namespace {
@@ -27,7 +27,7 @@ void collectNames(const std::vector<T>& entities, std::set<std::string>& seen,
       if (entity.name.empty() || loaderKeys().count(entity.name) != 0) {
         report.error(entity.key, "scenario.bad-person-name", {entity.name});
       }
-    } else if (!isEntityName(entity.name) || blockKeys().count(entity.name) != 0) {
+    } else if (!isEntityName(entity.name) || desktopKeys().count(entity.name) != 0) {
       report.error(entity.key, "scenario.bad-name", {entity.name});
     }
     if (!seen.insert(entity.name).second) {
@@ -73,8 +73,8 @@ void checkGoalNumbers(const Scenario& scenario, CheckReport& report) {
   }
 }
 
-void checkGoalIds(const std::vector<int>& goals, const Scenario& scenario, const Named& traveller,
-                  CheckReport& report) {
+void checkGoalIds(const std::vector<int>& goals, const Scenario& scenario,
+                  const NamedEntity& traveller, CheckReport& report) {
   std::set<int> told;
   for (const int id : goals) {
     if (scenario.goal(id) == nullptr && told.insert(id).second) {
@@ -97,16 +97,17 @@ std::string expectedOf(const ParameterSpec& spec) {
   const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
   const std::string low = base::formatDouble(range.low);
   if (std::isfinite(range.high)) {
-    return std::string("a number ") + (range.above ? "above " : "from ") + low + " to " +
+    return std::string("a number ") + (range.excludesLow ? "above " : "from ") + low + " to " +
            base::formatDouble(range.high) + unit;
   }
   if (std::isinf(range.low)) {
     return "a number";
   }
-  return "a number " + (range.above ? "above " + low + unit : "of " + low + unit + " or more");
+  return "a number " +
+         (range.excludesLow ? "above " + low + unit : "of " + low + unit + " or more");
 }
 
-/// Of a planner or model, called `owner`.
+/// `owner`: name of the planner or model.
 void checkParameters(const ParameterTexts& given, const std::string& owner,
                      const std::map<std::string, std::vector<ParameterSpec>>& all,
                      const Subject& subject, CheckReport& report) {
@@ -126,7 +127,7 @@ void checkParameters(const ParameterTexts& given, const std::string& owner,
     if (found == nullptr) {
       report.error(parameter, "planner.unknown-parameter", {owner, base::nearestName(key, known)});
     } else if (found->type == ParameterType::Text) {
-      continue;  // every single value is one
+      continue;  // any scalar is valid
     } else if (!value || !std::isfinite(*value) || !found->range.contains(*value)) {
       report.error(parameter, "planner.bad-value", {text, expectedOf(*found)});
     }
@@ -150,7 +151,7 @@ void checkSource(const Area& area, const Scenario& scenario, CheckReport& report
   }
 }
 
-/// Whoever arrives gets the id after the greatest so far.
+/// A spawned agent gets the id after the highest one in use.
 void checkIdsLeft(const Scenario& scenario, CheckReport& report) {
   int greatest = 0;
   for (const Human& human : scenario.humans) {
@@ -191,7 +192,7 @@ void checkLimits(const Human& human, CheckReport& report) {
   }
 }
 
-/// Keys that a reaction needs and the file leaves out, with the value that counts.
+/// Warns about keys that the reaction needs and the file omits, with the values used.
 void checkReaction(const Scenario& scenario, const Human& human, CheckReport& report) {
   const Behavior& behavior = human.behavior;
   if (!behavior.type || !reactsToRobot(*behavior.type)) {
@@ -232,7 +233,7 @@ void checkPerson(const Scenario& scenario, const Human& human, CheckReport& repo
   if (!human.ours.wait.empty() && human.ours.wait.size() != human.goals.size()) {
     report.error(human, "person.wait-count", {human.goals.size(), human.ours.wait.size()});
   }
-  if (!(human.ours == PersonExtension{}) && blockKeys().count(human.name) != 0) {
+  if (!(human.ours == PersonExtension{}) && desktopKeys().count(human.name) != 0) {
     report.error(human.key, "person.name-is-key", {human.name});
   }
 }
@@ -240,9 +241,8 @@ void checkPerson(const Scenario& scenario, const Human& human, CheckReport& repo
 void checkNames(const Scenario& scenario, CheckReport& report) {
   std::set<std::string> seen;
   collectNames(scenario.humans, seen, report);
-  forEachBlockList(scenario, [&](const char* /*key*/, base::EntityKind /*kind*/, const auto& list) {
-    collectNames(list, seen, report);
-  });
+  forEachEntityList(scenario, [&](const char* /*key*/, base::EntityKind /*kind*/,
+                                  const auto& list) { collectNames(list, seen, report); });
   checkIds(scenario, report);
   checkGoalNumbers(scenario, report);
   if (scenario.map && mapBaseName(*scenario.map) != *scenario.map) {
@@ -279,13 +279,13 @@ void checkReferences(const Scenario& scenario, const KnownNames& names, CheckRep
 
 void checkPeople(const Scenario& scenario, CheckReport& report) {
   forEachListed(scenario.humans, [&](const Human& human) { checkPerson(scenario, human, report); });
-  const auto anyone = [](const auto& all) {
+  const auto hasListed = [](const auto& all) {
     return std::any_of(all.begin(), all.end(), [](const auto& each) { return each.listed; });
   };
-  const bool somebodyComes =
+  const bool hasSource =
       std::any_of(scenario.areas.begin(), scenario.areas.end(),
                   [](const Area& area) { return area.listed && area.kind == AreaKind::Source; });
-  if (!anyone(scenario.humans) && !anyone(scenario.robots) && !somebodyComes) {
+  if (!hasListed(scenario.humans) && !hasListed(scenario.robots) && !hasSource) {
     report.warning(kScenario, "scenario.nobody");
   }
 }
@@ -296,8 +296,9 @@ void CheckReport::add(base::Severity severity, const Subject& subject, std::stri
                       base::ProblemValues values) {
   base::Diagnostic problem = base::problem(severity, code, std::move(values), file);
   problem.entity = subject.entity;
-  diagnostics.push_back(subject.where.empty() ? std::move(problem)
-                                              : base::within(subject.where, std::move(problem)));
+  diagnostics.push_back(subject.where.empty()
+                            ? std::move(problem)
+                            : base::withContext(subject.where, std::move(problem)));
 }
 
 int largestSkin(const std::string& simulator) {

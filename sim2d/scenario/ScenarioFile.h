@@ -13,55 +13,55 @@ namespace sim2d {
 struct FieldTables;  // Fields.h
 const FieldTables& fieldTables();
 
-/// What reading gives. With errors among the diagnostics the scenario holds what could be read
-/// (for an editor to show) and must not be run.
+/// Result of reading. With errors the scenario contains what could be read (for display in an
+/// editor) and must not be run.
 struct ScenarioReading {
   Scenario scenario;
   base::Diagnostics diagnostics;
   Dialect dialect = Dialect::C;
-  bool hasBlock = false;                 // hunavsim_desktop: this program knows the scenario
-  int commentCount = 0;                  // lost when saved over
-  std::map<EntityId, int> lines;         // where each entity's block begins
-  int agentsLine = 0, agentsColumn = 0;  // of the key of the list of people; 0: there is none
+  bool hasDesktopNode = false;           // the file has the node hunavsim_desktop
+  int commentCount = 0;                  // comments are lost when the file is saved
+  std::map<EntityId, int> lines;         // first line of each entity's block
+  int agentsLine = 0, agentsColumn = 0;  // of the key `agents`; 0: there is none
   bool ok() const { return !base::hasErrors(diagnostics); }
 };
 
 ScenarioReading readScenario(const std::string& path);
 ScenarioReading readScenarioText(const std::string& text, const std::string& fileName);
-/// For an editor, when readScenario gives nothing because the syntax breaks: the same diagnostics,
-/// and what stands before that place. Never to be run or written over the file.
-ScenarioReading readBeginning(const std::string& path);
+/// For editors, if a syntax error prevents reading: the same diagnostics and the content before the
+/// error. It must not be run or saved to the file.
+ScenarioReading readValidPart(const std::string& path);
 
-/// Gives diagnostics about an entity that have no line the line of its block, and those with a line
-/// the file `path` and the column at which the line's key begins there.
-void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
-               const std::string& path);
+/// Adds line numbers to diagnostics: those about an entity get the line of its block, and all with
+/// a line get the file `path` and the column of that line's key.
+void addLocations(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
+                  const std::string& path);
 
-/// Gives what is said about the file `path` without a line the place of the first of these keys
-/// that is there, dotted from the top: "hunav_loader.ros__parameters.map".
-void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
-                   const std::vector<std::string>& keys);
+/// Adds a place to diagnostics of the file `path` that have no line: that of the first existing key
+/// of `keys`, given as dotted paths: "hunav_loader.ros__parameters.map".
+void addKeyLocation(base::Diagnostics& diagnostics, const std::string& path,
+                    const std::vector<std::string>& keys);
 
-/// The same for what `findMap` says of the scenario in the file `path`: the key that names the map.
-void addPlaceOfMap(base::Diagnostics& diagnostics, const std::string& path);
+/// The same for diagnostics of `findMap`: the place of the key that names the map.
+void addMapLocation(base::Diagnostics& diagnostics, const std::string& path);
 
-/// The scenario without the keys of our block that stand at their default, as a file holds it:
+/// The scenario without keys of hunavsim_desktop that equal their default, as stored in a file:
 /// readScenarioText(writeScenario(s)) gives withoutDefaults(s).
 Scenario withoutDefaults(Scenario scenario, const FieldTables& tables = fieldTables());
 
-/// What the wrapper probably was, by the start heights; for files that do not say (dialects A, B).
+/// The probable simulator, by the start heights; for files that do not name it (dialects A, B).
 std::optional<std::string> suggestedSimulator(const Scenario& scenario);
 
-/// Canonical dialect C plus our block (FORMAT.md). A file without the block ends without a newline,
-/// as HuNavSim's own editor writes it; with the block it ends with one.
+/// Canonical dialect C plus the node hunavsim_desktop (FORMAT.md). A file without that node ends
+/// without a newline, as HuNavSim's editor writes it; otherwise with one.
 std::string writeScenario(const Scenario& scenario);
-/// Goals that are in no person's list, in the order of the scenario.
-std::vector<GlobalGoal> goalsOfNobody(const Scenario& scenario);
-/// Dialect B for the older wrappers; what it cannot express is told in `losses`. Goals of nobody
-/// are global_goals as in C: HuNavSim passes over keys that it does not know.
+/// Goals that no agent uses, in scenario order.
+std::vector<GlobalGoal> unusedGoals(const Scenario& scenario);
+/// Dialect B for older wrappers; `losses` lists what it cannot express. Goals that no agent uses
+/// are written as global_goals, as in dialect C: HuNavSim ignores unknown keys.
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses);
 
-/// `--set PATH=VALUE` (FORMAT.md): dotted keys below ros__parameters; `*` = every listed person.
+/// `--set PATH=VALUE` (FORMAT.md): dotted keys below ros__parameters; `*` means every listed agent.
 base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
                            const FieldTables& tables = fieldTables());
 

@@ -6,12 +6,12 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 namespace {
 
-/// Reads one file: the loader's node, ours, the rest.
+/// Reads one file: hunav_loader, hunavsim_desktop, other nodes.
 class FileReader {
  public:
   FileReader(const YamlNode& root, const std::string& fileName, const FieldTables& tables)
@@ -30,9 +30,9 @@ class FileReader {
       }
       result_.loaderPaths = std::move(report_.knownPaths);
       report_.knownPaths.clear();
-      readOurs();
-      result_.blockPaths = std::move(report_.knownPaths);
-      keepOthers(node);
+      readDesktop();
+      result_.desktopPaths = std::move(report_.knownPaths);
+      keepOtherNodes(node);
       scenario() = withoutDefaults(std::move(scenario()), loader_.tables);
     }
     base::Diagnostics& all = report_.diagnostics;
@@ -47,7 +47,7 @@ class FileReader {
  private:
   Scenario& scenario() { return result_.file.scenario; }
 
-  /// What is below ros__parameters; nullptr and an error without such a map.
+  /// The map ros__parameters; nullptr and an error if it is missing.
   const YamlNode* parametersOf(const YamlNode& node) {
     const YamlNode* parameters = node.find(kParameters);
     if (parameters != nullptr && parameters->isMap()) {
@@ -64,7 +64,7 @@ class FileReader {
     const YamlNode* only = nullptr;
     int candidates = 0;
     for (const YamlNode& item : root_.items) {
-      if (item.key != kBlockNode && item.find(kParameters) != nullptr) {
+      if (item.key != kDesktopNode && item.find(kParameters) != nullptr) {
         only = &item;
         ++candidates;
       }
@@ -83,9 +83,9 @@ class FileReader {
     readFields<ScenarioSettings>(view, scenario(), loader_.tables);
     readGlobalGoals(view);
     readAgents(view);
-    scenario().unknown = view.takeUnknown();
+    scenario().unknown = view.takeUnknownKeys();
     const YamlNode* goals = parameters.find("global_goals");
-    if (loader_.undefinedNumber && (goals == nullptr || scenario().goals.empty())) {
+    if (loader_.hasUndefinedGoal && (goals == nullptr || scenario().goals.empty())) {
       report_.add(
           goals == nullptr ? parameters : *goals,
           base::error(goals == nullptr ? "scenario.goals-missing" : "scenario.goals-empty"));
@@ -97,7 +97,7 @@ class FileReader {
     YamlMap goals = view.map("global_goals");
     std::set<int> numbers;
     for (const YamlNode& item : goals.node().items) {
-      goals.know(item.key);
+      goals.markKnown(item.key);
       const auto id = base::parseInt(item.key);
       if (!id || *id < 1 || *id > 1000000) {
         goals.error(item.key, "scenario.goal-no-number");
@@ -112,11 +112,11 @@ class FileReader {
       goal.key = loader_.newEntity(base::EntityKind::Goal, item);
       YamlMap point(&item, goals.pathOf(item.key), goal.key, report_);
       goal.position = readPoint(point);
-      point.know("h");  // kept from older dialects
+      point.markKnown("h");  // from older dialects
       if (const YamlNode* heading = item.find("h")) {
         goal.unknown.push_back(unknownKey(*heading));
       }
-      for (UnknownKey& key : point.takeUnknown()) {
+      for (UnknownKey& key : point.takeUnknownKeys()) {
         goal.unknown.push_back(std::move(key));
       }
       scenario().goals.push_back(std::move(goal));
@@ -124,7 +124,7 @@ class FileReader {
   }
 
   std::vector<std::string> agentNames(YamlMap& view) {
-    view.know("agents");
+    view.markKnown("agents");
     const YamlNode* list = view.node().find("agents");
     if (list != nullptr && list->isNull()) {
       view.warning("agents", "scenario.nobody-listed");
@@ -158,13 +158,13 @@ class FileReader {
       } else if (block == blocks.end()) {
         view.error("agents", "scenario.agent-without-block", {name});
       } else {
-        view.know(name);
+        view.markKnown(name);
         scenario().humans.push_back(readHuman(*block->second, true, loader_));
       }
     }
     for (const YamlNode& item : view.node().items) {
       if (!view.isKnown(item.key) && looksLikeAgent(item)) {
-        view.know(item.key);
+        view.markKnown(item.key);
         scenario().humans.push_back(readHuman(item, false, loader_));
       }
     }
@@ -172,15 +172,15 @@ class FileReader {
 
   void reportDialect(const YamlNode& parameters) {
     const std::string stem = std::filesystem::path(report_.file).stem().string();
-    const bool isNamed = !stem.empty() && stem != "-";  // standard input is not
-    if (!loader_.scalarBehavior && !loader_.numberedType && !loader_.namedGoals) {
+    const bool isNamed = !stem.empty() && stem != "-";  // "-": standard input
+    if (!loader_.hasScalarBehavior && !loader_.hasNumberedType && !loader_.hasNamedGoals) {
       if (scenario().yamlBaseName && isNamed && *scenario().yamlBaseName != stem) {
         report_.add(*parameters.find("yaml_base_name"),
                     base::warning("scenario.base-name", {*scenario().yamlBaseName}));
       }
       return;
     }
-    const bool first = loader_.scalarBehavior;
+    const bool first = loader_.hasScalarBehavior;
     result_.file.dialect = first ? Dialect::A : Dialect::B;
     report_.add(parameters,
                 base::problem(base::Severity::Info,
@@ -192,13 +192,13 @@ class FileReader {
     }
   }
 
-  void readOurs() {
-    const YamlNode* node = root_.find(kBlockNode);
-    result_.file.hasBlock = node != nullptr;
-    if (node == nullptr) {  // so that a hint can name a key of ours
+  void readDesktop() {
+    const YamlNode* node = root_.find(kDesktopNode);
+    result_.file.hasDesktopNode = node != nullptr;
+    if (node == nullptr) {  // registers the keys for suggestions
       YamlNode block;
-      setChild(block, "format", number(kBlockFormat));
-      readBlock(block, loader_);
+      setChild(block, "format", number(kDesktopFormat));
+      readDesktopNode(block, loader_);
       return;
     }
     const YamlNode* parameters = parametersOf(*node);
@@ -207,13 +207,13 @@ class FileReader {
     }
     for (const YamlNode& item : node->items) {
       if (item.key != kParameters) {
-        report_.add(item, base::error("scenario.only-parameters", {kBlockNode}));
+        report_.add(item, base::error("scenario.only-parameters", {kDesktopNode}));
       }
     }
-    readBlock(*parameters, loader_);
+    readDesktopNode(*parameters, loader_);
   }
 
-  void keepOthers(const YamlNode* loader) {
+  void keepOtherNodes(const YamlNode* loader) {
     if (loader != nullptr && loader->find(kParameters) != nullptr) {
       for (const YamlNode& item : loader->items) {
         if (item.key != kParameters) {
@@ -222,7 +222,7 @@ class FileReader {
       }
     }
     for (const YamlNode& item : root_.items) {
-      if (&item != loader && item.key != kBlockNode) {
+      if (&item != loader && item.key != kDesktopNode) {
         scenario().otherNodes.push_back(unknownKey(item));
       }
     }
@@ -249,7 +249,7 @@ std::string_view firstLines(std::string_view text, int count) {
   return text.substr(0, end);
 }
 
-/// From 1; behind the dashes of list entries.
+/// From 1; after the dashes of list items.
 int columnOfKey(const std::string& line) {
   const std::size_t found = line.find_first_not_of(" -");
   return found == std::string::npos ? 1 : static_cast<int>(found) + 1;
@@ -263,20 +263,20 @@ const YamlNode* findKey(const YamlNode& root, const std::string& dotted) {
   return node;
 }
 
-/// The places of keys of one file, read when one of them is first requested.
-class KeyPlaces {
+/// Places of keys in one file; parsed on first use.
+class KeyLocations {
  public:
-  explicit KeyPlaces(const std::string& text) : text_(text) {}
+  explicit KeyLocations(const std::string& text) : text_(text) {}
 
-  /// The place of a path below the parameters of either node; null: it is in neither.
+  /// The place of a path below the parameters of either node; null: not found.
   const YamlNode* find(const std::string& dotted) {
     if (!isRead_) {
-      base::Diagnostics ignored;  // reported by the reader of the scenario
+      base::Diagnostics ignored;  // reported by readScenario
       root_ = parseYaml(text_, {}, ignored);
       isRead_ = true;
     }
     const YamlNode* found = nullptr;
-    for (const char* node : {kBlockNode, kLoaderNode}) {
+    for (const char* node : {kDesktopNode, kLoaderNode}) {
       const std::string path = std::string(node) + "." + kParameters + "." + dotted;
       found = found == nullptr ? findKey(root_, path) : found;
     }
@@ -289,9 +289,9 @@ class KeyPlaces {
   YamlNode root_;
 };
 
-/// Of the entity that the problem belongs to, or of its key.
-void addPlaceOfEntity(base::Diagnostic& problem, const std::map<EntityId, int>& lines,
-                      KeyPlaces& keys) {
+/// Sets the place of the entity, or of its key.
+void addEntityLocation(base::Diagnostic& problem, const std::map<EntityId, int>& lines,
+                       KeyLocations& keys) {
   const auto found = lines.find(problem.entity);
   if (problem.line != 0 || !problem.entity || found == lines.end()) {
     return;
@@ -333,16 +333,16 @@ ScenarioReading readScenario(const std::string& path) {
   return readScenarioText(*text, path);
 }
 
-ScenarioReading readBeginning(const std::string& path) {
-  constexpr int kMostTries = 16;
+ScenarioReading readValidPart(const std::string& path) {
+  constexpr int kMaxTries = 16;
   ScenarioReading reading = readScenario(path);
   const base::Result<std::string> text = base::readTextFile(path);
   if (reading.ok() || !text) {
     return reading;
   }
   int lines = firstErrorLine(reading.diagnostics) - 1;
-  for (int attempt = 0; attempt < kMostTries && lines > 0; ++attempt) {
-    base::Diagnostics ignored;  // of the part alone they would mislead
+  for (int attempt = 0; attempt < kMaxTries && lines > 0; ++attempt) {
+    base::Diagnostics ignored;  // misleading for a part of the file
     const YamlNode root = parseYaml(firstLines(*text, lines), path, ignored);
     if (!base::hasErrors(ignored)) {
       ScenarioReading part = readTree(root, path).file;
@@ -355,20 +355,20 @@ ScenarioReading readBeginning(const std::string& path) {
   return reading;
 }
 
-void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
-               const std::string& path) {
+void addLocations(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
+                  const std::string& path) {
   if (diagnostics.empty()) {
-    return;  // to read a large file takes its time
+    return;  // reading a large file takes time
   }
-  const base::Result<std::string> text = base::readTextFile(path);  // its reader says why it fails
+  const base::Result<std::string> text = base::readTextFile(path);  // reported when it was read
   const std::string content = text ? *text : std::string();
   const std::vector<std::string> texts = base::split(content, '\n');
-  KeyPlaces keys(content);
+  KeyLocations keys(content);
   for (base::Diagnostic& said : diagnostics) {
     if (said.line > 0 && !said.file.empty() && said.file != path) {
-      continue;  // a line of another file that the scenario names
+      continue;  // a line of another file
     }
-    addPlaceOfEntity(said, lines, keys);
+    addEntityLocation(said, lines, keys);
     said.file = said.line > 0 ? path : said.file;
     const auto line = static_cast<std::size_t>(said.line);
     if (text && said.column == 0 && said.line > 0 && line <= texts.size()) {
@@ -377,14 +377,14 @@ void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& li
   }
 }
 
-void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
-                   const std::vector<std::string>& keys) {
+void addKeyLocation(base::Diagnostics& diagnostics, const std::string& path,
+                    const std::vector<std::string>& keys) {
   const auto isMeant = [&path](const auto& said) { return said.file == path && said.line == 0; };
   if (std::none_of(diagnostics.begin(), diagnostics.end(), isMeant)) {
     return;
   }
   const base::Result<std::string> text = base::readTextFile(path);
-  base::Diagnostics ignored;  // reported by the reader of the scenario
+  base::Diagnostics ignored;  // reported by readScenario
   const YamlNode root = text ? parseYaml(*text, path, ignored) : YamlNode();
   const YamlNode* found = nullptr;
   for (const std::string& key : keys) {
@@ -398,10 +398,10 @@ void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
   }
 }
 
-void addPlaceOfMap(base::Diagnostics& diagnostics, const std::string& path) {
-  addPlaceOfKey(diagnostics, path,
-                {"hunavsim_desktop.ros__parameters.map_file", "hunav_loader.ros__parameters.map",
-                 "hunav_loader.ros__parameters"});
+void addMapLocation(base::Diagnostics& diagnostics, const std::string& path) {
+  addKeyLocation(diagnostics, path,
+                 {"hunavsim_desktop.ros__parameters.map_file", "hunav_loader.ros__parameters.map",
+                  "hunav_loader.ros__parameters"});
 }
 
 }  // namespace sim2d

@@ -2,7 +2,7 @@
 #include <set>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 namespace {
@@ -21,7 +21,7 @@ YamlNode listedNames(const std::vector<T>& entities) {
   return list;
 }
 
-/// Those switched off last.
+/// Listed objects first.
 template <class T, class Visit>
 void forEachListedFirst(const std::vector<T>& entities, Visit visit) {
   for (const bool listed : {true, false}) {
@@ -46,7 +46,7 @@ YamlNode goalsTree(const std::vector<GlobalGoal>& goals) {
 YamlNode behaviorTree(const Behavior& behavior, const FieldTables& tables) {
   YamlNode tree;
   writeFields(tree, behavior, tables);
-  if (behavior.type == BehaviorType::Scared) {  // as HuNavSim's editor writes them
+  if (behavior.type == BehaviorType::Scared) {  // order of HuNavSim's editor
     static const std::set<std::string> kFirst = {"type", "dist", "duration",
                                                  "once", "vel",  "other_force_factor"};
     std::stable_partition(tree.items.begin(), tree.items.end(),
@@ -56,7 +56,7 @@ YamlNode behaviorTree(const Behavior& behavior, const FieldTables& tables) {
   return tree;
 }
 
-/// Keys before `behavior`; every dialect has them.
+/// Keys before `behavior`, common to all dialects.
 YamlNode bodyTree(const Human& human, const FieldTables& tables) {
   YamlNode tree(YamlNode::Kind::Map);
   writeFields(tree, human, tables);
@@ -89,7 +89,7 @@ void addLoss(base::Diagnostics& losses, const Human& human, const std::string& m
   losses.push_back({base::Severity::Warning, {}, 0, 0, human.name + ": " + message, human.key});
 }
 
-/// What was the parameter `dist` in dialect B, and what gets lost.
+/// Writes `dist` as dialect B defines it, and reports what is lost.
 void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
   const bool isCurious = behavior.type == BehaviorType::Curious;
@@ -102,7 +102,8 @@ void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losse
     if (noticed != fixed) {
       addLoss(losses, human,
               "dist " + base::formatDouble(noticed) +
-                  " is lost, this format notices the robot at " + base::formatDouble(fixed) + " m");
+                  " is lost: in this format the robot is noticed at " + base::formatDouble(fixed) +
+                  " m");
     }
     return;
   }
@@ -111,32 +112,32 @@ void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losse
   if (isScared && behavior.safeDistance.value_or(5.0) != 5.0) {
     addLoss(losses, human,
             "safe_distance " + base::formatDouble(*behavior.safeDistance) +
-                " is lost, this format has none");
+                " is lost: this format has none");
   }
 }
 
-/// This format declares a number: another stays, a word cannot.
+/// Dialect B has type numbers: an unknown number is kept, a name cannot be.
 long long oldTypeOf(const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
   const auto type = static_cast<long long>(behavior.type.value_or(BehaviorType::Regular));
-  if (behavior.foreignType.empty()) {
+  if (behavior.unknownType.empty()) {
     return type;
   }
-  const std::optional<long long> foreign = base::parseInt(behavior.foreignType);
+  const std::optional<long long> foreign = base::parseInt(behavior.unknownType);
   if (!foreign) {
-    addLoss(losses, human, "behavior '" + behavior.foreignType + "' is lost, Regular is written");
+    addLoss(losses, human, "behavior '" + behavior.unknownType + "' is lost: Regular is written");
   }
   return foreign.value_or(type);
 }
 
-/// With 0 HuNavSim 1.5 puts numbers of its own in the place of those of a reaction; with 1 it takes
-/// the numbers that are written, which here are the same.
+/// With 0 HuNavSim 1.5 replaces the values of a reaction by its own; with 1 it uses the given ones,
+/// which are the same here.
 Configuration oldConfigurationOf(const Behavior& behavior) {
   const Configuration mode = behavior.configuration.value_or(Configuration::Default);
   return mode == Configuration::Default ? Configuration::Custom : mode;
 }
 
-/// Of a goal as an older file gave it [rad].
+/// Heading of a goal from an older file [rad].
 double headingOf(const GlobalGoal& goal) {
   for (const UnknownKey& key : goal.unknown) {
     if (key.key == "h") {
@@ -146,7 +147,7 @@ double headingOf(const GlobalGoal& goal) {
   return 0.0;
 }
 
-constexpr double kFastestReaction = 1.8;  // that HuNavSim's loader lets pass [m/s]
+constexpr double kFastestReaction = 1.8;  // [m/s], limit of HuNavSim's loader
 
 YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
@@ -178,7 +179,7 @@ YamlNode humanTreeB(const Scenario& scenario, const Human& human, base::Diagnost
   for (const int id : human.goals) {
     const GlobalGoal* goal = scenario.goal(id);
     if (goal == nullptr) {
-      addLoss(losses, human, "goal " + std::to_string(id) + " is not defined, left out");
+      addLoss(losses, human, "goal " + std::to_string(id) + " is not defined and is not written");
       continue;
     }
     std::string name;
@@ -194,7 +195,7 @@ YamlNode humanTreeB(const Scenario& scenario, const Human& human, base::Diagnost
   return tree;
 }
 
-/// Ends the loader's map: the list, then each as `make` gives it, then what we do not know.
+/// Completes the loader's map: the list, each agent by `make`, then unknown keys.
 template <class Make>
 void setPeople(YamlNode& tree, const Scenario& scenario, Make make) {
   setChild(tree, "agents", listedNames(scenario.humans));
@@ -203,27 +204,27 @@ void setPeople(YamlNode& tree, const Scenario& scenario, Make make) {
   setUnknown(tree, scenario.unknown);
 }
 
-/// Null when the block would hold nothing but its format.
-YamlNode blockTree(const Scenario& given, const FieldTables& tables) {
+/// Null if only the format would be written.
+YamlNode desktopTree(const Scenario& given, const FieldTables& tables) {
   const Scenario scenario = withoutDefaults(given, tables);
   YamlNode tree;
-  setChild(tree, "format", number(kBlockFormat));
+  setChild(tree, "format", number(kDesktopFormat));
   writeFields(tree, scenario.desktop, tables);
   forEachListedFirst(scenario.humans, [&](const Human& human) {
-    YamlNode person = fieldTree(human.ours, tables);
+    YamlNode person = objectTree(human.ours, tables);
     if (!person.isNull()) {
       setChild(tree, human.name, std::move(person));
     }
   });
-  forEachBlockList(scenario, [&](const char* key, base::EntityKind /*kind*/, const auto& list) {
+  forEachEntityList(scenario, [&](const char* key, base::EntityKind /*kind*/, const auto& list) {
     YamlNode names = listedNames(list);
     if (!names.items.empty()) {
       setChild(tree, key, std::move(names));
     }
     forEachListedFirst(
-        list, [&](const auto& each) { setChild(tree, each.name, fieldTree(each, tables)); });
+        list, [&](const auto& each) { setChild(tree, each.name, objectTree(each, tables)); });
   });
-  YamlNode metrics = fieldTree(scenario.desktop.metrics, tables);
+  YamlNode metrics = objectTree(scenario.desktop.metrics, tables);
   if (!metrics.isNull()) {
     setChild(tree, "metrics", std::move(metrics));
   }
@@ -231,20 +232,20 @@ YamlNode blockTree(const Scenario& given, const FieldTables& tables) {
   return tree.items.size() > 1 ? tree : YamlNode();
 }
 
-/// Of what is below ros__parameters of the loader's node.
+/// `loader`: content of its ros__parameters.
 YamlNode fileOf(YamlNode loader, const Scenario& scenario, const FieldTables& tables) {
   YamlNode tree;
   setChild(tree.child(kLoaderNode), kParameters, std::move(loader));
-  YamlNode block = blockTree(scenario, tables);
+  YamlNode block = desktopTree(scenario, tables);
   if (!block.isNull()) {
-    setChild(tree.child(kBlockNode), kParameters, std::move(block));
+    setChild(tree.child(kDesktopNode), kParameters, std::move(block));
   }
   setUnknown(tree, scenario.otherNodes);
   return tree;
 }
 
 std::string fileText(const YamlNode& tree) {
-  return emitYaml(tree) + (tree.find(kBlockNode) != nullptr ? "\n" : "");
+  return emitYaml(tree) + (tree.find(kDesktopNode) != nullptr ? "\n" : "");
 }
 
 }  // namespace
@@ -284,7 +285,7 @@ void setUnknown(YamlNode& map, const UnknownKeys& unknown) {
     base::Diagnostics problems;
     YamlNode value = parseYaml(key.yaml, {}, problems);
     if (base::hasErrors(problems)) {
-      value = stringNode(key.yaml);  // an editor may have put any text there
+      value = stringNode(key.yaml);  // the editor accepts any text
     }
     setChild(map, key.key, std::move(value));
   }
@@ -295,7 +296,7 @@ Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
   for (Human& human : scenario.humans) {
     dropDefaults(human.ours, desktop, tables);
   }
-  forEachBlockList(scenario, [&](const char* /*key*/, base::EntityKind /*kind*/, auto& list) {
+  forEachEntityList(scenario, [&](const char* /*key*/, base::EntityKind /*kind*/, auto& list) {
     for (auto& each : list) {
       dropDefaults(each, desktop, tables);
       if constexpr (std::is_same_v<std::decay_t<decltype(each)>, Robot>) {
@@ -327,7 +328,7 @@ std::string writeScenario(const Scenario& scenario) {
   return fileText(fileTree(scenario));
 }
 
-std::vector<GlobalGoal> goalsOfNobody(const Scenario& scenario) {
+std::vector<GlobalGoal> unusedGoals(const Scenario& scenario) {
   std::set<int> ofPeople;
   for (const Human& human : scenario.humans) {
     ofPeople.insert(human.goals.begin(), human.goals.end());
@@ -344,7 +345,7 @@ std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses) 
     const Field<ScenarioSettings>& field = *fieldOf<ScenarioSettings>(key);
     writeValue(loader, field.spec, field.value(scenario), field.digits);
   }
-  if (const std::vector<GlobalGoal> goals = goalsOfNobody(scenario); !goals.empty()) {
+  if (const std::vector<GlobalGoal> goals = unusedGoals(scenario); !goals.empty()) {
     setChild(loader, "global_goals", goalsTree(goals));
   }
   setPeople(loader, scenario,

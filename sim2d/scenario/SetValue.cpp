@@ -2,7 +2,7 @@
 #include <map>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 namespace {
@@ -11,9 +11,9 @@ using KeyPath = std::vector<std::string>;
 
 constexpr const char* kNav2Word = "nav2";  // the planner, and the key of its values
 
-/// The paths meant: `*` stands for each listed person, `nav2` in front for that key of each listed
-/// robot that it drives. Nothing = there is none.
-std::vector<KeyPath> expanded(const Scenario& scenario, const std::string& text) {
+/// Expands a path: `*` to each listed agent, a leading `nav2` to that key of each listed robot with
+/// this planner. Empty: there is none.
+std::vector<KeyPath> expandedPaths(const Scenario& scenario, const std::string& text) {
   const KeyPath path = base::split(text, '.');
   std::vector<KeyPath> all;
   if (path.front() == kNav2Word) {
@@ -35,8 +35,8 @@ std::vector<KeyPath> expanded(const Scenario& scenario, const std::string& text)
   return all;
 }
 
-/// What the new reading says beyond the old one.
-base::Diagnostics added(const base::Diagnostics& before, const base::Diagnostics& after) {
+/// The diagnostics of `after` that `before` does not have.
+base::Diagnostics newDiagnostics(const base::Diagnostics& before, const base::Diagnostics& after) {
   using Problem = std::pair<std::string_view, decltype(base::Diagnostic::values)>;
   std::map<Problem, int> old;
   for (const base::Diagnostic& diagnostic : before) {
@@ -56,12 +56,12 @@ base::Diagnostics added(const base::Diagnostics& before, const base::Diagnostics
 bool isSame(const GlobalGoal& a, const GlobalGoal& b) {
   return a.id == b.id;
 }
-bool isSame(const Named& a, const Named& b) {
+bool isSame(const NamedEntity& a, const NamedEntity& b) {
   return a.name == b.name;
 }
 
-/// Entities keep their identity when the scenario is read anew.
-void takeKeys(Scenario& to, const Scenario& from) {
+/// Restores the identity of entities after the scenario was read again.
+void restoreEntityKeys(Scenario& to, const Scenario& from) {
   int next = from.nextKey();
   forEachKind([&](base::EntityKind /*kind*/, auto list) {
     for (auto& entity : to.*list) {
@@ -75,9 +75,9 @@ void takeKeys(Scenario& to, const Scenario& from) {
 
 base::Diagnostics unknownPath(const std::string& path, const TreeReading& reading) {
   std::vector<std::string> known(reading.loaderPaths.begin(), reading.loaderPaths.end());
-  known.insert(known.end(), reading.blockPaths.begin(), reading.blockPaths.end());
+  known.insert(known.end(), reading.desktopPaths.begin(), reading.desktopPaths.end());
   const std::vector<Human>& people = reading.file.scenario.humans;
-  if (path.compare(0, 2, "*.") == 0 && !people.empty()) {  // all people have the same keys
+  if (path.compare(0, 2, "*.") == 0 && !people.empty()) {  // all agents have the same keys
     const std::string prefix = people.front().name + ".";
     for (const std::string& each : std::vector<std::string>(known)) {
       if (each.compare(0, prefix.size(), prefix) == 0) {
@@ -88,7 +88,7 @@ base::Diagnostics unknownPath(const std::string& path, const TreeReading& readin
   return {base::error("set.unknown-path", {path, base::nearestName(path, known)})};
 }
 
-/// In dialect C a type is a word; a number would bring in what older formats meant by it.
+/// In dialect C a type is a name; a number would trigger the conversion of older formats.
 bool isNumberedType(const std::string& path, const YamlNode& value) {
   static const std::string kEnd = ".behavior.type";
   return path.size() > kEnd.size() &&
@@ -96,12 +96,12 @@ bool isNumberedType(const std::string& path, const YamlNode& value) {
          (!value.isScalar() || base::parseDouble(value.text));
 }
 
-/// Reads the tree with the value put into one of the nodes; nothing if the node has no such key.
+/// Reads the tree with the value set in one of the nodes; none if the node has no such key.
 std::optional<TreeReading> readWith(YamlNode tree, bool isLoader, const std::vector<KeyPath>& paths,
                                     const YamlNode& value, const FieldTables& tables) {
-  YamlNode& node = tree.child(isLoader ? kLoaderNode : kBlockNode).child(kParameters);
+  YamlNode& node = tree.child(isLoader ? kLoaderNode : kDesktopNode).child(kParameters);
   if (!isLoader && node.find("format") == nullptr) {
-    setChild(node, "format", number(kBlockFormat));
+    setChild(node, "format", number(kDesktopFormat));
   }
   for (const KeyPath& path : paths) {
     YamlNode* at = &node;
@@ -111,7 +111,7 @@ std::optional<TreeReading> readWith(YamlNode tree, bool isLoader, const std::vec
     setChild(*at, path.back(), value);
   }
   TreeReading reading = readTree(tree, {}, tables);
-  const std::set<std::string>& known = isLoader ? reading.loaderPaths : reading.blockPaths;
+  const std::set<std::string>& known = isLoader ? reading.loaderPaths : reading.desktopPaths;
   const bool isKnown = std::all_of(paths.begin(), paths.end(), [&](const KeyPath& path) {
     return known.count(base::join(path, ".")) != 0;
   });
@@ -125,18 +125,18 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   base::Diagnostics problems;
   YamlNode node = parseYaml(value, {}, problems);
   if (base::hasErrors(problems) || node.isNull()) {
-    return {base::within(path, base::error("set.no-value", {value}))};
+    return {base::withContext(path, base::error("set.no-value", {value}))};
   }
   node.line = node.column = 0;
   if (isNumberedType(path, node)) {
-    return {base::within(path, base::error("set.no-behavior", {value}))};
+    return {base::withContext(path, base::error("set.no-behavior", {value}))};
   }
   const YamlNode tree = fileTree(scenario, tables);
   const TreeReading before = readTree(tree, {}, tables);
-  const std::vector<KeyPath> paths = expanded(scenario, path);
+  const std::vector<KeyPath> paths = expandedPaths(scenario, path);
   if (paths.empty()) {
     const bool isNav2 = base::split(path, '.').front() == kNav2Word;
-    return {base::within(path, base::error(isNav2 ? "set.no-nav2" : "set.nobody"))};
+    return {base::withContext(path, base::error(isNav2 ? "set.no-nav2" : "set.nobody"))};
   }
   const std::string& first = paths.front().front();
   std::optional<TreeReading> after;
@@ -149,9 +149,9 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   if (!after) {
     return unknownPath(path, before);
   }
-  base::Diagnostics result = added(before.file.diagnostics, after->file.diagnostics);
+  base::Diagnostics result = newDiagnostics(before.file.diagnostics, after->file.diagnostics);
   if (!base::hasErrors(result)) {
-    takeKeys(after->file.scenario, scenario);
+    restoreEntityKeys(after->file.scenario, scenario);
     scenario = std::move(after->file.scenario);
   }
   return result;

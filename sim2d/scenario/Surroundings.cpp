@@ -10,7 +10,7 @@
 namespace sim2d {
 namespace {
 
-/// Fewer points are no obstacle; the reader has told.
+/// Obstacles with fewer points are ignored; the reader has reported them.
 bool hasEnoughPoints(const Obstacle& obstacle) {
   const bool isLine = obstacle.kind == ObstacleKind::Wall;
   return obstacle.points.size() >= (isLine ? 2 : obstacle.kind == ObstacleKind::Polygon ? 3 : 0);
@@ -18,42 +18,43 @@ bool hasEnoughPoints(const Obstacle& obstacle) {
 
 namespace fs = std::filesystem;
 
-fs::path folderOf(const FilePlaces& places) {
+fs::path folderOf(const FileSearchPaths& places) {
   return fs::path(places.scenarioPath).parent_path();
 }
 
-std::string tidy(const fs::path& path) {
+std::string normalized(const fs::path& path) {
   return path.lexically_normal().string();
 }
 
 bool isFile(const std::string& path) {
-  std::error_code ignored;  // not there, not readable: no file for us
+  std::error_code ignored;  // counts as missing if not accessible
   return fs::is_regular_file(path, ignored);
 }
 
-/// Empty when none of these tidy paths is that of a file.
+/// The first existing file; empty if there is none.
 std::string firstFile(const std::vector<std::string>& paths) {
   const auto found = std::find_if(paths.begin(), paths.end(), isFile);
   return found == paths.end() ? std::string() : *found;
 }
 
-base::Diagnostic noMap(const FilePlaces& places, const char* code, base::ProblemValues values) {
+base::Diagnostic noMap(const FileSearchPaths& places, const char* code,
+                       base::ProblemValues values) {
   base::Diagnostic problem = base::error(code, std::move(values), places.scenarioPath);
   problem.entity = {base::EntityKind::Scenario, 0};
   return problem;
 }
 
-base::Result<std::string> onlyPlace(const FilePlaces& places, const char* key,
-                                    const std::string& name, const fs::path& path) {
-  if (isFile(tidy(path))) {
-    return tidy(path);
+base::Result<std::string> explicitPath(const FileSearchPaths& places, const char* key,
+                                       const std::string& name, const fs::path& path) {
+  if (isFile(normalized(path))) {
+    return normalized(path);
   }
   std::error_code ignored;
   const bool isFolder = fs::is_directory(path, ignored);
-  return noMap(places, isFolder ? "map.is-folder" : "map.not-there", {key, name, tidy(path)});
+  return noMap(places, isFolder ? "map.is-folder" : "map.not-there", {key, name, normalized(path)});
 }
 
-std::string treeName(const Scenario& scenario, const Human& human, const FilePlaces& places) {
+std::string treeName(const Scenario& scenario, const Human& human, const FileSearchPaths& places) {
   return baseName(scenario, places.scenarioPath) + "__agent_" + std::to_string(human.id) +
          "_bt.xml";
 }
@@ -85,10 +86,10 @@ std::vector<Outline> outlinesOf(const Door& door) {
 
 namespace {
 
-/// Shapes that are partly out of reach are no surroundings: the check tells of them.
-std::vector<Outline> inReach(std::vector<Outline> outlines) {
+/// Omits shapes that are partly out of range; the check reports them.
+std::vector<Outline> withinCoordinateRange(std::vector<Outline> outlines) {
   const bool isGood = std::all_of(outlines.begin(), outlines.end(), [](const Outline& outline) {
-    return std::all_of(outline.points.begin(), outline.points.end(), base::isInReach);
+    return std::all_of(outline.points.begin(), outline.points.end(), base::isWithinCoordinateRange);
   });
   return isGood ? std::move(outlines) : std::vector<Outline>();
 }
@@ -98,16 +99,17 @@ std::vector<Outline> inReach(std::vector<Outline> outlines) {
 Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
                               const base::StopFlagPtr& stop) {
   Surroundings result;
-  result.layers = std::make_shared<NavigationLayers>(stop);
+  result.layers = std::make_shared<NavigationLayerCache>(stop);
   result.obstacles.add(traceOutlines(grid, *stop), true, /*isOfMap=*/true);
   result.grid = std::move(grid);
   const std::vector<Outline> none;
   forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
-    result.obstacles.add(hasEnoughPoints(obstacle) ? inReach(outlinesOf(obstacle)) : none);
+    result.obstacles.add(hasEnoughPoints(obstacle) ? withinCoordinateRange(outlinesOf(obstacle))
+                                                   : none);
   });
   result.firstDoorPart = result.obstacles.partCount();
   forEachListed(scenario.doors, [&](const Door& door) {
-    result.obstacles.add(door.from == door.to ? none : inReach(outlinesOf(door)),
+    result.obstacles.add(door.from == door.to ? none : withinCoordinateRange(outlinesOf(door)),
                          !door.open.value_or(true));
   });
   result.obstacles.build(*stop);
@@ -118,23 +120,23 @@ std::string mapBaseName(const std::string& map) {
   const fs::path name = fs::path(map).filename();
   static const std::vector<std::string> kExtensions = {".yaml", ".yml", ".pgm", ".png",
                                                        ".bmp",  ".jpg", ".jpeg"};
-  const std::string extension = base::lowered(name.extension().string());
+  const std::string extension = base::toLower(name.extension().string());
   const bool isKnown =
       std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
   return (isKnown ? name.stem() : name).string();
 }
 
-base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& places) {
+base::Result<std::string> findMap(const Scenario& scenario, const FileSearchPaths& places) {
   if (places.mapOption == "none") {
     return std::string();
   }
   if (!places.mapOption.empty()) {
-    return onlyPlace(places, "map", places.mapOption, places.mapOption);
+    return explicitPath(places, "map", places.mapOption, places.mapOption);
   }
   if (scenario.desktop.mapFile) {
     const std::string& file = *scenario.desktop.mapFile;
     return file == "none" ? base::Result<std::string>(std::string())
-                          : onlyPlace(places, "map_file", file, folderOf(places) / file);
+                          : explicitPath(places, "map_file", file, folderOf(places) / file);
   }
   const std::string name = mapBaseName(scenario.map.value_or(""));
   if (name.empty()) {
@@ -142,29 +144,30 @@ base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& pl
   }
   std::vector<std::string> tried;
   if (!places.scenarioPath.empty()) {
-    tried.push_back(tidy(folderOf(places) / (name + ".yaml")));
-    tried.push_back(tidy(folderOf(places) / ".." / "maps" / (name + ".yaml")));
+    tried.push_back(normalized(folderOf(places) / (name + ".yaml")));
+    tried.push_back(normalized(folderOf(places) / ".." / "maps" / (name + ".yaml")));
   }
   if (!places.shippedMaps.empty()) {
-    tried.push_back(tidy(fs::path(places.shippedMaps) / name / (name + ".yaml")));
+    tried.push_back(normalized(fs::path(places.shippedMaps) / name / (name + ".yaml")));
   }
   const std::string found = firstFile(tried);
   return !found.empty() ? base::Result<std::string>(found)
                         : noMap(places, "map.not-found", {name, base::join(tried, ", ")});
 }
 
-std::string findTree(const Scenario& scenario, const Human& human, const FilePlaces& places) {
+std::string findTree(const Scenario& scenario, const Human& human, const FileSearchPaths& places) {
   if (human.ours.tree) {
-    return tidy(folderOf(places) / *human.ours.tree);  // named: must be there, its reader tells
+    return normalized(folderOf(places) /
+                      *human.ours.tree);  // must exist; its reader reports an error
   }
   const std::string name = treeName(scenario, human, places);
   std::vector<std::string> tried;
   if (!places.treesOption.empty()) {
-    tried.push_back(tidy(fs::path(places.treesOption) / name));
+    tried.push_back(normalized(fs::path(places.treesOption) / name));
   }
   if (!places.scenarioPath.empty()) {
-    tried.push_back(tidy(folderOf(places) / name));
-    tried.push_back(tidy(folderOf(places) / ".." / "behavior_trees" / name));
+    tried.push_back(normalized(folderOf(places) / name));
+    tried.push_back(normalized(folderOf(places) / ".." / "behavior_trees" / name));
   }
   return firstFile(tried);
 }

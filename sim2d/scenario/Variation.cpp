@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kTries = 64;            // of a truncated draw; all fail once in 1e19
-constexpr std::uint32_t kPerDraw = 2 * kTries;  // numbers of the counter
+constexpr std::uint32_t kPerDraw = 2 * kTries;  // counter values per draw
 constexpr std::uint32_t kPerQuantity = 1U << 20U;
-constexpr std::uint32_t kOfGroups = 1U << 12U;  // draws; beyond those of people
-constexpr double kNarrow = 2.5;                 // sd; see truncatedNormal
+constexpr std::uint32_t kGroupDrawOffset = 1U << 12U;  // draws; above those of single agents
+constexpr double kNarrow = 2.5;                        // [sd], see truncatedNormal
 
-constexpr std::array<VariedQuantity, kVariedCount> kQuantities = {{
+constexpr std::array<VariationInfo, kVariedCount> kQuantities = {{
     {"start_time", "Start time", "s", false, 0.0, kInfinite},
     {"start", "Start", "m", false, -kInfinite, kInfinite},
     {"heading", "Heading", "rad", false, -base::kPi, base::kPi},
@@ -42,13 +42,12 @@ constexpr Spreads kStrong = {{{Kind::Uniform, 0.0, 2.0, 5.0, 0.0, kInfinite},
                               {Kind::Normal, 1.0, 0.3, 0.5, 0.5, 2.0},
                               {Kind::Uniform, 0.0, 1.0, kInfinite, -kInfinite, kInfinite}}};
 
-std::size_t at(Varied quantity) {
+std::size_t at(VariationQuantity quantity) {
   return static_cast<std::size_t>(quantity);
 }
 
-/// About 0, between limits with 0 in or at them, none of them drawn more often for it (rejection,
-/// Robert 1995): from the normal distribution, or from the range where that is narrow, so that
-/// about half of the tries at least are taken.
+/// A truncated normal draw about 0 with low <= 0 <= high, by rejection (Robert 1995): proposals are
+/// normal, or uniform if the range is narrow, so that at least about half of them are accepted.
 double truncatedNormal(double sd, double low, double high, const base::AgentRng& rng,
                        std::uint32_t index) {
   if (sd <= 0.0) {
@@ -58,11 +57,11 @@ double truncatedNormal(double sd, double low, double high, const base::AgentRng&
   const double to = high / sd;
   const bool isNarrow = to - from < kNarrow;
   for (std::uint32_t i = index; i < index + kPerDraw; i += 2) {
-    const double tried = isNarrow ? rng.uniform(from, to, base::Draw::Variation, i)
-                                  : rng.normal(0.0, 1.0, base::Draw::Variation, i);
-    const bool isTaken =
-        isNarrow ? rng.uniform01(base::Draw::Variation, i + 1) < base::exp(-tried * tried / 2.0)
-                 : tried >= from && tried <= to;
+    const double tried = isNarrow ? rng.uniform(from, to, base::DrawPurpose::Variation, i)
+                                  : rng.normal(0.0, 1.0, base::DrawPurpose::Variation, i);
+    const bool isTaken = isNarrow ? rng.uniform01(base::DrawPurpose::Variation, i + 1) <
+                                        base::exp(-tried * tried / 2.0)
+                                  : tried >= from && tried <= to;
     if (isTaken) {
       return sd * tried;
     }
@@ -70,7 +69,7 @@ double truncatedNormal(double sd, double low, double high, const base::AgentRng&
   return 0.0;
 }
 
-std::uint32_t indexOf(Varied quantity, std::uint32_t index) {
+std::uint32_t indexOf(VariationQuantity quantity, std::uint32_t index) {
   return static_cast<std::uint32_t>(at(quantity)) * kPerQuantity + index * kPerDraw;
 }
 
@@ -80,11 +79,11 @@ bool hasKeys(const SpreadSettings& own) {
 
 }  // namespace
 
-const VariedQuantity& variedQuantity(Varied quantity) {
+const VariationInfo& variationInfo(VariationQuantity quantity) {
   return kQuantities.at(at(quantity));
 }
 
-Spread spreadOf(const VariationSettings& settings, Varied quantity) {
+Spread spreadOf(const VariationSettings& settings, VariationQuantity quantity) {
   const VariationPreset preset = settings.preset.value_or(VariationPreset::None);
   Spread spread = (preset == VariationPreset::Strong ? kStrong : kLight).at(at(quantity));
   if (preset == VariationPreset::None) {
@@ -92,7 +91,7 @@ Spread spreadOf(const VariationSettings& settings, Varied quantity) {
   }
   const SpreadSettings& own = settings.of(quantity);
   if (hasKeys(own)) {
-    const VariedQuantity& limits = variedQuantity(quantity);
+    const VariationInfo& limits = variationInfo(quantity);
     spread.kind = own.kind.value_or(spread.kind);
     spread.sd = own.sd.value_or(spread.sd);
     spread.halfWidth = own.halfWidth.value_or(spread.halfWidth);
@@ -104,14 +103,14 @@ Spread spreadOf(const VariationSettings& settings, Varied quantity) {
 
 bool isVaried(const VariationSettings& settings) {
   for (std::size_t i = 0; i < kVariedCount; ++i) {
-    if (spreadOf(settings, static_cast<Varied>(i)).kind != SpreadKind::None) {
+    if (spreadOf(settings, static_cast<VariationQuantity>(i)).kind != SpreadKind::None) {
       return true;
     }
   }
   return false;
 }
 
-double drawFrom(const Spread& spread, Varied quantity, const base::AgentRng& rng,
+double drawFrom(const Spread& spread, VariationQuantity quantity, const base::AgentRng& rng,
                 std::uint32_t index) {
   const double low = spread.least - spread.centre;
   const double high = spread.most - spread.centre;
@@ -121,8 +120,8 @@ double drawFrom(const Spread& spread, Varied quantity, const base::AgentRng& rng
       return spread.centre + truncatedNormal(spread.sd, low, high, rng, first);
     case SpreadKind::Uniform:
       return spread.centre + rng.uniform(std::max(low, -spread.halfWidth),
-                                         std::min(high, spread.halfWidth), base::Draw::Variation,
-                                         first);
+                                         std::min(high, spread.halfWidth),
+                                         base::DrawPurpose::Variation, first);
     case SpreadKind::None:
       break;
   }
@@ -134,53 +133,53 @@ PersonVariation::PersonVariation(const VariationSettings& settings, long long se
     : settings_(settings),
       own_(static_cast<std::uint64_t>(seed), id),
       shared_(static_cast<std::uint64_t>(seed), group >= 0 ? group : id),
-      sharedIndex_(group >= 0 ? kOfGroups : 0) {}
+      sharedIndex_(group >= 0 ? kGroupDrawOffset : 0) {}
 
-double PersonVariation::draw(Varied quantity, std::uint32_t index) const {
+double PersonVariation::draw(VariationQuantity quantity, std::uint32_t index) const {
   return drawFrom(spreadOf(settings_, quantity), quantity, own_, index);
 }
 
-double PersonVariation::drawTogether(Varied quantity) const {
+double PersonVariation::drawForGroup(VariationQuantity quantity) const {
   return drawFrom(spreadOf(settings_, quantity), quantity, shared_, sharedIndex_);
 }
 
 void PersonVariation::apply(ResolvedHuman& person) const {
-  person.startTime = std::max(0.0, person.startTime + drawTogether(Varied::StartTime));
-  person.start.heading = base::wrapToPi(person.start.heading + draw(Varied::Heading));
-  person.desiredSpeed *= draw(Varied::Speed);
-  person.reactionTime = draw(Varied::ReactionTime);
+  person.startTime = std::max(0.0, person.startTime + drawForGroup(VariationQuantity::StartTime));
+  person.start.heading = base::wrapToPi(person.start.heading + draw(VariationQuantity::Heading));
+  person.desiredSpeed *= draw(VariationQuantity::Speed);
+  person.reactionTime = draw(VariationQuantity::ReactionTime);
 }
 
 std::size_t PersonVariation::firstGoal(std::size_t count) const {
-  const Spread spread = spreadOf(settings_, Varied::FirstGoal);
+  const Spread spread = spreadOf(settings_, VariationQuantity::FirstGoal);
   if (count < 2 || spread.kind == SpreadKind::None) {
     return 0;
   }
   const auto all = static_cast<double>(count);
   double skipped = 0.0;
   if (spread.kind == SpreadKind::Normal) {
-    skipped = std::round(drawTogether(Varied::FirstGoal));
-  } else {  // whole numbers, each as likely
+    skipped = std::round(drawForGroup(VariationQuantity::FirstGoal));
+  } else {  // integers with equal probability
     double low = std::ceil(std::max(spread.least, -spread.halfWidth));
     double numbers = std::floor(std::min(spread.most, spread.halfWidth)) - low + 1.0;
     if (numbers >= all) {
       low = 0.0;
       numbers = all;
     }
-    const std::uint32_t index = indexOf(Varied::FirstGoal, sharedIndex_);
-    skipped = low + std::floor(numbers * shared_.uniform01(base::Draw::Variation, index));
+    const std::uint32_t index = indexOf(VariationQuantity::FirstGoal, sharedIndex_);
+    skipped = low + std::floor(numbers * shared_.uniform01(base::DrawPurpose::Variation, index));
   }
   const double index = skipped - all * std::floor(skipped / all);
   return static_cast<std::size_t>(index) % count;
 }
 
 bool PersonVariation::movesStart() const {
-  return spreadOf(settings_, Varied::Start).kind != SpreadKind::None;
+  return spreadOf(settings_, VariationQuantity::Start).kind != SpreadKind::None;
 }
 
 Vec2 PersonVariation::startOffset(std::uint32_t trial) const {
-  const double x = draw(Varied::Start, 2 * trial);
-  return {x, draw(Varied::Start, 2 * trial + 1)};
+  const double x = draw(VariationQuantity::Start, 2 * trial);
+  return {x, draw(VariationQuantity::Start, 2 * trial + 1)};
 }
 
 FirstGoal firstGoalOf(const VariationSettings& settings, const Human& human, long long seed) {

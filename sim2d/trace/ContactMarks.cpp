@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "sim2d/trace/Culprit.h"
+#include "sim2d/trace/ContactInitiator.h"
 
 namespace sim2d {
 
@@ -40,8 +40,8 @@ Cause kindOf(int id) {
   return id < 0 ? Cause::Robot : Cause::Person;
 }
 
-/// By the word behind the closing speed: "0.52 robot front".
-std::optional<Cause> causeTold(const std::string& text) {
+/// The cause given in the event's text after the closing speed: "0.52 robot front".
+std::optional<Cause> statedCause(const std::string& text) {
   const auto has = [&text](const char* word) { return text.find(word) != std::string::npos; };
   return has(" robot ")    ? std::optional(Cause::Robot)
          : has(" person ") ? std::optional(Cause::Person)
@@ -49,17 +49,18 @@ std::optional<Cause> causeTold(const std::string& text) {
                            : std::nullopt;
 }
 
-/// Of a robot and a person, as they moved before.
+/// Of a robot and a person, by their motion before the contact.
 Cause causeOf(const Frame& before, int id, int other) {
   const std::optional<TouchingBody> one = bodyIn(before, id);
   const std::optional<TouchingBody> its = bodyIn(before, other);
   if (!one || !its) {
     return Cause::Both;
   }
-  const Culprit culprit = culpritOf(one->position, one->velocity, its->position, its->velocity);
-  return culprit == Culprit::First    ? kindOf(id)
-         : culprit == Culprit::Second ? kindOf(other)
-                                      : Cause::Both;
+  const ContactInitiator initiator =
+      contactInitiator(one->position, one->velocity, its->position, its->velocity);
+  return initiator == ContactInitiator::First    ? kindOf(id)
+         : initiator == ContactInitiator::Second ? kindOf(other)
+                                                 : Cause::Both;
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ std::optional<ContactMark> contactMark(const StepEvent& contact, const Frame& be
   const double share = mine + its > 0.0 ? mine / (mine + its) : 0.5;
   mark.position += share * (other->position - one->position);
   if (kindOf(event.other) != mark.cause) {
-    const std::optional<Cause> told = causeTold(event.text);
+    const std::optional<Cause> told = statedCause(event.text);
     mark.cause = told ? *told : causeOf(before, event.id, event.other);
   }
   return mark;

@@ -16,7 +16,8 @@ bool isNumber(std::string_view field) {
       .has_value();
 }
 
-/// A formula to spreadsheets, with marks before it or without; they take a number for one.
+/// Whether a spreadsheet would treat the text as a formula, possibly after ' marks; numbers are not
+/// formulas.
 bool looksLikeFormula(std::string_view field) {
   const std::size_t first = field.find_first_not_of(kMark);
   return first != std::string_view::npos &&
@@ -26,7 +27,7 @@ bool looksLikeFormula(std::string_view field) {
 
 }  // namespace
 
-void takeMarkFromCsvField(std::string& field) {
+void removeFormulaMark(std::string& field) {
   if (!field.empty() && field.front() == kMark && looksLikeFormula(field)) {
     field.erase(0, 1);
   }
@@ -143,7 +144,7 @@ bool CsvTable::next() {
       error(row_.back(), "trace.field-count", {row_.size(), names_.size()});
     } else {
       for (CsvField& field : row_) {
-        takeMarkFromCsvField(field.text);
+        removeFormulaMark(field.text);
       }
       return true;
     }

@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "sim2d/base/Types.h"
-#include "sim2d/map/CostGrid.h"
+#include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/trace/Inputs.h"
 
 namespace sim2d {
 
 using base::Vec2;
 
-constexpr int kNoGoal = -1;  // column `goal` when there is none (written empty)
+constexpr int kNoGoal = -1;  // value of `goal` without a goal (written as empty field)
 
-/// State of the robots: -1, -2 … or, as part of theirs, of the people in the world, by ascending
-/// id. World frame; [m], [rad], [m/s], [rad/s].
+/// States of bodies by ascending id: of robots (-1, -2 …), or as base of HumanColumns of people.
+/// World frame; [m], [rad], [m/s], [rad/s].
 struct BodyColumns {
   std::vector<int> id;
   std::vector<double> x, y, heading, vx, vy, omega;
@@ -37,7 +37,7 @@ struct BodyColumns {
     omega.push_back(turning);
     goal.push_back(itsGoal);
   }
-  /// visit(pointer to member) for each column.
+  /// Calls visit(pointer to member) for each column.
   template <class Visit>
   static void eachColumn(Visit visit) {
     using T = BodyColumns;
@@ -56,7 +56,7 @@ using RobotColumns = BodyColumns;
 
 struct HumanColumns : BodyColumns {
   std::vector<int> group;           // -1 = none
-  std::vector<std::uint8_t> state;  // 1 while a reaction or social action runs
+  std::vector<std::uint8_t> state;  // 1 during a reaction or social action
 
   template <class Visit>
   static void eachColumn(Visit visit) {
@@ -67,8 +67,8 @@ struct HumanColumns : BodyColumns {
 };
 bool operator==(const HumanColumns& a, const HumanColumns& b);
 
-/// Terms of the force on each person [m/s²] in the step that led to this state; the sum of the
-/// terms is what moved the person. Empty in step 0 and after a step that failed.
+/// Components of the force on each person [m/s²] in the step that led to this state; their sum
+/// moved the person. Empty in step 0 and after a failed step.
 struct ForceColumns {
   std::vector<Vec2> goal, social, obstacle, group;
 
@@ -83,13 +83,13 @@ struct ForceColumns {
 };
 bool operator==(const ForceColumns& a, const ForceColumns& b);
 
-/// Calls visit(column) for each of the columns.
+/// Calls visit(column) for each column.
 template <class Columns, class Visit>
 void forEachColumn(Columns& columns, Visit visit) {
   Columns::eachColumn([&](auto column) { visit(columns.*column); });
 }
 
-enum class EventKind {  // in the order of the file
+enum class EventKind {  // in the order of events.csv
   Enter,
   Leave,
   Goal,
@@ -117,21 +117,21 @@ std::optional<EventKind> eventKindOf(std::string_view name);
 struct Event {
   EventKind kind = EventKind::Enter;
   int id = 0;
-  bool hasId = true;  // doors and the stop of the run have none
+  bool hasId = true;  // false: doors, end of the run
   int other = 0;
   bool hasOther = false;
   std::string text;
 };
 bool operator==(const Event& a, const Event& b);
 
-/// Nodes of behaviour trees that returned another status than in the step before. In the first step
-/// nearly all nodes of all people do, so that a change takes four bytes.
+/// Behaviour-tree nodes whose status changed in a step. In the first step almost all nodes change,
+/// so each change is packed into four bytes.
 class TreeChanges {
  public:
-  /// Of all nodes of a tree, by the node's number.
+  /// Paths of all nodes of a tree, by node number.
   using Paths = std::shared_ptr<const std::vector<std::string>>;
 
-  /// `id`: of the person whose tree it is.
+  /// `id`: the person that owns the tree.
   void add(int id, const Paths& paths, int node, base::NodeStatus status) {
     if (trees_.empty() || trees_.back().id != id || trees_.back().paths != paths) {
       trees_.push_back({id, 0, paths});
@@ -145,7 +145,7 @@ class TreeChanges {
       add(id, paths, node, status);
     });
   }
-  /// Calls visit(id, paths, node, status) in the order in which they were added.
+  /// Calls visit(id, paths, node, status) in insertion order.
   template <class Visit>
   void forEach(Visit visit) const {
     std::uint32_t at = 0;
@@ -161,7 +161,7 @@ class TreeChanges {
     trees_.clear();
     nodes_.clear();
   }
-  /// Calls drop(column, items in that column of `usual`) for every column.
+  /// Calls drop(column, size of that column in `usual`) for each column.
   template <class Drop>
   void forColumns(const TreeChanges& usual, Drop drop) {
     drop(trees_, usual.trees_.size());
@@ -173,67 +173,66 @@ class TreeChanges {
   static constexpr std::uint32_t kStatusMask = 7;
   struct Tree {
     int id = 0;
-    std::uint32_t end = 0;  // in nodes_
+    std::uint32_t end = 0;  // index in nodes_
     Paths paths;
   };
   std::vector<Tree> trees_;
   std::vector<std::uint32_t> nodes_;
 };
 
-/// What a robot's sensors and planner told in the step that led to this state, for display. World
+/// Sensor data and planner output of a robot in the step that led to this state, for display. World
 /// frame.
-struct RobotSenses {
-  struct Scan {                     // the last turn of the lidar
-    base::Pose2 sensor;             // where the robot takes its sensor to be
+struct RobotTelemetry {
+  struct Scan {                     // the last complete lidar scan
+    base::Pose2 sensor;             // sensor pose as estimated by the robot
     double time = 0.0;              // [s]
     double angleMin = 0.0;          // [rad], of the first beam, in the sensor's frame
-    double perBeam = 0.0;           // [rad] between neighbours, counter-clockwise
-    double range = 30.0;            // [m]; beams without a hit have it
+    double angleIncrement = 0.0;    // [rad] between beams, counter-clockwise
+    double range = 30.0;            // [m], distance of beams without a hit
     std::vector<double> distances;  // [m]
   };
-  struct LaterScan {                    // of a turn that nobody has looked at
+  struct DeferredScan {                 // a scan that is computed on demand
     double time = 0.0;                  // [s]
-    std::function<const Scan&()> make;  // once, and lives as long as this; any thread
+    std::function<const Scan&()> make;  // evaluated once; valid with this; thread-safe
   };
-  struct Body {  // a track of its detector
+  struct Body {  // a track of the detector
     int id = 0;
     bool isRobot = false;
     Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();  // [m], [m/s]
     double radius = 0.35;                                   // [m]
   };
-  struct Way {                 // one that the planner weighed
-    std::vector<Vec2> points;  // [m], the robot's place first
-    double cost = 0.0;         // the less the better; infinite: would hit something
+  struct Candidate {           // a candidate trajectory of the planner
+    std::vector<Vec2> points;  // [m], begins at the robot
+    double cost = 0.0;         // lower is better; infinite: collision
     bool isChosen = false;
-    std::vector<std::pair<std::string, double>> scores{};  // parts of the cost; none: not told
+    std::vector<std::pair<std::string, double>> scores{};  // terms of the cost; may be empty
   };
 
-  struct Localizer {           // what a localiser publishes
-    bool isLocalized = false;  // a correction has come
-    base::Pose2 mapToOdom;     // the frame odom in the map
+  struct Localizer {           // output of the localizer
+    bool isLocalized = false;  // a correction was received
+    base::Pose2 mapToOdom;     // pose of the frame odom in map
   };
 
-  base::Pose2 believed;                        // in the map, as the robot estimates it
-  std::optional<Localizer> localizer;          // none: the robot has none
-  std::optional<Scan> scan;                    // none: no lidar, not turned yet, or for later
-  std::shared_ptr<const LaterScan> laterScan;  // instead of it; where scans alone are told
+  base::Pose2 believed;                              // estimated pose in the map
+  std::optional<Localizer> localizer;                // none: no localizer
+  std::optional<Scan> scan;                          // none: no lidar, no scan yet, or deferred
+  std::shared_ptr<const DeferredScan> deferredScan;  // deferred scan, if only scans are requested
   std::vector<Body> bodies;
-  std::vector<Way> ways;
-  CostGridPtr localCosts, globalCosts;  // of its planner, while somebody looks at them
-  std::string controller;               // that drives, where a planner has several
-  std::vector<Vec2> lookahead;          // what it aims at
-  std::vector<Vec2> predicted;          // where it means to go
+  std::vector<Candidate> ways;
+  CostGridPtr localCosts, globalCosts;  // costmaps, while they are displayed
+  std::string controller;               // active controller, if there are several
+  std::vector<Vec2> lookahead;          // lookahead points
+  std::vector<Vec2> predicted;          // predicted path
 };
 
-/// A turn of a lidar that the run records: a row of `scans.csv`.
+/// A recorded lidar scan: a row of `scans.csv`.
 struct RecordedScan {
-  std::int64_t step = 0;  // whose state was looked at: mostly that before the frame it came with
+  std::int64_t step = 0;  // the scanned state, mostly the one before the frame it is stored in
   int robot = -1;
-  RobotSenses::Scan scan;
+  RobotTelemetry::Scan scan;
 };
 
-/// One instant: the state after step `step`. Immutable once published; what canvas, recorder and
-/// metrics read.
+/// The state after step `step`. Immutable once published; read by canvas, recorder and metrics.
 struct Frame {
   std::int64_t step = 0;
   double time = 0.0;  // [s], step * dt
@@ -241,14 +240,14 @@ struct Frame {
   RobotColumns robots;
   ForceColumns forces;
   std::vector<Event> events;                  // of this step, ordered by kind, then id
-  StepInputs inputs;                          // that led to this state; nearly always none
+  StepInputs inputs;                          // inputs that led to this state; usually none
   TreeChanges treeChanges;                    // of this step, by id, then node
-  std::vector<std::vector<Vec2>> robotPaths;  // what the planners follow now, per robot
-  std::shared_ptr<const std::vector<RobotSenses>> senses;  // per robot; null: nobody asked for it
-  /// What people follow from here on, one per person: way points [m] still to be walked to, none
-  /// for who heads straight on or stands. For display; null: nobody asked for it.
+  std::vector<std::vector<Vec2>> robotPaths;  // current path of each planner, per robot
+  std::shared_ptr<const std::vector<RobotTelemetry>> senses;  // per robot; null: not requested
+  /// Remaining waypoints [m] of each person; empty for people who walk straight or stand. For
+  /// display; null: not requested.
   std::shared_ptr<const std::vector<std::vector<Vec2>>> humanPaths;
-  std::vector<RecordedScan> scans;  // made in the step that led to this state
+  std::vector<RecordedScan> scans;  // completed in the step that led to this state
   std::vector<char> doorOpen;
 };
 

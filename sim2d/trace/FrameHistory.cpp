@@ -6,11 +6,11 @@
 namespace sim2d {
 namespace {
 
-constexpr std::size_t kFewInChunk = 16, kMostInChunk = 64;                 // states
-constexpr std::size_t kLargeChunk = std::size_t{1} << 20;                  // [B] unpacked
+constexpr std::size_t kMinInChunk = 16, kMaxInChunk = 64;                  // states
+constexpr std::size_t kLargeChunk = std::size_t{1} << 20;                  // [B], unpacked size
 constexpr std::size_t kLargestCache = std::size_t{32} << 20;               // [B]
-constexpr std::size_t kChunkShare = 16, kCacheShare = 8, kOtherShare = 4;  // of all memory
-constexpr long long kLeavesFree = 256LL << 20;  // [B] on the disk, for what others have to save
+constexpr std::size_t kChunkShare = 16, kCacheShare = 8, kOtherShare = 4;  // of the memory limit
+constexpr long long kMinFreeDisk = 256LL << 20;  // [B], kept free on the disk for other programs
 
 FramePtr stateOf(const Frame& frame) {
   auto state = std::make_shared<Frame>();
@@ -25,29 +25,29 @@ FramePtr stateOf(const Frame& frame) {
 }
 
 std::shared_ptr<base::ScratchFile> newFile(const std::string& folder) {
-  return std::make_shared<base::ScratchFile>(folder, kLeavesFree);
+  return std::make_shared<base::ScratchFile>(folder, kMinFreeDisk);
 }
 
 }  // namespace
 
 FrameHistory::FrameHistory(std::size_t mostInMemory, std::string folder)
-    : most_(mostInMemory), folder_(std::move(folder)), file_(newFile(folder_)) {}
+    : maxMemory_(mostInMemory), folder_(std::move(folder)), file_(newFile(folder_)) {}
 
 void FrameHistory::append(const Frame& frame) {
   FramePtr state = stateOf(frame);
   if (interval_ == 0.0 && !open_.empty()) {
     interval_ = state->time - open_.back()->time;
   }
-  const std::size_t size = memoryOf(*state);
+  const std::size_t size = unpackedSize(*state);
   {
     const Lock lock(mutex_);
     open_.push_back(std::move(state));
     openSize_ += size;
   }
-  const bool isLarge = openSize_ >= kLargeChunk && open_.size() >= kFewInChunk;
-  if (isLarge || open_.size() >= kMostInChunk || openSize_ >= most_ / kChunkShare) {
+  const bool isLarge = openSize_ >= kLargeChunk && open_.size() >= kMinInChunk;
+  if (isLarge || open_.size() >= kMaxInChunk || openSize_ >= maxMemory_ / kChunkShare) {
     closeChunk();
-    makeRoom();
+    spillOldChunks();
   }
 }
 
@@ -55,40 +55,40 @@ void FrameHistory::closeChunk() {
   auto bytes = std::make_shared<const std::string>(packFrames(open_, interval_));
   auto frames = std::make_shared<const std::vector<FramePtr>>(open_);
   const Lock lock(mutex_);
-  packed_ += bytes->size();
+  packedBytes_ += bytes->size();
   chunks_.push_back({openFirst_, std::move(bytes), {}});
-  keepUnpacked({openFirst_, std::move(frames), openSize_});  // who follows the run reads them next
+  keepUnpacked({openFirst_, std::move(frames), openSize_});  // a live view reads them next
   openFirst_ += open_.size();
   open_.clear();
   openSize_ = 0;
 }
 
-/// What is oldest in memory goes to the disk, else it and all before it are dropped. The newest
-/// chunk stays.
-void FrameHistory::makeRoom() {
-  const std::size_t most = most_ - most_ / kOtherShare;
-  while (packed_ > most && inFile_ + 1 < chunks_.size()) {
-    const std::shared_ptr<const std::string> bytes = chunks_[inFile_].bytes;
-    const std::optional<base::ScratchFile::Piece> piece = putAside(*bytes);
+/// Moves the oldest chunks in memory to the disk; if that fails, drops them and all older ones.
+/// Keeps the newest chunk.
+void FrameHistory::spillOldChunks() {
+  const std::size_t most = maxMemory_ - maxMemory_ / kOtherShare;
+  while (packedBytes_ > most && chunksOnDisk_ + 1 < chunks_.size()) {
+    const std::shared_ptr<const std::string> bytes = chunks_[chunksOnDisk_].bytes;
+    const std::optional<base::ScratchFile::Piece> piece = spillToDisk(*bytes);
     if (!piece) {
-      dropOldest(inFile_ + 1);
-      next_.reset();
+      dropOldest(chunksOnDisk_ + 1);
+      writePosition_.reset();
       const Lock lock(mutex_);
       file_ = newFile(folder_);
       continue;
     }
     const Lock lock(mutex_);
-    Chunk& chunk = chunks_[inFile_++];
+    Chunk& chunk = chunks_[chunksOnDisk_++];
     chunk.bytes.reset();
     chunk.piece = *piece;
-    packed_ -= bytes->size();
-    disk_ += piece->size;
+    packedBytes_ -= bytes->size();
+    diskBytes_ += piece->size;
   }
 }
 
-std::optional<base::ScratchFile::Piece> FrameHistory::putAside(const std::string& bytes) {
-  if (next_) {
-    return putOverOldest(bytes);
+std::optional<base::ScratchFile::Piece> FrameHistory::spillToDisk(const std::string& bytes) {
+  if (writePosition_) {
+    return overwriteOldest(bytes);
   }
   if (const auto piece = file_->append(bytes)) {
     return piece;
@@ -97,35 +97,36 @@ std::optional<base::ScratchFile::Piece> FrameHistory::putAside(const std::string
     const Lock lock(mutex_);
     problem_ = file_->problem();
   }
-  next_ = 0;
-  return putOverOldest(bytes);
+  writePosition_ = 0;
+  return overwriteOldest(bytes);
 }
 
-/// The file is a ring from now on: who reads what is dropped here finds out afterwards.
-std::optional<base::ScratchFile::Piece> FrameHistory::putOverOldest(const std::string& bytes) {
+/// The file becomes a ring buffer; readers check afterwards whether their chunk was overwritten.
+std::optional<base::ScratchFile::Piece> FrameHistory::overwriteOldest(const std::string& bytes) {
   const auto size = static_cast<long long>(bytes.size());
   if (size > file_->size()) {
     return std::nullopt;
   }
   const auto dropWhile = [this](auto isInTheWay) {
     std::size_t count = 0;
-    while (count < inFile_ && isInTheWay(chunks_[count].piece)) {
+    while (count < chunksOnDisk_ && isInTheWay(chunks_[count].piece)) {
       ++count;
     }
     dropOldest(count);
   };
-  if (*next_ + size > file_->size()) {
-    dropWhile([this](const base::ScratchFile::Piece& piece) { return piece.place >= *next_; });
-    next_ = 0;
+  if (*writePosition_ + size > file_->size()) {
+    dropWhile(
+        [this](const base::ScratchFile::Piece& piece) { return piece.place >= *writePosition_; });
+    writePosition_ = 0;
   }
-  const base::ScratchFile::Piece piece{*next_, bytes.size()};
+  const base::ScratchFile::Piece piece{*writePosition_, bytes.size()};
   dropWhile([&piece, size](const base::ScratchFile::Piece& old) {
     return old.place >= piece.place && old.place < piece.place + size;
   });
   if (!file_->overwrite(piece, bytes)) {
     return std::nullopt;
   }
-  next_ = piece.place + size;
+  writePosition_ = piece.place + size;
   return piece;
 }
 
@@ -134,10 +135,10 @@ void FrameHistory::dropOldest(std::size_t chunks) {
   for (; chunks > 0; --chunks) {
     const Chunk& oldest = chunks_.front();
     if (oldest.bytes != nullptr) {
-      packed_ -= oldest.bytes->size();
+      packedBytes_ -= oldest.bytes->size();
     } else {
-      disk_ -= oldest.piece.size;
-      --inFile_;
+      diskBytes_ -= oldest.piece.size;
+      --chunksOnDisk_;
     }
     const auto isOfIt = [&oldest](const Unpacked& each) { return each.first == oldest.first; };
     const auto found = std::find_if(cache_.begin(), cache_.end(), isOfIt);
@@ -161,12 +162,12 @@ std::size_t FrameHistory::first() const {
 
 std::size_t FrameHistory::memory() const {
   const Lock lock(mutex_);
-  return packed_ + openSize_ + cacheSize_;
+  return packedBytes_ + openSize_ + cacheSize_;
 }
 
 std::size_t FrameHistory::disk() const {
   const Lock lock(mutex_);
-  return disk_;
+  return diskBytes_;
 }
 
 std::optional<std::error_code> FrameHistory::problem() const {
@@ -174,7 +175,7 @@ std::optional<std::error_code> FrameHistory::problem() const {
   return problem_;
 }
 
-/// Under the lock. Null: not unpacked now.
+/// Requires the lock. Null: not in the cache.
 FramePtr FrameHistory::cached(std::size_t index) const {
   if (index >= openFirst_) {
     return index - openFirst_ < open_.size() ? open_[index - openFirst_] : nullptr;
@@ -190,18 +191,18 @@ FramePtr FrameHistory::cached(std::size_t index) const {
   return (*cache_.front().frames)[index - cache_.front().first];
 }
 
-/// Under the lock; the state is kept, and in a chunk.
+/// Requires the lock; the state must be in a chunk.
 std::size_t FrameHistory::chunkOf(std::size_t index) const {
   const auto isBefore = [](std::size_t state, const Chunk& chunk) { return state < chunk.first; };
   const auto after = std::upper_bound(chunks_.begin(), chunks_.end(), index, isBefore);
   return static_cast<std::size_t>(after - chunks_.begin()) - 1;
 }
 
-/// Under the lock: a run is played forwards or backwards from here.
-void FrameHistory::announceBeside(std::size_t chunk) const {
+/// Requires the lock. Prefetches the neighbours for playback in either direction.
+void FrameHistory::prefetchNeighbours(std::size_t chunk) const {
   for (const std::size_t beside : {chunk + 1, chunk - 1}) {
-    if (beside < inFile_) {
-      file_->announce(chunks_[beside].piece);
+    if (beside < chunksOnDisk_) {
+      file_->prefetch(chunks_[beside].piece);
     }
   }
 }
@@ -218,14 +219,14 @@ FramePtr FrameHistory::frame(std::size_t index) const {
       return nullptr;
     }
     const std::size_t at = chunkOf(index);
-    announceBeside(at);
+    prefetchNeighbours(at);
     chunk = chunks_[at];
     file = file_;
   }
   std::optional<std::string> read;
   if (chunk.bytes == nullptr) {
     read = file->read(chunk.piece);
-    if (!read || chunk.first < first()) {  // written over meanwhile
+    if (!read || chunk.first < first()) {  // overwritten meanwhile
       return nullptr;
     }
   }
@@ -233,7 +234,7 @@ FramePtr FrameHistory::frame(std::size_t index) const {
       unpackFrames(chunk.bytes != nullptr ? std::string_view(*chunk.bytes) : *read));
   std::size_t size = 0;
   for (const FramePtr& each : *frames) {
-    size += memoryOf(*each);
+    size += unpackedSize(*each);
   }
   FramePtr wanted = index - chunk.first < frames->size() ? (*frames)[index - chunk.first] : nullptr;
   const Lock lock(mutex_);
@@ -241,15 +242,15 @@ FramePtr FrameHistory::frame(std::size_t index) const {
   return wanted;
 }
 
-/// Under the lock.
+/// Requires the lock.
 void FrameHistory::keepUnpacked(Unpacked chunk) const {
   const auto isSame = [&chunk](const Unpacked& each) { return each.first == chunk.first; };
   if (std::any_of(cache_.begin(), cache_.end(), isSame)) {
-    return;  // somebody else was faster
+    return;  // another thread was faster
   }
   cacheSize_ += chunk.size;
   cache_.push_front(std::move(chunk));
-  while (cache_.size() > 1 && cacheSize_ > std::min(kLargestCache, most_ / kCacheShare)) {
+  while (cache_.size() > 1 && cacheSize_ > std::min(kLargestCache, maxMemory_ / kCacheShare)) {
     cacheSize_ -= cache_.back().size;
     cache_.pop_back();
   }

@@ -10,7 +10,7 @@
 namespace sim2d {
 namespace {
 
-constexpr char kEqual = 0, kSome = 1, kAll = 2;  // how a column is kept: beside what was expected
+constexpr char kEqual = 0, kSome = 1, kAll = 2;  // column encodings, relative to the prediction
 constexpr unsigned kNibble = 4, kNibbleMask = 15;
 constexpr std::size_t kBytes = sizeof(double);
 using Numbers = std::vector<double>;
@@ -95,7 +95,7 @@ class Packer {
       while (length < kBytes && other >> (8 * length) != 0) {
         ++length;
       }
-      std::memcpy(bytes_.data() + at, &other, length);  // the low ones: little-endian
+      std::memcpy(bytes_.data() + at, &other, length);  // low bytes (little-endian)
       at += length;
       lengths[k / 2] =
           static_cast<char>(lengths[k / 2] | static_cast<int>(length << kNibble * (k % 2)));
@@ -195,8 +195,8 @@ class Unpacker {
   std::string_view bytes_;
 };
 
-/// What the state before lets one expect. Never inlined: packing and unpacking must get the same
-/// bits, also of a NaN, which are those of the operand that the compiler takes first.
+/// Prediction from the previous state. Not inlined: packing and unpacking must produce identical
+/// bits, also for NaN, whose payload depends on the operand order chosen by the compiler.
 namespace expected {
 
 [[gnu::noinline]] Numbers numbers(const std::vector<Vec2>& before) {
@@ -213,7 +213,7 @@ namespace expected {
   return places;
 }
 
-/// Component 0 or 1 of velocities that these forces make.
+/// Component 0 or 1 of the velocities that result from the forces.
 [[gnu::noinline]] Numbers velocitiesAfter(const Numbers& before, const ForceColumns& forces,
                                           int component, double interval) {
   Numbers velocities(before);
@@ -230,7 +230,7 @@ namespace expected {
   return velocities;
 }
 
-/// People turn the way they walk; who stands keeps the heading.
+/// People face their direction of motion; standing people keep their heading.
 [[gnu::noinline]] Numbers headingsOf(const Numbers& before, const Numbers& vx, const Numbers& vy) {
   Numbers headings(before);
   for (std::size_t k = 0; k < headings.size() && k < vx.size() && k < vy.size(); ++k) {
@@ -259,7 +259,7 @@ namespace expected {
 
 }  // namespace expected
 
-/// The rows of a column for other bodies, by number in it; zero for a number below zero.
+/// Selects rows of a column by index; negative indices give `zero`.
 template <class T>
 std::vector<T> rowsOf(const std::vector<T>& column, const std::vector<int>& rows, T zero) {
   std::vector<T> taken;
@@ -283,7 +283,7 @@ void takeRows(Columns& columns, const std::vector<int>& rows) {
   });
 }
 
-/// Where each of `ids` stood among `before`; -1: nowhere.
+/// The index of each of `ids` in `before`; -1: missing.
 std::vector<int> rowsOfBodies(const std::vector<int>& ids, const std::vector<int>& before) {
   std::map<int, int> places;
   for (std::size_t k = 0; k < before.size(); ++k) {
@@ -298,11 +298,11 @@ std::vector<int> rowsOfBodies(const std::vector<int>& ids, const std::vector<int
   return rows;
 }
 
-/// A state to or from bytes. `before` is the state before it, an empty one for the first.
+/// Encodes or decodes one state. `before`: the previous state, empty for the first.
 template <class AnyPacker, class AnyFrame>
-class Passage {
+class FrameCodec {
  public:
-  Passage(AnyPacker& packer, AnyFrame& frame, const Frame& before, double interval)
+  FrameCodec(AnyPacker& packer, AnyFrame& frame, const Frame& before, double interval)
       : packer_(packer), frame_(frame), before_(before), interval_(interval) {}
 
   void pass() {
@@ -386,10 +386,10 @@ std::string packFrames(const std::vector<FramePtr>& frames, double interval) {
   Packer packer;
   packer.value(interval);
   packer.value(frames.size());
-  const Frame nobody;
-  const Frame* before = &nobody;
+  const Frame emptyFrame;
+  const Frame* before = &emptyFrame;
   for (const FramePtr& frame : frames) {
-    Passage<Packer, const Frame>(packer, *frame, *before, interval).pass();
+    FrameCodec<Packer, const Frame>(packer, *frame, *before, interval).pass();
     before = frame.get();
   }
   return packer.take();
@@ -403,18 +403,18 @@ std::vector<FramePtr> unpackFrames(std::string_view bytes) {
   unpacker.value(count);
   std::vector<FramePtr> frames;
   frames.reserve(std::min(count, bytes.size()));
-  const Frame nobody;
-  const Frame* before = &nobody;
+  const Frame emptyFrame;
+  const Frame* before = &emptyFrame;
   while (frames.size() < std::min(count, bytes.size())) {
     auto frame = std::make_shared<Frame>();
-    Passage<Unpacker, Frame>(unpacker, *frame, *before, interval).pass();
+    FrameCodec<Unpacker, Frame>(unpacker, *frame, *before, interval).pass();
     frames.push_back(std::move(frame));
     before = frames.back().get();
   }
   return frames;
 }
 
-std::size_t memoryOf(const Frame& frame) {
+std::size_t unpackedSize(const Frame& frame) {
   std::size_t size = sizeof(Frame);
   const auto add = [&size](const auto& column) { size += column.capacity() * sizeof(column[0]); };
   forEachColumn(frame.humans, add);

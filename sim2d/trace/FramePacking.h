@@ -11,17 +11,16 @@ namespace sim2d {
 
 using FramePtr = std::shared_ptr<const Frame>;
 
-/// States that follow one another as bytes, and back bit by bit: columns of bodies, forces, paths
-/// and doors; no events, inputs, tree changes, senses, scans. A number is kept as its difference to
-/// what the state before lets one expect, without leading zeros (as FPC does: Burtscher,
-/// Ratanaworabhan, "FPC: A High-Speed Compressor for Double-Precision Floating-Point Data", IEEE
-/// Trans. Computers 58, 2009; the motion of the bodies takes the place of its tables).
-/// `interval`: usual time between two of them [s]; another one costs room only. For this process
-/// alone: no format of files. Any thread.
+/// Lossless compression of consecutive states: columns of bodies, forces, paths and doors; no
+/// events, inputs, tree changes, senses, scans. Numbers are stored as the difference to a
+/// prediction from the previous state, without leading zeros (as in FPC: Burtscher, Ratanaworabhan,
+/// "FPC: A High-Speed Compressor for Double-Precision Floating-Point Data", IEEE Trans. Computers
+/// 58, 2009, with body motion as the predictor). `interval`: usual time between states [s]; other
+/// intervals only need more space. The format is private to the process. Thread-safe.
 std::string packFrames(const std::vector<FramePtr>& frames, double interval);
-/// What packFrames() has made; of nobody where the bytes end early.
+/// Restores the states; truncated input gives empty states.
 std::vector<FramePtr> unpackFrames(std::string_view bytes);
-/// Bytes that a state takes unpacked.
-std::size_t memoryOf(const Frame& frame);
+/// Unpacked size [bytes].
+std::size_t unpackedSize(const Frame& frame);
 
 }  // namespace sim2d

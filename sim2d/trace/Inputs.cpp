@@ -70,7 +70,7 @@ StepInputs inputsOf(const RecordedInputs& inputs, std::int64_t step) {
   return found;
 }
 
-std::string inputsHead() {
+std::string inputsHeader() {
   return std::string(kInputColumns) + '\n';
 }
 

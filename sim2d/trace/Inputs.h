@@ -11,44 +11,44 @@
 namespace sim2d {
 
 enum class InputKind {
-  Robot,  // drives by this command instead of its planner's; to `teleop` it is the newest word
-  Open,   // a door
+  Robot,  // a velocity command that replaces the planner's; for planner `teleop` the latest command
+  Open,   // opens a door
   Close,
-  Move,  // a person or robot is put somewhere else, at rest
-  Add,   // a person like another one comes in
-  Set,   // place, velocity and wanted velocity of a person come from outside
-  Push,  // a person gets a velocity beside the own
-  Stop,  // a person brakes and stays, whatever they want, until Resume or the next entry
+  Move,  // moves a person or robot to a pose, at rest
+  Add,   // spawns a copy of a person
+  Set,   // sets position, velocity and desired velocity of a person
+  Push,  // adds a velocity to a person's own for one step
+  Stop,  // a person brakes and stays until Resume or until they enter again
   Resume,
-  Entry,  // an entry of a person's blackboard gets a value, before the tree is ticked
-  Goal    // a robot drives to a place and gives up the goals of the scenario
+  Entry,  // sets an entry of a person's blackboard before the tree is ticked
+  Goal    // a robot drives to a position and abandons its scenario goals
 };
 const char* inputKindName(InputKind kind);  // "robot" …
 
-/// What somebody outside does to a running world in one step; what the kind does not name stays 0.
+/// An external input to a running world in one step. Members that the kind does not use are 0.
 struct Input {
   InputKind kind = InputKind::Move;
   int id = 0;        // of the robot (-1, -2 …) or person; Add: the new person's
-  std::string name;  // of the door; Add: of the person who is copied; Entry: "key=value"
-  base::Pose2 pose;  // Move, Add, Set, Goal (whose heading does not count)
+  std::string name;  // of the door; Add: name of the person copied; Entry: "key=value"
+  base::Pose2 pose;  // Move, Add, Set, Goal (heading ignored)
   base::Vec2 velocity = {0.0, 0.0};      // Set, Push [m/s]; Robot: x ahead, y to its left
   double omega = 0.0;                    // Robot [rad/s]
   base::Vec2 desiredVelocity{0.0, 0.0};  // Set [m/s]
 };
 bool operator==(const Input& a, const Input& b);
 
-/// All of one step, in the order in which they act.
+/// The inputs of one step, in the order of application.
 using StepInputs = std::vector<Input>;
-/// With the step that they led to, as in Frame::step.
+/// Each with the step that it led to, as in Frame::step.
 using RecordedInputs = std::vector<std::pair<std::int64_t, Input>>;
 
-/// Those that led to a step, of some by step.
+/// The inputs that led to `step`.
 StepInputs inputsOf(const RecordedInputs& inputs, std::int64_t step);
 
-/// Rows of `inputs.csv` (columns: FORMAT.md); reading gives equal values.
-std::string inputsHead();
+/// Rows of `inputs.csv` (columns: FORMAT.md); reading returns equal values.
+std::string inputsHeader();
 void appendInputRow(std::string& to, std::int64_t step, const Input& input);
-/// Every problem with its place; steps must not run backwards.
+/// Reports all problems with their places; steps must not decrease.
 base::Result<RecordedInputs> parseInputs(const std::string& text, const std::string& file);
 
 }  // namespace sim2d

@@ -1,6 +1,7 @@
 #include "sim2d/trace/RecordExport.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -8,14 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "sim2d/base/JsonText.h"
-#include "sim2d/trace/RecordSamples.h"
 
 namespace sim2d {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Ids of robots where all bodies are pedestrians: they follow those of the people, in order.
+/// Pedestrian ids of robots, following those of the people.
 std::map<int, int> pedestrianIds(const TraceHeader& header) {
   int next = 0;
   for (const TraceHuman& human : header.humans) {
@@ -39,21 +39,21 @@ base::Diagnostics robotsAsPeople(const TraceHeader& header, const std::map<int, 
   return notes;
 }
 
-/// "{"scene": …}" on a line.
+/// One line: {"scene": …}.
 std::string lineOf(const char* name, Json content) {
   Json line;
   line[name] = std::move(content);
   return base::jsonText(line, -1) + "\n";
 }
 
-constexpr std::size_t kSceneSamples = 21;  // 9 observed and 12 to be predicted, as in its data sets
+constexpr std::size_t kSceneSamples = 21;  // 9 observed and 12 predicted, as in TrajNet++
 
-/// Scenes of one body after the other: the spans of samples in which it is present.
+/// Collects the scenes of each body: intervals in which it is present without a gap.
 class SceneWriter {
  public:
   explicit SceneWriter(double rate) : rate_(rate) {}
 
-  /// At the next sample, which has the number `sample`.
+  /// Adds the sample with index `sample`; indices must increase.
   void see(int pedestrian, std::size_t sample) {
     Span& span = spans_[pedestrian];
     if (span.count == 0 || span.first + span.count != sample) {
@@ -87,7 +87,7 @@ class SceneWriter {
   std::vector<std::pair<std::size_t, int>> scenes_;  // first sample, pedestrian
 };
 
-/// Edges of the drawn obstacles and of doors that are closed at first.
+/// Edges of obstacles and of doors that are closed at the start.
 Json wallsOf(const TraceHeader& header) {
   Json walls = Json::array();
   for (const TraceObstacle& obstacle : header.obstacles) {
@@ -106,7 +106,7 @@ Json wallsOf(const TraceHeader& header) {
   return walls;
 }
 
-/// Rows from below: 1 occupied, 0 free, -1 unknown.
+/// Rows from bottom to top: 1 occupied, 0 free, -1 unknown.
 Json gridOf(const OccupancyGrid& map) {
   Json rows = Json::array();
   for (int row = 0; row < map.height(); ++row) {
@@ -126,7 +126,7 @@ Json gridOf(const OccupancyGrid& map) {
           {"data", std::move(rows)}};
 }
 
-/// The goal that the robot is heading for, else its last.
+/// The robot's current goal, else its last one.
 Json goalOf(const TraceRobot& robot, int goal) {
   const auto found = std::find_if(robot.goals.begin(), robot.goals.end(),
                                   [goal](const TraceGoal& each) { return each.id == goal; });
@@ -161,7 +161,7 @@ Json personOf(int id, const BodySample& body, double radius) {
           {"shape", shapeOf(radius)}};
 }
 
-/// An instant of the run; null: the robot is absent.
+/// One instant; null: the robot is absent.
 Json instantOf(const TraceHeader& header, const RecordSample& sample,
                const std::map<int, int>& ids) {
   const TraceRobot& robot = header.robots.front();
@@ -194,8 +194,8 @@ Json instantOf(const TraceHeader& header, const RecordSample& sample,
 }  // namespace
 
 base::Result<std::string> trajnetText(const Trace& trace, double rate) {
-  constexpr double kUsualRate = 2.5;  // [1/s]
-  const double used = rate > 0.0 ? rate : kUsualRate;
+  constexpr double kDefaultRate = 2.5;  // [1/s]
+  const double used = rate > 0.0 ? rate : kDefaultRate;
   const RecordSamples samples(trace, used);
   if (samples.size() == 0) {
     return base::error("export.no-states");
@@ -250,6 +250,86 @@ base::Result<std::string> socnav3Text(const Trace& trace, double rate) {
   text += " \"walls\": " + base::jsonText(wallsOf(header), -1) + ",\n";
   text += " \"sequence\": [" + instants + "\n ]\n}\n";
   return {std::move(text), robotsAsPeople(header, ids, 1)};
+}
+
+namespace {
+
+constexpr double kSameTime = 1e-6;  // fraction of a step
+
+BodySample sampleOf(const BodyColumns& columns, std::size_t k) {
+  return {{{columns.x[k], columns.y[k]}, columns.heading[k]},
+          {columns.vx[k], columns.vy[k]},
+          columns.omega[k],
+          columns.goal[k]};
+}
+
+BodySample between(const BodySample& a, const BodySample& b, double share) {
+  BodySample sample = a;
+  sample.pose.position += share * (b.pose.position - a.pose.position);
+  sample.pose.heading =
+      base::wrapToPi(a.pose.heading + share * base::angleDiff(b.pose.heading, a.pose.heading));
+  sample.velocity += share * (b.velocity - a.velocity);
+  sample.omega += share * (b.omega - a.omega);
+  return sample;
+}
+
+std::map<int, BodySample> bodiesOf(const BodyColumns& columns) {
+  std::map<int, BodySample> bodies;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    bodies.emplace(columns.id[k], sampleOf(columns, k));
+  }
+  return bodies;
+}
+
+/// Only bodies that are in both states.
+std::map<int, BodySample> bodiesBetween(const BodyColumns& a, const BodyColumns& b, double share) {
+  const std::map<int, BodySample> later = bodiesOf(b);
+  std::map<int, BodySample> bodies;
+  for (const auto& [id, body] : bodiesOf(a)) {
+    if (const auto found = later.find(id); found != later.end()) {
+      bodies.emplace(id, between(body, found->second, share));
+    }
+  }
+  return bodies;
+}
+
+}  // namespace
+
+RecordSamples::RecordSamples(const Trace& trace, double rate) : trace_(trace), rate_(rate) {
+  if (trace.frames.empty()) {
+    return;
+  }
+  const double span = trace.frames.back().time - trace.frames.front().time;
+  size_ = rate > 0.0 ? static_cast<std::size_t>(std::floor(span * rate + kSameTime)) + 1
+                     : trace.frames.size();
+}
+
+RecordSample RecordSamples::at(std::size_t index) const {
+  const std::vector<Frame>& frames = trace_.frames;
+  RecordSample sample;
+  if (!(rate_ > 0.0)) {
+    const Frame& frame = frames[index];
+    sample.time = frame.time - frames.front().time;
+    sample.people = bodiesOf(frame.humans);
+    sample.robots = bodiesOf(frame.robots);
+    return sample;
+  }
+  sample.time = static_cast<double>(index) / rate_;
+  const double time = frames.front().time + sample.time;
+  const double slack = kSameTime * trace_.header.dt;
+  const auto next =
+      std::upper_bound(frames.begin(), frames.end(), time + slack,
+                       [](double value, const Frame& frame) { return value < frame.time; });
+  const Frame& before = *(next - 1);  // exists: the first state is not later
+  if (next == frames.end() || time - before.time <= slack) {
+    sample.people = bodiesOf(before.humans);
+    sample.robots = bodiesOf(before.robots);
+    return sample;
+  }
+  const double share = (time - before.time) / (next->time - before.time);
+  sample.people = bodiesBetween(before.humans, next->humans, share);
+  sample.robots = bodiesBetween(before.robots, next->robots, share);
+  return sample;
 }
 
 }  // namespace sim2d

@@ -17,7 +17,7 @@ constexpr char kPointColumns[] = "step,id,kind,points";
 constexpr char kRobotKind[] = "robot";
 constexpr char kHumanKind[] = "human";
 
-/// "x y x y …"; none: a word is not a finite number, or their count is odd.
+/// Parses "x y x y …"; none: not finite numbers, or an odd count.
 std::optional<std::vector<base::Vec2>> pointsOf(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& word : base::split(text, ' ')) {
@@ -67,7 +67,7 @@ RecordedPoints::Range RecordedPoints::of(std::int64_t step, int id, bool isRobot
 }
 
 std::string RecordedPoints::csv() const {
-  std::string text = headLine(kPointColumns);
+  std::string text = headerLine(kPointColumns);
   for (const Entry& entry : entries_) {
     text += std::to_string(entry.step) + "," + std::to_string(entry.id) + "," +
             (entry.isRobot ? kRobotKind : kHumanKind) + ",";
@@ -110,11 +110,11 @@ base::Result<RecordedPoints> parseRecordedPoints(const std::string& text, const 
 
 base::Result<RecordedPoints> readRecordedPoints(const std::string& directory) {
   const std::string file = (std::filesystem::path(directory) / kPointsFile).string();
-  std::error_code none;  // records of hunavsim have outlines instead
+  std::error_code none;  // optional: recordings of hunavsim have outlines instead
   if (!std::filesystem::exists(file, none)) {
     return RecordedPoints();
   }
-  const base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
+  const base::Result<std::string> text = base::readTextFile(file, base::kMaxRecord);
   return text ? parseRecordedPoints(*text, file) : text.diagnostics();
 }
 

@@ -10,16 +10,15 @@
 
 namespace sim2d {
 
-/// Obstacle points near people and the robot from the source of a record (`closest_obs` of
-/// hunav_msgs). Where a record has them, they replace those computed from outlines.
+/// Obstacle points near people and the robot as stored in the source of a recording (`closest_obs`
+/// of hunav_msgs). They replace those computed from outlines.
 class RecordedPoints {
  public:
-  /// Adds the points of a body at a step; without points nothing is stored. In any order; call
-  /// `sort` before `of`.
+  /// Adds the points of a body at a step; empty lists are ignored. Call `sort` before `of`.
   void add(std::int64_t step, int id, bool isRobot, const std::vector<base::Vec2>& points);
   void sort();
 
-  /// Range of the points of a body at a step, empty: none.
+  /// The points of a body at a step; may be empty.
   struct Range {
     const base::Vec2* first = nullptr;
     const base::Vec2* last = nullptr;
@@ -28,10 +27,10 @@ class RecordedPoints {
   };
   Range of(std::int64_t step, int id, bool isRobot) const;
   bool isEmpty() const { return entries_.empty(); }
-  bool hasPeople() const { return hasPeople_; }  // a person has points at a step
+  bool hasPeople() const { return hasPeople_; }  // at least one person has points
   bool hasRobot() const { return hasRobot_; }
 
-  /// The text of obstacle_points.csv.
+  /// Content of obstacle_points.csv.
   std::string csv() const;
 
  private:
@@ -39,7 +38,7 @@ class RecordedPoints {
     std::int64_t step = 0;
     int id = 0;
     bool isRobot = false;
-    std::size_t begin = 0, end = 0;  // in points_
+    std::size_t begin = 0, end = 0;  // range in points_
   };
   static bool isBefore(const Entry& a, const Entry& b);
 
@@ -48,12 +47,12 @@ class RecordedPoints {
   bool hasPeople_ = false, hasRobot_ = false;
 };
 
-/// Name of the file in the folder of a record, beside trajectory.csv.
+/// File name in the folder of a recording.
 constexpr char kPointsFile[] = "obstacle_points.csv";
 
-/// `file` is named in the problems.
+/// `file` is the file name in messages.
 base::Result<RecordedPoints> parseRecordedPoints(const std::string& text, const std::string& file);
-/// The points in the folder of a record; none where it has no such file.
+/// Reads the points of a recording; empty if it has no such file.
 base::Result<RecordedPoints> readRecordedPoints(const std::string& directory);
 
 }  // namespace sim2d

@@ -8,10 +8,10 @@
 namespace sim2d {
 namespace {
 
-constexpr std::size_t kChangesPerNode = 4;    // between two keys of the trees
-constexpr std::size_t kFewestChanges = 1000;  // idem
+constexpr std::size_t kChangesPerNode = 4;    // between key frames of the trees
+constexpr std::size_t kFewestChanges = 1000;  // minimum
 
-/// To all trees, or to that of one person.
+/// Applies the changes to all trees, or to that of one person.
 void apply(const TreeChanges& changes, std::map<int, TreeStatuses>& trees,
            std::optional<int> only = std::nullopt) {
   int last = 0;
@@ -53,7 +53,7 @@ void Recording::append(const Frame& frame) {
   for (Event& event : events) {
     addEvent(frame.step, std::move(event));
   }
-  if (frame.step % recordEvery_ == 0) {  // last: who reads it finds what belongs to it
+  if (frame.step % recordEvery_ == 0) {  // last, so that readers find all data of the state
     addState(frame);
   }
 }
@@ -98,14 +98,14 @@ std::size_t Recording::indexAt(std::int64_t step) const {
 }
 
 std::size_t Recording::indexAtTime(double time) const {
-  constexpr double kLimit = 1e-9;  // times are reached this much early
+  constexpr double kLimit = 1e-9;  // tolerance of time comparisons
   const std::size_t upTo =
       states_.count([time](const State& state) { return state.time <= time + kLimit; });
   return upTo == 0 ? 0 : upTo - 1;
 }
 
 std::size_t Recording::first() const {
-  const std::size_t states = size();  // one may be on its way
+  const std::size_t states = size();  // one may be in progress
   return std::min(history_.first(), states == 0 ? 0 : states - 1);
 }
 
@@ -113,15 +113,15 @@ FramePtr Recording::frame(std::size_t index) const {
   if (FramePtr frame = history_.frame(index)) {
     return frame;
   }
-  auto nobody = std::make_shared<Frame>();
-  nobody->step = states_[index].step;
-  nobody->time = states_[index].time;
-  return nobody;
+  auto emptyFrame = std::make_shared<Frame>();
+  emptyFrame->step = states_[index].step;
+  emptyFrame->time = states_[index].time;
+  return emptyFrame;
 }
 
 RecordedInputs Recording::inputsUntil(std::int64_t step) const {
   RecordedInputs inputs;
-  const std::size_t count = inputs_.size();  // one may be on its way
+  const std::size_t count = inputs_.size();  // one may be in progress
   for (std::size_t k = 0; k < count && inputs_[k].first <= step; ++k) {
     inputs.push_back(inputs_[k]);
   }
@@ -176,7 +176,7 @@ Trace Recording::trace(TraceHeader header) const {
 }
 
 std::string Recording::treesCsv() const {
-  std::string rows = headLine(kTreeColumns);
+  std::string rows = headerLine(kTreeColumns);
   const std::size_t steps = trees_.size();
   for (std::size_t k = 0; k < steps; ++k) {
     appendTreeRows(rows, trees_[k].step, trees_[k].changes);

@@ -7,37 +7,37 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/trace/AppendOnlyLog.h"
 #include "sim2d/trace/FrameHistory.h"
-#include "sim2d/trace/SharedLog.h"
 #include "sim2d/trace/Trace.h"
 
 namespace sim2d {
 
-using StepEvent = std::pair<std::int64_t, Event>;  // with its step
+using StepEvent = std::pair<std::int64_t, Event>;  // step and event
 
-/// Takes a run while it goes on: every step once, in rising order.
+/// Receives the frames of a run: each step once, in order.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
   virtual void append(const Frame& frame) = 0;
 };
 
-/// What the nodes of a person's tree returned last.
+/// The latest status of each node of a person's tree.
 struct TreeStatuses {
-  TreeChanges::Paths paths;                // of the nodes; null: nothing is known
-  std::vector<base::NodeStatus> statuses;  // by number of the node
+  TreeChanges::Paths paths;                // node paths; null: no data
+  std::vector<base::NodeStatus> statuses;  // by node number
 };
 
-/// A run with access to any step: every `recordEvery`-th state, all events, inputs and tree
-/// changes. One thread writes, others read what is there by then; what was read stays as it is. Of
-/// states at most `mostInMemory` [B] are in memory and older ones in a temporary file; when the
-/// disk takes no more, the oldest are dropped (`FrameHistory`). All else stays in memory, with 16
-/// bytes per state to find it.
+/// A run with random access: every `recordEvery`-th state, all events, inputs and tree changes. One
+/// thread writes, others read what is complete; data that was read never changes. At most
+/// `mostInMemory` [B] of states are in memory, older ones in a temporary file; when the disk is
+/// full, the oldest are dropped (`FrameHistory`). All other data stays in memory, with 16 bytes per
+/// state as index.
 class Recording final : public FrameSink {
  public:
-  static constexpr std::size_t kUsualMemory = std::size_t{256} << 20;  // [B]
-  /// `folder`: of the temporary file; empty: the system's.
-  explicit Recording(int recordEvery = 1, std::size_t mostInMemory = kUsualMemory,
+  static constexpr std::size_t kDefaultMemory = std::size_t{256} << 20;  // [B]
+  /// `folder`: of the temporary file; empty: the system's default.
+  explicit Recording(int recordEvery = 1, std::size_t mostInMemory = kDefaultMemory,
                      std::string folder = {});
   ~Recording() override;
   Recording(const Recording&) = delete;
@@ -45,38 +45,37 @@ class Recording final : public FrameSink {
   Recording(Recording&&) = delete;
   Recording& operator=(Recording&&) = delete;
 
-  // the writer; steps rise within frames, events and tree changes
-  void append(const Frame& frame) override;  // its parts, as far as they are recorded
+  // for the writer; steps increase for states, events and tree changes
+  void append(const Frame& frame) override;  // records the parts of a frame
   void addState(const Frame& frame);
   void addEvent(std::int64_t step, Event event);
   void addInput(std::int64_t step, Input input);
   void addTreeChanges(std::int64_t step, const TreeChanges& changes);
-  /// Before the first state with somebody who is not in the header so far.
+  /// Call before the first state with an agent that the previous header lacks.
   void setHeader(TraceHeader header);
 
-  // readers
-  std::size_t size() const { return states_.size(); }  // states, dropped ones too
-  std::size_t first() const;                           // the oldest that is kept
+  // for readers
+  std::size_t size() const { return states_.size(); }  // including dropped ones
+  std::size_t first() const;                           // oldest state kept
   std::int64_t stepOf(std::size_t index) const { return states_[index].step; }
   double timeOf(std::size_t index) const { return states_[index].time; }  // [s]
-  /// The last state at or before the step, else the first. There must be one.
+  /// The last state at or before the step, else the first. The recording must not be empty.
   std::size_t indexAt(std::int64_t step) const;
   std::size_t indexAtTime(double time) const;
-  /// Without events, inputs and tree changes. Of nobody when it was dropped, or the temporary file
-  /// cannot be read.
+  /// Without events, inputs and tree changes. An empty state if it was dropped or cannot be read.
   FramePtr frame(std::size_t index) const;
-  /// The same, but null then.
+  /// The same, but null instead of an empty state.
   FramePtr frameIfKept(std::size_t index) const { return history_.frame(index); }
   const FrameHistory& history() const { return history_; }
-  const SharedLog<StepEvent>& events() const { return events_; }
-  const SharedLog<std::pair<std::int64_t, Input>>& inputs() const { return inputs_; }
-  RecordedInputs inputsUntil(std::int64_t step) const;  // those that led to it too
-  std::shared_ptr<const TraceHeader> header() const;    // the newest; never null
-  /// What the nodes returned last at that step, recorded or not; of one person, or by id.
+  const AppendOnlyLog<StepEvent>& events() const { return events_; }
+  const AppendOnlyLog<std::pair<std::int64_t, Input>>& inputs() const { return inputs_; }
+  RecordedInputs inputsUntil(std::int64_t step) const;  // including those of `step`
+  std::shared_ptr<const TraceHeader> header() const;    // the latest; never null
+  /// Node statuses at a step, which need not be recorded; of one person, or by id.
   TreeStatuses treeAt(int person, std::int64_t step) const;
   std::map<int, TreeStatuses> treesAt(std::int64_t step, std::optional<int> only = {}) const;
 
-  // all of it; of states those that are kept
+  // Complete data; states as far as they are kept.
   Trace trace() const { return trace(*header()); }
   Trace trace(TraceHeader header) const;
   std::string treesCsv() const;
@@ -90,29 +89,29 @@ class Recording final : public FrameSink {
   struct TreeStep {
     std::int64_t step = 0;
     TreeChanges changes;
-    std::shared_ptr<const TreeStates> before;  // now and then: where reading may begin
+    std::shared_ptr<const TreeStates> before;  // key frame: reading may start here
   };
 
   const int recordEvery_;
-  SharedLog<State> states_;
-  SharedLog<StepEvent> events_;
-  SharedLog<std::pair<std::int64_t, Input>> inputs_;
-  SharedLog<TreeStep> trees_;
-  SharedLog<std::shared_ptr<const TraceHeader>> headers_;
+  AppendOnlyLog<State> states_;
+  AppendOnlyLog<StepEvent> events_;
+  AppendOnlyLog<std::pair<std::int64_t, Input>> inputs_;
+  AppendOnlyLog<TreeStep> trees_;
+  AppendOnlyLog<std::shared_ptr<const TraceHeader>> headers_;
   FrameHistory history_;
-  // of the writer
+  // used by the writer only
   TreeStates treesNow_;
   std::size_t nodes_ = 0, changesSinceKey_ = 0;
 };
 
-/// With what the files of a run tell: no forces, no ways of the planners.
+/// Data of the run's files: no forces, no planner paths.
 std::shared_ptr<Recording> recordingOf(Trace trace,
-                                       std::size_t mostInMemory = Recording::kUsualMemory);
-struct RecordCut;
-/// A run folder, with trees.csv where there is one. All problems, with their places. `cut`: of a
-/// record that is cut what is whole; null: it is refused.
+                                       std::size_t mostInMemory = Recording::kDefaultMemory);
+struct Truncation;
+/// Reads a run folder, with trees.csv and inputs.csv if they exist; reports all problems with their
+/// places. `cut`: reads the complete part of a truncated recording; null: truncation is an error.
 base::Result<std::shared_ptr<const Recording>> readRecording(
-    const std::string& directory, std::size_t mostInMemory = Recording::kUsualMemory,
-    RecordCut* cut = nullptr);
+    const std::string& directory, std::size_t mostInMemory = Recording::kDefaultMemory,
+    Truncation* cut = nullptr);
 
 }  // namespace sim2d

@@ -12,7 +12,7 @@ namespace sim2d {
 namespace {
 
 constexpr char kScanColumns[] = "step,time,id,x,y,heading,angle_min,angle_step,range,distances";
-constexpr std::size_t kDistances = 9;  // the last column: as many as there are, blanks between
+constexpr std::size_t kDistances = 9;  // the last column: any number of values separated by blanks
 
 void readDistances(CsvTable& row, std::vector<double>& distances) {
   const std::vector<std::string> words = base::split(row[kDistances].text, ' ');
@@ -29,9 +29,9 @@ void readDistances(CsvTable& row, std::vector<double>& distances) {
 
 void readScan(CsvTable& row, std::vector<RecordedScan>& scans) {
   RecordedScan turn;
-  RobotSenses::Scan& scan = turn.scan;
+  RobotTelemetry::Scan& scan = turn.scan;
   row.read(0, turn.step, scan.time, turn.robot, scan.sensor.position.x(), scan.sensor.position.y(),
-           scan.sensor.heading, scan.angleMin, scan.perBeam, scan.range);
+           scan.sensor.heading, scan.angleMin, scan.angleIncrement, scan.range);
   readDistances(row, scan.distances);
   if (!scans.empty() && turn.step < scans.back().step) {
     row.error(0, "trace.steps-backwards");
@@ -41,16 +41,17 @@ void readScan(CsvTable& row, std::vector<RecordedScan>& scans) {
 
 }  // namespace
 
-std::string scansHead() {
+std::string scansHeader() {
   return std::string(kScanColumns) + '\n';
 }
 
 void appendScanRow(std::string& to, const RecordedScan& turn) {
-  const RobotSenses::Scan& scan = turn.scan;
+  const RobotTelemetry::Scan& scan = turn.scan;
   to += std::to_string(turn.step) + ',' + base::formatDouble(scan.time) + ',' +
         std::to_string(turn.robot);
-  for (const double number : {scan.sensor.position.x(), scan.sensor.position.y(),
-                              scan.sensor.heading, scan.angleMin, scan.perBeam, scan.range}) {
+  for (const double number :
+       {scan.sensor.position.x(), scan.sensor.position.y(), scan.sensor.heading, scan.angleMin,
+        scan.angleIncrement, scan.range}) {
     to += ',' + base::formatDouble(number);
   }
   char before = ',';

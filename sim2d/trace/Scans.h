@@ -8,10 +8,10 @@
 
 namespace sim2d {
 
-/// Rows of `scans.csv`, one per turn (columns: FORMAT.md); reading gives equal values.
-std::string scansHead();
+/// Rows of `scans.csv`, one per lidar scan (columns: FORMAT.md); reading returns equal values.
+std::string scansHeader();
 void appendScanRow(std::string& to, const RecordedScan& scan);
-/// Every problem with its place; steps must not run backwards.
+/// Reports all problems with their places; steps must not decrease.
 base::Result<std::vector<RecordedScan>> parseScans(const std::string& text,
                                                    const std::string& file);
 

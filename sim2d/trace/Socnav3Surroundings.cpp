@@ -9,10 +9,10 @@
 namespace sim2d {
 namespace {
 
-constexpr double kWallThickness = 1e-5;  // [m], of a line in the file
+constexpr double kWallThickness = 1e-5;  // [m], for walls given as lines
 
 std::optional<double> finiteNumber(const nlohmann::json& value) {
-  constexpr double kLargest = 1e15;  // times; places have a closer limit
+  constexpr double kLargest = 1e15;  // for times; positions have a lower limit
   if (!value.is_number() || !(std::fabs(value.get<double>()) <= kLargest)) {
     return std::nullopt;
   }
@@ -24,7 +24,7 @@ bool isPlace(double coordinate) {
   return std::fabs(coordinate) <= kFarthest;
 }
 
-/// Of "[x1, y1, x2, y2]", "[[x1, y1], [x2, y2]]" or an object with x1, y1, x2, y2.
+/// Parses "[x1, y1, x2, y2]", "[[x1, y1], [x2, y2]]" or an object with x1, y1, x2, y2.
 std::optional<Segment> wallOf(const nlohmann::json& wall) {
   std::vector<double> numbers;
   const auto add = [&numbers](const nlohmann::json& value) {
@@ -53,7 +53,7 @@ std::optional<Segment> wallOf(const nlohmann::json& wall) {
   return Segment{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
 }
 
-/// A disc, or a rectangle whose length lies along its angle.
+/// A disc, or a rectangle with its length along its angle.
 std::optional<Outline> outlineOf(const nlohmann::json& object) {
   const auto x = jsonNumber(object, {"x"});
   const auto y = jsonNumber(object, {"y"});
@@ -82,7 +82,7 @@ std::optional<Outline> outlineOf(const nlohmann::json& object) {
              : std::nullopt;
 }
 
-/// 0 and 1, or 0 to 100, and -1.
+/// Values 0 and 1, or 0 to 100; -1: unknown.
 std::vector<std::int8_t> cellsOf(const std::vector<double>& values) {
   const bool isShare = std::all_of(values.begin(), values.end(), [](double v) { return v <= 1.0; });
   std::vector<std::int8_t> cells;
@@ -94,7 +94,7 @@ std::vector<std::int8_t> cellsOf(const std::vector<double>& values) {
   return cells;
 }
 
-/// Rows from y_orig on, or one list of them.
+/// Rows beginning at y_orig, or one flat list.
 std::optional<std::vector<double>> valuesOf(const nlohmann::json& data, std::size_t width,
                                             std::size_t height) {
   std::vector<double> values;
@@ -121,9 +121,9 @@ std::optional<OccupancyGrid> gridOf(const nlohmann::json& grid) {
   const double height = jsonNumber(grid, {"height"}).value_or(0.0);
   const auto resolution = jsonNumber(grid, {"cell_size", "resolution"});
   const nlohmann::json* const data = jsonMember(grid, {"data"});
-  constexpr double kLongest = 1e6;  // [cells] of a side
+  constexpr double kLongest = 1e6;  // [cells] per side
   const bool isSized = width >= 1.0 && height >= 1.0 && width <= kLongest && height <= kLongest &&
-                       width * height <= static_cast<double>(kMostMapCells) && resolution &&
+                       width * height <= static_cast<double>(kMaxMapCells) && resolution &&
                        *resolution > 0.0 && *resolution <= 1000.0 && data != nullptr;
   if (!isSized) {
     return std::nullopt;
@@ -140,9 +140,9 @@ std::optional<OccupancyGrid> gridOf(const nlohmann::json& grid) {
                        cellsOf(*values));
 }
 
-/// Calls `take(element)` for the elements of a list; warns with the number of refused ones.
+/// Calls `take(element, index)` for each element of a list; warns with the number of rejected ones.
 template <class Take>
-void takeEach(const nlohmann::json* list, const char* name, const ForeignInput& input, Take take) {
+void takeEach(const nlohmann::json* list, const char* name, const TrackInput& input, Take take) {
   if (list == nullptr || list->is_null()) {
     return;
   }
@@ -189,7 +189,7 @@ std::optional<double> socnav3Radius(const nlohmann::json& body) {
 }
 
 void readSocnav3Surroundings(const std::vector<const nlohmann::json*>& places,
-                             const ForeignInput& input, TrackFile& file) {
+                             const TrackInput& input, TrackFile& file) {
   const auto find = [&places](std::initializer_list<const char*> names) {
     const nlohmann::json* found = nullptr;
     for (const nlohmann::json* place : places) {

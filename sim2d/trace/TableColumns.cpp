@@ -7,7 +7,7 @@
 namespace sim2d {
 namespace {
 
-/// [m/s] of "m/s", "mm/s", "km/h".
+/// [m/s] per "m/s", "mm/s", "km/h".
 std::optional<double> speedUnitOf(const std::string& word) {
   const std::size_t slash = word.find('/');
   const auto length = lengthUnitOf(word.substr(0, slash));
@@ -15,7 +15,7 @@ std::optional<double> speedUnitOf(const std::string& word) {
   return length && time ? std::optional(*length / *time) : std::nullopt;
 }
 
-/// [rad] of "deg" or "rad", also per second.
+/// [rad] per "deg" or "rad", also with "/s".
 std::optional<double> angleUnitOf(const std::string& word) {
   const std::string angle = word.substr(0, word.find('/'));
   if (angle == "rad" || angle == "radians") {
@@ -26,7 +26,7 @@ std::optional<double> angleUnitOf(const std::string& word) {
   return isDegree ? std::optional(base::kPi / 180.0) : std::nullopt;
 }
 
-/// A name of a column and the unit behind it, if any: "x [mm]", "t(s)", "x/m".
+/// Splits a column name and its unit, if any: "x [mm]", "t(s)", "x/m".
 std::pair<std::string, std::string> nameAndUnit(std::string_view field) {
   const std::string_view text = withoutBlanks(field);
   const std::size_t open = text.find_first_of("[(");
@@ -62,7 +62,7 @@ std::string unitWord(std::string_view text) {
   while (text.size() > 1 && (text.front() == '[' || text.front() == '(')) {
     text = withoutBlanks(text.substr(1, text.size() - 2));
   }
-  return base::lowered(text);
+  return base::toLower(text);
 }
 
 std::string withPoint(std::string_view word, char separator) {
@@ -82,7 +82,7 @@ void TableColumns::read(const CsvRow& header) {
     const std::string_view text = field.text;
     const bool isFirst = names_.empty() && text.substr(0, layout_.prefix.size()) == layout_.prefix;
     auto [name, unit] = nameAndUnit(isFirst ? text.substr(layout_.prefix.size()) : text);
-    const auto apart = layout_.units.find(base::lowered(name));
+    const auto apart = layout_.units.find(base::toLower(name));
     units_.push_back(apart != layout_.units.end() && unit.empty() ? apart->second : unit);
     names_.push_back(isHeaderless_ ? std::to_string(names_.size() + 1) : std::move(name));
   }
@@ -133,7 +133,7 @@ void TableColumns::takeUnits(const CsvRow& row) {
     const std::string word = unitWord(row[k].text);
     units_[k] = word.empty() ? units_[k] : word;
   }
-  header_ = row;  // where an unknown unit is found
+  header_ = row;  // place for errors about units
 }
 
 double TableColumns::unitOf(Column column, double usual) const {
@@ -189,7 +189,7 @@ void TableColumns::find(Column column) {
   }
 }
 
-/// The column with exactly this name, with or without its unit, else ignoring case.
+/// The column with exactly this name, with or without its unit; else ignoring case.
 std::size_t TableColumns::columnNamed(const std::string& name) const {
   for (std::size_t k = 0; k < names_.size(); ++k) {
     if (names_[k] == name || (!isHeaderless_ && withoutBlanks(header_[k].text) == name)) {
@@ -197,7 +197,7 @@ std::size_t TableColumns::columnNamed(const std::string& name) const {
     }
   }
   for (std::size_t k = 0; k < names_.size(); ++k) {
-    if (base::lowered(names_[k]) == base::lowered(name)) {
+    if (base::toLower(names_[k]) == base::toLower(name)) {
       return k;
     }
   }

@@ -13,16 +13,15 @@
 
 namespace sim2d {
 
-/// The parts of trace.json list their members once, with their names there, in order: comparison,
-/// reader, writer and manifest are made from these lists, `eachMember` of each.
-/// visit(name, member) for each.
+/// Each part of trace.json lists its members with their JSON names in `eachMember`; comparison,
+/// reader, writer and manifest use these lists. Calls visit(name, member).
 template <class T, class Visit>
 void forEachMember(T& of, Visit visit) {
   std::decay_t<T>::eachMember([&](const char* name, auto member) { visit(name, of.*member); });
 }
 
 struct TraceGoal {
-  int id = 0;  // of the global goal, 0 = a plain point
+  int id = 0;  // of the global goal; 0: a plain point
   Vec2 position = Vec2::Zero();
   double radius = 0.3;  // [m]
 };
@@ -37,7 +36,7 @@ struct TraceHuman {
   int configuration = 0;  // 0..3
   bool cyclicGoals = true;
   std::vector<TraceGoal> goals;
-  std::vector<std::pair<std::string, double>> parameters;  // all resolved numbers, by their keys
+  std::vector<std::pair<std::string, double>> parameters;  // all resolved numeric parameters
 
   template <class Visit>
   static void eachMember(Visit visit) {
@@ -66,8 +65,8 @@ struct TraceRobot {
   double maxVel = 1.0, maxAcc = 1.0, maxOmega = 1.5, maxAlpha = 3.0;
   double startTime = 0.0;
   std::vector<TraceGoal> goals;
-  std::vector<Vec2> footprint;              // robot frame; empty = disc
-  std::string kinematics = "differential";  // or "omnidirectional", "ackermann"; absent: as here
+  std::vector<Vec2> footprint;              // robot frame; empty: disc
+  std::string kinematics = "differential";  // or "omnidirectional", "ackermann"; optional
 
   template <class Visit>
   static void eachMember(Visit visit) {
@@ -91,9 +90,9 @@ struct TraceRobot {
 bool operator==(const TraceRobot& a, const TraceRobot& b);
 
 struct TraceObstacle {
-  std::string name;  // "map", or of the obstacle or door
+  std::string name;  // "map", or name of the obstacle or door
   bool isDoor = false;
-  bool open = false;              // door at the start
+  bool open = false;              // door open at the start
   std::vector<double> toggles;    // [s]
   std::vector<Outline> outlines;  // solid on the left
 
@@ -109,13 +108,13 @@ struct TraceObstacle {
 };
 bool operator==(const TraceObstacle& a, const TraceObstacle& b);
 
-/// What the scenario says about its metrics.
+/// Metric settings of the scenario.
 struct TraceMetrics {
   std::string from = "begin", until = "end";  // window
-  double frequency = 0.0;                     // [Hz], 0 = every sample
+  double frequency = 0.0;                     // [Hz], 0: every sample
   std::string tag = "exp_1";
   int runId = 0;
-  std::string selection;  // text of a metrics.yaml; empty = all metrics
+  std::string selection;  // content of a metrics.yaml; empty: all metrics
   std::vector<std::pair<std::string, double>> parameters;
 
   template <class Visit>
@@ -132,22 +131,22 @@ struct TraceMetrics {
 };
 bool operator==(const TraceMetrics& a, const TraceMetrics& b);
 
-/// What metrics need beside the trajectory.
+/// Data of a run that metrics need in addition to the trajectory.
 struct TraceHeader {
   int format = 1;
-  std::string scenario;  // name
+  std::string scenario;  // name of the scenario
   double dt = 0.05;      // [s]
-  int recordEvery = 1;   // steps
+  int recordEvery = 1;   // in steps
   long long seed = 1;
   std::vector<TraceHuman> humans;
   std::vector<TraceRobot> robots;
   std::vector<TraceObstacle> obstacles;
   std::string obstaclePoints = "boundary";
-  std::vector<double> wrapX;  // where the ends of a corridor are joined [m]; mostly none
+  std::vector<double> wrapX;  // [m], ends of a periodic corridor; usually empty
   OccupancyGrid map;
-  TraceMetrics metrics;  // this and wrapX absent in the file: as here
+  TraceMetrics metrics;  // optional in the file, as is wrapX
 
-  /// Null: there is none of that number.
+  /// Null: no such id.
   const TraceHuman* human(int id) const {
     const auto found = std::find_if(humans.begin(), humans.end(),
                                     [id](const TraceHuman& each) { return each.id == id; });
@@ -176,26 +175,25 @@ bool operator==(const TraceHeader& a, const TraceHeader& b);
 /// A recorded run.
 struct Trace {
   TraceHeader header;
-  std::vector<Frame> frames;                           // every recordEvery-th step from step 0
-  std::vector<std::pair<std::int64_t, Event>> events;  // all, also of steps not recorded
+  std::vector<Frame> frames;                           // every recordEvery-th step
+  std::vector<std::pair<std::int64_t, Event>> events;  // of all steps
 };
 
-/// The files of a run folder (columns: desktop formats in FORMAT.md). Text, equal bytes for equal
-/// runs.
+/// Contents of the files of a run folder (columns: FORMAT.md). Equal runs give equal bytes.
 std::string trajectoryCsv(const Trace& trace);
 std::string eventsCsv(const Trace& trace);
 std::string traceJson(const TraceHeader& header);
-/// Reads the text of trace.json; `file` is named in the problems.
+/// Parses trace.json; `file` is the file name in messages.
 base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::string& file);
-/// Reads trajectory.csv, events.csv and trace.json of a run folder.
+/// Reads trajectory.csv, events.csv and trace.json from a run folder.
 base::Result<Trace> readTrace(const std::string& directory);
 
-// The same row by row, for records that are written while they are made.
-/// First lines of the files.
+// Row-by-row writing, for recordings that are written during the run.
+/// Header lines of the files.
 constexpr char kTrajectoryColumns[] = "step,time,id,kind,x,y,heading,vx,vy,omega,group,state,goal";
 constexpr char kEventColumns[] = "step,time,kind,id,other,text";
 constexpr char kTreeColumns[] = "step,id,node,status";
-std::string headLine(const char* columns);  // with its end
+std::string headerLine(const char* columns);  // with line end
 
 /// One row per body.
 void appendTrajectoryRows(std::string& to, const Frame& frame);

@@ -13,7 +13,7 @@
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
-#include "sim2d/trace/JsonPlaces.h"
+#include "sim2d/trace/JsonInput.h"
 #include "sim2d/trace/Trace.h"
 
 namespace sim2d {
@@ -22,11 +22,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;  // newest known
+constexpr int kFormat = 1;  // latest known format
 constexpr char kWrap[] = "wrap_x";
 constexpr char kDrive[] = "kinematics";
 
-/// Undoes the run lengths; never grows beyond `count`, whatever the file claims.
+/// Expands run lengths to `count` cells; false if they do not match.
 bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& cells) {
   if (!json.is_array() || json.size() % 2 != 0) {
     return false;
@@ -46,7 +46,7 @@ bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& 
   return cells.size() == count;
 }
 
-/// Takes the parts of a header out of objects; every problem is noted with the path of the member.
+/// Reads the parts of the header; problems are reported with the path of the member.
 class JsonReader {
  public:
   JsonReader(const std::string& text, const std::string& file, base::Diagnostics& problems)
@@ -66,8 +66,8 @@ class JsonReader {
     if (!places_) {
       places_.emplace(text_);
     }
-    problems_.push_back(
-        base::within(where, base::error(code, std::move(values), file_, places_->lineOf(where))));
+    problems_.push_back(base::withContext(
+        where, base::error(code, std::move(values), file_, places_->lineOf(where))));
   }
   bool expect(bool fits, const std::string& where, std::string_view otherwise) {
     if (!fits) {
@@ -76,8 +76,8 @@ class JsonReader {
     return fits;
   }
 
-  /// Scenarios that say nothing about metrics or joined ends have no such member, nor have older
-  /// files how robots move; all else must be there.
+  /// `metrics`, `wrap_x` and (in older files) `kinematics` are optional, all other members
+  /// required.
   template <class T>
   void readMember(const Json& object, const std::string& path, const char* key, T& value) {
     const auto found = object.find(key);
@@ -104,7 +104,7 @@ class JsonReader {
                : json.is_number_integer() && json.get<std::int64_t>() >= Limits::min();
   }
 
-  // read: each type of a member as it stands in the file.
+  // read: one overload per member type.
   void read(const Json& json, const std::string& where, std::string& value) {
     if (expect(json.is_string(), where, "trace.no-text")) {
       value = json.get<std::string>();
@@ -195,8 +195,8 @@ class JsonReader {
     readMember(json, "map.", "heading", origin.heading);
     requirePositive("map.resolution", resolution);
     const bool sized = width >= 0 && height >= 0;
-    if (sized && std::int64_t{width} * height > kMostMapCells) {
-      error("map", "trace.map-too-large", {kMostMapCells, width, height});
+    if (sized && std::int64_t{width} * height > kMaxMapCells) {
+      error("map", "trace.map-too-large", {kMaxMapCells, width, height});
       return;
     }
     const std::size_t count =
@@ -241,7 +241,7 @@ class JsonReader {
   const std::string& text_;
   const std::string& file_;
   base::Diagnostics& problems_;
-  std::optional<JsonPlaces> places_;  // of the text; made for the first problem
+  std::optional<JsonLineIndex> places_;  // created for the first problem
 };
 
 base::Diagnostic syntaxError(const std::string& text, std::size_t byte, const std::string& file) {
@@ -267,8 +267,8 @@ base::Diagnostic tooLarge(const std::string& text, const std::string& reason,
   return base::error("trace.number-too-large", {reason}, file, place.line, place.column);
 }
 
-// toJson: each type of a member as it stands in the file.
-/// JSON knows finite numbers only.
+// toJson: one overload per member type.
+/// Numbers that are not finite become strings.
 Json toJson(double value) {
   if (std::isfinite(value)) {
     return value;
@@ -292,7 +292,7 @@ Json toJson(const std::vector<std::pair<std::string, double>>& parameters) {
   return json;
 }
 
-/// Value and number of repetitions in turn, row by row from the lower left.
+/// Alternating values and repetition counts, row by row from the lower left.
 Json runLengths(const std::vector<std::int8_t>& cells) {
   Json list = Json::array();
   for (std::size_t k = 0; k < cells.size();) {
@@ -320,7 +320,7 @@ Json toJson(const OccupancyGrid& map) {
 template <class T>
 Json toJson(const std::vector<T>& values);
 
-/// A part by its members; texts, numbers and flags as they are.
+/// Structs by their members; strings, numbers and booleans unchanged.
 template <class T>
 Json toJson(const T& value) {
   if constexpr (std::is_same_v<T, Outline>) {
@@ -348,7 +348,7 @@ std::string compact(const Json& json) {
   return base::jsonText(json, -1);
 }
 
-/// One line per member, in lists of objects one line per object.
+/// One line per member; lists have one line per element.
 std::string memberText(const Json& value) {
   if (!value.is_array() || value.empty()) {
     return compact(value);
@@ -368,8 +368,8 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
     root = Json::parse(text);
   } catch (const Json::parse_error& error) {
     return syntaxError(text, error.byte, file);
-  } catch (const Json::exception& error) {  // a number out of range
-    return tooLarge(text, base::jsonReason(error.what()), file);
+  } catch (const Json::exception& error) {  // number out of range
+    return tooLarge(text, base::jsonErrorMessage(error.what()), file);
   }
   base::Diagnostics problems;
   if (!root.is_object()) {

@@ -7,15 +7,15 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
-#include "sim2d/trace/CutRecord.h"
 #include "sim2d/trace/Recording.h"
-#include "sim2d/trace/TraceTexts.h"
+#include "sim2d/trace/TraceContents.h"
+#include "sim2d/trace/TruncatedRecording.h"
 
 namespace sim2d {
 
 namespace {
 
-constexpr std::int64_t kMostEmpty = 1000000;  // instants of a record that have no rows
+constexpr std::int64_t kMaxEmpty = 1000000;  // states without rows
 
 struct Row {
   std::int64_t step = 0;
@@ -38,12 +38,12 @@ void addInstant(Trace& trace, std::int64_t step) {
 
 class TrajectoryReader {
  public:
-  /// `cut` null: nothing may be missing.
-  TrajectoryReader(CsvTable& table, Trace& trace, const RecordCut* cut)
+  /// `cut` null: the trajectory must be complete.
+  TrajectoryReader(CsvTable& table, Trace& trace, const Truncation* cut)
       : table_(table),
         trace_(trace),
-        mayBeCut_(cut != nullptr),
-        meetsPeople_(cut != nullptr && cut->isUnfinished) {
+        mayBeTruncated_(cut != nullptr),
+        addsUnknownPeople_(cut != nullptr && cut->isUnfinished) {
     for (const TraceHuman& human : trace.header.humans) {
       humanIds_.insert(human.id);
     }
@@ -63,7 +63,7 @@ class TrajectoryReader {
       }
       last_ = table_[0];
     }
-    if (!mayBeCut_) {
+    if (!mayBeTruncated_) {
       checkRobots(last_);
     }
   }
@@ -87,7 +87,7 @@ class TrajectoryReader {
     return (table_[12].text.empty() || table_.read(12, row.goal)) && good;
   }
 
-  /// Checks the row against the rows before and the header.
+  /// Checks a row against the previous rows and the header.
   bool isPlaced(const Row& row) {
     const TraceHeader& header = trace_.header;
     const std::int64_t before = trace_.frames.empty() ? -1 : trace_.frames.back().step;
@@ -99,7 +99,8 @@ class TrajectoryReader {
     } else if (std::fabs(row.time - time) > 1e-9 * std::max(1.0, time)) {
       table_.error(1, "trace.time-off-step");
     } else if (const auto& ids = row.isRobot ? robotIds_ : humanIds_;
-               ids.count(row.id) == 0 && !(meetsPeople_ && !row.isRobot && meet(row.id))) {
+               ids.count(row.id) == 0 &&
+               !(addsUnknownPeople_ && !row.isRobot && addUnknownPerson(row.id))) {
       table_.error(2, "trace.unknown-id", {row.id});
     } else if (row.step == before && !isInOrder(row)) {
       table_.error(2, "trace.bad-order");
@@ -109,8 +110,8 @@ class TrajectoryReader {
     return false;
   }
 
-  /// Somebody came from a source, and the header was written before.
-  bool meet(int id) {
+  /// Adds an agent that was spawned after the header was written.
+  bool addUnknownPerson(int id) {
     TraceHuman& human = trace_.header.humans.emplace_back();
     human.id = id;
     human.name = "person " + std::to_string(id);
@@ -126,7 +127,7 @@ class TrajectoryReader {
     return frame.robots.id.empty() && (frame.humans.id.empty() || row.id > frame.humans.id.back());
   }
 
-  /// An instant without anybody has no row; with a robot in the record there is none.
+  /// States without bodies have no rows; this cannot occur with a robot.
   bool fillGap(std::int64_t step, std::int64_t before) {
     const std::int64_t expected = before < 0 ? 0 : before + trace_.header.recordEvery;
     if (step == before) {
@@ -138,7 +139,7 @@ class TrajectoryReader {
     } else {
       empty_ += (step - expected) / trace_.header.recordEvery;
     }
-    if (empty_ > kMostEmpty) {
+    if (empty_ > kMaxEmpty) {
       table_.error(0, "trace.gap");
       empty_ = 0;
       return false;
@@ -169,10 +170,10 @@ class TrajectoryReader {
 
   CsvTable& table_;
   Trace& trace_;
-  const bool mayBeCut_, meetsPeople_;
+  const bool mayBeTruncated_, addsUnknownPeople_;
   std::set<int> humanIds_, robotIds_;
   CsvField last_;
-  std::int64_t empty_ = 0;  // instants without rows since the last error
+  std::int64_t empty_ = 0;  // states without rows since the last error
 };
 
 void readEvents(CsvTable& table, Trace& trace) {
@@ -203,8 +204,8 @@ void readEvents(CsvTable& table, Trace& trace) {
   }
 }
 
-/// Compares the end of the trajectory with the event `stop` of the run; instants without anybody
-/// are put back.
+/// Compares the end of the trajectory with the event `stop`; restores trailing states without
+/// bodies.
 void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems) {
   if (trace.events.empty() || trace.events.back().second.kind != EventKind::Stop) {
     return;
@@ -212,7 +213,7 @@ void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems
   const std::int64_t every = trace.header.recordEvery;
   const std::int64_t end = trace.events.back().first / every * every;
   std::int64_t step = trace.frames.empty() ? 0 : trace.frames.back().step + every;
-  if (step <= end && (!trace.header.robots.empty() || (end - step) / every > kMostEmpty)) {
+  if (step <= end && (!trace.header.robots.empty() || (end - step) / every > kMaxEmpty)) {
     problems.push_back(base::error("trace.ends-early", {end}, file));
     return;
   }
@@ -221,19 +222,19 @@ void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems
   }
 }
 
-/// Text of a file of the run; problems are added.
+/// Content of a file of the run; problems are added.
 std::string textOf(const std::string& file, base::Diagnostics& problems) {
-  base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
+  base::Result<std::string> text = base::readTextFile(file, base::kMaxRecord);
   base::append(problems, text.diagnostics());
   return text ? *std::move(text) : std::string();
 }
 
-/// `cut`: the whole lines of it, and the name of a file that has more is noted. An empty one was
-/// never written to.
-std::string wholeTextOf(const std::string& file, const std::string& name, RecordCut* cut,
-                        base::Diagnostics& problems) {
+/// With `cut`, only the complete lines: a file with an incomplete line, or an empty one that was
+/// never written, is noted.
+std::string completeTextOf(const std::string& file, const std::string& name, Truncation* cut,
+                           base::Diagnostics& problems) {
   std::string text = textOf(file, problems);
-  const std::size_t whole = cut == nullptr ? text.size() : wholeLines(text);
+  const std::size_t whole = cut == nullptr ? text.size() : completeLinesSize(text);
   if (cut != nullptr && (whole < text.size() || text.empty())) {
     cut->note(name);
     text.resize(whole);
@@ -245,7 +246,7 @@ constexpr std::array<base::NodeStatus, 5> kStatuses = {
     base::NodeStatus::Idle, base::NodeStatus::Running, base::NodeStatus::Success,
     base::NodeStatus::Failure, base::NodeStatus::Skipped};
 
-/// Rows of trees.csv. Nodes are numbered in the order in which the rows name them.
+/// Reads trees.csv. Nodes are numbered in order of appearance.
 class TreesReader {
  public:
   TreesReader(const std::string& text, const std::string& file, base::Diagnostics& problems)
@@ -311,14 +312,14 @@ class TreesReader {
   std::vector<Change> rows_;
 };
 
-/// `cut` null: a record that is cut is refused.
-base::Result<Trace> traceOf(const TraceTexts& texts, RecordCut* cut) {
+/// `cut` null: truncation is an error.
+base::Result<Trace> traceOf(const TraceTexts& texts, Truncation* cut) {
   base::Diagnostics problems;
   Trace trace;
   base::Result<TraceHeader> header = parseTraceJson(texts.header.content, texts.header.path);
   base::append(problems, header.diagnostics());
   if (!header) {
-    return problems;  // the rows mean nothing without it
+    return problems;  // rows cannot be interpreted without it
   }
   trace.header = *std::move(header);
   CsvTable rows(texts.trajectory.content, texts.trajectory.path, problems);
@@ -331,9 +332,9 @@ base::Result<Trace> traceOf(const TraceTexts& texts, RecordCut* cut) {
     readEvents(eventRows, trace);
   }
   if (cut != nullptr && !base::hasErrors(problems)) {
-    takeWholePart(trace, reader.lacksRobot(), *cut);
+    dropIncompletePart(trace, reader.lacksRobot(), *cut);
   }
-  if (!base::hasErrors(problems) && !(cut != nullptr && cut->isCut())) {
+  if (!base::hasErrors(problems) && !(cut != nullptr && cut->isTruncated())) {
     checkEnd(trace, texts.trajectory.path, problems);
   }
   if (base::hasErrors(problems)) {
@@ -342,16 +343,16 @@ base::Result<Trace> traceOf(const TraceTexts& texts, RecordCut* cut) {
   return {std::move(trace), std::move(problems)};
 }
 
-base::Result<Trace> readAnyTrace(const std::string& directory, RecordCut* cut) {
+base::Result<Trace> readAnyTrace(const std::string& directory, Truncation* cut) {
   base::Diagnostics problems;
   const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
   const auto fileOf = [&](const char* name) {
-    return cut == nullptr ? folder + name : wholeOrUnfinished(folder, name);
+    return cut == nullptr ? folder + name : finalOrTemporaryPath(folder, name);
   };
   TraceTexts texts{
       {fileOf("trajectory.csv"), {}}, {fileOf("events.csv"), {}}, {folder + "trace.json", {}}};
-  texts.trajectory.content = wholeTextOf(texts.trajectory.path, "trajectory.csv", cut, problems);
-  texts.events.content = wholeTextOf(texts.events.path, "events.csv", cut, problems);
+  texts.trajectory.content = completeTextOf(texts.trajectory.path, "trajectory.csv", cut, problems);
+  texts.events.content = completeTextOf(texts.events.path, "events.csv", cut, problems);
   texts.header.content = textOf(texts.header.path, problems);
   return base::hasErrors(problems) ? base::Result<Trace>(problems) : traceOf(texts, cut);
 }
@@ -366,7 +367,7 @@ base::Result<Trace> readTrace(const std::string& directory) {
   return readAnyTrace(directory, nullptr);
 }
 
-base::Result<Trace> readTraceAsFarAsWhole(const std::string& directory, RecordCut& cut) {
+base::Result<Trace> readTruncatedTrace(const std::string& directory, Truncation& cut) {
   return readAnyTrace(directory, &cut);
 }
 
@@ -374,7 +375,7 @@ std::shared_ptr<Recording> recordingOf(Trace trace, std::size_t mostInMemory) {
   auto recording = std::make_shared<Recording>(trace.header.recordEvery, mostInMemory);
   recording->setHeader(trace.header);
   std::vector<std::string> doors;
-  std::vector<char> isOpen;  // of each door, after the events so far
+  std::vector<char> isOpen;  // state of each door so far
   for (const TraceObstacle& obstacle : trace.header.obstacles) {
     if (obstacle.isDoor) {
       doors.push_back(obstacle.name);
@@ -392,7 +393,7 @@ std::shared_ptr<Recording> recordingOf(Trace trace, std::size_t mostInMemory) {
     }
     frame.doorOpen = isOpen;
     recording->addState(frame);
-    frame = Frame();  // long runs need not be there twice
+    frame = Frame();  // releases memory of long runs
   }
   for (auto& [step, each] : trace.events) {
     recording->addEvent(step, std::move(each));
@@ -402,7 +403,7 @@ std::shared_ptr<Recording> recordingOf(Trace trace, std::size_t mostInMemory) {
 
 base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& directory,
                                                              std::size_t mostInMemory,
-                                                             RecordCut* cut) {
+                                                             Truncation* cut) {
   base::Result<Trace> trace = readAnyTrace(directory, cut);
   if (!trace) {
     return trace.diagnostics();
@@ -411,10 +412,10 @@ base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& 
   const std::shared_ptr<Recording> recording = recordingOf(*std::move(trace), mostInMemory);
   const auto readIfThere = [&](const char* name, auto read) {
     const std::string file = cut == nullptr ? (std::filesystem::path(directory) / name).string()
-                                            : wholeOrUnfinished(directory, name);
-    std::error_code none;  // no such file: a record of others, or nothing came from outside
+                                            : finalOrTemporaryPath(directory, name);
+    std::error_code none;  // optional: third-party recordings, or no inputs
     if (std::filesystem::exists(file, none)) {
-      const std::string text = wholeTextOf(file, name, cut, problems);
+      const std::string text = completeTextOf(file, name, cut, problems);
       if (!text.empty()) {
         read(text, file);
       }

@@ -29,7 +29,7 @@ constexpr std::array<const char*, kEventKinds> kEventNames = {"enter",
                                                               "photo",
                                                               "battery"};
 
-/// `ofPerson`: writes the group and state of a row.
+/// `ofPerson` appends group and state.
 template <class OfPerson>
 void appendBodies(std::string& to, const std::string& stamp, const BodyColumns& bodies,
                   const char* kind, OfPerson ofPerson) {
@@ -63,7 +63,7 @@ std::optional<EventKind> eventKindOf(std::string_view name) {
              : std::optional(static_cast<EventKind>(found - kEventNames.begin()));
 }
 
-std::string headLine(const char* columns) {
+std::string headerLine(const char* columns) {
   return std::string(columns) + '\n';
 }
 
@@ -98,7 +98,7 @@ void appendTreeRows(std::string& to, std::int64_t step, const TreeChanges& chang
 }
 
 std::string trajectoryCsv(const Trace& trace) {
-  std::string text = headLine(kTrajectoryColumns);
+  std::string text = headerLine(kTrajectoryColumns);
   for (const Frame& frame : trace.frames) {
     appendTrajectoryRows(text, frame);
   }
@@ -106,7 +106,7 @@ std::string trajectoryCsv(const Trace& trace) {
 }
 
 std::string eventsCsv(const Trace& trace) {
-  std::string text = headLine(kEventColumns);
+  std::string text = headerLine(kEventColumns);
   for (const auto& [step, event] : trace.events) {
     appendEventRow(text, step, trace.header.dt, event);
   }

@@ -10,7 +10,7 @@
 namespace sim2d {
 namespace {
 
-constexpr double kFarthest = 1e9;  // [m] from the origin; those of maps are below 1e7
+constexpr double kFarthest = 1e9;  // [m] from the origin; map coordinates are below 1e7
 
 class TrackChecker {
  public:
@@ -45,7 +45,7 @@ class TrackChecker {
     }
   }
 
-  /// The first place of each body: what follows is as wrong.
+  /// Reports the first out-of-range position of each body.
   void checkPlaces() {
     for (const Track& track : file_.tracks) {
       const auto far = std::find_if(
@@ -57,58 +57,59 @@ class TrackChecker {
     }
   }
 
-  static std::string wordOf(const Track& track) {
+  static std::string nameOf(const Track& track) {
     return track.name.empty() ? std::to_string(track.id) : track.name;
   }
 
-  bool isAsked() const { return options_.robotId || !options_.robotName.empty(); }
+  bool isRobotRequested() const { return options_.robotId || !options_.robotName.empty(); }
 
-  /// By its name where somebody has it, else by its id, else whom the file calls a robot.
-  bool isMeant(const Track& track, bool byName) const {
+  /// Matches by name if any track has it, else by id; without a request, tracks marked as robots.
+  bool matchesRequest(const Track& track, bool byName) const {
     if (track.points.empty()) {
       return false;
     }
     if (byName) {
       return track.name == options_.robotName;
     }
-    return isAsked() ? options_.robotId && track.id == *options_.robotId : track.isRobot;
+    return isRobotRequested() ? options_.robotId && track.id == *options_.robotId : track.isRobot;
   }
 
-  /// Of a person and a robot of one id it is the robot.
-  std::vector<const Track*> findMeant() const {
+  /// If a person and a robot match, only the robot is kept.
+  std::vector<const Track*> findCandidates() const {
     const bool byName = !options_.robotName.empty() &&
                         std::any_of(file_.tracks.begin(), file_.tracks.end(),
                                     [&](const Track& t) { return t.name == options_.robotName; });
-    std::vector<const Track*> meant;
+    std::vector<const Track*> candidates;
     for (const Track& track : file_.tracks) {
-      if (isMeant(track, byName)) {
-        meant.push_back(&track);
+      if (matchesRequest(track, byName)) {
+        candidates.push_back(&track);
       }
     }
     const auto isRobot = [](const Track* track) { return track->isRobot; };
-    if (std::any_of(meant.begin(), meant.end(), isRobot)) {
-      meant.erase(std::remove_if(meant.begin(), meant.end(), std::not_fn(isRobot)), meant.end());
+    if (std::any_of(candidates.begin(), candidates.end(), isRobot)) {
+      candidates.erase(std::remove_if(candidates.begin(), candidates.end(), std::not_fn(isRobot)),
+                       candidates.end());
     }
-    return meant;
+    return candidates;
   }
 
   void chooseRobot() {
-    const std::vector<const Track*> meant = findMeant();
-    if (!meant.empty()) {
-      robot_ = meant.front();
-      for (std::size_t k = 1; k < meant.size(); ++k) {
-        error(meant[k]->points.front(), "tracks.second-robot",
-              {wordOf(*robot_), wordOf(*meant[k])});
+    const std::vector<const Track*> candidates = findCandidates();
+    if (!candidates.empty()) {
+      robot_ = candidates.front();
+      for (std::size_t k = 1; k < candidates.size(); ++k) {
+        error(candidates[k]->points.front(), "tracks.second-robot",
+              {nameOf(*robot_), nameOf(*candidates[k])});
       }
-      tellOfOtherRobots(meant.size());
-    } else if (isAsked()) {
-      tellOfNobody();
+      reportOtherRobots(candidates.size());
+    } else if (isRobotRequested()) {
+      reportUnknownRobot();
     } else if (options_.robotGoal) {
       problems_.push_back(base::error("tracks.goal-without-robot", {}, file_.file));
     }
   }
 
-  void tellOfNobody() {
+  void reportUnknownRobot() {
     std::vector<std::string> names;
     for (const Track& track : file_.tracks) {
       if (!track.name.empty()) {
@@ -121,17 +122,17 @@ class TrackChecker {
         base::error("tracks.nobody", {who, base::nearestName(who, names)}, file_.file));
   }
 
-  /// Those that were not chosen walk among the people.
-  void tellOfOtherRobots(std::size_t chosen) {
+  /// Other robots are treated as people.
+  void reportOtherRobots(std::size_t chosen) {
     for (const Track& track : file_.tracks) {
       if (chosen == 1 && track.isRobot && &track != robot_ && !track.points.empty()) {
         problems_.push_back(
-            base::warning("tracks.robot-among-people", {wordOf(track)}, file_.file));
+            base::warning("tracks.robot-among-people", {nameOf(track)}, file_.file));
       }
     }
   }
 
-  /// A record has one person of an id: the second would be lost.
+  /// Ids of people must be unique in a recording.
   void checkIds() {
     std::set<int> ids;
     for (const Track& track : file_.tracks) {
@@ -154,7 +155,7 @@ const Track* checkTracks(const TrackFile& file, const TrackOptions& options,
   return TrackChecker(file, options, problems).check();
 }
 
-base::Diagnostics shortened(const base::Diagnostics& problems) {
+base::Diagnostics limitedPerKind(const base::Diagnostics& problems) {
   constexpr std::size_t kMost = 10;
   std::map<std::string_view, std::size_t> counts;
   base::Diagnostics few;

@@ -13,7 +13,7 @@ using Columns = TableColumns;
 
 class TableReader {
  public:
-  TableReader(const ForeignInput& input, const TableLayout& layout)
+  TableReader(const TrackInput& input, const TableLayout& layout)
       : input_(input),
         layout_(layout),
         words_(input.path, input.problems),
@@ -133,7 +133,7 @@ class TableReader {
     track.points.push_back(point);
   }
 
-  /// A word instead of a number gets a number at the end.
+  /// Ids that are not numbers are numbered in finish().
   bool readId(Track& body) {
     const Word word = wordOf(columns_[Columns::Id]);
     const bool isWord = !word.text.empty() && !base::parseDouble(word.text);
@@ -191,7 +191,7 @@ class TableReader {
       return true;
     }
     const Word word = wordOf(columns_[Columns::Kind]);
-    const std::string kind = base::lowered(word.text);
+    const std::string kind = base::toLower(word.text);
     isRobot = kind == "robot";
     if (!isRobot && kind != "human" && kind != "person" && kind != "pedestrian") {
       words_.error(word, "trace.bad-kind", {kind});
@@ -214,7 +214,7 @@ class TableReader {
       for (const Track& track : file.tracks) {
         all.push_back(&track);
       }
-      tellNumbers(input_, all);
+      reportAssignedIds(input_, all);
     }
     file.lengthUnit = length_;
     file.timeUnit = time_;
@@ -225,7 +225,7 @@ class TableReader {
     return file;
   }
 
-  const ForeignInput& input_;
+  const TrackInput& input_;
   const TableLayout& layout_;
   WordReader words_;
   CsvReader reader_;
@@ -233,9 +233,9 @@ class TableReader {
   Columns columns_;
   double length_ = 1.0, time_ = 1.0, radius_ = 1.0;    // units of the columns: [m], [s], [m]
   double speed_ = 1.0, angle_ = 1.0, turning_ = 1.0;   // [m/s], [rad], [rad/s]
-  std::vector<std::pair<std::string, Track>> tracks_;  // with the text of the id
-  std::map<std::pair<bool, std::string>, std::size_t> numbers_;  // in tracks_, by kind and id
-  bool hasWords_ = false;                                        // among the ids
+  std::vector<std::pair<std::string, Track>> tracks_;  // with the id as written
+  std::map<std::pair<bool, std::string>, std::size_t> numbers_;  // index in tracks_, by kind and id
+  bool hasWords_ = false;                                        // some ids are not numbers
 };
 
 }  // namespace
@@ -258,7 +258,7 @@ char separatorIn(std::string_view line) {
   return ',';
 }
 
-TrackFile readTrackTable(const ForeignInput& input, const TableLayout& layout) {
+TrackFile readTrackTable(const TrackInput& input, const TableLayout& layout) {
   return TableReader(input, layout).read();
 }
 

@@ -6,33 +6,31 @@
 #include <vector>
 
 #include "sim2d/trace/Csv.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Observations of bodies in a table with a line of column names; private to the folder.
+/// Trajectory tables with a line of column names. Private to the folder.
 namespace sim2d {
 
 struct TableLayout {
-  /// Names of a column by what it holds: "time", "frame", "id", "x", "y", "heading", "vx", "vy",
-  /// "omega", "group", "radius", "kind", "active" (rows with 0 are left out). The first name that
-  /// the table has counts; the names that the user gave come before. A column may have its unit
-  /// behind its name: "x [mm]", "t (s)".
+  /// Column names by quantity: "time", "frame", "id", "x", "y", "heading", "vx", "vy", "omega",
+  /// "group", "radius", "kind", "active" (rows with 0 are skipped). The first existing name is
+  /// used; names given by the user take precedence. A unit may follow the name: "x [mm]", "t (s)".
   std::map<std::string, std::vector<std::string>> names;
-  std::string_view text;  // from the line of column names on
-  int firstLine = 1;      // its number in the file
+  std::string_view text;  // beginning with the line of column names
+  int firstLine = 1;      // line number of its start
   char separator = ',';
-  std::map<std::string, std::string> units;  // by column names, where the file has them apart
-  double rate = 0.0;                         // frames per second that the file states
-  std::string prefix;                        // before the first name
+  std::map<std::string, std::string> units;  // by column name, if given separately
+  double rate = 0.0;                         // frame rate stated in the file [1/s]
+  std::string prefix;                        // text before the first name
 };
 
-/// The names of the csv format: those of the quantities.
+/// Column names of the csv format: the names of the quantities.
 std::map<std::string, std::vector<std::string>> ownColumnNames();
 
-/// The first of comma, semicolon and tabulator that a line holds.
+/// The first of comma, semicolon and tab that occurs in a line.
 char separatorIn(std::string_view line);
 
-/// Reads the rows. A second line with units below the names is read as such. Units that the user
-/// gives take precedence.
-TrackFile readTrackTable(const ForeignInput& input, const TableLayout& layout);
+/// Reads the rows. A second line with units is supported. Units given by the user take precedence.
+TrackFile readTrackTable(const TrackInput& input, const TableLayout& layout);
 
 }  // namespace sim2d

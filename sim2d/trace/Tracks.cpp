@@ -8,31 +8,30 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackCheck.h"
-#include "sim2d/trace/TrackRates.h"
-#include "sim2d/trace/TrackStay.h"
+#include "sim2d/trace/TrackSegments.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kOnGrid = 1e-6;   // of a step
-constexpr double kOffGrid = 0.01;  // of a step: worth telling
-constexpr double kMostInstants = 2e6;
-constexpr double kFewInstants = 1e5;    // allowed however few observations there are
-constexpr double kFewStates = 2e6;      // idem
-constexpr double kPerPoint = 100.0;     // instants, and states of bodies, for one observation
-constexpr double kPerOwnStep = 1000.0;  // idem where the user chose the step
-constexpr double kMostSteps = 1e15;     // of the given times: larger whole numbers are not exact
-constexpr double kUsualRadius = 0.35;   // [m]
-constexpr double kGoalRadius = 0.2;     // [m] of a goal that the user gives
+constexpr double kOnGrid = 1e-6;   // fraction of a step
+constexpr double kOffGrid = 0.01;  // fraction of a step; larger offsets are reported
+constexpr double kMaxInstants = 2e6;
+constexpr double kFewInstants = 1e5;     // allowed for any number of observations
+constexpr double kFewStates = 2e6;       // allowed for any number of observations
+constexpr double kPerPoint = 100.0;      // instants and states per observation
+constexpr double kPerOwnStep = 1000.0;   // the same if the user sets the step
+constexpr double kMaxSteps = 1e15;       // for input times: larger integers are not exact
+constexpr double kDefaultRadius = 0.35;  // [m]
+constexpr double kGoalRadius = 0.2;      // [m], for a goal given by the user
 constexpr int kRobotId = -1;
 
 void appendState(BodyColumns& columns, int id, const TrackState& state) {
   columns.add(id, {state.position, state.heading}, state.velocity, state.omega, kNoGoal);
 }
 
-class TraceMaker {
+class TraceBuilder {
  public:
-  TraceMaker(const TrackFile& file, const TrackOptions& options, TrackLinks* links)
+  TraceBuilder(const TrackFile& file, const TrackOptions& options, TrackLinks* links)
       : file_(file), options_(options), links_(links) {
     for (const Track& track : file.tracks) {
       observations_ += track.points.size();
@@ -42,10 +41,10 @@ class TraceMaker {
   base::Result<Trace> make() {
     robot_ = checkTracks(file_, options_, problems_);
     if (base::hasErrors(problems_) || !makeGrid()) {
-      return shortened(problems_);
+      return limitedPerKind(problems_);
     }
     rates_.emplace(file_, step_);
-    tellOfGrid();
+    reportGrid();
     trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
     trace_.header.dt = step_;
     trace_.header.obstacles = file_.obstacles;
@@ -83,14 +82,14 @@ class TraceMaker {
     return false;
   }
 
-  /// A short file must not require a long record: the limit is proportional to its observations, at
-  /// least `few`.
+  /// Limits instants and states in proportion to the observations (at least `few`), so that a small
+  /// file cannot cause a huge recording.
   double mostFor(double few) const {
     const double perPoint = options_.step > 0.0 ? kPerOwnStep : kPerPoint;
     return std::max(few, perPoint * static_cast<double>(observations_));
   }
 
-  /// Step, start and number of instants.
+  /// Determines step, start and number of instants.
   bool makeGrid() {
     double begin = std::numeric_limits<double>::infinity();
     double end = -begin;
@@ -102,9 +101,9 @@ class TraceMaker {
     }
     const double told = options_.step > 0.0 ? options_.step : file_.step;
     const double median = told > 0.0 ? told : medianInterval(file_.tracks);
-    step_ = median > 0.0 ? median : 1.0;  // single positions: the step says nothing
-    if (!((end - begin) / step_ <= kMostSteps)) {
-      return refuseLength(kMostInstants);
+    step_ = median > 0.0 ? median : 1.0;  // single observations: any step
+    if (!((end - begin) / step_ <= kMaxSteps)) {
+      return refuseLength(kMaxInstants);
     }
     start_ = begin + commonPhase(begin);
     first_ = 0;
@@ -112,10 +111,10 @@ class TraceMaker {
     if (robot_ != nullptr) {
       first_ = indexFrom(robot_->points.front().time);
       last = std::floor((robot_->points.back().time - start_) / step_ + kOnGrid);
-      last = std::max(last, static_cast<double>(first_));  // seen between two instants only
+      last = std::max(last, static_cast<double>(first_));  // observed between two instants
     }
-    const double most = std::min(kMostInstants, mostFor(kFewInstants));
-    if (!(last <= kMostInstants) || !(last - static_cast<double>(first_) <= most)) {
+    const double most = std::min(kMaxInstants, mostFor(kFewInstants));
+    if (!(last <= kMaxInstants) || !(last - static_cast<double>(first_) <= most)) {
       return refuseLength(most);
     }
     const auto count = static_cast<std::size_t>(last) - first_ + 1;
@@ -127,8 +126,8 @@ class TraceMaker {
     return true;
   }
 
-  /// How far before `begin` a grid starts that meets the most observations, of the robot when there
-  /// is one; not above 0.
+  /// Offset (<= 0) from `begin` to a grid that matches the most observations (of the robot, if
+  /// there is one).
   double commonPhase(double begin) const {
     if (file_.isSparse) {
       return 0.0;
@@ -157,33 +156,34 @@ class TraceMaker {
   }
   double timeOf(std::size_t index) const { return start_ + static_cast<double>(index) * step_; }
 
-  /// Calls `take(frame, state, nearest observation)` for the instants of the record within the
-  /// stay; one that lies between two instants is taken at the nearest.
+  /// Calls `take(frame, state, nearest observation)` for the recorded instants within the stay; a
+  /// stay between two instants is assigned to the nearest.
   template <class Take>
-  void forEachInstant(const TrackStay& stay, Take take) {
-    std::size_t from = indexFrom(stay.begin());
+  void forEachInstant(const TrackSegment& segment, Take take) {
+    std::size_t from = indexFrom(segment.begin());
     const double slack = kOnGrid * step_;
-    if (timeOf(from) > stay.end() + slack) {
-      from = static_cast<std::size_t>(std::llround((stay.begin() - start_) / step_));
-      takeAt(from, stay, take);
+    if (timeOf(from) > segment.end() + slack) {
+      from = static_cast<std::size_t>(std::llround((segment.begin() - start_) / step_));
+      takeAt(from, segment, take);
       return;
     }
     const std::size_t past = first_ + trace_.frames.size();
-    for (std::size_t k = std::max(from, first_); k < past && timeOf(k) <= stay.end() + slack; ++k) {
-      takeAt(k, stay, take);
+    for (std::size_t k = std::max(from, first_); k < past && timeOf(k) <= segment.end() + slack;
+         ++k) {
+      takeAt(k, segment, take);
     }
   }
   template <class Take>
-  void takeAt(std::size_t index, const TrackStay& stay, Take take) {
+  void takeAt(std::size_t index, const TrackSegment& segment, Take take) {
     if (index >= first_ && index - first_ < trace_.frames.size()) {
-      take(trace_.frames[index - first_], stay.at(timeOf(index), kOnGrid * step_),
-           stay.nearest(timeOf(index)));
+      take(trace_.frames[index - first_], segment.at(timeOf(index), kOnGrid * step_),
+           segment.nearest(timeOf(index)));
     }
   }
 
-  /// All are brought onto one grid.
-  void tellOfGrid() {
-    if (rates_->tell(problems_) || file_.isSparse || options_.step > 0.0) {
+  /// Reports that observations are resampled to a common grid.
+  void reportGrid() {
+    if (rates_->report(problems_) || file_.isSparse || options_.step > 0.0) {
       return;
     }
     if (const std::size_t count = countOffGrid(); count > 0) {
@@ -192,7 +192,7 @@ class TraceMaker {
     }
   }
 
-  /// Observations between two instants of the record.
+  /// Observations between the instants of the recording.
   std::size_t countOffGrid() const {
     std::size_t count = 0;
     for (const Track& track : file_.tracks) {
@@ -207,22 +207,23 @@ class TraceMaker {
   void addPerson(const Track& track) {
     bool isThere = false;
     const double most = mostFor(kFewStates);
-    for (const TrackStay& stay : staysOf(track, rates_->longestGap(track))) {
+    for (const TrackSegment& segment : segmentsOf(track, rates_->longestGap(track))) {
       if (static_cast<double>(states_) > most) {
         break;
       }
-      forEachInstant(stay, [&](Frame& frame, const TrackState& state, const TrackPoint& nearest) {
-        HumanColumns& humans = frame.humans;
-        if (!humans.id.empty() && humans.id.back() == track.id) {
-          return;  // two short stays at one instant
-        }
-        appendState(humans, track.id, state);
-        humans.group.push_back(nearest.group.value_or(track.group));
-        humans.state.push_back(nearest.state);
-        link(frame, track, nearest);
-        isThere = true;
-        ++states_;
-      });
+      forEachInstant(segment,
+                     [&](Frame& frame, const TrackState& state, const TrackPoint& nearest) {
+                       HumanColumns& humans = frame.humans;
+                       if (!humans.id.empty() && humans.id.back() == track.id) {
+                         return;  // two short stays at one instant
+                       }
+                       appendState(humans, track.id, state);
+                       humans.group.push_back(nearest.group.value_or(track.group));
+                       humans.state.push_back(nearest.state);
+                       link(frame, track, nearest);
+                       isThere = true;
+                       ++states_;
+                     });
     }
     if (isThere) {
       TraceHuman human;
@@ -230,7 +231,7 @@ class TraceMaker {
       human.name = "person" + std::to_string(track.id);
       human.kind = "adult";
       human.model = "recorded";
-      human.radius = track.radius.value_or(kUsualRadius);
+      human.radius = track.radius.value_or(kDefaultRadius);
       human.group = track.group;
       trace_.header.humans.push_back(std::move(human));
     }
@@ -245,8 +246,9 @@ class TraceMaker {
     }
   }
 
-  /// A record has its robot all the time: what was not seen of its way is a straight line.
-  void tellOfGap() {
+  /// The robot is always present: gaps in its track are straight lines, and the longest is
+  /// reported.
+  void reportGap() {
     const std::vector<TrackPoint>& points = robot_->points;
     const TrackPoint* before = nullptr;
     double longest = rates_->longestGap(*robot_);
@@ -263,26 +265,27 @@ class TraceMaker {
   }
 
   void addRobot() {
-    tellOfGap();
-    const TrackStay stay(robot_->points.data(), robot_->points.data() + robot_->points.size());
+    reportGap();
+    const TrackSegment segment(robot_->points.data(),
+                               robot_->points.data() + robot_->points.size());
     double fastest = 0.0;
     for (std::size_t k = 0; k < trace_.frames.size(); ++k) {
       const double time = timeOf(first_ + k);
-      const TrackState state = stay.at(time, kOnGrid * step_);
+      const TrackState state = segment.at(time, kOnGrid * step_);
       appendState(trace_.frames[k].robots, kRobotId, state);
-      link(trace_.frames[k], *robot_, stay.nearest(time));
+      link(trace_.frames[k], *robot_, segment.nearest(time));
       fastest = std::max(fastest, state.velocity.norm());
     }
     TraceRobot robot;
     robot.name = "robot1";
     robot.type = "recorded";
     robot.planner = "recorded";
-    robot.radius = robot_->radius.value_or(kUsualRadius);
+    robot.radius = robot_->radius.value_or(kDefaultRadius);
     robot.maxVel = fastest > 0.0 ? fastest : robot.maxVel;
     if (options_.robotGoal || file_.robotGoal) {
       robot.goals.push_back(options_.robotGoal ? TraceGoal{0, *options_.robotGoal, kGoalRadius}
                                                : *file_.robotGoal);
-      noteArrival(trace_, robot.goals.back());
+      addArrivalEvent(trace_, robot.goals.back());
     }
     trace_.header.robots.push_back(std::move(robot));
   }
@@ -295,7 +298,7 @@ class TraceMaker {
   double step_ = 1.0, start_ = 0.0;
   std::size_t first_ = 0;
   std::size_t observations_ = 0;
-  std::size_t states_ = 0;  // of people, so far
+  std::size_t states_ = 0;  // number of people's states so far
   std::optional<TrackRates> rates_;
   Trace trace_;
 };
@@ -304,10 +307,10 @@ class TraceMaker {
 
 base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options,
                                   TrackLinks* links) {
-  return TraceMaker(file, options, links).make();
+  return TraceBuilder(file, options, links).make();
 }
 
-void noteArrival(Trace& trace, const TraceGoal& goal) {
+void addArrivalEvent(Trace& trace, const TraceGoal& goal) {
   std::size_t first = trace.frames.size();
   for (std::size_t k = trace.frames.size(); k-- > 0;) {
     const RobotColumns& robots = trace.frames[k].robots;

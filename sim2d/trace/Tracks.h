@@ -10,85 +10,84 @@
 
 namespace sim2d {
 
-/// One observation of a person or a robot. World frame; what the source does not tell is estimated.
+/// One observation of a person or robot. World frame; missing quantities are estimated.
 struct TrackPoint {
   double time = 0.0;  // [s]
   Vec2 position = Vec2::Zero();
   std::optional<Vec2> velocity;        // [m/s]
   std::optional<double> heading;       // [rad]
   std::optional<double> angularSpeed;  // [rad/s]
-  std::optional<int> group;            // of a person; none: that of the track
-  std::uint8_t state = 0;              // 1 while a reaction or social action runs
-  int line = 0, column = 0;            // where it stands in the source
+  std::optional<int> group;            // of a person; none: group of the track
+  std::uint8_t state = 0;              // 1 during a reaction or social action
+  int line = 0, column = 0;            // place in the source
 };
 
-/// The way of one body, in time order.
+/// Observations of one body, in time order.
 struct Track {
   int id = 0;
-  std::string name;  // the word that the source has for it, if that is no number
+  std::string name;  // name in the source, if it is not a number
   bool isRobot = false;
-  std::optional<double> radius;  // [m], 0.35 where it is not told
+  std::optional<double> radius;  // [m], default 0.35
   int group = -1;
   std::vector<TrackPoint> points;
 };
 
-/// Ways of people as another program recorded them.
+/// Third-party trajectories.
 struct TrackFile {
-  std::string file;  // as the user named it
+  std::string file;  // as given by the user
   std::vector<Track> tracks;
-  double step = 0.0;  // [s] of our time grid; 0 = the median time between two observations
-  double lengthUnit = 1.0, timeUnit = 1.0;  // of the source [m], [s]; the points are in m and s
-  bool isByFrames = false;                  // the source counts frames: no unit of time
-  bool isSparse = false;  // points are corners of ways: a long time between two is no absence
+  double step = 0.0;  // [s] of the time grid; 0: median time between two observations
+  double lengthUnit = 1.0, timeUnit = 1.0;  // units of the source [m], [s]; points are in m and s
+  bool hasFrameTimes = false;               // times are frame numbers, without a unit
+  bool isSparse = false;  // points are corners of paths: long intervals are not absences
   std::vector<TraceObstacle> obstacles;  // [m]
   OccupancyGrid map;
   std::optional<TraceGoal> robotGoal;
 };
 
 struct TrackOptions {
-  std::optional<int> robotId;     // this person becomes the robot
-  std::string robotName;          // the same by its Track::name; without a match robotId counts
-  std::optional<Vec2> robotGoal;  // instead of the file's
-  double step = 0.0;              // [s], 0 = the file's
+  std::optional<int> robotId;     // track to use as the robot
+  std::string robotName;          // the same by Track::name; robotId is used if none matches
+  std::optional<Vec2> robotGoal;  // replaces the file's goal
+  double step = 0.0;              // [s], 0: step of the file
 };
 
-constexpr char kRecordedMap[] = "map";  // name of the outlines that setMap() replaces
+constexpr char kRecordedMap[] = "map";  // name of the map's outlines, replaced by setMap()
 
-/// The observations from which a record was made.
+/// Links between a recording and its source observations.
 struct TrackLinks {
-  /// The source of a body at an instant.
+  /// The source of a body's state.
   struct Link {
     std::int64_t step = 0;
     int id = 0;
     bool isRobot = false;
-    std::size_t track = 0, point = 0;  // places of the observation that is nearest in time
+    std::size_t track = 0, point = 0;  // indices of the observation nearest in time
   };
-  double begin = 0.0;  // time of the first instant in the source [s]
+  double begin = 0.0;  // source time of the first instant [s]
   std::vector<Link> links;
 };
 
-/// Median time between two observations of a body, the lower of two; 0 when there are no two.
+/// Lower median of the time between two observations of a body; 0: fewer than two.
 double medianInterval(const std::vector<Track>& tracks);
 
-/// A record on an even time grid from 0, which begins at most a step before the first observation
-/// and so that it meets the most of them (with a robot: of the robot's). Between two
-/// observations of a body: straight line, velocities and headings interpolated. A body is away
-/// while nothing was seen of it for longer than 5.5 steps, or 5.5 of its own intervals where it is
-/// observed more seldom than others (TrackRates.h, which is told). Velocities that are not told:
-/// central differences of the observations; headings: the direction of walking, kept while
-/// standing; turning speeds: central differences of the headings. With a robot the record spans its
-/// presence. Problems: no observation, time that does not advance, a step that makes too many
-/// instants, an unknown robot, two people of one id; told are observations between the instants and
-/// gaps in the robot's way, which are straight lines too.
-/// `links`: filled in where it is not null.
+/// Converts tracks to a recording on a uniform time grid from 0. The grid begins at most one step
+/// before the first observation and is aligned with as many observations as possible (with a robot:
+/// of the robot). Between observations positions, velocities and headings are interpolated
+/// linearly. A body is absent after a gap longer than 5.5 steps, or than 5.5 of its own intervals
+/// if it is observed less often than others (TrackRates.h; reported as a warning). Missing
+/// velocities: central differences; missing headings: direction of motion, kept while standing;
+/// missing angular speeds: central differences of headings. With a robot the recording covers its
+/// presence. Errors: no observations, times that do not increase, too many instants, unknown robot,
+/// duplicate ids of people. Warnings: observations between the instants, and gaps in the robot's
+/// track, which are interpolated as well. `links`: filled if not null.
 base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options,
                                   TrackLinks* links = nullptr);
 
-/// Adds the arrival of the robot at the goal: the first instant of a stay inside it, by the rule of
-/// the world, that lasts to the end. Nothing when the record ends outside.
-void noteArrival(Trace& trace, const TraceGoal& goal);
+/// Adds the robot's arrival at the goal: the start of its final stay within the goal radius. No
+/// event if the recording ends outside.
+void addArrivalEvent(Trace& trace, const TraceGoal& goal);
 
-/// Replaces the map of a record: cells and outlines.
+/// Replaces the map: cells and outlines.
 void setMap(Trace& trace, OccupancyGrid map);
 
 }  // namespace sim2d

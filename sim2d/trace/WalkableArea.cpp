@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kFarthestPoint = 1e9;  // as of the places of bodies
+constexpr double kFarthestPoint = 1e9;  // limit for positions of bodies
 
 class WktReader {
  public:
@@ -48,7 +48,7 @@ class WktReader {
     while (at_ < text_.size() && base::isLetter(text_[at_])) {
       ++at_;
     }
-    const std::string word = base::lowered(text_.substr(begin, at_ - begin));
+    const std::string word = base::toLower(text_.substr(begin, at_ - begin));
     if (word != "z" && word != "m" && word != "zm" && word != "empty") {
       isPolygon_ = word == "polygon" || word == "multipolygon";
       rings_ = 0;
@@ -61,7 +61,7 @@ class WktReader {
            std::string_view("+-.0123456789").find(text_[next]) != std::string_view::npos;
   }
 
-  /// Points up to the bracket that ends the ring; the first ring of a polygon is its border.
+  /// Reads points up to the closing bracket; the first ring of a polygon is its border.
   bool readRing() {
     const std::size_t end = text_.find_first_of("()", at_);
     if (end == std::string_view::npos || text_[end] == '(') {
@@ -105,7 +105,7 @@ class WktReader {
   std::string_view text_;
   std::size_t at_ = 0;
   int depth_ = 0;
-  int rings_ = 0;  // of the polygon so far
+  int rings_ = 0;  // rings of the current polygon
   bool isPolygon_ = false;
   std::vector<Outline> outlines_;
 };
@@ -120,7 +120,7 @@ base::Result<std::vector<Outline>> walkableOutlines(const std::string& wkt) {
   return *std::move(outlines);
 }
 
-void addWalkableArea(const std::string& wkt, double unit, const ForeignInput& input,
+void addWalkableArea(const std::string& wkt, double unit, const TrackInput& input,
                      TrackFile& file) {
   if (base::trimmed(wkt).empty()) {
     return;

@@ -8,8 +8,9 @@
 namespace sim2d {
 namespace {
 
-/// Quirks that change what people do and give the same result in each run. The others are crashes,
-/// files that do not load, undefined behaviour, wall-clock time, or kept as they are.
+/// Quirks that change the behaviour of people and give the same result in each run. The others are
+/// crashes, files that do not load, undefined behaviour, wall-clock time, or permanently
+/// reproduced.
 constexpr std::array<int, 18> kSwitchable = {6,  7,  9,  11, 12, 13, 14, 15, 17,
                                              18, 19, 20, 24, 29, 30, 31, 32, 34};
 
@@ -30,7 +31,7 @@ std::string switchableNames() {
 }
 
 std::optional<int> numberOf(const std::string& name) {
-  const std::string lower = base::lowered(base::trimmed(name));
+  const std::string lower = base::toLower(base::trimmed(name));
   if (lower.size() != 4 || lower.compare(0, 2, "q-") != 0) {
     return std::nullopt;
   }
@@ -56,7 +57,7 @@ std::vector<std::string> Compatibility::names() const {
 
 base::Result<Compatibility> Compatibility::parse(const std::string& text) {
   Compatibility result;
-  if (base::lowered(base::trimmed(text)) == "hunav2") {
+  if (base::toLower(base::trimmed(text)) == "hunav2") {
     result.hunav2_ = true;
     for (const int quirk : kSwitchable) {
       result.set(quirk);

@@ -8,7 +8,7 @@
 
 namespace sim2d {
 
-/// Quirks of the original that are switched on (`--compat hunav2`, `--compat Q-13,Q-20`).
+/// Enabled quirks of the original HuNavSim (`--compat hunav2`, `--compat Q-13,Q-20`).
 class Compatibility {
  public:
   static constexpr int kCount = 35;  // Q-01 … Q-34
@@ -16,9 +16,9 @@ class Compatibility {
   bool has(int quirk) const { return quirks_.test(static_cast<std::size_t>(quirk)); }
   void set(int quirk) { quirks_.set(static_cast<std::size_t>(quirk)); }
   bool hunav2() const { return hunav2_; }
-  std::vector<std::string> names() const;  // "Q-13", …; "hunav2" first when all are meant
+  std::vector<std::string> names() const;  // "Q-13", …; "hunav2" first if all are enabled
 
-  /// "hunav2" or a comma list of Q-nn; a quirk that cannot be switched is an error that says so.
+  /// "hunav2" or a comma-separated list of Q-nn; a quirk that cannot be switched is an error.
   static base::Result<Compatibility> parse(const std::string& text);
 
  private:

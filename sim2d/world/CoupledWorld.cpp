@@ -7,8 +7,8 @@
 namespace sim2d {
 namespace {
 
-constexpr double kUnmoved = 1e12;     // [kg]; takes no share of an impact
-constexpr double kFeltAtMost = 50.0;  // [m]; no force of a wall is left there
+constexpr double kInfiniteMass = 1e12;     // [kg]; effectively infinite mass in impacts
+constexpr double kMaxWallDistance = 50.0;  // [m]; wall forces vanish at this distance
 
 Obstacles::Point pointAt(const Vec2& place, const Vec2& seenFrom) {
   Obstacles::Point point;
@@ -29,19 +29,19 @@ base::Result<std::unique_ptr<CoupledWorld>> CoupledWorld::create(WorldSetup setu
           parts.diagnostics()};
 }
 
-CoupledWorld::CoupledWorld(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
+CoupledWorld::CoupledWorld(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior)
     : model_(std::move(parts.model)),
       surroundings_(std::move(parts.surroundings)),
-      ways_(surroundings_.layers->stopFlag()),
+      pathWork_(surroundings_.layers->stopFlag()),
       navigation_(std::move(parts.navigation)),
       frozen_{model_, state_, grid_, surroundings_.obstacles, *navigation_},
       view_(frozen_),
       intents_(state_.controls),
-      behavior_(std::move(minds)),
+      behavior_(std::move(humanBehavior)),
       motion_(model_.threads) {
   model_.robots.clear();
-  model_.obstaclePoints = ObstaclePoints::Boundary;  // of both kinds come points
-  model_.ring = Ring{};
+  model_.obstaclePoints = ObstaclePoints::Boundary;  // external points are given for both
+  model_.ring = PeriodicCorridor{};
   for (const Door* door : model_.doors) {
     state_.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
   }
@@ -53,7 +53,7 @@ CoupledWorld::CoupledWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
   goals_.resize(count);
   walls_.resize(count);
   entered_.resize(count, 0);
-  motion_.giveWalls(&walls_);
+  motion_.setExternalWalls(&walls_);
 }
 
 void CoupledWorld::take(const std::vector<CoupledPerson>& people,
@@ -94,7 +94,7 @@ void CoupledWorld::put(std::size_t human, const CoupledPerson& person) {
   walls_[human].clear();
   for (const Vec2& place : person.obstacles) {
     const Obstacles::Point point = pointAt(place, person.pose.position);
-    if (point.distance < kFeltAtMost) {  // rays that hit nothing end far away
+    if (point.distance < kMaxWallDistance) {  // rays without a hit end far away
       walls_[human].push_back(point);
     }
   }
@@ -135,7 +135,7 @@ bool CoupledWorld::step(double dt, std::optional<int> only) {
   goals_.afterDecide(model_, state_, intents_, view_);
   std::move(intents_.events().begin(), intents_.events().end(), std::back_inserter(state_.events));
   intents_.events().clear();
-  motion_.chooseLegs(frozen_, intents_, state_);
+  motion_.chooseDirections(frozen_, intents_, state_);
   motion_.compute(frozen_, intents_, state_, forces_);
   if (!isSound()) {
     return false;
@@ -170,12 +170,12 @@ bool CoupledWorld::isSound() {
   return true;
 }
 
-/// The robot goes where the other simulator lets it go, whoever is in its way.
+/// The robot's motion is not changed, since the other simulator owns it.
 void CoupledWorld::keepBodiesApart(double dt) {
   const std::size_t people = state_.present.size();
   discs_.assign(people + state_.robots.size(), MovingDisc{});
   pairs_.clear();
-  double reach = 0.0;  // two radii, and what two can walk towards each other
+  double reach = 0.0;  // two radii, plus the distance two people can cover towards each other
   for (std::size_t human = 0; human < people; ++human) {
     const ResolvedHuman& person = model_.people[human].constants;
     discs_[human] = {state_.position(human), moves_[human], person.radius, person.mass, nullptr};
@@ -185,7 +185,7 @@ void CoupledWorld::keepBodiesApart(double dt) {
   }
   for (std::size_t robot = 0; robot < state_.robots.size(); ++robot) {
     discs_[people + robot] = {state_.robots[robot].pose.position, state_.robots[robot].velocity,
-                              model_.robots[robot].radius, kUnmoved, nullptr};
+                              model_.robots[robot].radius, kInfiniteMass, nullptr};
   }
   for (std::size_t human = 0; human < people; ++human) {
     if (state_.present[human] == 0) {
@@ -213,7 +213,7 @@ void CoupledWorld::move(std::size_t human, double dt) {
   state_.positions[human] += velocity * dt;
   state_.velocities[human] = velocity;
   if (isWalking(intent.motion)) {
-    state_.heading[human] = headingAfter(state_.heading[human], velocity, dt);
+    state_.heading[human] = turnedHeading(state_.heading[human], velocity, dt);
   }
   state_.omega[human] = base::angleDiff(state_.heading[human], before) / dt;
   state_.active[human] = intent.active ? 1 : 0;

@@ -7,21 +7,21 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSmallDisc = 0.2;       // [m]; smaller steps along a line cost too much
-constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody, in double
-constexpr std::size_t kLookSlice = 128;  // people a thread looks at before it asks for more
+constexpr double kMinDisc = 0.2;         // [m]; below this, stepping along the line is too slow
+constexpr std::size_t kSmallCrowd = 64;  // up to here all pairs are used, in double
+constexpr std::size_t kLookSlice = 128;  // people per work slice
 
-Vec2 lookingAlong(const Vec2& velocity, double heading) {
+Vec2 facingDirection(const Vec2& velocity, double heading) {
   const double speed = velocity.norm();
-  return speed < kSlowestTurn ? base::directionOf(heading) : Vec2(velocity / speed);
+  return speed < kMinHeadingSpeed ? base::directionOf(heading) : Vec2(velocity / speed);
 }
 
-/// A robot goes where it moves; one that stands has no goal.
-DesiredMotion desiredOfRobot(const Vec2& velocity) {
+/// Desired motion of a robot: its current velocity; a robot that stands has no goal.
+DesiredMotion desiredMotionOfRobot(const Vec2& velocity) {
   DesiredMotion desired;
   desired.isRobot = true;
   desired.desiredSpeed = velocity.norm();
-  if (desired.desiredSpeed >= kSlowestTurn) {
+  if (desired.desiredSpeed >= kMinHeadingSpeed) {
     desired.heading = velocity / desired.desiredSpeed;
     desired.direction = desired.heading;
   }
@@ -35,25 +35,25 @@ void Crowd::update(const FrozenWorld& world, const StepPlans& plans, WorkerPool&
   plans_ = &plans;
   const WorldState& state = world.state;
   const std::size_t people = state.present.size();
-  learnTraits(world.model.people);
+  cacheTraits(world.model.people);
   walkers_.resize(people);
-  desires_.resize(anyLooksAtDesires_ ? people : 0);
+  desiredMotions_.resize(anyUsesDesiredMotions_ ? people : 0);
   room_.resize(people);
-  laws_.resize(people);
+  forceModels_.resize(people);
   summaries_.assign(workers.threadCount(), Summary{});
-  workers.forSlices(people, kLookSlice,
-                    [&](std::size_t thread, std::size_t begin, std::size_t end) {
-                      for (std::size_t i = begin; i < end; ++i) {
-                        look(i, summaries_[thread]);
-                      }
-                    });
+  workers.parallelFor(people, kLookSlice,
+                      [&](std::size_t thread, std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          look(i, summaries_[thread]);
+                        }
+                      });
   all_ = {};
   for (const Summary& summary : summaries_) {
     all_.count += summary.count;
     all_.fastest = std::max(all_.fastest, summary.fastest);
     all_.hasGroups = all_.hasGroups || summary.hasGroups;
   }
-  isAtOnce_ = false;
+  hasBatchForces_ = false;
   groups_.clear();
   if (all_.hasGroups) {
     findGroups();
@@ -61,28 +61,29 @@ void Crowd::update(const FrozenWorld& world, const StepPlans& plans, WorkerPool&
   robots_.clear();
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const ResolvedRobot& robot = world.model.robots[i];
-    robots_.push_back(
-        {robot.id, state.robots[i].pose.position, state.robots[i].velocity, reachOf(robot)});
+    robots_.push_back({robot.id, state.robots[i].pose.position, state.robots[i].velocity,
+                       circumscribedRadius(robot)});
   }
 }
 
-void Crowd::learnTraits(const std::vector<Person>& people) {
+void Crowd::cacheTraits(const std::vector<Person>& people) {
   if (traits_.empty()) {
     traits_.reserve(people.size());
   }
   for (std::size_t i = traits_.size(); i < people.size(); ++i) {
     const Person& person = people[i];
-    const SocialLaw law = person.model->socialLaw();
+    const CrowdForceModel law = person.model->crowdForceModel();
     traits_.push_back({person.model.get(), law.parameters, person.constants.radius,
-                       person.constants.id, law.goesThroughWalls, person.model->looksAtDesires()});
-    anyLooksAtDesires_ = anyLooksAtDesires_ || traits_.back().looksAtDesires;
+                       person.constants.id, law.goesThroughWalls,
+                       person.model->usesDesiredMotions()});
+    anyUsesDesiredMotions_ = anyUsesDesiredMotions_ || traits_.back().usesDesiredMotions;
   }
 }
 
-DesiredMotion Crowd::desiredOf(std::size_t human) const {
+DesiredMotion Crowd::desiredMotionOf(std::size_t human) const {
   const StepPlan& plan = plans_->steps[human];
   return {plans_->directions[human],
-          lookingAlong(walkers_[human].velocity, world_->state.heading[human]), plan.speed,
+          facingDirection(walkers_[human].velocity, world_->state.heading[human]), plan.speed,
           plan.group};
 }
 
@@ -92,13 +93,14 @@ void Crowd::look(std::size_t human, Summary& summary) {
   const StepPlan& plan = plans_->steps[human];
   const Walker& walker =
       walkers_[human] = {traits.id, state.position(human), state.velocity(human), traits.radius};
-  if (anyLooksAtDesires_) {
-    desires_[human] = desiredOf(human);
+  if (anyUsesDesiredMotions_) {
+    desiredMotions_[human] = desiredMotionOf(human);
   }
-  writeNew(laws_[human],
-           isWalking(plan.motion) ? SocialLaw{traits.law, traits.goesThroughWalls} : SocialLaw{});
+  assignIfChanged(forceModels_[human], isWalking(plan.motion)
+                                           ? CrowdForceModel{traits.law, traits.goesThroughWalls}
+                                           : CrowdForceModel{});
   const bool isPresent = state.present[human] != 0;
-  writeNew(room_[human], isPresent ? world_->navigation.clearance(walker.position) : 0.0);
+  assignIfChanged(room_[human], isPresent ? world_->navigation.clearance(walker.position) : 0.0);
   if (isPresent) {
     ++summary.count;
     summary.fastest = std::max(summary.fastest, walker.velocity.norm());
@@ -117,7 +119,7 @@ void Crowd::findGroups() {
   std::sort(groups_.begin(), groups_.end());
 }
 
-void Crowd::expect(std::size_t human) const {
+void Crowd::prefetch(std::size_t human) const {
   if (human < traits_.size()) {
     const char* const model = reinterpret_cast<const char*>(traits_[human].model);
     __builtin_prefetch(model);
@@ -135,8 +137,8 @@ void Crowd::computeForces(WorkerPool& workers) {
   }
   const std::function<bool(std::size_t, std::size_t)> isVisible =
       [this](std::size_t self, std::size_t other) { return sees(self, other); };
-  forces_.compute({walkers_, world_->state.present, laws_, room_, isVisible}, workers);
-  isAtOnce_ = true;
+  forces_.compute({walkers_, world_->state.present, forceModels_, room_, isVisible}, workers);
+  hasBatchForces_ = true;
 }
 
 bool Crowd::sees(std::size_t self, std::size_t other) const {
@@ -149,7 +151,7 @@ bool Crowd::sees(std::size_t self, std::size_t other) const {
   double clear = room_[self];
   while (clear < distance - room_[other]) {
     const double more = world_->navigation.clearance(eye + clear / distance * sight);
-    if (more < kSmallDisc) {
+    if (more < kMinDisc) {
       return world_->obstacles.isVisible(eye, walkers_[other].position);
     }
     clear += more;
@@ -160,7 +162,7 @@ bool Crowd::sees(std::size_t self, std::size_t other) const {
 void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
                  Situation& situation) const {
   situation.self = walkers_[human];
-  situation.desired = desiredOf(human);
+  situation.desired = desiredMotionOf(human);
   situation.dt = world_->model.dt;
   situation.exact = world_->model.exact;
   situation.obstacles.clear();
@@ -169,13 +171,13 @@ void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
   } else if (walls != nullptr) {
     situation.obstacles = *walls;
   }
-  situation.looksAtDesires = traits_[human].looksAtDesires;
+  situation.usesDesiredMotions = traits_[human].usesDesiredMotions;
   situation.others.clear();
-  situation.desires.clear();
-  situation.ofCrowd.reset();
+  situation.desiredMotions.clear();
+  situation.crowdForce.reset();
   situation.seen.reset();
-  if (isAtOnce_ && laws_[human].parameters != nullptr) {
-    situation.ofCrowd = forces_.forces()[human];
+  if (hasBatchForces_ && forceModels_[human].parameters != nullptr) {
+    situation.crowdForce = forces_.forces()[human];
   } else {
     addOthers(human, situation);
   }
@@ -205,8 +207,8 @@ Walker Crowd::imageOf(Walker other, const Walker& seenFrom) const {
 
 void Crowd::addPerson(std::size_t other, Situation& situation) const {
   situation.others.push_back(imageOf(walkers_[other], situation.self));
-  if (situation.looksAtDesires) {
-    situation.desires.push_back(desires_[other]);
+  if (situation.usesDesiredMotions) {
+    situation.desiredMotions.push_back(desiredMotions_[other]);
   }
 }
 
@@ -220,7 +222,7 @@ void Crowd::addOthers(std::size_t human, Situation& situation) const {
     return;
   }
   const double range = traits_[human].model->range(all_.fastest, situation.self.velocity.norm());
-  const Ring& ring = world_->model.ring;
+  const PeriodicCorridor& ring = world_->model.ring;
   ring.forEachImage(situation.self.position, [&](const Vec2& centre) {
     world_->grid.forEachNear(centre, range, [&](int other) {
       const auto at = static_cast<std::size_t>(other);
@@ -236,24 +238,24 @@ void Crowd::addRobots(RobotTreatment treatment, Situation& situation) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (treatment == RobotTreatment::Pedestrian) {
       situation.others.push_back(imageOf(robots_[i], situation.self));
-      if (situation.looksAtDesires) {
-        situation.desires.push_back(desiredOfRobot(robots_[i].velocity));
+      if (situation.usesDesiredMotions) {
+        situation.desiredMotions.push_back(desiredMotionOfRobot(robots_[i].velocity));
       }
       continue;
     }
-    const double far = kObstacleReach + robots_[i].radius + 1e-6;
+    const double far = kObstacleRange + robots_[i].radius + 1e-6;
     if ((robots_[i].position - situation.self.position).squaredNorm() > far * far) {
       continue;
     }
     const Obstacles::Point point = nearestPointOf(
         world_->model.robots[i], world_->state.robots[i].pose, situation.self.position);
-    if (point.distance < kObstacleReach) {
+    if (point.distance < kObstacleRange) {
       situation.obstacles.push_back(point);
     }
   }
 }
 
-/// Within the free room round a person nothing can be in between.
+/// Within the clearance of a person nothing can occlude.
 bool Crowd::isVisible(std::size_t human, const Vec2& point) const {
   const Vec2& eye = walkers_[human].position;
   return (point - eye).norm() < room_[human] || world_->navigation.isOpenBetween(eye, point) ||

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/trace/Frame.h"
 #include "sim2d/world/Compatibility.h"
@@ -15,11 +15,11 @@
 
 namespace sim2d {
 
-/// A point to walk to. The order of the members spares a third of the room.
+/// A point to walk to. The member order minimises padding.
 struct GoalItem {
   Vec2 position = Vec2::Zero();
-  double radius = 0.3;  // rho [m]: reached inside
-  int id = 0;           // of the global goal, 0 = a plain point
+  double radius = 0.3;  // rho [m]; the goal is reached inside
+  int id = 0;           // of the global goal; 0: a plain point
 
   GoalItem() = default;
   GoalItem(int goal, const Vec2& place, double within = 0.3)
@@ -29,21 +29,21 @@ struct GoalItem {
   }
 };
 
-/// What a behaviour may change of one person beside the motion of the step. Kept from step to step.
+/// Persistent settings of one person that a behaviour may change, beside the motion of the step.
 struct HumanControl {
   std::vector<GoalItem> goals;  // front = current
   bool frozen = false;          // StopMovement: desired speed 0 until resumed
   int group = -1;
 };
 
-/// The world as it was when the step began; nothing in it changes while people decide. People are
-/// addressed by index (0 … humanCount() - 1), stable for the whole run; those not present (not yet
-/// started, left) are skipped by everybody. Thread: read only, any.
+/// State of the world at the start of the step; it does not change while people decide. People are
+/// addressed by index (0 … humanCount() - 1), which is stable for the whole run; those not present
+/// (not yet started, left) are skipped. Thread-safe, read-only.
 class WorldView {
  public:
   virtual ~WorldView() = default;
 
-  virtual std::int64_t step() const = 0;  // the step being computed, from 1
+  virtual std::int64_t step() const = 0;  // the step being computed, starting at 1
   virtual double time() const = 0;        // at the start of the step [s]
   virtual double dt() const = 0;
   virtual std::uint64_t seed() const = 0;
@@ -52,33 +52,32 @@ class WorldView {
 
   virtual int humanCount() const = 0;
   virtual bool isPresent(int human) const = 0;
-  /// False: the mind of this person rests in this step, as it is.
+  /// False: the behaviour of this person is not executed in this step.
   virtual bool decides(int /*human*/) const { return true; }
-  virtual int indexOf(int humanId) const = 0;  // -1 = no such person
+  virtual int indexOf(int humanId) const = 0;  // -1: no such person
   virtual const ResolvedHuman& constants(int human) const = 0;
-  /// The person (index) of whom an input made a copy; -1: this one is in the scenario.
+  /// Index of the person of whom an input made this copy; -1: the person is in the scenario.
   virtual int copiedFrom(int /*human*/) const { return -1; }
   virtual Pose2 pose(int human) const = 0;
   virtual Vec2 velocity(int human) const = 0;
-  /// Present people whose centre is within `range`, by ascending distance, then id; without
-  /// `human`.
+  /// Present people whose centre is within `range`, except `human`, by ascending distance, then id.
   virtual void near(int human, double range, std::vector<int>& found) const = 0;
 
   virtual int robotCount() const = 0;
   virtual Pose2 robotPose(int robot) const = 0;
   virtual Vec2 robotVelocity(int robot) const = 0;
   virtual double robotRadius(int robot) const = 0;
-  virtual int nearestRobot(int human) const = 0;  // -1 = none; ties: the first in the list
+  virtual int nearestRobot(int human) const = 0;  // -1: none; ties: the first in the list
 
   virtual std::optional<Vec2> globalGoal(int id) const = 0;
   virtual const Area* area(const std::string& name) const = 0;
-  /// Line of sight and way of sound: walls, obstacles and closed doors block, bodies do not.
-  /// Always true with the quirk Q-34.
+  /// Line of sight and of sound: walls, obstacles and closed doors block, bodies do not. Always
+  /// true with quirk Q-34.
   virtual bool isVisible(const Vec2& from, const Vec2& to) const = 0;
-  /// There is a way for this person's body (always true with `route: direct`).
+  /// True if this person's body has a path to the point (always true with `route: direct`).
   virtual bool isReachable(int human, const Vec2& point) const = 0;
-  /// Length of this person's way to the point [m]; nothing where there is none.
-  virtual std::optional<double> wayLength(int human, const Vec2& point) const {
+  /// Length of this person's path to the point [m]; none if there is no path.
+  virtual std::optional<double> pathLength(int human, const Vec2& point) const {
     return isReachable(human, point) ? std::optional<double>((point - pose(human).position).norm())
                                      : std::nullopt;
   }
@@ -86,8 +85,8 @@ class WorldView {
 
 enum class Motion : std::uint8_t {
   Stand,  // v = 0, omega = 0
-  Turn,   // on the spot towards `heading`
-  Walk,   // by the person's model to `target`, along a way round walls as its route says
+  Turn,   // in place, towards `heading`
+  Walk,   // by the person's model to `target`, along a path around walls if the route is planned
   Brake,  // by the model without a goal
 };
 inline bool isWalking(Motion motion) {
@@ -95,7 +94,7 @@ inline bool isWalking(Motion motion) {
 }
 enum class RobotTreatment : std::uint8_t { Pedestrian, Obstacle };
 
-/// The one motion of one person in one step.
+/// The motion of one person in one step.
 struct Intent {
   GoalItem target;                 // Walk
   Vec2 extraForce = Vec2::Zero();  // Walk: added to the forces of the model [m/s²]
@@ -105,10 +104,10 @@ struct Intent {
   Motion motion = Motion::Stand;
   bool targetIsGoal = false;  // the target is the front of the person's own goals
   RobotTreatment robot = RobotTreatment::Pedestrian;
-  bool active = false;  // a reaction or social action runs (column `state`)
+  bool active = false;  // a reaction or social action is running (column `state`)
 };
 
-/// Where behaviours write. One intent per person; `control` may be read and written at any time
+/// Output of behaviours: one intent per person. `control` may be read and written at any time
 /// during `decide`.
 class Intents {
  public:
@@ -131,35 +130,35 @@ class Intents {
   std::vector<Event> events_;
 };
 
-/// Decides what people want, once per step, in the order of their ids. The world owns goals that
-/// are reached by walking: it removes (or rotates) the front goal when a step of Motion::Walk with
-/// `targetIsGoal` ends inside its radius. A behaviour that takes a reached goal off the list itself
-/// emits `goal`, and `arrived` when it was the last of a one-way list; to the world (wait, at_end)
-/// these mean the same as its own.
+/// Decides the intents of people, once per step, in the order of their ids. The world handles goals
+/// that are reached by walking: it removes (or rotates) the front goal when a step of Motion::Walk
+/// with `targetIsGoal` ends inside its radius. A behaviour that removes a reached goal itself emits
+/// `goal`, and `arrived` for the last goal of a one-way list; the world (wait, at_end) treats these
+/// like its own.
 class HumanBehavior {
  public:
   virtual ~HumanBehavior() = default;
-  /// A person comes into the world (start, source, restart): a fresh mind.
+  /// Called when a person enters the world (start, source, restart): initialises the behaviour.
   virtual void enter(int human, const WorldView& view) = 0;
   virtual void decide(const WorldView& view, Intents& intents) = 0;
-  /// Changes of tree nodes in the last step, by id, then node.
+  /// Status changes of tree nodes in the last step, by id, then node.
   virtual void takeTreeChanges(TreeChanges& changes) { changes.clear(); }
-  /// What went wrong since the last call (a faulty tree, an id that nobody has), once per cause.
+  /// Problems since the last call (a faulty tree, an unknown id), once per cause.
   virtual void takeDiagnostics(base::Diagnostics& found) { found.clear(); }
-  /// Tree and blackboard of a person for display: "key = value" lines; may be empty.
+  /// Tree and blackboard entries of a person for display, as (key, value); may be empty.
   virtual std::vector<std::pair<std::string, std::string>> blackboard(int /*human*/) const {
     return {};
   }
-  /// Gives an entry of that list another value, from a text, before the next step. What is wrong
-  /// with it; empty: it has it.
-  virtual std::string setEntry(int /*human*/, const std::string& /*key*/,
-                               const std::string& /*text*/) {
-    return "people have no blackboards here";
+  /// Sets an entry of that list from a text, before the next step. Returns the problem; empty on
+  /// success.
+  virtual std::string setBlackboardEntry(int /*human*/, const std::string& /*key*/,
+                                         const std::string& /*text*/) {
+    return "people have no blackboards in this world";
   }
-  /// From the next step on, instead of those before.
+  /// Replaces the breakpoints, from the next step on.
   virtual void setBreakpoints(const std::vector<TreeBreakpoint>& /*points*/) {}
-  /// The first that was met since the last call.
-  virtual std::optional<TreeBreak> takeBreak() { return std::nullopt; }
+  /// The first breakpoint hit since the last call.
+  virtual std::optional<TreeBreakpointHit> takeBreakpointHit() { return std::nullopt; }
 };
 
 }  // namespace sim2d

@@ -9,7 +9,7 @@ namespace sim2d {
 namespace {
 
 constexpr double kWantedCell = 2.0;  // [m]
-constexpr double kMostCells = 250000.0;
+constexpr double kMaxCells = 250000.0;
 
 int clampedCell(double value, int count) {
   return static_cast<int>(std::clamp(std::floor(value), 0.0, static_cast<double>(count - 1)));
@@ -30,8 +30,8 @@ void NeighborGrid::rebuild(const std::vector<Vec2>& points, const std::vector<ch
     ++count;
   }
   const Vec2 size = high - low;
-  const double fewest = std::sqrt(size.x() * size.y() / kMostCells);
-  cell_ = std::max({kWantedCell, fewest, std::max(size.x(), size.y()) / kMostCells});
+  const double fewest = std::sqrt(size.x() * size.y() / kMaxCells);
+  cell_ = std::max({kWantedCell, fewest, std::max(size.x(), size.y()) / kMaxCells});
   origin_ = low;
   width_ = count == 0 ? 0 : static_cast<int>(size.x() / cell_) + 1;
   height_ = count == 0 ? 0 : static_cast<int>(size.y() / cell_) + 1;

@@ -8,12 +8,12 @@ namespace sim2d {
 
 using base::Vec2;
 
-/// Who is near a place: a uniform grid over the points of one instant. Answers come cell by cell,
-/// inside a cell by ascending index, so their order depends on the points alone. Thread: queries
-/// any, `rebuild` alone.
+/// Neighbour search: a uniform grid over the points of one instant. Results come cell by cell,
+/// within a cell by ascending index, so their order depends on the points only. Queries are
+/// thread-safe, `rebuild` is not.
 class NeighborGrid {
  public:
-  /// Only points with `present` != 0 count.
+  /// Ignores points with `present` == 0.
   void rebuild(const std::vector<Vec2>& points, const std::vector<char>& present);
 
   /// Calls visit(index) for every point within `range` [m] of `centre`.

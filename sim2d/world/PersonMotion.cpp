@@ -8,27 +8,27 @@
 namespace sim2d {
 namespace {
 
-constexpr double kTurnRate = base::kPi;  // [rad/s]
-constexpr std::size_t kSlice = 16;       // people a thread moves before it asks for more
-constexpr std::size_t kAhead = 4;        // people whose memory is fetched ahead of their turn
-constexpr double kTouching = 1.0;        // [m]; walls nearer to the body can be run into
+constexpr double kTurnRate = base::kPi;       // [rad/s]
+constexpr std::size_t kSlice = 16;            // people per work slice
+constexpr std::size_t kPrefetchDistance = 4;  // prefetch distance in people
+constexpr double kWallMargin = 1.0;           // [m]; walls nearer to the body can be run into
 
-constexpr double kStanding = 0.1;       // [m/s]; slower bodies stand
+constexpr double kStanding = 0.1;       // [m/s]; slower bodies count as standing
 constexpr double kStandingReach = 3.0;  // [m]
 
 constexpr double kCrowdReach = 2.0;                  // [m]
 constexpr double kSpreadPerPerson = 0.35;            // [m]
 constexpr double kWidestSpread = 4.0;                // [m]
-constexpr double kGoldenSection = 0.61803398874989;  // its multiples spread evenly from 0 to 1
+constexpr double kGoldenSection = 0.61803398874989;  // its multiples are equidistributed
 
 double turned(double heading, double towards, double most) {
   const double turn = base::angleDiff(towards, heading);
   return base::wrapToPi(heading + std::clamp(turn, -most, most));
 }
 
-/// How far outside of the shortest way somebody passes corners: each in a lane of the own, the more
-/// lanes the more people are near.
-double spreadOf(const FrozenWorld& world, std::size_t human) {
+/// Distance from the shortest path at which the person passes corners: each person has its own
+/// lane, and the total width grows with the number of neighbours.
+double cornerSpread(const FrozenWorld& world, std::size_t human) {
   if (!world.model.people[human].model->spreadsAtCorners()) {
     return 0.0;
   }
@@ -40,8 +40,8 @@ double spreadOf(const FrozenWorld& world, std::size_t human) {
   return width * (turns - std::floor(turns));
 }
 
-/// People and robots that do not move; planned ways know walls alone.
-std::vector<StandingBody> standingNear(const FrozenWorld& world, std::size_t human) {
+/// People and robots that stand; planned paths consider walls only.
+std::vector<StandingBody> standingBodiesNear(const FrozenWorld& world, std::size_t human) {
   std::vector<StandingBody> standing;
   const WorldState& state = world.state;
   world.grid.forEachNear(state.position(human), kStandingReach, [&](int other) {
@@ -52,7 +52,8 @@ std::vector<StandingBody> standingNear(const FrozenWorld& world, std::size_t hum
   });
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     if (state.robots[i].velocity.norm() < kStanding) {
-      standing.push_back({state.robots[i].pose.position, reachOf(world.model.robots[i])});
+      standing.push_back(
+          {state.robots[i].pose.position, circumscribedRadius(world.model.robots[i])});
     }
   }
   return standing;
@@ -78,7 +79,7 @@ void PersonMotion::enter(std::size_t human) {
   plans_.directions[human] = Vec2::Zero();
 }
 
-std::vector<Vec2> PersonMotion::wayOf(std::size_t human) const {
+std::vector<Vec2> PersonMotion::remainingPath(std::size_t human) const {
   const RouteFollower* const route = routes_[human].get();
   const bool isOnTheWay = !plans_.directions[human].isZero(0.0);
   return route != nullptr && isOnTheWay ? route->rest() : std::vector<Vec2>();
@@ -89,7 +90,7 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Wor
   crowd_.update(world, plans_, workers_);
   crowd_.computeForces(workers_);
   workspaces_.resize(workers_.threadCount());
-  walls_.resize(world.navigation.isOpenPlane() || given_ != nullptr ? 0 : wanted_.size());
+  walls_.resize(world.navigation.isOpenPlane() || externalWalls_ != nullptr ? 0 : wanted_.size());
   forEachColumn(forces, [this](std::vector<Vec2>& column) { column.resize(wanted_.size()); });
   for (Workspace& workspace : workspaces_) {
     workspace.isSound = true;
@@ -97,7 +98,7 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Wor
   const auto moveSlice = [&](std::size_t thread, std::size_t begin, std::size_t end) {
     Workspace& workspace = workspaces_[thread];
     for (std::size_t human = begin; human < end; ++human) {
-      crowd_.expect(human + kAhead);
+      crowd_.prefetch(human + kPrefetchDistance);
       ForceTerms terms;
       if (state.present[human] != 0) {
         terms = move(human, world, intents, workspace.situation);
@@ -116,10 +117,10 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Wor
       forces.group[human] = terms.group;
     }
   };
-  workers_.forSlices(wanted_.size(), kSlice, moveSlice);
-  for (const std::size_t human : givingWay_.people()) {
+  workers_.parallelFor(wanted_.size(), kSlice, moveSlice);
+  for (const std::size_t human : yieldModel_.people()) {
     if (isWalking(plans_.steps[human].motion) && sim2d::isSound(wanted_[human])) {
-      wanted_[human] = givingWay_.limited(world, human, wanted_[human], wallsNear(human));
+      wanted_[human] = yieldModel_.limited(world, human, wanted_[human], wallsNear(human));
     }
   }
 }
@@ -129,21 +130,22 @@ bool PersonMotion::isSound() const {
                      [](const Workspace& workspace) { return workspace.isSound; });
 }
 
-void PersonMotion::expectWork() {
-  if (wanted_.size() >= WorkerPool::kWorthThreads) {
-    workers_.rouse();
+void PersonMotion::wakeWorkers() {
+  if (wanted_.size() >= WorkerPool::kMinParallelItems) {
+    workers_.wakeThreads();
   }
 }
 
-void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, WorldState& state) {
-  givingWay_.update(world);
+void PersonMotion::chooseDirections(const FrozenWorld& world, const Intents& intents,
+                                    WorldState& state) {
+  yieldModel_.update(world);
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
-    chooseLeg(human, intents.of(static_cast<int>(human)), world, state);
+    chooseDirection(human, intents.of(static_cast<int>(human)), world, state);
   }
 }
 
-void PersonMotion::chooseLeg(std::size_t human, const Intent& intent, const FrozenWorld& world,
-                             WorldState& state) {
+void PersonMotion::chooseDirection(std::size_t human, const Intent& intent,
+                                   const FrozenWorld& world, WorldState& state) {
   const HumanControl& control = state.controls[human];
   const ResolvedHuman& person = world.model.people[human].constants;
   const double speed = intent.motion == Motion::Walk ? intent.speed : person.desiredSpeed;
@@ -156,7 +158,7 @@ void PersonMotion::chooseLeg(std::size_t human, const Intent& intent, const Froz
                 !intent.extraForce.isZero(0.0)};
   if (state.present[human] == 0 || intent.motion != Motion::Walk) {
     plans_.directions[human] = Vec2::Zero();
-    writeNew(plans_.steps[human], plan);
+    assignIfChanged(plans_.steps[human], plan);
     return;
   }
   const RouteFollower::Request request{state.position(human),
@@ -164,41 +166,42 @@ void PersonMotion::chooseLeg(std::size_t human, const Intent& intent, const Froz
                                        person.radius,
                                        control.frozen ? 0.0 : intent.speed,
                                        state.time,
-                                       spreadOf(world, human)};
-  RouteFollower::Leg leg = person.route == Route::Direct ? RouteFollower::straight(request)
-                                                         : plannedLeg(human, request, world);
-  // A reaction to the robot has its own place: in its way, behind it, far from it.
+                                       cornerSpread(world, human)};
+  RouteFollower::Guidance leg = person.route == Route::Direct
+                                    ? RouteFollower::straight(request)
+                                    : plannedGuidance(human, request, world);
+  // A reaction to the robot has its own target: in its way, behind it, far from it.
   const bool isReaction = intent.active && reactsToRobot(person.behavior);
   const bool walks = !leg.direction.isZero(0.0) && request.speed > 0.0;
-  if (givingWay_.concerns(human) && walks && !isReaction) {
-    giveWay(human, request, world, leg);
+  if (yieldModel_.isNearRobot(human) && walks && !isReaction) {
+    yieldToRobots(human, request, world, leg);
   }
   plans_.directions[human] = leg.direction;
-  plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
-  writeNew(plans_.steps[human], plan);
+  plan.startsOrStops = wasOnTheWay == leg.direction.isZero(0.0);
+  assignIfChanged(plans_.steps[human], plan);
   if (leg.replanned) {
     state.emit(EventKind::Replan, person.id);
   }
   if (leg.stuck) {
     state.emit(EventKind::Stuck, person.id);
-    routes_[human]->goRound(request, standingNear(world, human), world.navigation);
+    routes_[human]->insertDetour(request, standingBodiesNear(world, human), world.navigation);
   }
 }
 
-RouteFollower::Leg PersonMotion::plannedLeg(std::size_t human,
-                                            const RouteFollower::Request& request,
-                                            const FrozenWorld& world) {
+RouteFollower::Guidance PersonMotion::plannedGuidance(std::size_t human,
+                                                      const RouteFollower::Request& request,
+                                                      const FrozenWorld& world) {
   if (routes_[human] == nullptr) {
     routes_[human] = std::make_unique<RouteFollower>();
   }
   return routes_[human]->follow(request, world.navigation, world.obstacles);
 }
 
-void PersonMotion::giveWay(std::size_t human, const RouteFollower::Request& request,
-                           const FrozenWorld& world, RouteFollower::Leg& leg) {
+void PersonMotion::yieldToRobots(std::size_t human, const RouteFollower::Request& request,
+                                 const FrozenWorld& world, RouteFollower::Guidance& leg) {
   RouteFollower* const route =
       world.model.people[human].constants.route == Route::Direct ? nullptr : routes_[human].get();
-  const GivingWay::Lead lead = givingWay_.lead(
+  const YieldModel::Guidance lead = yieldModel_.lead(
       world,
       {human, request.position, request.radius, request.speed, leg.direction, request.target.radius,
        route != nullptr ? route->rest() : std::vector<Vec2>{request.target.position}});
@@ -207,17 +210,17 @@ void PersonMotion::giveWay(std::size_t human, const RouteFollower::Request& requ
     route->wait(request.time);
     leg.replanned =
         (!lead.closed.empty() &&
-         route->takeAnotherWay(request, lead.closed, lead.stoodFor, world.navigation)) ||
+         route->tryAlternativePath(request, lead.closed, lead.stoodFor, world.navigation)) ||
         leg.replanned;
   }
 }
 
-void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {
+void PersonMotion::updateWalls(std::size_t human, const FrozenWorld& world) {
   walls_[human].clear();
   const Walker& walker = crowd_.walker(human);
   const bool wallsAct = isWalking(plans_.steps[human].motion) &&
                         world.model.obstaclePoints == ObstaclePoints::Boundary;
-  const double range = wallsAct ? kObstacleReach : walker.radius + kTouching;
+  const double range = wallsAct ? kObstacleRange : walker.radius + kWallMargin;
   if (crowd_.room(human) < range) {
     world.obstacles.boundaryPoints(walker.position, walls_[human], range);
   }
@@ -228,19 +231,19 @@ ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const
   const StepPlan& plan = plans_.steps[human];
   wanted_[human] = Vec2::Zero();
   if (!walls_.empty()) {
-    findWalls(human, world);
+    updateWalls(human, world);
   }
   if (!isWalking(plan.motion)) {
     return {};
   }
   crowd_.fill(human, wallsNear(human), situation);
-  situation.pushTime = situation.dt * (plan.changes ? 0.5 : 1.0);
+  situation.forceTime = situation.dt * (plan.startsOrStops ? 0.5 : 1.0);
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd_.isVisible(human, other); };
   situation.isVisible = &isVisible;
   const PedestrianModel& model = crowd_.modelOf(human);
   ForceTerms forces = model.forces(situation);
-  if (plan.motion == Motion::Walk && plan.isPushed) {
+  if (plan.motion == Motion::Walk && plan.hasExtraForce) {
     forces.social += intents.of(static_cast<int>(human)).extraForce;
   }
   wanted_[human] = model.velocity(situation, forces);
@@ -248,11 +251,11 @@ ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const
 }
 
 bool isSound(const Vec2& velocity) {
-  return velocity.allFinite() && velocity.norm() <= kFastest;
+  return velocity.allFinite() && velocity.norm() <= kMaxPlausibleSpeed;
 }
 
-double headingAfter(double heading, const Vec2& velocity, double dt) {
-  if (velocity.norm() < kSlowestTurn) {
+double turnedHeading(double heading, const Vec2& velocity, double dt) {
+  if (velocity.norm() < kMinHeadingSpeed) {
     return heading;
   }
   return turned(heading, base::headingOf(velocity), kTurnRate * dt);

@@ -4,80 +4,81 @@
 #include <vector>
 
 #include "sim2d/world/Crowd.h"
-#include "sim2d/world/GivingWay.h"
 #include "sim2d/world/RouteFollower.h"
+#include "sim2d/world/YieldModel.h"
 
 namespace sim2d {
 
-/// From intents to wanted velocities: ways, forces, the model of each person.
+/// Computes desired velocities from intents: paths, forces, and the model of each person.
 class PersonMotion {
  public:
-  /// The result is the same for every number of threads.
+  /// The result does not depend on the number of threads.
   explicit PersonMotion(int threadCount) : workers_(threadCount) {}
 
   /// One entry per person of the model.
   void resize(std::size_t count);
-  void forget(std::size_t human);  // an old way
-  void enter(std::size_t human);   // somebody who comes in and stands
-  /// The way points still to be walked to; none: straight on, or nowhere.
-  std::vector<Vec2> wayOf(std::size_t human) const;
+  void forget(std::size_t human);  // discards the current path
+  void enter(std::size_t human);   // for a person who enters and stands
+  /// Remaining path points; empty: straight, or no target.
+  std::vector<Vec2> remainingPath(std::size_t human) const;
 
-  /// Where everybody heads. Emits `replan` and `stuck`.
-  void chooseLegs(const FrozenWorld& world, const Intents& intents, WorldState& state);
-  /// `compute` comes soon: threads may wake up.
-  void expectWork();
-  /// Then: fills `wanted` and the forces of all people, which lead to it, and turns those who turn
-  /// on the spot.
+  /// Chooses the walking directions of all people. Emits `replan` and `stuck`.
+  void chooseDirections(const FrozenWorld& world, const Intents& intents, WorldState& state);
+  /// Wakes worker threads ahead of `compute`.
+  void wakeWorkers();
+  /// Then: fills `wanted` and the forces of all people, and rotates people who turn in place.
   void compute(const FrozenWorld& world, const Intents& intents, WorldState& state,
                ForceColumns& forces);
-  const std::vector<Vec2>& wanted() const { return wanted_; }  // velocities [m/s]
-  /// From now on these act on people (by person) instead of what stands in the world; kept by the
-  /// caller.
-  void giveWalls(const std::vector<std::vector<Obstacles::Point>>* points) { given_ = points; }
-  /// Instead of what the person wants in this step [m/s].
-  void steer(std::size_t human, const Vec2& velocity) { wanted_[human] = velocity; }
-  /// False: somebody's velocity or heading is not sound.
+  const std::vector<Vec2>& wanted() const { return wanted_; }  // desired velocities [m/s]
+  /// From now on these points (by person) act on people instead of the obstacles of the world;
+  /// owned by the caller.
+  void setExternalWalls(const std::vector<std::vector<Obstacles::Point>>* points) {
+    externalWalls_ = points;
+  }
+  /// Overrides the desired velocity in this step [m/s].
+  void overrideVelocity(std::size_t human, const Vec2& velocity) { wanted_[human] = velocity; }
+  /// False if the velocity or heading of a person is invalid.
   bool isSound() const;
-  /// Near the body of a person; null: nothing stands anywhere.
+  /// Wall points near a person; null: there are no walls.
   const std::vector<Obstacles::Point>* wallsNear(std::size_t human) const {
-    if (given_ != nullptr) {
-      return &(*given_)[human];
+    if (externalWalls_ != nullptr) {
+      return &(*externalWalls_)[human];
     }
     return walls_.empty() ? nullptr : &walls_[human];
   }
 
  private:
-  struct alignas(64) Workspace {  // what one thread works on; no line of memory is another's too
+  struct alignas(64) Workspace {  // of one thread, on its own cache lines
     Situation situation;
     bool isSound = true;
   };
 
   ForceTerms move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                   Situation& situation);
-  void chooseLeg(std::size_t human, const Intent& intent, const FrozenWorld& world,
-                 WorldState& state);
-  RouteFollower::Leg plannedLeg(std::size_t human, const RouteFollower::Request& request,
-                                const FrozenWorld& world);
-  /// Round robots in the way of somebody, or waits for them.
-  void giveWay(std::size_t human, const RouteFollower::Request& request, const FrozenWorld& world,
-               RouteFollower::Leg& leg);
-  void findWalls(std::size_t human, const FrozenWorld& world);
+  void chooseDirection(std::size_t human, const Intent& intent, const FrozenWorld& world,
+                       WorldState& state);
+  RouteFollower::Guidance plannedGuidance(std::size_t human, const RouteFollower::Request& request,
+                                          const FrozenWorld& world);
+  /// Adapts the direction to robots in the way: walks around them or waits.
+  void yieldToRobots(std::size_t human, const RouteFollower::Request& request,
+                     const FrozenWorld& world, RouteFollower::Guidance& leg);
+  void updateWalls(std::size_t human, const FrozenWorld& world);
 
   WorkerPool workers_;
   Crowd crowd_;
-  GivingWay givingWay_;
+  YieldModel yieldModel_;
   std::vector<Workspace> workspaces_;                   // by thread
-  std::vector<std::unique_ptr<RouteFollower>> routes_;  // null: straight ways so far
+  std::vector<std::unique_ptr<RouteFollower>> routes_;  // null: only straight paths so far
   StepPlans plans_;
   std::vector<Vec2> wanted_;
   std::vector<std::vector<Obstacles::Point>> walls_;
-  const std::vector<std::vector<Obstacles::Point>>* given_ = nullptr;
+  const std::vector<std::vector<Obstacles::Point>>* externalWalls_ = nullptr;
 };
 
-/// Finite, and not so fast that the run has diverged.
+/// Finite and below kMaxPlausibleSpeed.
 bool isSound(const Vec2& velocity);
-/// New heading of a person: towards `velocity` when it is not too slow to have a direction, at most
-/// pi rad/s.
-double headingAfter(double heading, const Vec2& velocity, double dt);
+/// New heading of a person: turned towards `velocity` by at most pi rad/s, unless it is too slow to
+/// have a direction.
+double turnedHeading(double heading, const Vec2& velocity, double dt);
 
 }  // namespace sim2d

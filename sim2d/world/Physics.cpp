@@ -12,8 +12,8 @@
 
 #include "sim2d/world/StepBuffers.h"
 
-/// Takes the place of the function in Box2D's library, which hands out nullptr where memory ends
-/// and Box2D does not look. All of it is still freed by the library's b2Free_Default(): std::free.
+/// Replaces the function of the Box2D library, which returns nullptr when memory is exhausted while
+/// Box2D does not check for it. Memory is still freed by the library's b2Free_Default(): std::free.
 void* b2Alloc_Default(int32 size) {
   if (void* memory = std::malloc(static_cast<std::size_t>(size)); memory != nullptr) {
     return memory;
@@ -26,11 +26,11 @@ namespace {
 
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 6;
-constexpr double kSkin = b2_linearSlop / 2.0F;  // [m] of discs: Box2D lets them overlap no more
-constexpr double kApart = 0.02;                 // [m]; a touch ends beyond
-constexpr double kRounding = 2e-5;              // [m]; what single precision may be off
-constexpr float kShortestEdge = 0.0075F;  // Box2D wants more than its slop between corners [m]
-constexpr double kSmallestPiece = 1e-5;   // [m²]; smaller pieces of a footprint are left out
+constexpr double kDiscSkin = b2_linearSlop / 2.0F;  // [m], of discs: Box2D allows this much overlap
+constexpr double kContactEndDistance = 0.02;        // [m]; a contact ends beyond this distance
+constexpr double kRounding = 2e-5;                  // [m]; error of single precision
+constexpr float kMinEdge = 0.0075F;                 // [m]; above the slop of Box2D
+constexpr double kMinPieceArea = 1e-5;  // [m²]; smaller pieces of a footprint are ignored
 
 bool isConvex(const std::vector<Vec2>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -60,20 +60,20 @@ bool isEar(const std::vector<Vec2>& points, std::size_t at) {
   return true;
 }
 
-/// Of friction zero.
-void addShape(b2Body& body, const b2Shape& shape, bool passesItsKind) {
+/// Without friction.
+void addShape(b2Body& body, const b2Shape& shape, bool passesSameKind) {
   b2FixtureDef definition;
   definition.friction = 0.0F;
   definition.density = 1.0F;
-  definition.filter.groupIndex = passesItsKind ? -1 : 0;
+  definition.filter.groupIndex = passesSameKind ? -1 : 0;
   definition.shape = &shape;
   body.CreateFixture(&definition);
 }
 
-void addDisc(b2Body& body, float radius, bool passesItsKind) {
+void addDisc(b2Body& body, float radius, bool passesSameKind) {
   b2CircleShape circle;
   circle.m_radius = radius;
-  addShape(body, circle, passesItsKind);
+  addShape(body, circle, passesSameKind);
 }
 
 void addFootprint(b2Body& body, const BodySpec& spec) {
@@ -85,7 +85,7 @@ void addFootprint(b2Body& body, const BodySpec& spec) {
     }
     b2PolygonShape polygon;
     polygon.Set(corners.data(), static_cast<int32>(corners.size()));
-    addShape(body, polygon, spec.passesItsKind);
+    addShape(body, polygon, spec.passesSameKind);
   }
 }
 
@@ -102,10 +102,10 @@ void setMass(b2Body& body, float kilograms) {
   scaleMass(body, now > 0.0F ? kilograms / now : 1.0F);
 }
 
-Touch touchOf(b2Contact& contact, const b2Body* walls) {
+Contact contactOf(b2Contact& contact, const b2Body* walls) {
   b2Body* const first = contact.GetFixtureA()->GetBody();
   b2Body* const second = contact.GetFixtureB()->GetBody();
-  Touch touch;
+  Contact touch;
   if (first == walls || second == walls) {
     b2Fixture* const wall = first == walls ? contact.GetFixtureA() : contact.GetFixtureB();
     touch.body = static_cast<int>((first == walls ? second : first)->GetUserData().pointer);
@@ -119,7 +119,7 @@ Touch touchOf(b2Contact& contact, const b2Body* walls) {
   return touch;
 }
 
-bool isTouching(b2Contact& contact, bool wasTouching, Touch& touch) {
+bool isTouching(b2Contact& contact, bool wasTouching, Contact& touch) {
   b2Fixture* const first = contact.GetFixtureA();
   b2Fixture* const second = contact.GetFixtureB();
   const b2Transform& firstPlace = first->GetBody()->GetTransform();
@@ -149,7 +149,7 @@ bool isTouching(b2Contact& contact, bool wasTouching, Touch& touch) {
   b2SimplexCache cache = {};
   b2DistanceOutput output = {};
   b2Distance(&output, &cache, &input);
-  return static_cast<double>(output.distance) <= kApart;
+  return static_cast<double>(output.distance) <= kContactEndDistance;
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ std::vector<std::vector<Vec2>> convexPieces(std::vector<Vec2> rest, std::size_t 
   }
   pieces.push_back(std::move(rest));
   const auto isSliver = [](const std::vector<Vec2>& piece) {
-    return signedArea(piece) < kSmallestPiece;
+    return signedArea(piece) < kMinPieceArea;
   };
   pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isSliver), pieces.end());
   return pieces;
@@ -177,7 +177,7 @@ Physics::Physics(const Vec2& origin)
     : world_(std::make_unique<b2World>(b2Vec2(0.0F, 0.0F))), origin_(origin) {
   world_->SetContinuousPhysics(false);
   world_->SetAllowSleeping(false);
-  world_->SetWarmStarting(false);  // velocities are given anew in each step
+  world_->SetWarmStarting(false);  // velocities are set in each step
   const b2BodyDef definition;
   walls_ = world_->CreateBody(&definition);
 }
@@ -191,11 +191,11 @@ void Physics::addLoop(const Outline& outline, int part, bool enabled) {
   std::vector<b2Vec2> corners;
   for (const Vec2& point : outline.points) {
     const b2Vec2 corner = toLocal(point);
-    if (corners.empty() || b2Distance(corners.back(), corner) > kShortestEdge) {
+    if (corners.empty() || b2Distance(corners.back(), corner) > kMinEdge) {
       corners.push_back(corner);
     }
   }
-  while (corners.size() > 1 && b2Distance(corners.front(), corners.back()) <= kShortestEdge) {
+  while (corners.size() > 1 && b2Distance(corners.front(), corners.back()) <= kMinEdge) {
     corners.pop_back();
   }
   if (corners.size() < 3) {
@@ -203,7 +203,7 @@ void Physics::addLoop(const Outline& outline, int part, bool enabled) {
   }
   b2ChainShape chain;
   chain.CreateLoop(corners.data(), static_cast<int32>(corners.size()));
-  chain.m_radius = 0.0F;  // bodies come up to the very wall
+  chain.m_radius = 0.0F;  // bodies may come as close as the wall itself
   b2FixtureDef definition;
   definition.shape = &chain;
   definition.friction = 0.0F;
@@ -212,12 +212,13 @@ void Physics::addLoop(const Outline& outline, int part, bool enabled) {
   parts_.back().push_back(walls_->CreateFixture(&definition));
 }
 
-/// Whether the solver knows a body. People have a shape only while it does: most need none.
+/// Enables or disables the body in the solver. A person has a shape only while enabled; most need
+/// none.
 void Physics::update(Body& body) {
-  const bool isKnown = body.present && !body.lonely;
+  const bool isKnown = body.present && !body.isolated;
   b2Fixture* const shape = body.body->GetFixtureList();
   if (body.isPerson && isKnown && shape == nullptr) {
-    addDisc(*body.body, body.radius, body.passesItsKind);
+    addDisc(*body.body, body.radius, body.passesSameKind);
     setMass(*body.body, body.mass);
   }
   body.body->SetEnabled(isKnown);
@@ -226,7 +227,7 @@ void Physics::update(Body& body) {
   }
 }
 
-/// A body that no contact moved keeps its exact velocity and position; rounding is not taken over.
+/// A body that was not moved by a contact keeps its exact velocity and position, without rounding.
 void Physics::readBack(Body& body, double dt) const {
   const b2Vec2 velocity = body.body->GetLinearVelocity();
   const b2Vec2 given(static_cast<float>(body.velocity.x()), static_cast<float>(body.velocity.y()));
@@ -270,20 +271,20 @@ int Physics::addBody(const BodySpec& spec) {
   definition.type = b2_dynamicBody;
   definition.position = toLocal(spec.pose.position);
   definition.angle = static_cast<float>(spec.pose.heading);
-  definition.fixedRotation = spec.keepsHeading;
+  definition.fixedRotation = spec.fixedRotation;
   definition.enabled = false;
   definition.userData.pointer = static_cast<uintptr_t>(index);
   Body body;
   body.body = world_->CreateBody(&definition);
   body.position = spec.pose.position;
   body.heading = spec.pose.heading;
-  body.radius = static_cast<float>(spec.radius + kSkin);
+  body.radius = static_cast<float>(spec.radius + kDiscSkin);
   body.mass = static_cast<float>(spec.mass);
-  body.isPerson = spec.keepsHeading && spec.footprint.empty();
-  body.passesItsKind = spec.passesItsKind;
-  body.lonely = spec.lonely;
+  body.isPerson = spec.fixedRotation && spec.footprint.empty();
+  body.passesSameKind = spec.passesSameKind;
+  body.isolated = spec.isolated;
   if (!body.isPerson) {
-    spec.footprint.empty() ? addDisc(*body.body, body.radius, body.passesItsKind)
+    spec.footprint.empty() ? addDisc(*body.body, body.radius, body.passesSameKind)
                            : addFootprint(*body.body, spec);
     setMass(*body.body, body.mass);
   }
@@ -311,7 +312,7 @@ void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
   Body& moved = at(body);
   moved.velocity = velocity;
   moved.omega = omega;
-  if (moved.lonely) {
+  if (moved.isolated) {
     return;
   }
   moved.body->SetLinearVelocity(
@@ -319,13 +320,13 @@ void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
   moved.body->SetAngularVelocity(moved.body->IsFixedRotation() ? 0.0F : static_cast<float>(omega));
 }
 
-void Physics::setLonely(int body, bool lonely) {
+void Physics::setIsolated(int body, bool isolated) {
   Body& changed = at(body);
-  if (changed.lonely == lonely) {
+  if (changed.isolated == isolated) {
     return;
   }
-  changed.lonely = lonely;
-  if (!lonely) {  // it went on alone
+  changed.isolated = isolated;
+  if (!isolated) {  // it moved outside the solver
     changed.body->SetTransform(toLocal(changed.position), static_cast<float>(changed.heading));
   }
   update(changed);
@@ -337,7 +338,8 @@ void Physics::setBraked(int body, bool braked) {
     return;
   }
   changed.braked = braked;
-  scaleMass(*changed.body, static_cast<float>(braked ? kBrakedMass : 1.0 / kBrakedMass));
+  scaleMass(*changed.body,
+            static_cast<float>(braked ? kBrakedMassFactor : 1.0 / kBrakedMassFactor));
 }
 
 void Physics::step(double dt, int subSteps) {
@@ -345,7 +347,7 @@ void Physics::step(double dt, int subSteps) {
     world_->Step(static_cast<float>(dt / subSteps), kVelocityIterations, kPositionIterations);
   }
   for (Body& body : bodies_) {
-    if (body.present && body.lonely) {
+    if (body.present && body.isolated) {
       body.position += body.velocity * dt;
       body.heading = base::wrapToPi(body.heading + body.omega * dt);
     } else if (body.present) {
@@ -354,11 +356,11 @@ void Physics::step(double dt, int subSteps) {
   }
 }
 
-void Physics::touches(const std::vector<Touch>& before, std::vector<Touch>& found) {
+void Physics::currentContacts(const std::vector<Contact>& before, std::vector<Contact>& found) {
   found.clear();
   for (b2Contact* contact = world_->GetContactList(); contact != nullptr;
        contact = contact->GetNext()) {
-    Touch touch = touchOf(*contact, walls_);
+    Contact touch = contactOf(*contact, walls_);
     const bool wasTouching = std::binary_search(before.begin(), before.end(), touch);
     if (isTouching(*contact, wasTouching, touch)) {
       found.push_back(touch);
@@ -366,7 +368,7 @@ void Physics::touches(const std::vector<Touch>& before, std::vector<Touch>& foun
   }
   sortStably(found, std::less<>());
   const auto end = std::unique(found.begin(), found.end(),
-                               [](const Touch& a, const Touch& b) { return !(a < b); });
+                               [](const Contact& a, const Contact& b) { return !(a < b); });
   found.erase(end, found.end());
 }
 

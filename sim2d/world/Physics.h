@@ -13,38 +13,38 @@ struct b2Vec2;
 
 namespace sim2d {
 
-/// A disc, or a polygon in the body's frame when `footprint` is not empty.
+/// A disc, or a polygon in body frame if `footprint` is not empty.
 struct BodySpec {
   Pose2 pose;
   double radius = 0.35;  // [m]
   double mass = 80.0;    // [kg]
   std::vector<Vec2> footprint;
-  bool keepsHeading = false;   // people: contacts do not turn them
-  bool passesItsKind = false;  // bodies that have this pass through each other
-  bool lonely = false;         // as after setLonely()
+  bool fixedRotation = false;   // people: contacts do not rotate them
+  bool passesSameKind = false;  // bodies with this flag pass through each other
+  bool isolated = false;        // see setIsolated()
 };
 
-/// Two bodies, or a body and a part of the surroundings, that touch after the step.
-struct Touch {
+/// Contact after the step between two bodies, or between a body and a part of the surroundings.
+struct Contact {
   int body = 0;
   int other = -1;              // body, or -1
   int part = -1;               // part of the surroundings, or -1
   Vec2 normal = Vec2::Zero();  // unit vector from `body` to the other
 
-  friend bool operator<(const Touch& a, const Touch& b) {
+  friend bool operator<(const Contact& a, const Contact& b) {
     return std::tie(a.body, a.other, a.part) < std::tie(b.body, b.other, b.part);
   }
 };
 
-/// Cuts a simple counter-clockwise polygon into convex pieces with at most `mostCorners` (>= 3)
-/// corners: ears are cut off until the rest is one.
+/// Splits a simple counter-clockwise polygon into convex pieces with at most `mostCorners` (>= 3)
+/// vertices, by ear clipping until the rest is one.
 std::vector<std::vector<Vec2>> convexPieces(std::vector<Vec2> polygon, std::size_t mostCorners);
 
-constexpr double kBrakedMass = 1000.0;  // times the mass of a body that holds its place
+constexpr double kBrakedMassFactor = 1000.0;  // mass factor of a body with brakes on
 
-/// Rigid bodies that do not pass through each other nor through walls (Box2D 2.4 behind it). Works
-/// in single precision relative to `origin`; a body that nothing touched moves in double. Bodies
-/// are numbered in the order of their making.
+/// Rigid bodies that do not penetrate each other or walls, based on Box2D 2.4. Single precision
+/// relative to `origin`; a body without contacts moves in double precision. Bodies are numbered in
+/// the order of creation.
 class Physics {
  public:
   explicit Physics(const Vec2& origin);
@@ -54,7 +54,7 @@ class Physics {
   Physics(Physics&&) = delete;
   Physics& operator=(Physics&&) = delete;
 
-  /// A part of the surroundings, numbered from 0; solid on the left of its outlines.
+  /// Adds a part of the surroundings, numbered from 0; solid on the left of its outlines.
   void addPart(const std::vector<Outline>& outlines, bool enabled);
   void setPartEnabled(int part, bool enabled);
 
@@ -62,23 +62,23 @@ class Physics {
   int addBody(const BodySpec& spec);
   void setPresent(int body, bool present);
   void place(int body, const Pose2& pose);
-  /// What a body should do in the next step; people (`keepsHeading`) have omega 0.
+  /// Sets the velocity for the next step; people (`fixedRotation`) have omega 0.
   void setVelocity(int body, const Vec2& velocity, double omega);
-  /// A lonely body meets nothing in the next step and nothing meets it: it moves past the solver.
-  /// To be called before `setVelocity`; bodies are not lonely at first.
-  void setLonely(int body, bool lonely);
-  /// A body with brakes on is hardly pushed by others: it counts 1000 times its mass.
+  /// A body with this flag has no contacts in the next step: it moves outside the solver. Call
+  /// before `setVelocity`. The flag is initially off.
+  void setIsolated(int body, bool isolated);
+  /// A braked body counts 1000 times its mass, so that others hardly push it.
   void setBraked(int body, bool braked);
-  /// More `subSteps` let fast bodies sink less into what they hit.
+  /// More `subSteps` reduce the penetration of fast bodies.
   void step(double dt, int subSteps = 1);
 
   Pose2 pose(int body) const { return {at(body).position, at(body).heading}; }
   const Vec2& velocity(int body) const { return at(body).velocity; }  // after contacts [m/s]
   double omega(int body) const { return at(body).omega; }             // [rad/s]
 
-  /// Touching pairs, by body, other and part. A pair from `before` counts as touching until it is
-  /// 2 cm apart.
-  void touches(const std::vector<Touch>& before, std::vector<Touch>& found);
+  /// Touching pairs, sorted by body, other and part. A pair from `before` counts as touching until
+  /// the distance exceeds 2 cm.
+  void currentContacts(const std::vector<Contact>& before, std::vector<Contact>& found);
 
  private:
   struct Body {
@@ -89,10 +89,10 @@ class Physics {
     double omega = 0.0;
     float radius = 0.0F, mass = 0.0F;  // of a person
     bool isPerson = false;
-    bool passesItsKind = false;
+    bool passesSameKind = false;
     bool present = true;
     bool braked = false;
-    bool lonely = false;
+    bool isolated = false;
   };
 
   Body& at(int body) { return bodies_[static_cast<std::size_t>(body)]; }

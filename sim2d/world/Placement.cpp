@@ -13,25 +13,25 @@
 namespace sim2d {
 namespace {
 
-constexpr double kNotMoved = 1e-9;  // [m]
-constexpr double kOverlap = 0.01;   // [m] that starts may stand in each other
-constexpr double kRing = 0.05;      // [m] between the places tried
+constexpr double kPositionTolerance = 1e-9;  // [m]
+constexpr double kOverlap = 0.01;            // [m], accepted overlap of starts
+constexpr double kRingSpacing = 0.05;        // [m] between rings of candidate places
 constexpr int kPlacesOnRing = 24;
-constexpr int kMostCrowded = 1000;  // starts that stay in others: each pair is pushed apart
+constexpr int kMaxOverlapping = 1000;  // maximum number of overlapping starts
 
-/// Moves the point where a body of this radius fits; `what` names it in messages.
+/// Moves the point to a place where a body of this radius fits; `what` names it in messages.
 void fit(Vec2& point, double radius, const std::string& what, EntityId entity,
          const NavigationMap& navigation, base::Diagnostics& problems) {
-  const std::optional<Vec2> place = navigation.nearestFit(radius, point);
-  ProblemsOf found(entity, what + " " + base::pointText(point), problems);
+  const std::optional<Vec2> place = navigation.nearestFreePosition(radius, point);
+  EntityProblems found(entity, what + " " + base::pointText(point), problems);
   found.need(place.has_value(), "world.body-does-not-fit");
-  if (place && (*place - point).norm() > kNotMoved) {
+  if (place && (*place - point).norm() > kPositionTolerance) {
     found.add(base::warning("world.body-moved", {base::pointText(*place)}));
     point = *place;
   }
 }
 
-/// The largest body that walks to each goal by a planned way, by the goal's number.
+/// Largest radius of the bodies that use each goal by a planned path, by goal id.
 std::map<int, double> radiiByGoal(const WorldModel& model) {
   std::map<int, double> radii;
   const auto include = [&radii](int goal, double radius) {
@@ -47,7 +47,7 @@ std::map<int, double> radiiByGoal(const WorldModel& model) {
   }
   for (const ResolvedRobot& robot : model.robots) {
     for (const int goal : robot.goalIds) {
-      include(goal, reachOf(robot));
+      include(goal, circumscribedRadius(robot));
     }
   }
   return radii;
@@ -61,14 +61,14 @@ struct Start {
   bool passesPeople = false;
 };
 
-/// The starts so far, in square cells as wide as the largest two bodies, so that only the cells
-/// round a place need a look.
+/// Start positions in square cells as wide as the two largest bodies, so that only the neighbouring
+/// cells need to be searched.
 class PlacedStarts {
  public:
   explicit PlacedStarts(double largestRadius) : cell_(std::max(0.1, 2.0 * largestRadius)) {}
 
-  /// Who takes no room that is not taken is left out, so that a heap of people in one place is not
-  /// looked through by each of them.
+  /// Skips a start that covers no additional area, so that many people at the same place are not
+  /// searched repeatedly.
   void add(const Start& start) {
     std::vector<Start>& starts = starts_[cellOf(*start.position)];
     const bool isHidden = std::any_of(starts.begin(), starts.end(), [&start](const Start& other) {
@@ -85,7 +85,7 @@ class PlacedStarts {
     for (std::int64_t x = middle.first - 1; x <= middle.first + 1; ++x) {
       for (std::int64_t y = middle.second - 1; y <= middle.second + 1; ++y) {
         const auto found = starts_.find({x, y});
-        if (found != starts_.end() && standsIn(found->second, start, place)) {
+        if (found != starts_.end() && overlaps(found->second, start, place)) {
           return false;
         }
       }
@@ -98,10 +98,10 @@ class PlacedStarts {
 
   Cell cellOf(const Vec2& place) const { return {indexOf(place.x()), indexOf(place.y())}; }
   std::int64_t indexOf(double place) const {
-    constexpr double kLastCell = 1e15;  // cells; what is beyond shares the last one
+    constexpr double kLastCell = 1e15;  // cells; positions beyond share the last one
     return static_cast<std::int64_t>(std::clamp(std::floor(place / cell_), -kLastCell, kLastCell));
   }
-  static bool standsIn(const std::vector<Start>& others, const Start& start, const Vec2& place) {
+  static bool overlaps(const std::vector<Start>& others, const Start& start, const Vec2& place) {
     return std::any_of(others.begin(), others.end(), [&](const Start& other) {
       const bool pass = start.passesPeople && other.passesPeople;
       return !pass && (*other.position - place).norm() < start.radius + other.radius - kOverlap;
@@ -112,11 +112,11 @@ class PlacedStarts {
   std::map<Cell, std::vector<Start>> starts_;
 };
 
-/// The nearest free place that can be seen from the start, on rings round it.
+/// Nearest free place that is visible from the start, on rings around it.
 std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
                                 const NavigationMap& navigation) {
-  double distance = kRing;
-  while (distance <= kPlaceReach) {
+  double distance = kRingSpacing;
+  while (distance <= kMaxPlacementShift) {
     for (int k = 0; k < kPlacesOnRing; ++k) {
       const double angle = 2.0 * base::kPi * k / kPlacesOnRing;
       const Vec2 place = *start.position + distance * Vec2(base::cos(angle), base::sin(angle));
@@ -125,18 +125,18 @@ std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
         return place;
       }
     }
-    distance += kRing;
+    distance += kRingSpacing;
   }
   return std::nullopt;
 }
 
-/// False: it stays in another body.
-bool put(PlacedStarts& placed, const Start& start, const NavigationMap& navigation,
-         base::Diagnostics& problems) {
+/// Returns false if it still overlaps another body.
+bool placeStart(PlacedStarts& placed, const Start& start, const NavigationMap& navigation,
+                base::Diagnostics& problems) {
   bool isParted = true;
   if (!placed.isFree(start, *start.position)) {
     const std::string place = "start of '" + start.name + "' " + base::pointText(*start.position);
-    ProblemsOf found(start.key, {}, problems);
+    EntityProblems found(start.key, {}, problems);
     if (const std::optional<Vec2> taken = nearestFree(placed, start, navigation)) {
       *start.position = *taken;
       found.add(base::warning("world.start-taken", {place, base::pointText(*taken)}));
@@ -149,9 +149,10 @@ bool put(PlacedStarts& placed, const Start& start, const NavigationMap& navigati
   return isParted;
 }
 
-/// Of starts that would stand in each other the later one (robots come after people) is moved to
-/// the nearest free place within 1 m, with a warning that names both points.
-void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems) {
+/// Moves the later one of overlapping starts (robots come after people) to the nearest free place
+/// within 1 m, with a warning that contains both points.
+void separateStarts(WorldModel& model, const NavigationMap& navigation,
+                    base::Diagnostics& problems) {
   std::vector<Start> starts;
   for (Person& person : model.people) {
     if (person.constants.startTime <= 0.0) {
@@ -162,7 +163,7 @@ void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagno
   for (std::size_t i = 0; i < model.robots.size(); ++i) {
     ResolvedRobot& robot = model.robots[i];
     starts.push_back(
-        {robot.name, model.robotKeys[i], reachOf(robot), &robot.start.position, false});
+        {robot.name, model.robotKeys[i], circumscribedRadius(robot), &robot.start.position, false});
   }
   double largest = 0.0;
   for (const Start& start : starts) {
@@ -171,10 +172,10 @@ void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagno
   PlacedStarts placed(largest);
   int crowded = 0;
   for (const Start& start : starts) {
-    crowded += put(placed, start, navigation, problems) ? 0 : 1;
-    if (crowded > kMostCrowded) {
-      ProblemsOf(start.key, {}, problems)
-          .add(base::error("world.too-many-crowded", {kMostCrowded}));
+    crowded += placeStart(placed, start, navigation, problems) ? 0 : 1;
+    if (crowded > kMaxOverlapping) {
+      EntityProblems(start.key, {}, problems)
+          .add(base::error("world.too-many-crowded", {kMaxOverlapping}));
       return;
     }
   }
@@ -182,7 +183,7 @@ void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagno
 
 }  // namespace
 
-std::vector<Vec2> placesOf(const WorldModel& model) {
+std::vector<Vec2> placementPoints(const WorldModel& model) {
   std::vector<Vec2> places;
   for (const Person& person : model.people) {
     places.push_back(person.constants.start.position);
@@ -200,11 +201,11 @@ std::vector<Vec2> placesOf(const WorldModel& model) {
   return places;
 }
 
-void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
+void checkPlacement(const WorldModel& model, base::Diagnostics& problems) {
   for (const Person& person : model.people) {
     const Pose2& start = person.constants.start;
-    ProblemsOf found(person.key, "person '" + person.constants.name + "'", problems);
-    found.need(base::isInReach(start.position) && std::isfinite(start.heading),
+    EntityProblems found(person.key, "person '" + person.constants.name + "'", problems);
+    found.need(base::isWithinCoordinateRange(start.position) && std::isfinite(start.heading),
                "world.pose-too-far");
     for (const int goal : person.plan->written) {
       found.need(model.globalGoals.count(goal) != 0, "world.goal-unknown", {goal});
@@ -212,18 +213,20 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
   }
   for (std::size_t i = 0; i < model.robots.size(); ++i) {
     const ResolvedRobot& robot = model.robots[i];
-    ProblemsOf(model.robotKeys[i], "robot '" + robot.name + "'", problems)
-        .need(base::isInReach(robot.start.position) && std::isfinite(robot.start.heading) &&
-                  std::all_of(robot.goals.begin(), robot.goals.end(), base::isInReach),
-              "world.robot-too-far");
+    EntityProblems(model.robotKeys[i], "robot '" + robot.name + "'", problems)
+        .need(
+            base::isWithinCoordinateRange(robot.start.position) &&
+                std::isfinite(robot.start.heading) &&
+                std::all_of(robot.goals.begin(), robot.goals.end(), base::isWithinCoordinateRange),
+            "world.robot-too-far");
   }
   for (const GlobalGoal& goal : model.environment->goals) {
-    ProblemsOf(goal.key, {}, problems)
-        .need(base::isInReach(goal.position), "world.goal-too-far", {goal.id});
+    EntityProblems(goal.key, {}, problems)
+        .need(base::isWithinCoordinateRange(goal.position), "world.goal-too-far", {goal.id});
   }
 }
 
-void fitPlaces(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems) {
+void fitPlacement(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems) {
   const std::map<int, double> radii = radiiByGoal(model);
   for (const GlobalGoal& goal : model.environment->goals) {
     const auto radius = radii.find(goal.id);
@@ -239,27 +242,27 @@ void fitPlaces(WorldModel& model, const NavigationMap& navigation, base::Diagnos
   for (std::size_t k = 0; k < model.robots.size(); ++k) {
     ResolvedRobot& robot = model.robots[k];
     const EntityId key = model.robotKeys[k];
-    fit(robot.start.position, reachOf(robot), "start of '" + robot.name + "'", key, navigation,
-        problems);
+    fit(robot.start.position, circumscribedRadius(robot), "start of '" + robot.name + "'", key,
+        navigation, problems);
     for (std::size_t i = 0; i < robot.goals.size(); ++i) {
       if (robot.goalIds[i] > 0) {
         robot.goals[i] = model.globalGoals.at(robot.goalIds[i]);
       } else {
-        fit(robot.goals[i], reachOf(robot), "goal of '" + robot.name + "'", key, navigation,
-            problems);
+        fit(robot.goals[i], circumscribedRadius(robot), "goal of '" + robot.name + "'", key,
+            navigation, problems);
       }
     }
   }
-  partStarts(model, navigation, problems);
+  separateStarts(model, navigation, problems);
 }
 
-void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
-                         base::Diagnostics& problems) {
+void removeUnreachableGoals(WorldModel& model, const NavigationMap& navigation,
+                            base::Diagnostics& problems) {
   for (Person& person : model.people) {
     if (person.constants.route == Route::Direct) {
       continue;
     }
-    ProblemsOf found(person.key, "person '" + person.constants.name + "'", problems);
+    EntityProblems found(person.key, "person '" + person.constants.name + "'", problems);
     GoalPlan plan = *person.plan;
     const auto isOutOfReach = [&](const GoalItem& goal) {
       const bool isReachable = navigation.isReachable(
@@ -277,11 +280,12 @@ void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
   }
   for (std::size_t k = 0; k < model.robots.size(); ++k) {
     ResolvedRobot& robot = model.robots[k];
-    ProblemsOf found(model.robotKeys[k], "robot '" + robot.name + "'", problems);
+    EntityProblems found(model.robotKeys[k], "robot '" + robot.name + "'", problems);
     std::vector<Vec2> goals;
     std::vector<int> ids;
     for (std::size_t i = 0; i < robot.goals.size(); ++i) {
-      if (navigation.isReachable(reachOf(robot), robot.start.position, robot.goals[i])) {
+      if (navigation.isReachable(circumscribedRadius(robot), robot.start.position,
+                                 robot.goals[i])) {
         goals.push_back(robot.goals[i]);
         ids.push_back(robot.goalIds[i]);
       } else {

@@ -8,16 +8,16 @@
 
 namespace sim2d {
 
-/// What a world can be made of. Each world is handed its own; thread: read only, any.
+/// Planners, models and robot types available to a world. Thread-safe, read-only.
 struct Registries {
   PlannerRegistry planners;
   ModelRegistry models;
-  base::Registry<std::monostate> robotTypes;  // their numbers are keys of the robot
+  base::Registry<std::monostate> robotTypes;  // their figures are keys of the robot
 };
-/// All of this program.
-Registries programRegistries();
+/// All entries of this program.
+Registries builtinRegistries();
 KnownNames knownNames(const Registries& registries);
-/// The radius that counts in a run instead of the scenario's, where the person's model has one [m].
-std::optional<double> ownBodyRadius(const Registries& registries, const ResolvedHuman& person);
+/// Radius that the person's model uses instead of the scenario's, if any [m].
+std::optional<double> bodyRadiusOverride(const Registries& registries, const ResolvedHuman& person);
 
 }  // namespace sim2d

@@ -6,15 +6,15 @@
 #include <map>
 #include <set>
 
-#include "sim2d/trace/Arrival.h"
+#include "sim2d/trace/RobotArrival.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kAfterArrival = 1.0;   // [s]
-constexpr double kWithRobot = 120.0;    // [s], at most
-constexpr double kWithoutRobot = 60.0;  // [s]
+constexpr double kTimeAfterArrival = 1.0;       // [s]
+constexpr double kDurationWithRobot = 120.0;    // [s], at most
+constexpr double kDurationWithoutRobot = 60.0;  // [s]
 constexpr const char* kInterrupted = "interrupted";
 constexpr const char* kDuration = "duration";
 
@@ -22,48 +22,49 @@ bool moves(const Robot& robot) {
   return robot.listed && (robot.goal.point || !robot.goal.goals.empty());
 }
 
-bool isOver(const RobotOnWay& robot) {
+bool isOver(const RobotStatus& robot) {
   return robot.arrived || robot.ended;
 }
 
-/// Between setting off and arriving, or the end of its last goal; that step is included.
-bool isOnWay(const RobotOnWay& robot, double time) {
+/// Between start and arrival, or the end of its last goal, including that step.
+bool isUnderWay(const RobotStatus& robot, double time) {
   const std::optional<double> end = robot.arrived ? robot.arrived : robot.ended;
-  return robot.hasGoal && time >= robot.setsOff - kTick && (!end || time <= *end + kTick);
+  return robot.hasGoal && time >= robot.startTime - kTimeTolerance &&
+         (!end || time <= *end + kTimeTolerance);
 }
 
 bool endsNavigation(const Event& event) {
   return event.kind == EventKind::NavigationSucceeded || event.kind == EventKind::NavigationFailed;
 }
 
-bool isFailed(const GoalEnd& end) {
-  return !end.isOrder && !end.result.hasSucceeded;
+bool isFailed(const GoalResult& end) {
+  return !end.isExternal && !end.result.hasSucceeded;
 }
 
-/// Of a robot that has ended its last goal without an arrival.
-WayEnd endOf(const RobotOnWay& robot) {
-  const bool hasFailed = std::any_of(robot.goalEnds.begin(), robot.goalEnds.end(), isFailed);
-  return hasFailed ? WayEnd::NavigationFailed : WayEnd::GoalMissed;
+/// Result of a robot that ended its last goal without an arrival.
+NavigationOutcome endOf(const RobotStatus& robot) {
+  const bool hasFailed = std::any_of(robot.goalResults.begin(), robot.goalResults.end(), isFailed);
+  return hasFailed ? NavigationOutcome::NavigationFailed : NavigationOutcome::GoalMissed;
 }
 
-/// Why it has not arrived: its first goal that was given up, else the first one that was missed.
-std::string reasonOf(const RobotOnWay& robot) {
-  const GoalEnd* first = nullptr;
-  for (const GoalEnd& end : robot.goalEnds) {
-    if (!end.isOrder && !end.isReached &&
+/// Why it has not arrived: its first abandoned goal, else the first missed one.
+std::string reasonOf(const RobotStatus& robot) {
+  const GoalResult* first = nullptr;
+  for (const GoalResult& end : robot.goalResults) {
+    if (!end.isExternal && !end.isReached &&
         (first == nullptr || (!isFailed(*first) && isFailed(end)))) {
       first = &end;
     }
   }
-  return first == nullptr ? robot.name : robot.name + ", " + goalEndReason(*first);
+  return first == nullptr ? robot.name : robot.name + ", " + goalResultReason(*first);
 }
 
-/// Follows the ways of the robots to what ends them.
-class WayEnds {
+/// Tracks the robots until their runs end.
+class OutcomeTracker {
  public:
-  WayEnds(const World& world, const StopRule& rule) : world_(world), rule_(rule) {}
+  OutcomeTracker(const World& world, const StopRule& rule) : world_(world), rule_(rule) {}
 
-  /// Why the ways end the run with this state; empty: they do not.
+  /// Reason for which the robots end the run in this state; empty: none.
   std::string reasonToStop() {
     const std::vector<Event>& events = world_.frame().events;
     noteArrivals(events);
@@ -81,36 +82,39 @@ class WayEnds {
     return isAnyOver ? standstill() : std::string();
   }
 
-  /// Why the run ends when all robots are over and not all have arrived.
-  std::string reasonOfEnds() const {
-    WayEnd worst = WayEnd::GoalMissed;
+  /// Reason for the end when all robots are done and not all have arrived.
+  std::string outcomeReason() const {
+    NavigationOutcome worst = NavigationOutcome::GoalMissed;
     std::string reasons;
-    for (const RobotOnWay& robot : world_.robotsOnWay()) {
+    for (const RobotStatus& robot : world_.robotStatuses()) {
       if (robot.ended) {
-        worst = endOf(robot) == WayEnd::NavigationFailed ? WayEnd::NavigationFailed : worst;
+        worst = endOf(robot) == NavigationOutcome::NavigationFailed
+                    ? NavigationOutcome::NavigationFailed
+                    : worst;
         reasons += (reasons.empty() ? "" : "; ") + reasonOf(robot);
       }
     }
-    return std::string(wayEndName(worst)) + ": " + reasons;
+    return std::string(navigationOutcomeName(worst)) + ": " + reasons;
   }
 
   std::vector<RobotResult> results(const RunResult& run) const {
-    const std::vector<RobotOnWay> robots = world_.robotsOnWay();
+    const std::vector<RobotStatus> robots = world_.robotStatuses();
     std::vector<RobotResult> results;
     results.reserve(robots.size());
-    for (const RobotOnWay& robot : robots) {
-      results.push_back({robot.id, robot.name, {}, world_.time(), robot.endsGoals, robot.goalEnds});
+    for (const RobotStatus& robot : robots) {
+      results.push_back(
+          {robot.id, robot.name, {}, world_.time(), robot.decidesGoalEnd, robot.goalResults});
       RobotResult& result = results.back();
       if (isCollided(robot.id)) {
-        result.result = WayEnd::Collision;
+        result.result = NavigationOutcome::Collision;
       } else if (const std::optional<double> arrived = arrivalAtGoals(robot)) {
-        result.result = WayEnd::Arrived;
+        result.result = NavigationOutcome::Arrived;
         result.time = *arrived;
-      } else if (robot.ended && atOrder_.count(robot.id) == 0) {
+      } else if (robot.ended && atExternalGoal_.count(robot.id) == 0) {
         result.result = endOf(robot);
         result.time = *robot.ended;
       } else if (robot.stuck) {
-        result.result = WayEnd::Stuck;
+        result.result = NavigationOutcome::Stuck;
         result.time = *robot.stuck;
       } else if (robot.hasGoal && !(isOver(robot) && hasNoGoalOfItsOwn(robot.id))) {
         result.result = endWith(run);
@@ -119,41 +123,41 @@ class WayEnds {
     return results;
   }
 
-  /// Whether an order from outside is over, by arrival or given up: more of them may come.
-  bool isAnyAtOrder() const { return !atOrder_.empty(); }
+  /// Whether an external goal has ended, by arrival or failure; more of them may follow.
+  bool isAnyAtExternalGoal() const { return !atExternalGoal_.empty(); }
 
  private:
   void noteArrivals(const std::vector<Event>& events) {
     for (const Event& event : events) {
-      if (isRobotsArrival(event, event.id) && event.id < 0) {
+      if (isRobotArrival(event, event.id) && event.id < 0) {
         atGoals_.emplace(event.id, world_.time());
-        atOrder_.erase(event.id);
+        atExternalGoal_.erase(event.id);
       } else if (event.kind == EventKind::Arrived && event.hasId && event.id < 0) {
-        atOrder_.insert(event.id);
+        atExternalGoal_.insert(event.id);
       } else if (endsNavigation(event) && event.hasId && event.id < 0) {
         noteNavigationEnd(event.id);
       }
     }
   }
   void noteNavigationEnd(int id) {
-    for (const RobotOnWay& robot : world_.robotsOnWay()) {
-      if (robot.id != id || robot.goalEnds.empty() || !robot.ended) {
+    for (const RobotStatus& robot : world_.robotStatuses()) {
+      if (robot.id != id || robot.goalResults.empty() || !robot.ended) {
         continue;
       }
-      if (robot.goalEnds.back().isOrder) {
-        atOrder_.insert(id);
+      if (robot.goalResults.back().isExternal) {
+        atExternalGoal_.insert(id);
       } else {
-        atOrder_.erase(id);
+        atExternalGoal_.erase(id);
       }
     }
   }
   /// Includes arrivals before the run began, for a world that continues another one.
-  std::optional<double> arrivalAtGoals(const RobotOnWay& robot) const {
+  std::optional<double> arrivalAtGoals(const RobotStatus& robot) const {
     const auto found = atGoals_.find(robot.id);
     if (found != atGoals_.end()) {
       return found->second;
     }
-    return atOrder_.count(robot.id) > 0 ? std::nullopt : robot.arrived;
+    return atExternalGoal_.count(robot.id) > 0 ? std::nullopt : robot.arrived;
   }
   bool hasNoGoalOfItsOwn(int id) const {
     const std::vector<TraceRobot> robots = world_.header().robots;
@@ -165,15 +169,15 @@ class WayEnds {
     return std::find(collided_.begin(), collided_.end(), id) != collided_.end();
   }
 
-  static WayEnd endWith(const RunResult& run) {
+  static NavigationOutcome endWith(const RunResult& run) {
     if (run.status == RunStatus::Failed) {
-      return WayEnd::Failed;
+      return NavigationOutcome::Failed;
     }
-    return run.reason == kDuration ? WayEnd::Timeout : WayEnd::Interrupted;
+    return run.reason == kDuration ? NavigationOutcome::Timeout : NavigationOutcome::Interrupted;
   }
 
   std::string nameOf(int id) const {
-    for (const RobotOnWay& robot : world_.robotsOnWay()) {
+    for (const RobotStatus& robot : world_.robotStatuses()) {
       if (robot.id == id) {
         return robot.name;
       }
@@ -193,11 +197,11 @@ class WayEnds {
 
   std::string collision() {
     std::string reason;
-    for (const RobotOnWay& robot : world_.robotsOnWay()) {
+    for (const RobotStatus& robot : world_.robotStatuses()) {
       for (const Event& event : world_.frame().events) {
         const bool isIts = event.id == robot.id || (event.hasOther && event.other == robot.id);
         if (event.kind != EventKind::Contact || !isIts || !counts(event) ||
-            !isOnWay(robot, world_.time())) {
+            !isUnderWay(robot, world_.time())) {
           continue;
         }
         collided_.push_back(robot.id);
@@ -211,13 +215,13 @@ class WayEnds {
     return reason;
   }
 
-  /// Nobody gets on any more, and not because all have arrived.
+  /// Names of the stuck robots if no robot can progress any more and not all have arrived.
   std::string standstill() const {
     std::string names;
-    for (const RobotOnWay& robot : world_.robotsOnWay()) {
+    for (const RobotStatus& robot : world_.robotStatuses()) {
       if (robot.stuck) {
         names += (names.empty() ? "stuck: " : " and ") + robot.name;
-      } else if ((robot.hasGoal && !isOver(robot)) || atOrder_.count(robot.id) > 0) {
+      } else if ((robot.hasGoal && !isOver(robot)) || atExternalGoal_.count(robot.id) > 0) {
         return {};
       }
     }
@@ -227,20 +231,22 @@ class WayEnds {
   const World& world_;
   const StopRule& rule_;
   std::vector<int> collided_;      // ids of robots
-  std::map<int, double> atGoals_;  // when robots arrived at their own goals [s], by id
-  std::set<int> atOrder_;          // ids of robots whose last goal was an order from outside
+  std::map<int, double> atGoals_;  // arrival times at the robots' own goals [s], by id
+  std::set<int> atExternalGoal_;   // ids of robots whose last goal was external
 };
 
-/// Why the run ends with this state; empty: it goes on.
-std::string reasonToStop(const World& world, const StopRule& rule, WayEnds& ways,
+/// Reason for which the run ends in this state; empty: continue.
+std::string reasonToStop(const World& world, const StopRule& rule, OutcomeTracker& ways,
                          const std::function<bool(const Frame&)>& wantsStop) {
   if (std::string reason = ways.reasonToStop(); !reason.empty()) {
     return reason;
   }
   const std::optional<double> finishedAt = world.finishedAt();
-  const bool isFinished = finishedAt && !ways.isAnyAtOrder();
-  if (rule.stopOnArrival && isFinished && world.time() >= *finishedAt + kAfterArrival - kTick) {
-    return world.arrivedAt() ? wayEndName(WayEnd::Arrived) : ways.reasonOfEnds();
+  const bool isFinished = finishedAt && !ways.isAnyAtExternalGoal();
+  if (rule.stopOnArrival && isFinished &&
+      world.time() >= *finishedAt + kTimeAfterArrival - kTimeTolerance) {
+    return world.arrivedAt() ? navigationOutcomeName(NavigationOutcome::Arrived)
+                             : ways.outcomeReason();
   }
   if (world.stepIndex() >= rule.maximumSteps) {
     return kDuration;
@@ -248,7 +254,7 @@ std::string reasonToStop(const World& world, const StopRule& rule, WayEnds& ways
   return wantsStop && wantsStop(world.frame()) ? kInterrupted : "";
 }
 
-/// None: it was told to stop while it waited for a planner; the world stays as it was.
+/// None: stopped while waiting for a planner; the world is unchanged.
 std::optional<bool> stepUnlessStopped(World& world, const StepInputs& inputs) {
   try {
     return world.step(inputs);
@@ -259,7 +265,7 @@ std::optional<bool> stepUnlessStopped(World& world, const StepInputs& inputs) {
 
 }  // namespace
 
-const char* wayEndName(WayEnd end) {
+const char* navigationOutcomeName(NavigationOutcome end) {
   static constexpr std::array<const char*, 8> kNames = {
       "arrived",     "collision",         "stuck",      "timeout", "failed",
       "interrupted", "navigation_failed", "goal_missed"};
@@ -270,8 +276,10 @@ StopRule stopRuleOf(const Environment& scenario) {
   const double dt = scenario.desktop.dt.value_or(0.05);
   const bool hasMovingRobot = std::any_of(scenario.robots.begin(), scenario.robots.end(), moves);
   StopRule rule;
-  rule.maximumSteps = std::llround(
-      scenario.desktop.duration.value_or(hasMovingRobot ? kWithRobot : kWithoutRobot) / dt);
+  rule.maximumSteps =
+      std::llround(scenario.desktop.duration.value_or(hasMovingRobot ? kDurationWithRobot
+                                                                     : kDurationWithoutRobot) /
+                   dt);
   rule.stopOnArrival = hasMovingRobot && !scenario.desktop.duration;
   rule.stopOnCollision = scenario.desktop.stopOnCollision.value_or(rule.stopOnCollision);
   return rule;
@@ -282,13 +290,13 @@ RunResult run(World& world, const StopRule& rule, FrameSink& sink,
               const std::function<StepInputs()>& takeInputs) {
   RunResult result;
   Frame last = world.frame();
-  WayEnds ways(world, rule);
+  OutcomeTracker ways(world, rule);
   result.reason = reasonToStop(world, rule, ways, wantsStop);
   while (result.reason.empty()) {
     const StepInputs inputs = takeInputs ? takeInputs() : StepInputs();
-    const double begin = secondsBy(StepClock::Wall);
+    const double begin = clockSeconds(StepClock::Wall);
     const std::optional<bool> isFine = stepUnlessStopped(world, inputs);
-    result.steppingSeconds += secondsBy(StepClock::Wall) - begin;
+    result.stepSeconds += clockSeconds(StepClock::Wall) - begin;
     if (!isFine) {
       result.reason = kInterrupted;
       break;

@@ -12,10 +12,10 @@ namespace sim2d {
 
 enum class RunStatus { Finished, Failed, Interrupted };
 
-/// How the way of a robot ended. Timeout: with the time of the run; Failed, Interrupted: with the
-/// run, for what this robot has not done. NavigationFailed: its planner has given up a goal.
-/// GoalMissed: its planner has reported success too far from a goal (kReachedBeyondRadius).
-enum class WayEnd {
+/// Result of a robot. Timeout: time limit of the run; Failed, Interrupted: result of the run, for
+/// unfinished robots. NavigationFailed: the planner gave up a goal. GoalMissed: the planner
+/// reported success too far from a goal (kGoalReachedTolerance).
+enum class NavigationOutcome {
   Arrived,
   Collision,
   Stuck,
@@ -25,45 +25,44 @@ enum class WayEnd {
   NavigationFailed,
   GoalMissed
 };
-const char* wayEndName(WayEnd end);  // "arrived" …
+const char* navigationOutcomeName(NavigationOutcome end);  // "arrived" …
 
 struct RobotResult {
   int id = -1;
   std::string name;
-  std::optional<WayEnd> result;     // none: it had nowhere to go
-  double time = 0.0;                // of the run, when its way ended [s]
-  bool endsGoals = false;           // its planner decides when a goal is over
-  std::vector<GoalEnd> goalEnds{};  // results of that planner, oldest first
+  std::optional<NavigationOutcome> result;  // none: it had no goal
+  double time = 0.0;                        // time at which the robot finished [s]
+  bool decidesGoalEnd = false;              // the planner decides when a goal is over
+  std::vector<GoalResult> goalResults{};    // results of that planner, oldest first
 };
 
 struct RunResult {
   RunStatus status = RunStatus::Finished;
   /// "duration", "arrived", "interrupted", "collision: robot1 with anna", "stuck: robot1 and
   /// robot2", "navigation_failed: robot1, planner NO_VALID_PATH (208)", "goal_missed: robot1, 1.2 m
-  /// from the goal", or what failed.
+  /// from the goal", or the failure.
   std::string reason;
   std::int64_t steps = 0;
-  double steppingSeconds = 0.0;  // wall time of World::step alone
+  double stepSeconds = 0.0;  // wall time of World::step only
   std::vector<RobotResult> robots;
 };
 
-/// Number of steps of a run, or until the robots have arrived, or their planners have ended their
-/// last goals, plus 1 s. In either case a run ends
-/// with a contact that `stopOnCollision` tells, of a robot with a goal between setting off and
-/// arriving, and when each robot has arrived or is stuck, one at least the latter
-/// (World::robotsOnWay).
+/// Maximum number of steps, or 1 s after all robots have arrived or their planners have ended the
+/// last goals. A run also ends with a contact selected by `stopOnCollision` of a robot with a goal
+/// between start and arrival, and when each robot has arrived or is stuck, at least one of them the
+/// latter (World::robotStatuses).
 struct StopRule {
   std::int64_t maximumSteps = 2400;
   bool stopOnArrival = true;
   StopOnCollision stopOnCollision = StopOnCollision::None;
 };
-/// The rule of a scenario: its duration is run to its end; else arrival + 1 s, at most 120 s; 60 s
-/// without a robot that moves.
+/// Rule of a scenario: a given duration is run completely; otherwise arrival + 1 s, at most 120 s;
+/// 60 s without a moving robot.
 StopRule stopRuleOf(const Environment& scenario);
 
-/// Steps until the rule holds, `wantsStop` says so, or the world fails. The sink gets every state
-/// from step 0 on, each when the next one is there; the last one carries the event `stop`.
-/// `takeInputs` is asked before each step for what comes from outside.
+/// Steps until the rule applies, `wantsStop` returns true, or the world fails. The sink receives
+/// every state from step 0 on, each when the next one is available; the last one contains the event
+/// `stop`. `takeInputs` is called before each step for external inputs.
 RunResult run(World& world, const StopRule& rule, FrameSink& sink,
               const std::function<bool(const Frame&)>& wantsStop = {},
               const std::function<StepInputs()>& takeInputs = {});

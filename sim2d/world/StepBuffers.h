@@ -6,7 +6,7 @@
 
 namespace sim2d {
 
-/// Like std::stable_sort, but a few items, as there are in most steps, need no memory.
+/// Like std::stable_sort, but does not allocate for few items, the common case.
 template <class Item, class Less>
 void sortStably(std::vector<Item>& items, Less less) {
   constexpr std::size_t kFew = 32;
@@ -19,21 +19,20 @@ void sortStably(std::vector<Item>& items, Less less) {
   }
 }
 
-/// Like `assign`, but with room for twice as many, so that growing step by step needs memory
-/// seldom.
+/// Like `assign`, but with capacity for twice as many, so that gradual growth seldom allocates.
 template <class Item>
-void refill(std::vector<Item>& items, std::size_t count, const Item& value) {
+void assignWithSpare(std::vector<Item>& items, std::size_t count, const Item& value) {
   if (items.capacity() < count) {
     items.reserve(2 * count);
   }
   items.assign(count, value);
 }
 
-/// Sorts what lies in cells, in the order of its numbers inside each: `order` has those of cell c
-/// from `start[c]` up to before `start[c + 1]`. Cell -1: left out. `next` is memory to work in.
+/// Sorts items by cell, in index order within each cell: the items of cell c are `order[start[c]]`
+/// up to before `order[start[c + 1]]`. Cell -1: skipped. `next` is work memory.
 inline void sortByCell(const std::vector<int>& cellOf, std::size_t cells, std::vector<int>& start,
                        std::vector<int>& next, std::vector<int>& order) {
-  refill(start, cells + 1, 0);
+  assignWithSpare(start, cells + 1, 0);
   for (const int cell : cellOf) {
     if (cell >= 0) {
       ++start[static_cast<std::size_t>(cell) + 1];
@@ -42,7 +41,7 @@ inline void sortByCell(const std::vector<int>& cellOf, std::size_t cells, std::v
   for (std::size_t cell = 0; cell < cells; ++cell) {
     start[cell + 1] += start[cell];
   }
-  refill(next, start.size(), 0);
+  assignWithSpare(next, start.size(), 0);
   std::copy(start.begin(), start.end(), next.begin());
   order.resize(static_cast<std::size_t>(start.back()));
   for (std::size_t i = 0; i < cellOf.size(); ++i) {
@@ -53,19 +52,19 @@ inline void sortByCell(const std::vector<int>& cellOf, std::size_t cells, std::v
   }
 }
 
-/// Like an assignment, but leaves memory alone that has the value: what nobody writes stays in the
-/// caches of all processors.
+/// Assignment that does not write equal values, so that unchanged memory stays in the caches of all
+/// processors.
 template <class Item>
-void writeNew(Item& place, const Item& value) {
+void assignIfChanged(Item& place, const Item& value) {
   if (!(place == value)) {
     place = value;
   }
 }
 
-/// Gives back the memory that one unusual step, such as the first, has needed, once steps with
-/// `usual` items follow it.
+/// Releases the memory that one unusual step (such as the first) needed, if following steps have
+/// `usual` items.
 template <class Item>
-void dropExcess(std::vector<Item>& empty, std::size_t usual) {
+void shrinkExcess(std::vector<Item>& empty, std::size_t usual) {
   constexpr std::size_t kWorthIt = 4096;
   constexpr std::size_t kMuchMore = 16;
   if (empty.capacity() > kWorthIt && empty.capacity() > kMuchMore * usual) {

@@ -7,13 +7,13 @@
 
 namespace sim2d {
 
-/// Where a run is to stop: after the step in which a node of a behaviour tree begins to be like
-/// this. It has to be otherwise before it stops the run again.
+/// Stops a run after the step in which a node of a behaviour tree starts to match. The match must
+/// end before it stops the run again.
 struct TreeBreakpoint {
-  std::optional<int> person;               // id; none: anybody
+  std::optional<int> person;               // id; none: any person
   std::string path;                        // of the node, as in trees.csv
-  std::optional<base::NodeStatus> status;  // that it returns; none: it is ticked at all
-  std::string condition;  // script on the blackboard of the person that must hold too; may be empty
+  std::optional<base::NodeStatus> status;  // returned status; none: any tick
+  std::string condition;  // optional script on the person's blackboard that must also hold
 
   friend bool operator==(const TreeBreakpoint& a, const TreeBreakpoint& b) {
     return a.person == b.person && a.path == b.path && a.status == b.status &&
@@ -21,8 +21,8 @@ struct TreeBreakpoint {
   }
 };
 
-/// A breakpoint that was met.
-struct TreeBreak {
+/// A breakpoint that was hit.
+struct TreeBreakpointHit {
   TreeBreakpoint at;
   int person = 0;  // id
   base::NodeStatus status = base::NodeStatus::Idle;

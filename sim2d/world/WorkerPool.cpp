@@ -9,18 +9,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr Clock::duration kPatience = std::chrono::microseconds(50);  // as long as a wake-up takes
-constexpr Clock::duration kPatienceRoused = std::chrono::milliseconds(1);
+constexpr Clock::duration kSpinTime = std::chrono::microseconds(50);  // about one wake-up
+constexpr Clock::duration kSpinTimeAfterWake = std::chrono::milliseconds(1);
 
-// Parts of the gate.
+// Bit fields of the gate.
 constexpr std::uint64_t kJoined = 0xFFFF;
 constexpr std::uint64_t kOpen = 0x10000;
 constexpr unsigned kCallBits = 17;
 
-/// Waits awake; false: it took too long.
+/// Busy-waits; returns false on timeout.
 template <class IsDone>
 bool spinUntil(IsDone isDone, Clock::duration patience) {
-  constexpr int kLooks = 32;  // between two looks at the clock
+  constexpr int kLooks = 32;  // between reads of the clock
   const Clock::time_point end = Clock::now() + patience;
   do {
     for (int i = 0; i < kLooks; ++i) {
@@ -36,7 +36,7 @@ bool spinUntil(IsDone isDone, Clock::duration patience) {
 }  // namespace
 
 WorkerPool::WorkerPool(int threadCount)
-    : staysAwake_(threadCount <= static_cast<int>(std::thread::hardware_concurrency())),
+    : canSpin_(threadCount <= static_cast<int>(std::thread::hardware_concurrency())),
       shares_(static_cast<std::size_t>(std::max(threadCount, 1))) {
   for (int i = 1; i < threadCount; ++i) {
     threads_.emplace_back([this, i] { serve(static_cast<std::size_t>(i)); });
@@ -51,14 +51,14 @@ WorkerPool::~WorkerPool() {
   }
 }
 
-void WorkerPool::rouse() {
-  if (staysAwake_ && !threads_.empty()) {
+void WorkerPool::wakeThreads() {
+  if (canSpin_ && !threads_.empty()) {
     wake();
   }
 }
 
-/// A thread counts itself among the sleepers before it looks for signals a last time, so either it
-/// sees this one or it is seen here.
+/// A thread counts itself as sleeping before it checks for signals a last time, so either it sees
+/// this signal or the caller sees the sleeper.
 void WorkerPool::wake() {
   ++signals_;
   if (sleepers_ > 0) {
@@ -67,7 +67,7 @@ void WorkerPool::wake() {
   }
 }
 
-/// Who has not joined when all slices are done is not waited for.
+/// Threads that have not joined when all slices are done are not awaited.
 void WorkerPool::run(std::size_t count, std::size_t slice, const Work& work) {
   work_ = &work;
   count_ = count;
@@ -82,11 +82,11 @@ void WorkerPool::run(std::size_t count, std::size_t slice, const Work& work) {
   wake();
   takeSlices(0);
   gate_ &= ~kOpen;
-  const auto haveAllLeft = [this] { return (gate_ & kJoined) == 0; };
-  if (!spinUntil(haveAllLeft, staysAwake_ ? kPatience : Clock::duration::zero())) {
+  const auto isIdle = [this] { return (gate_ & kJoined) == 0; };
+  if (!spinUntil(isIdle, canSpin_ ? kSpinTime : Clock::duration::zero())) {
     std::unique_lock<std::mutex> lock(mutex_);
     callerSleeps_ = true;
-    done_.wait(lock, haveAllLeft);
+    done_.wait(lock, isIdle);
     callerSleeps_ = false;
   }
 }
@@ -109,15 +109,15 @@ void WorkerPool::serve(std::size_t thread) {
 }
 
 bool WorkerPool::join(std::uint64_t& served) {
-  Clock::duration patience = kPatience;
+  Clock::duration patience = kSpinTime;
   while (true) {
-    const std::uint64_t heard = signals_;
+    const std::uint64_t seenSignals = signals_;
     std::uint64_t gate = 0;
     const auto isNeeded = [&] {
       gate = gate_;
       return stops_ || ((gate & kOpen) != 0 && gate >> kCallBits != served);
     };
-    if (spinUntil(isNeeded, staysAwake_ ? patience : Clock::duration::zero())) {
+    if (spinUntil(isNeeded, canSpin_ ? patience : Clock::duration::zero())) {
       if (stops_) {
         return false;
       }
@@ -129,9 +129,9 @@ bool WorkerPool::join(std::uint64_t& served) {
     }
     std::unique_lock<std::mutex> lock(mutex_);
     ++sleepers_;
-    begin_.wait(lock, [&] { return signals_ != heard; });
+    begin_.wait(lock, [&] { return signals_ != seenSignals; });
     --sleepers_;
-    patience = kPatienceRoused;
+    patience = kSpinTimeAfterWake;
   }
 }
 

@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/world/RobotBatteries.h"
+#include "sim2d/world/RobotSensors.h"
 #include "sim2d/world/StepBuffers.h"
-#include "sim2d/world/WorldInside.h"
+#include "sim2d/world/WorldInternal.h"
 
 namespace sim2d {
 namespace {
 
-/// Middle of the map, or of the people's starts: places are rounded relative to it, and a robot
-/// must not change how.
+/// Middle of the map, or of the people's starts: positions are rounded relative to it, and must not
+/// depend on robots.
 Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
   if (!map.isEmpty()) {
     return map.cornerToWorld(map.width() / 2.0, map.height() / 2.0);
@@ -34,20 +34,20 @@ Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
 
 }  // namespace
 
-RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
+RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior)
     : model_(std::move(parts.model)),
       surroundings_(std::move(parts.surroundings)),
-      ways_(surroundings_.layers->stopFlag()),
+      pathWork_(surroundings_.layers->stopFlag()),
       navigation_(std::move(parts.navigation)),
       physics_(centreOf(model_, surroundings_.grid)),
       frozen_{model_, state_, grid_, surroundings_.obstacles, *navigation_},
       view_(frozen_),
       intents_(state_.controls),
-      behavior_(std::move(minds)),
+      behavior_(std::move(humanBehavior)),
       motion_(model_.threads),
       population_(model_),
       robots_(std::move(parts.planners), model_),
-      progress_(model_) {
+      stuckRobots_(model_) {
   partNames_ = partNames(*model_.environment);
   const Obstacles& obstacles = surroundings_.obstacles;
   for (int part = 0; part < obstacles.partCount(); ++part) {
@@ -56,7 +56,7 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
   for (const Door* door : model_.doors) {
     state_.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
   }
-  toggled_.resize(model_.doors.size(), 0);
+  pastToggles_.resize(model_.doors.size(), 0);
   humans_.reserve(model_.people.size());
   physics_.reserve(model_.robots.size() + model_.people.size());
   addRobotBodies();
@@ -70,7 +70,7 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
   for (const Person& person : model_.people) {
     state_.append(person);
   }
-  StepWatch watch(nullptr);
+  StepTimer watch(nullptr);
   applyInputs(watch);
   publish();
 }
@@ -82,19 +82,19 @@ void RunningWorld::addRobotBodies() {
     start.pose.heading = base::wrapToPi(robot.start.heading);
     start.battery = robot.battery.level;
     state_.robots.push_back(start);
-    // Lonely until it comes near something.
+    // Outside the solver until it comes near an obstacle or body.
     physics_.addBody({start.pose, robot.radius, robot.mass, robot.footprint, false, false, true});
-    robotReaches_.push_back(reachOf(robot));
+    robotRadii_.push_back(circumscribedRadius(robot));
   }
 }
 
-/// Their times come so much early that rounding does not delay them.
+/// Toggle times have a tolerance for rounding.
 void RunningWorld::toggleDoors() {
   for (std::size_t door = 0; door < model_.doors.size(); ++door) {
     std::vector<double> toggles = model_.doors[door]->toggles;
     std::sort(toggles.begin(), toggles.end());
-    for (std::size_t& next = toggled_[door];
-         next < toggles.size() && toggles[next] <= state_.time + kTick; ++next) {
+    for (std::size_t& next = pastToggles_[door];
+         next < toggles.size() && toggles[next] <= state_.time + kTimeTolerance; ++next) {
       setDoor(door, state_.doorOpen[door] == 0);
     }
   }
@@ -117,10 +117,10 @@ void RunningWorld::updateNavigation() {
   }
 }
 
-void RunningWorld::applyInputs(StepWatch& watch) {
+void RunningWorld::applyInputs(StepTimer& watch) {
   toggleDoors();
   updateNavigation();
-  const std::vector<std::size_t> due = population_.dueNow(model_, state_, *navigation_);
+  const std::vector<std::size_t> due = population_.takeDue(model_, state_, *navigation_);
   place(due);
   intents_.reset();
   watch.lap(StepPhase::Goals);
@@ -156,7 +156,7 @@ void RunningWorld::enter(std::size_t human) {
   if (bodies_[human] < 0) {
     bodies_[human] = physics_.addBody({start, person.constants.radius, person.constants.mass,
                                        std::vector<Vec2>(), true, model_.peoplePass,
-                                       model_.people.size() > kSmallWorld});
+                                       model_.people.size() > kSolverPeopleLimit});
     humans_.push_back(human);
   } else {
     physics_.place(bodies_[human], start);
@@ -170,7 +170,7 @@ void RunningWorld::leave(std::size_t human) {
   physics_.setPresent(bodies_[human], false);
 }
 
-void RunningWorld::finishRounds() {
+void RunningWorld::handleArrivals() {
   for (const std::size_t human : goals_.takeArrived()) {
     const ResolvedHuman& person = model_.people[human].constants;
     if (state_.present[human] == 0) {
@@ -194,35 +194,35 @@ bool RunningWorld::step(const StepInputs& inputs) {
   if (!failure_.empty()) {
     return false;
   }
-  StepWatch watch(times_);
+  StepTimer watch(times_);
   state_.events.clear();
-  dropExcess(state_.events, frame_.events.size());
+  shrinkExcess(state_.events, frame_.events.size());
   take(inputs);
   headingsBefore_ = state_.heading;
-  motion_.expectWork();
+  motion_.wakeWorkers();
   decide();
   watch.lap(StepPhase::Trees);
   const std::vector<BodyTwist>& commands = robots_.command(frozen_, state_);
   watch.lap(StepPhase::Robots);
-  motion_.chooseLegs(frozen_, intents_, state_);
+  motion_.chooseDirections(frozen_, intents_, state_);
   watch.lap(StepPhase::Ways);
   motion_.compute(frozen_, intents_, state_, frame_.forces);
-  failure_ = trouble(commands);
+  failure_ = divergenceMessage(commands);
   if (!failure_.empty()) {
-    frame_.forces = {};  // they are of the step that failed
+    frame_.forces = {};  // they belong to the failed step
     return false;
   }
-  for (const Steering& steering : steerings_) {
+  for (const VelocityOverride& steering : velocityOverrides_) {
     const Vec2& own = motion_.wanted()[steering.human];
-    motion_.steer(steering.human,
-                  steering.isBeside ? Vec2(own + steering.velocity) : steering.velocity);
+    motion_.overrideVelocity(steering.human,
+                             steering.isBeside ? Vec2(own + steering.velocity) : steering.velocity);
   }
   watch.lap(StepPhase::Forces);
   moveBodies(commands);
   watch.lap(StepPhase::Bodies);
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * model_.dt;
-  tellContacts(commands);
+  emitContacts(commands);
   watch.lap(StepPhase::Contacts);
   afterMotion();
   applyInputs(watch);
@@ -238,8 +238,8 @@ void RunningWorld::afterMotion() {
   goals_.afterMotion(model_, state_, intents_);
   robots_.afterMotion(model_, state_);
   updateBatteries(model_, state_);
-  progress_.update(model_, state_, *navigation_, willDoorToggle());
-  finishRounds();
+  stuckRobots_.update(model_, state_, *navigation_, willDoorToggle());
+  handleArrivals();
   for (std::size_t i = 0; i < model_.people.size(); ++i) {
     state_.active[i] = intents_.of(static_cast<int>(i)).active ? 1 : 0;
   }
@@ -247,7 +247,7 @@ void RunningWorld::afterMotion() {
 
 bool RunningWorld::willDoorToggle() const {
   for (std::size_t door = 0; door < model_.doors.size(); ++door) {
-    if (toggled_[door] < model_.doors[door]->toggles.size()) {
+    if (pastToggles_[door] < model_.doors[door]->toggles.size()) {
       return true;
     }
   }
@@ -257,14 +257,14 @@ bool RunningWorld::willDoorToggle() const {
 void RunningWorld::decide() {
   intents_.reset();
   behavior_->decide(view_, intents_);
-  holdStopped();
+  applyHolds();
   goals_.afterDecide(model_, state_, intents_, view_);
   std::move(intents_.events().begin(), intents_.events().end(), std::back_inserter(state_.events));
   intents_.events().clear();
 }
 
-/// Their trees go on; only the motion is another one.
-void RunningWorld::holdStopped() {
+/// Their trees keep running; only the motion is replaced.
+void RunningWorld::applyHolds() {
   for (std::size_t human = 0; human < state_.held.size(); ++human) {
     if (state_.held[human] != 0) {
       Intent brake;
@@ -275,7 +275,7 @@ void RunningWorld::holdStopped() {
   }
 }
 
-std::string RunningWorld::trouble(const std::vector<BodyTwist>& commands) const {
+std::string RunningWorld::divergenceMessage(const std::vector<BodyTwist>& commands) const {
   if (!robots_.failure().empty()) {
     return robots_.failure();
   }
@@ -300,13 +300,13 @@ std::string RunningWorld::trouble(const std::vector<BodyTwist>& commands) const 
 
 void RunningWorld::publish() {
   fillFrame(model_, state_, frame_);
-  std::swap(frame_.inputs, taken_);
+  std::swap(frame_.inputs, acceptedInputs_);
   frame_.robotPaths.resize(state_.robots.size());
   for (std::size_t i = 0; i < state_.robots.size(); ++i) {
     frame_.robotPaths[i] = robots_.path(i, model_, state_);
   }
   frame_.senses = robots_.senses();
-  publishWays();
+  publishPaths();
   robots_.takeScans(frame_.scans);
   if (state_.step > 0) {
     behavior_->takeTreeChanges(frame_.treeChanges);
@@ -314,30 +314,30 @@ void RunningWorld::publish() {
   }
 }
 
-/// In the order of the people in the frame.
-void RunningWorld::publishWays() {
+/// Parallel to the people in the frame.
+void RunningWorld::publishPaths() {
   frame_.humanPaths.reset();
-  if (!tellsWays_) {
+  if (!publishesPaths_) {
     return;
   }
   auto ways = std::make_shared<std::vector<std::vector<Vec2>>>();
   ways->reserve(frame_.humans.size());
   for (std::size_t human = 0; human < state_.present.size(); ++human) {
     if (state_.present[human] != 0) {
-      ways->push_back(motion_.wayOf(human));
+      ways->push_back(motion_.remainingPath(human));
     }
   }
   frame_.humanPaths = std::move(ways);
 }
 
-/// Of the scenario or from outside.
+/// From the scenario or from outside.
 bool RunningWorld::hadGoal(std::size_t robot) const {
   const RobotState& now = state_.robots[robot];
-  return !model_.robots[robot].goals.empty() || now.order || now.arrivedAt >= 0.0 ||
-         now.endedAt >= 0.0;
+  return !model_.robots[robot].goals.empty() || now.externalGoal || now.arrivedAt >= 0.0 ||
+         now.endTime >= 0.0;
 }
 
-std::optional<double> RunningWorld::lastOf(
+std::optional<double> RunningWorld::latestTime(
     const std::function<double(const RobotState&)>& timeOf) const {
   std::optional<double> last;
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
@@ -354,31 +354,32 @@ std::optional<double> RunningWorld::lastOf(
 }
 
 std::optional<double> RunningWorld::arrivedAt() const {
-  return lastOf([](const RobotState& robot) { return robot.arrivedAt; });
+  return latestTime([](const RobotState& robot) { return robot.arrivedAt; });
 }
 
 std::optional<double> RunningWorld::finishedAt() const {
-  return lastOf([](const RobotState& robot) { return std::max(robot.arrivedAt, robot.endedAt); });
+  return latestTime(
+      [](const RobotState& robot) { return std::max(robot.arrivedAt, robot.endTime); });
 }
 
-std::vector<RobotOnWay> RunningWorld::robotsOnWay() const {
-  std::vector<RobotOnWay> robots;
+std::vector<RobotStatus> RunningWorld::robotStatuses() const {
+  std::vector<RobotStatus> robots;
   robots.reserve(model_.robots.size());
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
     const ResolvedRobot& robot = model_.robots[i];
-    RobotOnWay& on = robots.emplace_back();
+    RobotStatus& on = robots.emplace_back();
     on.id = robot.id;
     on.name = robot.name;
     on.hasGoal = hadGoal(i);
-    on.setsOff = robot.startTime;
-    on.endsGoals = robots_.planners()[i]->endsGoals();
-    on.goalEnds = state_.robots[i].goalEnds;
+    on.startTime = robot.startTime;
+    on.decidesGoalEnd = robots_.planners()[i]->decidesGoalEnd();
+    on.goalResults = state_.robots[i].goalResults;
     if (state_.robots[i].arrivedAt >= 0.0) {
       on.arrived = state_.robots[i].arrivedAt;
-    } else if (state_.robots[i].endedAt >= 0.0) {
-      on.ended = state_.robots[i].endedAt;
+    } else if (state_.robots[i].endTime >= 0.0) {
+      on.ended = state_.robots[i].endTime;
     } else {
-      on.stuck = progress_.stuckSince(i);
+      on.stuck = stuckRobots_.stuckSince(i);
     }
   }
   return robots;
@@ -389,7 +390,7 @@ base::Result<std::unique_ptr<World>> World::create(WorldSetup setup) {
   if (!parts) {
     return parts.diagnostics();
   }
-  setup.scenario = nullptr;  // people need the memory, unless the caller still uses it
+  setup.scenario = nullptr;  // releases memory, unless the caller still uses it
   return {std::make_unique<RunningWorld>(std::move(**parts), std::move(setup.behavior)),
           parts.diagnostics()};
 }

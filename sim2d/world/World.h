@@ -1,7 +1,12 @@
 #pragma once
 
+#include <array>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,48 +17,111 @@
 #include "sim2d/trace/Frame.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Compatibility.h"
-#include "sim2d/world/GoalEnd.h"
+#include "sim2d/world/GoalResult.h"
 #include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/Registries.h"
-#include "sim2d/world/StepTimes.h"
 
 namespace sim2d {
 
-/// All that a run depends on. Options of the command line that have a key in the scenario (seed,
-/// dt, model …) are written into `scenario` before.
+/// Phases of a step, in order.
+enum class StepPhase : std::uint8_t {
+  Trees,     // decisions of people
+  Robots,    // observation and planner
+  Ways,      // walking directions
+  Forces,    // of people and walls on people, desired velocities
+  Bodies,    // collision avoidance, Box2D
+  Contacts,  // contact events
+  Goals,     // reached goals, entering and leaving people, doors
+  Grid,      // neighbour search
+  Frame,     // output of the step
+};
+constexpr std::size_t kStepPhaseCount = 9;
+inline const char* stepPhaseName(StepPhase phase) {
+  constexpr std::array<const char*, kStepPhaseCount> kNames = {
+      "trees", "robots", "ways", "forces", "bodies", "contacts", "goals", "grid", "frame"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
+enum class StepClock : std::uint8_t {
+  Wall,
+  Thread  // CPU time of the calling thread, less affected by other load
+};
+/// Seconds since an arbitrary fixed time.
+inline double clockSeconds(StepClock clock) {
+  if (clock == StepClock::Thread) {
+    timespec time = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Time per phase, summed over the steps [s].
+struct StepTimes {
+  StepClock clock = StepClock::Wall;
+  std::array<double, kStepPhaseCount> seconds = {};
+  std::int64_t steps = 0;
+  double sum() const { return std::accumulate(seconds.begin(), seconds.end(), 0.0); }
+};
+
+/// Measures the phases of a step. Without `times` it does nothing.
+class StepTimer {
+ public:
+  explicit StepTimer(StepTimes* times) : times_(times) {
+    if (times_ != nullptr) {
+      last_ = clockSeconds(times_->clock);
+    }
+  }
+  /// Adds the time since the last call, or construction, to `phase`.
+  void lap(StepPhase phase) {
+    if (times_ != nullptr) {
+      const double now = clockSeconds(times_->clock);
+      times_->seconds[static_cast<std::size_t>(phase)] += now - last_;
+      last_ = now;
+    }
+  }
+
+ private:
+  StepTimes* times_;
+  double last_ = 0.0;
+};
+
+/// Arguments of a run. Command-line options that correspond to a scenario key (seed, dt, model …)
+/// are written into `scenario` beforehand.
 struct WorldSetup {
   std::shared_ptr<const Scenario> scenario;
-  OccupancyGrid map;  // without `surroundings`
-  /// Of this scenario on its map. Worlds that share them share what is worked out for routes.
+  OccupancyGrid map;  // used if `surroundings` is null
+  /// Of this scenario on its map. Worlds with the same surroundings share routing data.
   std::shared_ptr<const Surroundings> surroundings;
-  std::shared_ptr<const Registries> registries;  // null: the program's
+  std::shared_ptr<const Registries> registries;  // null: those of the program
   Compatibility compatibility;
   int threads = 1;
   bool exact = false;
   std::unique_ptr<HumanBehavior> behavior;
-  CodeUse code = CodeUse::Refused;  // programs and libraries that robots name
-  std::string folder;               // where relative files of planners begin
-  /// Ends the waiting for a planner in another program, by `base::Stopped`.
+  ExternalCodePolicy code =
+      ExternalCodePolicy::Refused;  // permission for programs and libraries of robots
+  std::string folder;               // base of relative paths of planners
+  /// Interrupts waits for external planners, with `base::Stopped`.
   base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();
 };
 
-/// How far a robot has come on the way to its last goal.
-struct RobotOnWay {
+/// Progress of a robot towards its last goal.
+struct RobotStatus {
   int id = -1;
   std::string name;
   bool hasGoal = false;
-  double setsOff = 0.0;           // [s]
+  double startTime = 0.0;         // [s]
   std::optional<double> arrived;  // [s]
-  std::optional<double> stuck;    // [s]; not any more: none
-  /// When the last goal was over without an arrival: a goal was given up, or missed [s].
+  std::optional<double> stuck;    // [s]; none when it progresses again
+  /// Time at which the last goal ended without an arrival: a goal was abandoned or missed [s].
   std::optional<double> ended{};
-  bool endsGoals = false;           // its planner decides when a goal is over
-  std::vector<GoalEnd> goalEnds{};  // results of that planner, oldest first
+  bool decidesGoalEnd = false;            // the planner decides when a goal is over
+  std::vector<GoalResult> goalResults{};  // results of that planner, oldest first
 };
 
 /// The running world. One step (fixed dt):
-///  1 inputs from outside; then those of the scenario whose time has come (doors that toggle,
-///    people who start, sources), which are seen in the frame of that very time already
+///  1 external inputs; then scenario events whose time has come (door toggles, starting people,
+/// sources), which are part of the frame of that time
 ///  2 neighbour grid from the frozen state
 ///  3 HumanBehavior::decide in id order -> intents
 ///  4 robots: observation -> controller -> Twist2
@@ -62,52 +130,53 @@ struct RobotOnWay {
 ///  7 Box2D step, read poses back
 ///  8 way points, goals, events
 ///  9 ++stepIndex; time = stepIndex * dt
-/// No global state; two worlds may live in one process, each used by one thread at a time.
+/// No global state; several worlds may exist in one process, each used by one thread at a time.
 class World {
  public:
-  /// Errors: what makes a run impossible (place for a start, model, planner …); warnings otherwise
-  /// (moved starts, keys without effect).
+  /// Errors: conditions that make a run impossible (start place, model, planner …); warnings
+  /// otherwise (moved starts, keys without effect).
   static base::Result<std::unique_ptr<World>> create(WorldSetup setup);
   virtual ~World() = default;
 
-  /// `inputs` act before anybody decides, in their order; they are in the frame of the step.
-  /// False when the run has failed (diverged): `failure` says who and why; the last good state
-  /// stays.
+  /// `inputs` are applied in order before all decisions; they are part of the frame of the step.
+  /// Returns false if the run has failed (diverged): `failure` contains the agent and the reason;
+  /// the last good state is kept.
   virtual bool step(const StepInputs& inputs = {}) = 0;
   virtual const std::string& failure() const = 0;
-  /// Inputs of the last step that could not be (nobody has that id, no such door …), left out.
+  /// Inputs of the last step that were rejected (unknown id, unknown door …).
   virtual const base::Diagnostics& refused() const = 0;
-  /// From now on every step adds its times to `times`; nullptr: no more.
+  /// Adds the times of each following step to `times`; nullptr: stops this.
   virtual void measure(StepTimes* times) = 0;
 
-  /// From the next step on robots have the planners, limits, goals and patience of those of
-  /// `other`: a world of the same scenario but for these, not stepped yet, and of no use
-  /// afterwards. A planner that is the same goes on as it is; a robot with other goals sets off for
-  /// the first. `seed`: of what is drawn from here on; people stay as their own seed drew them.
-  virtual void goOnAs(World& other, std::uint64_t seed) = 0;
+  /// From the next step on the robots take planners, limits, goals and patience from those of
+  /// `other`: a world of the same scenario except for these, not stepped yet, and unusable
+  /// afterwards. An unchanged planner continues as it is; a robot with other goals starts with the
+  /// first. `seed`: for all draws from now on; properties of people drawn earlier are kept.
+  virtual void continueWith(World& other, std::uint64_t seed) = 0;
 
-  /// From the next step on frames have the senses of robots and the ways of people, or no more.
-  virtual void tellSenses(bool wanted) = 0;
-  /// The same of what robots believe and scan alone: senses without bodies and ways, unless those
-  /// are wanted too. Scans that neither planner nor record looks at are `laterScan`.
-  virtual void tellScans(bool wanted) = 0;
-  /// With them, of planners, what is switched on there at each step; null: no costs, no ways of
-  /// planners that gather them for display only.
-  virtual void watchPlanners(std::shared_ptr<const PlannerWatch> watch) = 0;
+  /// Enables or disables robot perception and paths of people in frames, from the next step on.
+  virtual void publishSensors(bool wanted) = 0;
+  /// Same for estimated poses and scans only: perception without bodies and candidate trajectories,
+  /// unless those are enabled too. Scans that neither planner nor recording reads are
+  /// `deferredScan`.
+  virtual void enableScans(bool wanted) = 0;
+  /// Debug data of planners to include, read at each step; null: no cost grids and no optional
+  /// candidate trajectories.
+  virtual void setPlannerDebug(std::shared_ptr<const PlannerDebugFlags> watch) = 0;
 
   virtual const Frame& frame() const = 0;  // after the last step; valid until the next
   std::int64_t stepIndex() const { return frame().step; }
   double time() const { return frame().time; }
   double dt() const { return view().dt(); }
-  /// All robots have arrived (false without a moving robot), and since when [s].
+  /// Time at which all robots had arrived [s]; none without a moving robot.
   virtual std::optional<double> arrivedAt() const = 0;
-  /// The same, but robots whose planners have ended their last goals without an arrival count too.
+  /// Same, but robots whose planners ended the last goals without an arrival count too.
   virtual std::optional<double> finishedAt() const = 0;
-  virtual std::vector<RobotOnWay> robotsOnWay() const = 0;  // -1, -2 …
-  /// What their planners want a manifest to tell, as JSON; empty: nothing.
-  virtual std::vector<std::string> robotReports() const { return {}; }  // -1, -2 …
-  virtual TraceHeader header() const = 0;                               // as of now
-  virtual const Obstacles& obstacles() const = 0;  // now; parts as in the header
+  virtual std::vector<RobotStatus> robotStatuses() const = 0;  // -1, -2 …
+  /// Additional manifest content of the planners, as JSON; empty: none.
+  virtual std::vector<std::string> plannerReports() const { return {}; }  // -1, -2 …
+  virtual TraceHeader header() const = 0;                                 // current
+  virtual const Obstacles& obstacles() const = 0;  // current; parts as in the header
   virtual const WorldView& view() const = 0;
   virtual HumanBehavior& behavior() = 0;
 };

@@ -2,20 +2,20 @@
 #include <cmath>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/Culprit.h"
-#include "sim2d/world/WorldInside.h"
+#include "sim2d/trace/ContactInitiator.h"
+#include "sim2d/world/WorldInternal.h"
 
-/// How one step moves the bodies: kept apart ahead of time, then by the solver, which is asked only
-/// for those who may meet something.
+/// Motion of the bodies in one step: velocities are limited in advance, then the solver handles
+/// only bodies that may have contacts.
 namespace sim2d {
 namespace {
 
 constexpr double kNearWall = 0.1;   // [m]
-constexpr double kNearBody = 0.05;  // [m]; more than a touch takes to end
+constexpr double kNearBody = 0.05;  // [m]; larger than the end distance of a contact
 constexpr double kNearRobot = 0.5;  // [m]
 constexpr int kPolygonSubSteps = 4;
-constexpr double kClearance = 0.0005;  // [m]; less than the skin that discs have in the physics
-constexpr double kSmallExcess = 1e-6;  // [m/s]
+constexpr double kClearance = 0.0005;      // [m]; smaller than the skin of discs in Physics
+constexpr double kExcessTolerance = 1e-6;  // [m/s]
 constexpr int kMostRounds = 20;
 
 bool isNearWall(const MovingDisc& disc, double reach) {
@@ -25,12 +25,12 @@ bool isNearWall(const MovingDisc& disc, double reach) {
                                               });
 }
 
-/// Closing speed beyond what the gap allows [m/s].
+/// Closing speed in excess of what the gap allows [m/s].
 double excess(double closingSpeed, double gap, double dt) {
   return closingSpeed - std::max(gap - kClearance, 0.0) / dt;
 }
 
-bool stopAtWalls(MovingDisc& disc, double dt) {
+bool limitAtWalls(MovingDisc& disc, double dt) {
   bool changed = false;
   if (disc.walls == nullptr) {
     return changed;
@@ -41,7 +41,7 @@ bool stopAtWalls(MovingDisc& disc, double dt) {
     }
     const Vec2 toWall = (point.position - disc.position) / point.distance;
     const double tooFast = excess(disc.velocity.dot(toWall), point.distance - disc.radius, dt);
-    if (tooFast > kSmallExcess) {
+    if (tooFast > kExcessTolerance) {
       disc.velocity -= tooFast * toWall;
       changed = true;
     }
@@ -49,7 +49,7 @@ bool stopAtWalls(MovingDisc& disc, double dt) {
   return changed;
 }
 
-bool stopAtEachOther(MovingDisc& first, MovingDisc& second, const Vec2& shift, double dt) {
+bool limitPair(MovingDisc& first, MovingDisc& second, const Vec2& shift, double dt) {
   const Vec2 apart = second.position + shift - first.position;
   const double distance = apart.norm();
   if (distance < 1e-9) {
@@ -58,7 +58,7 @@ bool stopAtEachOther(MovingDisc& first, MovingDisc& second, const Vec2& shift, d
   const Vec2 normal = apart / distance;
   const double closing = (first.velocity - second.velocity).dot(normal);
   const double tooFast = excess(closing, distance - first.radius - second.radius, dt);
-  if (tooFast <= kSmallExcess) {
+  if (tooFast <= kExcessTolerance) {
     return false;
   }
   const double share = second.mass / (first.mass + second.mass);
@@ -67,18 +67,18 @@ bool stopAtEachOther(MovingDisc& first, MovingDisc& second, const Vec2& shift, d
   return true;
 }
 
-/// In the world's frame, of a robot whose heading is `chord` on average.
+/// World velocity of a robot whose mean heading is `chord`.
 Vec2 velocityAlong(const Vec2& chord, const BodyTwist& twist) {
   const Vec2 ahead = twist.linear * chord;
   return twist.lateral == 0.0 ? ahead : Vec2(ahead + twist.lateral * Vec2(-chord.y(), chord.x()));
 }
 
-/// Who is pushed from behind does not drive faster, who is blocked drives slower.
-double heldByWheels(double speed, double commanded) {
+/// A robot pushed from behind does not drive faster, a blocked one drives slower.
+double wheelSpeed(double speed, double commanded) {
   return std::clamp(speed, std::min(commanded, 0.0), std::max(commanded, 0.0));
 }
 
-/// Of a robot, by the direction from it to what it touches.
+/// Direction of a contact relative to a robot.
 const char* sideOf(const Pose2& robot, const Vec2& direction) {
   const double bearing = base::angleDiff(base::headingOf(direction), robot.heading);
   if (std::fabs(bearing) <= base::kPi / 4.0) {
@@ -97,12 +97,11 @@ void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pair
   for (int round = 0; round < kMostRounds && changed; ++round) {
     changed = false;
     for (const DiscPair& pair : pairs) {
-      changed |=
-          stopAtEachOther(discs[static_cast<std::size_t>(pair.first)],
-                          discs[static_cast<std::size_t>(pair.second)], Vec2(pair.shift, 0.0), dt);
+      changed |= limitPair(discs[static_cast<std::size_t>(pair.first)],
+                           discs[static_cast<std::size_t>(pair.second)], Vec2(pair.shift, 0.0), dt);
     }
     for (MovingDisc& disc : discs) {
-      changed |= stopAtWalls(disc, dt);
+      changed |= limitAtWalls(disc, dt);
     }
   }
 }
@@ -124,7 +123,7 @@ void RunningWorld::placeDiscs(const std::vector<BodyTwist>& commands) {
                                              constants.radius + 1.0);
     }
     discs_[i] = {robot.pose.position, velocityAlong(chords_[i], commands[i]), constants.radius,
-                 constants.mass * (stands ? kBrakedMass : 1.0), &robotWalls_[i]};
+                 constants.mass * (stands ? kBrakedMassFactor : 1.0), &robotWalls_[i]};
   }
   for (std::size_t k = 0; k < humans_.size(); ++k) {
     const std::size_t human = humans_[k];
@@ -149,7 +148,7 @@ void RunningWorld::moveBodies(const std::vector<BodyTwist>& commands) {
   findNearness();
   for (std::size_t body = 0; body < discs_.size(); ++body) {
     const double omega = isRobot(body) ? commands[body].angular : 0.0;
-    physics_.setLonely(static_cast<int>(body), nearness_[body] == Nearness::Nothing);
+    physics_.setIsolated(static_cast<int>(body), nearness_[body] == Nearness::Nothing);
     physics_.setVelocity(static_cast<int>(body), discs_[body].velocity, omega);
   }
   physics_.step(model_.dt, subSteps());
@@ -157,7 +156,7 @@ void RunningWorld::moveBodies(const std::vector<BodyTwist>& commands) {
   readRobots(commands);
 }
 
-/// Polygons have no contact ahead of time.
+/// Polygons are not limited in advance.
 int RunningWorld::subSteps() const {
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
     if (!model_.robots[i].footprint.empty() && nearness_[i] != Nearness::Nothing) {
@@ -171,25 +170,26 @@ bool RunningWorld::isNearWallOrRobot(const MovingDisc& person) const {
   const double reach = person.radius + person.velocity.norm() * model_.dt + kNearWall;
   bool isNear = isNearWall(person, reach);
   for (std::size_t i = 0; i < state_.robots.size() && !isNear; ++i) {
-    const double near = reach + robotReaches_[i] + kNearRobot;
+    const double near = reach + robotRadii_[i] + kNearRobot;
     isNear = (state_.robots[i].pose.position - person.position).squaredNorm() < near * near;
   }
   return isNear;
 }
 
-/// Who meets nothing in this step. Small worlds leave all people to the solver.
+/// Classifies the bodies by what they may touch in this step. In small worlds the solver handles
+/// all people.
 void RunningWorld::findNearness() {
   nearness_.assign(discs_.size(),
-                   humans_.size() > kSmallWorld ? Nearness::Nothing : Nearness::Solid);
+                   humans_.size() > kSolverPeopleLimit ? Nearness::Nothing : Nearness::Solid);
   for (std::size_t body = 0; body < discs_.size(); ++body) {
     if (isRobot(body)) {
-      nearness_[body] = meetsSomething(body) ? Nearness::Solid : Nearness::Nothing;
+      nearness_[body] = mayTouchAnything(body) ? Nearness::Solid : Nearness::Nothing;
     } else if (isNearWallOrRobot(discs_[body])) {
       nearness_[body] = Nearness::Solid;
     }
   }
   for (const DiscPair& pair : pairs_) {
-    if (!mayMeet(pair)) {
+    if (!mayTouch(pair)) {
       continue;
     }
     for (const int body : {pair.first, pair.second}) {
@@ -199,8 +199,9 @@ void RunningWorld::findNearness() {
   }
 }
 
-/// Two people come near each other in this step, or one of them may be pushed by something else.
-bool RunningWorld::mayMeet(const DiscPair& pair) const {
+/// True if two people come near each other in this step, or one of them may be pushed by something
+/// else.
+bool RunningWorld::mayTouch(const DiscPair& pair) const {
   const auto first = static_cast<std::size_t>(pair.first);
   const auto second = static_cast<std::size_t>(pair.second);
   if (nearness_[first] == Nearness::Solid || nearness_[second] == Nearness::Solid) {
@@ -216,12 +217,12 @@ bool RunningWorld::mayMeet(const DiscPair& pair) const {
   return (apart + nearest * travel).squaredNorm() < gap * gap;
 }
 
-/// The solver does not know a robot while nothing is near it, so that it cannot change the order in
-/// which the solver looks at people, and with it their last digits. A polygon counts as the circle
-/// around it.
-bool RunningWorld::meetsSomething(std::size_t robot) const {
+/// The solver does not contain a robot while nothing is near it, so that it cannot change the
+/// processing order of people, and with it their rounding. A polygon counts as its circumscribed
+/// circle.
+bool RunningWorld::mayTouchAnything(std::size_t robot) const {
   const MovingDisc& self = discs_[robot];
-  const double reach = robotReaches_[robot] + self.velocity.norm() * model_.dt;
+  const double reach = robotRadii_[robot] + self.velocity.norm() * model_.dt;
   const double wall = reach + kNearWall;
   if (model_.robots[robot].footprint.empty()
           ? isNearWall(self, wall)
@@ -233,7 +234,7 @@ bool RunningWorld::meetsSomething(std::size_t robot) const {
       continue;
     }
     const MovingDisc& disc = discs_[body];
-    const double size = isRobot(body) ? robotReaches_[body] : disc.radius;
+    const double size = isRobot(body) ? robotRadii_[body] : disc.radius;
     const double near = reach + size + disc.velocity.norm() * model_.dt + kNearRobot;
     if ((disc.position - self.position).squaredNorm() < near * near) {
       return true;
@@ -282,18 +283,17 @@ void RunningWorld::readPeople() {
       continue;
     }
     const Vec2 velocity = physics_.velocity(bodyOf(i));
-    state_.positions[i] = aroundTheRing(i, physics_.pose(bodyOf(i)));
+    state_.positions[i] = wrapIntoCorridor(i, physics_.pose(bodyOf(i)));
     state_.velocities[i] = velocity;
     if (isWalking(intents_.of(static_cast<int>(i)).motion)) {
-      state_.heading[i] = headingAfter(state_.heading[i], velocity, model_.dt);
+      state_.heading[i] = turnedHeading(state_.heading[i], velocity, model_.dt);
     }
     state_.omega[i] = base::angleDiff(state_.heading[i], headingsBefore_[i]) / model_.dt;
   }
 }
 
-/// A person who passed an end of a closed corridor comes in at the other and looks for the way
-/// anew.
-Vec2 RunningWorld::aroundTheRing(std::size_t human, const Pose2& pose) {
+/// A person who passes an end of a closed corridor re-enters at the other end and replans.
+Vec2 RunningWorld::wrapIntoCorridor(std::size_t human, const Pose2& pose) {
   Vec2 inside = model_.ring.inside(pose.position);
   if (inside != pose.position) {
     physics_.place(bodyOf(human), {inside, pose.heading});
@@ -308,8 +308,8 @@ void RunningWorld::readRobots(const std::vector<BodyTwist>& commands) {
     const int body = static_cast<int>(i);
     robot.pose = physics_.pose(body);
     robot.velocity = physics_.velocity(body);
-    robot.linear = heldByWheels(robot.velocity.dot(chords_[i]), commands[i].linear);
-    robot.lateral = heldByWheels(base::cross(chords_[i], robot.velocity), commands[i].lateral);
+    robot.linear = wheelSpeed(robot.velocity.dot(chords_[i]), commands[i].linear);
+    robot.lateral = wheelSpeed(base::cross(chords_[i], robot.velocity), commands[i].lateral);
     robot.omega = physics_.omega(body);
   }
 }
@@ -318,28 +318,30 @@ int RunningWorld::idOf(std::size_t body) const {
   return isRobot(body) ? model_.robots[body].id : model_.people[humanOf(body)].constants.id;
 }
 
-/// Who closed in on whom, and on which side of the robot: " person behind".
-std::string RunningWorld::faultOf(const Touch& touch,
-                                  const std::vector<BodyTwist>& commands) const {
+/// Which of the two approached the other, and on which side of the robot: " person behind".
+std::string RunningWorld::contactDescription(const Contact& touch,
+                                             const std::vector<BodyTwist>& commands) const {
   const auto robot = static_cast<std::size_t>(touch.body);
   const auto other = static_cast<std::size_t>(touch.other);
-  const Culprit culprit = culpritOf(discs_[robot].position, wantedVelocity(robot, commands),
-                                    discs_[other].position, wantedVelocity(other, commands));
+  const ContactInitiator initiator =
+      contactInitiator(discs_[robot].position, wantedVelocity(robot, commands),
+                       discs_[other].position, wantedVelocity(other, commands));
   std::string fault = " both ";
-  if (culprit != Culprit::Both) {
-    fault = culprit == Culprit::First ? " robot " : (isRobot(other) ? " other " : " person ");
+  if (initiator != ContactInitiator::Both) {
+    fault = initiator == ContactInitiator::First ? " robot "
+                                                 : (isRobot(other) ? " other " : " person ");
   }
   return fault + sideOf(state_.robots[robot].pose, touch.normal);
 }
 
-/// When two bodies, or a body and an obstacle, begin to touch: one event per pair until they have
-/// parted, with the speed at which contacts stopped them.
-void RunningWorld::tellContacts(const std::vector<BodyTwist>& commands) {
-  std::swap(touchesBefore_, touches_);
-  touches_.reserve(discs_.size());
-  physics_.touches(touchesBefore_, touches_);
-  for (const Touch& touch : touches_) {
-    if (std::binary_search(touchesBefore_.begin(), touchesBefore_.end(), touch)) {
+/// Emits one event per pair when two bodies, or a body and an obstacle, begin to touch, until they
+/// have separated, with the closing speed that the contact stopped.
+void RunningWorld::emitContacts(const std::vector<BodyTwist>& commands) {
+  std::swap(contactsBefore_, contacts_);
+  contacts_.reserve(discs_.size());
+  physics_.currentContacts(contactsBefore_, contacts_);
+  for (const Contact& touch : contacts_) {
+    if (std::binary_search(contactsBefore_.begin(), contactsBefore_.end(), touch)) {
       continue;
     }
     const auto body = static_cast<std::size_t>(touch.body);
@@ -352,13 +354,13 @@ void RunningWorld::tellContacts(const std::vector<BodyTwist>& commands) {
       relative -= wantedVelocity(other, commands);
       event.other = idOf(other);
       event.hasOther = true;
-      if (!isRobot(body) && event.other < event.id) {  // people by id, a robot before a person
+      if (!isRobot(body) && event.other < event.id) {  // people by id, after robots
         std::swap(event.id, event.other);
       }
     }
     event.text = base::formatDouble(std::max(0.0, relative.dot(touch.normal)));
     if (isRobot(body) && touch.other >= 0 && !model_.compatibility.hunav2()) {
-      event.text += faultOf(touch, commands);
+      event.text += contactDescription(touch, commands);
     }
     const auto part = static_cast<std::size_t>(std::max(touch.part, 0));
     if (part > 0 && !partNames_[part].empty()) {  // walls of the map have no name in events

@@ -9,8 +9,8 @@
 #include "sim2d/map/DistanceField.h"
 #include "sim2d/scenario/Variation.h"
 #include "sim2d/world/Placement.h"
-#include "sim2d/world/StartVariation.h"
-#include "sim2d/world/WorldInside.h"
+#include "sim2d/world/Population.h"
+#include "sim2d/world/WorldInternal.h"
 
 namespace sim2d {
 namespace {
@@ -24,10 +24,10 @@ bool isNotNegative(double value) {
   return std::isfinite(value) && value >= 0.0;
 }
 
-/// Null, and told: there is no such entry.
+/// Reports an error and returns null if there is no such entry.
 template <class Maker>
-auto needEntry(const base::Registry<Maker>& registry, const std::string& name, const char* code,
-               ProblemsOf& found) {
+auto requireEntry(const base::Registry<Maker>& registry, const std::string& name, const char* code,
+                  EntityProblems& found) {
   const auto* const entry = registry.find(name);
   if (entry == nullptr) {
     found.add(base::error(code, {name, base::nearestName(name, registry.names())}));
@@ -35,10 +35,10 @@ auto needEntry(const base::Registry<Maker>& registry, const std::string& name, c
   return entry;
 }
 
-/// False, and told: the entry has no such parameter.
+/// Reports an error and returns false if the entry has no such parameter.
 template <class Entry>
-bool needParameter(const Entry& entry, const std::string& key, const char* code,
-                   ProblemsOf& found) {
+bool requireParameter(const Entry& entry, const std::string& key, const char* code,
+                      EntityProblems& found) {
   std::vector<std::string> keys;
   for (const base::ParameterSpec& spec : entry.parameters) {
     keys.push_back(spec.key);
@@ -50,16 +50,16 @@ bool needParameter(const Entry& entry, const std::string& key, const char* code,
 
 void checkPerson(const WorldModel& model, const ResolvedHuman& person, EntityId key,
                  base::Diagnostics& problems) {
-  ProblemsOf found(key, "person '" + person.name + "'", problems);
+  EntityProblems found(key, "person '" + person.name + "'", problems);
   found.need(person.id >= 0, "world.bad-id");
   found.need(isPositive(person.radius) && isPositive(person.mass), "world.bad-body");
   found.need(isNotNegative(person.desiredSpeed) && isPositive(person.goalRadius),
              "world.bad-speed");
-  needEntry(model.registries->models, person.model, "world.unknown-model", found);
+  requireEntry(model.registries->models, person.model, "world.unknown-model", found);
 }
 
 void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& problems) {
-  // People with the same goals, reached within the same radius, share a plan.
+  // People with the same goals and goal radius share a plan.
   std::map<std::pair<std::vector<int>, double>, std::shared_ptr<GoalPlan>> plans;
   std::vector<const Human*> listed;
   for (const Human& human : setup.scenario->humans) {
@@ -85,29 +85,29 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
     person.plan = plan;
     checkPerson(model, person.constants, human->key, problems);
     if (!model.people.empty() && model.people.back().constants.id == human->id) {
-      ProblemsOf(human->key, "person '" + human->name + "'", problems)
+      EntityProblems(human->key, "person '" + human->name + "'", problems)
           .add(base::error("world.id-taken", {human->id, model.people.back().constants.name}));
     }
     model.people.push_back(std::move(person));
   }
 }
 
-/// Of the models that people of this world may have.
+/// Checks the parameters of all models that people of this world may have.
 void checkModelParameters(const WorldModel& model, base::Diagnostics& problems) {
   constexpr EntityId kScenario{base::EntityKind::Scenario, 0};
-  ProblemsOf ofModels(kScenario, "model_parameters", problems);
-  ProblemsOf ofKeys(kScenario, {}, problems);
+  EntityProblems ofModels(kScenario, "model_parameters", problems);
+  EntityProblems ofKeys(kScenario, {}, problems);
   for (const auto& [name, texts] : model.environment->desktop.modelParameters) {
     const auto* const entry =
-        needEntry(model.registries->models, name, "world.unknown-model", ofModels);
+        requireEntry(model.registries->models, name, "world.unknown-model", ofModels);
     for (auto text = texts.begin(); entry != nullptr && text != texts.end(); ++text) {
-      needParameter(*entry, text->first, "world.unknown-model-parameter", ofKeys);
+      requireParameter(*entry, text->first, "world.unknown-model-parameter", ofKeys);
     }
   }
 }
 
-void checkRobot(const Registries& registries, const ResolvedRobot& robot, ProblemsOf& found) {
-  needEntry(registries.robotTypes, robot.type, "world.unknown-type", found);
+void checkRobot(const Registries& registries, const ResolvedRobot& robot, EntityProblems& found) {
+  requireEntry(registries.robotTypes, robot.type, "world.unknown-type", found);
   found.need(robot.footprint.empty()
                  ? isPositive(robot.radius)
                  : isSimple(robot.footprint) && signedArea(robot.footprint) > kSmallestFootprint,
@@ -118,11 +118,12 @@ void checkRobot(const Registries& registries, const ResolvedRobot& robot, Proble
              "world.bad-robot-limits");
   found.need(robot.kinematics != Kinematics::Ackermann || isPositive(robot.turningRadius),
              "world.no-turning-radius");
-  found.need(robot.lidar.beams == 0 || isPossible(robot.lidar), "world.bad-lidar");
+  found.need(robot.lidar.beams == 0 || areValidParameters(robot.lidar), "world.bad-lidar");
 }
 
-/// Keys that are there and do nothing.
-void warnOfSensors(const Robot& robot, const ResolvedRobot& resolved, ProblemsOf& found) {
+/// Warns about keys without effect.
+void warnUnusedSensorKeys(const Robot& robot, const ResolvedRobot& resolved,
+                          EntityProblems& found) {
   if (resolved.lidar.beams == 0 && !robot.lidar.beams && !(robot.lidar == LidarSettings{})) {
     found.add(base::warning("world.no-lidar", {resolved.type}));
   }
@@ -133,9 +134,9 @@ void warnOfSensors(const Robot& robot, const ResolvedRobot& resolved, ProblemsOf
   }
 }
 
-/// Numbers and texts of its planner, by what they are there.
-void giveParameters(const ResolvedRobot& robot, const std::vector<base::ParameterSpec>& specs,
-                    PlannerSetup& to) {
+/// Distributes planner parameters to numbers and texts, by type.
+void setPlannerParameters(const ResolvedRobot& robot, const std::vector<base::ParameterSpec>& specs,
+                          PlannerSetup& to) {
   const auto isText = [&](const std::string& key) {
     return std::any_of(specs.begin(), specs.end(), [&](const base::ParameterSpec& spec) {
       return spec.key == key && spec.type == base::ParameterType::Text;
@@ -153,8 +154,8 @@ void giveParameters(const ResolvedRobot& robot, const std::vector<base::Paramete
   }
 }
 
-std::vector<DockPlace> docksOf(const WorldModel& model) {
-  std::vector<DockPlace> docks;
+std::vector<DockPose> docksOf(const WorldModel& model) {
+  std::vector<DockPose> docks;
   docks.reserve(model.docks.size());
   for (const Dock* const dock : model.docks) {
     docks.push_back({dock->name, dock->pose, dock->kind == DockKind::Charging});
@@ -162,7 +163,7 @@ std::vector<DockPlace> docksOf(const WorldModel& model) {
   return docks;
 }
 
-/// People and robots that take part, with the ids of their tracks.
+/// Listed people and robots, with their ids.
 std::vector<std::pair<std::string, int>> namesOf(const Scenario& scenario) {
   std::vector<std::pair<std::string, int>> names;
   forEachListed(scenario.humans,
@@ -172,15 +173,16 @@ std::vector<std::pair<std::string, int>> namesOf(const Scenario& scenario) {
   return names;
 }
 
-/// Null when there is a problem.
+/// Null if there is a problem.
 std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& model,
-                                     const ResolvedRobot& robot, EntityId key, ProblemsOf& found,
-                                     base::Diagnostics& problems) {
+                                     const ResolvedRobot& robot, EntityId key,
+                                     EntityProblems& found, base::Diagnostics& problems) {
   const auto* const entry =
-      needEntry(model.registries->planners, robot.planner, "world.unknown-planner", found);
+      requireEntry(model.registries->planners, robot.planner, "world.unknown-planner", found);
   bool isFine = entry != nullptr;
   for (std::size_t i = 0; entry != nullptr && i < robot.plannerTexts.size(); ++i) {
-    isFine &= needParameter(*entry, robot.plannerTexts[i].first, "world.unknown-parameter", found);
+    isFine &=
+        requireParameter(*entry, robot.plannerTexts[i].first, "world.unknown-parameter", found);
   }
   if (!isFine) {
     return nullptr;
@@ -188,7 +190,7 @@ std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& 
   PlannerSetup setup;
   setup.robot = robot.name;
   setup.body = bodyOf(robot);
-  giveParameters(robot, entry->parameters, setup);
+  setPlannerParameters(robot, entry->parameters, setup);
   setup.nav2 = {robot.nav2Params, robot.nav2Tree, robot.nav2Distro, robot.nav2Values,
                 robot.nav2Topics};
   setup.goalRadius = robot.goalRadius;
@@ -203,7 +205,7 @@ std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& 
   setup.names = namesOf(*world.scenario);
   const base::Result<std::shared_ptr<Planner>> planner = entry->make(setup);
   for (const base::Diagnostic& diagnostic : planner.diagnostics()) {
-    ProblemsOf(key, {}, problems).add(diagnostic);
+    EntityProblems(key, {}, problems).add(diagnostic);
   }
   return planner ? *planner : nullptr;
 }
@@ -219,9 +221,9 @@ void addRobots(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
     const ResolvedRobot& resolved =
         parts.model.robots.emplace_back(resolveRobot(scenario, robot, id));
     parts.model.robotKeys.push_back(robot.key);
-    ProblemsOf found(robot.key, "robot '" + resolved.name + "'", problems);
+    EntityProblems found(robot.key, "robot '" + resolved.name + "'", problems);
     checkRobot(registries, resolved, found);
-    warnOfSensors(robot, resolved, found);
+    warnUnusedSensorKeys(robot, resolved, found);
     parts.planners.push_back(makePlanner(setup, parts.model, resolved, robot.key, found, problems));
   }
   if (!parts.model.robots.empty() && parts.model.ring.isClosed()) {
@@ -235,17 +237,17 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
       continue;
     }
     model.areas.push_back(&area);
-    ProblemsOf(area.key, "area '" + area.name + "'", problems)
+    EntityProblems(area.key, "area '" + area.name + "'", problems)
         .need(area.points.size() >= 3, "world.bad-area");
     if (area.kind != AreaKind::Source) {
       continue;
     }
     const Human* const like = area.like ? scenario.human(*area.like) : nullptr;
-    ProblemsOf(area.key, "source '" + area.name + "'", problems)
+    EntityProblems(area.key, "source '" + area.name + "'", problems)
         .need(like != nullptr, "world.source-copies-nobody", {area.like});
     if (like != nullptr) {
       checkPerson(model, resolvePerson(model, *like), like->key, problems);
-      model.patterns.emplace(like->name, *like);
+      model.sourceTemplates.emplace(like->name, *like);
     }
   }
 }
@@ -256,7 +258,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   model.environment = std::make_shared<const Environment>(scenario);
   model.registries = setup.registries != nullptr
                          ? setup.registries
-                         : std::make_shared<const Registries>(programRegistries());
+                         : std::make_shared<const Registries>(builtinRegistries());
   model.compatibility = setup.compatibility;
   model.dt = scenario.desktop.dt.value_or(0.05);
   model.seed = static_cast<std::uint64_t>(scenario.desktop.seed.value_or(1));
@@ -288,8 +290,8 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   addAreas(scenario, model, problems);
 }
 
-/// A model serves all people for whom it would be made alike.
-void giveModels(WorldModel& model) {
+/// People for whom the model would be created identically share it.
+void assignModels(WorldModel& model) {
   using Key = std::tuple<std::string, PersonKind, double, double, double, double, double>;
   std::map<Key, std::shared_ptr<const PedestrianModel>> made;
   for (Person& person : model.people) {
@@ -304,11 +306,11 @@ void giveModels(WorldModel& model) {
   }
 }
 
-/// To planners with a map of their own: the map with what is drawn on it, doors open.
-void giveMaps(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& problems) {
+/// Passes the map, including drawn obstacles and open doors, to planners that need it.
+void passMaps(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& problems) {
   std::optional<OccupancyGrid> map;
   for (std::size_t i = 0; i < parts.planners.size(); ++i) {
-    if (!parts.planners[i]->wantsMap()) {
+    if (!parts.planners[i]->needsMap()) {
       continue;
     }
     const Surroundings& around = parts.surroundings;
@@ -318,14 +320,14 @@ void giveMaps(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pro
       for (int part = around.firstDoorPart; part < standing.partCount(); ++part) {
         standing.setEnabled(part, false);
       }
-      map = DistanceField(around.grid, standing, placesOf(parts.model), DistanceField::kMostCells,
-                          setup.stop)
+      map = DistanceField(around.grid, standing, placementPoints(parts.model),
+                          DistanceField::kMaxCells, setup.stop)
                 .grid();
     } else if (!map) {
       map = around.grid;
     }
     for (const base::Diagnostic& told : parts.planners[i]->takeMap(*map)) {
-      ProblemsOf(parts.model.robotKeys[i], {}, problems).add(told);
+      EntityProblems(parts.model.robotKeys[i], {}, problems).add(told);
     }
   }
 }
@@ -339,7 +341,7 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
   }
   auto parts = std::make_unique<WorldParts>();
   fillModel(setup, *parts, problems);
-  checkPlaces(parts->model, problems);
+  checkPlacement(parts->model, problems);
   if (base::hasErrors(problems)) {
     return problems;
   }
@@ -348,9 +350,9 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
                             : makeSurroundings(*setup.scenario, setup.map);
   parts->navigation =
       std::make_unique<NavigationMap>(parts->surroundings.grid, parts->surroundings.obstacles,
-                                      placesOf(parts->model), parts->surroundings.layers);
-  fitPlaces(parts->model, *parts->navigation, problems);
-  giveMaps(setup, *parts, problems);
+                                      placementPoints(parts->model), parts->surroundings.layers);
+  fitPlacement(parts->model, *parts->navigation, problems);
+  passMaps(setup, *parts, problems);
   varyStarts(*setup.scenario, *parts->navigation, parts->model);
   if (base::hasErrors(problems)) {
     return problems;
@@ -358,11 +360,11 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
   for (Person& person : parts->model.people) {
     std::vector<GoalItem>& goals = person.plan->goals;
     if (goals.empty()) {
-      goals = goalItems(parts->model, person.plan->written, person.constants.goalRadius);
+      goals = goalItemsOf(parts->model, person.plan->written, person.constants.goalRadius);
     }
   }
-  giveModels(parts->model);
-  leaveOutUnreachable(parts->model, *parts->navigation, problems);
+  assignModels(parts->model);
+  removeUnreachableGoals(parts->model, *parts->navigation, problems);
   return {std::move(parts), std::move(problems)};
 }
 

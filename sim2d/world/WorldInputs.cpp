@@ -2,12 +2,14 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Placement.h"
-#include "sim2d/world/WorldInside.h"
+#include "sim2d/world/WorldInternal.h"
 
-/// What inputs from outside do to the world.
+/// Application of external inputs.
 namespace sim2d {
 namespace {
 
@@ -15,19 +17,20 @@ bool isUsable(const Input& input) {
   const auto isSmall = [](const Vec2& value, double most) {
     return value.allFinite() && value.cwiseAbs().maxCoeff() <= most;
   };
-  return isSmall(input.pose.position, base::kFarthest) && std::isfinite(input.pose.heading) &&
-         isSmall(input.velocity, kFastest) && isSmall(input.desiredVelocity, kFastest) &&
-         std::fabs(input.omega) <= kFastest;
+  return isSmall(input.pose.position, base::kMaxCoordinate) && std::isfinite(input.pose.heading) &&
+         isSmall(input.velocity, kMaxPlausibleSpeed) &&
+         isSmall(input.desiredVelocity, kMaxPlausibleSpeed) &&
+         std::fabs(input.omega) <= kMaxPlausibleSpeed;
 }
 
-/// `id` 0: the next free one. Numbers rise, as those of people from sources do.
-std::string takeId(int& id, int& lastId) {
+/// Assigns an id; `id` 0: the next free one. Ids increase, as those of people from sources do.
+std::string assignId(int& id, int& lastId) {
   if (id != 0 && id <= lastId) {
-    return "the id " + std::to_string(id) + " was given before";
+    return "the id " + std::to_string(id) + " was already used";
   }
   if (id == 0) {
     if (lastId == std::numeric_limits<int>::max()) {
-      return "no id is left";
+      return "no more ids are available";
     }
     id = lastId + 1;
   }
@@ -38,8 +41,8 @@ std::string takeId(int& id, int& lastId) {
 }  // namespace
 
 void RunningWorld::take(const StepInputs& inputs) {
-  steerings_.clear();
-  taken_.clear();
+  velocityOverrides_.clear();
+  acceptedInputs_.clear();
   refused_.clear();
   newcomers_.clear();
   if (inputs.empty()) {
@@ -49,7 +52,7 @@ void RunningWorld::take(const StepInputs& inputs) {
     const std::string problem =
         isUsable(input) ? take(input) : "a number is not finite or too large";
     if (problem.empty()) {
-      taken_.push_back(std::move(input));
+      acceptedInputs_.push_back(std::move(input));
     } else {
       refused_.push_back(base::error("world.refused-input", {inputKindName(input.kind), problem}));
     }
@@ -84,32 +87,34 @@ std::string RunningWorld::take(Input& input) {
     return {};
   }
   if (input.kind == InputKind::Move && input.id < 0) {
-    return putRobot(input);
+    return teleportRobot(input);
   }
   if (input.kind == InputKind::Goal) {
-    return orderRobot(input);
+    return setExternalGoal(input);
   }
-  return input.kind == InputKind::Add ? addCopy(input) : takeForPerson(input);
+  return input.kind == InputKind::Add ? spawnCopy(input) : applyToPerson(input);
 }
 
-/// Moves the place to the nearest one where the robot of the input fits. What is wrong with it.
-std::string RunningWorld::placeRobot(Input& input) const {
+/// Moves the place of the input to the nearest one where the robot fits. Returns the problem, or
+/// empty.
+std::string RunningWorld::fitRobot(Input& input) const {
   const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
   if (robot >= model_.robots.size()) {
     return "there is no robot " + std::to_string(input.id);
   }
   const std::optional<Vec2> free =
-      navigation_->nearestFit(robotReaches_[robot], input.pose.position);
-  if (!free || (*free - input.pose.position).norm() > kPlaceReach) {
-    return "there is no room for it within " + base::formatDouble(kPlaceReach) + " m";
+      navigation_->nearestFreePosition(robotRadii_[robot], input.pose.position);
+  if (!free || (*free - input.pose.position).norm() > kMaxPlacementShift) {
+    return "there is no free space for the robot within " + base::formatDouble(kMaxPlacementShift) +
+           " m";
   }
   input.pose = {*free, base::wrapToPi(input.pose.heading)};
   return {};
 }
 
-/// Somewhere else, at rest; it takes itself to be there.
-std::string RunningWorld::putRobot(Input& input) {
-  if (std::string refusal = placeRobot(input); !refusal.empty()) {
+/// Teleports a robot, at rest; its pose estimate becomes the true pose.
+std::string RunningWorld::teleportRobot(Input& input) {
+  if (std::string refusal = fitRobot(input); !refusal.empty()) {
     return refusal;
   }
   const auto robot = static_cast<std::size_t>(-1 - input.id);
@@ -122,9 +127,9 @@ std::string RunningWorld::putRobot(Input& input) {
   return {};
 }
 
-/// Without the heading, as goals have none.
-std::string RunningWorld::orderRobot(Input& input) {
-  if (std::string refusal = placeRobot(input); !refusal.empty()) {
+/// Ignores the heading, as goals have none.
+std::string RunningWorld::setExternalGoal(Input& input) {
+  if (std::string refusal = fitRobot(input); !refusal.empty()) {
     return refusal;
   }
   const auto robot = static_cast<std::size_t>(-1 - input.id);
@@ -132,48 +137,48 @@ std::string RunningWorld::orderRobot(Input& input) {
   RobotState& now = state_.robots[robot];
   const bool isThere = (input.pose.position - now.pose.position).norm() <= constants.goalRadius;
   if (now.arrivedAt >= 0.0 && isThere) {
-    return {};  // said again: it has arrived
+    return {};  // repeated command: already there
   }
-  now.order = input.pose.position;
-  ++now.orders;
+  now.externalGoal = input.pose.position;
+  ++now.externalGoalCount;
   now.goal = constants.goals.size();
-  now.arrivedAt = now.endedAt = -1.0;
+  now.arrivedAt = now.endTime = -1.0;
   return {};
 }
 
-std::string RunningWorld::takeForPerson(const Input& input) {
+std::string RunningWorld::applyToPerson(const Input& input) {
   const int human = view_.indexOf(input.id);
   if (human < 0 || !view_.isPresent(human)) {
     return "there is no person " + std::to_string(input.id) + " in the world";
   }
   const auto at = static_cast<std::size_t>(human);
   if (input.kind == InputKind::Entry) {
-    return setEntry(human, input.name);
+    return setBlackboardEntry(human, input.name);
   }
   if (input.kind == InputKind::Stop || input.kind == InputKind::Resume) {
     state_.held[at] = input.kind == InputKind::Stop ? 1 : 0;
   } else if (input.kind == InputKind::Push) {
-    steerings_.push_back({at, input.velocity, true});
+    velocityOverrides_.push_back({at, input.velocity, true});
   } else if (input.kind == InputKind::Set) {
-    put(at, input.pose, input.velocity);
-    steerings_.push_back({at, input.desiredVelocity, false});
+    teleportPerson(at, input.pose, input.velocity);
+    velocityOverrides_.push_back({at, input.desiredVelocity, false});
   } else {
-    put(at, input.pose, Vec2::Zero());
+    teleportPerson(at, input.pose, Vec2::Zero());
     motion_.forget(at);
   }
   return {};
 }
 
-/// Of "key=value".
-std::string RunningWorld::setEntry(int human, const std::string& words) {
+/// `words` is "key=value".
+std::string RunningWorld::setBlackboardEntry(int human, const std::string& words) {
   const std::size_t equals = words.find('=');
   if (equals == std::string::npos || equals == 0) {
-    return "an entry is 'key=value', not '" + words + "'";
+    return "an entry must be 'key=value', not '" + words + "'";
   }
-  return behavior_->setEntry(human, words.substr(0, equals), words.substr(equals + 1));
+  return behavior_->setBlackboardEntry(human, words.substr(0, equals), words.substr(equals + 1));
 }
 
-std::string RunningWorld::addCopy(Input& input) {
+std::string RunningWorld::spawnCopy(Input& input) {
   const auto like =
       std::find_if(model_.people.begin(), model_.people.end(),
                    [&](const Person& person) { return person.constants.name == input.name; });
@@ -181,12 +186,13 @@ std::string RunningWorld::addCopy(Input& input) {
     return "there is no person '" + input.name + "' to copy";
   }
   const double radius = like->constants.radius;
-  const std::optional<Vec2> free = navigation_->nearestFit(radius, input.pose.position);
-  if (!free || (*free - input.pose.position).norm() > kPlaceReach) {
-    return "there is no room for them within " + base::formatDouble(kPlaceReach) + " m";
+  const std::optional<Vec2> free = navigation_->nearestFreePosition(radius, input.pose.position);
+  if (!free || (*free - input.pose.position).norm() > kMaxPlacementShift) {
+    return "there is no free space for the person within " +
+           base::formatDouble(kMaxPlacementShift) + " m";
   }
   input.pose.position = *free;
-  if (std::string refusal = takeId(input.id, model_.lastId); !refusal.empty()) {
+  if (std::string refusal = assignId(input.id, model_.lastId); !refusal.empty()) {
     return refusal;
   }
   Person person = *like;
@@ -205,13 +211,55 @@ std::string RunningWorld::addCopy(Input& input) {
   return {};
 }
 
-/// Somewhere else; the body has the velocity when others look.
-void RunningWorld::put(std::size_t human, const Pose2& pose, const Vec2& velocity) {
+/// Teleports a person; others see the body with `velocity`.
+void RunningWorld::teleportPerson(std::size_t human, const Pose2& pose, const Vec2& velocity) {
   const Vec2 inside = model_.ring.inside(pose.position);
   state_.positions[human] = inside;
   state_.heading[human] = base::wrapToPi(pose.heading);
   state_.velocities[human] = velocity;
   physics_.place(bodyOf(human), {inside, state_.heading[human]});
+}
+
+/// Replacement of robots by those of another world.
+namespace {
+
+/// The inputs of planner construction.
+auto planningInputs(const ResolvedRobot& robot) {
+  return std::tie(robot.planner, robot.command, robot.plannerParameters, robot.plannerTexts,
+                  robot.nav2Params, robot.nav2Tree, robot.nav2Distro, robot.nav2Values,
+                  robot.nav2Topics, robot.maxVel, robot.maxAcc, robot.maxOmega, robot.maxAlpha,
+                  robot.maxReverse, robot.goalRadius);
+}
+
+auto goalList(const ResolvedRobot& robot) {
+  return std::tie(robot.goals, robot.goalIds);
+}
+
+}  // namespace
+
+void RunningWorld::continueWith(World& world, std::uint64_t seed) {
+  auto& other = dynamic_cast<RunningWorld&>(world);
+  for (std::size_t robot = 0; robot < model_.robots.size(); ++robot) {
+    const ResolvedRobot was = std::exchange(model_.robots[robot], other.model_.robots[robot]);
+    const ResolvedRobot& is = model_.robots[robot];
+    if (planningInputs(was) != planningInputs(is)) {
+      robots_.replacePlanner(robot, other.robots_);
+    }
+    if (goalList(was) != goalList(is)) {
+      state_.robots[robot].goal = 0;
+      state_.robots[robot].externalGoal.reset();
+      state_.robots[robot].arrivedAt = state_.robots[robot].endTime = -1.0;
+      state_.robots[robot].goalResults.clear();
+    }
+  }
+  if (model_.stuckAfter != other.model_.stuckAfter) {
+    model_.stuckAfter = other.model_.stuckAfter;
+    stuckRobots_ = StuckRobots(model_);
+  }
+  if (model_.drawSeed != seed) {
+    model_.drawSeed = seed;
+    robots_.reseed(seed);
+  }
 }
 
 }  // namespace sim2d

@@ -8,12 +8,12 @@
 
 namespace sim2d {
 
-Vec2 Ring::inside(const Vec2& place) const {
+Vec2 PeriodicCorridor::inside(const Vec2& place) const {
   const double turns = isClosed() ? std::floor((place.x() - low) / length) : 0.0;
   return {place.x() - turns * length, place.y()};
 }
 
-Vec2 Ring::shift(const Vec2& place, const Vec2& seenFrom) const {
+Vec2 PeriodicCorridor::shift(const Vec2& place, const Vec2& seenFrom) const {
   const double turns = isClosed() ? std::round((seenFrom.x() - place.x()) / length) : 0.0;
   return {turns * length, 0.0};
 }
@@ -43,7 +43,7 @@ ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
   if (isOriginal && !scenario.desktop.route && !human.ours.route) {
     person.route = Route::Direct;
   }
-  person.radius = ownBodyRadius(*world.registries, person).value_or(person.radius);
+  person.radius = bodyRadiusOverride(*world.registries, person).value_or(person.radius);
   const VariationSettings& variation = scenario.desktop.variation;
   person.isVaried = isVaried(variation);
   if (person.isVaried) {
@@ -67,8 +67,8 @@ RobotBody bodyOf(const ResolvedRobot& robot) {
   return body;
 }
 
-double reachOf(const ResolvedRobot& robot) {
-  return reachOf(Footprint{robot.radius, robot.footprint});
+double circumscribedRadius(const ResolvedRobot& robot) {
+  return circumscribedRadius(Footprint{robot.radius, robot.footprint});
 }
 
 Obstacles::Point nearestPointOf(const ResolvedRobot& robot, const Pose2& pose, const Vec2& point) {

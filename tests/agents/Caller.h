@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/bridge/agents/AgentManager.h"
-#include "app/run/RunOptions.h"
+#include "app/run/RunSpec.h"
 
 /// A caller of the agent manager as the wrappers are, and bundles without files.
 namespace agentstest {

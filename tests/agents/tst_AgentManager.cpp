@@ -5,7 +5,7 @@
 #include <QtTest>
 
 #include "app/bridge/agents/AgentMessages.h"
-#include "app/bridge/agents/LoaderAnswers.h"
+#include "app/bridge/agents/LoaderResponses.h"
 #include "app/bridge/messages/Codec.h"
 #include "sim2d/scenario/Variation.h"
 #include "tests/agents/Caller.h"
@@ -106,7 +106,7 @@ void AgentManagerTest::compute_first_answersTheStatesThatCame() {
   QCOMPARE(answer.agents[0].yaw, 0.25F);
   QCOMPARE(answer.agents[0].velocity.linear.x, 0.75);
   QVERIFY(!loop.manager.takeTopics());
-  QVERIFY(loop.manager.takeRemarks().empty());
+  QVERIFY(loop.manager.takeWarnings().empty());
 }
 
 // F = k_g v0 / tau = 6 m/s²: v = 0.3 m/s, x = 0.015 m after 0.05 s.
@@ -154,7 +154,7 @@ void AgentManagerTest::compute_topics_areTheRequest() {
   hunav_msgs::ComputeAgents::Request request = requestOf(loop.agents, 100.05);
   request.robot = robotAt(3.0, 3.0);
   loop.manager.compute(request);
-  const std::optional<StepTopics> topics = loop.manager.takeTopics();
+  const std::optional<StepMessages> topics = loop.manager.takeTopics();
   QVERIFY(topics);
   QVERIFY(!loop.manager.takeTopics());
   QCOMPARE(encode(topics->humans), encode(request.currentAgents));
@@ -184,7 +184,7 @@ void AgentManagerTest::compute_forces_areMarkersByHand() {
   loop.call(0.0);
   loop.agents[0].closestObs = {{1.0, 0.0, 0.0}};
   loop.call(kDt);
-  const std::optional<StepTopics> topics = loop.manager.takeTopics();
+  const std::optional<StepMessages> topics = loop.manager.takeTopics();
   QVERIFY(topics);
   using visualization_msgs::Marker;
   const std::vector<Marker>& markers = topics->forces.markers;
@@ -218,7 +218,7 @@ void AgentManagerTest::compute_noAgentsFirst_beginsWithTheFirstOnes() {
   QVERIFY(!manager.takeTopics());
   QVERIFY(xOf(manager.compute(requestOf({agentAt(1, 0.0, 0.0)}, 1.15)).updatedAgents.agents[0]) >
           0.014);
-  QVERIFY(manager.takeRemarks().empty());
+  QVERIFY(manager.takeWarnings().empty());
 }
 
 void AgentManagerTest::compute_timeStandsRunsBackOrLeaps_nobodyMoves() {
@@ -231,7 +231,7 @@ void AgentManagerTest::compute_timeStandsRunsBackOrLeaps_nobodyMoves() {
     loop.call(dt);
     QCOMPARE(xOf(loop.agents[0]), before);
     QVERIFY(loop.manager.takeTopics());  // the state is published all the same
-    const base::Diagnostics remarks = loop.manager.takeRemarks();
+    const base::Diagnostics remarks = loop.manager.takeWarnings();
     QCOMPARE(remarks.size(), std::size_t{dt == 0.0 ? 0U : 1U});
     QVERIFY(dt >= 0.0 || hasRemark(remarks, "ros2.time-back"));
     QVERIFY(dt <= 0.0 || hasRemark(remarks, "ros2.time-leap"));
@@ -239,7 +239,7 @@ void AgentManagerTest::compute_timeStandsRunsBackOrLeaps_nobodyMoves() {
     QVERIFY(xOf(loop.agents[0]) > before);
   }
   loop.call(-1.0);
-  QVERIFY(loop.manager.takeRemarks().empty());  // told once
+  QVERIFY(loop.manager.takeWarnings().empty());  // told once
 }
 
 /// Without a cut the model of ours would go straight on for a second, whoever stands there.
@@ -281,9 +281,9 @@ void AgentManagerTest::compute_badNumbers_keepTheStateBefore() {
     sent[0].closestObs = {{what == 4 ? nan : 1e4, 0.0, 0.0}};
     loop.agents = sent;
     const Agent answer = loop.call(kDt).updatedAgents.agents.at(0);
-    QVERIFY(faultOf(answer).empty());
+    QVERIFY(invalidReason(answer).empty());
     QVERIFY(xOf(answer) > 0.0 && xOf(answer) < 1.0);
-    QCOMPARE(hasRemark(loop.manager.takeRemarks(), "ros2.bad-agent"), i == 0 && what != 4);
+    QCOMPARE(hasRemark(loop.manager.takeWarnings(), "ros2.bad-agent"), i == 0 && what != 4);
   }
 }
 
@@ -291,16 +291,16 @@ void AgentManagerTest::compute_robotComesAndGoes_isToldOnce() {
   Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
   loop.call(0.0);
   loop.call(kDt, robotAt(1.0, 0.0));
-  QVERIFY(loop.manager.takeRemarks().empty());
+  QVERIFY(loop.manager.takeWarnings().empty());
   loop.call(kDt);
-  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.robot-gone"));
+  QVERIFY(hasRemark(loop.manager.takeWarnings(), "ros2.robot-gone"));
   loop.call(kDt, robotAt(1.0, 0.0));
   Agent bad = robotAt(1.0, 0.0);
   bad.position.position.x = std::numeric_limits<double>::quiet_NaN();
   loop.call(kDt, bad);
-  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.bad-agent"));
+  QVERIFY(hasRemark(loop.manager.takeWarnings(), "ros2.bad-agent"));
   loop.call(kDt);
-  QVERIFY(loop.manager.takeRemarks().empty());
+  QVERIFY(loop.manager.takeWarnings().empty());
 }
 
 void AgentManagerTest::compute_stranger_getsATree() {
@@ -312,7 +312,7 @@ void AgentManagerTest::compute_stranger_getsATree() {
   stranger.goalRadius = 0.3F;
   Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0), stranger});
   loop.call(0.0);
-  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.stranger"));
+  QVERIFY(hasRemark(loop.manager.takeWarnings(), "ros2.stranger"));
   loop.call(kDt);
   QVERIFY(std::fabs(loop.agents[1].velocity.linear.x - 0.3) < 0.02);
   QCOMPARE(loop.agents[1].id, 9);
@@ -324,14 +324,14 @@ void AgentManagerTest::compute_strangerLater_isServedToo() {
   loop.call(kDt);
   loop.agents.push_back(agentAt(3, 0.0, 9.0));
   loop.call(kDt);
-  const base::Diagnostics remarks = loop.manager.takeRemarks();
+  const base::Diagnostics remarks = loop.manager.takeWarnings();
   QVERIFY(hasRemark(remarks, "ros2.stranger"));
   QVERIFY(hasRemark(remarks, "ros2.minds-anew"));
   QCOMPARE(loop.agents.size(), std::size_t{2});
   const double before = xOf(loop.agents[0]);
   loop.call(kDt);
   QVERIFY(xOf(loop.agents[0]) > before);
-  QVERIFY(loop.manager.takeRemarks().empty());
+  QVERIFY(loop.manager.takeWarnings().empty());
 }
 
 void AgentManagerTest::compute_idTwiceOrNegative_isTold() {
@@ -340,7 +340,7 @@ void AgentManagerTest::compute_idTwiceOrNegative_isTold() {
   loop.call(kDt);
   QCOMPARE(loop.agents.size(), std::size_t{3});
   QCOMPARE(xOf(loop.agents[2]), 3.0);
-  const base::Diagnostics remarks = loop.manager.takeRemarks();
+  const base::Diagnostics remarks = loop.manager.takeWarnings();
   QVERIFY(hasRemark(remarks, "ros2.agent-twice"));
   QVERIFY(hasRemark(remarks, "ros2.agent-negative"));
 }
@@ -369,9 +369,9 @@ void AgentManagerTest::compute_wildValuesOfOne_leaveOthersMoving() {
   *fields[field] = 1e30F;
   Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0), wild});
   loop.call(0.0);
-  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.too-large"));
+  QVERIFY(hasRemark(loop.manager.takeWarnings(), "ros2.too-large"));
   loop.call(kDt);
-  QVERIFY(loop.manager.takeRemarks().empty());
+  QVERIFY(loop.manager.takeWarnings().empty());
   QVERIFY(std::fabs(xOf(loop.agents[0]) - 0.015) < 1e-4);  // the step by hand, of the other
 }
 
@@ -382,7 +382,7 @@ void AgentManagerTest::compute_manyStrangers_areToldUpToALimit() {
   }
   Loop loop(oneWalker(), "hunav2", strangers);
   loop.call(0.0);
-  QCOMPARE(loop.manager.takeRemarks().size(), std::size_t{1000});
+  QCOMPARE(loop.manager.takeWarnings().size(), std::size_t{1000});
 }
 
 void AgentManagerTest::compute_greatestId_isServed() {
@@ -390,7 +390,7 @@ void AgentManagerTest::compute_greatestId_isServed() {
   Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0), last});
   loop.call(0.0);
   loop.call(kDt);
-  const std::optional<StepTopics> topics = loop.manager.takeTopics();
+  const std::optional<StepMessages> topics = loop.manager.takeTopics();
   QVERIFY(topics);
   QCOMPARE(topics->forces.markers.size(), std::size_t{10});
 }
@@ -441,7 +441,7 @@ void AgentManagerTest::move_onlyOne_movesWithItsOwnClock() {
   const Agent nobody = manager.moveOne(request).updatedAgent;
   QCOMPARE(nobody.id, 8);
   QCOMPARE(nobody.name, std::string());
-  QVERIFY(hasRemark(manager.takeRemarks(), "ros2.unknown-agent"));
+  QVERIFY(hasRemark(manager.takeWarnings(), "ros2.unknown-agent"));
 }
 
 void AgentManagerTest::computeOne_answersTheLastStep() {
@@ -462,7 +462,7 @@ void AgentManagerTest::computeOne_unknown_isEmpty() {
   const Agent answer = manager.computeOne(request).updatedAgent;
   QCOMPARE(answer.id, 6);
   QCOMPARE(answer.radius, 0.0F);
-  QVERIFY(hasRemark(manager.takeRemarks(), "ros2.unknown-agent"));
+  QVERIFY(hasRemark(manager.takeWarnings(), "ros2.unknown-agent"));
 }
 
 void AgentManagerTest::computeOne_hunav2_ticksOnceMore() {
@@ -536,8 +536,8 @@ void AgentManagerTest::variation_reactionTime_countsInSteps() {
   sim2d::Scenario scenario = oneWalker();
   scenario.desktop.seed = 5;
   sim2d::VariationSettings& variation = scenario.desktop.variation;
-  variation.of(sim2d::Varied::ReactionTime).kind = sim2d::SpreadKind::Uniform;
-  variation.of(sim2d::Varied::ReactionTime).halfWidth = 0.4;
+  variation.of(sim2d::VariationQuantity::ReactionTime).kind = sim2d::SpreadKind::Uniform;
+  variation.of(sim2d::VariationQuantity::ReactionTime).halfWidth = 0.4;
   sim2d::ResolvedHuman drawn;
   sim2d::PersonVariation(variation, 5, 1, -1).apply(drawn);
   QVERIFY(std::fabs(drawn.reactionTime - 1.0) > 0.05);
@@ -566,7 +566,7 @@ void AgentManagerTest::reset_beginsAnew() {
   loop.call(kDt);
   QCOMPARE(loop.agents[0].goals.at(0).position.x, 5.0);
   QVERIFY(xOf(loop.agents[0]) > 0.0);
-  QVERIFY(loop.manager.takeRemarks().empty());
+  QVERIFY(loop.manager.takeWarnings().empty());
 }
 
 void AgentManagerTest::reset_goesOnAsAFreshManager_data() {
@@ -582,7 +582,7 @@ void AgentManagerTest::reset_goesOnAsAFreshManager_data() {
 void AgentManagerTest::reset_goesOnAsAFreshManager() {
   QFETCH(const QString, scenario);
   QFETCH(const bool, otherGoals);
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = std::string(SOURCE_DIR "/maps/") + scenario.toStdString() + "_agents.yaml";
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
   AgentManager used(bundle), fresh(bundle);
@@ -622,7 +622,7 @@ void AgentManagerTest::reset_goesOnAsAFreshManager() {
 /// The fastest of many resets, compared with the fastest of those that must check the scenario
 /// because other people are requested.
 void AgentManagerTest::reset_ofTheSamePeople_checksNothingAgain() {
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
   AgentManager manager(bundle);

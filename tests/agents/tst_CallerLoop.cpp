@@ -317,7 +317,7 @@ void CallerLoopTest::loop_ourModels_staysAway() {
     }
   }
   QVERIFY2(nearest > 0.8 - 1e-3, qPrintable(QString::number(nearest)));  // two radii of 0.4 m
-  QVERIFY(manager.takeRemarks().empty());
+  QVERIFY(manager.takeWarnings().empty());
 }
 
 QTEST_APPLESS_MAIN(CallerLoopTest)

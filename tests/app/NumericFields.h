@@ -131,13 +131,13 @@ class NumericFields {
     all_.push_back({std::move(name), std::move(paths), std::move(values), isListed});
   }
 
-  void addSpec(const std::string& name, const base::ParameterSpec& spec, bool isWide,
+  void addSpec(const std::string& name, const base::ParameterSpec& spec, bool is64Bit,
                const std::vector<YamlPath>& places) {
     if (!isNumeric(spec)) {
       return;
     }
     const bool hasEnds = std::isfinite(spec.range.low) && std::isfinite(spec.range.high);
-    if (!hasEnds && !isWide && !isInteger(spec)) {  // integers are those of 32 bits
+    if (!hasEnds && !is64Bit && !isInteger(spec)) {  // integers are those of 32 bits
       unbounded_.push_back(name);
     }
     push(name, places, valuesOf(spec), isList(spec));
@@ -165,7 +165,7 @@ class NumericFields {
         path.insert(path.end(), inner.begin(), inner.end());
         places.push_back(pathOf(node, path, field.spec.key));
       }
-      addSpec(title + field.spec.key, field.spec, field.isWide, places);
+      addSpec(title + field.spec.key, field.spec, field.is64Bit, places);
     }
   }
 
@@ -173,7 +173,7 @@ class NumericFields {
   void addPlain(const char* node, const YamlPath& inner) {
     for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
       if (!field.isStructure()) {
-        addSpec(base::join(inner, ".") + "." + field.spec.key, field.spec, field.isWide,
+        addSpec(base::join(inner, ".") + "." + field.spec.key, field.spec, field.is64Bit,
                 {pathOf(node, inner, field.spec.key)});
       }
     }
@@ -184,7 +184,7 @@ class NumericFields {
     const auto addAll = [&](const auto& fields, const auto& thing) {
       for (const auto& field : fields) {
         if (!field.isStructure() && field.belongsTo(thing)) {
-          addSpec(name + "." + field.spec.key, field.spec, field.isWide,
+          addSpec(name + "." + field.spec.key, field.spec, field.is64Bit,
                   {pathOf(kBlock, {name}, field.spec.key)});
         }
       }
@@ -204,7 +204,7 @@ class NumericFields {
 
   /// Parameters of planners, models and metrics, which have tables of their own.
   void addParameters(const std::vector<std::string>& robots) {
-    const sim2d::Registries known = app::programRegistries();
+    const sim2d::Registries known = app::builtinRegistries();
     for (const std::string& robot : robots) {
       const std::string planner = below(kBlock).find(robot)->find("planner")->text;
       for (const base::ParameterSpec& spec : known.planners.find(planner)->parameters) {

@@ -26,7 +26,7 @@ namespace quiet {
 inline app::WindowSetup setup() {
   app::WindowSetup setup;
   setup.followsSystem = false;
-  setup.remembers = false;
+  setup.storesSettings = false;
   setup.shippedMaps = QStringLiteral(SOURCE_DIR "/maps");
   return setup;
 }

@@ -149,7 +149,7 @@ class BagsProgramTest : public QObject {
     QVERIFY(QFile::rename(bag + text("/bag_0.mcap"), bag + text("/other.mcap")));
     const Finished absent = runProgram({text("evaluate"), bag, text("-o"), path("no"), text("-q")});
     QCOMPARE(absent.exitCode, 2);
-    QVERIFY2(absent.err.contains(text("names bag_0.mcap, which is not in the folder (bag files "
+    QVERIFY2(absent.err.contains(text("lists bag_0.mcap, which is not in the folder (bag files "
                                       "there: other.mcap)")),
              qPrintable(absent.err));
     QVERIFY2(absent.err.contains(text("metadata.yaml:")), qPrintable(absent.err));
@@ -166,7 +166,7 @@ class BagsProgramTest : public QObject {
     const Finished first =
         runProgram({text("evaluate"), path("bad.mcap"), text("-o"), path("of_bad"), text("-q")});
     QVERIFY2(first.exitCode == 0, qPrintable(first.err));
-    QCOMPARE(first.err.count(text("are left out:")), 2);
+    QCOMPARE(first.err.count(text("are ignored:")), 2);
     const Finished second =
         runProgram({text("evaluate"), path("of_bad"), text("-o"), path("of_bad2"), text("-q")});
     QVERIFY2(second.exitCode == 0 && second.err.isEmpty(), qPrintable(second.err));
@@ -184,7 +184,7 @@ class BagsProgramTest : public QObject {
     QTest::newRow("no map") << false
                             << QStringList{text("no obstacle points of people"),
                                            text("no obstacle points of the robot"),
-                                           text("holds no map"),
+                                           text("contains no map"),
                                            text("no goal of the robot"),
                                            text("no social_force_factor"),
                                            text("no new plans")};
@@ -263,7 +263,8 @@ class BagsProgramTest : public QObject {
     words.replaceInStrings(QRegularExpression(text("^no$")), path("no"));
     const Finished made = runProgram(words);
     QCOMPARE(made.exitCode, 2);
-    QVERIFY2(made.err.contains(text("a Git LFS pointer: fetch the file with git lfs pull")),
+    QVERIFY2(made.err.contains(text("the file is a Git LFS pointer: fetch its content with git lfs "
+                                    "pull")),
              qPrintable(made.err));
     QFile::remove(file);
   }

@@ -232,7 +232,7 @@ class BatchProgramTest : public QObject {
     outside::writeText(out + QStringLiteral("/runs/0/notes.txt"), "mine");
     outside::Finished finished = tried();
     QCOMPARE(finished.exitCode, 2);
-    QVERIFY2(finished.err.contains(QStringLiteral("notes.txt: error: this is of no batch")),
+    QVERIFY2(finished.err.contains(QStringLiteral("notes.txt: error: not part of a batch")),
              qPrintable(finished.err));
     QCOMPARE(outside::bytesOf(out + QStringLiteral("/runs/0/notes.txt")), QByteArray("mine"));
     // Nor is a run that somebody else made, whatever its files are called.
@@ -240,7 +240,7 @@ class BatchProgramTest : public QObject {
     outside::writeText(out + QStringLiteral("/runs/0/trajectory.csv"), "mine");
     finished = tried();
     QCOMPARE(finished.exitCode, 2);
-    QVERIFY2(finished.err.contains(QStringLiteral("trajectory.csv: error: this is of no batch")),
+    QVERIFY2(finished.err.contains(QStringLiteral("trajectory.csv: error: not part of a batch")),
              qPrintable(finished.err));
     QCOMPARE(outside::bytesOf(out + QStringLiteral("/runs/0/trajectory.csv")), QByteArray("mine"));
     QVERIFY(QFile::remove(out + QStringLiteral("/runs/0/trajectory.csv")));
@@ -313,7 +313,7 @@ class BatchProgramTest : public QObject {
       const outside::Finished finished =
           outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("-o"), out});
       QCOMPARE(finished.exitCode, 2);
-      QVERIFY2(finished.err.contains(QStringLiteral("this is of no batch, and no folder")),
+      QVERIFY2(finished.err.contains(QStringLiteral("not part of a batch, and not a folder")),
                qPrintable(finished.err));
       const outside::Finished forced =
           outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("--force"),

@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "editor/panels/BehaviorPanel.h"
-#include "editor/panels/BreakpointMenu.h"
+#include "editor/panels/TreeOutline.h"
 #include "tests/app/QuietWindow.h"
 
 using State = editor::SimulationRunner::State;
@@ -67,7 +67,7 @@ class BreakpointsTest : public QObject {
     document().setSelection({person(0).key});
     QVERIFY(panel().outline().topLevelItem(0)->icon(0).isNull());  // it is not of this person
     runner().play();
-    QTRY_VERIFY(runner().brokeAt().has_value());
+    QTRY_VERIFY(runner().currentBreak().has_value());
     QCOMPARE(runner().state(), State::Paused);
     QCOMPARE(runner().newestFrame()->step, std::int64_t{1});
     QCOMPARE(document().selection(), std::vector<editor::EntityId>{person(2).key});
@@ -83,10 +83,10 @@ class BreakpointsTest : public QObject {
     QVERIFY(isSaid);
     runner().stepOnce();
     QTRY_COMPARE(runner().newestFrame()->step, std::int64_t{2});
-    QVERIFY(!runner().brokeAt());
+    QVERIFY(!runner().currentBreak());
     runner().play();  // it goes on being ticked: no reason to stop again
     QTRY_VERIFY(runner().newestFrame()->step > 100);
-    QVERIFY(!runner().brokeAt());
+    QVERIFY(!runner().currentBreak());
   }
 
   void set_whileItWaits_countsForTheNextStep() {
@@ -95,13 +95,13 @@ class BreakpointsTest : public QObject {
     QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step == 1);
     entry(0, QStringLiteral("It is ticked"))->trigger();
     runner().play();
-    QTRY_VERIFY(runner().brokeAt().has_value());
+    QTRY_VERIFY(runner().currentBreak().has_value());
     QCOMPARE(runner().newestFrame()->step, std::int64_t{2});
     runner().reset();
-    QVERIFY(!runner().brokeAt());
+    QVERIFY(!runner().currentBreak());
     QVERIFY(!panel().entries().isVisible());
     const sim2d::TreeBreakpoint point = runner().breakpoints().front();
-    QAction* drop = entry(0, QStringLiteral("Do not stop ") + editor::breakpointWords(point));
+    QAction* drop = entry(0, QStringLiteral("Remove breakpoint ") + editor::breakpointText(point));
     QVERIFY(drop != nullptr);
     drop->trigger();
     QVERIFY(runner().breakpoints().empty());
@@ -131,7 +131,7 @@ class BreakpointsTest : public QObject {
     QCOMPARE(runner().breakpoints().front().condition, std::string("dt > 1"));
     runner().play();
     QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step > 50);
-    QVERIFY(!runner().brokeAt());  // steps are shorter
+    QVERIFY(!runner().currentBreak());  // steps are shorter
   }
 };
 

@@ -220,13 +220,13 @@ class BrokenRunsTest : public QObject {
       return false;
     };
     QTRY_VERIFY_WITH_TIMEOUT(written(), 60000);
-    QVERIFY(!app::readRecordedRun(out.toStdString(), sim2d::Recording::kUsualMemory,
-                                  app::CutRecords::Shown));  // it goes on
+    QVERIFY(!app::readRecordedRun(out.toStdString(), sim2d::Recording::kDefaultMemory,
+                                  app::IncompleteRecordings::Shown));  // it goes on
     QVERIFY(::kill(run.pid(), SIGKILL) == 0);
     run.wait();
     QVERIFY(!app::readRecordedRun(out.toStdString()));
-    const auto shown = app::readRecordedRun(out.toStdString(), sim2d::Recording::kUsualMemory,
-                                            app::CutRecords::Shown);
+    const auto shown = app::readRecordedRun(out.toStdString(), sim2d::Recording::kDefaultMemory,
+                                            app::IncompleteRecordings::Shown);
     QVERIFY2(shown, shown ? "" : shown.diagnostics().front().text().c_str());
     QVERIFY(shown->cut.has_value() && shown->recording->size() > 100);
     QCOMPARE(std::string(shown.diagnostics().back().code), std::string("trace.killed"));
@@ -259,7 +259,8 @@ class BrokenRunsTest : public QObject {
     const Finished found = run.wait();
     QVERIFY2(found.exitCode == 2, qPrintable(found.err));
     QVERIFY2(found.err.contains(out + text("/trajectory.csv: ")), qPrintable(found.err));
-    QVERIFY2(found.err.contains(text("its files could not be written")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("the files of the run could not be written")),
+             qPrintable(found.err));
     const QJsonObject told = QJsonDocument::fromJson(found.out.toUtf8()).object();
     QVERIFY(told.value(text("metrics")).toObject().contains(text("path_length")));
     QCOMPARE(halfWritten(out), QStringList());

@@ -67,7 +67,7 @@ class CanvasMenuTest : public QObject {
     const sim2d::RobotColumns& robots = runner.newestFrame()->robots;
     menu = menuAt(base::Vec2(robots.x[0], robots.y[0]));
     QVERIFY(menu != nullptr);
-    QCOMPARE(wordsOf(*menu), QStringList{QStringLiteral("Drive by hand")});
+    QCOMPARE(wordsOf(*menu), QStringList{QStringLiteral("Drive manually")});
     menu->actions().front()->trigger();
     menu->close();
     QCOMPARE(document().selection(), document().entities(base::EntityKind::Robot));

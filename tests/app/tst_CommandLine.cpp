@@ -52,7 +52,7 @@ class CommandLineTest : public QObject {
     QVERIFY(QDir().mkpath(where));
     const Finished finished = runProgram(words, where);
     QCOMPARE(finished.exitCode, 64);
-    QVERIFY2(finished.err.contains(text("a folder is wanted")), qPrintable(finished.err));
+    QVERIFY2(finished.err.contains(text("a folder is required")), qPrintable(finished.err));
     QVERIFY(QDir(where).isEmpty());
   }
 
@@ -160,7 +160,7 @@ class CommandLineTest : public QObject {
     QVERIFY(program.waitForFinished(55000));
     const QString said = QString::fromUtf8(program.readAllStandardError());
     QCOMPARE(program.exitCode(), 2);
-    QVERIFY2(said.contains(text("cannot write to the standard output")), qPrintable(said));
+    QVERIFY2(said.contains(text("cannot write to standard output")), qPrintable(said));
   }
 
   void mistypedWords_nameTheNearest_data() {
@@ -168,7 +168,7 @@ class CommandLineTest : public QObject {
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("says");
     QTest::newRow("command") << QStringList{text("evalute"), path("walk.csv"), text("x")} << 64
-                             << text("there is no command 'evalute' (did you mean 'evaluate'?)");
+                             << text("unknown command 'evalute' (did you mean 'evaluate'?)");
     QTest::newRow("list") << QStringList{text("list"), text("modles")} << 64
                           << text("(did you mean 'models'?)");
     QTest::newRow("scenario of a command")
@@ -217,7 +217,7 @@ class CommandLineTest : public QObject {
   void window_standardInput_isRefused() {
     const Finished finished = runProgram({text("-"), text("-q")});
     QCOMPARE(finished.exitCode, 64);
-    QVERIFY2(finished.err.contains(text("not the standard input")), qPrintable(finished.err));
+    QVERIFY2(finished.err.contains(text("cannot read standard input")), qPrintable(finished.err));
   }
 };
 

@@ -380,7 +380,7 @@ void ConvertProgramTest::convert_badInput_isTold_data() {
       << QByteArray(kOdd).replace("- 5", "- 55") << QByteArray("error");
   QTest::newRow("name out of the folder")
       << QByteArray(kOdd).replace("    map: ", "    yaml_base_name: ../../x\n    map: ")
-      << QByteArray("cannot begin the names of files");
+      << QByteArray("is not a valid prefix of file names");
   QTest::newRow("missing") << QByteArray("-") << QByteArray("cannot read the file");
 }
 

@@ -10,7 +10,7 @@
 #include "app/window/MainWindow.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "sim2d/base/Text.h"
 
 using app::MainWindow;
@@ -24,7 +24,7 @@ constexpr qint64 kMostLostMs = 10000;
 WindowSetup setupWith(const QString& recoveryFolder) {
   WindowSetup setup;
   setup.followsSystem = false;
-  setup.remembers = false;
+  setup.storesSettings = false;
   setup.recoveryFolder = recoveryFolder;
   return setup;
 }
@@ -33,7 +33,7 @@ WindowSetup setupWith(const QString& recoveryFolder) {
 /// into the seed and tells them.
 int editForEver(int argc, char** argv) {
   QApplication application(argc, argv);
-  editor::dressApplication(editor::Theme::light());
+  editor::applyTheme(editor::Theme::light());
   MainWindow window(setupWith(QString::fromLocal8Bit(argv[2])));
   if (!window.open(QString::fromLocal8Bit(argv[3]))) {
     return 1;
@@ -60,7 +60,7 @@ class CrashRecoveryTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
   void kill_inTheMiddleOfEditing_losesAtMostTenSeconds() {
@@ -76,7 +76,7 @@ class CrashRecoveryTest : public QObject {
     // long enough that a copy which is written only once would be too old
     const qint64 last = readUntil(program, kMostLostMs + 3000);
     QVERIFY(last > kMostLostMs);
-    QVERIFY(editor::Autosave::leftBehind(recovery).isEmpty());  // it lives
+    QVERIFY(editor::Autosave::orphanedFolders(recovery).isEmpty());  // it lives
     QCOMPARE(::kill(static_cast<pid_t>(program.processId()), SIGKILL), 0);
     QVERIFY(program.waitForFinished(20000));
     QCOMPARE(program.exitStatus(), QProcess::CrashExit);
@@ -116,7 +116,7 @@ class CrashRecoveryTest : public QObject {
     const QString recovery = folder_->filePath(QStringLiteral("recovery"));
     const QString dead = leaveACopy(recovery);
     MainWindow window(setupWith(recovery));
-    QVERIFY(window.notices().isTold(dead));
+    QVERIFY(window.notices().has(dead));
     window.notices().choose(dead, 1);
     QVERIFY(!QFile::exists(dead));
     QVERIFY(window.isOnStartPage());
@@ -127,7 +127,7 @@ class CrashRecoveryTest : public QObject {
     const QString dead = leaveACopy(recovery);
     QVERIFY(QFile::remove(dead + QStringLiteral("/map.pgm")));
     MainWindow window(setupWith(recovery));
-    QVERIFY(window.notices().isTold(dead));
+    QVERIFY(window.notices().has(dead));
     QVERIFY(window.notices().notices().front().isWarning);
     QVERIFY(QFile::exists(dead));
   }
@@ -140,7 +140,7 @@ class CrashRecoveryTest : public QObject {
       window.guard().autosave()->writeNow();
       QVERIFY(QFile::exists(window.guard().autosave()->folder() + QStringLiteral("/map.yaml")));
     }
-    QVERIFY(editor::Autosave::leftBehind(recovery).isEmpty());
+    QVERIFY(editor::Autosave::orphanedFolders(recovery).isEmpty());
     QVERIFY(QDir(recovery).isEmpty());
   }
 
@@ -157,7 +157,7 @@ class CrashRecoveryTest : public QObject {
     document.setMap(editor::emptyRoom(4.0, 3.0));
     const QString folder = recovery + QStringLiteral("/abcdef01");
     const base::Diagnostics problems =
-        base::writeFilesTogether(editor::snapshotFiles(document.snapshot(), folder));
+        base::writeFilesAtomically(editor::snapshotFiles(document.snapshot(), folder));
     return problems.empty() ? folder : QString();
   }
 

@@ -233,7 +233,7 @@ class EvaluateProgramTest : public QObject {
     const QStringList words{text("evaluate"), path("robots.csv"), text("-o"), path("chosen")};
     const Finished unsaid = runProgram(words);
     QCOMPARE(unsaid.exitCode, 2);
-    QVERIFY2(unsaid.err.contains(text("a second robot")), qPrintable(unsaid.err));
+    QVERIFY2(unsaid.err.contains(text("more than one robot")), qPrintable(unsaid.err));
     const Finished chosen = runProgram(words + QStringList{text("--robot"), text("2")});
     QVERIFY2(chosen.exitCode == 0, qPrintable(chosen.err));
     QCOMPARE(valueOf(metricsOf(path("chosen")), text("path_length")), 3.0);
@@ -265,7 +265,7 @@ class EvaluateProgramTest : public QObject {
     const Finished finished =
         runProgram({text("evaluate"), path("w.csv"), text("-o"), path("other")});
     QCOMPARE(finished.exitCode, 2);
-    QVERIFY2(finished.err.contains(text("holds a run")), qPrintable(finished.err));
+    QVERIFY2(finished.err.contains(text("contains a run")), qPrintable(finished.err));
     QCOMPARE(bytesOf(path("other/trajectory.csv")), QByteArray("mine"));
   }
 
@@ -274,7 +274,7 @@ class EvaluateProgramTest : public QObject {
     const Finished finished =
         runProgram({text("evaluate"), path("same/steps.csv"), text("-o"), path("same")});
     QCOMPARE(finished.exitCode, 2);
-    QVERIFY2(finished.err.contains(text("this file is read")), qPrintable(finished.err));
+    QVERIFY2(finished.err.contains(text("this is an input file")), qPrintable(finished.err));
     QVERIFY(bytesOf(path("same/steps.csv")).startsWith("time,id,x,y"));
   }
 
@@ -286,7 +286,7 @@ class EvaluateProgramTest : public QObject {
     const QStringList words = {text("evaluate"), path("way.csv"), text("-o"), path("others")};
     const Finished finished = runProgram(words);
     QCOMPARE(finished.exitCode, 2);
-    QVERIFY2(finished.err.contains(text("trajectory.csv: error: this was not written here")),
+    QVERIFY2(finished.err.contains(text("trajectory.csv: error: this file was not created here")),
              qPrintable(finished.err));
     QCOMPARE(bytesOf(path("others/trajectory.csv")), mine);
     QVERIFY(QFile::remove(path("others/trajectory.csv")));
@@ -313,7 +313,7 @@ class EvaluateProgramTest : public QObject {
     const Finished table =
         through("\x89HDF\r\n", {text("evaluate"), text("-"), text("-o"), path("h5")});
     QCOMPARE(table.exitCode, 2);
-    QVERIFY2(table.err.contains(text("HDF5 is not read")), qPrintable(table.err));
+    QVERIFY2(table.err.contains(text("HDF5 cannot be read")), qPrintable(table.err));
     const QByteArray scenario =
         "hunav_loader:\n  ros__parameters:\n    agents: []\n"
         "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n    map_file: none\n"
@@ -362,7 +362,7 @@ class EvaluateProgramTest : public QObject {
   /// What the reader of a file has to say, of a reference too.
   void evaluate_warningsOfTheReader_areTold() {
     outside::writeText(path("words.csv"), "time,id,x,y\n0,anna,0,0\n1,anna,1,0\n");
-    const QString told = text("ids are words, these numbers stand for them: anna = 1");
+    const QString told = text("ids are text and are replaced by numbers: anna = 1");
     const Finished words =
         runProgram({text("evaluate"), path("words.csv"), text("-o"), path("words")});
     QVERIFY2(words.exitCode == 0, qPrintable(words.err));
@@ -415,7 +415,7 @@ class EvaluateProgramTest : public QObject {
     const QStringList words{text("evaluate"), out + text("1"), text("-o"), path("of mixed")};
     const Finished refused = runProgram(words);
     QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.err.contains(text("1/trajectory.csv: error: is not the file")),
+    QVERIFY2(refused.err.contains(text("1/trajectory.csv: error: the file does not match")),
              qPrintable(refused.err));
     QVERIFY(QFile::remove(out + text("1/manifest.json")));
     QCOMPARE(runProgram(words).exitCode, 0);
@@ -437,14 +437,14 @@ class EvaluateProgramTest : public QObject {
     row("missing", "none.csv", {}, 2, "none.csv");
     row("empty folder", "empty", {}, 2, "trajectory.csv");
     row("nan", "bad.csv", {}, 2, "bad.csv:2:5: error: x");
-    row("nobody", "good.csv", {text("--robot"), text("9")}, 2, "nobody has the id 9");
+    row("nobody", "good.csv", {text("--robot"), text("9")}, 2, "no body has the id 9");
     row("columns", "good.csv", {text("--columns"), text("tme=t")}, 64, "tme");
     row("fps", "good.csv", {text("--fps"), text("0")}, 64, "--fps");
     row("goal", "good.csv", {text("--robot-goal"), text("1")}, 64, "--robot-goal");
     row("format", "good.csv", {text("--format"), text("xls")}, 64, "--format");
     row("key", "good.csv", {text("--metrics"), text("path_lenght")}, 64, "path_length");
     row("foreign words", "empty", {text("--fps"), text("1")}, 64, "--fps");
-    row("no id", "good.csv", {text("--robot"), text("anna")}, 2, "nobody has the id anna");
+    row("no id", "good.csv", {text("--robot"), text("anna")}, 2, "no body has the id anna");
     row("one sample", "good.csv", {text("--robot"), text("1"), text("--dt"), text("5")}, 0, "");
   }
   void evaluate_badInput_isTold() {

@@ -187,7 +187,9 @@ void ExternalPlannersTest::run_withoutPermission_startsNothing() {
   const QString yard = scenario(content);
   const QByteArray key = isLibrary ? "file: ours" : "command:";
   const auto line = content.left(content.indexOf(key)).count('\n') + 1;
-  const QString problem = text("robot 'robot1' wants to start '%1'; --allow-code lets it")
+  const QString problem = text(
+                              "robot 'robot1' runs external code (%1) with your permissions: "
+                              "allow it with --allow-code")
                               .arg(QString::fromUtf8(isLibrary ? "ours.so" : command));
   const QString place =
       text("%1:%2:%3: ").arg(yard).arg(line).arg(isLibrary ? 9 : 7);  // behind the blanks
@@ -243,11 +245,11 @@ void ExternalPlannersTest::run_misbehaviour_endsWithItsReason_data() {
   };
   row("dies", "read -r line; echo 'no more' >&2; exit 3\n", "with exit code 3");
   row("hangs", "read -r line; sleep 600\n", "did not answer within 0.5 s");
-  row("floods", "yes '{\"linear\":0,\"angular\":0}'\n", "more than the one line");
-  row("floods one line", "read -r line; tr '\\0' 'x' < /dev/zero\n", "without an end of line");
-  row("talks nonsense", "read -r line; echo hello; sleep 600\n", "no JSON object: 'hello'");
+  row("floods", "yes '{\"linear\":0,\"angular\":0}'\n", "more than one line");
+  row("floods one line", "read -r line; tr '\\0' 'x' < /dev/zero\n", "without a line end");
+  row("talks nonsense", "read -r line; echo hello; sleep 600\n", "not a JSON object: 'hello'");
   row("gives up", "read -r line; echo '{\"error\":\"too narrow\"}'; sleep 600\n",
-      "gives up: too narrow");
+      "reports an error: too narrow");
 }
 
 void ExternalPlannersTest::run_misbehaviour_endsWithItsReason() {
@@ -314,7 +316,8 @@ void ExternalPlannersTest::batch_withoutPermission_isRefused() {
             "  robot1.planner: [pursuit, external]\n");
   const Finished batch = runProgram({text("batch"), path("two.yaml"), text("-o"), path("refused")});
   QCOMPARE(batch.exitCode, 2);
-  QVERIFY2(batch.err.contains(text("error: robot 'robot1' wants to start")), qPrintable(batch.err));
+  QVERIFY2(batch.err.contains(text("error: robot 'robot1' runs external code")),
+           qPrintable(batch.err));
   QVERIFY(!QFile::exists(path("refused/results.csv")));
   QVERIFY(!QFile::exists(path("was-here")));
 }
@@ -336,8 +339,8 @@ void ExternalPlannersTest::check_parameters_areChecked_data() {
   row("too small", externalBy("true", "0.0"), "'0.0' is not a number");
   row("no library", "      planner: library\n", "planner 'library' needs a 'file'");
   row("library gone", "      planner: library\n" + parameters + "file: gone.so\n",
-      "gone.so' is not there");
-  row("no file", "      planner: replay\n", "planner 'replay' wants a 'file'");
+      "gone.so' does not exist");
+  row("no file", "      planner: replay\n", "planner 'replay' needs a 'file'");
   row("a list", "      planner: replay\n" + parameters + "file: [a, b]\n", "error: ");
   row("for another planner", "      command: \"true\"\n", "warning: robot1.command: ");
 }

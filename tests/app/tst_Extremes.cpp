@@ -6,7 +6,7 @@
 #include "app/window/MainWindow.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -47,7 +47,7 @@ class ExtremesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
 
   void scenario_anySize_isOpenedEditedAndRun_data() {
     QTest::addColumn<int>("people");
@@ -72,7 +72,7 @@ class ExtremesTest : public QObject {
 
     app::WindowSetup setup;
     setup.followsSystem = false;
-    setup.remembers = false;
+    setup.storesSettings = false;
     MainWindow window(setup);
     window.resize(1280, 800);
     window.show();

@@ -2,9 +2,9 @@
 #include <QStandardPaths>
 
 #include "app/window/FileDialogs.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
-#include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/RunFiles.h"
@@ -32,7 +32,7 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() { end(); }
 
@@ -40,13 +40,13 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->open(quiet::demoPath()));
     QVERIFY(document().isShipped(quiet::demoPath()));
     QCOMPARE(QDir(window_->files().folder()).absolutePath(), ownFiles());
-    QCOMPARE(window_->files().nameForSaving(),
+    QCOMPARE(window_->files().suggestedPath(),
              QDir(window_->files().folder()).filePath(QStringLiteral("corner_cafe_agents.yaml")));
     const QString own = copyOfDemo();
     QVERIFY(window_->open(own));
     QVERIFY(!document().isShipped(own));
     QCOMPARE(window_->files().folder(), QFileInfo(own).absolutePath());
-    QCOMPARE(window_->files().nameForSaving(), own);
+    QCOMPARE(window_->files().suggestedPath(), own);
   }
 
   void dialogs_forReading_deleteNothing() {
@@ -130,7 +130,7 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
       dialog.setOption(QFileDialog::DontUseNativeDialog);
       dialog.setAcceptMode(QFileDialog::AcceptSave);
       dialog.setViewMode(mode);
-      editor::keepFiles(dialog, true);
+      editor::restrictFileDialog(dialog, true);
       dialog.show();
       const auto button = [&dialog](const char* name) {
         return dialog.findChild<QToolButton*>(QString::fromUtf8(name));
@@ -157,7 +157,7 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     dialog.setOption(QFileDialog::DontUseNativeDialog);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setViewMode(QFileDialog::Detail);
-    editor::keepFiles(dialog, true);
+    editor::restrictFileDialog(dialog, true);
     dialog.show();
     const auto* files = dialog.findChild<QAbstractItemView*>(QStringLiteral("treeView"));
     const auto editors = [files] { return files->viewport()->findChildren<QLineEdit*>(); };
@@ -189,8 +189,8 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
   void treeDialogs_beginWithTheUsersFiles_data() {
     QTest::addColumn<QString>("button");
     QTest::addColumn<bool>("isReading");
-    QTest::newRow("open") << QStringLiteral("Take a tree from a file") << true;
-    QTest::newRow("save") << QStringLiteral("Write the tree into a file") << false;
+    QTest::newRow("open") << QStringLiteral("Load a tree from a file") << true;
+    QTest::newRow("save") << QStringLiteral("Save the tree to a file") << false;
   }
   void treeDialogs_beginWithTheUsersFiles() {
     QFETCH(QString, button);
@@ -209,8 +209,8 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
   }
 
   void heightOnScreen_fitsTheScreen() {
-    QCOMPARE(editor::heightOnScreen(*window_, 100), 100);
-    QVERIFY(editor::heightOnScreen(*window_, 100000) <
+    QCOMPARE(editor::limitedToScreen(*window_, 100), 100);
+    QVERIFY(editor::limitedToScreen(*window_, 100000) <
             window_->screen()->availableGeometry().height());
   }
 };

@@ -12,7 +12,7 @@
 #include "app/window/MapDialogs.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
@@ -33,7 +33,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() { end(); }
 
@@ -51,13 +51,13 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     // a dialog that is cancelled leaves it as it was
     quiet::answerDialog<QDialog>([](QDialog& dialog) { dialog.reject(); });
     window_->notices().choose(utf8("map"), 0);
-    QVERIFY(window_->notices().isTold(utf8("map")));
+    QVERIFY(window_->notices().has(utf8("map")));
     window_->notices().choose(utf8("map"), 1);
-    QVERIFY(!window_->notices().isTold(utf8("map")));
+    QVERIFY(!window_->notices().has(utf8("map")));
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
     document().undoStack().undo();
-    QVERIFY(window_->notices().isTold(utf8("map")));
-    window_->actions().newRoom->trigger();
+    QVERIFY(window_->notices().has(utf8("map")));
+    window_->actions().newOpenPlane->trigger();
     QVERIFY(window_->notices().notices().empty());
   }
 
@@ -67,15 +67,15 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
                                       "   agents: [x\n")
                 .empty());
     QVERIFY(!window_->open(at("damaged.yaml")));
-    QVERIFY2(told("read-only").text.contains(utf8("as far as it could be read")),
+    QVERIFY2(told("read-only").text.contains(utf8("only partly loaded")),
              qPrintable(told("read-only").text));
     QVERIFY(told("map").text.startsWith(utf8("Map file nowhere.yaml not found")));
     QVERIFY(
         base::writeFileAtomically(at("nothing.yaml").toStdString(), "hunav_loader: [\n").empty());
     window_->actions().close->trigger();
     QVERIFY(!window_->open(at("nothing.yaml")));
-    QVERIFY(told("read-only").text.contains(utf8("nothing of it could be read")));
-    QVERIFY(!window_->notices().isTold(utf8("map")));
+    QVERIFY(told("read-only").text.contains(utf8("cannot be read")));
+    QVERIFY(!window_->notices().has(utf8("map")));
   }
 
   void open_mapIsDamaged_noticeSaysWhatIsWrong() {
@@ -107,7 +107,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY2(window_->windowTitle().startsWith(utf8("wrong.yaml")),
              qPrintable(window_->windowTitle()));
     QVERIFY(document().isReadOnly());
-    QVERIFY(window_->notices().isTold(utf8("read-only")));
+    QVERIFY(window_->notices().has(utf8("read-only")));
     QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
     quiet::shoot(*window_, "wrong-yaml");
   }
@@ -144,7 +144,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY(!window_->files().saveTo(at("file/cafe.yaml")));
     const app::Notice notice = told("not-saved");
     QVERIFY2(notice.text.startsWith(utf8("cafe.yaml was not saved: ")), qPrintable(notice.text));
-    QVERIFY(notice.text.endsWith(utf8("Your changes are still here.")));
+    QVERIFY(notice.text.endsWith(utf8("Your changes are not lost.")));
     QCOMPARE(window_->notices().notices().size(), std::size_t(1));
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QVERIFY(document().isDirty());
@@ -163,14 +163,14 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY(
         !window_->files().exportPlan(app::planExport(window_->files().exportSource(), request)));
     QVERIFY(told("export").isWarning);
-    QVERIFY2(told("export").text.startsWith(utf8("Nothing was exported: ")),
+    QVERIFY2(told("export").text.startsWith(utf8("Export failed: ")),
              qPrintable(told("export").text));
     quiet::shoot(*window_, "not-exported");
     request.folder = at("out").toStdString();
     const app::ExportPlan plan = app::planExport(window_->files().exportSource(), request);
     QVERIFY(window_->files().exportPlan(plan));
     QCOMPARE(told("export").text,
-             utf8("%1 files were exported to %2.").arg(plan.files.size()).arg(at("out")));
+             utf8("Exported %1 files to %2.").arg(plan.files.size()).arg(at("out")));
     quiet::shoot(*window_, "exported");
     window_->notices().choose(utf8("export"), 0);  // there is no desktop here
     QVERIFY(told("export").isWarning);
@@ -182,16 +182,16 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     const QString file = demoOnMap("nowhere");
     QVERIFY(window_->open(file));
     QVERIFY(QFile::rename(file, at("moved.yaml")));
-    QTRY_VERIFY(window_->notices().isTold(utf8("gone")));
-    QVERIFY(told("gone").text.startsWith(utf8("demo.yaml is no longer")));
+    QTRY_VERIFY(window_->notices().has(utf8("gone")));
+    QVERIFY(told("gone").text.startsWith(utf8("demo.yaml was moved or deleted")));
     QVERIFY(QFile::rename(at("moved.yaml"), file));
-    QTRY_VERIFY(!window_->notices().isTold(utf8("gone")));
+    QTRY_VERIFY(!window_->notices().has(utf8("gone")));
     QVERIFY(QFile::remove(file));
-    QTRY_VERIFY(window_->notices().isTold(utf8("gone")));
+    QTRY_VERIFY(window_->notices().has(utf8("gone")));
     quiet::shoot(*window_, "gone");
     window_->notices().choose(utf8("gone"), 0);
     QVERIFY(QFile::exists(file));
-    QVERIFY(!window_->notices().isTold(utf8("gone")));
+    QVERIFY(!window_->notices().has(utf8("gone")));
   }
 
   void statusBar_newDocument_forgetsThePlaceOnTheOldOne() {
@@ -199,7 +199,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     editor::MapView& view = window_->workspace().view();
     Q_EMIT view.cursorMoved(base::Vec2(1.25, 2.5));
     QVERIFY(isSaid(utf8("x 1.25 m")));
-    window_->actions().newRoom->trigger();
+    window_->actions().newOpenPlane->trigger();
     QCoreApplication::processEvents();
     QVERIFY(!isSaid(utf8("x 1.25 m")));
   }
@@ -244,19 +244,21 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
 
   void exportReport_sameWordsOfSeveralPeople_areOneLine() {
     const auto note = [](int person, const char* name, const char* keys) {
-      base::Diagnostic said = base::within(name, base::warning("export.keys-unknown", {keys}));
-      said.entity = {base::EntityKind::Human, person};
-      return said;
+      base::Diagnostic diagnostic =
+          base::withContext(name, base::warning("export.keys-unknown", {keys}));
+      diagnostic.entity = {base::EntityKind::Human, person};
+      return diagnostic;
     };
-    const std::vector<app::ReportLine> lines =
-        app::groupedByPeople({note(1, "Ana", "mass"), base::warning("export.no-ring"),
+    const std::vector<app::GroupedDiagnostic> lines =
+        app::groupedByAgents({note(1, "Ana", "mass"), base::warning("export.no-ring"),
                               note(2, "Ben", "mass"), note(3, "Chloe", "route")});
     QCOMPARE(lines.size(), std::size_t(3));
-    QCOMPARE(lines[0].said.message, std::string("2 people: mass is not known there"));
+    QCOMPARE(lines[0].diagnostic.message, std::string("2 people: mass: not supported by the "
+                                                      "target"));
     QCOMPARE(lines[0].people, (std::vector<std::string>{"Ana", "Ben"}));
-    QCOMPARE(lines[1].said.message,
-             std::string("the periodic corridor (wrap_x) is not known there"));
-    QCOMPARE(lines[2].said.message, std::string("Chloe: route is not known there"));
+    QCOMPARE(lines[1].diagnostic.message,
+             std::string("the periodic corridor (wrap_x) is not supported by the target"));
+    QCOMPARE(lines[2].diagnostic.message, std::string("Chloe: route: not supported by the target"));
     QVERIFY(lines[2].people.empty());
   }
 
@@ -266,7 +268,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     for (const char* target : {"gazebo-classic", "isaac", "native"}) {
       for (const bool isDark : {false, true}) {
         const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-        editor::dressApplication(theme);
+        editor::applyTheme(theme);
         app::ExportDialog dialog(window_->files().exportSource(), at("out"), theme);
         quiet::setTarget(dialog, target);
         dialog.show();
@@ -291,7 +293,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
       }
     }
     QVERIFY(commands > 0);
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
   }
 };
 

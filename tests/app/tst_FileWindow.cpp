@@ -12,7 +12,7 @@
 #include "app/window/StartPage.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "sim2d/base/Text.h"
@@ -26,11 +26,11 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() {
     end();
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
   }
 
   void open_damagedFile_isShownWithANoticeAndRefusesToBeSaved() {
@@ -42,13 +42,13 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(!window_->isOnStartPage());
     QVERIFY(!document().scenario().humans.empty());
     QVERIFY(document().isReadOnly());
-    QVERIFY(window_->notices().isTold(QStringLiteral("read-only")));
+    QVERIFY(window_->notices().has(QStringLiteral("read-only")));
     QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QVERIFY(!window_->files().saveTo(file));
     QVERIFY(*base::readTextFile(file.toStdString()) == text);
     QVERIFY(window_->files().saveTo(at("whole.yaml")));
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
-    QVERIFY(!window_->notices().isTold(QStringLiteral("read-only")));
+    QVERIFY(!window_->notices().has(QStringLiteral("read-only")));
     quiet::shoot(*window_, "damaged");
   }
 
@@ -59,7 +59,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     sim2d::Scenario changed = document().scenario();
     changed.humans.pop_back();
     QVERIFY(base::writeFileAtomically(file.toStdString(), sim2d::writeScenario(changed)).empty());
-    QTRY_VERIFY(window_->notices().isTold(QStringLiteral("changed")));
+    QTRY_VERIFY(window_->notices().has(QStringLiteral("changed")));
     quiet::shoot(*window_, "changed");
     window_->notices().choose(QStringLiteral("changed"), 0);
     QCOMPARE(document().scenario().humans.size(), people - 1);
@@ -70,10 +70,10 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
     QVERIFY(base::writeFileAtomically(file.toStdString(), "something else").empty());
-    window_->guard().lookNow();
-    QVERIFY(window_->notices().isTold(QStringLiteral("changed")));
+    window_->guard().checkFiles();
+    QVERIFY(window_->notices().has(QStringLiteral("changed")));
     window_->notices().choose(QStringLiteral("changed"), 1);
-    window_->guard().lookNow();
+    window_->guard().checkFiles();
     QVERIFY(window_->notices().notices().empty());
   }
 
@@ -145,7 +145,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     const QString file = copyOfDemo();
     QVERIFY(
         base::writeFileAtomically(at("trees/demo__agent_1_bt.xml").toStdString(), kTree).empty());
-    app::RunOptions options;
+    app::RunSpec options;
     options.scenario = file.toStdString();
     options.map = SOURCE_DIR "/maps/reactions/reactions.yaml";
     options.trees = at("trees").toStdString();
@@ -164,7 +164,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   }
 
   void options_compat_isThatOfTheRuns() {
-    app::RunOptions options;
+    app::RunSpec options;
     const sim2d::Compatibility hunav2 = *sim2d::Compatibility::parse("hunav2");
     window_->files().setOptions(options, hunav2);
     window_->workspace().setRunSettings({hunav2, 2, true});
@@ -204,7 +204,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(bool(grid));
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      editor::dressApplication(theme);
+      editor::applyTheme(theme);
       app::ImageMapDialog dialog(*grid, image, theme);
       dialog.show();
       dialog.view().setPoints({{40.0, 20.0}, {360.0, 20.0}});
@@ -218,7 +218,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
       QVERIFY(map->isWall(map->worldToCell({5.0, 2.0 - 0.05 * 0.5})) ||
               map->isWall(map->worldToCell({5.0, 1.9})));
     }
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
   }
 
   void recent_fileGoesAndComesBack_rowSaysSo() {
@@ -239,12 +239,12 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(!recentRow()->isEnabled());
     QCOMPARE(recentRow()->accessibleDescription(), QStringLiteral("File not found"));
     QVERIFY(QFile::rename(at("moved.yaml"), file));
-    window_->actions().newRoom->trigger();
+    window_->actions().newOpenPlane->trigger();
     window_->actions().close->trigger();
     QVERIFY(recentRow()->isEnabled());
     QVERIFY(QFile::remove(file));
     recentRow()->click();  // gone since the page was shown
-    QVERIFY(window_->notices().isTold(QStringLiteral("unread")));
+    QVERIFY(window_->notices().has(QStringLiteral("unread")));
     QVERIFY(!recentRow()->isEnabled());
   }
 
@@ -280,7 +280,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     window_->actions().switchTheme->trigger();
     QVERIFY(window_->close());
     restartRemembering(false);  // whose theme is that of the application
-    editor::dressApplication(wasDark ? editor::Theme::dark() : editor::Theme::light());
+    editor::applyTheme(wasDark ? editor::Theme::dark() : editor::Theme::light());
     window_->setTheme(wasDark ? editor::Theme::dark() : editor::Theme::light());
     QVERIFY(window_->close());
     restartRemembering();
@@ -311,14 +311,14 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   void roomDialog_looks() {
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      editor::dressApplication(theme);
+      editor::applyTheme(theme);
       app::RoomDialog dialog(theme);
       dialog.show();
       quiet::shoot(dialog, isDark ? "room-dark" : "room-light");
       QVERIFY(dialog.hasWalls());
       QCOMPARE(dialog.size(), QSizeF(12.0, 9.0));
     }
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
   }
 
   void notices_dark_looks() {
@@ -326,8 +326,8 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
     QVERIFY(base::writeFileAtomically(file.toStdString(), "something else").empty());
-    window_->guard().lookNow();
-    window_->notices().tell({QStringLiteral("x"),
+    window_->guard().checkFiles();
+    window_->notices().post({QStringLiteral("x"),
                              false,
                              QStringLiteral("The program ended unexpectedly. Unsaved changes to "
                                             "cafe.yaml were kept (2 min ago)."),
@@ -365,7 +365,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
       QCOMPARE(run.exitCode, 0);
     }
     QVERIFY(window_->open(folders[0]));
-    window_->workspace().runner().setLoop(editor::SimulationRunner::Part{0.5, 1.25});
+    window_->workspace().runner().setLoop(editor::SimulationRunner::LoopRange{0.5, 1.25});
     window_->workspace().runner().reset();  // leaving it takes nothing away
     restartRemembering();
     QCOMPARE(window_->workspace().scene().options().trailSeconds, 15.0);
@@ -387,7 +387,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   void restartRemembering(bool followsSystem = true) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
     app::WindowSetup setup = quiet::setup();
-    setup.remembers = true;
+    setup.storesSettings = true;
     setup.followsSystem = followsSystem;
     quiet::leave(window_);
     window_ = quiet::shownWindow(setup);

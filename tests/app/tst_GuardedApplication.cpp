@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "app/window/GuardedApplication.h"
+#include "app/window/KeyRules.h"
 
 namespace {
 
@@ -31,11 +31,11 @@ class GuardedApplicationTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void cleanup() { application().whenBroken({}); }
+  void cleanup() { application().setExceptionHandler({}); }
 
   void thrown_inAnEvent_isToldAndTheLoopGoesOn() {
     QStringList told;
-    application().whenBroken(
+    application().setExceptionHandler(
         [&told](const std::string& why) { told += QString::fromStdString(why); });
     Failing failing;
     QCoreApplication::postEvent(&failing, new QEvent(QEvent::User));

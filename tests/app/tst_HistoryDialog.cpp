@@ -1,7 +1,7 @@
 #include "QuietWindow.h"
 #include "app/window/HistoryDialog.h"
-#include "editor/look/HouseStyle.h"
-#include "editor/look/Later.h"
+#include "editor/look/AppStyle.h"
+#include "editor/look/DeferredActions.h"
 
 using app::HistoryDialog;
 
@@ -24,7 +24,7 @@ class HistoryDialogTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
 
   void memory_typed_isInBytes() {
     HistoryDialog dialog(256 * kMega, nullptr, editor::Theme::light());
@@ -34,7 +34,7 @@ class HistoryDialogTest : public QObject {
     field->selectAll();
     QTest::keyClicks(field, QStringLiteral("1024"));
     QCOMPARE(dialog.memory(), 1024 * kMega);
-    QVERIFY(!wordsOf(dialog).contains(QStringLiteral("run that is shown")));
+    QVERIFY(!wordsOf(dialog).contains(QStringLiteral("displayed run")));
   }
 
   void words_aRunWhoseOldestStatesAreGone_tellFromWhen() {
@@ -46,7 +46,7 @@ class HistoryDialogTest : public QObject {
     }
     QCOMPARE(recording->first(), std::size_t{199});  // a chunk of one state is kept
     const HistoryDialog dialog(256 * kMega, recording, editor::Theme::light());
-    QVERIFY2(wordsOf(dialog).contains(QStringLiteral("from 0:19.9 on")),
+    QVERIFY2(wordsOf(dialog).contains(QStringLiteral("starts at 0:19.9")),
              qPrintable(wordsOf(dialog)));
   }
 

@@ -6,7 +6,7 @@
 
 #include "app/window/MainWindow.h"
 #include "editor/document/PersonTree.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/MetricsChoice.h"
@@ -14,7 +14,7 @@
 #include "editor/panels/PropertyPanel.h"
 #include "editor/panels/RouteEditor.h"
 #include "editor/panels/ScenarioPanel.h"
-#include "editor/tools/ToolOptionsBar.h"
+#include "editor/tools/ToolManager.h"
 #include "tests/app/QuietWindow.h"
 
 using base::EntityKind;
@@ -25,7 +25,7 @@ class KeyRulesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     window_ = quiet::shownWindow();
     QVERIFY(window_->open(quiet::demoPath()));

@@ -11,7 +11,7 @@
 #include "app/window/MapDialogs.h"
 #include "app/window/TreeChoiceDialog.h"
 #include "editor/document/MapEdit.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 
 namespace {
@@ -77,7 +77,7 @@ class KeyboardTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
 
   void menus_lettersAreUnique() {
     app::MainWindow window(quiet::setup());
@@ -121,9 +121,8 @@ class KeyboardTest : public QObject {
     dialog->show();
     const std::vector<QWidget*> stops = tabStops(*dialog);
     int before = -1;
-    for (const char* name :
-         {"Simulator", "Folder", "Choose…", "Format", "Missing trees", "Files that are written",
-          "Remarks", "Copy", "Command that starts it there", "Export"}) {
+    for (const char* name : {"Simulator", "Folder", "Choose…", "Format", "Missing trees",
+                             "Files to write", "Remarks", "Copy", "Launch command", "Export"}) {
       const int place = placeOf(stops, QString::fromUtf8(name));
       QVERIFY2(place > before, name);
       before = place;
@@ -156,7 +155,7 @@ class KeyboardTest : public QObject {
                                                      QImage(80, 60, QImage::Format_RGB32), theme);
       default:
         return std::make_unique<app::TreeChoiceDialog>(
-            std::vector<editor::TreeQuestion>{
+            std::vector<editor::TreeConflict>{
                 {{base::EntityKind::Human, 1}, "Ana", "a.xml", "a", "b"},
                 {{base::EntityKind::Human, 2}, "Ben", "b.xml", "a", "b"}},
             theme);

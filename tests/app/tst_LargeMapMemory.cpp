@@ -79,10 +79,10 @@ class LargeMapMemoryTest : public QObject {
     std::unique_ptr<app::MainWindow> window = quiet::shownWindow();
     QVERIFY(window->open(file_));
     const editor::ScenarioDocument& document = window->workspace().document();
-    const std::shared_ptr<app::KnownSurroundings> known = document.surroundings();
+    const std::shared_ptr<app::SurroundingsCache> known = document.surroundings();
     const sim2d::Scenario scenario = document.scenario();
     const auto map = document.map();
-    const base::StopFlagPtr work = document.mapWork();
+    const base::StopFlagPtr work = document.mapStopFlag();
     work->check();
     QVERIFY(known.use_count() > 2);  // the check has them as well as the document
     quiet::leave(window);

@@ -287,7 +287,7 @@ class ListProgramTest : public QObject {
     QTest::newRow("planners") << QStringLiteral("sim2d/nav/PLANNERS.md")
                               << QByteArray(
                                      "| `window` | s | 0.25 | 0.01 to 2 | Time within which a "
-                                     "velocity must be reached to be tried. | Fox, Burgard & Thrun "
+                                     "sampled velocity must be reachable. | Fox, Burgard & Thrun "
                                      "1997, 0.25 |\n");
     QTest::newRow("models") << QStringLiteral("sim2d/world/MODELS.md") << QByteArray("\n## das\n");
   }

@@ -262,9 +262,8 @@ void LiveProgramTest::run_portTaken_isToldAndNothingIsWritten() {
   const Finished second = outside::runProgram(QStringList{text("run")} + cafe(path("second"), 1.0) +
                                               QStringList{text("--foxglove"), port});
   QCOMPARE(second.exitCode, 2);
-  QCOMPARE(
-      second.err.section(QLatin1Char('\n'), -2, -2),
-      text("error: port %1 is taken by another program (--foxglove 0 takes a free one)").arg(port));
+  QCOMPARE(second.err.section(QLatin1Char('\n'), -2, -2),
+           text("error: port %1 is already in use (--foxglove 0 chooses a free port)").arg(port));
   QVERIFY(!QFileInfo::exists(path("second/manifest.json")));
 }
 
@@ -307,11 +306,12 @@ void LiveProgramTest::run_otherAddress_isWarnedOf() {
   const Finished open = outside::runProgram(words + QStringList{text("0.0.0.0")});
   QCOMPARE(open.exitCode, 0);
   QVERIFY2(
-      open.err.contains(text("warning: whoever reaches 0.0.0.0 can watch this run and steer it\n")),
+      open.err.contains(text("warning: anyone who can connect to 0.0.0.0 can watch and control "
+                             "this run\n")),
       qPrintable(open.err));
   const Finished nowhere = outside::runProgram(words + QStringList{text("nowhere")});
   QCOMPARE(nowhere.exitCode, 2);
-  QVERIFY(nowhere.err.contains(text("error: 'nowhere' is no address in digits")));
+  QVERIFY(nowhere.err.contains(text("error: 'nowhere' is not a numeric IP address")));
 }
 
 void LiveProgramTest::run_foreignPage_isRefusedAndTold() {
@@ -328,7 +328,7 @@ void LiveProgramTest::run_foreignPage_isRefusedAndTold() {
   const Finished finished = run.finish();
   QCOMPARE(finished.exitCode, 0);
   QVERIFY2(finished.err.contains(
-               text("warning: a page of https://evil.example wanted to connect and was refused")),
+               text("warning: a connection from a page of https://evil.example was refused")),
            qPrintable(finished.err));
 }
 
@@ -355,7 +355,7 @@ void LiveProgramTest::run_teleop_isDrivenAndRecorded() {
   }
   client.binary(head + R"({"linear":{"x":"fast"}})");
   QCOMPARE(client.await("status").value(QLatin1String("message")).toString(),
-           text("/cmd_vel: this is no geometry_msgs/msg/Twist of finite numbers"));
+           text("/cmd_vel: not a geometry_msgs/msg/Twist with finite numbers"));
   QVERIFY(client::pause(client, false));
   speedUp(client);
   QCOMPARE(run.finish().exitCode, 0);
@@ -402,8 +402,8 @@ void LiveProgramTest::run_forGroot2_ofNobody_isToldAndNothingIsWritten() {
       QStringList{text("run")} + cafe(path("nobody"), 1.0) +
       QStringList{text("--groot2"), text("0"), text("--groot2-of"), text("Grete")});
   QCOMPARE(run.exitCode, 2);
-  QVERIFY2(run.err.contains(text("there is no person 'Grete' whose tree Groot2 could watch (did "
-                                 "you mean 'Greta'?)")),
+  QVERIFY2(run.err.contains(text("there is no person 'Grete' with a tree for Groot2 (did you mean "
+                                 "'Greta'?)")),
            qPrintable(run.err));
   QVERIFY(!QFileInfo::exists(path("nobody")));
 }

@@ -17,7 +17,7 @@ void addHeadcountPanel(editor::PanelRegistry& to) {
       panel->setText(QString::number(people));
       Q_EMIT context.counted(panel, people);
     };
-    QObject::connect(&context.document, &editor::ScenarioDocument::settled, panel, follow);
+    QObject::connect(&context.document, &editor::ScenarioDocument::stepFinished, panel, follow);
     QObject::connect(&context, &editor::PanelContext::themeChanged, panel,
                      [panel](const editor::Theme& theme) { panel->setPalette(theme.palette()); });
     return panel;

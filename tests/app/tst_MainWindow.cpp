@@ -13,7 +13,7 @@
 #include "app/window/WindowCommand.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -53,14 +53,14 @@ class MainWindowTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { window_ = quiet::shownWindow(); }
   void cleanup() { quiet::leave(window_); }
 
   void start_showsTheStartPage() {
     QVERIFY(window_->isOnStartPage());
     QCOMPARE(window_->windowTitle(), QStringLiteral("HuNavSim Desktop"));
-    window_->actions().newRoom->trigger();
+    window_->actions().newOpenPlane->trigger();
     QVERIFY(!window_->isOnStartPage());
     QVERIFY(view().isVisible());
   }
@@ -74,7 +74,7 @@ class MainWindowTest : public QObject {
   }
 
   void tool_chosen_hearsItsKeys() {
-    window_->actions().newRoom->trigger();
+    window_->actions().newOpenPlane->trigger();
     auto* filter = window_->findChild<QLineEdit*>();
     QVERIFY(filter != nullptr);
     filter->setFocus();
@@ -83,7 +83,7 @@ class MainWindowTest : public QObject {
   }
 
   void status_ground_tellsUnknownFromFree() {
-    window_->actions().newRoom->trigger();
+    window_->actions().newOpenPlane->trigger();
     std::vector<std::int8_t> cells(100, 0);
     std::fill(cells.begin(), cells.begin() + 50, std::int8_t{-1});  // the lower half
     document().setMap(
@@ -101,7 +101,7 @@ class MainWindowTest : public QObject {
   }
 
   void mouse_personAndGoal_placedAssignedSavedReopened() {
-    window_->actions().newRoom->trigger();
+    window_->actions().newOpenPlane->trigger();
     QTest::qWait(50);
     const base::Vec2 start(1.0, 0.5);
     chooseTool(QStringLiteral("tool-person"));
@@ -138,7 +138,7 @@ class MainWindowTest : public QObject {
     QVERIFY(!window_->isWindowModified());
     QVERIFY(window_->windowTitle().startsWith(QStringLiteral("made.yaml")));
     const sim2d::Scenario saved = sim2d::withoutDefaults(document().scenario());
-    window_->actions().newRoom->trigger();
+    window_->actions().newOpenPlane->trigger();
     QVERIFY(document().scenario().humans.empty());
     QVERIFY(window_->open(file));
     QVERIFY(sim2d::withoutDefaults(document().scenario()) == saved);
@@ -287,9 +287,9 @@ class MainWindowTest : public QObject {
 
   void ago_isSaidInWords() {
     const QDateTime now(QDate(2024, 5, 17), QTime(12, 0));
-    QCOMPARE(app::agoText(now.addSecs(-130), now), QStringLiteral("2 min ago"));
-    QCOMPARE(app::agoText(now.addDays(-1), now), QStringLiteral("Yesterday"));
-    QCOMPARE(app::agoText(now.addDays(-40), now), QStringLiteral("7 Apr"));
+    QCOMPARE(app::relativeTimeText(now.addSecs(-130), now), QStringLiteral("2 min ago"));
+    QCOMPARE(app::relativeTimeText(now.addDays(-1), now), QStringLiteral("Yesterday"));
+    QCOMPARE(app::relativeTimeText(now.addDays(-40), now), QStringLiteral("7 Apr"));
   }
 };
 

@@ -15,8 +15,8 @@
 #include <QtTest>
 
 #include "app/window/StudyPanel.h"
-#include "editor/look/HouseStyle.h"
-#include "editor/look/Later.h"
+#include "editor/look/AppStyle.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/panels/FuturesPanel.h"
 #include "sim2d/base/Rng.h"
 #include "tests/app/MonkeyHands.h"
@@ -112,7 +112,7 @@ class Monkey {
   static constexpr int kBetweenLooks = 10;  // events
 
   int draw(int below) {
-    const double share = rng_.uniform01(base::Draw::Test, draws_++);
+    const double share = rng_.uniform01(base::DrawPurpose::Test, draws_++);
     return std::min(static_cast<int>(share * below), below - 1);
   }
 
@@ -404,7 +404,7 @@ class MonkeyTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
     QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "showOutside");
   }
 

@@ -56,8 +56,8 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   const auto row = [](const char* file, const char* value, const char* told) {
     QTest::addRow("%s %s", file, value) << text(file) << text(value) << text(told);
   };
-  row("humble", "FollowPath.max_vel_x=.nan", "FollowPath.max_vel_x nan: numbers here are finite");
-  row("humble", "FollowPath.min_vel_y=.nan", "FollowPath.min_vel_y nan: numbers here are finite");
+  row("humble", "FollowPath.max_vel_x=.nan", "FollowPath.max_vel_x nan: numbers must be finite");
+  row("humble", "FollowPath.min_vel_y=.nan", "FollowPath.min_vel_y nan: numbers must be finite");
   row("humble", "FollowPath.acc_lim_x=.inf", "");
   row("humble", "FollowPath.vx_samples=1000000000", "vx_samples 1000000000 with");
   row("humble", "FollowPath.vtheta_samples=1000000000", "vtheta_samples 1000000000 with");
@@ -132,7 +132,7 @@ void Nav2ExtremesTest::file_ofMasses_isRefused_data() {
                                       many(999,
                                            [](const QByteArray&) { return "\"FollowPath\","; }) +
                                       "]\n"
-                               << text("controller_plugins names 999, 100 at most");
+                               << text("controller_plugins contains 999 names, the limit is 100");
   QTest::newRow("plugins") << server + "    controller_plugins: [" +
                                   many(99999, [](const QByteArray&) { return "\"FollowPath\","; }) +
                                   "]\n"
@@ -143,7 +143,10 @@ void Nav2ExtremesTest::file_ofMasses_isRefused_data() {
   QByteArray sources = jazzy;
   sources.replace("observation_sources: \"scan\"",
                   "observation_sources: \"" + QByteArray("scan ").repeated(9999) + '"');
-  QTest::newRow("sources") << sources << text("observation_sources names 9999, 100 at most");
+  QTest::newRow("sources") << sources
+                           << text(
+                                  "observation_sources contains 9999 names, the limit "
+                                  "is 100");
 }
 
 void Nav2ExtremesTest::file_ofMasses_isRefused() {
@@ -198,7 +201,7 @@ void Nav2ExtremesTest::futures_ofWordsThatDoNotFit_areRefused_data() {
   QTest::newRow("planner") << QStringList{text("--planner"), text("nope")} << 64;
   QTest::newRow("speed") << QStringList{text("--set"), text("*.max_vel=1e308")} << 64;
   QTest::newRow("parameter") << QStringList{text("--set"), text("robot1.nav2.FollowPath.nope=1")}
-                             << 2;
+                             << 64;
 }
 
 /// As words of `run` are.

@@ -281,9 +281,8 @@ void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
       const Ended checked = run(text("check study.yaml"));
       QString fault = faultOf(checked, {0, 2});
       const base::Result<app::Experiment> experiment = app::readExperiment(path);
-      const bool isShort =
-          experiment && experiment->runCount() <= kMostRuns &&
-          base::parseDouble(experiment->options.at("--duration")).value_or(0.0) < kLongest;
+      const bool isShort = experiment && experiment->runCount() <= kMostRuns &&
+                           experiment->common.duration.value_or(0.0) < kLongest;
       if (fault.isEmpty() && isShort) {
         fault = faultOf(run(text("batch study.yaml -q --force --jobs 1 -o study")), {0, 1, 2});
       }

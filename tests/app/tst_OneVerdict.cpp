@@ -222,7 +222,7 @@ QStringList errorLines(const QString& output, const QString& severity = text("er
 
 /// What `run`, `batch` and `check` say of the scenario.
 QStringList verdictOf(const QString& file) {
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = file.toStdString();
   return errorLines(app::check(app::readBundle(options, {}, editor::loadMapImage)).problems);
 }
@@ -452,7 +452,7 @@ class OneVerdictTest : public QObject {
           {text("convert"), row.file, text("-o"), out, text("--target"), text("native")});
       QStringList wanted = verdicts_.at(row.file);
       if (row.name.contains("map") || row.name.contains("image") ||
-          wanted.join(QLatin1Char(' ')).contains(text("no map"))) {
+          wanted.join(QLatin1Char(' ')).contains(text("error: map '"))) {
         for (QString warned : errorLines(found.err, text("warning: "))) {
           wanted.removeOne(warned.replace(text("warning: "), text("error: ")));
         }

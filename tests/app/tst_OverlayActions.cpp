@@ -8,8 +8,8 @@
 #include "RunFiles.h"
 #include "app/window/FigureCommands.h"
 #include "editor/canvas/RunOverlays.h"
-#include "editor/look/HouseStyle.h"
-#include "editor/panels/RunLayers.h"
+#include "editor/look/AppStyle.h"
+#include "editor/panels/RunOverlayUpdater.h"
 
 using editor::CanvasOptions;
 
@@ -20,7 +20,9 @@ class OverlayActionsTest : public QObject {
  private:
   std::unique_ptr<app::MainWindow> window_;
   app::Workspace& workspace() { return window_->workspace(); }
-  editor::RunLayers& layers() { return *workspace().view().findChild<editor::RunLayers*>(); }
+  editor::RunOverlayUpdater& layers() {
+    return *workspace().view().findChild<editor::RunOverlayUpdater*>();
+  }
   void runDemo(double seconds) {
     QVERIFY(window_->open(quiet::demoPath()));
     workspace().runner().setSpeed(1e9);
@@ -34,7 +36,7 @@ class OverlayActionsTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { window_ = quiet::shownWindow(); }
   void cleanup() { quiet::leave(window_); }
 
@@ -61,7 +63,7 @@ class OverlayActionsTest : public QObject {
         &CanvasOptions::thoughts,   &CanvasOptions::speech, &CanvasOptions::localCosts,
         &CanvasOptions::globalCosts};
     QVERIFY(window_->open(quiet::demoPath()));
-    QAction& action = *window_->actions().ofRuns->all.at(place);
+    QAction& action = *window_->actions().runOverlays->all.at(place);
     const bool before = workspace().scene().options().*options[place];
     QCOMPARE(action.isChecked(), before);
     QCOMPARE(before, place == 7);  // speech alone is on at first
@@ -76,10 +78,10 @@ class OverlayActionsTest : public QObject {
   void thoughts_ofARun_areWords() {
     runDemo(2.0);
     workspace().runner().seek(30);  // wherever it came to: on the way to the first goal
-    window_->actions().ofRuns->thoughts->trigger();
+    window_->actions().runOverlays->thoughts->trigger();
     QTRY_VERIFY(!workspace().scene().overlays().thoughtOf(1).isEmpty());
     const int id = workspace().document().scenario().humans.front().id;
-    const QString words = layers().wordsOn(id);
+    const QString words = layers().tooltipFor(id);
     QVERIFY2(words.startsWith(
                  QString::fromStdString(workspace().document().scenario().humans.front().name)),
              qPrintable(words));
@@ -87,8 +89,8 @@ class OverlayActionsTest : public QObject {
                  words.contains(QStringLiteral("because")),
              qPrintable(words));
     QVERIFY(words.contains(QStringLiteral("m/s")));
-    QVERIFY(layers().wordsOn(12345).isEmpty());
-    QVERIFY(layers().wordsOn(-1).contains(QStringLiteral("m/s")));  // the robot
+    QVERIFY(layers().tooltipFor(12345).isEmpty());
+    QVERIFY(layers().tooltipFor(-1).contains(QStringLiteral("m/s")));  // the robot
   }
 
   void hover_overSomebody_tellsWhoItIs() {
@@ -98,7 +100,7 @@ class OverlayActionsTest : public QObject {
     const QPoint at = workspace().view().viewportFrom(place);
     QHelpEvent help(QEvent::ToolTip, at, workspace().view().viewport()->mapToGlobal(at));
     QCoreApplication::sendEvent(workspace().view().viewport(), &help);
-    QCOMPARE(QToolTip::text(), layers().wordsOn(frame.humans.id[0]));
+    QCOMPARE(QToolTip::text(), layers().tooltipFor(frame.humans.id[0]));
   }
 
   void copyAsFigure_givesPixelsAndVectors() {
@@ -107,7 +109,7 @@ class OverlayActionsTest : public QObject {
     QVERIFY(!copy.isEnabled());
     runDemo(2.0);
     QVERIFY(copy.isEnabled());
-    window_->actions().ofRuns->density->trigger();
+    window_->actions().runOverlays->density->trigger();
     copy.trigger();
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const QImage image = qvariant_cast<QImage>(data->imageData());

@@ -93,14 +93,15 @@ class RecordedRunTest : public QObject {
     auto window = quiet::shownWindow();
     window->open(path);
     editor::SimulationRunner& runner = window->workspace().runner();
-    QVERIFY(window->workspace().isOfRecord());
+    QVERIFY(window->workspace().isRecordedRun());
     QVERIFY(runner.recording() != nullptr);
     const std::int64_t end = runner.newestFrame()->step;
     QVERIFY2(end == lastStep - 1, qPrintable(QString::number(end)));
     const QString words = quiet::noticeOf(*window, "cut-run").text;
-    QVERIFY2(words.contains(text("cut")) && words.contains(text("of 10.5 s")), qPrintable(words));
-    QVERIFY(window->workspace().recordedName().contains(text("(cut)")));
-    QVERIFY(!runner.canGoOnFromShown());
+    QVERIFY2(words.contains(text("truncated")) && words.contains(text("of 10.5 s")),
+             qPrintable(words));
+    QVERIFY(window->workspace().recordedName().contains(text("(truncated)")));
+    QVERIFY(!runner.canBranchFromShown());
     QTest::qWait(100);
     quiet::shoot(*window, "cut_run");
     QVERIFY(window->open(quiet::demoPath()));
@@ -111,7 +112,7 @@ class RecordedRunTest : public QObject {
     QVERIFY(QFile::remove(path + text("/manifest.json")));
     QVERIFY(file.resize(1000));
     window->open(path);
-    QVERIFY(window->workspace().isOfRecord());
+    QVERIFY(window->workspace().isRecordedRun());
   }
 
   void canvas_atTwentyInstants_showsWhatTheLiveRunShowed() {
@@ -211,7 +212,7 @@ class RecordedRunTest : public QObject {
     outside::writeText(path + text("/trajectory.csv"), trajectory.left(trajectory.size() / 2));
     const outside::Finished cut = outside::runProgram(words);
     QCOMPARE(cut.exitCode, 0);  // what is whole is shown, and told that there was more
-    QVERIFY2(cut.err.contains(text("this is no finished run")), qPrintable(cut.err));
+    QVERIFY2(cut.err.contains(text("the run is incomplete")), qPrintable(cut.err));
     outside::writeText(path + text("/trace.json"), "{");
     const outside::Finished broken = outside::runProgram(words);
     QCOMPARE(broken.exitCode, 2);
@@ -219,7 +220,7 @@ class RecordedRunTest : public QObject {
     QCOMPARE(outside::runProgram({path}).exitCode, 2);  // without a picture as well
     const outside::Finished none = outside::runProgram({folder.path()});
     QCOMPARE(none.exitCode, 2);
-    QVERIFY2(none.err.contains(text("is no folder of a run")), qPrintable(none.err));
+    QVERIFY2(none.err.contains(text("not a run folder")), qPrintable(none.err));
   }
 };
 

@@ -24,9 +24,9 @@ struct MapStudy {
     for (std::size_t k = 0; k < cases; ++k) {
       study.cases.push_back("case" + std::to_string(k));
     }
-    Ground ground;
+    FloorPlan ground;
     ground.high = {10.0, 5.0};
-    pictures.grounds[kHall] = ground;
+    pictures.floorPlans[kHall] = ground;
     for (std::size_t run = 0; run < options * cases; ++run) {
       addRun(run % options, run / options, without.count(run) == 0);
     }
@@ -42,7 +42,7 @@ struct MapStudy {
     if (isKept) {
       RunPicture picture;
       picture.run = study.runCount() - 1;
-      picture.way = {{1.0, 1.0}, {2.0, 1.0}};
+      picture.path = {{1.0, 1.0}, {2.0, 1.0}};
       pictures.runs.push_back(picture);
       ++pictures.kept;
     }
@@ -95,7 +95,7 @@ class ReportMapsTest : public QObject {
   /// Nothing was kept of the first option in the first case, and of the whole second case.
   void waysFigure_cellWithoutRun_staysBlank() {
     const MapStudy all(2, 3, {0, 2, 3});
-    const std::optional<Figure> figure = waysFigure(all.study, all.pictures);
+    const std::optional<Figure> figure = pathsFigure(all.study, all.pictures);
     QVERIFY(figure);
     QCOMPARE(placesOf(*figure, "case0").size(), std::size_t{1});
     QCOMPARE(placesOf(*figure, "case1").size(), std::size_t{0});
@@ -113,28 +113,28 @@ class ReportMapsTest : public QObject {
 
   void waysFigure_noRobot_isLeftOut() {
     MapStudy all(1, 2);
-    all.pictures.runs[0].way.clear();
-    const std::optional<Figure> figure = waysFigure(all.study, all.pictures);
+    all.pictures.runs[0].path.clear();
+    const std::optional<Figure> figure = pathsFigure(all.study, all.pictures);
     QVERIFY(figure && placesOf(*figure, "case0").empty());
     QCOMPARE(placesOf(*figure, "case1").size(), std::size_t{1});
-    all.pictures.runs[1].way.clear();
-    QVERIFY(!waysFigure(all.study, all.pictures));
+    all.pictures.runs[1].path.clear();
+    QVERIFY(!pathsFigure(all.study, all.pictures));
   }
 
   /// One that never left its place has no way and is seen.
   void waysFigure_robotThatStands_isADot() {
     MapStudy all(1, 1);
-    all.pictures.runs[0].way.resize(1);
-    const std::optional<Figure> figure = waysFigure(all.study, all.pictures);
+    all.pictures.runs[0].path.resize(1);
+    const std::optional<Figure> figure = pathsFigure(all.study, all.pictures);
     QVERIFY(figure && has(figure->markup(), "<circle"));
   }
 
   void waysFigure_manyPanels_saysWhatIsMissing() {
     const MapStudy table(4, 7);
-    const std::optional<Figure> rows = waysFigure(table.study, table.pictures);
+    const std::optional<Figure> rows = pathsFigure(table.study, table.pictures);
     QVERIFY2(rows && has(rows->caption, "(the first 6 of 7 cases)"), rows->caption.c_str());
     const MapStudy list(5, 6);
-    const std::optional<Figure> cells = waysFigure(list.study, list.pictures);
+    const std::optional<Figure> cells = pathsFigure(list.study, list.pictures);
     QVERIFY2(cells && has(cells->caption, "(the first 24 of 30 panels)"), cells->caption.c_str());
   }
 
@@ -142,7 +142,7 @@ class ReportMapsTest : public QObject {
     MapStudy all(1, 1);
     all.study.results.runs[0].scenario = "a.yaml";
     all.addRun(0, 0, true);
-    all.pictures.grounds["a.yaml"] = all.pictures.grounds[kHall];
+    all.pictures.floorPlans["a.yaml"] = all.pictures.floorPlans[kHall];
     all.pictures.runs[0].contacts.resize(1);
     all.pictures.runs[1].contacts.resize(15);
     const std::optional<Figure> figure = contactsFigure(all.study, all.pictures);
@@ -165,7 +165,7 @@ class ReportMapsTest : public QObject {
     for (RunPicture& picture : all.pictures.runs) {
       const std::string name = "s" + std::to_string(100 + picture.run);
       all.study.results.runs[picture.run].scenario = name;
-      all.pictures.grounds[name] = all.pictures.grounds[kHall];
+      all.pictures.floorPlans[name] = all.pictures.floorPlans[kHall];
       picture.contacts.resize(1);
     }
     const std::optional<Figure> figure = contactsFigure(all.study, all.pictures);
@@ -225,8 +225,8 @@ class ReportMapsTest : public QObject {
     add(sim2d::EventKind::Stop, "1.5 of something");
     const std::string json = playerJson(trace, {}, {"Run 1", "dwa, hall, seed 3", "timeout"}, 0.2);
     for (const char* wanted :
-         {"\"closing at 0.37 m/s, robot ahead\"", "\"closing at 1.50 m/s\"",
-          "\"closing at 0.00 m/s, table 2\"", "null,\"\"]", "\"1.5 of something\"", "\"Run 1\"",
+         {"\"closing speed 0.37 m/s, robot ahead\"", "\"closing speed 1.50 m/s\"",
+          "\"closing speed 0.00 m/s, table 2\"", "null,\"\"]", "\"1.5 of something\"", "\"Run 1\"",
           "\"dwa, hall, seed 3\"", "\"timeout\""}) {
       QVERIFY2(has(json, wanted), json.c_str());
     }

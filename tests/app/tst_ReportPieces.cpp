@@ -7,7 +7,7 @@
 #include "app/report/Comparison.h"
 #include "app/report/Figure.h"
 #include "app/report/Markup.h"
-#include "app/report/PlotParts.h"
+#include "app/report/Plots.h"
 #include "app/report/Tables.h"
 
 using namespace report;
@@ -96,9 +96,9 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(numberText(0.0625, 3), std::string("0.063"));
     QCOMPARE(numberText(std::numeric_limits<double>::quiet_NaN(), 2), std::string("–"));
     QCOMPARE(plainNumber(-1.5, 1), std::string("-1.5"));
-    QCOMPARE(pText(0.0004), std::string("< 0.001"));
-    QCOMPARE(pText(0.0456), std::string("0.046"));
-    QCOMPARE(pText(1.0), std::string("1"));
+    QCOMPARE(pValueText(0.0004), std::string("< 0.001"));
+    QCOMPARE(pValueText(0.0456), std::string("0.046"));
+    QCOMPARE(pValueText(1.0), std::string("1"));
   }
 
   void latexText_commands_areEscaped() {
@@ -141,9 +141,9 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(axisTicks({17.0, 24.0, 0.0, 136.0}), std::vector<double>({18.0, 22.0}));
     QCOMPARE(axisTicks({1.0, 9.1, 0.0, 136.0}), std::vector<double>({2.0, 6.0}));
     QCOMPARE(axisTicks({0.0, 1.0, 0.0, 136.0}), std::vector<double>({0.0, 0.5, 1.0}));
-    const Scale equal = roomyScale(5.0, 5.0, 0.0, 10.0);
+    const Scale equal = paddedScale(5.0, 5.0, 0.0, 10.0);
     QVERIFY(equal.low < 5.0 && equal.high > 5.0);
-    QCOMPARE(roomyScale(1.0, 0.0, 0.0, 10.0).high, 1.0);  // nothing to show
+    QCOMPARE(paddedScale(1.0, 0.0, 0.0, 10.0).high, 1.0);  // nothing to show
     const Scale zeros = scaleOfValues({0.0, 0.0}, 0.0, 136.0);
     QCOMPARE(axisTicks(zeros), std::vector<double>({0.0, 1.0}));  // no contacts below none
   }
@@ -208,7 +208,7 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(found.estimates[0].mean, 4.0);
     QCOMPARE(found.estimates[1].mean, 2.5);
     QVERIFY(found.best == std::size_t{1});  // less time is better
-    QVERIFY(found.standings[0] == Standing::Close);
+    QVERIFY(found.relativeToBest[0] == RelativeToBest::NotDifferent);
     QVERIFY(!found.friedman);
   }
 
@@ -251,7 +251,7 @@ class ReportPiecesTest : public QObject {
     study.optionOf[2] = 2;
     study.results.metrics[0][2] = 7.0;
     const MetricComparison found = compare(study, 0, blocksOf(study));
-    QVERIFY(found.leads(0) && found.leads(1) && !found.leads(2));
+    QVERIFY(found.isBestOrTied(0) && found.isBestOrTied(1) && !found.isBestOrTied(2));
   }
 
   /// The way of the first option is shorter because it ends early.
@@ -286,10 +286,10 @@ class ReportPiecesTest : public QObject {
     const MetricComparison time = compare(study, 0, blocksOf(study));
     QVERIFY(time.best == std::size_t{0});
     QVERIFY(time.pairs[0].adjusted < kSignificance);
-    QVERIFY(time.standings[1] == Standing::NoSuccess);
+    QVERIFY(time.relativeToBest[1] == RelativeToBest::NeverSucceeds);
     const MetricComparison success = compare(study, 1, blocksOf(study));
     QVERIFY(success.best == std::size_t{0});
-    QVERIFY(success.standings[1] == Standing::Beaten);
+    QVERIFY(success.relativeToBest[1] == RelativeToBest::Worse);
   }
 
   /// The first arrives only where the way is short, and is slower there.
@@ -305,7 +305,7 @@ class ReportPiecesTest : public QObject {
                                      {kNone, 95.0}});
     const MetricComparison found = compare(study, 0, blocksOf(study));
     QVERIFY(found.best == std::size_t{0});
-    QVERIFY(found.standings[1] == Standing::Ahead);
+    QVERIFY(found.relativeToBest[1] == RelativeToBest::Better);
   }
 
   /// Nothing to compare is no equality, and takes no part in the adjustment of the others.
@@ -331,13 +331,13 @@ class ReportPiecesTest : public QObject {
     std::vector<std::array<double, 2>> rare(150, {0.0, 0.0});
     rare[3] = rare[50] = rare[99] = {1.0, 0.0};
     const Study few = pairedStudy(rare);
-    QCOMPARE(compare(few, 0, blocksOf(few)).pairs[0].enoughPairs, 391.0);
+    QCOMPARE(compare(few, 0, blocksOf(few)).pairs[0].requiredPairs, 391.0);
     std::vector<std::array<double, 2>> some(10, {1.0, 1.0});
     for (std::size_t k = 0; k < 8; ++k) {
       some[k][0] = 2.0 + 0.1 * static_cast<double>(k);
     }
     const Study most = pairedStudy(some);
-    QCOMPARE(compare(most, 0, blocksOf(most)).pairs[0].enoughPairs, 14.0);
+    QCOMPARE(compare(most, 0, blocksOf(most)).pairs[0].requiredPairs, 14.0);
   }
 
   /// All three seeds differ in success: no difference that is known to no width.
@@ -348,7 +348,7 @@ class ReportPiecesTest : public QObject {
     const MetricComparison found = compare(study, 0, blocksOf(study));
     QCOMPARE(found.pairs[0].shift, 1.0);
     QVERIFY(found.pairs[0].shiftInterval.low < 0.5);
-    QCOMPARE(found.pairs[0].enoughPairs, 6.0);
+    QCOMPARE(found.pairs[0].requiredPairs, 6.0);
   }
 
   /// In one scenario all six agree: p = 2/2^6 of the signed-rank test. In the other the ranks are
@@ -384,8 +384,8 @@ class ReportPiecesTest : public QObject {
     const MetricComparison found = compare(study, 0, blocksOf(study));
     QVERIFY(found.best == std::size_t{1});
     QVERIFY(std::abs(found.pairs[0].p - 2.0 / 256.0) < 1e-12);  // eight of one sign: 2 / 2^8
-    QVERIFY(found.standings[0] == Standing::Beaten);
-    QVERIFY(found.standings[1] == Standing::Close);
+    QVERIFY(found.relativeToBest[0] == RelativeToBest::Worse);
+    QVERIFY(found.relativeToBest[1] == RelativeToBest::NotDifferent);
   }
 };
 

@@ -256,19 +256,19 @@ class ReportProgramTest : public QObject {
     row("status", "results.csv", head + "0,hall,1,good,,5,1\n", {}, 2,
         "results.csv:2:10: error: status must be ok or failed, not 'good'");
     row("twice", "results.csv", head + "0,hall,1,ok,,5,1\n0,hall,2,ok,,5,1\n", {}, 2,
-        "results.csv:3:1: error: run 0 is there twice");
-    row("no runs", "results.csv", head, {}, 2, "results.csv: error: there are no runs in it");
+        "results.csv:3:1: error: run 0 is duplicated");
+    row("no runs", "results.csv", head, {}, 2, "results.csv: error: the results contain no runs");
     row("cut", "results.csv", head + "0,hall,1,ok,,5,1", {}, 2,
-        "results.csv:2:16: error: the file ends inside this line (cut?)");
+        "results.csv:2:16: error: the file ends inside this line (truncated?)");
     row("manifest", "manifest.json", "{\"runs\": 12", {}, 2,
-        "manifest.json: error: is no manifest of a batch (damaged?)");
+        "manifest.json: error: not the manifest of a batch (damaged?)");
     row("metric", "", {}, {text("--metrics"), text("path_lenght")}, 2,
         "error: unknown metric 'path_lenght' (did you mean 'path_length'?)");
     row("path", "", {}, {text("--compare"), text("robot1.model")}, 2,
-        "error: 'robot1.model' is not varied here (known: robot1.planner, scenario)");
+        "error: 'robot1.model' is not varied in this batch (known: robot1.planner, scenario)");
     row("weights", "", {}, {text("--weights"), text("path_length=much")}, 64, "--weights takes");
     row("weight of nothing better", "", {}, {text("--weights"), text("own_metric=1")}, 2,
-        "--weights: error: 'own_metric' cannot be weighed");
+        "--weights: error: 'own_metric' cannot have a weight");
     row("weight of nothing", "", {}, {text("--weights"), text("path=1")}, 2,
         "--weights: error: unknown metric 'path'");
     row("pareto", "", {}, {text("--pareto"), text("path_length")}, 64, "--pareto takes two");
@@ -317,7 +317,7 @@ class ReportProgramTest : public QObject {
     const QString findings =
         textsOf(outside::bytesOf(folder.filePath(text("report.html"))), "li").join(text("|"));
     QVERIFY2(findings.contains(text("best is A (10.550 s), but B is better on the same cases and "
-                                    "seeds; C never succeeds and is left out.")),
+                                    "seeds; C never succeeds and is excluded.")),
              qPrintable(findings));
     const outside::Finished weighed =
         report(folder.path(), {text("--no-pdf"), text("--weights"), text("time_to_reach_goal=1"),
@@ -327,8 +327,8 @@ class ReportProgramTest : public QObject {
     QCOMPARE(rowOf(table, {text("A")}).last().toDouble(), 1.0);
     QCOMPARE(rowOf(table, {text("C")}).last(), text("–"));
     QVERIFY(outside::bytesOf(folder.filePath(text("report.html")))
-                .contains("What never succeeds is not among them."));
-    QVERIFY2(findings.contains(text("Success: best is B (100 %), better than C; not clearly "
+                .contains("Options that never succeed are excluded from it."));
+    QVERIFY2(findings.contains(text("Success: best is B (100 %), better than C; not significantly "
                                     "different from A.")),
              qPrintable(findings));
   }
@@ -344,7 +344,7 @@ class ReportProgramTest : public QObject {
     outside::writeText(file, QJsonDocument(manifest).toJson());
     QCOMPARE(report(folder.path(), {text("--no-pdf")}).exitCode, 0);
     const QByteArray page = outside::bytesOf(folder.filePath(text("report.html")));
-    QVERIFY(page.contains("These are the runs of shard 1/3 of the study"));
+    QVERIFY(page.contains("This report contains only the runs of shard 1/3 of the study"));
     QVERIFY(page.contains(" --allow-code --shard 1/3\n"));
   }
 
@@ -371,10 +371,10 @@ class ReportProgramTest : public QObject {
       QCOMPARE(row.at(text("case")), text("all"));
     }
     const QByteArray page = outside::bytesOf(out + text("/report.html"));
-    QVERIFY(page.contains("Drawn for each scenario and seed"));
+    QVERIFY(page.contains("Drawn per scenario and seed"));
     const outside::Finished refused = report(out, {text("--compare"), text("*.max_vel")});
     QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.err.contains(text("is drawn anew for each seed")), qPrintable(refused.err));
+    QVERIFY2(refused.err.contains(text("is drawn again for each seed")), qPrintable(refused.err));
   }
 
   /// Figures and tables of another choice of metrics would be taken for those of this page.
@@ -399,7 +399,8 @@ class ReportProgramTest : public QObject {
     QVERIFY(QFile::remove(folder.filePath(text("manifest.json"))));
     const outside::Finished done = report(folder.path());
     QCOMPARE(done.exitCode, 0);
-    QVERIFY2(done.err.contains(text("manifest.json: warning: is missing")), qPrintable(done.err));
+    QVERIFY2(done.err.contains(text("manifest.json: warning: the file is missing")),
+             qPrintable(done.err));
   }
 };
 

@@ -130,7 +130,7 @@ class ReportedRunsTest : public QObject {
     }
     QCOMPARE(told, QStringList({text("robot1.max_vel 0.5"), text("robot1.max_vel 0.5"),
                                 text("robot1.max_vel 1.0"), text("robot1.max_vel 1.0")}));
-    QVERIFY(page.contains("The player has 4 of the 8 runs"));
+    QVERIFY(page.contains("The player contains 4 of the 8 runs"));
   }
 
  private:

@@ -5,7 +5,7 @@
 #include <QtTest>
 
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/PropertyPanel.h"
 #include "tests/app/QuietWindow.h"
 
@@ -36,7 +36,7 @@ class RestartRunTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { window_ = quiet::shownWindow(); }
   void cleanup() { quiet::leave(window_); }
 

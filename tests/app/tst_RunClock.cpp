@@ -49,7 +49,7 @@ void RunClockTest::run_withoutRobot_saysWhyNot() {
   QCOMPARE(finished.exitCode, 0);
   QVERIFY(ofManifest("alone", "planning_time_mean").isNull());
   QVERIFY(finished.out.contains(
-      QRegularExpression(text("planning_time_mean +-  s \\(no robot decided anything\\)"))));
+      QRegularExpression(text("planning_time_mean +-  s \\(no planner was called\\)"))));
 }
 
 QTEST_GUILESS_MAIN(RunClockTest)

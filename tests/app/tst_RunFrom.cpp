@@ -6,7 +6,7 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/OutputFolder.h"
-#include "app/run/RunOptions.h"
+#include "app/run/RunSpec.h"
 #include "app/run/Simulation.h"
 #include "editor/document/QtImageLoader.h"
 #include "tests/app/RunFiles.h"
@@ -144,7 +144,7 @@ class RunFromTest : public QObject {
       const outside::Finished over =
           refused({text("--from"), at("fourth@1"), text("-o"), at(older)});
       QCOMPARE(over.exitCode, 2);
-      QVERIFY2(over.err.contains(text("would be lost")), qPrintable(over.err));
+      QVERIFY2(over.err.contains(text("would be overwritten")), qPrintable(over.err));
       QCOMPARE(bytesOf(at(older) + text("/trajectory.csv")), before);
     }
   }
@@ -227,7 +227,7 @@ class RunFromTest : public QObject {
   }
 
   void hands_areRepeatedByteForByte() {
-    app::RunOptions options;
+    app::RunSpec options;
     options.scenario = scene("two_workers/two_workers_agents.yaml").toStdString();
     options.duration = 4.0;
     const auto settings = app::runSettingsOf(options);
@@ -304,7 +304,7 @@ class RunFromTest : public QObject {
     QVERIFY2(first.exitCode == 0, qPrintable(first.err));
     const outside::Finished again = refused({text("--from"), at("said@0.5")});
     QCOMPARE(again.exitCode, 2);
-    QVERIFY2(again.err.contains(text("came from the standard input")), qPrintable(again.err));
+    QVERIFY2(again.err.contains(text("was read from standard input")), qPrintable(again.err));
   }
 
   void wrong_isSaid_data() {
@@ -317,10 +317,10 @@ class RunFromTest : public QObject {
     row("--from @/run", 64, "--from takes RUN@SECONDS");
     row("--from @/run@-1", 64, "--from takes RUN@SECONDS");
     row("--from @/run@nan", 64, "--from takes RUN@SECONDS");
-    row("--from @/run@1 --dt 0.1", 64, "--dt cannot change while a run goes on");
+    row("--from @/run@1 --dt 0.1", 64, "--dt cannot change in a run that continues another");
     row("--from @/run@1 --model sfm --map none", 64, "--model cannot change");
-    row("@/s.yaml --from @/run@1", 64, "a scenario cannot change");
-    row("@/s.yaml --move anna,1,1,0", 64, "--move is for a run");
+    row("@/s.yaml --from @/run@1", 64, "the scenario cannot change");
+    row("@/s.yaml --move anna,1,1,0", 64, "--move requires --from");
     row("--from @/run@1 --move anna,1", 64, "--move takes a name and three numbers");
     row("--from @/run@1 --move nobody,1,1,0", 2, "there is no person 'nobody'");
     row("--from @/nothing@1", 2, "nothing");
@@ -328,10 +328,10 @@ class RunFromTest : public QObject {
     row("--from @/run@1 --set *.radius=0.2", 2, "--set *.radius=0.2: this cannot change");
     row("--from @/run@1 --planner nonsense", 64, "nonsense");
     row("--from @/run@1 --duration 0.5", 2, "the run ends at 0.5 s, before 1 s");
-    row("--from @/run@1 -o @/run", 2, "would be lost");
-    row("--from @/foreign@1", 2, "does not tell how the run was made");
-    row("--from @/older@1", 2, "not what the run was made of");
-    row("--from @/damaged@1", 2, "the run is another one from 0.5 s on");
+    row("--from @/run@1 -o @/run", 2, "would be overwritten");
+    row("--from @/foreign@1", 2, "no record of how the run was created");
+    row("--from @/older@1", 2, "not the input of the run any more");
+    row("--from @/damaged@1", 2, "replay diverges from the recording at 0.5 s");
   }
   void wrong_isSaid() {
     QFETCH(QString, words);

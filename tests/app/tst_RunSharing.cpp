@@ -1,8 +1,8 @@
 #include <QtTest>
 
-#include "app/cli/RunGuests.h"
+#include "app/cli/RunObservers.h"
 #include "app/window/MainWindow.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/bridge/LiveClient.h"
 #ifdef HUNAV_ROS2
@@ -19,7 +19,7 @@ class RunSharingTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() {
     qunsetenv("ROS_DOMAIN_ID");
@@ -48,7 +48,7 @@ void RunSharingTest::run_nobodyAsked_isToldToNobody() {
 
 void RunSharingTest::run_inFoxglove_isWatchedAndPaused() {
   QVERIFY(window_->open(copyOfDemo()));
-  window_->actions().watchLive->setChecked(true);
+  window_->actions().publishFoxglove->setChecked(true);
   window_->workspace().playback().playPause->trigger();
   QTRY_VERIFY(!told("live-view").text.isEmpty());
   quiet::shoot(*window_, "live-view");
@@ -68,7 +68,7 @@ void RunSharingTest::run_inFoxglove_isWatchedAndPaused() {
   const std::int64_t step = runner().newestFrame()->step;
   window_->workspace().playback().playPause->trigger();  // by the window again
   QTRY_VERIFY(runner().newestFrame()->step > step + 2);
-  window_->actions().watchLive->setChecked(false);  // of the runs after this one
+  window_->actions().publishFoxglove->setChecked(false);  // of the runs after this one
   runner().reset();
   QVERIFY(told("live-view").text.isEmpty());
   QVERIFY(client.awaitClose() > 0);
@@ -76,13 +76,13 @@ void RunSharingTest::run_inFoxglove_isWatchedAndPaused() {
 
 /// Another node hears the people; what it sends on /goal_pose is an input of the run.
 void RunSharingTest::run_onTopics_isHeardAndOrdered() {
-  QCOMPARE(window_->actions().onRos2->isVisible(), app::speaksRos2());
+  QCOMPARE(window_->actions().publishRos2->isVisible(), app::hasRos2Support());
 #ifdef HUNAV_ROS2
   using namespace ros2test;
   constexpr int kDomain = 36;
   qputenv("ROS_DOMAIN_ID", QByteArray::number(kDomain));
   QVERIFY(window_->open(copyOfDemo()));
-  window_->actions().onRos2->setChecked(true);
+  window_->actions().publishRos2->setChecked(true);
   window_->workspace().playback().playPause->trigger();
   const std::unique_ptr<Participant> other = participant(inDomain(kDomain));
   QVERIFY(other != nullptr);

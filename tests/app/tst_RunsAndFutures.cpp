@@ -11,8 +11,8 @@
 #include "RunFiles.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
-#include "editor/panels/ForkDialog.h"
+#include "editor/look/AppStyle.h"
+#include "editor/panels/BranchDialog.h"
 #include "editor/panels/FuturesPanel.h"
 #include "editor/panels/RunsPanel.h"
 
@@ -53,13 +53,13 @@ class RunsAndFuturesTest : public QObject {
   }
   void forkAt(double time, const char* planner) {
     clickTimeline(time);
-    quiet::answerDialog<editor::ForkDialog>([planner](editor::ForkDialog& dialog) {
+    quiet::answerDialog<editor::BranchDialog>([planner](editor::BranchDialog& dialog) {
       if (planner != nullptr) {
         dialog.findChildren<QComboBox*>().front()->setCurrentText(text(planner));
       }
       dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
     });
-    QTest::mouseClick(&runs().forkButton(), Qt::LeftButton);
+    QTest::mouseClick(&runs().branchButton(), Qt::LeftButton);
     const double there = time - 0.05;
     QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() && runner().newestFrame()->time >= there,
                              30000);
@@ -72,7 +72,7 @@ class RunsAndFuturesTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     window_ = quiet::shownWindow();
     hands_ = std::make_unique<Hands>(*window_);
@@ -86,7 +86,7 @@ class RunsAndFuturesTest : public QObject {
   void branch_byMouse_isComparedWithTheRunItLeft() {
     runDemo();
     window_->docks().show({text("scenario"), text("properties"), text("runs")});
-    QVERIFY(!runs().forkButton().isEnabled());  // the end is no past
+    QVERIFY(!runs().branchButton().isEnabled());  // the end is no past
     forkAt(3.0, "dwa");
     QCOMPARE(runs().list().topLevelItemCount(), 2);
     QCOMPARE(row(1).text(2), text("robot1.planner = dwa"));
@@ -94,21 +94,21 @@ class RunsAndFuturesTest : public QObject {
     QCOMPARE(runner().branch(), 1);
     clickTimeline(6.0);
     QCOMPARE(runs().ghosts().ghosts().size(), std::size_t{1});  // the run that it left
-    QVERIFY(runs().ghosts().isApart(runs().ghosts().ghosts().front(), -1));
+    QVERIFY(runs().ghosts().isDisplaced(runs().ghosts().ghosts().front(), -1));
     QTRY_VERIFY_WITH_TIMEOUT(runs().comparison().table().rowCount() > 10, 30000);
     QCOMPARE(runs().comparison().plot().lines(), std::size_t{2});
-    QVERIFY(runs().comparison().partings().startsWith(text("B parts at 0:03.")));
+    QVERIFY(runs().comparison().divergences().startsWith(text("B diverges at 0:03.")));
     quiet::shoot(*window_, "runs_light");
-    QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
-    QVERIFY(runs().beside() != nullptr && runs().beside()->isVisible());
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    QVERIFY(runs().sideBySide() != nullptr && runs().sideBySide()->isVisible());
     QVERIFY(runs().ghosts().ghosts().empty());
     QTest::qWait(300);
     quiet::shoot(*window_, "runs_beside");
-    QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
-    QVERIFY(runs().beside() == nullptr);
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    QVERIFY(runs().sideBySide() == nullptr);
     tick(0);
     QTRY_VERIFY(runs().ghosts().ghosts().empty());
-    QTRY_VERIFY(runs().comparison().partings().isEmpty());
+    QTRY_VERIFY(runs().comparison().divergences().isEmpty());
     window_->setTheme(editor::Theme::dark());
     tick(0);
     QTRY_COMPARE(runs().ghosts().ghosts().size(), std::size_t{1});
@@ -133,9 +133,9 @@ class RunsAndFuturesTest : public QObject {
       }
     }
     QTRY_COMPARE(runs().ghosts().ghosts().size(), std::size_t{2});
-    QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
-    QVERIFY(runs().beside() != nullptr);
-    const auto& views = runs().beside()->views();
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    QVERIFY(runs().sideBySide() != nullptr);
+    const auto& views = runs().sideBySide()->views();
     QCOMPARE(views.size(), std::size_t{2});
     for (const auto& view : views) {
       QTRY_VERIFY(view->isVisible() && view->height() > 60 && view->width() >= 240);
@@ -158,7 +158,7 @@ class RunsAndFuturesTest : public QObject {
     QTest::qWait(200);
     quiet::shoot(*window_, "runs_beside_two");
     tick(0);  // one of them is not wanted any more
-    QTRY_COMPARE(runs().beside()->views().size(), std::size_t{1});
+    QTRY_COMPARE(runs().sideBySide()->views().size(), std::size_t{1});
   }
 
   void branches_switchedByDoubleClick_areBothThere() {
@@ -174,15 +174,15 @@ class RunsAndFuturesTest : public QObject {
     QTest::mouseDClick(runs().list().viewport(), Qt::LeftButton, {}, name);
     QTRY_COMPARE(runner().branch(), 0);
     QCOMPARE(runner().recording(), first);
-    QTRY_COMPARE_WITH_TIMEOUT(runs().comparison().partings(), text("B is the same"), 30000);
+    QTRY_COMPARE_WITH_TIMEOUT(runs().comparison().divergences(), text("B is identical"), 30000);
   }
 
   void futures_fromTheMoment_areDrawnAndCounted() {
     runDemo();
     clickTimeline(3.0);
-    app::RunOptions changes;
+    app::RunSpec changes;
     changes.set = {"robot1.planner=dwa"};  // of a branch: what was changed counts
-    QVERIFY(runner().goOnFromShown(changes));
+    QVERIFY(runner().branchFromShown(changes));
     QTRY_VERIFY(runner().newestFrame() && runner().newestFrame()->time > 2.99);
     runToTheEnd();
     window_->docks().show({text("scenario"), text("properties"), text("futures")});
@@ -221,7 +221,7 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY2(futures().isRunning(), qPrintable(futures().summary()));
     QTest::mouseClick(&futures().button(), Qt::LeftButton);
     QVERIFY(!futures().isRunning());
-    QVERIFY(futures().summary().contains(text("of 1000 futures, then cancelled")));
+    QVERIFY(futures().summary().contains(text("of 1000 futures, cancelled")));
     QVERIFY(futures().futures().size() < 1000);
   }
 
@@ -266,7 +266,7 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY(window_->windowTitle().contains(text("recorded run")));
     QVERIFY(!window_->actions().save->isEnabled());
     runner().reset();
-    QVERIFY(!window_->workspace().isOfRecord());
+    QVERIFY(!window_->workspace().isRecordedRun());
   }
 
   void run_ofAnotherScenario_isToldApart() {
@@ -279,7 +279,7 @@ class RunsAndFuturesTest : public QObject {
                  .exitCode,
              0);
     runs().addRecorded(other);
-    QTRY_COMPARE_WITH_TIMEOUT(runs().comparison().partings(), text("B is of another scenario"),
+    QTRY_COMPARE_WITH_TIMEOUT(runs().comparison().divergences(), text("B has another scenario"),
                               30000);
   }
 
@@ -304,7 +304,7 @@ class RunsAndFuturesTest : public QObject {
         outside::runProgram({text("futures"), run + text("@2"), text("--seeds"), text("4"),
                              text("--horizon"), text("3")});
     QVERIFY2(told.exitCode == 0, qPrintable(told.err));
-    QVERIFY2(told.out.contains(text("95 % interval")), qPrintable(told.out));
+    QVERIFY2(told.out.contains(text("95 % CI")), qPrintable(told.out));
     QVERIFY2(told.out.contains(text("/ 4")), qPrintable(told.out));
     const outside::Finished json = outside::runProgram(
         {text("futures"), run + text("@2"), text("--seeds"), text("2"), text("--json")});

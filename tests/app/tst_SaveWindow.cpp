@@ -7,8 +7,8 @@
 #include "app/window/MainWindow.h"
 #include "app/window/TreeChoiceDialog.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/TreeFiles.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/document/PersonTree.h"
+#include "editor/look/AppStyle.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
 
@@ -19,7 +19,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() { end(); }
 
@@ -70,16 +70,16 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
     QFETCH(QString, name);
     const QString map = mapWithNeighbours();
     QVERIFY(window_->files().openNewFromMap(map));
-    QVERIFY(window_->files().nameForSaving().endsWith(QStringLiteral("/cafe_agents.yaml")));
+    QVERIFY(window_->files().suggestedPath().endsWith(QStringLiteral("/cafe_agents.yaml")));
     const QString target = folder_->filePath(name);
     const std::string before = *base::readTextFile(target.toStdString());
     answerBox(QMessageBox::Ok);
-    QVERIFY(!window_->files().saveUnder(target));
+    QVERIFY(!window_->files().saveAsPath(target));
     QVERIFY2(boxText_.contains(name) && boxText_.contains(QStringLiteral("map")),
              qPrintable(boxText_));
     QVERIFY(*base::readTextFile(target.toStdString()) == before);
-    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));
-    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));  // over a scenario it may be
+    QVERIFY(window_->files().saveAsPath(at("cafe_agents.yaml")));
+    QVERIFY(window_->files().saveAsPath(at("cafe_agents.yaml")));  // over a scenario it may be
     editor::ScenarioDocument again;
     QVERIFY(!base::hasErrors(again.open(at("cafe_agents.yaml"))));
     QVERIFY(!again.map()->isEmpty());
@@ -107,19 +107,19 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
   }
 
   void treeDialog_differences_areShown() {
-    const std::vector<editor::TreeQuestion> questions = questionsOfDemo();
+    const std::vector<editor::TreeConflict> questions = questionsOfDemo();
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      editor::dressApplication(theme);
+      editor::applyTheme(theme);
       app::TreeChoiceDialog dialog(questions, theme);
       dialog.show();
       quiet::shoot(dialog, isDark ? "trees-short-dark" : "trees-short-light");
       dialog.showDifferences(true);
       dialog.choose(1, true);
       quiet::shoot(dialog, isDark ? "trees-dark" : "trees-light");
-      QVERIFY(dialog.replaced() == editor::TreesToReplace{questions[1].human});
+      QVERIFY(dialog.replaced() == editor::TreeReplacements{questions[1].human});
     }
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
   }
 
   void exportDialog_target_listsTheFilesAndWritesThem() {
@@ -127,7 +127,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
     const QString out = at("out");
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      editor::dressApplication(theme);
+      editor::applyTheme(theme);
       app::ExportDialog dialog(window_->files().exportSource(), out, theme);
       quiet::setTarget(dialog, "webots");
       const auto& list = *dialog.findChild<QTreeWidget*>();
@@ -136,21 +136,21 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
       QCOMPARE(list.topLevelItemCount(), static_cast<int>(dialog.plan().files.size()));
       QVERIFY(dialog.plan().files.size() > 4);
       const std::string first = list.topLevelItem(0)->text(1).toStdString();
-      QCOMPARE(first.c_str(), isDark ? "stays as it is" : "new");
+      QCOMPARE(first.c_str(), isDark ? "unchanged" : "new");
       QVERIFY(window_->files().exportPlan(dialog.plan()));
     }
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
     QVERIFY(QFile::exists(out + QStringLiteral("/scenarios/demo.yaml")));
     app::ExportDialog other(window_->files().exportSource(), out, editor::Theme::light());
     quiet::setTarget(other, "isaac");
     QVERIFY(other.findChild<QTreeWidget*>()->topLevelItem(0)->text(1) ==
-            QStringLiteral("is replaced"));
+            QStringLiteral("replaced"));
   }
 
   void export_folder_isThatOfTheScenarioUnlessItWasExported() {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
     app::WindowSetup setup = quiet::setup();
-    setup.remembers = true;
+    setup.storesSettings = true;
     window_ = std::make_unique<MainWindow>(setup);
     window_->show();
     app::FileCommands& files = window_->files();
@@ -179,12 +179,12 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
     window_->files().askExport();
   }
 
-  static std::vector<editor::TreeQuestion> questionsOfDemo() {
+  static std::vector<editor::TreeConflict> questionsOfDemo() {
     const sim2d::ScenarioReading demo =
         sim2d::readScenario(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
-    std::vector<editor::TreeQuestion> questions;
+    std::vector<editor::TreeConflict> questions;
     for (const sim2d::Human& human : demo.scenario.humans) {
-      editor::TreeQuestion question;
+      editor::TreeConflict question;
       question.human = human.key;
       question.name = human.name;
       question.path = "scenarios/demo__agent_" + std::to_string(human.id) + "_bt.xml";
@@ -194,8 +194,8 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
       if (at != std::string::npos) {
         question.mine.insert(at, "<SaySomething agent_id=\"{id}\" message=\"Good morning\"/>\n");
       }
-      question.why = questions.empty() ? editor::TreeQuestion::Why::BehaviourChanged
-                                       : editor::TreeQuestion::Why::ChangedOnDisk;
+      question.why = questions.empty() ? editor::TreeConflict::Why::BehaviourChanged
+                                       : editor::TreeConflict::Why::ChangedOnDisk;
       questions.push_back(question);
     }
     return questions;

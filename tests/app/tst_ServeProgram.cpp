@@ -26,7 +26,7 @@ class ServeProgramTest : public QObject {
 
  private:
   QString scenario() const { return folder_.filePath(text("walk.yaml")); }
-  bool speaksRos2() const { return !hasNoRos2_; }
+  bool hasRos2Support() const { return !hasNoRos2_; }
 
   QTemporaryDir folder_;
   bool hasNoRos2_ = false;
@@ -84,8 +84,8 @@ void ServeProgramTest::run_optionsOfRos2WithoutIt_areAWrongCommandLine() {
 void ServeProgramTest::help_ofRos2_saysWhoIsFound() {
   for (const char* command : {"run", "serve", "evaluate"}) {
     const QString help = runProgram({text(command), text("--help")}).out.simplified();
-    QVERIFY2(help.contains(text("loopback interface alone unless --network is given, and in one "
-                                "domain: --domain or ROS_DOMAIN_ID")),
+    QVERIFY2(help.contains(text("loopback interface only, unless --network is given, and in one "
+                                "domain only (--domain or ROS_DOMAIN_ID)")),
              qPrintable(help));
   }
 }
@@ -96,13 +96,13 @@ void ServeProgramTest::serve_badDomainOfTheVariable_isTold() {
   process.start(text(HUNAVSIM_PROGRAM), {text("serve"), scenario(), text("--ros2")});
   const Finished finished = outside::finishedOf(process);
   QCOMPARE(finished.exitCode, 2);
-  hasNoRos2_ = finished.err.contains(text("does not speak to ROS 2"));
+  hasNoRos2_ = finished.err.contains(text("has no ROS 2 support"));
   QVERIFY(hasNoRos2_ || finished.err.contains(text("ROS_DOMAIN_ID is 'many'")));
 }
 
 void ServeProgramTest::serve_brokenScenario_isTold() {
-  if (!speaksRos2()) {
-    QSKIP("this build does not speak to ROS 2");
+  if (!hasRos2Support()) {
+    QSKIP("this build has no ROS 2 support");
   }
   const QString broken = folder_.filePath(text("broken.yaml"));
   QByteArray words = kWalk;
@@ -114,8 +114,8 @@ void ServeProgramTest::serve_brokenScenario_isTold() {
 }
 
 void ServeProgramTest::serve_interrupted_endsCleanly() {
-  if (!speaksRos2()) {
-    QSKIP("this build does not speak to ROS 2");
+  if (!hasRos2Support()) {
+    QSKIP("this build has no ROS 2 support");
   }
   QProcess process;
   process.start(text(HUNAVSIM_PROGRAM),
@@ -131,8 +131,8 @@ void ServeProgramTest::serve_interrupted_endsCleanly() {
 
 void ServeProgramTest::serve_peerOnCyclone_isAnswered() {
   const QString peer = text(TEST_OUTPUT_DIR "/ros2/cyclone_compute");
-  if (!speaksRos2() || !QFile::exists(peer)) {
-    QSKIP("this build does not speak to ROS 2, or Cyclone DDS is not installed");
+  if (!hasRos2Support() || !QFile::exists(peer)) {
+    QSKIP("this build has no ROS 2 support, or Cyclone DDS is not installed");
   }
   QProcess server;
   server.start(text(HUNAVSIM_PROGRAM),
@@ -160,8 +160,8 @@ void ServeProgramTest::serve_peerOnCyclone_isAnswered() {
 
 /// Whoever listens, the run and its bytes are those of the run alone.
 void ServeProgramTest::run_onRos2_keepsPaceAndIsTheSameRun() {
-  if (!speaksRos2()) {
-    QSKIP("this build does not speak to ROS 2");
+  if (!hasRos2Support()) {
+    QSKIP("this build has no ROS 2 support");
   }
   const QString alone = folder_.filePath(text("alone"));
   const QString told = folder_.filePath(text("told"));

@@ -1,8 +1,8 @@
 #include "app/window/KeyRules.h"
 #include "app/window/ShortcutsDialog.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
-#include "editor/look/HouseStyle.h"
 #include "tests/app/QuietWindow.h"
 
 /// The list of keys is made from the commands and tools, so that none is missing.
@@ -23,7 +23,7 @@ class ShortcutsDialogTest : public QObject, protected quiet::InFolder {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     begin();
     QVERIFY(window_->open(quiet::demoPath()));
@@ -84,7 +84,7 @@ class ShortcutsDialogTest : public QObject, protected quiet::InFolder {
     QCOMPARE(seenRows().front()->text(1), QStringLiteral("["));  // heard by the tool
     dialog_->search().setText(QStringLiteral("zzz"));
     QVERIFY(seenRows().empty());
-    QVERIFY(dialog_->findChild<editor::NothingFound*>()->isVisible());
+    QVERIFY(dialog_->findChild<editor::NoMatchesPlaceholder*>()->isVisible());
   }
 
   void dialog_askedForAgain_isTheSame() {

@@ -1,8 +1,8 @@
 #include <QStatusBar>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
-#include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Planner.h"
 #include "tests/app/QuietWindow.h"
@@ -28,7 +28,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     begin();
     QVERIFY(window_->open(quiet::demoPath()));
@@ -43,7 +43,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     runner().setSpeed(std::numeric_limits<double>::infinity());
     window_->workspace().playback().playPause->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 20000);
-    QVERIFY(isHinted("The duration is over, 2.0 s · Space plays it again"));
+    QVERIFY(isHinted("Time limit reached, 2.0 s · Space replays"));
     QVERIFY(isSaid(QStringLiteral("Finished")));
     runner().setSpeed(1.0);
     window_->workspace().view().setFocus();
@@ -53,7 +53,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(isHinted("Space pauses · End shows the last step"));
     window_->workspace().playback().newest->trigger();
     runner().reset();
-    QVERIFY(!isHinted("The duration is over"));
+    QVERIFY(!isHinted("Time limit reached"));
   }
 
   /// A run goes on for a second after the arrival (stop rule of a scenario without a duration).
@@ -122,12 +122,12 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(!hints.isEmpty());
     QCoreApplication::processEvents();
     editor::ElidedLabel& hint = *hints.front();
-    QVERIFY(hint.shownWords().size() < hint.text().size());
-    QCOMPARE(hint.text(), QStringLiteral("Space pauses · Click a person to watch"));
+    QVERIFY(hint.visibleText().size() < hint.text().size());
+    QCOMPARE(hint.text(), QStringLiteral("Space pauses · Click a person for details"));
     hint.resize(hint.fontMetrics().horizontalAdvance(hint.text()) - 5, hint.height());
-    QCOMPARE(hint.shownWords(), QStringLiteral("Space pauses …"));
+    QCOMPARE(hint.visibleText(), QStringLiteral("Space pauses …"));
     hint.resize(hint.fontMetrics().horizontalAdvance(QStringLiteral("Space pau")), hint.height());
-    const QString shown = hint.shownWords();  // of one part the middle
+    const QString shown = hint.visibleText();  // of one part the middle
     QVERIFY2(shown.startsWith(QStringLiteral("Sp")) && !shown.endsWith(QStringLiteral("…")),
              qPrintable(shown));
     QCOMPARE(hint.toolTip(), hint.text());

@@ -155,7 +155,7 @@ class StudiesTest : public QObject {
     // Not again by mistake, and not with anything else.
     const Finished again = runProgram(StudyFolder::words(experiment, out));
     QCOMPARE(again.exitCode, 2);
-    QVERIFY2(again.err.contains(text("--resume goes on with it")), qPrintable(again.err));
+    QVERIFY2(again.err.contains(text("--resume continues it")), qPrintable(again.err));
     const Finished shard = runProgram(
         StudyFolder::words(experiment, out, {text("--resume"), text("--shard"), text("1/2")}));
     QCOMPARE(shard.exitCode, 2);
@@ -193,7 +193,7 @@ class StudiesTest : public QObject {
                        QByteArray(outside::kYardText) + "    duration: 3.0\n");
     const Finished moved = runProgram(StudyFolder::words(experiment, out, {text("--resume")}));
     QCOMPARE(moved.exitCode, 2);
-    QVERIFY2(moved.err.contains(text("yard.yaml: error: this file is another one")),
+    QVERIFY2(moved.err.contains(text("yard.yaml: error: this file has changed since")),
              qPrintable(moved.err));
     QCOMPARE(StudyFolder::results(out), before);
   }

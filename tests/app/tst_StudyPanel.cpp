@@ -4,7 +4,7 @@
 #include "app/window/Docks.h"
 #include "app/window/StudyPanel.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/StudyFiles.h"
 
@@ -59,7 +59,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   void waitForEnd() { QTRY_VERIFY_WITH_TIMEOUT(!panel().isRunning(), kLong); }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     begin();
     QVERIFY(window_->open(copyOfDemo()));
@@ -103,9 +103,9 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
       return room.rect().contains(QRect(part.mapTo(&room, {}), part.size()));
     };
     QTest::qWait(300);  // until all is in its place
-    QVERIFY(isInSight(field<QComboBox>("Keep")));
+    QVERIFY(isInSight(field<QComboBox>("Keep recordings")));
     QVERIFY(isInSight(field<QLineEdit>("Duration")));
-    QVERIFY(isInSight(field<QPlainTextEdit>("Other values")));
+    QVERIFY(isInSight(field<QPlainTextEdit>("Other parameters")));
     // Nor are names cut short.
     const auto& planners = field<QListWidget>("Planners");
     constexpr int kBox = 36;  // before a name, and behind it
@@ -132,7 +132,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
 
   /// Who scrolls the form over it changes nothing.
   void keep_wheelOverIt_isLeftAlone() {
-    auto& keep = field<QComboBox>("Keep");
+    auto& keep = field<QComboBox>("Keep recordings");
     const int before = keep.currentIndex();
     const QPoint at = keep.rect().center();
     QWheelEvent down(at, keep.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
@@ -165,8 +165,8 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   void lines_thatAreNoRows_arePassedOver() {
     QVERIFY(!app::studyRowOf("no json"));
     QVERIFY(!app::studyRowOf("{\"other\": 1}"));
-    QVERIFY(!app::studyBeginOf("{\"run\": 1}"));
-    const auto begin = app::studyBeginOf("{\"runs\":24,\"finished\":3}");
+    QVERIFY(!app::studyHeaderOf("{\"run\": 1}"));
+    const auto begin = app::studyHeaderOf("{\"runs\":24,\"finished\":3}");
     QVERIFY(begin && begin->runs == 24 && begin->finished == 3);
     const auto row = app::studyRowOf(
         "{\"run\": 3, \"scenario\": \"a.yaml\", \"seed\": 7, \"values\": {\"r.planner\": \"dwa\"}, "
@@ -182,11 +182,11 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QVERIFY(panel().openFile(path));
     const auto before = app::readExperiment(path.toStdString());
     const auto after = app::parseExperiment(
-        form().textFor(QFileInfo(path).absolutePath()).toStdString(), path.toStdString());
+        form().yamlFor(QFileInfo(path).absolutePath()).toStdString(), path.toStdString());
     QVERIFY(before && after);
     QCOMPARE(after->scenarioPaths, before->scenarioPaths);
     QCOMPARE(after->seeds, before->seeds);
-    QCOMPARE(after->options, before->options);
+    QCOMPARE(app::commandLineOf(after->common), app::commandLineOf(before->common));
     QCOMPARE(after->record, before->record);
     QCOMPARE(after->runCount(), before->runCount());
     for (std::size_t run = 0; run < before->runCount(); ++run) {
@@ -200,7 +200,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
         "own.yaml", "seeds: 2\nvalues:\n  robot1.planner: [external, pursuit]\n");
     QVERIFY(panel().openFile(path));
     const auto after = app::parseExperiment(
-        form().textFor(QFileInfo(path).absolutePath()).toStdString(), path.toStdString());
+        form().yamlFor(QFileInfo(path).absolutePath()).toStdString(), path.toStdString());
     QVERIFY(after);
     QCOMPARE(after->values.front().texts, (std::vector<std::string>{"external", "pursuit"}));
   }
@@ -208,7 +208,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   /// Chosen by mouse: the scenario that is open, planners, a number of seeds.
   void form_chosen_isAnExperiment() {
     for (QAbstractButton* button : form().findChildren<QAbstractButton*>()) {
-      if (button->text() == text("Add this one")) {
+      if (button->text() == text("Add current")) {
         button->click();
       }
     }
@@ -216,11 +216,11 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     for (const char* name : {"pursuit", "dwa"}) {
       planners.findItems(text(name), Qt::MatchExactly).front()->setCheckState(Qt::Checked);
     }
-    field<QPlainTextEdit>("Other values")
+    field<QPlainTextEdit>("Other parameters")
         .setPlainText(text("\"*.max_vel\": {uniform: [0.8, 1.2]}"));
-    QTRY_COMPARE(panel().said(), text("1 scenario × 2 planners × 30 seeds = 60 runs"));
-    field<QPlainTextEdit>("Other values").setPlainText(text("nobody.max_vel: [1.0]"));
-    QTRY_VERIFY(panel().said().contains(text("nobody")));
+    QTRY_COMPARE(panel().message(), text("1 scenario × 2 planners × 30 seeds = 60 runs"));
+    field<QPlainTextEdit>("Other parameters").setPlainText(text("nobody.max_vel: [1.0]"));
+    QTRY_VERIFY(panel().message().contains(text("nobody")));
   }
 
   void study_isRunAndCompared() {
@@ -229,7 +229,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     panel().start();
     QVERIFY(panel().isRunning());
     waitForEnd();
-    QCOMPARE(panel().said(), text("24 of 24 runs"));
+    QCOMPARE(panel().message(), text("24 of 24 runs"));
     const auto rows = outside::readCsv(panel().resultsFolder() + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{24});
     QCOMPARE(panel().results().runs().rows().size(), rows.size());
@@ -255,7 +255,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     window_->docks().dock(text("study"))->raise();
     quiet::shoot(*window_, "study-finished");
     // A row is played.
-    QSignalSpy played(&panel(), &StudyPanel::runWanted);
+    QSignalSpy played(&panel(), &StudyPanel::openRunRequested);
     const QByteArray before = bytes(panel().resultsFolder() + text("/results.csv"));
     panel().play(5);
     QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
@@ -269,7 +269,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
         "short.yaml", "seeds: 2\nduration: 2.0\nvalues:\n  robot1.planner: [pursuit, dwa]\n")));
     panel().start();
     waitForEnd();
-    QSignalSpy played(&panel(), &StudyPanel::runWanted);
+    QSignalSpy played(&panel(), &StudyPanel::openRunRequested);
     panel().play(3);
     QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
     const QString folder = played.front().front().toString();
@@ -283,7 +283,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QTRY_VERIFY(panel().isRunning());
     panel().stop();
     waitForEnd();
-    QVERIFY2(panel().said().contains(text("stopped")), qPrintable(panel().said()));
+    QVERIFY2(panel().message().contains(text("stopped")), qPrintable(panel().message()));
     // Of a study that is finished in part, the rows of before are there again.
     const QString path = study_->study();
     QVERIFY(panel().openFile(path));
@@ -294,7 +294,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     panel().start();
     waitForEnd();
     QCOMPARE(panel().results().runs().rows().size(), std::size_t{24});
-    QCOMPARE(panel().said(), text("24 of 24 runs"));
+    QCOMPARE(panel().message(), text("24 of 24 runs"));
   }
 
   /// Who only runs a file keeps its comments; what is edited is saved before it runs.
@@ -308,7 +308,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QCOMPARE(bytes(path), mine);
     QCOMPARE(panel().results().runs().rows().size(), std::size_t{1});
     field<QLineEdit>("Seeds").setText(text("2"));
-    panel().start(app::StudyProcess::Begin::Anew);
+    panel().start(app::StudyProcess::Begin::Restart);
     waitForEnd();
     QVERIFY(bytes(path) != mine);
     QCOMPARE(panel().results().runs().rows().size(), std::size_t{2});
@@ -317,12 +317,12 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   /// The study reads files: what is changed in the window alone is told.
   void scenario_notSaved_isTold() {
     form().addScenario(document().path());
-    QTRY_VERIFY(panel().said().contains(text("1 scenario")));
-    QVERIFY(!panel().said().contains(text("not saved")));
+    QTRY_VERIFY(panel().message().contains(text("1 scenario")));
+    QVERIFY(!panel().message().contains(text("unsaved")));
     document().setSelection({document().entities(base::EntityKind::Robot).front()});
     editor::pushChange<sim2d::Robot>(document(), document().selection().front(), text("Planner"),
                                      [](sim2d::Robot& robot) { robot.planner = "dwa"; });
-    QTRY_VERIFY2(panel().said().contains(text("not saved")), qPrintable(panel().said()));
+    QTRY_VERIFY2(panel().message().contains(text("unsaved")), qPrintable(panel().message()));
   }
 
   /// Another study does not go on with results: it is said, and begun anew only when asked for.
@@ -332,12 +332,13 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     waitForEnd();
     const QByteArray before = bytes(panel().resultsFolder() + text("/results.csv"));
     field<QLineEdit>("Seeds").setText(text("2"));
-    QTRY_VERIFY(panel().said().contains(text("2 runs")));
+    QTRY_VERIFY(panel().message().contains(text("2 runs")));
     panel().start();
     waitForEnd();
-    QVERIFY2(panel().said().contains(text("another")), qPrintable(panel().said()));
+    QVERIFY2(panel().message().contains(text("belong to another experiment")),
+             qPrintable(panel().message()));
     QCOMPARE(bytes(panel().resultsFolder() + text("/results.csv")), before);
-    panel().start(app::StudyProcess::Begin::Anew);
+    panel().start(app::StudyProcess::Begin::Restart);
     waitForEnd();
     QCOMPARE(panel().results().runs().rows().size(), std::size_t{2});
   }

@@ -31,7 +31,7 @@ class StudyTroublesTest : public QObject {
     const QString out = folder_.path(text("wrong"));
     const Finished found = runProgram({text("merge"), text("-o"), out, one, again, foreign});
     QCOMPARE(found.exitCode, 2);
-    for (const char* said : {"shard 1/4 is given twice", "the experiment is another one",
+    for (const char* said : {"shard 1/4 is duplicated", "the experiments differ",
                              "shard 2/4 is not given", "shard 4/4 is not given"}) {
       QVERIFY2(found.err.contains(text(said)), qPrintable(found.err));
     }
@@ -39,7 +39,7 @@ class StudyTroublesTest : public QObject {
     QCOMPARE(runProgram({text("merge"), text("-o"), one, one}).exitCode, 2);
     const Finished same = runProgram({text("merge"), text("-o"), out, one, one});
     QCOMPARE(same.exitCode, 2);
-    QVERIFY2(same.err.contains(text("shard 1/4 is given twice")), qPrintable(same.err));
+    QVERIFY2(same.err.contains(text("shard 1/4 is duplicated")), qPrintable(same.err));
     QVERIFY2(!same.err.contains(text("process")), qPrintable(same.err));
     const Finished none =
         runProgram({text("merge"), text("-o"), out, folder_.path(text("nowhere"))});
@@ -79,7 +79,7 @@ class StudyTroublesTest : public QObject {
     }
     const Finished found = runProgram(merge);
     QCOMPARE(found.exitCode, 2);
-    QVERIFY2(found.err.contains(text("own_metrics.yaml: error: this file is another one")),
+    QVERIFY2(found.err.contains(text("own_metrics.yaml: error: this file has changed since")),
              qPrintable(found.err));
   }
 
@@ -90,7 +90,7 @@ class StudyTroublesTest : public QObject {
     const Finished second =
         runProgram(StudyFolder::words(folder_.endless(), out, {text("--resume")}));
     QCOMPARE(second.exitCode, 2);
-    QVERIFY2(second.err.contains(text("process %1 writes its results here").arg(first.pid())),
+    QVERIFY2(second.err.contains(text("process %1 is writing results here").arg(first.pid())),
              qPrintable(second.err));
     QVERIFY(first.isRunning());
     ::kill(first.pid(), SIGKILL);  // the lock ends with it
@@ -187,12 +187,12 @@ class StudyTroublesTest : public QObject {
                        QByteArray(outside::kYardText).replace("max_vel: 1.2", "max_vel: 1.3"));
     const Finished found = batch.wait();
     QCOMPARE(found.exitCode, 2);
-    QVERIFY2(found.err.contains(text("yard.yaml: error: this file has changed while")) &&
-                 found.err.contains(text(" of 3 runs: batch --resume goes on")),
+    QVERIFY2(found.err.contains(text("yard.yaml: error: this file changed during")) &&
+                 found.err.contains(text(" of 3 runs: continue with batch --resume")),
              qPrintable(found.err));
     const Finished other = runProgram(words);
     QCOMPARE(other.exitCode, 2);
-    QVERIFY2(other.err.contains(text("this file is another one")), qPrintable(other.err));
+    QVERIFY2(other.err.contains(text("this file has changed since")), qPrintable(other.err));
     outside::writeText(scenario, outside::kYardText);
     QCOMPARE(runProgram(words).exitCode, 0);
     QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{3});
@@ -239,7 +239,7 @@ class StudyTroublesTest : public QObject {
     const Finished cut = runProgram({text("report"), out});
     QCOMPARE(cut.exitCode, 2);
     const QString goOn = text("hunavsim batch '%1' -o %2 --resume --allow-code\n");
-    QVERIFY2(cut.err.contains(text("has not ended (0 of 2 runs): go on with ")) &&
+    QVERIFY2(cut.err.contains(text("is incomplete (0 of 2 runs): continue it with ")) &&
                  cut.err.contains(goOn.arg(experiment, out)),
              qPrintable(cut.err));
     QVERIFY(!QFile::exists(out + text("/report.html")));

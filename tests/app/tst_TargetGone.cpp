@@ -13,14 +13,14 @@
 #include "app/window/StartPage.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Fields.h"
-#include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
-#include "editor/panels/ForkDialog.h"
+#include "editor/panels/BranchDialog.h"
 #include "editor/panels/PropertyPanel.h"
 #include "editor/panels/RunsPanel.h"
 #include "editor/panels/ScenarioPanel.h"
-#include "editor/trees/TreeStudio.h"
+#include "editor/trees/TreeEditor.h"
 #include "tests/app/QuietWindow.h"
 
 using base::EntityId;
@@ -32,7 +32,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     begin();
     QVERIFY(window_->open(quiet::demoPath()));
@@ -118,7 +118,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
   void studioMenu_anotherIsSelected_closes() {
     document().setSelection({people()[0]});
     window_->docks().show({QStringLiteral("tree"), QStringLiteral("behaviour")});
-    auto& studio = *window_->findChild<editor::TreeStudio*>();
+    auto& studio = *window_->findChild<editor::TreeEditor*>();
     QTRY_VERIFY(studio.isVisible() && studio.person() == people()[0]);
     const QPoint at = studio.canvas().centreOf(0);
     QContextMenuEvent event(QContextMenuEvent::Mouse, at, studio.canvas().mapToGlobal(at));
@@ -162,7 +162,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     editor::pushTrees(document(), {{first, kTree}, {second, kTree}}, QStringLiteral("Trees"));
     document().setSelection({first});
     window_->docks().show({QStringLiteral("tree")});
-    auto& studio = *window_->findChild<editor::TreeStudio*>();
+    auto& studio = *window_->findChild<editor::TreeEditor*>();
     QTRY_VERIFY(studio.isVisible() && studio.person() == first);
     studio.sharing().setChecked(false);
     studio.lower().setCurrentWidget(&studio.text());
@@ -335,7 +335,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     end();
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_->path());
     app::WindowSetup setup = quiet::setup();
-    setup.remembers = true;
+    setup.storesSettings = true;
     window_ = quiet::shownWindow(setup);
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));

@@ -1,4 +1,4 @@
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/PropertyPanel.h"
 #include "tests/app/QuietWindow.h"
 
@@ -28,11 +28,11 @@ class WatchedGuestTest : public QObject, protected quiet::InFolder {
     frame.humans.state = {0};
     recording->addState(frame);
     window_->workspace().openRecorded(recording, QStringLiteral("run"));
-    window_->workspace().scene().setGuest(99);
+    window_->workspace().scene().setSpawnedAgent(99);
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     begin();
     QVERIFY(window_->open(copyOfDemo()));
@@ -55,7 +55,7 @@ class WatchedGuestTest : public QObject, protected quiet::InFolder {
       watch();
       QVERIFY(isShown(QStringLiteral("entrance_1")));
       action->trigger();
-      QVERIFY(!window_->workspace().scene().guest());
+      QVERIFY(!window_->workspace().scene().spawnedAgent());
       QVERIFY(!isShown(QStringLiteral("entrance_1")));
     }
   }

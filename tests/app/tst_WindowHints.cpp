@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 
 using app::MainWindow;
@@ -34,7 +34,7 @@ class WindowHintsTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
     window_ = std::make_unique<MainWindow>(quiet::setup());
     window_->show();
     QVERIFY(window_->open(quiet::demoPath()));

@@ -10,8 +10,8 @@
 
 #include "app/window/MainWindow.h"
 #include "app/window/StartPage.h"
-#include "editor/look/HouseStyle.h"
-#include "editor/tools/ToolOptionsBar.h"
+#include "editor/look/AppStyle.h"
+#include "editor/tools/ToolManager.h"
 #include "tests/app/QuietWindow.h"
 
 using app::MainWindow;
@@ -26,7 +26,7 @@ class WindowLookTest : public QObject {
   editor::MapView& view() { return window_->workspace().view(); }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     window_ = std::make_unique<MainWindow>(quiet::setup());
     window_->resize(1280, 800);
@@ -61,7 +61,7 @@ class WindowLookTest : public QObject {
 
   void emptyBoxes_inBothThemes_canBeSeen() {
     for (const editor::Theme& theme : {editor::Theme::light(), editor::Theme::dark()}) {
-      editor::dressApplication(theme);
+      editor::applyTheme(theme);
       QCheckBox check;
       QRadioButton radio;
       for (QWidget* box : {static_cast<QWidget*>(&check), static_cast<QWidget*>(&radio)}) {
@@ -76,7 +76,7 @@ class WindowLookTest : public QObject {
         QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
       }
     }
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
   }
 
   void menuEntry_hovered_isExplainedWithoutHidingTheState() {

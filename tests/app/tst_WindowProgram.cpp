@@ -50,7 +50,8 @@ class WindowProgramTest : public QObject {
         outside::runProgram({QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"),
                              QStringLiteral("a"), QStringLiteral("b")});
     QCOMPARE(found.exitCode, 64);
-    QVERIFY2(found.err.contains(QStringLiteral("not expected: a b")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(QStringLiteral("unexpected arguments: a b")),
+             qPrintable(found.err));
   }
 
   void dock_unknown_isRefused() {

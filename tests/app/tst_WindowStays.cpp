@@ -8,7 +8,7 @@
 
 #include "app/window/DocumentGuard.h"
 #include "app/window/MainWindow.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/ScenarioPanel.h"
@@ -30,7 +30,7 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() { end(); }
 
@@ -63,19 +63,19 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->open(demoOnMap("nowhere")));
     QPushButton* plane = nullptr;
     for (QPushButton* button : window_->notices().findChildren<QPushButton*>()) {
-      plane = button->isVisible() && button->text() == utf8("Open plane") ? button : plane;
+      plane = button->isVisible() && button->text() == utf8("Use open plane") ? button : plane;
     }
     QVERIFY(plane != nullptr);
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     QTest::mouseClick(plane, Qt::LeftButton);
-    QVERIFY(!window_->notices().isTold(utf8("map")));
+    QVERIFY(!window_->notices().has(utf8("map")));
     QVERIFY(window_->workspace().view().hasFocus());
     document().undoStack().undo();
     auto* cross = window_->notices().findChildren<QToolButton*>().back();
     cross->setFocus();
     QTest::keyClick(cross, Qt::Key_Space);
-    QVERIFY(!window_->notices().isTold(utf8("map")));
+    QVERIFY(!window_->notices().has(utf8("map")));
     QVERIFY(window_->workspace().view().hasFocus());
   }
 
@@ -86,7 +86,7 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
       QCoreApplication::processEvents();
       const std::vector<QSize> before = dockSizes();
       for (const char* id : {"a", "b", "c"}) {
-        window_->notices().tell(
+        window_->notices().post(
             {utf8(id), true, utf8("Something that takes some words to say. ").repeated(4), {}});
         QCoreApplication::processEvents();
         QVERIFY(dockSizes() == before);
@@ -227,15 +227,15 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     editor::SimulationRunner& runner = window_->workspace().runner();
     runner.stepOnce();
     QTRY_VERIFY(runner.shownFrame() != nullptr);
-    QVERIFY(!window_->files().putOtherMap(at("notes.yaml")));
+    QVERIFY(!window_->files().replaceMap(at("notes.yaml")));
     QVERIFY(runner.state() != editor::SimulationRunner::State::Editing);
     QVERIFY(issues.hasErrors());
-    QVERIFY(window_->files().putOtherMap(cafe));
+    QVERIFY(window_->files().replaceMap(cafe));
     QVERIFY(runner.state() == editor::SimulationRunner::State::Editing);
     QVERIFY(!issues.hasErrors());
     document().undoStack().setClean();
     QVERIFY(window_->open(demoOnMap("nowhere")));
-    QVERIFY(!window_->files().putOtherMap(at("notes.yaml")));
+    QVERIFY(!window_->files().replaceMap(at("notes.yaml")));
     QVERIFY(base::hasErrors(window_->files().problems()));
     window_->notices().choose(utf8("map"), 1);
     QVERIFY(!issues.hasErrors());
@@ -246,13 +246,12 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->open(file));
     QVERIFY(isSaid(utf8("Saved")));
     QVERIFY(QFile::remove(file));
-    window_->guard().lookNow();
+    window_->guard().checkFiles();
     QVERIFY(isSaid(utf8("Not saved")));
     QVERIFY(window_->isWindowModified());
     answerBox(QMessageBox::Cancel);
     window_->actions().close->trigger();
-    QVERIFY2(boxText_.startsWith(utf8("demo.yaml is no longer in its folder")),
-             qPrintable(boxText_));
+    QVERIFY2(boxText_.startsWith(utf8("demo.yaml was moved or deleted")), qPrintable(boxText_));
     QVERIFY(!window_->isOnStartPage());
     answerBox(QMessageBox::Cancel);
     QVERIFY(!window_->close());

@@ -4,8 +4,8 @@
 #include <QtTest>
 
 #include "Hands.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Fields.h"
-#include "editor/look/HouseStyle.h"
 #include "editor/look/Theme.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
@@ -137,7 +137,7 @@ class WorkflowTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
   }
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
@@ -149,7 +149,7 @@ class WorkflowTest : public QObject {
     }
     app::WindowSetup setup;
     setup.followsSystem = false;
-    setup.remembers = false;
+    setup.storesSettings = false;
     window_ = std::make_unique<MainWindow>(setup);
     window_->resize(1280, 800);
     window_->show();

@@ -15,7 +15,7 @@ cp "$data"/hall.yaml "$data"/hall.pgm "$work/maps/" || fail "no map"
 new_on_map() {
   focus "$main"
   press ctrl+shift+n
-  answer 'New scenario on a map' "$work/maps/hall.yaml"
+  answer 'New scenario from a map' "$work/maps/hall.yaml"
   sleep 1
 }
 

@@ -68,11 +68,11 @@ void LexerTest::tokensOf_words_kindsAndTexts() {
   QFETCH(bool, isPlain);
   QFETCH(QString, source);
   QFETCH(QString, expected);
-  QCOMPARE(told(base::tokensOf(source.toStdString(), isPlain ? kPlain : kAll)), expected);
+  QCOMPARE(told(base::tokenize(source.toStdString(), isPlain ? kPlain : kAll)), expected);
 }
 
 void LexerTest::tokensOf_columns_countFromOne() {
-  const std::vector<Token> tokens = base::tokensOf("ab  <= 'x'", kAll);
+  const std::vector<Token> tokens = base::tokenize("ab  <= 'x'", kAll);
   QCOMPARE(tokens.size(), std::size_t{4});
   QCOMPARE(tokens[0].column, 1);
   QCOMPARE(tokens[1].column, 5);

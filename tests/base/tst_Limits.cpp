@@ -49,8 +49,8 @@ std::optional<double> constantOf(const std::string& file, const std::string& nam
   if (std::regex_match(value, found, std::regex("std::size_t\\{(\\d+)\\}<<(\\d+)U"))) {
     return std::ldexp(std::stod(found[1]), std::stoi(found[2]));
   }
-  if (value == "5*kMostPeople/2") {
-    return 2.5 * static_cast<double>(base::kMostPeople);
+  if (value == "5*kMaxPeople/2") {
+    return 2.5 * static_cast<double>(base::kMaxPeople);
   }
   return base::parseDouble(value);
 }

@@ -8,7 +8,6 @@
 #include <QtTest>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/base/MathEach.h"
 #include "sim2d/base/Types.h"
 
 namespace {
@@ -183,7 +182,7 @@ void MathTest::expEach_hasTheBitsOfExp() {
   }
   for (const std::size_t first : {0U, 1U}) {  // either of a pair
     std::vector<double> each(numbers.begin() + static_cast<std::ptrdiff_t>(first), numbers.end());
-    base::expEach(each.data(), each.size());
+    base::expArray(each.data(), each.size());
     for (std::size_t i = 0; i < each.size(); ++i) {
       const double one = base::exp(numbers[first + i]);
       QVERIFY2(bitsOf(each[i]) == bitsOf(one), qPrintable(QString::number(i)));

@@ -82,7 +82,7 @@ class ProblemsTest : public QObject {
         {base::warning("nav2.left-out", {"layer", "a::B", "no such sensor"}),
          base::warning("nav2.unknown-key", {"a", "Jazzy", ""}), base::error("nav2.no-parameters")});
     QCOMPARE(strict[0].severity, base::Severity::Error);
-    QCOMPARE(strict[0].message, std::string("layer: 'a::B' is left out: no such sensor"));
+    QCOMPARE(strict[0].message, std::string("layer: 'a::B' is ignored: no such sensor"));
     QCOMPARE(strict[1].severity, base::Severity::Warning);
     QCOMPARE(strict[2].severity, base::Severity::Error);
   }

@@ -99,7 +99,7 @@ void ResultTest::result_moveOnlyValue_canBeTaken() {
 void ResultTest::error_values_fillTheHolesInOrder() {
   const Diagnostic problem = base::error("scenario.id-twice", {3, "{id}"}, "x.yaml", 2);
   QCOMPARE(QByteArray::fromStdString(problem.text()),
-           QByteArray("x.yaml:2: error: id 3 is that of {id} too"));
+           QByteArray("x.yaml:2: error: id 3 is also used by {id}"));
   QVERIFY(problem.code == "scenario.id-twice");
   QVERIFY(problem.value("id") == "3" && problem.value("other") == "{id}");
   QVERIFY(problem.value("goal").empty());
@@ -111,8 +111,8 @@ void ResultTest::error_hintWithoutValue_isLeftOut() {
   const auto said = [](const std::optional<std::string>& nearest) {
     return base::error("planner.unknown-parameter", {"pursuit", nearest}).message;
   };
-  QVERIFY(said("lookahead") == "unknown to 'pursuit' (did you mean 'lookahead'?)");
-  QVERIFY(said(std::nullopt) == "unknown to 'pursuit'");
+  QVERIFY(said("lookahead") == "unknown parameter of 'pursuit' (did you mean 'lookahead'?)");
+  QVERIFY(said(std::nullopt) == "unknown parameter of 'pursuit'");
   const auto word = [](const char* nearest) {
     return base::error("scenario.unknown-word", {"model", "sfn", nearest, "sfm, orca"}).message;
   };
@@ -121,11 +121,11 @@ void ResultTest::error_hintWithoutValue_isLeftOut() {
 }
 
 void ResultTest::within_anyProblem_namesWhereItIs() {
-  const Diagnostic problem = base::within("anna", base::warning("person.vel-too-high", {2.5}));
-  QVERIFY(problem.message == "anna: vel 2.5 is above 1.8, HuNavSim's loader will clamp it");
+  const Diagnostic problem = base::withContext("anna", base::warning("person.vel-too-high", {2.5}));
+  QVERIFY(problem.message == "anna: vel 2.5 is above 1.8: HuNavSim's loader clamps it");
   QVERIFY(problem.value("where") == "anna" && problem.value("found") == "2.5");
-  const Diagnostic moved = base::elsewhere("2 people", problem);
-  QVERIFY(moved.message == "2 people: vel 2.5 is above 1.8, HuNavSim's loader will clamp it");
+  const Diagnostic moved = base::withNewContext("2 people", problem);
+  QVERIFY(moved.message == "2 people: vel 2.5 is above 1.8: HuNavSim's loader clamps it");
   QVERIFY(moved.value("where") == "2 people" && moved.code == problem.code);
 }
 

@@ -9,7 +9,7 @@
 #include "sim2d/base/Rng.h"
 
 using base::AgentRng;
-using base::Draw;
+using base::DrawPurpose;
 
 namespace {
 
@@ -47,22 +47,23 @@ void RngTest::philox_publishedVectors_areReproduced() {
 
 void RngTest::bits_anyPartOfTheAddress_changesTheDraw() {
   std::set<std::uint32_t> seen;
-  seen.insert(AgentRng(1, 2, 3).bits(Draw::Test, 4));
-  seen.insert(AgentRng(2, 2, 3).bits(Draw::Test, 4));
-  seen.insert(AgentRng(1 + (1ULL << 32U), 2, 3).bits(Draw::Test, 4));
-  seen.insert(AgentRng(1, -2, 3).bits(Draw::Test, 4));
-  seen.insert(AgentRng(1, 2, 4).bits(Draw::Test, 4));
-  seen.insert(AgentRng(1, 2, 3 + (1ULL << 32U)).bits(Draw::Test, 4));
-  seen.insert(AgentRng(1, 2, 3).bits(Draw::Sensor, 4));
-  seen.insert(AgentRng(1, 2, 3).bits(Draw::Test, 5));
+  seen.insert(AgentRng(1, 2, 3).bits(DrawPurpose::Test, 4));
+  seen.insert(AgentRng(2, 2, 3).bits(DrawPurpose::Test, 4));
+  seen.insert(AgentRng(1 + (1ULL << 32U), 2, 3).bits(DrawPurpose::Test, 4));
+  seen.insert(AgentRng(1, -2, 3).bits(DrawPurpose::Test, 4));
+  seen.insert(AgentRng(1, 2, 4).bits(DrawPurpose::Test, 4));
+  seen.insert(AgentRng(1, 2, 3 + (1ULL << 32U)).bits(DrawPurpose::Test, 4));
+  seen.insert(AgentRng(1, 2, 3).bits(DrawPurpose::Sensor, 4));
+  seen.insert(AgentRng(1, 2, 3).bits(DrawPurpose::Test, 5));
   QCOMPARE(seen.size(), std::size_t{8});
 }
 
 void RngTest::bits_sameAddress_isTheSameDraw() {
   const AgentRng one(42, 7, 100);
   const AgentRng other(42, 7, 100);
-  QVERIFY(one.uniform01(Draw::Parameter, 1) != one.uniform01(Draw::Parameter, 2));
-  QVERIFY(one.normal(1.0, 2.0, Draw::Parameter, 1) == other.normal(1.0, 2.0, Draw::Parameter, 1));
+  QVERIFY(one.uniform01(DrawPurpose::Parameter, 1) != one.uniform01(DrawPurpose::Parameter, 2));
+  QVERIFY(one.normal(1.0, 2.0, DrawPurpose::Parameter, 1) ==
+          other.normal(1.0, 2.0, DrawPurpose::Parameter, 1));
 }
 
 void RngTest::uniform01_moments_areThoseOfTheUnitInterval() {
@@ -70,7 +71,7 @@ void RngTest::uniform01_moments_areThoseOfTheUnitInterval() {
   double sum = 0.0;
   double squares = 0.0;
   for (std::uint32_t i = 0; i < kDraws; ++i) {
-    const double u = rng.uniform01(Draw::Test, i);
+    const double u = rng.uniform01(DrawPurpose::Test, i);
     QVERIFY(u >= 0.0 && u < 1.0);
     sum += u;
     squares += (u - 0.5) * (u - 0.5);
@@ -83,14 +84,14 @@ void RngTest::uniform_narrowRange_neverReachesTheUpperEnd() {
   const double low = 1.0;
   const double high = std::nextafter(1.0, 2.0);
   for (int agent = 0; agent < 1000; ++agent) {
-    QVERIFY(AgentRng(5, agent).uniform(low, high, Draw::Test) == low);
-    const double value = AgentRng(5, agent).uniform(-3.0, 4.0, Draw::Test);
+    QVERIFY(AgentRng(5, agent).uniform(low, high, DrawPurpose::Test) == low);
+    const double value = AgentRng(5, agent).uniform(-3.0, 4.0, DrawPurpose::Test);
     QVERIFY(value >= -3.0 && value < 4.0);
   }
 }
 
 void RngTest::uniform_emptyRange_isItsLowerEnd() {
-  QVERIFY(AgentRng(5, 1).uniform(2.5, 2.5, Draw::Test) == 2.5);
+  QVERIFY(AgentRng(5, 1).uniform(2.5, 2.5, DrawPurpose::Test) == 2.5);
 }
 
 void RngTest::normal_moments_areThoseOfTheNormalDistribution() {
@@ -99,7 +100,7 @@ void RngTest::normal_moments_areThoseOfTheNormalDistribution() {
   double fourth = 0.0;
   int withinOne = 0;
   for (int i = 0; i < kDraws; ++i) {
-    const double z = (AgentRng(9, i).normal(10.0, 2.0, Draw::Test) - 10.0) / 2.0;
+    const double z = (AgentRng(9, i).normal(10.0, 2.0, DrawPurpose::Test) - 10.0) / 2.0;
     QVERIFY(std::isfinite(z));
     sum += z;
     squares += z * z;
@@ -116,8 +117,8 @@ void RngTest::normalPair_moments_areThoseOfIndependentNormals() {
   double sums[5] = {};  // of both, their squares and their product
   for (int i = 0; i < kDraws; ++i) {
     const AgentRng rng(9, i);
-    const std::array<double, 2> pair = rng.normalPair(Draw::Lidar, 3);
-    QVERIFY(pair[0] == rng.normal(0.0, 1.0, Draw::Lidar, 3));
+    const std::array<double, 2> pair = rng.normalPair(DrawPurpose::Lidar, 3);
+    QVERIFY(pair[0] == rng.normal(0.0, 1.0, DrawPurpose::Lidar, 3));
     sums[0] += pair[0];
     sums[1] += pair[1];
     sums[2] += pair[0] * pair[0];
@@ -134,9 +135,9 @@ void RngTest::neighbouringAddresses_areUncorrelated() {
   double byAgent = 0.0;
   double byStep = 0.0;
   for (int i = 0; i < kDraws; ++i) {
-    const double here = AgentRng(3, i, 50).uniform01(Draw::Test) - 0.5;
-    byAgent += here * (AgentRng(3, i + 1, 50).uniform01(Draw::Test) - 0.5);
-    byStep += here * (AgentRng(3, i, 51).uniform01(Draw::Test) - 0.5);
+    const double here = AgentRng(3, i, 50).uniform01(DrawPurpose::Test) - 0.5;
+    byAgent += here * (AgentRng(3, i + 1, 50).uniform01(DrawPurpose::Test) - 0.5);
+    byStep += here * (AgentRng(3, i, 51).uniform01(DrawPurpose::Test) - 0.5);
   }
   const double scale = 12.0 / kDraws;
   QVERIFY(std::abs(byAgent * scale) < 0.01);

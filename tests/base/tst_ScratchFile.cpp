@@ -46,7 +46,7 @@ void ScratchFileTest::append_somePieces_areReadBack() {
   const auto first = file.append("one");
   const auto second = file.append(std::string(100000, 'x'));
   QVERIFY(first && second);
-  file.announce(*second);
+  file.prefetch(*second);
   QVERIFY(file.read(*first) == std::optional<std::string>("one"));
   QVERIFY(file.read(*second) == std::optional<std::string>(std::string(100000, 'x')));
   QCOMPARE(file.size(), 100003LL);

@@ -197,20 +197,22 @@ void TextTest::nearestName_typing_findsTheMeantOne() {
 
 void TextTest::visible_controlCharacters_areEscaped() {
   using namespace std::string_literals;
-  QCOMPARE(base::visible("plain Ä€ 人"), std::string("plain Ä€ 人"));
-  QCOMPARE(base::visible("\x1b[2Jx\x7f\0\n\t"s), std::string("\\x1b[2Jx\\x7f\\x00\\x0a\\x09"));
-  QCOMPARE(base::visible("\xc2\x9b"
-                         "31m"),
+  QCOMPARE(base::escapedControls("plain Ä€ 人"), std::string("plain Ä€ 人"));
+  QCOMPARE(base::escapedControls("\x1b[2Jx\x7f\0\n\t"s),
+           std::string("\\x1b[2Jx\\x7f\\x00\\x0a\\x09"));
+  QCOMPARE(base::escapedControls("\xc2\x9b"
+                                 "31m"),
            std::string("\\x9b31m"));  // CSI as one character
   // What is no UTF-8: cut, stray, longer than needed, a surrogate, beyond U+10FFFF.
-  QCOMPARE(base::visible("\xc2"), std::string("\\xc2"));
-  QCOMPARE(base::visible("\xe4\xba|"), std::string("\\xe4\\xba|"));
-  QCOMPARE(base::visible("\x80\xff"), std::string("\\x80\\xff"));
-  QCOMPARE(base::visible("\xc0\xaf"), std::string("\\xc0\\xaf"));
-  QCOMPARE(base::visible("\xed\xa0\x80"), std::string("\\xed\\xa0\\x80"));
-  QCOMPARE(base::visible("\xf4\x90\x80\x80"), std::string("\\xf4\\x90\\x80\\x80"));
-  QCOMPARE(base::visible("\xf4\x8f\xbf\xbf\xc3\xa4"), std::string("\xf4\x8f\xbf\xbf\xc3\xa4"));
-  QCOMPARE(base::visible("a\nb\r", "\n"), std::string("a\nb\\x0d"));
+  QCOMPARE(base::escapedControls("\xc2"), std::string("\\xc2"));
+  QCOMPARE(base::escapedControls("\xe4\xba|"), std::string("\\xe4\\xba|"));
+  QCOMPARE(base::escapedControls("\x80\xff"), std::string("\\x80\\xff"));
+  QCOMPARE(base::escapedControls("\xc0\xaf"), std::string("\\xc0\\xaf"));
+  QCOMPARE(base::escapedControls("\xed\xa0\x80"), std::string("\\xed\\xa0\\x80"));
+  QCOMPARE(base::escapedControls("\xf4\x90\x80\x80"), std::string("\\xf4\\x90\\x80\\x80"));
+  QCOMPARE(base::escapedControls("\xf4\x8f\xbf\xbf\xc3\xa4"),
+           std::string("\xf4\x8f\xbf\xbf\xc3\xa4"));
+  QCOMPARE(base::escapedControls("a\nb\r", "\n"), std::string("a\nb\\x0d"));
 }
 
 void TextTest::trimmed_spacesAround_areRemoved() {
@@ -224,7 +226,7 @@ void TextTest::split_separators_keepEmptyParts() {
 }
 
 void TextTest::lowered_ascii_leavesOtherBytes() {
-  QVERIFY(base::lowered("GoTo_42 \xc3\x84") == "goto_42 \xc3\x84");
+  QVERIFY(base::toLower("GoTo_42 \xc3\x84") == "goto_42 \xc3\x84");
 }
 
 QTEST_APPLESS_MAIN(TextTest)

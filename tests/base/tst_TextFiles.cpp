@@ -159,13 +159,13 @@ void TextFilesTest::write_relativePath_goesToTheCurrentFolder() {
 
 void TextFilesTest::together_allFine_allAreWritten() {
   QVERIFY(base::writeFileAtomically(at("one"), "old").empty());
-  QVERIFY(
-      base::writeFilesTogether({{at("one"), "1"}, {at("two"), "2"}, {at("a/three"), "3"}}).empty());
+  QVERIFY(base::writeFilesAtomically({{at("one"), "1"}, {at("two"), "2"}, {at("a/three"), "3"}})
+              .empty());
   QVERIFY(*base::readTextFile(at("one")) == "1");
   QVERIFY(*base::readTextFile(at("two")) == "2");
   QVERIFY(*base::readTextFile(at("a/three")) == "3");
   QCOMPARE(fileCount(), 3);
-  QVERIFY(base::writeFilesTogether({}).empty());
+  QVERIFY(base::writeFilesAtomically({}).empty());
 }
 
 void TextFilesTest::together_oneCannotBeWritten_nothingChanges_data() {
@@ -179,7 +179,7 @@ void TextFilesTest::together_oneCannotBeWritten_nothingChanges() {
   QFETCH(QByteArray, bad);
   QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("folder")));
   QVERIFY(base::writeFileAtomically(at("old"), "old").empty());
-  const base::Diagnostics problems = base::writeFilesTogether(
+  const base::Diagnostics problems = base::writeFilesAtomically(
       {{at("old"), "changed"}, {at("new"), "new"}, {at(bad.constData()), "x"}});
   QVERIFY(base::hasErrors(problems));
   QVERIFY(*base::readTextFile(at("old")) == "old");
@@ -190,7 +190,7 @@ void TextFilesTest::together_oneCannotBeWritten_nothingChanges() {
 void TextFilesTest::growing_pieces_areThereWhenFinished() {
   QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
   std::string expected;
-  base::GrowingFile file(at("f"));
+  base::AtomicFileWriter file(at("f"));
   for (int k = 0; k < 30000; ++k) {  // many times what is written at once
     const std::string piece = std::to_string(k) + "\n";
     expected += piece;
@@ -204,7 +204,7 @@ void TextFilesTest::growing_pieces_areThereWhenFinished() {
 
 void TextFilesTest::growing_complete_isStillBesideItsPlace() {
   QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
-  base::GrowingFile file(at("f"));
+  base::AtomicFileWriter file(at("f"));
   file.append("new");
   QVERIFY(file.complete().empty());
   QVERIFY(!file.hasFailed());
@@ -217,7 +217,7 @@ void TextFilesTest::growing_complete_isStillBesideItsPlace() {
 void TextFilesTest::growing_notFinished_leavesTheOldFile() {
   QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
   {
-    base::GrowingFile file(at("f"));
+    base::AtomicFileWriter file(at("f"));
     file.append(std::string(200000, 'x'));
     QCOMPARE(fileCount(), 2);
   }
@@ -226,11 +226,11 @@ void TextFilesTest::growing_notFinished_leavesTheOldFile() {
 }
 
 void TextFilesTest::growing_cannotBeWritten_isToldByFinish() {
-  base::GrowingFile folder(folder_->path().toStdString());
+  base::AtomicFileWriter folder(folder_->path().toStdString());
   QVERIFY(folder.hasFailed());
   folder.append("x");
   QCOMPARE(folder.finish().size(), std::size_t{1});
-  base::GrowingFile full("/dev/full/none");
+  base::AtomicFileWriter full("/dev/full/none");
   QVERIFY(base::hasErrors(full.finish()));
   QCOMPARE(fileCount(), 0);
 }

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/bridge/bag/RunBagFolder.h"
+#include "app/bridge/bag/RunBagWriter.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
 #include "app/run/Simulation.h"
@@ -40,12 +40,12 @@ bool runInto(const std::string& folder, const app::Bundle& bundle, bool hasBag) 
   }
   app::RunWriter writer((*output)->staging(), *verdict.world, verdict.world->header(),
                         verdict.metrics.selection, verdict.metrics.parameters);
-  std::unique_ptr<bridge::RunBagFolder> bag;
+  std::unique_ptr<bridge::BagFolderWriter> bag;
   if (hasBag) {
-    verdict.world->tellScans(true);
-    bag = std::make_unique<bridge::RunBagFolder>((*output)->staging(), *bundle.scenario,
-                                                 *verdict.world);
-    writer.setCompanion(bag.get());
+    verdict.world->enableScans(true);
+    bag = std::make_unique<bridge::BagFolderWriter>((*output)->staging(), *bundle.scenario,
+                                                    *verdict.world);
+    writer.setAdditionalWriter(bag.get());
   }
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
   const app::FinishedRun run =
@@ -64,7 +64,7 @@ void BagBench::run_data() {
 void BagBench::run() {
   QFETCH(const QString, scenario);
   QTemporaryDir folder;
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = SOURCE_DIR "/maps/" + scenario.toStdString();
   options.duration = 60.0;
   const app::Bundle bundle = app::readBundle(options, app::RunSettings{}, sim2d::ImageLoader());

@@ -41,7 +41,7 @@ std::shared_ptr<const sim2d::OccupancyGrid> hall() {
 Vec2 place(int number, int what) {
   const base::AgentRng rng(7, number);
   const auto draw = [&](int index) {
-    return rng.uniform01(base::Draw::Test, static_cast<std::uint32_t>(2 * what + index));
+    return rng.uniform01(base::DrawPurpose::Test, static_cast<std::uint32_t>(2 * what + index));
   };
   const double aisle = 10.0 * std::floor(draw(0) * 19.0) + 1.0;
   return {4.0 + draw(1) * (kMetres - 8.0), aisle + 3.5 * draw(0)};

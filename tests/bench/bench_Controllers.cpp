@@ -29,7 +29,7 @@ namespace {
 constexpr int kCycles = 400;
 using Names = std::vector<std::string>;
 
-Nav2Block dwbBlock(const Names& critics) {
+Nav2ParameterBlock dwbBlock(const Names& critics) {
   return {{"max_vel_x", 0.26},
           {"max_vel_theta", 1.0},
           {"max_speed_xy", 0.27},  // so that 20 velocities ahead count
@@ -118,7 +118,7 @@ void ControllersBench::command() {
   QFETCH(QString, plugin);
   QFETCH(bool, isPlain);
   Scene scene(Distro::Jazzy);
-  Nav2Block block;
+  Nav2ParameterBlock block;
   if (plugin == QLatin1String("seven")) {
     block = dwbBlock({"RotateToGoal", "Oscillation", "BaseObstacle", "GoalAlign", "PathAlign",
                       "PathDist", "GoalDist"});
@@ -129,7 +129,7 @@ void ControllersBench::command() {
   const auto controller = scene.make(plugin.toStdString(), block);
   controller->setPlan(winding());
   base::Diagnostics problems;
-  const auto parameters = filled(DwbParameters(), dwbKeys(), block, scene.distro, problems);
+  const auto parameters = applyBlock(DwbParameters(), dwbKeys(), block, scene.distro, problems);
   const auto plainly = [&] {
     const Path plan(winding());
     Path local;

@@ -9,7 +9,7 @@
 #include <QtTest>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/costmap/InflationLaw.h"
+#include "sim2d/nav/nav2/costmap/InflationLayer.h"
 #include "tests/nav/CostmapScenes.h"
 #include "tests/nav/MetaTypes.h"
 
@@ -72,10 +72,11 @@ double meanOf(const std::vector<double>& values) {
 }
 
 /// Marks, clears and inflates the plain way; the sum of its costs.
-long long plainUpdate(Costmap& costmap, const LaserScan& scan, const InflationLaw& law) {
+long long plainUpdate(Costmap& costmap, const LaserScan& scan, const InflationCostFunction& law) {
   costmap.setOrigin(scan.sensor.position - Vec2(1.5, 1.5));
   for (std::size_t i = 0; i < scan.distances.size(); ++i) {
-    const Vec2 ahead = base::directionOf(scan.angleMin + static_cast<double>(i) * scan.perBeam);
+    const Vec2 ahead =
+        base::directionOf(scan.angleMin + static_cast<double>(i) * scan.angleIncrement);
     for (double way = 0.0; way < std::fmin(scan.distances[i], 3.0); way += 0.5 * kResolution) {
       if (const auto cell = costmap.worldToCell(scan.sensor.position + way * ahead)) {
         costmap.set(*cell, kFreeSpace);
@@ -83,7 +84,8 @@ long long plainUpdate(Costmap& costmap, const LaserScan& scan, const InflationLa
     }
   }
   for (std::size_t i = 0; i < scan.distances.size(); ++i) {
-    const Vec2 ahead = base::directionOf(scan.angleMin + static_cast<double>(i) * scan.perBeam);
+    const Vec2 ahead =
+        base::directionOf(scan.angleMin + static_cast<double>(i) * scan.angleIncrement);
     const auto cell = costmap.worldToCell(scan.sensor.position + scan.distances[i] * ahead);
     if (cell && scan.distances[i] <= 2.5) {
       costmap.set(*cell, kLethal);
@@ -130,7 +132,7 @@ void CostmapBench::update_localCostmap() {
   for (int round = 0; round < kRounds; ++round) {
     LayeredCostmap costmap(setup);
     Costmap plainly = costmap.costmap();
-    const InflationLaw law = *costmap.inflation();
+    const InflationCostFunction law = *costmap.inflation();
     for (std::size_t i = 0; i < scans.size(); ++i) {
       QElapsedTimer timer;
       timer.start();

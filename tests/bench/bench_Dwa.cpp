@@ -40,10 +40,10 @@ std::vector<TrackedBody> peopleAround() {
   std::vector<TrackedBody> people;
   for (int i = 0; i < 20; ++i) {
     const auto draw = static_cast<std::uint32_t>(4 * i);
-    const double angle = random.uniform(-base::kPi, base::kPi, base::Draw::Test, draw);
+    const double angle = random.uniform(-base::kPi, base::kPi, base::DrawPurpose::Test, draw);
     const double speed = i % 3 == 0 ? 0.0 : 1.0;
-    const Vec2 place(random.uniform(1.0, 5.0, base::Draw::Test, draw + 1),
-                     random.uniform(-3.0, 3.0, base::Draw::Test, draw + 2));
+    const Vec2 place(random.uniform(1.0, 5.0, base::DrawPurpose::Test, draw + 1),
+                     random.uniform(-3.0, 3.0, base::DrawPurpose::Test, draw + 2));
     people.push_back(drive::person(i, place, speed * Vec2(std::cos(angle), std::sin(angle))));
   }
   return people;

@@ -6,7 +6,7 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 
 namespace {
@@ -67,7 +67,7 @@ class FramesBench : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
 
   void crowd_walking_isSeen_data() {
     QTest::addColumn<int>("people");
@@ -85,7 +85,7 @@ class FramesBench : public QObject {
     QFETCH(QString, overlays);
     auto window = quiet::shownWindow();
     app::Workspace& workspace = window->workspace();
-    window->actions().newRoom->trigger();
+    window->actions().newOpenPlane->trigger();
     workspace.document().load(crowd(people));
     workspace.document().setMap(editor::emptyRoom(80.0, 60.0));
     workspace.view().fitAll(false);

@@ -7,7 +7,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
-#include "sim2d/nav/nav2/global/GlobalPlanners.h"
+#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 #include "tests/nav/CostmapSketch.h"
 

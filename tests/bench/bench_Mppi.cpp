@@ -49,12 +49,12 @@ void MppiBench::draw_2000Samples20People_data() {
 void MppiBench::draw_2000Samples20People() {
   QFETCH(int, path);
   QFETCH(bool, isSocial);
-  if (!hasMppiPath(static_cast<MppiPath>(path))) {
+  if (!isMppiSimdLevelSupported(static_cast<MppiSimdLevel>(path))) {
     QSKIP("not on this processor");
   }
   const mppitest::HandMade scene(kPeople, isSocial);
   mppitest::Columns columns(kSamples, scene.problem.steps);
-  const MppiKernel kernel = mppiKernelOf(static_cast<MppiPath>(path));
+  const MppiKernel kernel = mppiKernelFor(static_cast<MppiSimdLevel>(path));
   const double vector =
       fastestOf(kRounds, [&] { kernel.draw(scene.problem, columns.view(), 0, kSamples); });
   std::size_t count = 0;

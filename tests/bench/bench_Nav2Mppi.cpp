@@ -12,7 +12,7 @@
 #include "tests/nav/Nav2MppiScenes.h"
 
 using namespace sim2d::nav2;
-using sim2d::MppiPath;
+using sim2d::MppiSimdLevel;
 
 /// A cycle of Nav2's MPPI, 2000 trajectories of 56 steps with the critics of the bringup, on one
 /// thread: each instruction set beside plain loops in single precision (Nav2PlainMppi.h) and beside
@@ -38,20 +38,20 @@ MppiConfiguration benchMppi(bool regenerates) {
   mppi.settings.batchSize = 2000;
   mppi.settings.regeneratesNoises = regenerates;
   mppi.critics.pathAlign.offsetFromFurthest = 5;
-  mppi.critics.pathAngle.mostAngle = 0.0;
+  mppi.critics.pathAngle.maxAngleToFurthest = 0.0;
   return mppi;
 }
 
 Nav2PlainMppi plainOf(const MppiConfiguration& mppi, const nav2test::HandScene& scene,
-                      const TrajectoryColumns& columns) {
+                      const TrajectoryBuffer& columns) {
   Nav2PlainMppi plain(mppi, scene);
   for (int sample = 0; sample < columns.count(); ++sample) {
     for (int step = 0; step < columns.steps(); ++step) {
       const std::size_t to =
           static_cast<std::size_t>(sample) * static_cast<std::size_t>(columns.steps()) +
           static_cast<std::size_t>(step);
-      plain.vxNoise[to] = columns.noise[0][columns.placeOf(step, sample)];
-      plain.wzNoise[to] = columns.noise[1][columns.placeOf(step, sample)];
+      plain.vxNoise[to] = columns.noise[0][columns.elementIndex(step, sample)];
+      plain.wzNoise[to] = columns.noise[1][columns.elementIndex(step, sample)];
     }
   }
   return plain;
@@ -81,12 +81,12 @@ void Nav2MppiBench::command_2000x56_data() {
 void Nav2MppiBench::command_2000x56() {
   QFETCH(int, path);
   QFETCH(bool, regenerates);
-  if (!sim2d::hasMppiPath(static_cast<MppiPath>(path))) {
+  if (!sim2d::isMppiSimdLevelSupported(static_cast<MppiSimdLevel>(path))) {
     QSKIP("not on this processor");
   }
   const MppiConfiguration mppi = benchMppi(regenerates);
   const nav2test::HandScene scene = nav2test::curve();
-  MppiOptimizer optimizer(mppi, {0.05, 1, 0, static_cast<MppiPath>(path)});
+  MppiOptimizer optimizer(mppi, {0.05, 1, 0, static_cast<MppiSimdLevel>(path)});
   QVERIFY(optimizer.command(scene.view()));
   Nav2PlainMppi plain = plainOf(mppi, scene, optimizer.trajectories());
   plain.cycle();
@@ -104,7 +104,7 @@ void Nav2MppiBench::command_2000x56() {
   const double precise = fastestOf(2, [&] {
     reference.cycle(scene, [&](int sample, int step, int axis) {
       return static_cast<double>(
-          columns.noise[static_cast<std::size_t>(axis)][columns.placeOf(step, sample)]);
+          columns.noise[static_cast<std::size_t>(axis)][columns.elementIndex(step, sample)]);
     });
   });
   qInfo("%.3f ms; plain loops %.2f ms, ratio %.1f; the reference %.1f ms", vector, scalar,
@@ -122,13 +122,13 @@ void Nav2MppiBench::command_omni_data() {
 /// With a third axis of noise.
 void Nav2MppiBench::command_omni() {
   QFETCH(int, path);
-  if (!sim2d::hasMppiPath(static_cast<MppiPath>(path))) {
+  if (!sim2d::isMppiSimdLevelSupported(static_cast<MppiSimdLevel>(path))) {
     QSKIP("not on this processor");
   }
   MppiConfiguration mppi = benchMppi(true);
   mppi.motion = MppiMotion::Omni;
   const nav2test::HandScene scene = nav2test::curve();
-  MppiOptimizer optimizer(mppi, {0.05, 1, 0, static_cast<MppiPath>(path)});
+  MppiOptimizer optimizer(mppi, {0.05, 1, 0, static_cast<MppiSimdLevel>(path)});
   const double time = fastestOf(kRounds, [&] { QVERIFY(optimizer.command(scene.view())); });
   qInfo("%.3f ms", time);
   QTest::setBenchmarkResult(time, QTest::WalltimeMilliseconds);

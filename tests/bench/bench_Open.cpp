@@ -5,7 +5,7 @@
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/WrittenMap.h"
 
@@ -94,10 +94,10 @@ class OpenBench : public QObject {
     QElapsedTimer clock;
     clock.start();
     const double before = workedSeconds();
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
     app::WindowSetup setup;
     setup.followsSystem = false;
-    setup.remembers = false;
+    setup.storesSettings = false;
     MainWindow window(setup);
     window.resize(1280, 800);
     window.show();

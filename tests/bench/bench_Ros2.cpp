@@ -148,7 +148,7 @@ void Ros2Bench::publish() {
   const sim2d::Frame& frame = verdict.world->frame();
   const double begin = processorMs();
   for (int state = 0; state < kStates; ++state) {
-    (*node)->tell(frame);
+    (*node)->publishState(frame);
     QTest::qSleep(50);
   }
   const double each = (processorMs() - begin) / kStates;

@@ -4,7 +4,7 @@
 #include "app/window/MainWindow.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 
 using app::MainWindow;
 
@@ -43,15 +43,15 @@ class SelectionBench : public QObject {
 
  private Q_SLOTS:
   void commands_2000selected() {
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
     app::WindowSetup setup;
     setup.followsSystem = false;
-    setup.remembers = false;
+    setup.storesSettings = false;
     MainWindow window(setup);
     window.resize(1280, 800);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    window.actions().newRoom->trigger();
+    window.actions().newOpenPlane->trigger();
     editor::ScenarioDocument& document = window.workspace().document();
     document.load(crowd());
     window.actions().zoomFit->trigger();

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "app/bridge/bag/RunBagFolder.h"
+#include "app/bridge/bag/RunBagWriter.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
 #include "app/run/Simulation.h"
@@ -12,7 +12,7 @@
 /// Runs the café for some seconds into a folder, with a bag beside the other files. `steering`:
 /// what somebody outside does.
 inline base::Diagnostics runCafeInto(const std::string& folder, double seconds,
-                                     app::RunOptions options = {},
+                                     app::RunSpec options = {},
                                      app::Session::Steering steering = {}) {
   options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
   options.duration = seconds;
@@ -29,9 +29,9 @@ inline base::Diagnostics runCafeInto(const std::string& folder, double seconds,
   selection.everyRobot = true;
   app::RunWriter writer((*output)->staging(), *verdict.world, verdict.world->header(), selection,
                         verdict.metrics.parameters);
-  verdict.world->tellScans(true);
-  bridge::RunBagFolder bag((*output)->staging(), *bundle.scenario, *verdict.world);
-  writer.setCompanion(&bag);
+  verdict.world->enableScans(true);
+  bridge::BagFolderWriter bag((*output)->staging(), *bundle.scenario, *verdict.world);
+  writer.setAdditionalWriter(&bag);
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
   session.steer(std::move(steering));
   const app::FinishedRun run =

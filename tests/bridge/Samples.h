@@ -8,7 +8,7 @@
 #include <QJsonObject>
 #include <QString>
 
-#include "app/bridge/messages/FieldKinds.h"
+#include "app/bridge/messages/FieldTraits.h"
 
 /// Fills messages with values of which no two neighbours are alike, each exact in its type. A
 /// visitor for `fields`.

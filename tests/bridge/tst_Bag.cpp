@@ -12,9 +12,9 @@
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/BagBodies.h"
 #include "app/bridge/bag/BagTrace.h"
-#include "app/bridge/bag/Crc32.h"
-#include "app/bridge/bag/McapCursor.h"
-#include "app/bridge/bag/RunBag.h"
+#include "app/bridge/bag/Compression.h"
+#include "app/bridge/bag/McapFormat.h"
+#include "app/bridge/bag/RunBagWriter.h"
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/Definition.h"
 #include "app/run/RecordedRun.h"
@@ -295,7 +295,7 @@ class BagTest : public QObject {
 
   /// At a step whose state is not recorded.
   void run_robotIsOrdered_theBagsTellIt() {
-    app::RunOptions options;
+    app::RunSpec options;
     options.recordEvery = 4;
     const std::string folder = path("ordered");
     QVERIFY(runCafeInto(folder, 2.0, options, [](const sim2d::Frame& frame) {
@@ -415,7 +415,7 @@ class BagTest : public QObject {
     std::string_view rest = std::string_view(whole).substr(kMcapMagic.size());
     std::string beginning;
     std::string chunk;
-    McapPiece piece;
+    McapRecordView piece;
     for (std::string_view before = rest; chunk.empty() && nextRecord(rest, piece); before = rest) {
       (piece.op == McapOp::Chunk ? chunk : beginning) +=
           before.substr(0, before.size() - rest.size());
@@ -431,12 +431,12 @@ class BagTest : public QObject {
 
   void open_chunksNamedTwice_areReadOnce() {
     std::string whole = bytes(bagFile());
-    const std::size_t footer = whole.size() - kMcapMagic.size() - kRecordHead - 20;
-    McapFields fields(std::string_view(whole).substr(footer + kRecordHead));
+    const std::size_t footer = whole.size() - kMcapMagic.size() - kRecordHeaderSize - 20;
+    McapFields fields(std::string_view(whole).substr(footer + kRecordHeaderSize));
     const auto begin = static_cast<std::size_t>(fields.number<std::uint64_t>());
     std::string_view rest = std::string_view(whole).substr(begin, footer - begin);
     std::string indexes;
-    McapPiece piece;
+    McapRecordView piece;
     for (std::string_view before = rest; nextRecord(rest, piece); before = rest) {
       if (piece.op == McapOp::ChunkIndex) {
         indexes += before.substr(0, before.size() - rest.size());
@@ -527,7 +527,7 @@ class BagTest : public QObject {
     QVERIFY(writer.finish().empty());
     const base::Result<sim2d::Trace> trace = readBagTrace(path("stamps.mcap"), {}, {});
     QCOMPARE(codesOf(trace.diagnostics()), std::string("bag.same-stamp"));
-    QVERIFY(firstText(trace.diagnostics()).find("18 places") != std::string::npos);
+    QVERIFY(firstText(trace.diagnostics()).find("18 positions") != std::string::npos);
   }
 
   /// The robot of such a recording gets a number that nobody has.
@@ -565,8 +565,9 @@ class BagTest : public QObject {
              wrong.text().c_str());
     QCOMPARE(codesOf(readBagTrace(bagFile(), {"/map", "", ""}, {}).diagnostics()),
              std::string("bag.wrong-type"));
-    QCOMPARE(codesOf(parseBagUse("people=/a,robt=/b").diagnostics()), std::string("bag.topic-use"));
-    QCOMPARE(parseBagUse("robot=/odom,people=/p")->robot, std::string("/odom"));
+    QCOMPARE(codesOf(parseBagTopicOptions("people=/a,robt=/b").diagnostics()),
+             std::string("bag.topic-use"));
+    QCOMPARE(parseBagTopicOptions("robot=/odom,people=/p")->robot, std::string("/odom"));
     QVERIFY(!isBag(path("run")));
     QVERIFY(!isBag(path("run/trajectory.csv")));
     QCOMPARE(codesOf(openBag(path("run/trajectory.csv")).diagnostics()), std::string("bag.no-bag"));
@@ -582,9 +583,9 @@ class BagTest : public QObject {
   }
 
   void asWritten_isTheShortDecimal() {
-    QCOMPARE(asWritten(0.05F), 0.05);
-    QCOMPARE(asWritten(0.35F), 0.35);
-    QCOMPARE(asWritten(1.0F), 1.0);
+    QCOMPARE(shortestDecimal(0.05F), 0.05);
+    QCOMPARE(shortestDecimal(0.35F), 0.35);
+    QCOMPARE(shortestDecimal(1.0F), 1.0);
   }
 };
 

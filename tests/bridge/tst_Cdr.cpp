@@ -157,7 +157,7 @@ class CdrTest : public QObject {
     }
     const std::string tooLong = bytesOf("0001000002000000610000000000");
     QCOMPARE(codeOf<std_msgs::String>(tooLong), std::string("cdr.rest"));
-    QVERIFY(static_cast<bool>(decode<std_msgs::String>(tooLong, Rest::Ignored)));
+    QVERIFY(static_cast<bool>(decode<std_msgs::String>(tooLong, TrailingBytes::Ignored)));
   }
 
   void decode_textOfLengthZero_isEmpty() {

@@ -10,7 +10,7 @@ using client::bytesOf;
 using client::frame;
 using live::Clock;
 using live::Connection;
-using live::Outbox;
+using live::SendQueue;
 using std::chrono::milliseconds;
 
 namespace {
@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string_view>& parts) {
 
 /// A connection with a clock of its own.
 struct Probe {
-  live::ConnectionRules rules = {
+  live::ConnectionLimits rules = {
       {"x"}, {}, 1000, 1000, milliseconds(100), milliseconds(200), milliseconds(50)};
   Clock::time_point now{};
   Connection connection{rules, now};
@@ -95,70 +95,70 @@ class ConnectionTest : public QObject {
 
 /// 1000 bytes in all, each message 100 and 128 for itself: four.
 void ConnectionTest::outbox_messagesAboveTheLimit_oldestAreLeftOut() {
-  Outbox out(1000);
+  SendQueue out(1000);
   for (char name = 'a'; name <= 'j'; ++name) {
-    out.add("", shared(std::string(100, name)), Outbox::Kind::Message);
+    out.add("", shared(std::string(100, name)), SendQueue::Kind::Message);
   }
-  QCOMPARE(out.leftOut(), std::size_t{6});
+  QCOMPARE(out.droppedCount(), std::size_t{6});
   QCOMPARE(joined(out.next(100)), std::string(100, 'g') + std::string(100, 'h') +
                                       std::string(100, 'i') + std::string(100, 'j'));
 }
 
 void ConnectionTest::outbox_oneThatHasBegun_isSentWhole() {
-  Outbox out(1000);
-  out.add("", shared(std::string(100, 'a')), Outbox::Kind::Message);
+  SendQueue out(1000);
+  out.add("", shared(std::string(100, 'a')), SendQueue::Kind::Message);
   out.sent(30);
   for (char name = 'b'; name <= 'j'; ++name) {
-    out.add("", shared(std::string(100, name)), Outbox::Kind::Message);
+    out.add("", shared(std::string(100, name)), SendQueue::Kind::Message);
   }
   QCOMPARE(joined(out.next(100)), std::string(70, 'a') + std::string(100, 'h') +
                                       std::string(100, 'i') + std::string(100, 'j'));
 }
 
 void ConnectionTest::outbox_answers_areNeverLeftOut() {
-  Outbox out(300);
+  SendQueue out(300);
   out.add("[one]");
   for (int i = 0; i < 100; ++i) {
-    out.add("m", shared(std::string(100, 'm')), Outbox::Kind::Message);
+    out.add("m", shared(std::string(100, 'm')), SendQueue::Kind::Message);
     out.add("[two]");
   }
   const std::string all = joined(out.next(10000));
   QCOMPARE(QByteArray::fromStdString(all).count("[two]"), 100);
   QVERIFY(all.rfind("[one]", 0) == 0);
   QCOMPARE(QByteArray::fromStdString(all).count('m'), 101);  // the newest
-  QVERIFY(!out.hasManyAnswers());
+  QVERIFY(!out.hasManyReplies());
   out.add(std::string(300000, 'x'));
-  QVERIFY(out.hasManyAnswers());
+  QVERIFY(out.hasManyReplies());
 }
 
 void ConnectionTest::outbox_oneLargeMessage_isKept() {
-  Outbox out(1000);
-  out.add("", shared(std::string(5000, 'a')), Outbox::Kind::Message);
+  SendQueue out(1000);
+  out.add("", shared(std::string(5000, 'a')), SendQueue::Kind::Message);
   QCOMPARE(joined(out.next(10)).size(), std::size_t{5000});
-  out.add("", shared("b"), Outbox::Kind::Message);
+  out.add("", shared("b"), SendQueue::Kind::Message);
   QCOMPARE(joined(out.next(10)), std::string("b"));
 }
 
 void ConnectionTest::outbox_control_overtakesMessages() {
-  Outbox out(10000);
+  SendQueue out(10000);
   out.add("first");
-  out.add("m1", nullptr, Outbox::Kind::Message);
-  out.add("m2", nullptr, Outbox::Kind::Message);
+  out.add("m1", nullptr, SendQueue::Kind::Message);
+  out.add("m2", nullptr, SendQueue::Kind::Message);
   out.addNext("P");
   QCOMPARE(joined(out.next(10)), std::string("firstPm1m2"));
   out.sent(7);  // m1 has begun
   out.addNext("Q");
   QCOMPARE(joined(out.next(10)), std::string("1Qm2"));
-  out.dropMessages();
+  out.dropAllMessages();
   QCOMPARE(joined(out.next(10)), std::string("1Q"));
 }
 
 void ConnectionTest::outbox_partsOfAnySize_giveTheSameBytes() {
   for (const std::size_t step : {1U, 2U, 3U, 5U, 100U}) {
-    Outbox out;
+    SendQueue out;
     out.add("");
-    out.add("ab", shared("cde"), Outbox::Kind::Message);
-    out.add("", shared(""), Outbox::Kind::Message);
+    out.add("ab", shared("cde"), SendQueue::Kind::Message);
+    out.add("", shared(""), SendQueue::Kind::Message);
     out.add("f", shared("g"));
     std::string all;
     while (!out.isEmpty()) {
@@ -195,12 +195,12 @@ void ConnectionTest::request_garbage_isRefusedAndEnds() {
   Probe probe;
   probe.read("\x16\x03\x01 nonsense\r\n\r\n" + frame(0x81, "x"));
   QVERIFY(probe.said().rfind("HTTP/1.1 400 ", 0) == 0);
-  QVERIFY(probe.connection.isSaid());
+  QVERIFY(probe.connection.isSendFinished());
   probe.read(frame(0x81, "y"));
   QVERIFY(probe.received.empty() && probe.opened == 0);
-  QVERIFY(!probe.connection.isOver());
+  QVERIFY(!probe.connection.isFinished());
   probe.pass(50);
-  QVERIFY(probe.connection.isOver());
+  QVERIFY(probe.connection.isFinished());
 }
 
 void ConnectionTest::request_withoutEnd_isRefusedAt8192() {
@@ -218,9 +218,9 @@ void ConnectionTest::request_thatDoesNotCome_endsInTime() {
     probe.pass(10);
     probe.read("x");
   }
-  QVERIFY(!probe.connection.isOver());
+  QVERIFY(!probe.connection.isFinished());
   probe.pass(10);
-  QVERIFY(probe.connection.isOver());
+  QVERIFY(probe.connection.isFinished());
 }
 
 void ConnectionTest::ping_isAnsweredWithItsBytes() {
@@ -242,9 +242,9 @@ void ConnectionTest::silence_isAskedThenEnds() {
   probe.read(frame(0x8a, ""));
   probe.pass(200);
   QCOMPARE(probe.said(), bytesOf("89 00"));
-  QVERIFY(!probe.connection.isOver());
+  QVERIFY(!probe.connection.isFinished());
   probe.pass(200);
-  QVERIFY(probe.connection.isOver());
+  QVERIFY(probe.connection.isFinished());
 }
 
 void ConnectionTest::violation_closesWithItsCode() {
@@ -255,21 +255,21 @@ void ConnectionTest::violation_closesWithItsCode() {
   QVERIFY(probe.received.empty());
   probe.connection.sendText("nobody listens");
   QCOMPARE(probe.said(), std::string());
-  QVERIFY(!probe.connection.isOver());
+  QVERIFY(!probe.connection.isFinished());
   probe.pass(50);
-  QVERIFY(probe.connection.isOver());
+  QVERIFY(probe.connection.isFinished());
 }
 
 void ConnectionTest::clientCloses_isEchoedAndEnds() {
   Probe probe;
   probe.open();
-  probe.connection.sendBinary("waits", nullptr, Outbox::Kind::Message);
+  probe.connection.sendBinary("waits", nullptr, SendQueue::Kind::Message);
   probe.read(frame(0x88, bytesOf("03 e8") + "bye") + frame(0x81, "late"));
   QCOMPARE(probe.said(), bytesOf("88 02 03 e8"));
   QVERIFY(probe.received.empty());
-  QVERIFY(probe.connection.isSaid());
+  QVERIFY(probe.connection.isSendFinished());
   probe.connection.readEnd();
-  QVERIFY(probe.connection.isOver());
+  QVERIFY(probe.connection.isFinished());
 }
 
 void ConnectionTest::weClose_waitsForTheAnswerOrTheTime() {
@@ -277,12 +277,12 @@ void ConnectionTest::weClose_waitsForTheAnswerOrTheTime() {
   probe.open();
   probe.connection.close(live::CloseCode::GoingAway, "over", probe.now);
   QCOMPARE(probe.said(), bytesOf("88 06 03 e9") + "over");
-  QVERIFY(!probe.connection.isSaid() && !probe.connection.isOver());
+  QVERIFY(!probe.connection.isSendFinished() && !probe.connection.isFinished());
   probe.read(frame(0x88, bytesOf("03 e9")));
   QCOMPARE(probe.said(), std::string());
-  QVERIFY(probe.connection.isSaid());
+  QVERIFY(probe.connection.isSendFinished());
   probe.pass(50);
-  QVERIFY(probe.connection.isOver());
+  QVERIFY(probe.connection.isFinished());
 }
 
 /// Pings without end: the answers that wait have a limit.
@@ -290,13 +290,13 @@ void ConnectionTest::slowReader_isNotReadFrom() {
   Probe probe;
   probe.open();
   int count = 0;
-  while (probe.connection.wantsBytes() && count < 100000) {
+  while (probe.connection.canRead() && count < 100000) {
     probe.read(frame(0x89, "x"));
     ++count;
   }
   QCOMPARE(count, (256 * 1024) / (3 + 128) + 1);
   probe.said();
-  QVERIFY(probe.connection.wantsBytes());
+  QVERIFY(probe.connection.canRead());
 }
 
 void ConnectionTest::clientVanishes_ends() {
@@ -305,7 +305,7 @@ void ConnectionTest::clientVanishes_ends() {
   probe.connection.sendText("waits");
   probe.connection.readEnd();
   QVERIFY(!probe.connection.isOpen());
-  QVERIFY(probe.connection.isOver());
+  QVERIFY(probe.connection.isFinished());
 }
 
 QTEST_APPLESS_MAIN(ConnectionTest)

@@ -5,7 +5,6 @@
 #include "app/bridge/messages/AllMessages.h"
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/Definition.h"
-#include "app/bridge/messages/TypeTable.h"
 #include "tests/bridge/Samples.h"
 #include "tests/support/Peers.h"
 

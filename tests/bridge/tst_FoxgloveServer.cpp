@@ -34,13 +34,13 @@ struct Scene {
     settings.server.mostClients = mostClients;
     settings.server.rules.handshakeTime = std::chrono::milliseconds(300);
     addService();
-    settings.inlets.push_back({"/cmd_vel", "geometry_msgs/msg/Twist",
-                               [this](std::string_view encoding, std::string_view payload) {
-                                 ++taken;
-                                 return payload == "bad"
-                                            ? std::string("is bad ") + std::string(encoding)
-                                            : std::string();
-                               }});
+    settings.clientTopics.push_back({"/cmd_vel", "geometry_msgs/msg/Twist",
+                                     [this](std::string_view encoding, std::string_view payload) {
+                                       ++taken;
+                                       return payload == "bad"
+                                                  ? std::string("is bad ") + std::string(encoding)
+                                                  : std::string();
+                                     }});
     settings.parameters.push_back({"factor", [this] { return live::ParameterValue(factor.load()); },
                                    [this](const live::ParameterValue& value) {
                                      const double* const number = std::get_if<double>(&value);
@@ -297,25 +297,25 @@ void FoxgloveServerTest::subscribe_messageMadeForIt_comesToNobodyElse() {
   QVERIFY(first.open() && second.open());
   first.text(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1}]})");
   QTRY_COMPARE(calls.load(), 1);
-  QVERIFY(scene.server->isAwaited(1));
+  QVERIFY(scene.server->isMessageAwaited(1));
   scene.publish(7, 1, "one");
   QCOMPARE(first.awaitBinary(1), "\x01" + number(1, 4) + number(7, 8) + "one");
-  QVERIFY(!scene.server->isAwaited(1));
+  QVERIFY(!scene.server->isMessageAwaited(1));
   second.text(R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":1}]})");
   QTRY_COMPARE(calls.load(), 2);
-  QVERIFY(scene.server->isAwaited(1));
+  QVERIFY(scene.server->isMessageAwaited(1));
   scene.server->catchUp(7, {{1, shared("again")}});
   QCOMPARE(second.awaitBinary(1), "\x01" + number(9, 4) + number(7, 8) + "again");
-  QVERIFY(!scene.server->isAwaited(1));
+  QVERIFY(!scene.server->isMessageAwaited(1));
   scene.publish(8, 1, "two");
   QCOMPARE(first.awaitBinary(1), "\x01" + number(1, 4) + number(8, 8) + "two");
   QCOMPARE(second.awaitBinary(1), "\x01" + number(9, 4) + number(8, 8) + "two");
   first.text(R"({"op":"unsubscribe","subscriptionIds":[1]})");
   first.text(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":1}]})");
   QTRY_COMPARE(calls.load(), 3);
-  QVERIFY(scene.server->isAwaited(1));
+  QVERIFY(scene.server->isMessageAwaited(1));
   first.write(client::frame(0x88, ""));
-  QTRY_VERIFY(!scene.server->isAwaited(1));
+  QTRY_VERIFY(!scene.server->isMessageAwaited(1));
 }
 
 void FoxgloveServerTest::subscribe_wrongOnes_areTold() {
@@ -328,7 +328,7 @@ void FoxgloveServerTest::subscribe_wrongOnes_areTold() {
   const QJsonObject status = client.await("status");
   QCOMPARE(status.value(QLatin1String("level")).toInt(), 2);
   QCOMPARE(status.value(QLatin1String("message")).toString(),
-           QStringLiteral("there is a subscription 1 already; channel 1 is subscribed to already; "
+           QStringLiteral("subscription 1 already exists; channel 1 is already subscribed; "
                           "there is no channel 99"));
 }
 
@@ -399,7 +399,7 @@ void FoxgloveServerTest::service_failures_areTold() {
   QCOMPARE(why(1, "cdr", "fail"), QStringLiteral("it was told to"));
   QCOMPARE(why(2, "cdr", ""), QStringLiteral("there is no service 2"));
   QCOMPARE(why(0, "cdr", ""), QStringLiteral("there is no service 0"));
-  QCOMPARE(why(1, "protobuf", ""), QStringLiteral("the encodings of services are cdr and json"));
+  QCOMPARE(why(1, "protobuf", ""), QStringLiteral("services support the encodings cdr and json"));
 }
 
 void FoxgloveServerTest::publish_toAnInlet_isTaken() {
@@ -425,10 +425,10 @@ void FoxgloveServerTest::publish_wrongOnes_areTold() {
               R"("schemaName":"y"},{"id":2,"topic":"/cmd_vel","encoding":"ros1",)"
               R"("schemaName":"geometry_msgs/msg/Twist"}]})");
   QCOMPARE(client.await("status").value(QLatin1String("message")).toString(),
-           QStringLiteral("nothing listens to /x of y; the encoding 'ros1' is not known here"));
+           QStringLiteral("no subscriber for /x of type y; the encoding 'ros1' is not supported"));
   client.binary("\x01" + number(2, 4) + "good");
   QCOMPARE(client.await("status").value(QLatin1String("message")).toString(),
-           QStringLiteral("there is no channel 2 of yours"));
+           QStringLiteral("there is no client channel 2"));
   QCOMPARE(scene.taken.load(), 0);
 }
 
@@ -449,7 +449,7 @@ void FoxgloveServerTest::parameters_getAndSet() {
   client.text(R"({"op":"setParameters","parameters":[{"name":"factor","value":"x"},)"
               R"({"name":"seed","value":1},{"name":"nobody"}]})");
   QCOMPARE(client.await("status").value(QLatin1String("message")).toString(),
-           QStringLiteral("factor is no number; seed cannot be set; nobody is not there"));
+           QStringLiteral("factor is no number; seed cannot be set; nobody does not exist"));
   QCOMPARE(scene.factor.load(), 2.5);
 }
 
@@ -461,14 +461,14 @@ void FoxgloveServerTest::parameters_watched_areTold() {
   client.text(R"({"op":"subscribeParameterUpdates","parameterNames":["paused","factor"]})");
   parameters(client);
   scene.isPaused = true;
-  scene.server->noteParameters();
+  scene.server->notifyParameters();
   QCOMPARE(valuesOf(client.await("parameterValues")),
            QStringLiteral(R"([{"name":"paused","value":true}])"));
   client.text(R"({"op":"unsubscribeParameterUpdates","parameterNames":["paused"]})");
   parameters(client);
   scene.isPaused = false;
   scene.factor = 3.0;
-  scene.server->noteParameters();
+  scene.server->notifyParameters();
   QCOMPARE(valuesOf(client.await("parameterValues")),
            QStringLiteral(R"([{"name":"factor","type":"float64","value":3}])"));
 }
@@ -479,24 +479,24 @@ void FoxgloveServerTest::unknownOp_isAnError_data() {
   const auto row = [](const char* message, const char* said) {
     QTest::newRow(said) << QByteArray(message) << QString::fromUtf8(said);
   };
-  row(R"({"op":"subscribeConnectionGraph"})", "there is no 'subscribeConnectionGraph' here");
+  row(R"({"op":"subscribeConnectionGraph"})", "unknown operation 'subscribeConnectionGraph'");
   row("{}", "'op' is missing");
-  row("[1]", "a text message wants an object of JSON");
-  row("{", "a text message wants an object of JSON ");
-  row("", "a text message wants an object of JSON  ");
-  row(R"({"op":7})", "'op' wants a short text");
+  row("[1]", "a text message must be a JSON object");
+  row("{", "a text message must be a JSON object ");
+  row("", "a text message must be a JSON object  ");
+  row(R"({"op":7})", "'op' must be a short text");
   row(R"({"op":"subscribe"})", "'subscriptions' is missing");
-  row(R"({"op":"subscribe","subscriptions":[7]})", "a list wants objects");
+  row(R"({"op":"subscribe","subscriptions":[7]})", "the items of a list must be objects");
   row(R"({"op":"unsubscribe","subscriptionIds":[-1]})",
-      "'subscriptionIds' wants whole numbers from 0 to 4294967295");
+      "'subscriptionIds' must be an integer from 0 to 4294967295");
   row(R"({"op":"unsubscribe","subscriptionIds":[4294967296]})",
-      "'subscriptionIds' wants whole numbers from 0 to 4294967295 ");
+      "'subscriptionIds' must be an integer from 0 to 4294967295 ");
   row(R"({"op":"unsubscribe","subscriptionIds":[1.5]})",
-      "'subscriptionIds' wants whole numbers from 0 to 4294967295  ");
+      "'subscriptionIds' must be an integer from 0 to 4294967295  ");
   row(R"({"op":"unsubscribe","subscriptionIds":{}})",
-      "'subscriptionIds' wants a list of at most 1000");
+      "'subscriptionIds' must be a list of at most 1000 items");
   row(R"({"op":"x","a":[[[[[[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]]]]]]})",
-      "too many brackets within each other");
+      "brackets are nested too deeply");
 }
 
 void FoxgloveServerTest::unknownOp_isAnError() {

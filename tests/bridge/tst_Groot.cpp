@@ -10,7 +10,7 @@
 
 #include <QtTest>
 
-#include "app/bridge/groot/GrootRun.h"
+#include "app/bridge/groot/GrootPublisher.h"
 #include "app/run/Bundle.h"
 #include "app/run/Session.h"
 #include "bt/engine/TreeState.h"
@@ -20,12 +20,12 @@
 #include "tests/support/Mutator.h"
 #include "tests/support/TraceHash.h"
 
-using groot::GrootRun;
+using groot::GrootProtocol;
+using groot::GrootPublisher;
 using groot::GrootServer;
+using groot::grootTree;
+using groot::GrootTree;
 using groot::Message;
-using groot::WatchedRun;
-using groot::watchedTree;
-using groot::WatchedTree;
 
 namespace {
 
@@ -141,7 +141,7 @@ nlohmann::json unpacked(const std::string& bytes) {
 /// The café, ready to run.
 struct Scene {
   Scene() {
-    app::RunOptions options;
+    app::RunSpec options;
     options.scenario = kCafe;
     bundle = app::readBundle(options, *app::runSettingsOf(options), {});
     verdict = app::check(bundle);
@@ -167,7 +167,7 @@ class GrootTest : public QObject {
     const bt::TreeTable table = tableOf(kTwice);
     const auto program = bt::compile(table, bt::humanNodes());
     QVERIFY(static_cast<bool>(program));
-    const WatchedTree watched = watchedTree(table);
+    const GrootTree watched = grootTree(table);
     QCOMPARE(watched.nodes, (*program)->nodeCount());
     const std::map<int, std::string> labels = labelsIn(watched.xml);
     QCOMPARE(labels.size(), static_cast<std::size_t>(watched.nodes));
@@ -179,7 +179,7 @@ class GrootTest : public QObject {
   /// As BehaviorTree.CPP writes it: a tree for each place, with the way to it.
   void subTrees_standByThemselves() {
     tinyxml2::XMLDocument document;
-    QCOMPARE(document.Parse(watchedTree(tableOf(kTwice)).xml.c_str()), tinyxml2::XML_SUCCESS);
+    QCOMPARE(document.Parse(grootTree(tableOf(kTwice)).xml.c_str()), tinyxml2::XML_SUCCESS);
     std::vector<std::string> ways;
     const tinyxml2::XMLElement& root = *document.RootElement();
     for (const auto* tree = root.FirstChildElement("BehaviorTree"); tree != nullptr;
@@ -196,9 +196,9 @@ class GrootTest : public QObject {
 
   /// By hand: version, kind, number, then the name of the run; 3 bytes for each node.
   void statuses_areToldByteByByte() {
-    WatchedTree tree;
+    GrootTree tree;
     tree.nodes = 2;
-    WatchedRun run(tree, nameOf('n'));
+    GrootProtocol run(tree, nameOf('n'));
     run.set(0, base::NodeStatus::Running, 0.05);
     run.set(1, base::NodeStatus::Failure, 0.05);
     run.set(1, base::NodeStatus::Idle, 0.1);
@@ -211,9 +211,9 @@ class GrootTest : public QObject {
 
   /// By hand: 6 bytes of microseconds, 2 of the node, 1 of its status.
   void transitions_areToldWhileTheyAreRecorded() {
-    WatchedTree tree;
+    GrootTree tree;
     tree.nodes = 1;
-    WatchedRun run(tree, nameOf('n'));
+    GrootProtocol run(tree, nameOf('n'));
     run.set(0, base::NodeStatus::Running, 1.0);
     QCOMPARE(run.answer({headOf('r'), "start"})[1], std::string("0"));
     run.set(0, base::NodeStatus::Success, 1.25);  // 1250000 = 0x1312D0
@@ -225,7 +225,7 @@ class GrootTest : public QObject {
   }
 
   void requests_withoutSense_areRefused() {
-    WatchedRun run({}, nameOf('n'));
+    GrootProtocol run({}, nameOf('n'));
     for (const Message& request :
          {Message{}, Message{""}, Message{"12345"}, Message{headOf('?')}, Message{headOf('B')},
           Message{headOf('I'), "{}"}, Message{headOf('r')}}) {
@@ -247,7 +247,7 @@ class GrootTest : public QObject {
     const auto program = bt::compile(table, bt::humanNodes());
     bt::TreeState state(*program);
     state.tickOnce({});
-    WatchedRun run(watchedTree(table), nameOf('n'));
+    GrootProtocol run(grootTree(table), nameOf('n'));
     run.setBlackboard(state.entries());
     const nlohmann::json all = unpacked(run.answer({headOf('B'), ";first;Part::7;nowhere"})[1]);
     QCOMPARE(all.size(), std::size_t{3});
@@ -263,7 +263,7 @@ class GrootTest : public QObject {
     const bt::TreeTable table = tableOf(kTwice);
     bt::TreeState state(*bt::compile(table, bt::humanNodes()));
     state.tickOnce({});
-    WatchedRun run(watchedTree(table), nameOf('n'));
+    GrootProtocol run(grootTree(table), nameOf('n'));
     run.setBlackboard(state.entries());
     const nlohmann::json all = unpacked(run.answer({headOf('B'), "Main;Part"})[1]);
     QCOMPARE(all.size(), std::size_t{1});
@@ -280,7 +280,7 @@ class GrootTest : public QObject {
       <BehaviorTree ID="Inner"><ScriptCondition code="given == own"/></BehaviorTree></root>)");
     bt::TreeState state(*bt::compile(table, bt::humanNodes()));
     QCOMPARE(state.tickOnce({}), base::NodeStatus::Success);
-    WatchedRun run(watchedTree(table), nameOf('n'));
+    GrootProtocol run(grootTree(table), nameOf('n'));
     run.setBlackboard(state.entries());
     const nlohmann::json all = unpacked(run.answer({headOf('B'), "first;first/inner"})[1]);
     QCOMPARE(all.at("first"), nlohmann::json({{"given", 7}, {"own", 7}}));
@@ -291,9 +291,9 @@ class GrootTest : public QObject {
   /// is the one without a watcher.
   void run_watched_tellsItsStatusesAndStaysTheSame() {
     Scene scene;
-    auto opened = GrootRun::open(0, scene.world(), 0, scene.tree());
+    auto opened = GrootPublisher::open(0, scene.world(), 0, scene.tree());
     QVERIFY(static_cast<bool>(opened));
-    GrootRun& watched = **opened;
+    GrootPublisher& watched = **opened;
     Client client(watched.port());
     const std::string xml = client.ask({headOf('T')}).at(1);
     const std::size_t count = labelsIn(xml).size();
@@ -342,8 +342,8 @@ class GrootTest : public QObject {
   }
   void request_besideManyHalfOpen_isAnsweredAtOnce() {
     QFETCH(const QByteArray, said);
-    WatchedTree tree;
-    auto server = GrootServer::listen(0, WatchedRun(tree, nameOf('a')));
+    GrootTree tree;
+    auto server = GrootServer::listen(0, GrootProtocol(tree, nameOf('a')));
     QVERIFY(static_cast<bool>(server));
     QElapsedTimer timer;
     timer.start();
@@ -362,16 +362,16 @@ class GrootTest : public QObject {
   }
 
   void port_thatIsTaken_isToldWithItsReason() {
-    WatchedTree tree;
-    auto first = GrootServer::listen(0, WatchedRun(tree, nameOf('a')));
+    GrootTree tree;
+    auto first = GrootServer::listen(0, GrootProtocol(tree, nameOf('a')));
     QVERIFY(static_cast<bool>(first));
-    const auto second = GrootServer::listen((*first)->port(), WatchedRun(tree, nameOf('b')));
+    const auto second = GrootServer::listen((*first)->port(), GrootProtocol(tree, nameOf('b')));
     QVERIFY(!second);
     QCOMPARE(std::string(second.diagnostics().front().code), std::string("live.no-port"));
     // The port in front is free, the one behind it is not: that one is named.
     const int taken = (*first)->port();
-    const auto third =
-        GrootServer::listen(static_cast<std::uint16_t>(taken - 1), WatchedRun(tree, nameOf('c')));
+    const auto third = GrootServer::listen(static_cast<std::uint16_t>(taken - 1),
+                                           GrootProtocol(tree, nameOf('c')));
     QVERIFY(!third);
     const std::string words = third.diagnostics().front().message;
     if (words.find("port " + std::to_string(taken - 1)) != std::string::npos) {

@@ -20,7 +20,7 @@ struct Scene {
   live::RunControl control{session, {"cafe", 7, 0.05}, {{"/cmd_vel", -1}}};
   std::vector<live::Service> services = control.services();
   std::vector<live::Parameter> parameters = control.parameters();
-  std::vector<live::Inlet> inlets = control.inlets();
+  std::vector<live::ClientTopic> clientTopics = control.clientTopics();
 
   QByteArray call(std::size_t service, const char* encoding, const std::string& payload) const {
     const live::ServiceAnswer answer = services.at(service).call(encoding, payload);
@@ -64,7 +64,7 @@ void RunControlTest::schemas_areThoseOfRos() {
   QCOMPARE(scene.services.at(0).request.text, std::string("bool data\n"));
   QCOMPARE(scene.services.at(0).response.text, std::string("bool success\nstring message\n"));
   QCOMPARE(scene.services.at(1).type, std::string("std_srvs/srv/Trigger"));
-  QCOMPARE(scene.inlets.at(0).schemaName, std::string("geometry_msgs/msg/Twist"));
+  QCOMPARE(scene.clientTopics.at(0).schemaName, std::string("geometry_msgs/msg/Twist"));
 }
 
 /// CDR by hand: the head, a bool; then padding to the length of "paused" with its NUL, 7.
@@ -85,7 +85,7 @@ void RunControlTest::parameters_ofWhatOthersOrdered_areTrue() {
   QVERIFY(scene.parameter("/hunavsim.paused").get() == ParameterValue(true));
   QVERIFY(scene.parameter("/hunavsim.real_time_factor").get() == ParameterValue(4.0));
   QVERIFY(scene.call(1, "json", "").startsWith(R"({"success":true,)"));
-  const app::SessionNews news = scene.session.takeNews();
+  const app::SessionUpdate news = scene.session.takeUpdate();
   QVERIFY(news.isPaused == std::optional(true) && news.speed == std::optional(4.0));
 }
 
@@ -115,7 +115,7 @@ void RunControlTest::pause_otherBytes_fail() {
   QFETCH(const QByteArray, payload);
   const Scene scene;
   QCOMPARE(scene.call(0, encoding.constData(), payload.toStdString()),
-           QByteArray("failed: the request is no std_srvs/srv/SetBool"));
+           QByteArray("failed: the request is not a std_srvs/srv/SetBool"));
   QVERIFY(scene.parameter("/hunavsim.paused").get() == ParameterValue(false));
 }
 
@@ -139,7 +139,7 @@ void RunControlTest::parameters_tellAndTake() {
   QCOMPARE(factor.set(ParameterValue(std::int64_t{4})), std::string());
   QVERIFY(factor.get() == ParameterValue(4.0));
   QCOMPARE(scene.parameter("/hunavsim.paused").set(ParameterValue(1.0)),
-           std::string("wants true or false"));
+           std::string("must be true or false"));
   QCOMPARE(scene.parameter("/hunavsim.paused").set(ParameterValue(true)), std::string());
   QVERIFY(scene.parameter("/hunavsim.paused").get() == ParameterValue(true));
 }
@@ -157,7 +157,7 @@ void RunControlTest::realTimeFactor_wrongValues_areRefused() {
   QFETCH(const double, factor);
   const Scene scene;
   const live::Parameter& parameter = scene.parameter("/hunavsim.real_time_factor");
-  QCOMPARE(parameter.set(ParameterValue(factor)), std::string("wants a number from 0.1 to 100"));
+  QCOMPARE(parameter.set(ParameterValue(factor)), std::string("must be a number from 0.1 to 100"));
   QVERIFY(!parameter.set(ParameterValue()).empty());
   QVERIFY(!parameter.set(ParameterValue(std::string("2"))).empty());
   QVERIFY(parameter.get() == ParameterValue(1.0));
@@ -187,18 +187,20 @@ void RunControlTest::drive_finiteTwists_areTaken() {
   QFETCH(const QByteArray, payload);
   QFETCH(const bool, isTaken);
   const Scene scene;
-  QCOMPARE(scene.inlets.at(0).take(encoding.toStdString(), payload.toStdString()),
-           std::string(isTaken ? "" : "this is no geometry_msgs/msg/Twist of finite numbers"));
+  QCOMPARE(scene.clientTopics.at(0).take(encoding.toStdString(), payload.toStdString()),
+           std::string(isTaken ? "" : "not a geometry_msgs/msg/Twist with finite numbers"));
 }
 
 /// The world takes no input above 1000: whoever drives is told instead of being left alone.
 void RunControlTest::drive_aboveAThousand_isToldNotLost() {
   const Scene scene;
-  const auto answer = [&](const char* payload) { return scene.inlets.at(0).take("json", payload); };
+  const auto answer = [&](const char* payload) {
+    return scene.clientTopics.at(0).take("json", payload);
+  };
   QCOMPARE(answer(R"({"linear":{"x":1000,"y":-1000},"angular":{"z":1000}})"), std::string());
   for (const char* payload :
        {R"({"linear":{"x":1000.5}})", R"({"linear":{"y":-1e308}})", R"({"angular":{"z":1e6}})"}) {
-    QCOMPARE(answer(payload), std::string("numbers above 1000 are no velocities"));
+    QCOMPARE(answer(payload), std::string("velocities must be at most 1000"));
   }
 }
 

@@ -50,7 +50,7 @@ sim2d::Frame smallFrame() {
 std::map<std::string, std::vector<std::string>> toldBy(RunTopics& topics,
                                                        const sim2d::Frame& frame) {
   std::map<std::string, std::vector<std::string>> all;
-  topics.tell(frame, [&](std::size_t topic, std::string bytes) {
+  topics.publish(frame, [&](std::size_t topic, std::string bytes) {
     all[topics.topics()[topic].name].push_back(std::move(bytes));
   });
   return all;
@@ -78,10 +78,10 @@ class RunTopicsTest : public QObject {
   }
 
   void headings_comeBackFromQuaternions() {
-    QCOMPARE(turnOf(0.0).w, 1.0);
-    QVERIFY(std::abs(turnOf(base::kPi / 2.0).z - std::sqrt(0.5)) < 1e-15);
+    QCOMPARE(quaternionFromYaw(0.0).w, 1.0);
+    QVERIFY(std::abs(quaternionFromYaw(base::kPi / 2.0).z - std::sqrt(0.5)) < 1e-15);
     for (const double heading : {-3.1, -1.0, 0.0, 0.3, 2.0, 3.14159}) {
-      QVERIFY(std::abs(headingOf(turnOf(heading)) - heading) < 1e-14);
+      QVERIFY(std::abs(headingOf(quaternionFromYaw(heading)) - heading) < 1e-14);
     }
   }
 
@@ -130,10 +130,10 @@ class RunTopicsTest : public QObject {
   }
 
   void scanOf_hasInfinityWhereNothingIsHit() {
-    sim2d::RobotSenses::Scan scan;
+    sim2d::RobotTelemetry::Scan scan;
     scan.time = 1.5;
     scan.angleMin = -1.0;
-    scan.perBeam = 0.5;
+    scan.angleIncrement = 0.5;
     scan.range = 10.0;
     scan.distances = {1.0, 2.5, 10.0, 4.0, 10.0};
     const sensor_msgs::LaserScan message = scanOf(scan, 0.1, "base_scan");
@@ -210,7 +210,7 @@ class RunTopicsTest : public QObject {
     options.lidarMounts = {base::Pose2{{0.25, 0.0}, 0.0}};
     RunTopics topics(smallHeader(), options);
     sim2d::Frame frame = smallFrame();
-    auto senses = std::make_shared<std::vector<sim2d::RobotSenses>>(1);
+    auto senses = std::make_shared<std::vector<sim2d::RobotTelemetry>>(1);
     senses->front().believed = {{3.5, 4.0}, base::kPi / 2.0};  // half a metre wrong
     frame.senses = senses;
     auto told = toldBy(topics, frame);
@@ -235,7 +235,7 @@ class RunTopicsTest : public QObject {
   void tell_transformsOfALocalizer_areItsOwn() {
     RunTopics topics(smallHeader());
     sim2d::Frame frame = smallFrame();
-    auto senses = std::make_shared<std::vector<sim2d::RobotSenses>>(1);
+    auto senses = std::make_shared<std::vector<sim2d::RobotTelemetry>>(1);
     senses->front().believed = {{0.5, 5.0}, 0.0};
     senses->front().localizer = {true, {{1.0, 2.0}, base::kPi / 2.0}};
     frame.senses = senses;
@@ -261,7 +261,7 @@ class RunTopicsTest : public QObject {
   void tell_scan_comesOncePerTurn() {
     RunTopics topics(smallHeader());
     sim2d::Frame frame = smallFrame();
-    sim2d::RobotSenses::Scan scan;
+    sim2d::RobotTelemetry::Scan scan;
     scan.time = 12.45;
     scan.distances = {1.0, 2.0};
     frame.scans = {{249, -1, scan}};
@@ -277,26 +277,26 @@ class RunTopicsTest : public QObject {
     RunTopicsOptions options;
     options.lidarMounts = {base::Pose2{}};  // else /tf tells where it sits
     RunTopics topics(smallHeader(), options);
-    sim2d::RobotSenses::Scan scan;
+    sim2d::RobotTelemetry::Scan scan;
     scan.distances = {1.0, 2.0};
     int made = 0;
     int told = 0;
     const auto tell = [&](double time, bool isLater, bool isHeard) {
-      sim2d::RobotSenses senses;
+      sim2d::RobotTelemetry senses;
       scan.time = time;
       if (isLater) {
-        senses.laterScan = std::make_shared<const sim2d::RobotSenses::LaterScan>(
-            sim2d::RobotSenses::LaterScan{time, [&]() -> const sim2d::RobotSenses::Scan& {
-                                            ++made;
-                                            return scan;
-                                          }});
+        senses.deferredScan = std::make_shared<const sim2d::RobotTelemetry::DeferredScan>(
+            sim2d::RobotTelemetry::DeferredScan{time, [&]() -> const sim2d::RobotTelemetry::Scan& {
+                                                  ++made;
+                                                  return scan;
+                                                }});
       } else {
         senses.scan = scan;
       }
       sim2d::Frame frame = smallFrame();
-      frame.senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1, senses);
+      frame.senses = std::make_shared<const std::vector<sim2d::RobotTelemetry>>(1, senses);
       const auto isScan = [&](std::size_t topic) { return topics.topics()[topic].name == "/scan"; };
-      topics.tell(
+      topics.publish(
           frame, [&](std::size_t topic, const std::string&) { told += isScan(topic) ? 1 : 0; },
           [&](std::size_t topic) { return isHeard || !isScan(topic); });
     };
@@ -328,7 +328,7 @@ class RunTopicsTest : public QObject {
   void tell_onlyWhatIsWanted() {
     RunTopics topics(smallHeader());
     std::vector<std::string> sent;
-    topics.tell(
+    topics.publish(
         smallFrame(),
         [&](std::size_t topic, const std::string& /*bytes*/) {
           sent.push_back(topics.topics()[topic].name);
@@ -365,11 +365,11 @@ class RunTopicsTest : public QObject {
     sim2d::Event event;
     event.kind = sim2d::EventKind::Goal;
     event.id = -1;
-    topics.note(event);
+    topics.track(event);
     const auto second = toldBy(topics, frame);
     QCOMPARE(read<geometry_msgs::PoseStamped>(second.at("/goal_pose").front()).pose.position.x,
              5.0);
-    topics.note(event);
+    topics.track(event);
     toldBy(topics, frame);
     QVERIFY(topics.goalOf(0) == nullptr);
   }
@@ -386,7 +386,7 @@ class RunTopicsTest : public QObject {
     order.pose.position = {-1.5, 0.5};
     frame.inputs = {order};
     RunTopics topics(header);
-    topics.note(frame);
+    topics.track(frame);
     const auto first = toldBy(topics, frame);
     QCOMPARE(read<geometry_msgs::PoseStamped>(first.at("/goal_pose").front()).pose.position.x,
              -1.5);
@@ -397,7 +397,7 @@ class RunTopicsTest : public QObject {
     frame.events = {event};
     frame.events.push_back(event);
     frame.events.back().kind = sim2d::EventKind::Arrived;
-    topics.note(frame);
+    topics.track(frame);
     toldBy(topics, frame);
     QVERIFY(topics.goalOf(0) == nullptr);
   }

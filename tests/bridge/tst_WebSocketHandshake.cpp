@@ -19,8 +19,8 @@ const char* const kUsual =
     "Sec-WebSocket-Version: 13\r\n";
 
 std::string statusOf(const QByteArray& lines) {
-  const live::HandshakeAnswer answer =
-      live::answerHandshake((lines + "\r\n").toStdString(), kProtocols, {"https://lab.example"});
+  const live::HandshakeResponse answer =
+      live::respondToHandshake((lines + "\r\n").toStdString(), kProtocols, {"https://lab.example"});
   return answer.response.substr(9, 3);
 }
 
@@ -43,12 +43,13 @@ class WebSocketHandshakeTest : public QObject {
 };
 
 void WebSocketHandshakeTest::acceptOf_exampleOfTheRfc_isItsAnswer() {
-  QCOMPARE(live::acceptOf("dGhlIHNhbXBsZSBub25jZQ=="), std::string("s3pPLMBiTxaQ9kYGzzhZRbK+xOo="));
+  QCOMPARE(live::acceptKeyOf("dGhlIHNhbXBsZSBub25jZQ=="),
+           std::string("s3pPLMBiTxaQ9kYGzzhZRbK+xOo="));
 }
 
 void WebSocketHandshakeTest::answer_exampleOfTheRfc_isAccepted() {
-  const live::HandshakeAnswer answer =
-      live::answerHandshake(std::string(kUsual) + "\r\n", kProtocols);
+  const live::HandshakeResponse answer =
+      live::respondToHandshake(std::string(kUsual) + "\r\n", kProtocols);
   QVERIFY(answer.isAccepted);
   QCOMPARE(answer.response, std::string("HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n"
                                         "Connection: Upgrade\r\n"
@@ -78,8 +79,8 @@ void WebSocketHandshakeTest::answer_severalProtocols_theFirstKnownIsTaken() {
   QFETCH(const QString, taken);
   QByteArray request(kUsual);
   request.replace("Sec-WebSocket-Protocol: foxglove.websocket.v1\r\n", lines);
-  const live::HandshakeAnswer answer =
-      live::answerHandshake((request + "\r\n").toStdString(), kProtocols);
+  const live::HandshakeResponse answer =
+      live::respondToHandshake((request + "\r\n").toStdString(), kProtocols);
   QCOMPARE(QString::fromStdString(answer.protocol), taken);
   QCOMPARE(answer.isAccepted, !taken.isEmpty());
   QCOMPARE(answer.response.substr(9, 3), std::string(taken.isEmpty() ? "400" : "101"));
@@ -136,8 +137,8 @@ void WebSocketHandshakeTest::answer_variants_haveTheirStatus() {
 }
 
 void WebSocketHandshakeTest::answer_browserThatLooks_isToldWhatThisIs() {
-  const live::HandshakeAnswer answer =
-      live::answerHandshake("GET / HTTP/1.1\r\nHost: localhost:8765\r\n\r\n", kProtocols);
+  const live::HandshakeResponse answer =
+      live::respondToHandshake("GET / HTTP/1.1\r\nHost: localhost:8765\r\n\r\n", kProtocols);
   QVERIFY(!answer.isAccepted);
   const QString response = QString::fromStdString(answer.response);
   QVERIFY(response.startsWith(QStringLiteral("HTTP/1.1 426 ")));
@@ -192,9 +193,9 @@ void WebSocketHandshakeTest::origin_each_isJudged() {
 }
 
 void WebSocketHandshakeTest::answer_refusedPage_isNamed() {
-  const live::HandshakeAnswer answer = live::answerHandshake(
+  const live::HandshakeResponse answer = live::respondToHandshake(
       std::string(kUsual) + "Origin: https://evil.example\r\n\r\n", kProtocols);
-  QCOMPARE(answer.refusedOrigin, std::string("https://evil.example"));
+  QCOMPARE(answer.rejectedOrigin, std::string("https://evil.example"));
   QVERIFY(answer.response.find("evil") == std::string::npos);  // nothing of theirs comes back
 }
 

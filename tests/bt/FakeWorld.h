@@ -164,7 +164,7 @@ class TreeBench {
   explicit TreeBench(FakeWorld& world) : world_(world), library_(bt::humanNodes()) {
     controls_.resize(world.people.size());
     intents_ = std::make_unique<sim2d::Intents>(controls_);
-    society_.minds.resize(world.people.size());
+    society_.agentStates.resize(world.people.size());
     renewStep();
   }
 
@@ -200,7 +200,7 @@ class TreeBench {
       bt::HumanContext context(society_, world_, *intents_, trees_[i].first);
       const base::NodeStatus status =
           trees_[i].second.tickOnce({world_.present, world_.stepLength, &context});
-      context.mind().isFirstTick = false;
+      context.agentState().isFirstTick = false;
       first = i == 0 ? status : first;
     }
     last_.clear();
@@ -235,7 +235,7 @@ class TreeBench {
   const std::vector<sim2d::Event>& events() const { return events_; }
   const bt::TreeState& tree(std::size_t index = 0) const { return trees_[index].second; }
   bool isFaulty() const { return trees_.front().second.fault() != nullptr; }
-  const base::Diagnostics& troubles() const { return society_.troubles; }
+  const base::Diagnostics& pendingDiagnostics() const { return society_.pendingDiagnostics; }
   const base::Diagnostics& loadDiagnostics() const { return found_; }
   std::string entry(const std::string& key) const {
     for (const auto& [entry, text] : trees_.front().second.entries()) {
@@ -246,12 +246,12 @@ class TreeBench {
     return {};
   }
   bt::NodeLibrary& library() { return library_; }
-  bt::Society& society() { return society_; }
+  bt::CrowdState& society() { return society_; }
   sim2d::Intents& intents() { return *intents_; }
 
  private:
   void renewStep() {
-    society_.movers.assign(world_.people.size(), bt::Mover::Nobody);
+    society_.motionOwners.assign(world_.people.size(), bt::MotionOwner::None);
     society_.changedGoals.assign(world_.people.size(), 0);
     society_.speech.beginStep();
   }
@@ -260,7 +260,7 @@ class TreeBench {
   bt::NodeLibrary library_;
   std::vector<sim2d::HumanControl> controls_;
   std::unique_ptr<sim2d::Intents> intents_;
-  bt::Society society_;
+  bt::CrowdState society_;
   std::vector<std::pair<int, bt::TreeState>> trees_;
   std::vector<sim2d::Intent> last_;
   std::vector<sim2d::Event> events_;

@@ -78,7 +78,9 @@ class Scripted : public bt::NavigatorHost {
     return found == costs.end() ? std::optional<std::uint8_t>(0) : found->second;
   }
   sim2d::nav2::TrackingFeedback tracking() const override { return tracked; }
-  void monitorCollisions(bool isOn) override { log.push_back(isOn ? "monitor-on" : "monitor-off"); }
+  void enableCollisionMonitor(bool isOn) override {
+    log.push_back(isOn ? "monitor-on" : "monitor-off");
+  }
   bt::TopicMessage lastMessage(const std::string& topic) const override {
     return topics.lastOf(topic, time());
   }

@@ -37,7 +37,7 @@ inline Loaded load(const std::string& path) {
   sim2d::ScenarioReading reading = sim2d::readScenario(path);
   loaded.diagnostics = reading.diagnostics;
   loaded.scenario = std::make_shared<const sim2d::Scenario>(std::move(reading.scenario));
-  sim2d::FilePlaces places;
+  sim2d::FileSearchPaths places;
   places.scenarioPath = path;
   places.shippedMaps = mapsFolder();
   const base::Result<std::string> mapPath = sim2d::findMap(*loaded.scenario, places);
@@ -53,7 +53,7 @@ inline Loaded load(const std::string& path) {
   base::append(
       loaded.diagnostics,
       sim2d::checkScenario(*loaded.scenario, sim2d::makeSurroundings(*loaded.scenario, loaded.map),
-                           path, sim2d::knownNames(sim2d::programRegistries())));
+                           path, sim2d::knownNames(sim2d::builtinRegistries())));
   for (const sim2d::Human& human : loaded.scenario->humans) {
     loaded.trees[human.name] = sim2d::findTree(*loaded.scenario, human, places);
   }
@@ -90,7 +90,7 @@ inline std::unique_ptr<sim2d::World> makeWorld(Loaded& loaded, int threads = 1) 
 }
 
 /// Errors and warnings, one per line.
-inline std::string troubles(const base::Diagnostics& diagnostics) {
+inline std::string pendingDiagnostics(const base::Diagnostics& diagnostics) {
   std::string text;
   for (const base::Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity != base::Severity::Info) {

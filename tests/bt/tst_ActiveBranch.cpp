@@ -63,7 +63,7 @@ class ActiveBranchTest : public QObject {
                                  {"Sequence/Sequence", kRuns},
                                  {"Sequence/Sequence/IsAgentClose[1]", kHeld},
                                  {"Sequence/Sequence/Own Words", kRuns}}));
-    QCOMPARE(branch.words(), std::string("Own Words, because it is crowded and somebody is close"));
+    QCOMPARE(branch.words(), std::string("Own Words, because it is crowded and a person is close"));
   }
 
   void branch_nothingRuns_isEmpty() {
@@ -81,7 +81,7 @@ class ActiveBranchTest : public QObject {
                                                              {"Root/IsAgentClose", kHeld},
                                                              {"Root/RegularNav", kHeld},
                                                              {"Root/SetBlackboard", kHeld}}));
-    QCOMPARE(branch.words(), std::string("walks to the goal, because somebody is close"));
+    QCOMPARE(branch.words(), std::string("walks to the goal, because a person is close"));
   }
 
   /// In the one step between two goals, too, somebody does something.
@@ -95,21 +95,21 @@ class ActiveBranchTest : public QObject {
   }
 
   void words_ofOtherNodes_areTheirNames() {
-    QCOMPARE(bt::wordsOfNode("DrinkCoffee"), std::string("drink coffee"));
-    QCOMPARE(bt::wordsOfNode("drink_coffee"), std::string("drink coffee"));
-    QCOMPARE(bt::wordsOfNode("Drink Coffee"), std::string("Drink Coffee"));
-    QCOMPARE(bt::wordsOfNode(""), std::string());
+    QCOMPARE(bt::nodeDescription("DrinkCoffee"), std::string("drink coffee"));
+    QCOMPARE(bt::nodeDescription("drink_coffee"), std::string("drink coffee"));
+    QCOMPARE(bt::nodeDescription("Drink Coffee"), std::string("Drink Coffee"));
+    QCOMPARE(bt::nodeDescription(""), std::string());
   }
 
   /// A node that runs for a while has words, not its name.
   void words_ofOurNodes_areSentences() {
-    QCOMPARE(bt::wordsOfNode("RegularNav"), std::string("walks to the goal"));
+    QCOMPARE(bt::nodeDescription("RegularNav"), std::string("walks to the goal"));
     const bt::NodeLibrary library = bt::humanNodes();
     for (const char* node : {"ApproachAgent", "BlockAgent", "FleeFrom", "GoTo", "WanderInArea",
                              "WaitInQueue", "YieldToRobot", "PassOnSide", "UseObject",
                              "GoToNearestExit", "ConversationFormation", "WaitForAgent"}) {
       QVERIFY(library.functions(node) != nullptr);
-      std::string name = bt::wordsOfNode(node);
+      std::string name = bt::nodeDescription(node);
       QVERIFY2(name.find(' ') != std::string::npos && name.find("agent") == std::string::npos,
                name.c_str());
     }

@@ -87,7 +87,7 @@ void CafeWithParkedRobotTest::people_doNotTouchTheRobot_data() {
     QTest::addRow("%s %s %d", planner, model.c_str(), seed)
         << QString::fromUtf8(planner) << QString::fromStdString(model) << seed;
   };
-  for (const std::string& model : sim2d::programRegistries().models.names()) {
+  for (const std::string& model : sim2d::builtinRegistries().models.names()) {
     if (model == "sfm-hunav2") {
       continue;  // there they push, as in the original
     }

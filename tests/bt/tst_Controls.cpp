@@ -278,7 +278,7 @@ void rowsOfTypes() {
   row("set, a number of a script is no int",
       "<Sequence><Script code='a := 3'/><SetBlackboard value='{a}' output_key='n'/>"
       "<ReadInt value='{n}'/></Sequence>",
-      "!another type");
+      "!a different type");
   row("set, a real of a script is a double",
       "<Sequence><Script code='a := 0.5'/><SetBlackboard value='{a}' output_key='n'/>"
       "<ReadDouble value='{n}'/></Sequence>",

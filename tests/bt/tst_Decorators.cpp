@@ -106,7 +106,7 @@ void rowsOfEntries() {
   row("loop over a text in an entry of any type",
       "<Sequence><ForceSuccess><SetBlackboard value='{q}' output_key='m'/></ForceSuccess>"
       "<Script code=\"q := '1;2'\"/><LoopInt queue='{q}' value='{v}'><S/></LoopInt></Sequence>",
-      "!no such queue");
+      "!is not a queue of this type");
   row("loop over an entry",
       "<Sequence><RunOnce><Script code=\"q := '1.5;2'\"/></RunOnce>"
       "<LoopDouble queue='{q}' value='{v}' if_empty='FAILURE'><ReadDouble "

@@ -161,7 +161,8 @@ class HumanCrowdNodesTest : public QObject {
           left.push_back(world.at(human).constants.id);
         }
       }
-      const bool bothWait = bench.society().minds[0].queue && bench.society().minds[2].queue;
+      const bool bothWait =
+          bench.society().agentStates[0].queue && bench.society().agentStates[2].queue;
       if (bothWait) {
         closest = std::min(closest, (positionOf(world, 0) - positionOf(world, 2)).norm());
       }
@@ -198,7 +199,7 @@ class HumanCrowdNodesTest : public QObject {
     QVERIFY(bench.load("<WaitInQueue agent_id='{id}' goal_id='1' patience='2'/>", 1));
     QVERIFY(bench.load("<WaitInQueue agent_id='{id}' goal_id='1' duration='50'/>", 0));
     QCOMPARE(bench.stepsUntil(NodeStatus::Failure), 21);
-    QVERIFY(!bench.society().minds[1].queue);
+    QVERIFY(!bench.society().agentStates[1].queue);
   }
 
   void waitInQueue_halted_freesThePlace() {
@@ -208,9 +209,9 @@ class HumanCrowdNodesTest : public QObject {
     TreeBench bench(world);
     QVERIFY(bench.load("<WaitInQueue agent_id='{id}' goal_id='1'/>"));
     QCOMPARE(bench.step(), NodeStatus::Running);
-    QVERIFY(bench.society().minds[0].queue);
+    QVERIFY(bench.society().agentStates[0].queue);
     bench.halt();
-    QVERIFY(!bench.society().minds[0].queue);
+    QVERIFY(!bench.society().agentStates[0].queue);
   }
 
   void waitInQueue_twoInOneTree_eachFreesItsOwnPlaceOnly() {
@@ -225,10 +226,10 @@ class HumanCrowdNodesTest : public QObject {
     QCOMPARE(bench.step(), NodeStatus::Running);
     QCOMPARE(bench.step(), NodeStatus::Running);
     QCOMPARE(bench.tree().statuses()[1], NodeStatus::Failure);
-    QVERIFY(bench.society().minds[0].queue);
-    QVERIFY(bench.society().minds[0].queue->head == Vec2(3.0, 0.0));
+    QVERIFY(bench.society().agentStates[0].queue);
+    QVERIFY(bench.society().agentStates[0].queue->head == Vec2(3.0, 0.0));
     QVERIFY(bench.stepsUntil(NodeStatus::Success, 100) > 0);
-    QVERIFY(!bench.society().minds[0].queue);
+    QVERIFY(!bench.society().agentStates[0].queue);
   }
 
   void waitInQueue_unknownGoal_failsWithOneWarning() {
@@ -238,7 +239,7 @@ class HumanCrowdNodesTest : public QObject {
     QVERIFY(bench.load("<WaitInQueue agent_id='{id}' goal_id='9'/>"));
     QCOMPARE(bench.step(), NodeStatus::Failure);
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.troubles().size(), std::size_t(1));
+    QCOMPARE(bench.pendingDiagnostics().size(), std::size_t(1));
   }
 
   void yieldToRobot_comes_standsUntilItHasPassed() {
@@ -346,7 +347,7 @@ class HumanCrowdNodesTest : public QObject {
     world.robots[0].pose.position = Vec2(2.0, 0.0);
     QVERIFY(other.load("<PassOnSide agent_id='{id}' side='above'/>"));
     QCOMPARE(other.step(), NodeStatus::Failure);
-    QCOMPARE(other.troubles().size(), std::size_t(1));
+    QCOMPARE(other.pendingDiagnostics().size(), std::size_t(1));
   }
 };
 

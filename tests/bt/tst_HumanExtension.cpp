@@ -1,15 +1,15 @@
 #include <QtTest>
 
+#include "bt/human/HumanContext.h"
 #include "bt/human/Perception.h"
-#include "bt/human/Ports.h"
 #include "tests/bt/FakeWorld.h"
 
 namespace bt {
 
 namespace {
 
-bool isAlone(HumanContext& context, Person human) {
-  return nearestPerson(context.view(), human) < 0;
+bool isAlone(HumanContext& context, AgentIndex human) {
+  return nearestAgent(context.view(), human) < 0;
 }
 
 constexpr const char* kNodes = R"(

@@ -58,7 +58,7 @@ bool areEqual(const std::vector<sim2d::HumanControl>& a,
 
 std::string wordsOf(TreeBench& bench) {
   std::string words;
-  for (const bt::Utterance& said : bench.society().speech.lastWords()) {
+  for (const bt::Utterance& said : bench.society().speech.audibleUtterances()) {
     words += std::to_string(said.serial) + said.text + "\n";
   }
   return words;
@@ -108,13 +108,13 @@ class HumanHaltTest : public QObject {
     bench.halt();
     QVERIFY(areEqual(controlsOf(world, bench), controls));
     QVERIFY(wordsOf(bench) == words);
-    QVERIFY(!bench.society().minds[0].queue);
-    QVERIFY(bench.society().minds[0].notes.empty());
+    QVERIFY(!bench.society().agentStates[0].queue);
+    QVERIFY(bench.society().agentStates[0].groupNodeState.empty());
     QVERIFY(bench.tree().events().back().kind == bt::LeafEvent::Kind::Halted);
 
     world.people = before;
     QCOMPARE(QString::fromStdString(play(bench)), QString::fromStdString(first));
-    QVERIFY(bench.troubles().empty() && !bench.isFaulty());
+    QVERIFY(bench.pendingDiagnostics().empty() && !bench.isFaulty());
   }
 
   void table_holdsAllNodesThatLast() {
@@ -152,7 +152,7 @@ class HumanHaltTest : public QObject {
     QCOMPARE(bench.step(), NodeStatus::Running);
     world.at(2).isPresent = false;
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QVERIFY(bench.troubles().empty());
+    QVERIFY(bench.pendingDiagnostics().empty());
   }
 
  private:

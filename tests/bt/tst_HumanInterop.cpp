@@ -4,8 +4,8 @@
 #include "bt/engine/Program.h"
 #include "bt/human/AgentTreeCheck.h"
 #include "bt/human/HumanNodes.h"
-#include "bt/human/Templates.h"
 #include "bt/human/TreeBehavior.h"
+#include "bt/human/TreeGenerator.h"
 #include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -52,10 +52,10 @@ class HumanInteropTest : public QObject {
       if (!human.listed || !QFile::exists(tree)) {
         continue;
       }
-      const auto table = bt::loadPersonTrees(bt::readTree(tree.toStdString()));
+      const auto table = bt::loadAgentTrees(bt::readTree(tree.toStdString()));
       QVERIFY2(table, qPrintable(tree));
       QVERIFY2(bt::compile(*table, library), qPrintable(tree));
-      QVERIFY2(bt::goalsOfTree(*table) == human.goals, qPrintable(tree));
+      QVERIFY2(bt::treeGoals(*table) == human.goals, qPrintable(tree));
       ++compared;
       for (const base::Diagnostic& found :
            bt::checkAgentTreeFile(tree.toStdString(), human, reading.scenario)) {

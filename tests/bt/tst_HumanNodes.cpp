@@ -400,7 +400,7 @@ class HumanNodesTest : public QObject {
     TreeBench bench(world);
     QVERIFY(bench.load("<IsAgentVisible observer_id='{id}' agent_id='2'/>"));
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QVERIFY(bench.troubles().empty());
+    QVERIFY(bench.pendingDiagnostics().empty());
   }
 
   void allNodes_ofHuNavSim_areDocumented() {

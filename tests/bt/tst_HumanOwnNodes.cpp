@@ -108,7 +108,7 @@ class HumanOwnNodesTest : public QObject {
     QVERIFY(bench.load("<WanderInArea agent_id='{id}' area='nowhere'/>"));
     QCOMPARE(bench.step(), NodeStatus::Failure);
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.troubles().size(), std::size_t(1));
+    QCOMPARE(bench.pendingDiagnostics().size(), std::size_t(1));
   }
 
   void goToNearestExit_choosesTheNearest() {
@@ -174,7 +174,7 @@ class HumanOwnNodesTest : public QObject {
     QCOMPARE(bench.step(), NodeStatus::Running);
     world.at(1).isPresent = true;
     QCOMPARE(bench.step(), NodeStatus::Success);
-    QVERIFY(bench.troubles().empty());
+    QVERIFY(bench.pendingDiagnostics().empty());
   }
 
   void waitForAgent_unknownId_failsWithOneWarning() {
@@ -184,7 +184,7 @@ class HumanOwnNodesTest : public QObject {
     QVERIFY(bench.load("<WaitForAgent agent_id='{id}' target_agent_id='9'/>"));
     QCOMPARE(bench.step(), NodeStatus::Failure);
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.troubles().size(), std::size_t(1));
+    QCOMPARE(bench.pendingDiagnostics().size(), std::size_t(1));
   }
 
   void useObject_staysForItsTime() {

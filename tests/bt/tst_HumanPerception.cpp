@@ -3,10 +3,9 @@
 #include <QtTest>
 
 #include "bt/human/Goals.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
-#include "bt/human/Ports.h"
-#include "bt/human/SpeechBus.h"
 #include "tests/bt/FakeWorld.h"
 
 class HumanPerceptionTest : public QObject {
@@ -51,11 +50,11 @@ class HumanPerceptionTest : public QObject {
     world.addRobot(1.0, 0.0);
     QVERIFY(bt::isRobotVisible(world, 0, 5.0));
     QVERIFY(bt::isAudible(world, 0, 1, 5.0));
-    QVERIFY(bt::isPersonVisible(world, 1, 0, 5.0, 0.2));
+    QVERIFY(bt::isAgentVisible(world, 1, 0, 5.0, 0.2));
     world.isDark = true;
     QVERIFY(!bt::isRobotVisible(world, 0, 5.0));
-    QVERIFY(!bt::isPersonVisible(world, 0, 1, 5.0, base::kPi));
-    QVERIFY(!bt::isPersonVisible(world, 1, 0, 5.0, 0.2));
+    QVERIFY(!bt::isAgentVisible(world, 0, 1, 5.0, base::kPi));
+    QVERIFY(!bt::isAgentVisible(world, 1, 0, 5.0, 0.2));
     QVERIFY(!bt::isAudible(world, 0, 1, 5.0));
   }
 
@@ -74,23 +73,23 @@ class HumanPerceptionTest : public QObject {
     world.addPerson(9, 1.0, 0.0);
     world.addPerson(4, -1.0, 0.0);
     world.addPerson(2, 0.5, 0.0);
-    QCOMPARE(bt::nearestPerson(world, 0), 3);
+    QCOMPARE(bt::nearestAgent(world, 0), 3);
     world.at(3).isPresent = false;
-    QCOMPARE(bt::nearestPerson(world, 0), 2);
+    QCOMPARE(bt::nearestAgent(world, 0), 2);
   }
 
   void speechBus_wordsOfOneStep_areHeardInTheNext() {
     bt::SpeechBus bus;
     bus.say(1, 0, "one");
-    QVERIFY(bus.lastWords().empty());
+    QVERIFY(bus.audibleUtterances().empty());
     bus.beginStep();
     bus.say(2, 1, "two");
-    QCOMPARE(bus.lastWords().size(), std::size_t(1));
+    QCOMPARE(bus.audibleUtterances().size(), std::size_t(1));
     bus.beginStep();
-    QCOMPARE(bus.lastWords().size(), std::size_t(2));
-    QVERIFY(bus.lastWords().front().text == "two");
+    QCOMPARE(bus.audibleUtterances().size(), std::size_t(2));
+    QVERIFY(bus.audibleUtterances().front().text == "two");
     bus.forget(1);
-    QVERIFY(bus.lastWords().front().text == "one");
+    QVERIFY(bus.audibleUtterances().front().text == "one");
   }
 
   void parseIds_ofLists_data() {
@@ -117,7 +116,8 @@ class HumanPerceptionTest : public QObject {
     FakeWorld world;
     world.addPerson(1, -2.0, 0.0, 0.0);
     world.addPerson(2, 3.0, 0.0, base::kPi);
-    const std::vector<bt::Spot> spots = bt::circleSpots(world, {0, 1}, base::Vec2(0.0, 0.0));
+    const std::vector<bt::FormationSpot> spots =
+        bt::assignCirclePositions(world, {0, 1}, base::Vec2(0.0, 0.0));
     QCOMPARE(spots.size(), std::size_t(2));
     // radius 0.5 + 0.2: person 1 on the left, person 2 on the right
     QVERIFY((spots[0].position - base::Vec2(-0.7, 0.0)).norm() < 1e-12);
@@ -129,7 +129,8 @@ class HumanPerceptionTest : public QObject {
     for (int i = 0; i < 4; ++i) {
       world.addPerson(i, i, 5.0, 0.3);
     }
-    for (const bt::Spot& spot : bt::circleSpots(world, {0, 1, 2, 3}, base::Vec2(1.0, 1.0))) {
+    for (const bt::FormationSpot& spot :
+         bt::assignCirclePositions(world, {0, 1, 2, 3}, base::Vec2(1.0, 1.0))) {
       QVERIFY(std::fabs((spot.position - base::Vec2(1.0, 1.0)).norm() - 1.1) < 1e-12);
     }
   }

@@ -360,7 +360,7 @@ class HumanQuirksTest : public QObject {
     QVERIFY(bench.load("<FollowAgent agent_id='{id}' target_agent_id='9'/>"));
     QCOMPARE(bench.step(), NodeStatus::Failure);
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.troubles().size(), std::size_t(1));
+    QCOMPARE(bench.pendingDiagnostics().size(), std::size_t(1));
     QVERIFY(!bench.isFaulty());
   }
 
@@ -380,7 +380,7 @@ class HumanQuirksTest : public QObject {
     QVERIFY(bench.load(body.toStdString()));
     QCOMPARE(bench.step(), NodeStatus::Failure);
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.troubles().size(), std::size_t(1));
+    QCOMPARE(bench.pendingDiagnostics().size(), std::size_t(1));
   }
 
   void q23_findNearestAgent_saysNothing() {
@@ -391,7 +391,7 @@ class HumanQuirksTest : public QObject {
     QVERIFY(bench.entry("nearest") == "2");
     world.at(1).isPresent = false;
     QCOMPARE(bench.step(), NodeStatus::Failure);
-    QVERIFY(bench.troubles().empty());
+    QVERIFY(bench.pendingDiagnostics().empty());
     QVERIFY(bench.events().empty());
   }
 

@@ -4,11 +4,10 @@
 #include "bt/engine/Program.h"
 #include "bt/human/AgentTreeCheck.h"
 #include "bt/human/HumanNodes.h"
-#include "bt/human/TemplateNodes.h"
-#include "bt/human/Templates.h"
+#include "bt/human/TreeGenerator.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 
 using sim2d::BehaviorType;
 
@@ -212,7 +211,7 @@ class HumanTemplatesTest : public QObject {
       QFAIL(diagnostic.text().c_str());
     }
     QVERIFY(program);
-    QVERIFY(bt::goalsOfTree(*table) == (std::vector<int>{1, 3, 2}));
+    QVERIFY(bt::treeGoals(*table) == (std::vector<int>{1, 3, 2}));
     QVERIFY(
         bt::checkAgentTree(*table, scenario.humans.front(), scenario, library.catalogue()).empty());
   }

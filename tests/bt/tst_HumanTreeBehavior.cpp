@@ -201,16 +201,16 @@ class HumanTreeBehaviorTest : public QObject {
              "<Sequence><RegularNav agent_id='{id}'/><GoTo agent_id='{id}' "
              "goal_id='{nothing}'/></Sequence>");
     QVERIFY(run.start());
-    base::Diagnostics troubles;
+    base::Diagnostics pendingDiagnostics;
     for (int i = 0; i < 3; ++i) {
       run.step();
       QCOMPARE(run.last.motion, Motion::Brake);
       base::Diagnostics found;
       run.behavior->takeDiagnostics(found);
-      base::append(troubles, found);
+      base::append(pendingDiagnostics, found);
     }
-    QCOMPARE(troubles.size(), std::size_t(1));
-    QVERIFY(troubles.front().message.find("agent1") != std::string::npos);
+    QCOMPARE(pendingDiagnostics.size(), std::size_t(1));
+    QVERIFY(pendingDiagnostics.front().message.find("agent1") != std::string::npos);
   }
 
   void loopTrees_off_standsAfterTheEnd() {
@@ -286,17 +286,18 @@ class HumanTreeBehaviorTest : public QObject {
     run.step();
     run.step();
     QVERIFY(!run.hasEvent(EventKind::Say, "well"));
-    QCOMPARE(run.behavior->setEntry(0, "mood", "3.5"), std::string());
+    QCOMPARE(run.behavior->setBlackboardEntry(0, "mood", "3.5"), std::string());
     const auto lines = run.behavior->blackboard(0);
     QVERIFY(std::find(lines.begin(), lines.end(),
                       std::make_pair(std::string("mood"), std::string("3.5"))) != lines.end());
     run.step();
     QVERIFY(run.hasEvent(EventKind::Say, "well"));
-    QVERIFY(!run.behavior->setEntry(0, "mood", "happy").empty());  // it is a number for ever
-    QVERIFY(!run.behavior->setEntry(0, "nothing", "1").empty());
-    QVERIFY(!run.behavior->setEntry(0, "id", "9").empty());
-    QVERIFY(!run.behavior->setEntry(0, "dt", "1.0").empty());
-    QVERIFY(!run.behavior->setEntry(5, "mood", "1").empty());
+    QVERIFY(
+        !run.behavior->setBlackboardEntry(0, "mood", "happy").empty());  // it is a number for ever
+    QVERIFY(!run.behavior->setBlackboardEntry(0, "nothing", "1").empty());
+    QVERIFY(!run.behavior->setBlackboardEntry(0, "id", "9").empty());
+    QVERIFY(!run.behavior->setBlackboardEntry(0, "dt", "1.0").empty());
+    QVERIFY(!run.behavior->setBlackboardEntry(5, "mood", "1").empty());
   }
 
   void personOfASource_runsTheTreeOfItsModel() {

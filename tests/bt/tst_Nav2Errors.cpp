@@ -79,8 +79,8 @@ void Nav2ErrorsTest::reason_ofWhatIsNotThere_isNamed() {
 void Nav2ErrorsTest::throughPoses_haveCodesOfTheirOwn() {
   QCOMPARE(bt::throughPosesCode(0), 0);
   QCOMPARE(bt::throughPosesCode(208), 308);
-  QVERIFY(bt::isOfPlanner({RobotAction::ComputePathThroughPoses, 308}));
-  QVERIFY(!bt::isOfPlanner({RobotAction::FollowPath, 105}));
+  QVERIFY(bt::isPlannerFailure({RobotAction::ComputePathThroughPoses, 308}));
+  QVERIFY(!bt::isPlannerFailure({RobotAction::FollowPath, 105}));
 }
 
 QTEST_APPLESS_MAIN(Nav2ErrorsTest)

@@ -5,7 +5,7 @@
 
 #include <QtTest>
 
-#include "bt/robot/Nav2Frames.h"
+#include "bt/robot/Nav2Display.h"
 #include "bt/robot/Nav2Servers.h"
 #include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
@@ -42,7 +42,7 @@ bool isClose(const Vec2& a, const Vec2& b, double tolerance = 1e-12) {
 std::unique_ptr<Nav2Servers> servers(const std::string& localFrame = "odom") {
   auto file = ParameterFile::read(SOURCE_DIR "/resources/nav2_params/turtlebot4.yaml");
   file->set("local_costmap", "global_frame", base::scalarNode(localFrame));
-  Nav2Reading reading = readNav2Parameters(*file);
+  Nav2ReadResult reading = readNav2Parameters(*file);
   return *Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1});
 }
 
@@ -51,7 +51,7 @@ LaserScan scanOf(const Observation& robot, double distance) {
   LaserScan scan;
   scan.sensor = robot.pose;
   scan.time = robot.time;
-  scan.perBeam = 0.01;
+  scan.angleIncrement = 0.01;
   scan.range = 30.0;
   scan.distances = {distance};
   scan.mapToOdom = robot.mapToOdom;
@@ -95,13 +95,13 @@ void Nav2FramesTest::odomObservation_isTransformed() {
   observation.mapToOdom = {{1.0, 2.0}, base::kPi / 2.0};
   observation.pose = {{0.5, 5.0}, 0.0};
   observation.goal = {4.0, 4.0};
-  observation.goalsAfter = {{1.0, 1.0}};
+  observation.remainingGoals = {{1.0, 1.0}};
   observation.bodies = {{3, sim2d::BodyKind::Person, {2.0, 2.0}, {1.0, 0.0}, 0.0, 0.3}};
   bt::OdomObservation odom;
   const Observation& found = odom.of(observation);
   QVERIFY(isClose(found.pose.position, {3.0, 0.5}));
   QVERIFY(std::fabs(found.pose.heading + base::kPi / 2.0) < 1e-12);
-  QVERIFY(isClose(found.goal, {2.0, -3.0}) && isClose(found.goalsAfter[0], {-1.0, 0.0}));
+  QVERIFY(isClose(found.goal, {2.0, -3.0}) && isClose(found.remainingGoals[0], {-1.0, 0.0}));
   QVERIFY(isClose(found.bodies[0].position, {0.0, -1.0}));
   QVERIFY(isClose(found.bodies[0].velocity, {0.0, -1.0}));
   QVERIFY(std::fabs(found.bodies[0].heading + base::kPi / 2.0) < 1e-12);

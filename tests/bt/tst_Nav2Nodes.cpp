@@ -8,7 +8,6 @@
 
 #include <QtTest>
 
-#include "bt/robot/NodePorts.h"
 #include "bt/robot/RobotNodes.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
@@ -61,15 +60,15 @@ struct Deviation {
   const char* reason;
 };
 constexpr std::array<Deviation, 4> kDeviations = {
-    {{"", "server_name", kEveryDistro, "every action node has it (BtActionNode)"},
-     {"", "server_timeout", kEveryDistro, "every action and service node has it"},
+    {{"", "server_name", kAllDistros, "every action node has it (BtActionNode)"},
+     {"", "server_timeout", kAllDistros, "every action and service node has it"},
      {"Spin", "is_recovery", kHumble, "Humble's odometry_calibration.xml uses it"},
      {"TruncatePathLocal", "input_path", kHumble, "without it the node would have no path"}}};
 
 bool isDeviation(const std::string& node, const std::string& port, Distro distro) {
   return std::any_of(kDeviations.begin(), kDeviations.end(), [&](const Deviation& each) {
     return (each.node.empty() || each.node == node) && each.port == port &&
-           isIn(each.distros, distro);
+           includesDistro(each.distros, distro);
   });
 }
 
@@ -87,7 +86,7 @@ std::vector<std::string> sorted(std::vector<std::string> words) {
 std::vector<std::string> ownPorts(const bt::NodeManifest& node, Distro distro) {
   std::vector<std::string> ports;
   for (const bt::PortSpec& port : node.ports) {
-    if (isIn(bt::distrosOfPort(node.id, port.key), distro) &&
+    if (includesDistro(bt::distrosOfPort(node.id, port.key), distro) &&
         !isDeviation(node.id, port.key, distro)) {
       ports.push_back(prefixOf(port.direction) + port.key);
     }
@@ -127,9 +126,9 @@ void Nav2NodesTest::eachNode_hasItsKindAndBranches() {
   const bt::NodeManifest* const node = library.catalogue().find(id.toStdString());
   QVERIFY2(node != nullptr, "there is no such node");
   QCOMPARE(std::string(bt::nodeKindName(node->kind)), declared.kind);
-  for (const Distro distro : kEachDistro) {
+  for (const Distro distro : kDistros) {
     const bool isThere = declared.ports.at(static_cast<std::size_t>(distro)) != "-";
-    QVERIFY2(isIn(bt::distrosOfNode(node->id), distro) == isThere, distroTitle(distro));
+    QVERIFY2(includesDistro(bt::distrosOfNode(node->id), distro) == isThere, distroTitle(distro));
   }
 }
 
@@ -142,8 +141,8 @@ void Nav2NodesTest::eachNode_hasItsPortsInEachBranch() {
   const bt::NodeLibrary library = bt::robotNodes();
   const bt::NodeManifest* const node = library.catalogue().find(id.toStdString());
   QVERIFY(node != nullptr);
-  for (const Distro distro : kEachDistro) {
-    if (isIn(bt::distrosOfNode(node->id), distro)) {
+  for (const Distro distro : kDistros) {
+    if (includesDistro(bt::distrosOfNode(node->id), distro)) {
       const std::string own = base::join(ownPorts(*node, distro), " ");
       const std::string declared = base::join(declaredPorts(node->id, distro), " ");
       const std::string title = distroTitle(distro);

@@ -82,7 +82,7 @@ int addShipped() {
   QTest::addColumn<int>("distro");
   QTest::addColumn<QString>("path");
   int count = 0;
-  for (const Distro distro : sim2d::nav2::kEachDistro) {
+  for (const Distro distro : sim2d::nav2::kDistros) {
     const std::string folder = std::string(SOURCE_DIR "/resources/nav2_trees/") + folderOf(distro);
     if (!std::filesystem::is_directory(folder)) {
       continue;  // Lyrical's are those of main

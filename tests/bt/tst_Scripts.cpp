@@ -178,9 +178,9 @@ void ScriptsTest::run_badScript_fails_data() {
   row("x := 1; x := 0.5", "does not fit");
   row("x := 1; x += 0.5", "does not fit");
   row("x := 'a'; x := 1", "does not fit");
-  row("s == 3", "no number");
-  row("-s", "a sign before text");
-  row("1.5 & 1", "no whole number");
+  row("s == 3", "not a number");
+  row("-s", "a sign is applied to text");
+  row("1.5 & 1", "not an integer");
   row("~1e300", "too large");
   row("'' ? 1 : 2", "empty text");
   row("a = 'text'", "does not fit");
@@ -203,11 +203,11 @@ void ScriptsTest::compile_badText_saysColumn_data() {
   row("1 +", "value expected at column 4");
   row("(1", "')' expected at column 3");
   row("1 ? 2", "':' expected at column 6");
-  row("x := 'a", "from column 6 on");
-  row("1 # 2", "from column 3 on");
+  row("x := 'a", "parsed at column 6");
+  row("1 # 2", "parsed at column 3");
   row("5 := 3", "name of an entry expected before ':=' at column 3");
-  row("12abc", "from column 1 on");
-  row("{a} == 1", "from column 1 on");
+  row("12abc", "parsed at column 1");
+  row("{a} == 1", "parsed at column 1");
 }
 
 void ScriptsTest::compile_badText_saysColumn() {

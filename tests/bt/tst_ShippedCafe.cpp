@@ -21,7 +21,7 @@ class ShippedCafeTest : public QObject {
   void initTestCase() {
     Loaded cafe = load("corner_cafe", "corner_cafe_agents");
     const std::unique_ptr<sim2d::World> world = makeWorld(cafe);
-    QVERIFY2(world != nullptr, troubles(cafe.diagnostics).c_str());
+    QVERIFY2(world != nullptr, pendingDiagnostics(cafe.diagnostics).c_str());
     frames_ = framesOf(*world);
   }
 

@@ -31,7 +31,7 @@ constexpr double kRounding = 1e-9;  // [m], [s]
 std::vector<Frame> framesOf(const std::string& kind) {
   Loaded loaded = loadAsWritten("reactions", "reaction_" + kind + "_agents");
   const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
-  const std::string said = troubles(loaded.diagnostics);
+  const std::string said = pendingDiagnostics(loaded.diagnostics);
   if (!world || !said.empty()) {
     qWarning("%s", said.c_str());
     return {};

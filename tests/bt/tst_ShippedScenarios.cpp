@@ -147,7 +147,7 @@ void ShippedScenariosTest::scenario_loaded_saysNothing() {
   QFETCH(QString, path);
   Loaded loaded = load(path.toStdString());
   const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
-  const std::string said = troubles(loaded.diagnostics);
+  const std::string said = pendingDiagnostics(loaded.diagnostics);
   QVERIFY2(said.empty(), said.c_str());
   QVERIFY(world != nullptr);
   QVERIFY(loaded.map.isEmpty() == (loaded.scenario->desktop.mapFile == "none"));
@@ -188,7 +188,7 @@ void ShippedScenariosTest::scenario_run_keepsPeopleApartAndOutOfWalls() {
   }
   base::Diagnostics found;
   world->behavior().takeDiagnostics(found);
-  QVERIFY2(found.empty(), troubles(found).c_str());
+  QVERIFY2(found.empty(), pendingDiagnostics(found).c_str());
 }
 
 void ShippedScenariosTest::scenario_run_givesTheHashOnFile() {

@@ -25,7 +25,7 @@ QStringList problemsOf(const std::string& path) {
   base::append(problems, table.diagnostics());
   if (table) {
     const bt::NodeLibrary library;
-    base::append(problems, bt::diagnosticsOf(bt::checkTable(*table, library.catalogue())));
+    base::append(problems, bt::diagnosticsOf(bt::checkForImport(*table, library.catalogue())));
     if (!base::hasErrors(problems)) {
       base::append(problems, bt::compile(*table, library).diagnostics());
     }

@@ -92,7 +92,7 @@ void TreeNestingTest::read_deepBlock_isWhole() {
       QVERIFY(textOf(file.diagnostics()).find("nested") != std::string::npos);
       continue;
     }
-    const bt::XmlBlock* last = &*file->model;
+    const bt::XmlElement* last = &*file->model;
     for (int i = 0; i < depth; ++i) {
       QCOMPARE(last->children.size(), std::size_t(1));
       last = &last->children[0];

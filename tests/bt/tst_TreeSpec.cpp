@@ -1,6 +1,6 @@
 #include <QtTest/QtTest>
 
-#include "bt/tree/TextValue.h"
+#include "bt/tree/PortTextConversion.h"
 #include "bt/tree/TreeSpec.h"
 
 /// Editing of trees, and text of ports as values.
@@ -46,9 +46,9 @@ void TreeSpecTest::equal_lineAndNotation_doNotCount() {
   b.root.children[1].name = "n";
   QVERIFY(!(a == b));
   b = sample();
-  bt::setText(b.root.ports, "p", "1");
+  bt::setAttribute(b.root.ports, "p", "1");
   QVERIFY(!(a == b));
-  bt::removeText(b.root.ports, "p");
+  bt::removeAttribute(b.root.ports, "p");
   QVERIFY(a == b);
 }
 
@@ -146,9 +146,9 @@ void TreeSpecTest::checkTree_range_isWarned() {
   bt::TreeSpec tree;
   tree.id = "T";
   tree.root = node("Sequence", {node("Go"), node("Go"), node("Go")});
-  bt::setText(tree.root.children[0].ports, "speed", "-1");
-  bt::setText(tree.root.children[1].ports, "speed", "3.5");
-  bt::setText(tree.root.children[2].ports, "speed", "{v}");
+  bt::setAttribute(tree.root.children[0].ports, "speed", "-1");
+  bt::setAttribute(tree.root.children[1].ports, "speed", "3.5");
+  bt::setAttribute(tree.root.children[2].ports, "speed", "{v}");
   const bt::TreeIssues issues = bt::checkTree(tree, catalogue, {"T"}, "f.xml");
   QCOMPARE(issues.size(), std::size_t(2));
   QVERIFY(issues[0].node == bt::NodePath{0});
@@ -178,14 +178,14 @@ void TreeSpecTest::placeholders_writtenOnes_doNotCount() {
   bt::TreeSpec tree;
   tree.id = "T";
   bt::NodeSpec see = node("IsRobotVisible");
-  bt::setText(see.ports, "distance", "{dist}");
+  bt::setAttribute(see.ports, "distance", "{dist}");
   bt::NodeSpec wait = node("Wait");
-  bt::setText(wait.ports, "time", "{duration}");
+  bt::setAttribute(wait.ports, "time", "{duration}");
   bt::NodeSpec write = node("SetBlackboard");
-  bt::setText(write.ports, "output_key", "duration");
+  bt::setAttribute(write.ports, "output_key", "duration");
   tree.root = node("Sequence", {see, write, wait});
   table.entries["T"] = {tree, "f.xml"};
-  QVERIFY(bt::placeholdersIn(table) == std::vector<std::string>{"dist"});
+  QVERIFY(bt::legacyPlaceholders(table) == std::vector<std::string>{"dist"});
 }
 
 QTEST_APPLESS_MAIN(TreeSpecTest)

@@ -210,7 +210,7 @@ void TreeStateTest::library_withLeaves_replacesAddedOnes() {
     return probe::note(leaf, leaf.label() + "?", NodeStatus::Success);
   };
   scripted.onRunning = scripted.onStart;
-  const bt::NodeLibrary library = probe::library().withLeaves(scripted);
+  const bt::NodeLibrary library = probe::library().withLeafFunctions(scripted);
   const base::Result<bt::TreeFile> file =
       bt::readTreeText(probe::fileOf("<Sequence><F/><St name='x'/><AlwaysSuccess/></Sequence>"));
   const auto program = bt::compile(*file, library);
@@ -229,7 +229,7 @@ void TreeStateTest::library_withLeaves_callsConditionsInEveryTick() {
     return probe::note(leaf, leaf.label(), status);
   };
   scripted.onRunning = scripted.onStart;
-  const bt::NodeLibrary library = probe::library().withLeaves(scripted);
+  const bt::NodeLibrary library = probe::library().withLeafFunctions(scripted);
   const base::Result<bt::TreeFile> file =
       bt::readTreeText(probe::fileOf("<WhileDoElse><S/><St/></WhileDoElse>"));
   const auto program = bt::compile(*file, library);

@@ -105,7 +105,7 @@ void TreeXmlTest::writeRead_everythingInOneFile_isEqual() {
   QVERIFY(fallback.children[0].others == (bt::Attributes{{"_uid", "7"}}));
   QVERIFY(fallback.children[1].autoRemap && fallback.children[1].subTree == "B");
   QVERIFY(fallback.children[1].conditions == (bt::Attributes{{"_skipIf", "a < 'b'"}}));
-  QVERIFY(*bt::findText(fallback.children[2].ports, "code") == "x := 1;\ny := 2");
+  QVERIFY(*bt::findAttribute(fallback.children[2].ports, "code") == "x := 1;\ny := 2");
   QCOMPARE(file.blocks.size(), std::size_t(1));
   const std::string text = bt::writeTree(file, bt::builtinNodes());
   const bt::TreeFile again = parsed(text);
@@ -173,7 +173,7 @@ void TreeXmlTest::read_templateText_isNoted() {
   QVERIFY(textOf(program.diagnostics()).find("template") != std::string::npos);
   const base::Result<bt::TreeTable> table = bt::resolveIncludes(file);
   QVERIFY(table);
-  QVERIFY(base::hasErrors(bt::diagnosticsOf(bt::checkTable(*table, bt::builtinNodes()))));
+  QVERIFY(base::hasErrors(bt::diagnosticsOf(bt::checkForImport(*table, bt::builtinNodes()))));
 }
 
 void TreeXmlTest::read_version3_isConverted() {
@@ -314,16 +314,16 @@ void TreeXmlTest::writeModel_catalogue_hasPortsAndDefaults() {
       bt::readTreeText(bt::writeModel(probe::library().catalogue()));
   QVERIFY(file && file->model);
   const auto& entries = file->model->children;
-  const auto stateful = std::find_if(entries.begin(), entries.end(), [](const bt::XmlBlock& e) {
-    return *bt::findText(e.attributes, "ID") == "St";
+  const auto stateful = std::find_if(entries.begin(), entries.end(), [](const bt::XmlElement& e) {
+    return *bt::findAttribute(e.attributes, "ID") == "St";
   });
   QVERIFY(stateful != entries.end());
   QVERIFY(stateful->tag == "Action");
   QVERIFY(stateful->children[0].tag == "input_port");
-  QVERIFY(*bt::findText(stateful->children[0].attributes, "type") == "int");
-  QVERIFY(*bt::findText(stateful->children[0].attributes, "default") == "1");
-  for (const bt::XmlBlock& entry : entries) {
-    QVERIFY(*bt::findText(entry.attributes, "ID") != "Sequence");
+  QVERIFY(*bt::findAttribute(stateful->children[0].attributes, "type") == "int");
+  QVERIFY(*bt::findAttribute(stateful->children[0].attributes, "default") == "1");
+  for (const bt::XmlElement& entry : entries) {
+    QVERIFY(*bt::findAttribute(entry.attributes, "ID") != "Sequence");
   }
 }
 

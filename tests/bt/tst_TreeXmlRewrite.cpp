@@ -80,16 +80,16 @@ class TreeXmlRewriteTest : public QObject {
 
   void port_changed_onlyItsValueIsAnother() {
     bt::TreeFile file = fileOf(kText);
-    bt::setText(rootOf(file).children[0].ports, "distance", "7.5 \"m\"");
+    bt::setAttribute(rootOf(file).children[0].ports, "distance", "7.5 \"m\"");
     QCOMPARE(rewritten(file), with(kText, "'5.0'", "\"7.5 &quot;m&quot;\""));
   }
 
   void port_addedAndRemoved_otherAttributesStay() {
     bt::TreeFile file = fileOf(kText);
-    bt::setText(rootOf(file).children[2].ports, "tolerance", "0.2");
+    bt::setAttribute(rootOf(file).children[2].ports, "tolerance", "0.2");
     QCOMPARE(rewritten(file), with(kText, "goal_id=\"3\"/>", "goal_id=\"3\" tolerance=\"0.2\"/>"));
     file = fileOf(kText);
-    bt::removeText(rootOf(file).children[0].ports, "distance");
+    bt::removeAttribute(rootOf(file).children[0].ports, "distance");
     QCOMPARE(rewritten(file), with(kText, "  distance='5.0'", ""));
   }
 
@@ -247,7 +247,8 @@ class TreeXmlRewriteTest : public QObject {
       } else if (way == 1 && !node->children.empty()) {
         node->children.erase(node->children.begin() + draw(node->children.size()));
       } else if (way == 2) {
-        bt::setText(node->ports, "p" + std::to_string(draw(3)), std::to_string(round) + "<&\"'>");
+        bt::setAttribute(node->ports, "p" + std::to_string(draw(3)),
+                         std::to_string(round) + "<&\"'>");
       } else {
         std::reverse(node->children.begin(), node->children.end());
       }

@@ -2,13 +2,13 @@
 #include <QPushButton>
 
 #include "CanvasTester.h"
-#include "editor/panels/BehaviorMenu.h"
+#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/ScenarioPanel.h"
 
+using editor::BehaviorMixDialog;
 using editor::CrowdRecipe;
 using editor::EntityId;
-using editor::MixDialog;
 using sim2d::BehaviorType;
 
 /// A mix of behaviours for people who are there already.
@@ -61,16 +61,16 @@ class BehaviorMixTest : public QObject {
     QFETCH(QVector<int>, counts);
     CrowdRecipe recipe;
     std::copy(mix.begin(), mix.end(), recipe.mix.begin());
-    const auto found = countsOf(mixedBehaviors(recipe, static_cast<std::size_t>(people)));
+    const auto found = countsOf(shuffledBehaviors(recipe, static_cast<std::size_t>(people)));
     QVERIFY(std::equal(counts.begin(), counts.end(), found.begin()));
   }
 
   void mixedBehaviors_seed_decidesTheOrder() {
     CrowdRecipe recipe;
-    const std::vector<BehaviorType> first = mixedBehaviors(recipe, 40);
-    QVERIFY(mixedBehaviors(recipe, 40) == first);
+    const std::vector<BehaviorType> first = shuffledBehaviors(recipe, 40);
+    QVERIFY(shuffledBehaviors(recipe, 40) == first);
     recipe.seed = 2;
-    const std::vector<BehaviorType> second = mixedBehaviors(recipe, 40);
+    const std::vector<BehaviorType> second = shuffledBehaviors(recipe, 40);
     QVERIFY(second != first);
     QVERIFY(countsOf(second) == countsOf(first));
   }
@@ -79,7 +79,7 @@ class BehaviorMixTest : public QObject {
     document_->setSelection({CanvasTester::person(1), CanvasTester::person(2)});
     const std::vector<BehaviorType> before = types();
     QWidget window;
-    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    BehaviorMixDialog dialog(*document_, editor::Theme::light(), &window);
     for (editor::NumberField* field : dialog.findChildren<editor::NumberField*>()) {
       field->setValue(field->accessibleName() == QStringLiteral("Scared") ? 100.0 : 0.0);
     }
@@ -97,7 +97,7 @@ class BehaviorMixTest : public QObject {
     editor::pushMove(*document_, {person}, {1.0, 0.0});
     document_->undoStack().undo();
     QWidget window;
-    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    BehaviorMixDialog dialog(*document_, editor::Theme::light(), &window);
     dialog.reject();
     QVERIFY(document_->undoStack().canRedo());
     document_->undoStack().redo();
@@ -106,14 +106,14 @@ class BehaviorMixTest : public QObject {
 
   void dialog_cancelled_leavesWhatOthersChanged() {
     QWidget window;
-    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    BehaviorMixDialog dialog(*document_, editor::Theme::light(), &window);
     for (editor::NumberField* field : dialog.findChildren<editor::NumberField*>()) {
       field->setValue(field->accessibleName() == QStringLiteral("Scared") ? 100.0 : 0.0);
     }
     editor::pushRemove(*document_, {CanvasTester::person(1)});
     dialog.reject();
     QCOMPARE(document_->scenario().humans.size(), std::size_t{5});
-    MixDialog again(*document_, editor::Theme::light(), &window);
+    BehaviorMixDialog again(*document_, editor::Theme::light(), &window);
     editor::pushRemove(*document_, {CanvasTester::person(2)});
     again.accept();  // without who has gone
     QCOMPARE(document_->scenario().humans.size(), std::size_t{4});
@@ -136,13 +136,13 @@ class BehaviorMixTest : public QObject {
 
   void dialog_nobodySelected_isForEverybody() {
     document_->setSelection(document_->entities(base::EntityKind::Goal));
-    QCOMPARE(editor::peopleMeant(*document_).size(), std::size_t{6});
+    QCOMPARE(editor::selectedOrAllPeople(*document_).size(), std::size_t{6});
     QWidget window;
-    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    BehaviorMixDialog dialog(*document_, editor::Theme::light(), &window);
     QCOMPARE(dialog.windowTitle(), QStringLiteral("Behaviours of 6 people"));
     QCOMPARE(document_->undoStack().index(), 0);
     dialog.accept();
-    QVERIFY(types() == editor::mixedBehaviors({}, 6));
+    QVERIFY(types() == editor::shuffledBehaviors({}, 6));
     QCOMPARE(document_->undoStack().index(), 1);
     document_->undoStack().undo();
     QVERIFY(document_->scenario() == small::scenario());

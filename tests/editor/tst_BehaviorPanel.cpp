@@ -2,12 +2,12 @@
 #include <QtTest>
 
 #include "SmallScenario.h"
-#include "bt/human/Blocks.h"
+#include "bt/human/BehaviorBlocks.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/TreeFiles.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/document/PersonTree.h"
+#include "editor/look/AppStyle.h"
+#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/BehaviorPanel.h"
-#include "editor/panels/BlockDialog.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/base/Text.h"
@@ -69,7 +69,7 @@ class BehaviorPanelTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());
@@ -104,7 +104,7 @@ class BehaviorPanelTest : public QObject {
         clicked << link->accessibleName();
       }
     }
-    QVERIFY2(clicked.contains(QStringLiteral("Write the tree into a file")),
+    QVERIFY2(clicked.contains(QStringLiteral("Save the tree to a file")),
              qPrintable(clicked.join(QLatin1Char(';'))));
     QCOMPARE(document_->undoStack().count(), steps);
     QVERIFY(QApplication::activeModalWidget() == nullptr);
@@ -152,7 +152,7 @@ class BehaviorPanelTest : public QObject {
     QVERIFY(document_->tree(human(2).key));
     const bt::TreeFile file = fileOf(2);
     const bt::NodeSpec& reaction = file.trees[0].root.children[1];
-    QCOMPARE(*bt::findText(reaction.children[0].ports, "distance"), std::string("7.5"));
+    QCOMPARE(*bt::findAttribute(reaction.children[0].ports, "distance"), std::string("7.5"));
     document_->undoStack().undo();
     QVERIFY(!document_->tree(human(2).key));
   }
@@ -163,7 +163,7 @@ class BehaviorPanelTest : public QObject {
     const auto distance = [this] {
       const bt::TreeFile file = fileOf(2);
       const auto& ports = file.trees[0].root.children[1].children[0].ports;
-      return *bt::findText(ports, "distance");
+      return *bt::findAttribute(ports, "distance");
     };
     const std::string before = distance();
     QVERIFY(named<editor::TextField>(QStringLiteral("distance")) == nullptr);
@@ -176,10 +176,10 @@ class BehaviorPanelTest : public QObject {
       }
       return false;
     };
-    QVERIFY(press(QStringLiteral("Take distance from an entry")));
+    QVERIFY(press(QStringLiteral("Read distance from a blackboard entry")));
     QCOMPARE(distance(), std::string("{distance}"));
     QTRY_VERIFY(named<editor::TextField>(QStringLiteral("distance")) != nullptr);
-    QVERIFY(press(QStringLiteral("Give distance as a number")));
+    QVERIFY(press(QStringLiteral("Enter distance as a number")));
     QVERIFY(base::parseDouble(distance()).has_value());
     document_->undoStack().undo();
     document_->undoStack().undo();
@@ -227,7 +227,8 @@ class BehaviorPanelTest : public QObject {
       return bt::blocksOf(file.trees[0]);
     };
     QCOMPARE(blocks()[1].value("stop"), std::string("3.25"));
-    QTest::mouseClick(named<QToolButton>(QStringLiteral("Before the block above")), Qt::LeftButton);
+    QTest::mouseClick(named<QToolButton>(QStringLiteral("Move before the block above")),
+                      Qt::LeftButton);
     QCOMPARE(blocks()[0].id, std::string("RobotAvoidance"));
     QTest::mouseClick(named<QToolButton>(QStringLiteral("Remove the block")), Qt::LeftButton);
     QCOMPARE(blocks().size(), std::size_t(1));
@@ -239,7 +240,7 @@ class BehaviorPanelTest : public QObject {
   void treeWithBlocks_followsBehaviourAndGoals() {
     editor::pushAddBlock(*document_, {human(2).key}, {"GreetingInitiator", {}});
     editor::pushRoute(*document_, {human(2).key}, {3});
-    QVERIFY(editor::personTree(*document_, human(2).key).isMadeWithBlocks);
+    QVERIFY(editor::personTree(*document_, human(2).key).isGeneratedWithBlocks);
     editor::pushChange<sim2d::Human>(
         *document_, human(2).key, QStringLiteral("Scared"),
         [](sim2d::Human& person) { person.behavior.type = sim2d::BehaviorType::Scared; });
@@ -250,7 +251,7 @@ class BehaviorPanelTest : public QObject {
     document_->undoStack().undo();
     QCOMPARE(human(2).goals, (std::vector<int>{2, 1, 3}));
     QCOMPARE(fileOf(2).mainTree, std::string("CuriousNavTree"));
-    QVERIFY(editor::personTree(*document_, human(2).key).isMadeWithBlocks);
+    QVERIFY(editor::personTree(*document_, human(2).key).isGeneratedWithBlocks);
   }
 
   void ownTree_withOtherGoals_takesTheRoute() {
@@ -258,10 +259,9 @@ class BehaviorPanelTest : public QObject {
     clickNode(QStringLiteral("Is robot visible"));
     type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
     editor::pushRoute(*document_, {human(2).key}, {3});
-    QVERIFY(editor::personTree(*document_, human(2).key).hasOtherGoals);
-    QTest::mouseClick(named<QToolButton>(QStringLiteral("Put the route into the tree")),
-                      Qt::LeftButton);
-    QVERIFY(!editor::personTree(*document_, human(2).key).hasOtherGoals);
+    QVERIFY(editor::personTree(*document_, human(2).key).hasDifferentGoals);
+    QTest::mouseClick(named<QToolButton>(QStringLiteral("Copy route to tree")), Qt::LeftButton);
+    QVERIFY(!editor::personTree(*document_, human(2).key).hasDifferentGoals);
   }
 
   void template_taken_isOneStep() {
@@ -269,7 +269,7 @@ class BehaviorPanelTest : public QObject {
     clickNode(QStringLiteral("Is robot visible"));
     type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
     const int steps = document_->undoStack().count();
-    panel_->takeTemplate(sim2d::BehaviorType::Threatening);
+    panel_->applyTemplate(sim2d::BehaviorType::Threatening);
     QVERIFY(!document_->tree(human(2).key));
     QCOMPARE(fileOf(2).mainTree, std::string("ThreateningNavTree"));
     QCOMPARE(document_->undoStack().count(), steps + 1);
@@ -285,13 +285,13 @@ class BehaviorPanelTest : public QObject {
     QVERIFY(panel_->saveTreeTo(path, panel_->person()).empty());
     QVERIFY(QFile::exists(folder.filePath(QStringLiteral("BTRegularNav.xml"))));
     select(0);
-    QVERIFY(!base::hasErrors(panel_->takeTreeFrom(path, panel_->person())));
+    QVERIFY(!base::hasErrors(panel_->loadTreeFrom(path, panel_->person())));
     QCOMPARE(fileOf(0).mainTree, std::string("CuriousNavTree"));
     QFile broken(path);
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("<root");
     broken.close();
-    QVERIFY(base::hasErrors(panel_->takeTreeFrom(path, panel_->person())));
+    QVERIFY(base::hasErrors(panel_->loadTreeFrom(path, panel_->person())));
     QCOMPARE(fileOf(0).mainTree, std::string("CuriousNavTree"));
   }
 

@@ -39,15 +39,15 @@ class BranchesTest : public QObject {
     runner_->play();
     QVERIFY(finished.wait(60000));
   }
-  void fork(std::int64_t step, const app::RunOptions& changes = {}) {
+  void fork(std::int64_t step, const app::RunSpec& changes = {}) {
     runner_->seek(step);
-    QVERIFY(runner_->goOnFromShown(changes));
+    QVERIFY(runner_->branchFromShown(changes));
     QTRY_VERIFY_WITH_TIMEOUT(
         runner_->newestFrame() != nullptr && runner_->newestFrame()->step == step, 60000);
     QCOMPARE(runner_->state(), SimulationRunner::State::Paused);
   }
-  static app::RunOptions slower() {
-    app::RunOptions changes;
+  static app::RunSpec slower() {
+    app::RunSpec changes;
     changes.set = {"robot1.max_vel=0.3"};
     return changes;
   }
@@ -61,7 +61,7 @@ class BranchesTest : public QObject {
     runner_ = std::make_unique<SimulationRunner>();
     runner_->setRequest([this] {
       app::RunSettings settings;
-      settings.code = sim2d::CodeUse::Refused;
+      settings.code = sim2d::ExternalCodePolicy::Refused;
       return runRequestOf(document_, settings);
     });
     runner_->setSpeed(std::numeric_limits<double>::infinity());
@@ -77,9 +77,9 @@ class BranchesTest : public QObject {
     runToTheEnd();
     QCOMPARE(allOf(runner_->recording()), allOf(first));
     QCOMPARE(runner_->branches().size(), std::size_t{2});
-    const RunBranch& branch = runner_->branches()[1];
+    const RunnerBranch& branch = runner_->branches()[1];
     QCOMPARE(branch.from, 0);
-    QVERIFY(std::fabs(branch.leftAt - 1.5) < 1e-9);
+    QVERIFY(std::fabs(branch.branchTime - 1.5) < 1e-9);
     QVERIFY(branch.changed.isEmpty());
   }
 
@@ -110,7 +110,7 @@ class BranchesTest : public QObject {
     QCOMPARE(runner_->recording(), first);
     QCOMPARE(runner_->shownFrame()->step, std::int64_t{50});
     QVERIFY(runner_->isLookingBack() && runner_->isFinished());
-    QVERIFY(runner_->canGoOnFromShown());
+    QVERIFY(runner_->canBranchFromShown());
     runner_->showBranch(1);
     QCOMPARE(runner_->recording(), other);
     QCOMPARE(runner_->shownFrame()->step, std::int64_t{50});
@@ -142,7 +142,7 @@ class BranchesTest : public QObject {
   }
 
   void branch_movedPerson_standsThere() {
-    app::RunOptions changes;
+    app::RunSpec changes;
     changes.moves = {"Ana 3 3 0"};
     fork(kFork, changes);
     runner_->stepOnce();
@@ -157,9 +157,9 @@ class BranchesTest : public QObject {
     const RecordingPtr first = runner_->recording();
     runner_->seek(kFork);
     for (const char* set : {"robot1.radius=0.9", "robot1.planner=nobody", "what"}) {
-      app::RunOptions changes;
+      app::RunSpec changes;
       changes.set = {set};
-      QVERIFY2(!runner_->goOnFromShown(changes), set);
+      QVERIFY2(!runner_->branchFromShown(changes), set);
     }
     QCOMPARE(warned.count(), 3);
     QCOMPARE(runner_->recording(), first);
@@ -168,18 +168,18 @@ class BranchesTest : public QObject {
   }
 
   void branches_tooMany_areRefused() {
-    for (std::size_t k = 1; k < SimulationRunner::kMostBranches; ++k) {
+    for (std::size_t k = 1; k < SimulationRunner::kMaxBranches; ++k) {
       runner_->showBranch(0);
       runner_->seek(kFork);
-      QVERIFY(runner_->goOnFromShown());
+      QVERIFY(runner_->branchFromShown());
     }
     runner_->showBranch(0);
     runner_->seek(kFork);
-    QVERIFY(!runner_->canGoOnFromShown());
+    QVERIFY(!runner_->canBranchFromShown());
     runner_->removeBranch(3);
-    QVERIFY(runner_->canGoOnFromShown());
+    QVERIFY(runner_->canBranchFromShown());
     runner_->removeBranch(0);  // it is shown
-    QCOMPARE(runner_->branches().size(), SimulationRunner::kMostBranches - 1);
+    QCOMPARE(runner_->branches().size(), SimulationRunner::kMaxBranches - 1);
     runner_->renameBranch(2, QStringLiteral("  Slow "));
     QCOMPARE(runner_->branches()[2].name, QStringLiteral("Slow"));
     runner_->reset();
@@ -193,11 +193,11 @@ class BranchesTest : public QObject {
     SimulationRunner other;
     other.setSpeed(std::numeric_limits<double>::infinity());
     other.openRecorded(first);
-    QVERIFY(!other.canGoOnFromShown());
+    QVERIFY(!other.canBranchFromShown());
     other.openRecorded(first, again);
     other.seek(kFork);
     QSignalSpy warned(&other, &SimulationRunner::warned);
-    QVERIFY(other.goOnFromShown());
+    QVERIFY(other.branchFromShown());
     QSignalSpy finished(&other, &SimulationRunner::finished);
     other.play();
     QVERIFY(finished.wait(60000));
@@ -217,12 +217,12 @@ class BranchesTest : public QObject {
     document_.load(std::move(scenario));
     document_.setMap(small::room());
     app::RunSettings settings;
-    settings.code = sim2d::CodeUse::Refused;
+    settings.code = sim2d::ExternalCodePolicy::Refused;
     other.openRecorded(runner_->recording(),
                        [this, settings] { return runRequestOf(document_, settings); });
     other.seek(kFork);
     QSignalSpy warned(&other, &SimulationRunner::warned);
-    QVERIFY(other.goOnFromShown());
+    QVERIFY(other.branchFromShown());
     QTRY_COMPARE(warned.count(), 1);
     const auto problems = warned.front().front().value<base::Diagnostics>();
     QVERIFY(problems.front().code == "again.branch-elsewhere");

@@ -5,8 +5,8 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapView.h"
-#include "editor/canvas/Overlays.h"
 #include "editor/canvas/RouteModel.h"
+#include "editor/canvas/ViewOverlays.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolManager.h"
 
@@ -151,15 +151,15 @@ class CanvasTest : public QObject {
   }
 
   void routeStrength_manyRoutes_fadesButStays() {
-    QCOMPARE(editor::routeStrength(0), 1.0);
-    QCOMPARE(editor::routeStrength(12), 1.0);
+    QCOMPARE(editor::routeOpacity(0), 1.0);
+    QCOMPARE(editor::routeOpacity(12), 1.0);
     double before = 1.0;
     for (const std::size_t count : {20u, 60u, 100u, 300u}) {
-      QVERIFY(editor::routeStrength(count) < before);
-      before = editor::routeStrength(count);
+      QVERIFY(editor::routeOpacity(count) < before);
+      before = editor::routeOpacity(count);
     }
-    QVERIFY(editor::routeStrength(100) < 0.45);
-    QVERIFY(editor::routeStrength(5000) > 0.1);
+    QVERIFY(editor::routeOpacity(100) < 0.45);
+    QVERIFY(editor::routeOpacity(5000) > 0.1);
   }
 
   void preview_ofAValue_isShownAndCleared() {
@@ -295,7 +295,7 @@ class CanvasTest : public QObject {
     say.kind = sim2d::EventKind::Say;
     say.id = 2;
     say.text = "Two coffees, table 3";
-    scene_.frameLayer().hear({say}, 1.0);
+    scene_.frameLayer().addSpeech({say}, 1.0);
     view_.setCanvasState(CanvasState::Running);
     save(folder, QStringLiteral("run-") + kind);
     view_.setCanvasState(CanvasState::Editing);

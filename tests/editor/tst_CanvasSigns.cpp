@@ -1,8 +1,8 @@
 #include "CanvasTester.h"
 #include "editor/canvas/Layers.h"
-#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/document/Groups.h"
+#include "editor/canvas/ViewOverlays.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/look/FigurePainter.h"
 
 using namespace editor;
@@ -190,7 +190,7 @@ class CanvasSignsTest : public QObject {
   }
 
   void links_ofPointsInARow_joinNeighbours() {
-    const auto links = shortestLinks({{0.0, 0.0}, {3.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}});
+    const auto links = minimumSpanningTree({{0.0, 0.0}, {3.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}});
     QCOMPARE(links.size(), std::size_t(3));
     double length = 0.0;
     const double xs[] = {0.0, 3.0, 1.0, 2.0};
@@ -198,8 +198,8 @@ class CanvasSignsTest : public QObject {
       length += std::abs(xs[from] - xs[to]);
     }
     QCOMPARE(length, 3.0);
-    QVERIFY(shortestLinks({{1.0, 1.0}}).empty());
-    QVERIFY(shortestLinks({}).empty());
+    QVERIFY(minimumSpanningTree({{1.0, 1.0}}).empty());
+    QVERIFY(minimumSpanningTree({}).empty());
   }
 };
 

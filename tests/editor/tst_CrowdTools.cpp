@@ -4,7 +4,7 @@
 #include "editor/canvas/Tool.h"
 #include "editor/look/Fields.h"
 #include "editor/tools/CrowdTool.h"
-#include "editor/tools/ToolOptionsBar.h"
+#include "editor/tools/ToolManager.h"
 #include "sim2d/map/Outlines.h"
 
 using namespace editor;
@@ -86,9 +86,9 @@ void CrowdToolsTest::brush_overWalls_leavesThemOut() {
   }
   QVERIFY(scenario().humans.size() >= 3);
   QVERIFY(brush().statusText().startsWith(
-      QStringLiteral("There was room for %1 of").arg(scenario().humans.size())));
+      QStringLiteral("Space for only %1 of").arg(scenario().humans.size())));
   click(Vec2(6.0, 2.0));  // in the wall
-  QCOMPARE(brush().statusText(), QStringLiteral("There is no room for anybody here"));
+  QCOMPARE(brush().statusText(), QStringLiteral("No space for people here"));
 }
 
 void CrowdToolsTest::brush_escapeOrRightButton_leavesNothing() {
@@ -197,7 +197,7 @@ void CrowdToolsTest::fill_manyMoreThanFit_areToldToo() {
   drag(Vec2(7.0, 1.0), Vec2(9.0, 2.5));
   const std::size_t made = scenario().humans.size();
   QVERIFY(made > 1 && made < 30);
-  QCOMPARE(fill().statusText(), QStringLiteral("There was room for %1 of 2000 people").arg(made));
+  QCOMPARE(fill().statusText(), QStringLiteral("Space for only %1 of 2000 people").arg(made));
 }
 
 void CrowdToolsTest::fill_escapeOrNoSize_leavesNothing() {

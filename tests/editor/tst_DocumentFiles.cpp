@@ -7,7 +7,7 @@
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/TreeFiles.h"
+#include "editor/document/PersonTree.h"
 #include "sim2d/base/Text.h"
 
 using namespace editor;
@@ -191,7 +191,7 @@ class DocumentFilesTest : public QObject {
     check(base::writeFileAtomically(treePath(folder, 2), kOwnTree));
     check(base::writeFileAtomically(path.toStdString(), "changed"));
     QCOMPARE(document.changedOnDisk().size(), 2);
-    document.acceptDisk();
+    document.acceptDiskChanges();
     QVERIFY(document.changedOnDisk().isEmpty());
   }
 
@@ -210,7 +210,7 @@ class DocumentFilesTest : public QObject {
     pushStroke(document, stroke, QStringLiteral("Paint"));
     QVERIFY(document.map()->isWall(document.map()->worldToCell({6.0, 4.5})));
     const QString copy = folder.filePath(QStringLiteral("copy"));
-    check(base::writeFilesTogether(snapshotFiles(document.snapshot(), copy)));
+    check(base::writeFilesAtomically(snapshotFiles(document.snapshot(), copy)));
 
     base::Result<DocumentSnapshot> read = readSnapshot(copy);
     QVERIFY(bool(read));

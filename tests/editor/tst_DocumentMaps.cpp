@@ -22,14 +22,14 @@ class DocumentMapsTest : public QObject {
     ScenarioDocument document;
     document.load(small::scenario());
     document.setMap(small::room());
-    const base::StopFlagPtr first = document.mapWork();
+    const base::StopFlagPtr first = document.mapStopFlag();
     first->check();
     document.checkNow();
     const base::Diagnostics issues = document.issues();
     pushMap(document, {std::make_shared<sim2d::OccupancyGrid>(), {}, false, {}},
             std::get<ScenarioSettings>(*document.entity(kSettingsId)), QStringLiteral("plane"));
     QVERIFY_EXCEPTION_THROWN(first->check(), base::Stopped);
-    document.mapWork()->check();
+    document.mapStopFlag()->check();
     document.undoStack().undo();  // what was worked out for the room is bound to the first flag
     document.checkNow();
     QCOMPARE(document.issues().size(), issues.size());
@@ -171,7 +171,7 @@ class DocumentMapsTest : public QObject {
     check(document.save(path));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
     const QString copy = folder.filePath(QStringLiteral("copy"));
-    check(base::writeFilesTogether(snapshotFiles(document.snapshot(), copy)));
+    check(base::writeFilesAtomically(snapshotFiles(document.snapshot(), copy)));
     check(base::writeFileAtomically(document.mapPath().toStdString(), "image: x.pgm\n"));
     for (const bool isLost : {false, true}) {
       ScenarioDocument opened;
@@ -180,7 +180,7 @@ class DocumentMapsTest : public QObject {
       const base::Diagnostics asOpened = opened.mapState().problems;
       QVERIFY(base::hasErrors(asOpened));
       if (isLost) {  // already when the copy was made
-        check(base::writeFilesTogether(snapshotFiles(opened.snapshot(), copy)));
+        check(base::writeFilesAtomically(snapshotFiles(opened.snapshot(), copy)));
       }
       ScenarioDocument again;
       again.restore(*readSnapshot(copy));
@@ -242,7 +242,7 @@ class DocumentMapsTest : public QObject {
     const base::Diagnostics issues = document.issues();
     return std::any_of(issues.begin(), issues.end(), [](const base::Diagnostic& issue) {
       return issue.severity == base::Severity::Error && issue.line > 0 && issue.column > 0 &&
-             issue.message.rfind("no map 'no_such_map' found (tried ", 0) == 0;
+             issue.message.rfind("map 'no_such_map' not found (tried ", 0) == 0;
     });
   }
 };

@@ -143,7 +143,8 @@ class EditCommandsTest : public QObject {
     box.width = 1.0;
     const std::vector<Handle> handles = handlesOf(box, {});
     const Vec2 opposite = handles[2].position;
-    const Entity larger = pulled(box, handles[0], handles[0].position + Vec2(0.5, 0.7), true);
+    const Entity larger =
+        withHandleMoved(box, handles[0], handles[0].position + Vec2(0.5, 0.7), true);
     QVERIFY((handlesOf(larger, {})[2].position - opposite).norm() < 1e-9);
     QVERIFY((handlesOf(larger, {})[0].position - handles[0].position - Vec2(0.5, 0.7)).norm() <
             1e-9);
@@ -181,7 +182,9 @@ class EditCommandsTest : public QObject {
   }
 
   void randomEdit(const base::AgentRng& rng, std::uint32_t i) {
-    const auto draw = [&](std::uint32_t k) { return rng.uniform01(base::Draw::Test, 8 * i + k); };
+    const auto draw = [&](std::uint32_t k) {
+      return rng.uniform01(base::DrawPurpose::Test, 8 * i + k);
+    };
     static constexpr EntityKind kKinds[] = {EntityKind::Human, EntityKind::Goal, EntityKind::Robot,
                                             EntityKind::Obstacle, EntityKind::Area};
     const EntityId id = anyOf(kKinds[static_cast<int>(draw(1) * 5.0)], draw(2));

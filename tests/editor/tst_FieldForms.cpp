@@ -5,7 +5,7 @@
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/PropertyPanel.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/FieldBuilder.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 using base::ParameterType;
@@ -52,17 +52,17 @@ EntityKind kindOfKeys() {
 }
 
 /// Both ends of the range, or what is near and far where it has none, and something inside.
-std::vector<double> samples(const base::ParameterSpec& spec, bool isWide) {
+std::vector<double> samples(const base::ParameterSpec& spec, bool is64Bit) {
   const base::Range& range = spec.range;
   if (spec.type == ParameterType::Integer) {
-    const double most = isWide ? 9007199254740991.0 : 2147483647.0;
+    const double most = is64Bit ? 9007199254740991.0 : 2147483647.0;
     return {std::max(range.low, -2147483647.0), std::min(range.high, most),
             range.contains(17.0) ? 17.0 : 2.0};
   }
   const double low = std::isfinite(range.low) ? range.low : -12345.75;
   const double high = std::isfinite(range.high) ? range.high : 987654.5;
   const double inside = range.contains(4.5) ? 4.5 : 0.5 * (low + high);
-  return {range.above ? low + 0.000125 : low, high, inside,
+  return {range.excludesLow ? low + 0.000125 : low, high, inside,
           range.contains(0.015625) ? 0.015625 : low};
 }
 
@@ -87,7 +87,7 @@ void addCases(std::vector<Case>& cases) {
         (!isInteger && field.spec.type != ParameterType::Number)) {
       continue;
     }
-    for (const double value : samples(field.spec, field.isWide)) {
+    for (const double value : samples(field.spec, field.is64Bit)) {
       cases.push_back({kindOfKeys<T>(), editor::rowName<T>(field.spec.key), value,
                        [&field, value, isInteger](Entity& e) {
                          field.assign(editor::partOf<T>(e),
@@ -280,7 +280,7 @@ class FieldFormsTest : public QObject {
     keys.insert(after + 1,
                 sim2d::field("wheel_base", &sim2d::Robot::mass, "Distance between its `wheels`",
                              {"Wheels", 3, 0.05, 1.0}, "m", {0.1, 2.0})
-                    .orElse(0.75));
+                    .defaultsTo(0.75));
     keys.push_back(sim2d::field("tow_hook", &sim2d::Robot::planner, "What it pulls"));
     sim2d::Scenario scenario = oneOfEach();
     document_.load(scenario);

@@ -18,11 +18,11 @@ struct Problem {
   Fix fix;
 };
 
-std::optional<Problem> problemWith(const ScenarioDocument& document, const QString& words) {
+std::optional<Problem> problemWith(const ScenarioDocument& document, const QString& label) {
   base::Diagnostics all = document.issues();
   base::append(all, editor::adviceFor(document.scenario()));
   for (const base::Diagnostic& each : all) {
-    if (const std::optional<Fix> fix = editor::fixFor(document, each); fix && fix->words == words) {
+    if (const std::optional<Fix> fix = editor::fixFor(document, each); fix && fix->label == label) {
       return Problem{each, *fix};
     }
   }
@@ -43,12 +43,12 @@ Q_DECLARE_METATYPE(Damage)
 
 namespace {
 
-void row(const char* name, const char* words, Damage damage) {
-  QTest::newRow(name) << damage << QString::fromUtf8(words);
+void row(const char* name, const char* label, Damage damage) {
+  QTest::newRow(name) << damage << QString::fromUtf8(label);
 }
 
 void rowsOfPlaces() {
-  const char* const out = "Move it out of the wall";
+  const char* const out = "Move out of the wall";
   row("person in a wall", out, [](Scenario& s) { s.humans[0].initPose.position = {6.0, 1.0}; });
   row("person outside of the map", out, [](Scenario& s) {
     s.humans[0].initPose.position = {-9.0, 4.0};
@@ -93,10 +93,9 @@ void rowsOfPeople() {
       [](Scenario& s) { std::swap(s.humans[0].id, s.humans[1].id); });
   row("id twice", "Renumber people", [](Scenario& s) { s.humans[1].id = 1; });
   row("id below 0", "Renumber people", [](Scenario& s) { s.humans[1].id = -1; });
-  row("name twice", "Give another name", [](Scenario& s) { s.humans[1].name = "Ana"; });
-  row("name of a key", "Give another name", [](Scenario& s) { s.humans[1].name = "agents"; });
-  row("name with blanks", "Give another name",
-      [](Scenario& s) { s.obstacles[0].name = "my table"; });
+  row("name twice", "Rename", [](Scenario& s) { s.humans[1].name = "Ana"; });
+  row("name of a key", "Rename", [](Scenario& s) { s.humans[1].name = "agents"; });
+  row("name with blanks", "Rename", [](Scenario& s) { s.obstacles[0].name = "my table"; });
   row("factor out of range", "Clamp to the range",
       [](Scenario& s) { s.humans[0].behavior.goalForceFactor = 77.0; });
   row("speed of reaction out of range", "Clamp to the range",
@@ -105,10 +104,10 @@ void rowsOfPeople() {
     s.simulator = "Webots";
     s.humans[0].skin = 7;
   });
-  row("reaction incomplete", "Write these values",
+  row("reaction incomplete", "Add these values",
       [](Scenario& s) { s.humans[4].behavior.dist = 3.0; });
-  row("no start", "Write the start 0, 0", [](Scenario& s) { s.humans[0].hasInitPose = false; });
-  row("waits do not fit", "One wait for each goal",
+  row("no start", "Set the start to 0, 0", [](Scenario& s) { s.humans[0].hasInitPose = false; });
+  row("waits do not fit", "Set one wait per goal",
       [](Scenario& s) { s.humans[0].ours.wait = {1.0}; });
 }
 
@@ -123,7 +122,7 @@ void rowsOfTheRest() {
     s.areas[0].kind = sim2d::AreaKind::Source;
     s.areas[0].like = "Zoe";
   });
-  row("source without rate", "One every 10 s", [](Scenario& s) {
+  row("source without rate", "Set rate to 0.1 /s", [](Scenario& s) {
     s.areas[0].kind = sim2d::AreaKind::Source;
     s.areas[0].like = "Ana";
   });
@@ -138,9 +137,9 @@ void rowsOfTheRest() {
     s.doors[0].from = sim2d::Vec2(6.0, 1.0);
     s.doors[0].to = sim2d::Vec2(6.0, 2.2);
   });
-  row("door without length", "Remove it", [](Scenario& s) { s.doors[0].to = s.doors[0].from; });
-  row("map with extension", "Write 'cafe'", [](Scenario& s) { s.map = "maps/cafe.yaml"; });
-  row("robot unlike its Nav2 file", "Take the body from the Nav2 file", [](Scenario& s) {
+  row("door without length", "Remove", [](Scenario& s) { s.doors[0].to = s.doors[0].from; });
+  row("map with extension", "Set to 'cafe'", [](Scenario& s) { s.map = "maps/cafe.yaml"; });
+  row("robot unlike its Nav2 file", "Use the body in the Nav2 file", [](Scenario& s) {
     s.robots[0].planner = "nav2";
     s.robots[0].radius = 0.5;
     s.robots[0].nav2Params = {SOURCE_DIR "/resources/nav2_params/turtlebot4.yaml"};
@@ -164,7 +163,7 @@ class FixesTest : public QObject {
  private Q_SLOTS:
   void fix_ofEachProblem_mendsItInOneStep_data() {
     QTest::addColumn<Damage>("damage");
-    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("label");
     rowsOfPlaces();
     rowsOfGoals();
     rowsOfPeople();
@@ -172,12 +171,12 @@ class FixesTest : public QObject {
   }
   void fix_ofEachProblem_mendsItInOneStep() {
     QFETCH(Damage, damage);
-    QFETCH(QString, words);
+    QFETCH(QString, label);
     Scenario scenario = small::scenario();
     damage(scenario);
     ScenarioDocument document;
     load(document, scenario);
-    const std::optional<Problem> problem = problemWith(document, words);
+    const std::optional<Problem> problem = problemWith(document, label);
     QVERIFY2(problem,
              [&] {
                std::string all;
@@ -212,7 +211,7 @@ class FixesTest : public QObject {
     ScenarioDocument document;
     QVERIFY(!base::hasErrors(document.open(path)));
     QVERIFY(document.mapState().isMissing);
-    const std::optional<Problem> problem = problemWith(document, QStringLiteral("Open plane"));
+    const std::optional<Problem> problem = problemWith(document, QStringLiteral("Use open plane"));
     QVERIFY(problem);
     problem->fix.apply(document);
     QVERIFY(!isToldStill(document, problem->diagnostic));
@@ -223,7 +222,8 @@ class FixesTest : public QObject {
   void personWithoutGoals_needsAHand() {
     ScenarioDocument document;
     load(document, small::scenario());  // Farid has none
-    const std::optional<Problem> problem = problemWith(document, QString::fromUtf8("Give goals…"));
+    const std::optional<Problem> problem =
+        problemWith(document, QString::fromUtf8("Assign goals…"));
     QVERIFY(problem);
     QVERIFY(!problem->fix.apply);
     QCOMPARE(problem->diagnostic.entity, document.scenario().humans[4].key);

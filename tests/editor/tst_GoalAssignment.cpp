@@ -6,7 +6,7 @@
 
 #include "Drops.h"
 #include "SmallScenario.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/GoalAssignment.h"
 
 using editor::GoalAssignment;
@@ -64,7 +64,7 @@ class GoalAssignmentTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());  // Ana 1 2, Ben 3, Chloe 2 1 3, Emma 1, Farid -, Greta 2

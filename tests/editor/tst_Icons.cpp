@@ -4,7 +4,7 @@
 #include <QTabBar>
 #include <QtTest>
 
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Icons.h"
 
 using editor::Theme;
@@ -85,7 +85,7 @@ class IconsTest : public QObject {
   }
 
   void style_fields_haveTheHeightOfTheHouse() {
-    editor::HouseStyle style(Theme::light());
+    editor::AppStyle style(Theme::light());
     QDoubleSpinBox box;
     box.setStyle(&style);
     QCOMPARE(box.sizeHint().height(), 24);

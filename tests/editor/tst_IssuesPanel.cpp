@@ -57,13 +57,13 @@ class IssuesPanelTest : public QObject {
     QTest::addColumn<QString>("message");
     QTest::addColumn<QString>("shown");
     const char* const kRows[][2] = {
-        {"agents: nobody is listed", "agents: nobody is listed"},
+        {"agents: no agents are listed", "agents: no agents are listed"},
         {"yaml_base_name names another file", "yaml_base_name names another file"},
         {"hunavsim_desktop.dt: 2 must be at most 0.1",
          "hunavsim_desktop.dt: 2 must be at most 0.1"},
         {"anna.goals: goal 7 is not defined", "anna.goals: goal 7 is not defined"},
         {"no node hunav_loader", "No node hunav_loader"},
-        {"goal 3 is there twice", "Goal 3 is there twice"},
+        {"goal 3 is duplicated", "Goal 3 is duplicated"},
         {"", ""}};
     for (const auto& row : kRows) {
       QTest::newRow(row[0]) << QString::fromUtf8(row[0]) << QString::fromUtf8(row[1]);
@@ -153,7 +153,7 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(rows.rowCount(), 4);
     QCOMPARE(rows.index(2, 0).data().toString(), QStringLiteral("One"));
     QCOMPARE(rows.index(3, 0).data().toString(), QStringLiteral("Two"));
-    QSignalSpy wanted(&panel, &IssuesPanel::fileWanted);
+    QSignalSpy wanted(&panel, &IssuesPanel::fileRequested);
     panel.setActionIssues(
         {base::problem(base::Severity::Info, "run.failed", {"here"}, "a.yaml", 4)});
     QCOMPARE(rows.rowCount(), 2);  // it stays open
@@ -174,7 +174,7 @@ class IssuesPanelTest : public QObject {
     document.checkNow();
     QTRY_VERIFY(panel.count() > 0);
     QVERIFY(panel.hasErrors());
-    QSignalSpy wanted(&panel, &IssuesPanel::entityWanted);
+    QSignalSpy wanted(&panel, &IssuesPanel::entityRequested);
     clickRow(panel.table(), 0);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(document.selection().size(), std::size_t(1));
@@ -245,7 +245,7 @@ class IssuesPanelTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
     document.checkNow();
     QTRY_VERIFY(panel.count() > 0);
-    QSignalSpy wanted(&panel, &IssuesPanel::goalsWanted);
+    QSignalSpy wanted(&panel, &IssuesPanel::goalsRequested);
     const QRect place = panel.table().visualRect(panel.table().model()->index(0, 2));
     QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, place.center());
     QCOMPARE(wanted.count(), 1);
@@ -266,7 +266,7 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(viewer.text().textCursor().block().text(), QStringLiteral("two"));
     QVERIFY(viewer.text().isReadOnly());
     QTest::mouseClick(outsideButton(viewer), Qt::LeftButton);  // there is no desktop here
-    QVERIFY(saysThat(viewer, QStringLiteral("No program of this desktop opens %1").arg(path)));
+    QVERIFY(saysThat(viewer, QStringLiteral("No application is available to open %1").arg(path)));
     QVERIFY(viewer.showFile(folder.filePath(QStringLiteral("no.yaml")), 1)
                 .contains(QStringLiteral("no.yaml")));
   }
@@ -283,7 +283,7 @@ class IssuesPanelTest : public QObject {
     const QAbstractItemModel* model = panel.table().model();
     QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Bad key"));    // errors first
     QCOMPARE(model->index(0, 2).data().toString(), QStringLiteral("a.yaml:12"));  // at the end
-    QSignalSpy wanted(&panel, &IssuesPanel::fileWanted);
+    QSignalSpy wanted(&panel, &IssuesPanel::fileRequested);
     clickRow(panel.table(), 0);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted.front().at(1).toInt(), 12);

@@ -67,21 +67,21 @@ class ManyAtOnceTest : public QObject {
     QFETCH(int, command);
     QFETCH(int, rowSignals);
     const sim2d::Scenario before = document_.scenario();
-    QSignalSpy settled(&document_, &ScenarioDocument::settled);
+    QSignalSpy stepFinished(&document_, &ScenarioDocument::stepFinished);
     QSignalSpy selection(&document_, &ScenarioDocument::selectionChanged);
     rows_ = 0;
     give(command);
-    QCOMPARE(settled.count(), 1);
+    QCOMPARE(stepFinished.count(), 1);
     QVERIFY2(selection.count() <= 1, QByteArray::number(selection.count()));
     QVERIFY2(rows_ <= rowSignals, QByteArray::number(rows_));
     const sim2d::Scenario after = document_.scenario();
     for (const bool back : {true, false}) {
-      settled.clear();
+      stepFinished.clear();
       selection.clear();
       rows_ = 0;
       back ? document_.undoStack().undo() : document_.undoStack().redo();
       QVERIFY(document_.scenario() == (back ? before : after));
-      QCOMPARE(settled.count(), 1);
+      QCOMPARE(stepFinished.count(), 1);
       QVERIFY2(selection.count() <= 1, QByteArray::number(selection.count()));
       QVERIFY2(rows_ <= rowSignals, QByteArray::number(rows_));
       QCOMPARE(model().rowCount(model().index(0, 0)),

@@ -99,9 +99,9 @@ class MapPaintTest : public QObject {
     QCOMPARE(paint->currentIndex(), 0);
     QCOMPARE(width->value(), 0.2);
     Q_EMIT paint->activated(2);
-    QVERIFY(tool.statusText().contains(QStringLiteral("unknown ground, 0.20 m wide")));
+    QVERIFY(tool.statusText().contains(QStringLiteral("unknown space, 0.20 m wide")));
     width->setValue(0.6);
-    QVERIFY(tool.statusText().contains(QStringLiteral("unknown ground, 0.60 m wide")));
+    QVERIFY(tool.statusText().contains(QStringLiteral("unknown space, 0.60 m wide")));
     drag(tool, {1.0, 2.0}, {3.0, 2.0});
     const auto valueAt = [&](const Vec2& place) {
       return int(document.map()->valueAt(document.map()->worldToCell(place)));
@@ -121,7 +121,7 @@ class MapPaintTest : public QObject {
     tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_BracketRight, Qt::NoModifier));
     QCOMPARE(row->findChild<ChoiceField*>()->currentIndex(), 1);
     QCOMPARE(row->findChild<NumberField*>()->value(), 0.3);
-    QVERIFY(tool.statusText().contains(QStringLiteral("free ground, 0.30 m wide")));
+    QVERIFY(tool.statusText().contains(QStringLiteral("free space, 0.30 m wide")));
   }
 
   void press_withoutAMap_saysSo() {
@@ -131,7 +131,7 @@ class MapPaintTest : public QObject {
     Tool& tool = *made;
     drag(tool, {1.0, 1.0}, {2.0, 1.0});
     QCOMPARE(document.undoStack().count(), 0);
-    QVERIFY(tool.statusText().contains(QStringLiteral("no map")));
+    QVERIFY(tool.statusText().contains(QStringLiteral("No map")));
   }
 
   void paint_turnedMap_hitsTheCellsUnderTheBrush() {

@@ -96,7 +96,7 @@ class MetricsChoiceTest : public QObject {
       }
     }
     QVERIFY(shown >= 1 && shown < 5);
-    const auto* nothing = panel.findChild<editor::NothingFound*>();
+    const auto* nothing = panel.findChild<editor::NoMatchesPlaceholder*>();
     QVERIFY(!nothing->isVisibleTo(&panel));
     panel.search().setText(QStringLiteral("zzz"));
     QVERIFY(nothing->isVisibleTo(&panel) && !panel.tree().isVisibleTo(&panel));

@@ -5,7 +5,7 @@
 
 #include "app/run/Nav2Robots.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/Nav2Form.h"
 
@@ -27,7 +27,7 @@ class Nav2FormTest : public QObject {
   Nav2Form& form() const { return *page_->findChild<Nav2Form*>(); }
   FormSection& section() const {
     for (FormSection* section : page_->findChildren<FormSection*>()) {
-      if (section->title() == QStringLiteral("Parameters of Nav2")) {
+      if (section->title() == QStringLiteral("Nav2 parameters")) {
         return *section;
       }
     }
@@ -76,7 +76,7 @@ class Nav2FormTest : public QObject {
   QString help() const { return form().findChild<QLabel*>(QStringLiteral("nav2_help"))->text(); }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     sim2d::Scenario scenario;
     sim2d::Robot robot;
@@ -102,7 +102,7 @@ class Nav2FormTest : public QObject {
     QCOMPARE(row("FollowPath.PathAlignCritic.cost_weight").text(1), QStringLiteral("14.0"));
     QCOMPARE(row("local_costmap.inflation_layer.inflation_radius").text(1), QStringLiteral("0.80"));
     form().tree().setCurrentItem(&row("FollowPath.temperature"));
-    QVERIFY2(help().contains(QStringLiteral("Nav2's default 0.3")), qPrintable(help()));
+    QVERIFY2(help().contains(QStringLiteral("Nav2 default 0.3")), qPrintable(help()));
     QVERIFY(help().size() > 40);  // with a sentence
   }
 

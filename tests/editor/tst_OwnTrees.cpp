@@ -10,7 +10,6 @@
 #include "bt/human/TreeBehavior.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
-#include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 
 using namespace editor;
@@ -52,7 +51,7 @@ class OwnTreesTest : public QObject {
     ScenarioDocument& document = room.document;
     const std::string before = room.treeText(1);
     pushRoute(document, {{EntityKind::Human, 1}}, {3});
-    QVERIFY(document.treeQuestions(room.path).empty());
+    QVERIFY(document.treeConflicts(room.path).empty());
     check(document.save(room.path));
     QVERIFY(room.treeText(1) != before);
     QVERIFY(editor::generatedStyle(room.treeText(1), document.scenario(),
@@ -66,10 +65,10 @@ class OwnTreesTest : public QObject {
     pushAddBlock(document, {person}, {"GreetingInitiator", {}});
     check(document.save(room.path));
     pushRoute(document, {person}, {3});
-    QVERIFY(!document.isTreeBehind(person));
+    QVERIFY(!document.isTreeOutdated(person));
     document.undoStack().undo();
-    QVERIFY(!document.isTreeBehind(person));
-    QVERIFY(document.treeQuestions(room.path).empty());
+    QVERIFY(!document.isTreeOutdated(person));
+    QVERIFY(document.treeConflicts(room.path).empty());
   }
 
   void save_treeOfTheOriginalsStyle_staysInItsStyle() {
@@ -87,7 +86,7 @@ class OwnTreesTest : public QObject {
     check(again.save(room.path));
     QVERIFY(room.treeText(3) == theirs);
     pushRoute(again, {same}, {2, 3});
-    QVERIFY(again.treeQuestions(room.path).empty());
+    QVERIFY(again.treeConflicts(room.path).empty());
     check(again.save(room.path));
     QVERIFY(generatedStyle(room.treeText(3), again.scenario(), *again.human(same)) ==
             bt::TreeStyle::Hunav2);
@@ -106,19 +105,19 @@ class OwnTreesTest : public QObject {
     ScenarioDocument& document = room.document;
     const EntityId ana{EntityKind::Human, 1};
     pushTrees(document, {{ana, kOwnTree}}, QStringLiteral("Tree"));
-    QVERIFY(document.treeQuestions(room.path).empty());
+    QVERIFY(document.treeConflicts(room.path).empty());
     check(document.save(room.path));
     pushRoute(document, {ana}, {3});
-    const std::vector<TreeQuestion> questions = document.treeQuestions(room.path);
+    const std::vector<TreeConflict> questions = document.treeConflicts(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
     QVERIFY(questions[0].human == ana);
-    QVERIFY(questions[0].why == TreeQuestion::Why::BehaviourChanged);
+    QVERIFY(questions[0].why == TreeConflict::Why::BehaviourChanged);
     QVERIFY(questions[0].mine == kOwnTree);
     QVERIFY(questions[0].replacement == generatedTree(document.scenario(), *document.human(ana)));
-    check(document.save(room.path, keeps ? TreesToReplace() : TreesToReplace{ana}));
+    check(document.save(room.path, keeps ? TreeReplacements() : TreeReplacements{ana}));
     QVERIFY((room.treeText(1) == kOwnTree) == keeps);
     QVERIFY(document.tree(ana).has_value() == keeps);
-    QVERIFY(document.treeQuestions(room.path).empty());  // asked once per change
+    QVERIFY(document.treeConflicts(room.path).empty());  // asked once per change
     QVERIFY(!document.isDirty());
     document.undoStack().undo();
     QVERIFY(document.isDirty());
@@ -129,9 +128,9 @@ class OwnTreesTest : public QObject {
     ScenarioDocument& document = room.document;
     check(base::writeFileAtomically(room.treePath(1), kOwnTree));
     pushRoute(document, {{EntityKind::Human, 1}}, {3});
-    const std::vector<TreeQuestion> questions = document.treeQuestions(room.path);
+    const std::vector<TreeConflict> questions = document.treeConflicts(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
-    QVERIFY(questions[0].why == TreeQuestion::Why::ChangedOnDisk);
+    QVERIFY(questions[0].why == TreeConflict::Why::ChangedOnDisk);
     QVERIFY(questions[0].mine == kOwnTree);
     check(document.save(
         room.path));  // no answer: what is there stays, and is the person's from now on
@@ -149,7 +148,7 @@ class OwnTreesTest : public QObject {
     const std::string theirs = room.treeText(1) + "<!-- not before Monday -->\n";
     check(base::writeFileAtomically(room.treePath(1), theirs));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.1, 0.0));
-    QCOMPARE(document.treeQuestions(room.path).size(), std::size_t(1));
+    QCOMPARE(document.treeConflicts(room.path).size(), std::size_t(1));
     check(document.save(room.path));
     QVERIFY(room.treeText(1) == theirs);
   }
@@ -166,11 +165,11 @@ class OwnTreesTest : public QObject {
     brave.behavior.type = brave.behavior.type == sim2d::BehaviorType::Curious
                               ? sim2d::BehaviorType::Scared
                               : sim2d::BehaviorType::Curious;
-    QVERIFY(!followedTree(again, brave));
+    QVERIFY(!updatedTree(again, brave));
     pushRoute(again, {ana}, {3});
-    const std::vector<TreeQuestion> questions = again.treeQuestions(room.path);
+    const std::vector<TreeConflict> questions = again.treeConflicts(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
-    QVERIFY(questions[0].why == TreeQuestion::Why::BehaviourChanged);
+    QVERIFY(questions[0].why == TreeConflict::Why::BehaviourChanged);
     QVERIFY(questions[0].mine == theirs);
     check(again.save(room.path));
     QVERIFY(room.treeText(1) == theirs);
@@ -261,7 +260,7 @@ class OwnTreesTest : public QObject {
     }
     ScenarioDocument document;
     document.load(small::scenario());
-    const std::vector<TreeQuestion> questions = document.treeQuestions(room.path);
+    const std::vector<TreeConflict> questions = document.treeConflicts(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
     QCOMPARE(questions[0].name.c_str(), "Ben");
   }
@@ -298,17 +297,17 @@ class OwnTreesTest : public QObject {
     QVERIFY(QFile::setPermissions(file, QFile::WriteOwner));
     ScenarioDocument again;
     again.open(room.path);
-    QVERIFY(again.treeQuestions(room.path).empty());
-    for (const bool isOwn : {false, true}) {
-      if (isOwn) {  // nothing may pass for saved that is not
+    QVERIFY(again.treeConflicts(room.path).empty());
+    for (const bool isCustom : {false, true}) {
+      if (isCustom) {  // nothing may pass for saved that is not
         pushTrees(again, {{again.entities(EntityKind::Human)[0], kOwnTree}},
                   QStringLiteral("Tree"));
       }
       const base::Diagnostics told = again.save(room.path);
       QCOMPARE(told.size(), std::size_t(1));
       QCOMPARE(std::string(told[0].code), std::string("document.tree-unreadable"));
-      QCOMPARE(base::hasErrors(told), isOwn);
-      QCOMPARE(again.isDirty(), isOwn);
+      QCOMPARE(base::hasErrors(told), isCustom);
+      QCOMPARE(again.isDirty(), isCustom);
     }
     QVERIFY(QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner));
     QCOMPARE(room.treeText(1), before);

@@ -4,7 +4,7 @@
 #include "editor/look/Form.h"
 #include "editor/panels/EntityPages.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/FieldBuilder.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 using editor::EntityKind;
@@ -37,7 +37,7 @@ base::ParameterSpec specOf(const char* key, const char* unit, double most, doubl
 
 /// The program's, with a planner that nobody knows.
 sim2d::Registries withDogs() {
-  sim2d::Registries registries = sim2d::programRegistries();
+  sim2d::Registries registries = sim2d::builtinRegistries();
   registries.planners.add(
       "dog", {specOf("tail_wag", "1/s", 8.0, 2.5, "How often its `tail` goes")},
       [](const sim2d::PlannerSetup&) {
@@ -188,7 +188,7 @@ class ParameterRowsTest : public QObject {
     QVERIFY(dog.robot().plannerParameters == Pairs({{"tail_wag", "12"}}));
     dog.page.refresh();
     QVERIFY(!dog.others->isVisible());
-    Q_EMIT dog.wag->defaultWanted();
+    Q_EMIT dog.wag->resetRequested();
     QVERIFY(dog.robot().plannerParameters.empty());
     dog.page.refresh();
     QCOMPARE(dog.wag->value(), 2.5);
@@ -196,7 +196,7 @@ class ParameterRowsTest : public QObject {
 
   /// The same for the pedestrian model of the scenario; another model has other rows.
   void parameter_ofTheModel_isARowOfTheSettings() {
-    sim2d::Registries registries = sim2d::programRegistries();
+    sim2d::Registries registries = sim2d::builtinRegistries();
     registries.models.add("geese", {specOf("wing_span", "m", 3.0, 1.5, "From tip to `tip`")}, {});
     document_.load(oneRobot());
     editor::SettingsPage page(document_, registries);
@@ -262,7 +262,7 @@ class ParameterRowsTest : public QObject {
     document_.undoStack().redo();
     page.refresh();
     QCOMPARE(horizon->value(), 3.25);
-    Q_EMIT horizon->defaultWanted();
+    Q_EMIT horizon->resetRequested();
     page.refresh();
     QVERIFY(given() == before);
     QCOMPARE(horizon->value(), 2.0);

@@ -2,14 +2,14 @@
 #include <QtTest>
 
 #include "SmallScenario.h"
-#include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Fields.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/panels/AgentPictures.h"
 #include "editor/panels/PropertyPanel.h"
-#include "editor/panels/Skins.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/world/World.h"
 
@@ -95,15 +95,15 @@ class PersonPageTest : public QObject {
     const std::optional<std::string> blocks = document_->tree(human(2).key);
     QVERIFY(blocks.has_value());
     select({2});
-    QVERIFY(!isTold(QStringLiteral("of their own")));
+    QVERIFY(!isTold(QStringLiteral("custom tree")));
     for (const int person : {0, 1}) {
       document_->exchangeTree(human(person).key, std::string(kOwnTree));
     }
     select({0, 1, 2});
     QVERIFY(
-        isTold(QStringLiteral("2 people with trees of their own. Behaviour, reaction and "
-                              "goals do not reach their trees.")));
-    click(QStringLiteral("Make the tree anew"));
+        isTold(QStringLiteral("2 people with custom trees. Behaviour, reaction and goals do "
+                              "not affect these trees.")));
+    click(QStringLiteral("Regenerate tree"));
     QVERIFY(!document_->tree(human(0).key));
     QVERIFY(!document_->tree(human(1).key));
     QVERIFY(document_->tree(human(2).key) == blocks);
@@ -112,18 +112,18 @@ class PersonPageTest : public QObject {
   /// A behaviour that a tree of their own does not hear of is told, and mended by a click.
   void behavior_ofWhoHasATree_tellsAndMakesItAnew() {
     select({0});
-    QVERIFY(!isTold(QStringLiteral("A tree of their own")));
+    QVERIFY(!isTold(QStringLiteral("Uses a custom tree")));
     document_->exchangeTree(human(0).key, std::string(kOwnTree));
     panel_->currentPage()->refresh();
-    QVERIFY(isTold(QStringLiteral("A tree of their own")));
-    click(QStringLiteral("Make the tree anew"));
+    QVERIFY(isTold(QStringLiteral("Uses a custom tree")));
+    click(QStringLiteral("Regenerate tree"));
     QVERIFY(!document_->tree(human(0).key));
-    QVERIFY(!isTold(QStringLiteral("A tree of their own")));
+    QVERIFY(!isTold(QStringLiteral("Uses a custom tree")));
     document_->undoStack().undo();
     QVERIFY(document_->tree(human(0).key));
   }
 
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());
@@ -237,10 +237,10 @@ class PersonPageTest : public QObject {
 
   void group_ofTwo_isMadeAndDissolved() {
     select({0, 1});
-    choose(QStringLiteral("Walks with"), QStringLiteral("Each other: a new group"));
+    choose(QStringLiteral("Walks with"), QStringLiteral("Each other (new group)"));
     QCOMPARE(human(0).groupId, std::optional(1));
     QCOMPARE(human(1).groupId, std::optional(1));
-    type<TextField>(QStringLiteral("Called"), QStringLiteral("friends"));
+    type<TextField>(QStringLiteral("Group name"), QStringLiteral("friends"));
     QCOMPARE(document_->scenario().desktop.groups.front().second, std::string("friends"));
     click(QStringLiteral("Dissolve"));
     QCOMPARE(human(0).groupId, std::optional(-1));
@@ -285,7 +285,7 @@ class PersonPageTest : public QObject {
     row("Speed", "0.8", "vel: 0.8");
     row("Keeps away", "4.5", "safe_distance: 4.5");
     row("Robot", "17", "other_force_factor: 17.0");
-    row("Comes at", "12", "start_time: 12.0");
+    row("Enters at", "12", "start_time: 12.0");
     row("Mass", "71", "mass: 71.0");
     row("Number", "88", "id: 88");
     row("Waits", "1, 2.5", "wait:\n        - 1.0\n        - 2.5");

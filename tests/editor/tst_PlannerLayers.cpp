@@ -8,14 +8,14 @@
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapLegend.h"
-#include "editor/canvas/PlannerPainter.h"
-#include "editor/panels/RunEvents.h"
-#include "editor/panels/RunLayers.h"
+#include "editor/canvas/RobotPainters.h"
+#include "editor/panels/EventsPanel.h"
+#include "editor/panels/RunOverlayUpdater.h"
 #include "editor/run/SimulationRunner.h"
 
 using editor::CanvasOptions;
 using editor::Vec2;
-using Way = sim2d::RobotSenses::Way;
+using Way = sim2d::RobotTelemetry::Candidate;
 
 namespace {
 
@@ -31,8 +31,8 @@ sim2d::CostGridPtr fourCells() {
   return grid;
 }
 
-sim2d::RobotSenses withPrices() {
-  sim2d::RobotSenses senses;
+sim2d::RobotTelemetry withPrices() {
+  sim2d::RobotTelemetry senses;
   senses.believed = {{6.0, 4.5}, 0.0};
   senses.controller = "FollowPath";
   senses.ways = {{{{6.0, 4.5}, {9.0, 4.5}}, 3.0, true, {{"PathDist", 2.0}, {"GoalDist", 1.0}}},
@@ -52,14 +52,14 @@ class PlannerLayersTest : public QObject, private CanvasTester {
   Q_OBJECT
 
  private:
-  void showSenses(const sim2d::RobotSenses& senses) {
+  void showSenses(const sim2d::RobotTelemetry& senses) {
     start(small::scenario());
     auto frame = std::make_shared<sim2d::Frame>();
     frame->step = 20;
     frame->time = 1.0;
     frame->robots.add(-1, {{6.0, 4.5}, 0.0}, {0.0, 0.0}, 0.0, sim2d::kNoGoal);
     frame->robotPaths.resize(1);
-    frame->senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1, senses);
+    frame->senses = std::make_shared<const std::vector<sim2d::RobotTelemetry>>(1, senses);
     frame->doorOpen = {1};
     scene_.showFrame(frame);
   }
@@ -95,14 +95,14 @@ class PlannerLayersTest : public QObject, private CanvasTester {
       ways.push_back({{}, 10.0 + k, false});
     }
     ways.push_back({{}, kNever, false});
-    const editor::PriceScale scale = editor::priceScaleOf(ways);
+    const editor::CostScale scale = editor::costScaleOf(ways);
     QCOMPARE(scale.low, 10.0);
     QCOMPARE(scale.high, 19.0);  // nine in ten
     QCOMPARE(scale.open, std::size_t{11});
     QCOMPARE(scale.refused, std::size_t{1});
-    QCOMPARE(editor::priceShare(scale, 14.5), 0.5);
-    QCOMPARE(editor::priceShare(scale, 1000.0), 1.0);
-    QCOMPARE(editor::priceShare(editor::priceScaleOf({}), 3.0), 0.0);
+    QCOMPARE(editor::costShare(scale, 14.5), 0.5);
+    QCOMPARE(editor::costShare(scale, 1000.0), 1.0);
+    QCOMPARE(editor::costShare(editor::costScaleOf({}), 3.0), 0.0);
   }
 
   void arc_isOfTheCircleThatTouchesTheHeading() {
@@ -122,7 +122,7 @@ class PlannerLayersTest : public QObject, private CanvasTester {
   }
   void costs_onTheMap_haveTheirColours() {
     QFETCH(bool, isDark);
-    sim2d::RobotSenses senses;
+    sim2d::RobotTelemetry senses;
     senses.localCosts = fourCells();
     showSenses(senses);
     const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
@@ -140,7 +140,7 @@ class PlannerLayersTest : public QObject, private CanvasTester {
   }
 
   void costs_ofBoth_theLocalOnesTakeTheirPlace() {
-    sim2d::RobotSenses senses;
+    sim2d::RobotTelemetry senses;
     senses.localCosts = fourCells();
     auto global = std::make_shared<sim2d::CostGrid>(*fourCells());
     global->columns = 4;
@@ -154,7 +154,7 @@ class PlannerLayersTest : public QObject, private CanvasTester {
   }
 
   void ways_onTheMap_areBlueOrOrangeByTheirPrice() {
-    sim2d::RobotSenses senses = withPrices();
+    sim2d::RobotTelemetry senses = withPrices();
     senses.ways[0].cost = 3.0;
     senses.ways.push_back({{{6.0, 4.5}, {8.0, 7.0}}, 3.1, false, {{"PathDist", 3.1}}});
     showSenses(senses);
@@ -183,12 +183,12 @@ class PlannerLayersTest : public QObject, private CanvasTester {
     showSenses(withPrices());
     shot({&CanvasOptions::candidates});
     const editor::LegendPart part = partCalled(QStringLiteral("FollowPath"));
-    QStringList words;
+    QStringList label;
     for (const editor::LegendRow& row : part.rows) {
-      words << row.words + QLatin1Char('=') + row.value;
+      label << row.label + QLatin1Char('=') + row.value;
     }
-    QCOMPARE(words.join(QLatin1Char(' ')),
-             QStringLiteral("= 3.00=≥ 5.00 Refused=1 Chosen=3.00 PathDist=2.00 GoalDist=1.00"));
+    QCOMPARE(label.join(QLatin1Char(' ')),
+             QStringLiteral("= 3.00=≥ 5.00 Rejected=1 Chosen=3.00 PathDist=2.00 GoalDist=1.00"));
   }
 
   void legend_withoutCosts_saysSo() {
@@ -211,7 +211,7 @@ class PlannerLayersTest : public QObject, private CanvasTester {
     editor::SimulationRunner runner;
     runner.setRequest([this] { return editor::runRequestOf(document_); });
     editor::RunEvents events(document_, runner);
-    editor::RunLayers layers(runner, events, view_);
+    editor::RunOverlayUpdater layers(runner, events, view_);
     shot({});
     for (int step = 0; step < 10; ++step) {
       runner.stepOnce();

@@ -2,7 +2,7 @@
 #include <QtTest>
 
 #include "editor/document/EditCommands.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/PropertyPanel.h"
 #include "editor/panels/RouteEditor.h"
 
@@ -106,7 +106,7 @@ class PropertyPanelTest : public QObject {
     if (heading == nullptr) {
       QFAIL("no heading");
     }
-    QCOMPARE(heading->shownWords(), QStringLiteral("Ana"));
+    QCOMPARE(heading->visibleText(), QStringLiteral("Ana"));
     const QString name =
         QStringLiteral("Ana ") + QString(200, QLatin1Char('n')) + QStringLiteral(" Z");
     editor::pushChange<sim2d::Human>(
@@ -115,19 +115,19 @@ class PropertyPanelTest : public QObject {
     QCoreApplication::processEvents();
     QCOMPARE(panel_->width(), 320);
     QCOMPARE(heading->toolTip(), name);
-    const QString shown = heading->shownWords();
+    const QString shown = heading->visibleText();
     QVERIFY2(shown.contains(QChar(0x2026)) && shown.startsWith(QStringLiteral("Ana")) &&
                  shown.endsWith(QLatin1Char('Z')),
              qPrintable(shown));
     QVERIFY(heading->fontMetrics().horizontalAdvance(shown) <= heading->width());
     panel_->resize(2400, 700);
     QCoreApplication::processEvents();
-    QVERIFY(heading->shownWords().size() > shown.size());
+    QVERIFY(heading->visibleText().size() > shown.size());
   }
 
   /// The panel does not scroll sideways: what is wider than it would be cut at the right.
   void pages_atTheUsualWidth_areNotCut() {
-    editor::dressApplication(editor::Theme::light());
+    editor::applyTheme(editor::Theme::light());
     for (const base::EntityKind kind : {base::EntityKind::Scenario, base::EntityKind::Human}) {
       document_->setSelection(kind == base::EntityKind::Human ? std::vector<EntityId>{key(0)}
                                                               : std::vector<EntityId>());
@@ -191,7 +191,8 @@ class PropertyPanelTest : public QObject {
     const auto later = [this] {
       const QList<QLabel*> labels = panel_->findChildren<QLabel*>();
       return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-        return label->isVisible() && label->text().startsWith(QStringLiteral("Changes count"));
+        return label->isVisible() &&
+               label->text().startsWith(QStringLiteral("Changes take effect"));
       });
     };
     const auto frame = std::make_shared<const sim2d::Frame>();
@@ -394,7 +395,7 @@ class PropertyPanelTest : public QObject {
       words << label->text();
     }
     QVERIFY(words.contains(QStringLiteral("2 people")));
-    QVERIFY(words.contains(QStringLiteral("Changes go to these, not to 1 other")));
+    QVERIFY(words.contains(QStringLiteral("Changes apply to these, not to 1 other")));
   }
 };
 

@@ -7,8 +7,8 @@
 
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Groups.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/PeopleEdits.h"
 #include "editor/document/PersonTree.h"
 #include "editor/tools/SelectionActions.h"
 #include "sim2d/base/Text.h"
@@ -204,11 +204,11 @@ class RandomUser {
         pushGroup(document_, {first, second});
         return;
       case 1:
-        return pushJoin(document_, {second}, number);
+        return pushJoinGroup(document_, {second}, number);
       case 2:
         return pushGroupName(document_, number, "group " + std::to_string(whole(1, 9)));
       default:
-        return pushDissolve(document_, number);
+        return pushDissolveGroup(document_, number);
     }
   }
 
@@ -231,7 +231,7 @@ class RandomUser {
     std::vector<Entity> values;
     const double heading = number();
     for (const EntityId id : some()) {
-      values.push_back(turned(*document_.entity(id), heading));
+      values.push_back(withHeading(*document_.entity(id), heading));
     }
     pushEdit(document_, std::move(values), QStringLiteral("Turn"));
   }

@@ -8,12 +8,12 @@
 
 #include "app/run/ProgramRegistries.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/panels/AgentPictures.h"
 #include "editor/panels/EntityPages.h"
-#include "editor/panels/RobotPicture.h"
 #include "sim2d/nav/RobotTypes.h"
-#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/FieldBuilder.h"
 
 using editor::ChoiceField;
 using editor::EntityKind;
@@ -131,14 +131,14 @@ class RobotPageTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void cleanup() { page_.reset(); }
 
   void parameters_ofThePlanner_areAFoldBelowStartAndGoal() {
     show(twoRobots());
     FormSection* fold = section(QStringLiteral("Parameters"));
     QVERIFY(fold != nullptr && !fold->isOpen());
-    const sim2d::Registries registries = sim2d::programRegistries();
+    const sim2d::Registries registries = sim2d::builtinRegistries();
     const std::string first = registries.planners.find("social_mppi")->parameters.front().key;
     NumberField* row = number(("social_mppi." + first).c_str());
     QVERIFY(row != nullptr && !row->isVisible());
@@ -210,7 +210,7 @@ class RobotPageTest : public QObject {
     }
     QCOMPARE(words.filter(QStringLiteral("pursuit")),
              QStringList(QStringLiteral("pursuit (default)")));
-    QCOMPARE(words.size(), int(app::programRegistries().planners.names().size()));
+    QCOMPARE(words.size(), int(app::builtinRegistries().planners.names().size()));
     QCOMPARE(box->currentText(), QStringLiteral("social_mppi"));
     choose(box, QStringLiteral("pursuit (default)"));
     QVERIFY(!robot().planner);
@@ -224,7 +224,7 @@ class RobotPageTest : public QObject {
     show(twoRobots());
     const auto* help = page_->findChild<QLabel*>(QStringLiteral("planner_help"));
     QVERIFY(help->isVisible());
-    const sim2d::Registries registries = sim2d::programRegistries();
+    const sim2d::Registries registries = sim2d::builtinRegistries();
     for (const auto& planner : registries.planners.entries()) {
       QVERIFY2(!planner.help.empty(), planner.name.c_str());
       choose(
@@ -284,10 +284,10 @@ class RobotPageTest : public QObject {
     auto& keys = std::get<sim2d::Fields<sim2d::Robot>>(tables);
     keys.push_back(sim2d::field("sonar_range", &sim2d::Robot::mass, "How far it hears",
                                 {"Range", 1, 0.5}, "m", {0.0, 50.0})
-                       .orElse(4.0)
+                       .defaultsTo(4.0)
                        .inGroup("Sonar"));
     keys.push_back(sim2d::field("sonar_rate", &sim2d::Robot::maxAlpha, "How often", {"Rate"}, "1/s")
-                       .orElse(8.0)
+                       .defaultsTo(8.0)
                        .inGroup("Sonar"));
     show(twoRobots(), tables);
     FormSection* fold = section(QStringLiteral("Sonar"));

@@ -99,7 +99,7 @@ class RunHistoryTest : public QObject {
 
   void seek_diskTakesNothing_endsAtTheOldestStateKept() {
     SimulationRunner runner;
-    QSignalSpy cut(&runner, &SimulationRunner::historyCut);
+    QSignalSpy cut(&runner, &SimulationRunner::historyTruncated);
     runWithoutDisk(runner);
     QCOMPARE(cut.count(), 1);
     const auto problems = cut.front().front().value<base::Diagnostics>();

@@ -149,7 +149,7 @@ class RunOverlaysTest : public QObject, private CanvasTester {
     QVERIFY(markedAt(image, {3.0, 5.3}) > 60);
     QVERIFY(markedAt(image, {3.0, 5.3}) > markedAt(image, {3.0, 5.9}) + 20);
     QCOMPARE(markedAt(image, {6.8, 7.5}), 0);
-    QCOMPARE(scene_.overlays().densityMost(), 0.5);
+    QCOMPARE(scene_.overlays().densityScaleMax(), 0.5);
   }
 
   /// From (3, 4.5) the wall at x = 5 hides a trapezoid of half height 0.25 (x - 3) behind it.
@@ -274,7 +274,7 @@ class RunOverlaysTest : public QObject, private CanvasTester {
       return count;
     };
     const int before = dots();
-    scene_.frameLayer().hear({heard}, 0.8);
+    scene_.frameLayer().addSpeech({heard}, 0.8);
     scene_.update();
     const int now = dots();
     QVERIFY2(now > before + 5, qPrintable(QStringLiteral("%1 %2").arg(before).arg(now)));
@@ -312,7 +312,7 @@ class RunOverlaysTest : public QObject, private CanvasTester {
         {&CanvasOptions::gaussian, QStringLiteral("Spaces")},
         {&CanvasOptions::sight, QStringLiteral("Field of view")},
         {&CanvasOptions::density, QStringLiteral("People per m²")},
-        {&CanvasOptions::plans, QStringLiteral("Ways of people")},
+        {&CanvasOptions::plans, QStringLiteral("People's paths")},
         {&CanvasOptions::contacts, QStringLiteral("Contacts so far")},
         {&CanvasOptions::thoughts, QStringLiteral("Below names")}};
     for (const auto& [option, title] : overlays) {
@@ -340,8 +340,8 @@ class RunOverlaysTest : public QObject, private CanvasTester {
     QVERIFY(part.rows.back().value.endsWith(QStringLiteral("m/s²")));
     showTwo();  // without forces
     turnOn(&CanvasOptions::forces);
-    QCOMPARE(editor::legendOf(scene_, 50.0).front().rows.front().words,
-             QStringLiteral("not in this record"));
+    QCOMPARE(editor::legendOf(scene_, 50.0).front().rows.front().label,
+             QStringLiteral("not recorded"));
   }
 };
 

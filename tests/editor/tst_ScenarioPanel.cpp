@@ -6,8 +6,8 @@
 #include "Drops.h"
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Groups.h"
-#include "editor/look/HouseStyle.h"
+#include "editor/document/PeopleEdits.h"
+#include "editor/look/AppStyle.h"
 #include "editor/panels/ScenarioPanel.h"
 
 using editor::EntityId;
@@ -36,7 +36,7 @@ class ScenarioPanelTest : public QObject {
     return result;
   }
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());
@@ -72,11 +72,11 @@ class ScenarioPanelTest : public QObject {
   }
 
   void filter_thatFindsNothing_saysSoAndIsClearedByALink() {
-    const auto* nothing = panel_->findChild<editor::NothingFound*>();
+    const auto* nothing = panel_->findChild<editor::NoMatchesPlaceholder*>();
     QVERIFY(!nothing->isVisible() && panel_->tree().isVisible());
     panel_->filter().setText(QStringLiteral("zzz"));
     QVERIFY(nothing->isVisible() && !panel_->tree().isVisible());
-    QCOMPARE(nothing->findChild<QLabel*>()->text(), QStringLiteral("Nothing matches 'zzz'"));
+    QCOMPARE(nothing->findChild<QLabel*>()->text(), QStringLiteral("No matches for 'zzz'"));
     nothing->findChild<QToolButton*>()->click();
     QVERIFY(panel_->filter().text().isEmpty());
     QVERIFY(!nothing->isVisible() && panel_->tree().isVisible());
@@ -86,9 +86,9 @@ class ScenarioPanelTest : public QObject {
     const EntityId curious = document_->scenario().humans[2].key;
     panel_->filter().setText(QStringLiteral("curious"));
     pushRemove(*document_, {curious});
-    QVERIFY(panel_->findChild<editor::NothingFound*>()->isVisible());
+    QVERIFY(panel_->findChild<editor::NoMatchesPlaceholder*>()->isVisible());
     document_->undoStack().undo();
-    QVERIFY(!panel_->findChild<editor::NothingFound*>()->isVisible());
+    QVERIFY(!panel_->findChild<editor::NoMatchesPlaceholder*>()->isVisible());
     QVERIFY(panel_->tree().isExpanded(rowOf(curious).parent()));
   }
 
@@ -210,7 +210,7 @@ class ScenarioPanelTest : public QObject {
   void eye_clicked_switchesOffAndOn() {
     const EntityId ben{EntityKind::Human, 2};
     QTreeView& tree = panel_->tree();
-    const auto eye = [&] { return ScenarioPanel::eyeOf(placeOf(ben)).center(); };
+    const auto eye = [&] { return ScenarioPanel::eyeRect(placeOf(ben)).center(); };
     QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye());
     QCOMPARE(names().back(), std::string("Ben"));  // behind the others, as in the file
     QVERIFY(!scenario().humans.back().listed);
@@ -228,9 +228,9 @@ class ScenarioPanelTest : public QObject {
     QCOMPARE(editor::groupsOf(scenario()).at(group), both);
     editor::pushGroupName(*document_, group, "family");
     QCOMPARE(editor::groupName(scenario(), group), QStringLiteral("family"));
-    editor::pushJoin(*document_, {both[0]}, -1);
+    editor::pushJoinGroup(*document_, {both[0]}, -1);
     QCOMPARE(editor::groupsOf(scenario()).at(group).size(), std::size_t(1));
-    editor::pushDissolve(*document_, group);
+    editor::pushDissolveGroup(*document_, group);
     QVERIFY(editor::groupsOf(scenario()).empty());
     QVERIFY(scenario().desktop.groups.empty());
     while (document_->undoStack().canUndo()) {

@@ -7,8 +7,8 @@
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapLegend.h"
-#include "editor/canvas/Overlays.h"
-#include "editor/canvas/SensePainter.h"
+#include "editor/canvas/RobotPainters.h"
+#include "editor/canvas/ViewOverlays.h"
 #include "editor/run/SimulationRunner.h"
 
 using editor::CanvasOptions;
@@ -20,24 +20,24 @@ namespace {
 constexpr double kHuge = std::numeric_limits<double>::infinity();
 
 /// One robot at (6, 4.5) that looks to the right, alone with what it perceives.
-std::shared_ptr<sim2d::Frame> frameWith(const sim2d::RobotSenses& senses) {
+std::shared_ptr<sim2d::Frame> frameWith(const sim2d::RobotTelemetry& senses) {
   auto frame = std::make_shared<sim2d::Frame>();
   frame->step = 20;
   frame->time = 1.0;
   frame->robots.add(-1, {{6.0, 4.5}, 0.0}, {0.0, 0.0}, 0.0, sim2d::kNoGoal);
   frame->robotPaths.resize(1);
-  frame->senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1, senses);
+  frame->senses = std::make_shared<const std::vector<sim2d::RobotTelemetry>>(1, senses);
   frame->doorOpen = {1};
   return frame;
 }
 
-sim2d::RobotSenses withScan() {
-  sim2d::RobotSenses senses;
+sim2d::RobotTelemetry withScan() {
+  sim2d::RobotTelemetry senses;
   senses.believed = {{6.0, 4.5}, 0.0};
-  sim2d::RobotSenses::Scan scan;
+  sim2d::RobotTelemetry::Scan scan;
   scan.sensor = {{6.0, 4.5}, 0.5 * base::kPi};
   scan.angleMin = -0.5 * base::kPi;  // to the right on the map
-  scan.perBeam = 0.5 * base::kPi;
+  scan.angleIncrement = 0.5 * base::kPi;
   scan.range = 3.0;
   scan.distances = {2.0, 1.5, 3.0};  // the last one hits nothing
   senses.scan = scan;
@@ -88,7 +88,7 @@ class SensesOnMapTest : public QObject, private CanvasTester {
     }
     return false;
   }
-  void showSenses(const sim2d::RobotSenses& senses) {
+  void showSenses(const sim2d::RobotTelemetry& senses) {
     start(small::scenario());
     scene_.showFrame(frameWith(senses));
   }
@@ -97,42 +97,42 @@ class SensesOnMapTest : public QObject, private CanvasTester {
   void cleanup() { scene_.showFrame(nullptr); }
 
   void endOfABeam_isAlongItsAngle() {
-    const sim2d::RobotSenses::Scan scan = *withScan().scan;
-    QVERIFY(isNear(editor::endOf(scan, 0), {8.0, 4.5}, 1e-9));
-    QVERIFY(isNear(editor::endOf(scan, 1), {6.0, 6.0}, 1e-9));
-    QVERIFY(isNear(editor::endOf(scan, 2), {3.0, 4.5}, 1e-9));
-    QVERIFY(editor::isHit(scan, 0) && !editor::isHit(scan, 2));
+    const sim2d::RobotTelemetry::Scan scan = *withScan().scan;
+    QVERIFY(isNear(editor::beamEnd(scan, 0), {8.0, 4.5}, 1e-9));
+    QVERIFY(isNear(editor::beamEnd(scan, 1), {6.0, 6.0}, 1e-9));
+    QVERIFY(isNear(editor::beamEnd(scan, 2), {3.0, 4.5}, 1e-9));
+    QVERIFY(editor::isBeamHit(scan, 0) && !editor::isBeamHit(scan, 2));
   }
 
   void dearness_goesFromTheBestToTheWorstThatHitsNothing() {
-    std::vector<sim2d::RobotSenses::Way> ways(5);
+    std::vector<sim2d::RobotTelemetry::Candidate> ways(5);
     const double costs[] = {7.0, kHuge, 1.0, 1000.0, 2.0};
     for (std::size_t i = 0; i < ways.size(); ++i) {
       ways[i].cost = costs[i];
     }
-    const std::vector<double> dear = editor::dearnessOf(ways);
+    const std::vector<double> dear = editor::relativeCosts(ways);
     const double expected[] = {2.0 / 3.0, 1.0, 0.0, 1.0, 1.0 / 3.0};
     for (std::size_t i = 0; i < dear.size(); ++i) {
       QVERIFY(std::abs(dear[i] - expected[i]) < 1e-12);
     }
-    QVERIFY(editor::dearnessOf({}).empty());
-    QCOMPARE(editor::dearnessOf({ways[0]}), std::vector<double>{0.0});
+    QVERIFY(editor::relativeCosts({}).empty());
+    QCOMPARE(editor::relativeCosts({ways[0]}), std::vector<double>{0.0});
   }
 
   /// 1 m/s ahead and 1 rad/s: a state of 0.05 s before is 0.05 m back and turned 0.05 rad less.
   void believed_oneStepOlder_isNotElsewhere() {
-    sim2d::RobotSenses senses = withScan();
+    sim2d::RobotTelemetry senses = withScan();
     auto frame = frameWith(senses);
     frame->robots.vx[0] = 1.0;
     frame->robots.omega[0] = 1.0;
     senses.believed = {{5.95, 4.5}, -0.05};
-    frame->senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1, senses);
-    QVERIFY(!editor::believedElsewhere(*frame, 0));
+    frame->senses = std::make_shared<const std::vector<sim2d::RobotTelemetry>>(1, senses);
+    QVERIFY(!editor::divergentPoseEstimate(*frame, 0));
     senses.believed = {{5.95, 4.9}, -0.05};
-    frame->senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1, senses);
-    QVERIFY(editor::believedElsewhere(*frame, 0).has_value());
-    frame->senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1);  // it stands
-    QVERIFY(!editor::believedElsewhere(*frame, 0));
+    frame->senses = std::make_shared<const std::vector<sim2d::RobotTelemetry>>(1, senses);
+    QVERIFY(editor::divergentPoseEstimate(*frame, 0).has_value());
+    frame->senses = std::make_shared<const std::vector<sim2d::RobotTelemetry>>(1);  // it stands
+    QVERIFY(!editor::divergentPoseEstimate(*frame, 0));
   }
 
   void options_atFirst_areCalm() {
@@ -154,7 +154,7 @@ class SensesOnMapTest : public QObject, private CanvasTester {
   }
 
   void detections_onTheMap_areRingsAndTheBelievedPlaceAGhost() {
-    sim2d::RobotSenses senses = withScan();
+    sim2d::RobotTelemetry senses = withScan();
     senses.believed = {{4.5, 3.0}, 0.0};
     senses.bodies = {{7, false, {9.0, 6.0}, {0.0, 0.0}, 0.35}};
     showSenses(senses);
@@ -171,7 +171,7 @@ class SensesOnMapTest : public QObject, private CanvasTester {
   }
 
   void candidates_onTheMap_theChosenIsTheStrongest() {
-    sim2d::RobotSenses senses = withScan();
+    sim2d::RobotTelemetry senses = withScan();
     senses.ways = {{{{6.0, 4.5}, {9.0, 4.5}}, 1.0, true},
                    {{{6.0, 4.5}, {9.0, 6.5}}, 2.0, false},
                    {{{6.0, 4.5}, {9.0, 2.5}}, kHuge, false}};
@@ -187,7 +187,7 @@ class SensesOnMapTest : public QObject, private CanvasTester {
   }
 
   void legend_ofTheSelectedRobot_hasWhatIsShown() {
-    sim2d::RobotSenses senses = withScan();
+    sim2d::RobotTelemetry senses = withScan();
     showSenses(senses);
     shot(&CanvasOptions::lidar, true);
     const int alone = view_.viewport()->width();
@@ -204,7 +204,7 @@ class SensesOnMapTest : public QObject, private CanvasTester {
   }
 
   void legend_withDetections_standsBesideTheMap() {
-    sim2d::RobotSenses senses = withScan();
+    sim2d::RobotTelemetry senses = withScan();
     senses.bodies.resize(1);
     showSenses(senses);
     shot(&CanvasOptions::detections, true);

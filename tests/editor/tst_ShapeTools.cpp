@@ -4,7 +4,7 @@
 #include "CanvasTester.h"
 #include "editor/document/EditCommands.h"
 #include "editor/run/SimulationRunner.h"
-#include "editor/tools/ToolOptionsBar.h"
+#include "editor/tools/ToolManager.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/world/World.h"
 

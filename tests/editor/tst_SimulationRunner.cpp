@@ -39,7 +39,7 @@ base::Result<std::unique_ptr<sim2d::World>> makeWorld() {
   return sim2d::World::create(std::move(setup));
 }
 
-using Guests = std::vector<app::Session::Guest>;
+using ObserverFactory = std::vector<app::Session::Observer>;
 
 RunRequest request(std::int64_t steps) {
   RunRequest result;
@@ -115,11 +115,13 @@ class SimulationRunnerTest : public QObject {
     });
     std::vector<std::int64_t> seen;
     std::weak_ptr<int> memory;
-    runner.setGuests([&](app::Session& /*session*/, sim2d::World& /*world*/, const auto& /*made*/) {
-      const auto held = std::make_shared<int>(1);
-      memory = held;
-      return Guests{{[&seen, held](const sim2d::Frame& frame) { seen.push_back(frame.step); }, {}}};
-    });
+    runner.setObserverFactory(
+        [&](app::Session& /*session*/, sim2d::World& /*world*/, const auto& /*made*/) {
+          const auto held = std::make_shared<int>(1);
+          memory = held;
+          return ObserverFactory{
+              {[&seen, held](const sim2d::Frame& frame) { seen.push_back(frame.step); }, {}}};
+        });
     QSignalSpy finished(&runner, &SimulationRunner::finished);
     connect(&runner, &SimulationRunner::finished, this, [&] { QVERIFY(memory.expired()); });
     runner.setSpeed(std::numeric_limits<double>::infinity());
@@ -130,9 +132,9 @@ class SimulationRunnerTest : public QObject {
     QCOMPARE(seen, expected);
     seen.clear();
     runner.seek(15);
-    runner.goOnFromShown();
+    runner.branchFromShown();
     QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == 15);
-    runner.setGuests({});  // of the runs after this one
+    runner.setObserverFactory({});  // of the runs after this one
     runner.play();
     QTRY_COMPARE(finished.count(), 2);
     QCOMPARE(seen, expected);
@@ -143,17 +145,18 @@ class SimulationRunnerTest : public QObject {
     SimulationRunner runner;
     runner.setRequest([] { return request(40); });
     std::atomic<bool> isWanted{false};
-    runner.setGuests([&](app::Session& /*session*/, sim2d::World& world, const auto& /*made*/) {
-      const int id = world.frame().humans.id.front();
-      return Guests{{[](const sim2d::Frame& /*frame*/) {},
-                     [&isWanted, id](const sim2d::Frame& /*frame*/) {
-                       sim2d::Input push;
-                       push.kind = sim2d::InputKind::Push;
-                       push.id = id;
-                       push.velocity = {0.3, 0.2};
-                       return isWanted ? sim2d::StepInputs{push} : sim2d::StepInputs{};
-                     }}};
-    });
+    runner.setObserverFactory(
+        [&](app::Session& /*session*/, sim2d::World& world, const auto& /*made*/) {
+          const int id = world.frame().humans.id.front();
+          return ObserverFactory{{[](const sim2d::Frame& /*frame*/) {},
+                                  [&isWanted, id](const sim2d::Frame& /*frame*/) {
+                                    sim2d::Input push;
+                                    push.kind = sim2d::InputKind::Push;
+                                    push.id = id;
+                                    push.velocity = {0.3, 0.2};
+                                    return isWanted ? sim2d::StepInputs{push} : sim2d::StepInputs{};
+                                  }}};
+        });
     for (std::int64_t step = 1; step < 4; ++step) {
       runner.stepOnce();
       QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == step);
@@ -168,18 +171,19 @@ class SimulationRunnerTest : public QObject {
     SimulationRunner runner;
     runner.setRequest([] { return request(400); });
     std::atomic<app::Session*> session{nullptr};
-    runner.setGuests([&](app::Session& its, sim2d::World& /*world*/, const auto& /*made*/) {
-      return Guests{{[&](const sim2d::Frame& frame) {
-                       if (frame.step == 5) {
-                         its.setPaused(true);
-                         its.setSpeed(64.0);
-                         session = &its;
-                       }
-                     },
-                     {}}};
-    });
+    runner.setObserverFactory(
+        [&](app::Session& its, sim2d::World& /*world*/, const auto& /*made*/) {
+          return ObserverFactory{{[&](const sim2d::Frame& frame) {
+                                    if (frame.step == 5) {
+                                      its.setPaused(true);
+                                      its.setSpeed(64.0);
+                                      session = &its;
+                                    }
+                                  },
+                                  {}}};
+        });
     QSignalSpy finished(&runner, &SimulationRunner::finished);
-    QSignalSpy ordered(&runner, &SimulationRunner::speedOrdered);
+    QSignalSpy ordered(&runner, &SimulationRunner::speedRequested);
     runner.setSpeed(std::numeric_limits<double>::infinity());
     runner.play();
     QTRY_COMPARE(runner.state(), SimulationRunner::State::Paused);
@@ -218,12 +222,12 @@ class SimulationRunnerTest : public QObject {
     });
     runner.play();
     QTRY_COMPARE(finished.count(), 1);
-    QVERIFY(!runner.canGoOnFromShown());  // the end is no past
+    QVERIFY(!runner.canBranchFromShown());  // the end is no past
     const editor::RecordingPtr first = runner.recording();
     QVERIFY(first->inputs().size() > 10);
     runner.seek(20);
-    QVERIFY(runner.canGoOnFromShown());
-    runner.goOnFromShown();
+    QVERIFY(runner.canBranchFromShown());
+    runner.branchFromShown();
     QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == 20);
     QTest::qWait(50);
     QCOMPARE(runner.newestFrame()->step, std::int64_t{20});

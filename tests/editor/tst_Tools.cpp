@@ -188,10 +188,10 @@ class ToolsTest : public QObject, private CanvasTester {
     use("Route");
     click(Vec2(6.0, 8.0));
     QCOMPARE(tool("Route")->statusText(),
-             QStringLiteral("Nobody is selected: click a person or robot first"));
+             QStringLiteral("Nothing is selected: click a person or robot first"));
     click(Vec2(3.2, 3.8));
     click(Vec2(6.0, 8.0));
-    QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("There is no goal here")));
+    QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("No goal here")));
     key(Qt::Key_Backspace);
     QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("Click the goals")));
     click(Vec2(6.0, 8.0));
@@ -202,7 +202,7 @@ class ToolsTest : public QObject, private CanvasTester {
     QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("Route 3")));
     click(Vec2(10.0, 1.5));
     QCOMPARE(tool("Route")->statusText(),
-             QStringLiteral("Goal 3 is the last of the route already"));
+             QStringLiteral("Goal 3 is already the last goal of the route"));
     key(Qt::Key_Return);
     QVERIFY((document_.human(person(5))->goals == std::vector<int>{3}));
   }

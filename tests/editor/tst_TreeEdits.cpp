@@ -3,8 +3,8 @@
 #include "bt/tree/TreeXml.h"
 #include "editor/trees/TreeEdits.h"
 
-using editor::MaybePlace;
-using editor::TreePlace;
+using editor::NodeLocation;
+using editor::OptionalLocation;
 
 /// Edits of trees as values.
 class TreeEditsTest : public QObject {
@@ -32,14 +32,15 @@ class TreeEditsTest : public QObject {
                : QStringLiteral("%1(%2)").arg(label, children.join(QLatin1Char(' ')));
   }
   static QString shortOf(const bt::TreeFile& file) { return shortOf(file.trees.front().root); }
-  static TreePlace at(const bt::NodePath& path) { return {"Main", path}; }
-  static bt::NodeSpec node(const char* id) { return editor::freshNode(id); }
+  static NodeLocation at(const bt::NodePath& path) { return {"Main", path}; }
+  static bt::NodeSpec node(const char* id) { return editor::defaultNode(id); }
 
  private Q_SLOTS:
   void add_atAPlace_countsFromWhatIsThere() {
     bt::TreeFile file = plain();
-    QCOMPARE(editor::addNode(file, at({0}), 1, node("AlwaysSuccess")), MaybePlace(at({0, 1})));
-    QCOMPARE(editor::addNode(file, at({}), 99, node("Inverter")), MaybePlace(at({2})));
+    QCOMPARE(editor::addNode(file, at({0}), 1, node("AlwaysSuccess")),
+             OptionalLocation(at({0, 1})));
+    QCOMPARE(editor::addNode(file, at({}), 99, node("Inverter")), OptionalLocation(at({2})));
     QCOMPARE(shortOf(file), QStringLiteral("Fallback(Sequence(AlwaysFailure AlwaysSuccess "
                                            "RunOnce(AlwaysSuccess)) StopMovement Inverter)"));
     const bt::TreeFile before = file;
@@ -52,8 +53,8 @@ class TreeEditsTest : public QObject {
 
   void remove_choosesWhatIsLeftBesideIt() {
     bt::TreeFile file = plain();
-    QCOMPARE(editor::removeNode(file, at({1})), MaybePlace(at({0})));
-    QCOMPARE(editor::removeNode(file, at({0})), MaybePlace(at({})));
+    QCOMPARE(editor::removeNode(file, at({1})), OptionalLocation(at({0})));
+    QCOMPARE(editor::removeNode(file, at({0})), OptionalLocation(at({})));
     QCOMPARE(shortOf(file), QStringLiteral("Fallback"));
     QVERIFY(!editor::removeNode(file, at({})));
   }
@@ -84,8 +85,8 @@ class TreeEditsTest : public QObject {
     QFETCH(QString, becomes);
     bt::TreeFile file = plain();
     const bt::NodeSpec moved = *editor::nodeAt(file, at({from.begin(), from.end()}));
-    const MaybePlace to = editor::moveNode(file, at({from.begin(), from.end()}),
-                                           at({parent.begin(), parent.end()}), index);
+    const OptionalLocation to = editor::moveNode(file, at({from.begin(), from.end()}),
+                                                 at({parent.begin(), parent.end()}), index);
     QCOMPARE(to.has_value(), !becomes.isEmpty());
     if (!to) {
       QVERIFY(file == plain());
@@ -102,22 +103,22 @@ class TreeEditsTest : public QObject {
   void wrapAndUnwrap_takeEachOtherBack() {
     bt::TreeFile file = plain();
     for (const bt::NodePath& path : {bt::NodePath{}, bt::NodePath{0, 1}, bt::NodePath{1}}) {
-      QCOMPARE(editor::wrapNode(file, at(path), node("Inverter")), MaybePlace(at(path)));
+      QCOMPARE(editor::wrapNode(file, at(path), node("Inverter")), OptionalLocation(at(path)));
       QVERIFY(file != plain());
-      QCOMPARE(editor::unwrapNode(file, at(path)), MaybePlace(at(path)));
+      QCOMPARE(editor::unwrapNode(file, at(path)), OptionalLocation(at(path)));
       QVERIFY(file == plain());
     }
     QVERIFY(!editor::wrapNode(file, at({1}), node("StopMovement")));  // a leaf holds nothing
     QVERIFY(!editor::unwrapNode(file, at({1})));
     QVERIFY(!editor::unwrapNode(file, at({})));  // two nodes cannot be a root
-    QCOMPARE(editor::unwrapNode(file, at({0})), MaybePlace(at({0})));
+    QCOMPARE(editor::unwrapNode(file, at({0})), OptionalLocation(at({0})));
     QCOMPARE(shortOf(file),
              QStringLiteral("Fallback(AlwaysFailure RunOnce(AlwaysSuccess) StopMovement)"));
   }
 
   void duplicate_standsBehind() {
     bt::TreeFile file = plain();
-    QCOMPARE(editor::duplicateNode(file, at({1})), MaybePlace(at({2})));
+    QCOMPARE(editor::duplicateNode(file, at({1})), OptionalLocation(at({2})));
     QVERIFY(*editor::nodeAt(file, at({2})) == *editor::nodeAt(file, at({1})));
     QVERIFY(!editor::duplicateNode(file, at({})));
     QVERIFY(!editor::duplicateNode(file, at({0, 1, 0})));  // a decorator holds one
@@ -126,20 +127,20 @@ class TreeEditsTest : public QObject {
   void replace_keepsChildrenAndPortsThatItHas() {
     bt::TreeFile file = fileOf(
         "<Sequence name='walk' _uid='3'><IsRobotVisible agent_id='{id}' distance='7'/></Sequence>");
-    QCOMPARE(editor::replaceNode(file, at({}), node("Fallback")), MaybePlace(at({})));
+    QCOMPARE(editor::replaceNode(file, at({}), node("Fallback")), OptionalLocation(at({})));
     QCOMPARE(shortOf(file), QStringLiteral("walk(IsRobotVisible)"));
     QCOMPARE(file.trees[0].root.id, std::string("Fallback"));
     QCOMPARE(file.trees[0].root.others.size(), std::size_t{1});
     QVERIFY(!editor::replaceNode(file, at({}), node("StopMovement")));  // has no room for it
     QVERIFY(editor::replaceNode(file, at({0}), node("StopMovement")));
     const bt::NodeSpec& leaf = *editor::nodeAt(file, at({0}));
-    QCOMPARE(*bt::findText(leaf.ports, "agent_id"), std::string("{id}"));
-    QVERIFY(bt::findText(leaf.ports, "distance") == nullptr);
+    QCOMPARE(*bt::findAttribute(leaf.ports, "agent_id"), std::string("{id}"));
+    QVERIFY(bt::findAttribute(leaf.ports, "distance") == nullptr);
   }
 
   void extractAndInline_takeEachOtherBack() {
     bt::TreeFile file = plain();
-    QCOMPARE(editor::extractTree(file, at({0}), "Say it!"), MaybePlace(at({0})));
+    QCOMPARE(editor::extractTree(file, at({0}), "Say it!"), OptionalLocation(at({0})));
     QCOMPARE(file.trees.size(), std::size_t{2});
     QCOMPARE(file.trees[1].id, std::string("Sayit"));
     QCOMPARE(file.mainTree, std::string("Main"));
@@ -148,7 +149,7 @@ class TreeEditsTest : public QObject {
     bt::TreeFile twice = file;
     QVERIFY(editor::extractTree(twice, at({1}), "Sayit"));
     QCOMPARE(twice.trees[2].id, std::string("Sayit2"));
-    QCOMPARE(editor::inlineTree(file, at({0})), MaybePlace(at({0})));
+    QCOMPARE(editor::inlineTree(file, at({0})), OptionalLocation(at({0})));
     QCOMPARE(file.trees.size(), std::size_t{1});
     QCOMPARE(shortOf(file), shortOf(plain()));
     QVERIFY(!editor::extractTree(file, at({}), "x"));
@@ -196,10 +197,10 @@ class TreeEditsTest : public QObject {
 
   void fresh_hasTheValuesOfANewNode() {
     const bt::NodeSpec fresh = node("IsRobotVisible");
-    QCOMPARE(*bt::findText(fresh.ports, "agent_id"), std::string("{id}"));
+    QCOMPARE(*bt::findAttribute(fresh.ports, "agent_id"), std::string("{id}"));
     QVERIFY(node("no such node").ports.empty());
-    QVERIFY(editor::takesChild(node("no such node")));
-    QVERIFY(!editor::takesChild(node("IsRobotVisible")));
+    QVERIFY(editor::canHaveChildren(node("no such node")));
+    QVERIFY(!editor::canHaveChildren(node("IsRobotVisible")));
   }
 };
 

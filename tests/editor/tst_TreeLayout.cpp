@@ -12,7 +12,7 @@
 using editor::LayoutBox;
 using editor::LayoutNode;
 using editor::TreeDirection;
-using editor::TreePlaces;
+using editor::TreeLayoutResult;
 
 class TreeLayoutTest : public QObject {
   Q_OBJECT
@@ -25,7 +25,7 @@ class TreeLayoutTest : public QObject {
            a.y + a.height > b.y + kSlack && b.y + b.height > a.y + kSlack;
   }
   /// Empty: all is as the header says.
-  static QString problemOf(const std::vector<LayoutNode>& nodes, const TreePlaces& places,
+  static QString problemOf(const std::vector<LayoutNode>& nodes, const TreeLayoutResult& places,
                            double gap) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const LayoutBox& a = places.boxes[i];
@@ -85,7 +85,7 @@ class TreeLayoutTest : public QObject {
   void threeLeaves_standBesideEachOther() {
     const std::vector<LayoutNode> nodes = {
         {-1, 60.0, 20.0}, {0, 100.0, 30.0}, {0, 100.0, 40.0}, {0, 100.0, 30.0}};
-    const TreePlaces places = editor::layOutTree(nodes, TreeDirection::Down, {8.0, 44.0});
+    const TreeLayoutResult places = editor::layOutTree(nodes, TreeDirection::Down, {8.0, 44.0});
     QCOMPARE(places.boxes[1].x, 0.0);
     QCOMPARE(places.boxes[2].x, 108.0);
     QCOMPARE(places.boxes[3].x, 216.0);
@@ -99,7 +99,7 @@ class TreeLayoutTest : public QObject {
   void leftToRight_isTheSameTurned() {
     const std::vector<LayoutNode> nodes = {
         {-1, 60.0, 20.0}, {0, 100.0, 30.0}, {0, 80.0, 40.0}, {1, 50.0, 30.0}};
-    const TreePlaces places = editor::layOutTree(nodes, TreeDirection::Right, {8.0, 44.0});
+    const TreeLayoutResult places = editor::layOutTree(nodes, TreeDirection::Right, {8.0, 44.0});
     QCOMPARE(places.boxes[1].x, 104.0);
     QCOMPARE(places.boxes[2].x, 104.0);
     QCOMPARE(places.boxes[3].x, 248.0);  // behind the wider of the level before
@@ -120,7 +120,7 @@ class TreeLayoutTest : public QObject {
     nodes.push_back({0, 10.0, 10.0});  // 11
     nodes.push_back({0, 10.0, 10.0});  // 12
     addLeaves(12);
-    const TreePlaces places = editor::layOutTree(nodes, TreeDirection::Down, {8.0, 44.0});
+    const TreeLayoutResult places = editor::layOutTree(nodes, TreeDirection::Down, {8.0, 44.0});
     QCOMPARE(problemOf(nodes, places, 8.0), QString());
     QCOMPARE(middleX(places.boxes[11]),
              0.5 * (middleX(places.boxes[1]) + middleX(places.boxes[12])));
@@ -129,7 +129,7 @@ class TreeLayoutTest : public QObject {
   void equalSubtrees_lookEqual() {
     const std::vector<LayoutNode> nodes = {{-1, 50, 20}, {0, 50, 20}, {1, 90, 20}, {1, 30, 20},
                                            {0, 50, 20},  {4, 90, 20}, {4, 30, 20}};
-    const TreePlaces places = editor::layOutTree(nodes, TreeDirection::Down);
+    const TreeLayoutResult places = editor::layOutTree(nodes, TreeDirection::Down);
     const double shift = places.boxes[4].x - places.boxes[1].x;
     QCOMPARE(places.boxes[5].x - places.boxes[2].x, shift);
     QCOMPARE(places.boxes[6].x - places.boxes[3].x, shift);
@@ -139,7 +139,7 @@ class TreeLayoutTest : public QObject {
     std::mt19937 draw(11);
     for (int round = 0; round < 300; ++round) {
       const std::vector<LayoutNode> nodes = randomTree(draw, 2 + static_cast<int>(draw() % 120));
-      const TreePlaces places = editor::layOutTree(nodes, TreeDirection::Down, {8.0, 44.0});
+      const TreeLayoutResult places = editor::layOutTree(nodes, TreeDirection::Down, {8.0, 44.0});
       QCOMPARE(problemOf(nodes, places, 8.0), QString());
     }
   }
@@ -147,7 +147,7 @@ class TreeLayoutTest : public QObject {
   void severalRootsNoneAndDeepTrees_arePlaced() {
     QVERIFY(editor::layOutTree({}, TreeDirection::Down).boxes.empty());
     const std::vector<LayoutNode> roots = {{-1, 50, 20}, {0, 50, 20}, {-1, 50, 20}};
-    const TreePlaces two = editor::layOutTree(roots, TreeDirection::Down);
+    const TreeLayoutResult two = editor::layOutTree(roots, TreeDirection::Down);
     QCOMPARE(two.boxes[2].y, 0.0);
     QCOMPARE(two.boxes[2].x, 58.0);
     std::vector<LayoutNode> chain;

@@ -47,36 +47,36 @@ class WatchingTest : public QObject, protected CanvasTester {
     tools_.setEditingEnabled(false);
     scene_.showFrame(recording.frame(0), &recording);
     click({7.0, 7.0});
-    QVERIFY(scene_.guest() == 99);
+    QVERIFY(scene_.spawnedAgent() == 99);
     QVERIFY(document_.selection().empty());
     QCOMPARE(scene_.frameLayer().nameOf(99), QStringLiteral("entrance_1"));
     click({2.0, 2.0});
-    QVERIFY(!scene_.guest());
+    QVERIFY(!scene_.spawnedAgent());
     QVERIFY(document_.isSelected(person(1)));
     click({7.0, 7.0});
-    QVERIFY(scene_.guest() == 99);
+    QVERIFY(scene_.spawnedAgent() == 99);
     scene_.showFrame(nullptr);
-    QVERIFY(!scene_.guest());
+    QVERIFY(!scene_.spawnedAgent());
   }
 
   void page_ofSomebodyFromASource_tellsBehaviourGoalAndState() {
     PropertyPanel panel(document_, editor::Theme::light());
     panel.showFrame(std::make_shared<const sim2d::Frame>(moment({10.0, 3.0})));
-    sim2d::TraceHuman guest;
-    guest.id = 99;
-    guest.name = "entrance_1";
-    guest.behavior = static_cast<int>(sim2d::BehaviorType::Curious);
-    guest.goals = {{3, {1.0, 1.0}, 0.3}};
-    panel.setGuest(guest);
+    sim2d::TraceHuman spawnedAgent;
+    spawnedAgent.id = 99;
+    spawnedAgent.name = "entrance_1";
+    spawnedAgent.behavior = static_cast<int>(sim2d::BehaviorType::Curious);
+    spawnedAgent.goals = {{3, {1.0, 1.0}, 0.3}};
+    panel.setSpawnedAgent(spawnedAgent);
     QVERIFY(says(panel, "entrance_1"));
     QVERIFY(says(panel, "Person 99 · Curious · goals 3"));
     QVERIFY(says(panel, "7.00, 7.00 m"));
     QVERIFY(says(panel, "reacting"));
-    QVERIFY(!says(panel, "Changes count from the next start."));
+    QVERIFY(!says(panel, "Changes take effect at the next start."));
     document_.setSelection({person(1)});
-    panel.setGuest(std::nullopt);
+    panel.setSpawnedAgent(std::nullopt);
     QVERIFY(says(panel, "Ana") && !says(panel, "entrance_1"));
-    QVERIFY(says(panel, "Changes count from the next start."));
+    QVERIFY(says(panel, "Changes take effect at the next start."));
   }
 
   void step_inShares_isWalkedSmoothly() {
@@ -89,12 +89,12 @@ class WatchingTest : public QObject, protected CanvasTester {
     show({10.0, 3.0});
     show({10.8, 3.0});
     QVERIFY(isAt({10.8, 3.0}));  // a frame alone is shown as it is
-    scene_.setFrameShare(0.25);
+    scene_.setFrameInterpolation(0.25);
     QVERIFY(isAt({10.2, 3.0}));
-    scene_.setFrameShare(1.0);
+    scene_.setFrameInterpolation(1.0);
     QVERIFY(isAt({10.8, 3.0}));
     show({2.0, 3.0});  // set somewhere else, not walked
-    scene_.setFrameShare(0.25);
+    scene_.setFrameInterpolation(0.25);
     QVERIFY(isAt({2.0, 3.0}));
   }
 
@@ -111,7 +111,7 @@ class WatchingTest : public QObject, protected CanvasTester {
     next.time = 0.1;
     scene_.showFrame(std::make_shared<const sim2d::Frame>(next));
     QVERIFY(color(true) != color(false));
-    scene_.setFrameShare(0.0);
+    scene_.setFrameInterpolation(0.0);
     QVERIFY(color(true) == color(false));
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 using sim2d::nav2::Distro;
 
-constexpr int kMostCells = 200;  // along a side: larger costmaps cost time
+constexpr int kMaxCells = 200;  // along a side: larger costmaps cost time
 
 sim2d::OccupancyGrid room() {
   constexpr int kSide = 40;
@@ -25,8 +25,8 @@ sim2d::OccupancyGrid room() {
 }
 
 bool isSmall(const sim2d::nav2::CostmapParameters& costmap) {
-  return costmap.width / costmap.resolution <= kMostCells &&
-         costmap.height / costmap.resolution <= kMostCells;
+  return costmap.width / costmap.resolution <= kMaxCells &&
+         costmap.height / costmap.resolution <= kMaxCells;
 }
 
 void drive(const sim2d::nav2::Nav2Parameters& parameters) {
@@ -72,9 +72,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
-    const sim2d::nav2::Nav2Reading reading = readNav2Parameters(*file, {distro, "robot1"});
-    bt::nav2Contradictions(reading.parameters, nullptr);
-    bt::nav2Remarks(reading.parameters);
+    const sim2d::nav2::Nav2ReadResult reading = readNav2Parameters(*file, {distro, "robot1"});
+    bt::nav2Inconsistencies(reading.parameters, nullptr);
+    bt::nav2Hints(reading.parameters);
     if (reading.ok()) {
       drive(reading.parameters);
     }

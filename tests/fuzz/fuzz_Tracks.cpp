@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include "metrics/Report.h"
-#include "sim2d/trace/ForeignFiles.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
+#include "sim2d/trace/TrackImport.h"
 #include "tests/fuzz/Require.h"
 
 /// Any bytes as ways of people; the first line names the format, or the file (by which the format
@@ -71,14 +71,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (line == std::string::npos) {
     return 0;
   }
-  sim2d::ForeignOptions reading;
+  sim2d::TrackImportOptions reading;
   const std::string format = all.substr(0, line);
   reading.format = sim2d::standardTrackFormats().find(format) != nullptr ? format : "";
   reading.lengthUnit = format == "sdd" ? 0.05 : 0.0;
   const bool isName = std::find(std::begin(kNames), std::end(kNames), format) != std::end(kNames);
   static const Folder kFolder;
   const base::Result<sim2d::TrackFile> tracks =
-      sim2d::readForeign(kFolder.write(isName ? format : "ways", all.substr(line + 1)), reading);
+      sim2d::importTracks(kFolder.write(isName ? format : "ways", all.substr(line + 1)), reading);
   if (!tracks) {
     require(base::hasErrors(tracks.diagnostics()), "what is not read has an error");
     return 0;

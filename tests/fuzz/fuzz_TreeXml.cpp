@@ -118,7 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   file->includes.clear();
   const base::Result<bt::TreeTable> table = bt::resolveIncludes(*file);
   if (table) {
-    bt::checkTable(*table, library().catalogue());
+    bt::checkForImport(*table, library().catalogue());
     tick(*table);
     navigate(*table);
   }

@@ -31,7 +31,7 @@ struct Heard {
 };
 
 Heard heardOf(std::string_view bytes, std::size_t piece) {
-  live::ConnectionRules rules;
+  live::ConnectionLimits rules;
   rules.protocols = {"x"};
   rules.largestMessage = 5000;
   const live::Clock::time_point now{};
@@ -56,7 +56,7 @@ Heard heardOf(std::string_view bytes, std::size_t piece) {
   connection.readEnd();
   connection.out().sent(heard.said.size());
   require(connection.out().isEmpty() && connection.out().waiting() == 0, "all can be sent");
-  require(connection.isOver(), "it ends with its socket");
+  require(connection.isFinished(), "it ends with its socket");
   return heard;
 }
 
@@ -69,7 +69,7 @@ void readAsAll(const std::string& message) {
     for (const live::Service& service : control.services()) {
       require(!service.call(encoding, message).payload.empty(), "calls are answered");
     }
-    control.inlets().front().take(encoding, message);
+    control.clientTopics().front().take(encoding, message);
   }
 }
 

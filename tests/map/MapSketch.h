@@ -20,7 +20,7 @@ struct Scene {
 
 inline Scene sceneOf(const OccupancyGrid& grid, const std::vector<std::vector<Outline>>& parts = {},
                      const std::vector<Vec2>& bounds = {},
-                     double mostCells = DistanceField::kMostCells) {
+                     double mostCells = DistanceField::kMaxCells) {
   Scene scene;
   scene.obstacles.add(traceOutlines(grid), true, /*isOfMap=*/true);
   for (const auto& part : parts) {

@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "sim2d/map/ConvexPolygon.h"
+#include "sim2d/map/Outlines.h"
 #include "sim2d/map/PathPlanner.h"
 
 using namespace sim2d;
@@ -54,22 +54,22 @@ void ConvexPolygonTest::hull_leavesOutWhatIsInside() {
 }
 
 void ConvexPolygonTest::entry_isWhereTheLineMeetsTheBorder() {
-  const std::optional<Entry> left = entryInto(kSquare, Vec2(-1.0, 0.5), Vec2(3.0, 0.5));
+  const std::optional<PolygonEntry> left = entryPoint(kSquare, Vec2(-1.0, 0.5), Vec2(3.0, 0.5));
   QVERIFY(left && left->edge == 3 && std::fabs(left->share - 0.25) < 1e-12);
-  const std::optional<Entry> top = entryInto(kSquare, Vec2(0.5, 2.0), Vec2(0.5, 0.5));
+  const std::optional<PolygonEntry> top = entryPoint(kSquare, Vec2(0.5, 2.0), Vec2(0.5, 0.5));
   QVERIFY(top && top->edge == 2 && std::fabs(top->share - 2.0 / 3.0) < 1e-12);
 }
 
 void ConvexPolygonTest::entry_besideOrTouching_isNone() {
-  QVERIFY(!entryInto(kSquare, Vec2(-1.0, 1.5), Vec2(3.0, 1.5)));
-  QVERIFY(!entryInto(kSquare, Vec2(-1.0, 1.0), Vec2(3.0, 1.0)));   // along an edge
-  QVERIFY(!entryInto(kSquare, Vec2(-1.0, 0.0), Vec2(1.0, 2.0)));   // through a corner
-  QVERIFY(!entryInto(kSquare, Vec2(-1.0, 0.5), Vec2(-0.5, 0.5)));  // ends before
-  QVERIFY(!entryInto(kSquare, Vec2(2.0, 0.5), Vec2(3.0, 0.5)));    // leaves
+  QVERIFY(!entryPoint(kSquare, Vec2(-1.0, 1.5), Vec2(3.0, 1.5)));
+  QVERIFY(!entryPoint(kSquare, Vec2(-1.0, 1.0), Vec2(3.0, 1.0)));   // along an edge
+  QVERIFY(!entryPoint(kSquare, Vec2(-1.0, 0.0), Vec2(1.0, 2.0)));   // through a corner
+  QVERIFY(!entryPoint(kSquare, Vec2(-1.0, 0.5), Vec2(-0.5, 0.5)));  // ends before
+  QVERIFY(!entryPoint(kSquare, Vec2(2.0, 0.5), Vec2(3.0, 0.5)));    // leaves
 }
 
 void ConvexPolygonTest::entry_fromInside_isTheNearestEdge() {
-  const std::optional<Entry> entry = entryInto(kSquare, Vec2(0.5, 0.9), Vec2(3.0, 0.5));
+  const std::optional<PolygonEntry> entry = entryPoint(kSquare, Vec2(0.5, 0.9), Vec2(3.0, 0.5));
   QVERIFY(entry && entry->share == 0.0);
   QCOMPARE(entry->edge, std::size_t{2});
 }
@@ -77,16 +77,16 @@ void ConvexPolygonTest::entry_fromInside_isTheNearestEdge() {
 void ConvexPolygonTest::waysRound_areTautOnBothSides() {
   const Vec2 from(-1.0, 0.25);
   const Vec2 to(2.0, 0.5);
-  const WaysRound ways = waysRound(kSquare, from, to);
+  const PathsAround ways = pathsAround(kSquare, from, to);
   QCOMPARE(ways.left, (std::vector<Vec2>{from, Vec2(0.0, 1.0), Vec2(1.0, 1.0), to}));
   QCOMPARE(ways.right, (std::vector<Vec2>{from, Vec2(0.0, 0.0), Vec2(1.0, 0.0), to}));
-  QVERIFY(std::fabs(lengthOfWay(ways.left) - (1.25 + 1.0 + std::sqrt(1.25))) < 1e-12);
+  QVERIFY(std::fabs(polylineLength(ways.left) - (1.25 + 1.0 + std::sqrt(1.25))) < 1e-12);
 }
 
 void ConvexPolygonTest::waysRound_nothingBetween_areEmpty() {
-  const WaysRound beside = waysRound(kSquare, Vec2(-1.0, 2.0), Vec2(2.0, 2.0));
+  const PathsAround beside = pathsAround(kSquare, Vec2(-1.0, 2.0), Vec2(2.0, 2.0));
   QVERIFY(beside.left.empty() && beside.right.empty());
-  const WaysRound inside = waysRound(kSquare, Vec2(0.5, 0.5), Vec2(2.0, 0.5));
+  const PathsAround inside = pathsAround(kSquare, Vec2(0.5, 0.5), Vec2(2.0, 0.5));
   QVERIFY(inside.left.empty() && inside.right.empty());
 }
 
@@ -94,18 +94,18 @@ void ConvexPolygonTest::planAround_keepsOutOfWhatIsClosed() {
   PathPlanner planner(twoDoors(5.0), 0.3);
   const Vec2 from(1.0, 0.0);
   const Vec2 to(9.0, 0.0);
-  QVERIFY(lengthOfWay(planner.plan(from, to)) < 8.01);
+  QVERIFY(polylineLength(planner.plan(from, to)) < 8.01);
   const std::vector<Vec2> way = planner.planAround(from, to, {kInFirstDoor});
   QVERIFY(way.size() > 2);
   QVERIFY(way.front() == from && way.back() == to);
   for (std::size_t i = 1; i < way.size(); ++i) {
-    QVERIFY(!entryInto(kInFirstDoor, way[i - 1], way[i]));
+    QVERIFY(!entryPoint(kInFirstDoor, way[i - 1], way[i]));
     QVERIFY(planner.isClear(way[i - 1], way[i]));
   }
   // Straight lines by the inner corners of the other door, for a body of 0.3 m, and up to 1 m more
   // for the room that is wanted.
   const double shortest = 2.0 * Vec2(3.65, 4.8).norm() + 0.7;
-  const double length = lengthOfWay(way);
+  const double length = polylineLength(way);
   QVERIFY2(length > shortest - 0.1 && length < shortest + 1.0, QByteArray::number(length));
 }
 

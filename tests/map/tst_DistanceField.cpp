@@ -291,8 +291,8 @@ void DistanceFieldTest::construct_wallsGiven_takesThem() {
   const Obstacles obstacles = obstaclesOf({circleOutline({2.5, 3.0}, 0.4)});
   const auto stop = std::make_shared<const base::StopFlag>();
   const auto fieldWith = [&](const OccupancyGrid& walls) {
-    return DistanceField(grid, obstacles, {}, DistanceField::kMostCells, stop,
-                         DistanceField::wallsOf(walls, false, *stop));
+    return DistanceField(grid, obstacles, {}, DistanceField::kMaxCells, stop,
+                         DistanceField::mapWallDistances(walls, false, *stop));
   };
   const DistanceField fresh(grid, obstacles);
   const DistanceField same = fieldWith(grid);

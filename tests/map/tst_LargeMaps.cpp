@@ -172,7 +172,7 @@ void LargeMapsTest::plan_randomMaps_keepsClearanceAndIsShort() {
       for (int i = 0; i < 8; ++i) {
         const Vec2 from(place(random), place(random));
         const std::vector<Vec2> way = large.plan(from, {place(random), place(random)});
-        if (way.empty() || large.space().nearestFit(from) != from) {
+        if (way.empty() || large.space().nearestFreePosition(from) != from) {
           continue;
         }
         const double lowest = lowestClearance(pair.large, way);
@@ -181,9 +181,9 @@ void LargeMapsTest::plan_randomMaps_keepsClearanceAndIsShort() {
         if (large.space().isUnknown(from) || large.space().isUnknown(way.back())) {
           continue;
         }
-        const double best = lengthOfWay(ordinary.plan(from, way.back()));
-        longest = std::max(longest, lengthOfWay(way) - best);
-        ofLarge += lengthOfWay(way);
+        const double best = polylineLength(ordinary.plan(from, way.back()));
+        longest = std::max(longest, polylineLength(way) - best);
+        ofLarge += polylineLength(way);
         ofOrdinary += best;
       }
     }
@@ -209,9 +209,9 @@ void LargeMapsTest::plan_amongPillars_isAtMostEightPercentLonger() {
   for (int degrees = 0; degrees < 90; degrees += 15) {
     const double angle = (degrees + 7.5) * 3.14159265 / 180.0;
     const Vec2 goal = Vec2(1.0, 1.0) + 37.5 * Vec2(std::cos(angle), std::sin(angle));
-    const double best = lengthOfWay(ordinary.plan({1.0, 1.0}, goal));
+    const double best = polylineLength(ordinary.plan({1.0, 1.0}, goal));
     QVERIFY(best > 36.0);
-    worst = std::max(worst, (lengthOfWay(large.plan({1.0, 1.0}, goal)) - 1.2) / best);
+    worst = std::max(worst, (polylineLength(large.plan({1.0, 1.0}, goal)) - 1.2) / best);
   }
   qInfo("%.4f times as long at most, but for two blocks", worst);
   QVERIFY(worst > 0.9 && worst <= 1.083);

@@ -211,8 +211,8 @@ void MapReaderTest::parseMapDescription_bad_tellsPlace_data() {
   row("threshold above", "0.65", "1.01", "thresholds must be");
   row("negate word", "negate: 0", "negate: maybe", "m.yaml:4:9: error: negate must be");
   row("mode", "negate: 0", "mode: tri\nnegate: 0", "m.yaml:4:7: error: mode must be trinary");
-  row("no yaml", "image: map.pgm", "image: [", "not readable as YAML");
-  row("tab", "image: map.pgm", "a:\n\tb: 1", "not readable as YAML");
+  row("no yaml", "image: map.pgm", "image: [", "not valid YAML");
+  row("tab", "image: map.pgm", "a:\n\tb: 1", "not valid YAML");
 }
 
 void MapReaderTest::parseMapDescription_bad_tellsPlace() {
@@ -245,7 +245,7 @@ void MapReaderTest::parseMapDescription_repeatedKey_firstCounts() {
   QCOMPARE(result->resolution, 0.05);
   QVERIFY2(
       contains(result.diagnostics(),
-               "m.yaml:4:1: warning: key 'resolution' is repeated: the value of line 2 counts, "
+               "m.yaml:4:1: warning: key 'resolution' is repeated: the value of line 2 is used, "
                "not that of line 4"),
       textOf(result.diagnostics()).c_str());
 }
@@ -293,9 +293,11 @@ void MapReaderTest::readMap_imageTroubles_nameTheKey_data() {
   QTest::newRow("no loader") << QByteArray("a.png") << QByteArray("only PGM");
   for (const char* const name : {"pointer.pgm", "pointer.png", "pointer.tiff"}) {
     QTest::newRow(name) << QByteArray(name)
-                        << QByteArray("a Git LFS pointer: fetch the file with git lfs pull");
+                        << QByteArray(
+                               "the file is a Git LFS pointer: fetch its content with git "
+                               "lfs pull");
   }
-  QTest::newRow("truncated") << QByteArray("short.pgm") << QByteArray("ends too early");
+  QTest::newRow("truncated") << QByteArray("short.pgm") << QByteArray("is truncated");
 }
 
 void MapReaderTest::readMap_imageTroubles_nameTheKey() {

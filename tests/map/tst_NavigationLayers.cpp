@@ -37,7 +37,7 @@ void NavigationLayersTest::of_doorOnALargeMap_keepsBothLayers() {
   MapSketch sketch(75.0, 75.0);
   const OccupancyGrid grid = sketch.fill({30.0, 0.0}, {30.2, 70.0}).grid();
   Obstacles obstacles = sceneOf(grid, {wallOutlines({{30.1, 70.0}, {30.1, 75.0}}, 0.1)}).obstacles;
-  NavigationLayers layers;
+  NavigationLayerCache layers;
   const auto closed = layers.of(grid, obstacles, {});
   obstacles.setEnabled(1, false);
   const auto open = layers.of(grid, obstacles, {});
@@ -51,7 +51,7 @@ void NavigationLayersTest::of_doorOnALargeMap_keepsBothLayers() {
 void NavigationLayersTest::of_tooManyBytes_keepsTheLastLayer() {
   const OccupancyGrid grid = randomMap(2);
   Obstacles obstacles = sceneOf(grid, {{circleOutline({4.0, 6.0}, 0.7)}}).obstacles;
-  NavigationLayers layers(std::make_shared<const base::StopFlag>(), 1);
+  NavigationLayerCache layers(std::make_shared<const base::StopFlag>(), 1);
   const auto with = layers.of(grid, obstacles, {});
   obstacles.setEnabled(1, false);
   const auto without = layers.of(grid, obstacles, {});

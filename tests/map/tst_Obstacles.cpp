@@ -322,7 +322,7 @@ void ObstaclesTest::raycast_equalsTheNearestHitOfEachEdge() {
   base::AgentRng rng(3, 1);
   std::uint32_t next = 0;
   const auto between = [&](double low, double high) {
-    return low + (high - low) * rng.uniform01(base::Draw::Test, next++);
+    return low + (high - low) * rng.uniform01(base::DrawPurpose::Test, next++);
   };
   int hits = 0;
   const std::vector<std::pair<double, int>> scenes = {{0.0, 40}, {1e4, 40}, {0.0, 3}, {1e4, 3}};

@@ -41,8 +41,8 @@ void PathPlannerTest::plan_free_isStraight() {
   QCOMPARE(path.size(), std::size_t{2});
   QVERIFY(path[0] == Vec2(1.02, 1.03));
   QVERIFY(path[1] == Vec2(8.5, 7.0));
-  QCOMPARE(lengthOfWay(path), (Vec2(8.5, 7.0) - Vec2(1.02, 1.03)).norm());
-  QCOMPARE(lengthOfWay({}), 0.0);
+  QCOMPARE(polylineLength(path), (Vec2(8.5, 7.0) - Vec2(1.02, 1.03)).norm());
+  QCOMPARE(polylineLength({}), 0.0);
 }
 
 void PathPlannerTest::plan_uWall_goesRound_data() {
@@ -64,8 +64,8 @@ void PathPlannerTest::plan_uWall_goesRound() {
   QVERIFY(path.size() >= 4);
   QVERIFY(lowestClearance(scene, path) > 0.34);
   // Shortest round the ends of an arm at the radius: about 3.5 + 2.3 + 4.6 + 2.4.
-  QVERIFY2(lengthOfWay(path) > 11.0 && lengthOfWay(path) < 14.0,
-           QByteArray::number(lengthOfWay(path)));
+  QVERIFY2(polylineLength(path) > 11.0 && polylineLength(path) < 14.0,
+           QByteArray::number(polylineLength(path)));
   QVERIFY(path.front() == Vec2(6.0, 4.9) && path.back() == Vec2(9.0, 4.9));
 }
 
@@ -74,8 +74,8 @@ void PathPlannerTest::plan_corner_keepsClearance() {
   PathPlanner planner(scene.field, 0.35);
   const std::vector<Vec2> path = planner.plan({1.0, 6.0}, {6.0, 1.0});
   QVERIFY2(lowestClearance(scene, path) > 0.5, QByteArray::number(lowestClearance(scene, path)));
-  QVERIFY2(lengthOfWay(path) < 9.2,
-           QByteArray::number(lengthOfWay(path)));  // 8.25 to the corner itself
+  QVERIFY2(polylineLength(path) < 9.2,
+           QByteArray::number(polylineLength(path)));  // 8.25 to the corner itself
   QVERIFY(path.size() <= 8);
 }
 
@@ -113,7 +113,7 @@ void PathPlannerTest::plan_narrowDoor_isPassable() {
   const std::vector<Vec2> path = planner.plan({2.0, 2.0}, {8.0, 3.0});
   QVERIFY(!path.empty());
   QVERIFY2(lowestClearance(scene, path) > 0.34, QByteArray::number(lowestClearance(scene, path)));
-  QVERIFY2(lengthOfWay(path) < 8.2, QByteArray::number(lengthOfWay(path)));
+  QVERIFY2(polylineLength(path) < 8.2, QByteArray::number(polylineLength(path)));
 }
 
 void PathPlannerTest::plan_tooNarrowDoor_isUnreachable() {
@@ -132,11 +132,11 @@ void PathPlannerTest::plan_closedDoor_takesOtherWay() {
   Scene scene = sceneOf(sketch.grid(), {wallOutlines({{5.1, 1.9}, {5.1, 3.1}}, 0.05)});
   PathPlanner closed(scene.field, 0.35);
   const std::vector<Vec2> round = closed.plan({2.0, 2.5}, {8.0, 2.5});
-  QVERIFY(lengthOfWay(round) > 12.0);
+  QVERIFY(polylineLength(round) > 12.0);
   QVERIFY(lowestClearance(scene, round) > 0.34);
   scene.obstacles.setEnabled(1, false);
   PathPlanner open(std::make_shared<const DistanceField>(sketch.grid(), scene.obstacles), 0.35);
-  QVERIFY(lengthOfWay(open.plan({2.0, 2.5}, {8.0, 2.5})) < 6.1);
+  QVERIFY(polylineLength(open.plan({2.0, 2.5}, {8.0, 2.5})) < 6.1);
 }
 
 void PathPlannerTest::plan_wideGap_prefersClearance() {
@@ -171,7 +171,7 @@ void PathPlannerTest::plan_unknown_isCrossedWhenNeeded() {
   PathPlanner planner(scene.field, 0.35);
   const std::vector<Vec2> path = planner.plan({2.0, 8.0}, {18.0, 2.0});
   QVERIFY(!path.empty());
-  QVERIFY(lengthOfWay(path) < 21.0);
+  QVERIFY(polylineLength(path) < 21.0);
   QVERIFY(planner.isReachable({18.0, 2.0}, {2.0, 8.0}));
 }
 
@@ -254,7 +254,7 @@ void PathPlannerTest::plan_openPlane_outsideGrid_works() {
   QVERIFY(path.size() >= 3);
   QVERIFY(path.front() == Vec2(-30.0, 0.0) && path.back() == Vec2(40.0, 1.0));
   QVERIFY(lowestClearance(scene, path) > 0.34);
-  QVERIFY(lengthOfWay(path) < 72.0);
+  QVERIFY(polylineLength(path) < 72.0);
   QCOMPARE(planner.plan({-30.0, 20.0}, {40.0, 30.0}).size(), std::size_t{2});
 }
 
@@ -266,7 +266,7 @@ void PathPlannerTest::plan_samePoints_isTwoPoints() {
     PathPlanner planner(scene.field, 0.35);
     const std::vector<Vec2> path = planner.plan({2.01, 2.01}, {2.01, 2.01});
     QCOMPARE(path.size(), std::size_t{2});
-    QCOMPARE(lengthOfWay(path), 0.0);
+    QCOMPARE(polylineLength(path), 0.0);
   }
 }
 

@@ -97,8 +97,8 @@ void PgmFilesTest::readPgm_bad_isError_data() {
   row("no width", "P5\n0 1\n255\n", "no pixels");
   row("maximum 0", "P5\n1 1\n0\nA", "maximum");
   row("maximum 65536", "P5\n1 1\n65536\nAA", "maximum");
-  row("truncated", "P5\n3 2\n255\nABCDE", "need 6 bytes, there are 5");
-  row("truncated 16 bit", "P5\n1 1\n256\nA", "need 2 bytes, there are 1");
+  row("truncated", "P5\n3 2\n255\nABCDE", "need 6 bytes, found 5");
+  row("truncated 16 bit", "P5\n1 1\n256\nA", "need 2 bytes, found 1");
   row("truncated P2", "P2\n2 2\n255\n1 2 333", "pixel 4 of 4");
   row("word in P2", "P2\n2 1\n255\n1 x1 ", "pixel 2 of 2");
   row("huge", "P5\n20000 20000\n255\nA",

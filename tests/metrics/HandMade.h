@@ -12,13 +12,13 @@ namespace handmade {
 
 using metrics::MetricEntry;
 using metrics::MetricParameters;
-using metrics::Person;
+using metrics::Pedestrian;
 using metrics::Sample;
 using metrics::SampledRun;
 using metrics::Vec2;
 
-inline Person personAt(int id, double x, double y, double vx = 0.0, double vy = 0.0) {
-  Person person;
+inline Pedestrian personAt(int id, double x, double y, double vx = 0.0, double vy = 0.0) {
+  Pedestrian person;
   person.id = id;
   person.position = Vec2(x, y);
   person.velocity = Vec2(vx, vy);

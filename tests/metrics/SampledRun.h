@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "metrics/RunningEvaluation.h"
+#include "metrics/IncrementalEvaluation.h"
 
 /// Whole records by samples instead of frames.
 namespace metrics {
@@ -31,7 +31,7 @@ inline SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId = -1) {
 inline base::Result<Evaluation> evaluate(const SampledRun& recording, const Selection& selection,
                                          const MetricParameters& parameters,
                                          const MetricRegistry& registry = standardRegistry()) {
-  RunningEvaluation evaluation(recording, selection, parameters, registry);
+  IncrementalEvaluation evaluation(recording, selection, parameters, registry);
   auto event = recording.events.begin();
   const auto noteUntil = [&](double time) {
     for (; event != recording.events.end() && event->first <= time + kTimeSlack; ++event) {

@@ -65,7 +65,7 @@ inline metrics::Sample sampleOf(const Json& step) {
         std::min(sample.robot.obstacleDistance.value_or(distance), distance);
   }
   for (const Json& agent : step["agents"]) {
-    metrics::Person person;
+    metrics::Pedestrian person;
     readBody(agent, person);
     person.group = agent["group_id"].get<int>();
     person.behavior = agent["behavior"].get<int>();

@@ -4,7 +4,7 @@
 
 #include <QtTest>
 
-#include "metrics/DensityField.h"
+#include "metrics/MapFields.h"
 
 using base::Vec2;
 using metrics::DensityField;

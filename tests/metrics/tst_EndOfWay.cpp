@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "HandMade.h"
-#include "sim2d/trace/Arrival.h"
+#include "sim2d/trace/RobotArrival.h"
 
 using namespace metrics;
 using namespace handmade;
@@ -160,7 +160,7 @@ class EndOfWayTest : public QObject {
   /// All results use the same arrival: the robot is in the region at 5 s, at its goal at 7 s.
   void everyKey_hasTheArrivalOfTheEvent() {
     SampledRun run = runAlong({0, 1, 2, 3, 4, 5, 5.1, 5.3, 5.3, 5.3});
-    run.eventsTellArrivals = true;
+    run.eventsReportArrivals = true;
     run.events = {{7.0, arrived()}};
     QCOMPARE(valueOf(run, "time_to_reach_goal"), 7.0);
     QCOMPARE(valueOf(run, "aggregated_time"), 7.0);
@@ -176,7 +176,7 @@ class EndOfWayTest : public QObject {
   /// 0.4 m from its goal a robot of a simulation has not arrived, in any key.
   void simulatedRobotWithoutEvent_hasNotArrived() {
     SampledRun run = runAlong(parkedAt(5, 20));
-    run.eventsTellArrivals = true;
+    run.eventsReportArrivals = true;
     for (const char* key : {"completed", "success", "spl", "stl"}) {
       QVERIFY2(valueOf(run, key) == 0.0, key);
     }
@@ -186,16 +186,16 @@ class EndOfWayTest : public QObject {
     MetricParameters original;
     original.profile = Profile::Hunav2;
     QCOMPARE(valueOf(run, "completed", original), 1.0);
-    run.eventsTellArrivals = false;  // a record without events of arrivals
+    run.eventsReportArrivals = false;  // a record without events of arrivals
     QCOMPARE(valueOf(run, "aggregated_time"), valueOf(run, "time_to_reach_goal"));
     QCOMPARE(valueOf(run, "completed"), 1.0);
   }
   /// It is sent elsewhere on its way, arrives there, and continues.
   void arrivalAtAnOrder_isNotTheEnd() {
     SampledRun run = runAlong({0, 1, 2, 3, 4, 5, 5, 5, 5.3, 5.3});
-    run.eventsTellArrivals = true;
+    run.eventsReportArrivals = true;
     sim2d::Event order = arrived();
-    order.text = sim2d::kAtOrder;
+    order.text = sim2d::kOrderText;
     run.events = {{3.0, order}};
     QCOMPARE(valueOf(run, "completed"), 0.0);
     QCOMPARE(valueOf(run, "path_length"), 5.3);
@@ -209,7 +209,7 @@ class EndOfWayTest : public QObject {
   }
   void arrivalBeforeTheWindow_isOneAtItsBegin() {
     SampledRun run = runAlong(parkedAt(5, 10));
-    run.eventsTellArrivals = true;
+    run.eventsReportArrivals = true;
     run.events = {{5.0, arrived()}};
     Selection selection;
     selection.window.from = "time 8";

@@ -1,8 +1,8 @@
 #include <QtTest>
 
 #include "MetricCases.h"
+#include "metrics/IncrementalEvaluation.h"
 #include "metrics/ReportFiles.h"
-#include "metrics/RunningEvaluation.h"
 
 using namespace metrics;
 

@@ -20,7 +20,7 @@ SampledRun threeSamples() {
     sample.robot.velocity = Vec2(1.0 + t, 0.0);
     sample.robot.speed = 1.0 + t;
     sample.robot.radius = 0.25;
-    Person person;
+    Pedestrian person;
     person.id = 4;
     person.position = Vec2(1.0, 2.0);
     person.radius = 0.25;
@@ -28,14 +28,14 @@ SampledRun threeSamples() {
     sample.people = {person};
     recording.samples.push_back(sample);
   }
-  Person second;
+  Pedestrian second;
   second.id = 5;
   second.position = Vec2(3.0, 1.0);
   second.radius = 0.25;
   second.speed = 1.5;
   recording.samples[2].people.push_back(second);
   for (Sample& sample : recording.samples) {
-    workOutPairs(sample, nullptr, MetricParameters{});
+    computePairs(sample, nullptr, MetricParameters{});
   }
   return recording;
 }
@@ -145,7 +145,7 @@ void ExpressionTest::parse_mistake_isToldWithItsColumn_data() {
   row("speed", "differs from sample to sample");
   row("max(p.speed)", "differs from person to person");
   row("1 + * 2", "1:5: error: a number or a name");
-  row("1 2", "1:3: error: something is left over");
+  row("1 2", "1:3: error: unexpected text");
   row("hypot(1)", "1:1: error: hypot takes 2 values, not 1");
   row("max(1, 2)", "max takes one value");
   row("1..5", "'1..5' is not a number");
@@ -201,7 +201,7 @@ void ExpressionTest::metricsFile_mistakes_haveLineAndColumn() {
   QVERIFY2(begins(problems("    a: {expression: \"max(sped)\"}"), "m.yaml:3:26: error: unknown"),
            problems("    a: {expression: \"max(sped)\"}").c_str());
   QVERIFY(
-      begins(problems("    path_length: {expression: samples}"), "m.yaml:3:5: error: there is"));
+      begins(problems("    path_length: {expression: samples}"), "m.yaml:3:5: error: a metric"));
   QVERIFY(begins(problems("    A b: {expression: samples}"), "m.yaml:3:5: error: a key"));
   QVERIFY(begins(problems("    a: {unit: s}"), "m.yaml:3:5: error: 'a' needs an expression"));
   QVERIFY(begins(problems("    a: {expression: samples, better: best}"), "m.yaml:3:38: error:"));
@@ -238,9 +238,9 @@ void ExpressionTest::stream_formula_equalsTheWholeRecord() {
   SampledRun recording = sampledRunOf(cases::trace(60, 5));
   const MetricParameters parameters;
   MetricEntry entry;
-  entry.stream = formula.stream();
+  entry.computation = formula.computation();
   for (Sample& sample : recording.samples) {
-    workOutPairs(sample, nullptr, parameters);
+    computePairs(sample, nullptr, parameters);
   }
   const MetricValue whole = evaluated(formula, recording, parameters);
   const MetricValue streamed = valueOf(entry, recording, parameters);

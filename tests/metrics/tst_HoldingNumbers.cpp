@@ -1,8 +1,8 @@
 #include <QtTest>
 
 #include "HandMade.h"
-#include "metrics/Counterfactual.h"
-#include "metrics/CrowdCells.h"
+#include "metrics/RunResults.h"
+#include "metrics/VoronoiCells.h"
 #include "sim2d/base/Rng.h"
 
 using namespace metrics;
@@ -203,7 +203,7 @@ class HoldingNumbersTest : public QObject {
   void voronoi_betweenWalls_isThatOfTheStrip() {
     RunContext context;
     context.walls = wallsAlong({-0.6, 0.6});
-    CellAreas areas(2.0);
+    VoronoiCellAreas areas(2.0);
     const double area = areas.areaOf(Vec2(0, 0), {Vec2(-0.8, 0), Vec2(0.8, 0)}, context);
     QVERIFY2(isNear(area, 0.96), std::to_string(area).c_str());
   }
@@ -211,7 +211,7 @@ class HoldingNumbersTest : public QObject {
   void voronoi_behindAWall_takesNothing() {
     RunContext context;
     context.walls = wallsAlong({0.3});
-    CellAreas areas(2.0);
+    VoronoiCellAreas areas(2.0);
     const double alone = areas.areaOf(Vec2(0, 0), {}, context);
     // Below y = 0.3 in a circle of 2 m.
     const double above = 4.0 * std::acos(0.15) - 0.3 * std::sqrt(4.0 - 0.09);
@@ -235,7 +235,7 @@ class HoldingNumbersTest : public QObject {
     RunContext context;
     context.seam = {0.0, 4.0};
     context.walls = stripWith(3.6, 3.7);
-    CellAreas areas(2.0);
+    VoronoiCellAreas areas(2.0);
     // From the image of the wall, -0.3 m, to the middle, 1.85 m; from there to the wall.
     const double first = areas.areaOf(Vec2(0.5, 0), {Vec2(3.2, 0), Vec2(-0.8, 0)}, context);
     QVERIFY2(isNear(first, 2.15), std::to_string(first).c_str());
@@ -248,7 +248,7 @@ class HoldingNumbersTest : public QObject {
     RunContext context;
     context.seam = {0.0, 4.0};
     context.walls = stripWith(4.3, 4.4);
-    CellAreas areas(2.0);
+    VoronoiCellAreas areas(2.0);
     const double first = areas.areaOf(Vec2(0.5, 0), {Vec2(1.5, 0), Vec2(-0.5, 0)}, context);
     QVERIFY2(isNear(first, 1.0), std::to_string(first).c_str());
     const double last = areas.areaOf(Vec2(3.5, 0), {Vec2(2.5, 0), Vec2(4.5, 0)}, context);
@@ -265,13 +265,14 @@ class HoldingNumbersTest : public QObject {
     RunContext context;
     context.walls = std::make_shared<const sim2d::Obstacles>(std::move(walls));
     const std::vector<Vec2> others = {Vec2(-1.0, 0.4), Vec2(0.3, -1.2)};
-    const double area = CellAreas(2.0).areaOf(Vec2(0, 0), others, context);
+    const double area = VoronoiCellAreas(2.0).areaOf(Vec2(0, 0), others, context);
     const base::AgentRng rng(3, 1);
     int hits = 0;
     constexpr int kDarts = 200000;
     for (int k = 0; k < kDarts; ++k) {
       const auto draw = [&](int which) {
-        return 4.0 * rng.uniform01(base::Draw::Test, static_cast<std::uint32_t>(2 * k + which)) -
+        return 4.0 * rng.uniform01(base::DrawPurpose::Test,
+                                   static_cast<std::uint32_t>(2 * k + which)) -
                2.0;
       };
       const Vec2 dart(draw(0), draw(1));

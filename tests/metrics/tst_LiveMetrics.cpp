@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "MetricCases.h"
-#include "metrics/RunningEvaluation.h"
+#include "metrics/IncrementalEvaluation.h"
 
 using namespace metrics;
 

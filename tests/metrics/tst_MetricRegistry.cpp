@@ -24,9 +24,9 @@ class CrowdSize : public Accumulator {
 };
 
 /// The same, of the whole record.
-Stream ofWholeRecord() {
+MetricComputation ofWholeRecord() {
   const Expression formula = *Expression::parse("sum(people + 0 * duration)");
-  return formula.needsRecord() ? formula.stream() : Stream{};
+  return formula.needsRecord() ? formula.computation() : MetricComputation{};
 }
 
 void addCrowdSize(MetricRegistry& to) {
@@ -42,7 +42,7 @@ void addCrowdSize(MetricRegistry& to) {
                   Kind::Count,
                   0,
                   ""};
-  to.add(info, streamOf<CrowdSize>(&CrowdSize::value));
+  to.add(info, metricOf<CrowdSize>(&CrowdSize::value));
   info.key = "crowd_size_of_all";
   to.add(info, ofWholeRecord());
 }

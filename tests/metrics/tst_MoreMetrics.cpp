@@ -97,7 +97,7 @@ void MoreMetricsTest::groupCrossings_throughATriangle_isOne() {
   for (int k = 0; k < 30; ++k) {
     Sample sample = sampleAt(0.1 * k, -3.03 + 0.2 * k, 0.1);
     sample.people = {personAt(1, -1, -1), personAt(2, 1, -1), personAt(3, 0, 1)};
-    for (Person& person : sample.people) {
+    for (Pedestrian& person : sample.people) {
       person.group = 3;
     }
     samples.push_back(sample);
@@ -229,8 +229,8 @@ void MoreMetricsTest::crowd_gridOfPeople_handCase() {
   }
   recording.samples = {sample};
   double classic = 0.0;
-  for (const Person& person : sample.people) {
-    for (const Person& other : sample.people) {
+  for (const Pedestrian& person : sample.people) {
+    for (const Pedestrian& other : sample.people) {
       const double reach = (person.position - other.position).squaredNorm();
       classic += reach <= 4.0 ? 1.0 : 0.0;
     }
@@ -259,7 +259,7 @@ void MoreMetricsTest::crowd_lanes_ordered() {
   recording.samples = {sample};
   QCOMPARE(valueOf(recording, "crowd_lane_order"), 1.0);
   QVERIFY(isNear(valueOf(recording, "crowd_polarisation"), 0.0));
-  for (Person& person : recording.samples[0].people) {
+  for (Pedestrian& person : recording.samples[0].people) {
     person.position.y() = 0.0;
   }
   QCOMPARE(valueOf(recording, "crowd_lane_order"), 0.0);

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "metrics/PlanningTime.h"
+#include "metrics/RunResults.h"
 
 using namespace metrics;
 
@@ -42,7 +42,7 @@ void PlanningTimeTest::results_oneTime_hasNoDeviation() {
 
 /// Those of two equal runs are equal to the last digit.
 void PlanningTimeTest::infos_areNoMetricsOfARecord() {
-  for (const MetricInfo& info : planningInfos()) {
+  for (const MetricInfo& info : planningTimeInfos()) {
     QVERIFY(standardRegistry().find(info.key) == nullptr);
     QVERIFY(metricsMarkdown(standardRegistry()).find('`' + info.key + '`') != std::string::npos);
   }

@@ -247,8 +247,8 @@ void ReportTest::parseMetricsFile_repeatedKey_lastCounts() {
   QVERIFY(!file->selection.selects(standardRegistry().find("path_length")->info));
   QCOMPARE(file.diagnostics().size(), std::size_t{1});
   QCOMPARE(file.diagnostics().front().text(),
-           std::string("m.yaml:2:3: warning: key 'path_length' is repeated: the value of line 3 "
-                       "counts, not that of line 2"));
+           std::string("m.yaml:2:3: warning: key 'path_length' is repeated: the value of line 3 is "
+                       "used, not that of line 2"));
 }
 
 void ReportTest::parseMetricsFile_problems_haveTheirPlace() {

@@ -42,8 +42,8 @@ double roundACorner(double along, double across, double radius) {
 
 /// The length between the points, if it is the same there and back; else NaN.
 double lengthBetween(const metrics::RunContext& context, const Vec2& a, const Vec2& b) {
-  const double there = lengthOfWay(metrics::shortestPath(context, a, b));
-  const double back = lengthOfWay(metrics::shortestPath(context, b, a));
+  const double there = polylineLength(metrics::shortestPath(context, a, b));
+  const double back = polylineLength(metrics::shortestPath(context, b, a));
   return std::fabs(there - back) < 2e-4 * there ? 0.5 * (there + back) : NAN;
 }
 
@@ -105,7 +105,7 @@ class ShortestWaysTest : public QObject {
       sketch.fill({25.0 + 3.0 * k, 20.0}, {26.0 + 3.0 * k, 21.0});
     }
     const metrics::RunContext context = contextOf(sketch, kRadius);
-    QVERIFY(context.map.width() * context.map.height() > DistanceField::kMostCells);
+    QVERIFY(context.map.width() * context.map.height() > DistanceField::kMaxCells);
     const double length = lengthBetween(context, {60.0, 48.0}, {60.0, 54.0});
     const double expected = 2.0 + 2.0 * roundACorner(2.0, 40.0, kRadius);
     QVERIFY2(isAbout(length, expected), qPrintable(QString::number(length)));

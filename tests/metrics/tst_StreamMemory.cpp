@@ -5,7 +5,7 @@
 
 #include "MetricCases.h"
 #include "metrics/Expression.h"
-#include "metrics/RunningEvaluation.h"
+#include "metrics/IncrementalEvaluation.h"
 #include "tests/AllocationCount.h"
 
 using namespace metrics;

@@ -6,9 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "sim2d/nav/nav2/control/Controller.h"
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
-#include "sim2d/nav/nav2/control/GoalChecker.h"
+#include "sim2d/nav/nav2/control/GoalCheckers.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
 /// A robot at the origin of a free local costmap, for tests of controllers.
@@ -31,7 +30,7 @@ inline Path straight(double length, double step = 0.05) {
 }
 
 inline std::unique_ptr<GoalChecker> goalChecker(sim2d::nav2::Distro distro,
-                                                const Nav2Block& block = {}) {
+                                                const Nav2ParameterBlock& block = {}) {
   return *makeGoalChecker("nav2_controller::SimpleGoalChecker", distro, block);
 }
 
@@ -48,19 +47,20 @@ struct Scene {
   Pose2 robot;
   sim2d::BodyTwist speed;
   Costmap costmap{60, 60, 0.05, base::Vec2(-1.5, -1.5)};  // 3 m x 3 m round the origin
-  ControlledShape shape;
+  RobotFootprint shape;
   std::unique_ptr<GoalChecker> checker;
   double time = 0.0;
   Path local;  // main: the local path
 
   /// The controller with what is given in the block.
-  std::unique_ptr<Controller> make(const std::string& plugin, const Nav2Block& block) const {
+  std::unique_ptr<Controller> make(const std::string& plugin,
+                                   const Nav2ParameterBlock& block) const {
     ControllerSetup setup;
     setup.distro = distro;
     setup.block = block;
     return *controllerRegistry().make(plugin, setup);
   }
-  Control run(Controller& controller) {
+  ControlResult run(Controller& controller) {
     const ControlInput input{
         robot, speed, costmap, shape, *checker, time, distro >= Distro::Lyrical ? &local : nullptr};
     return controller.computeVelocityCommands(input);

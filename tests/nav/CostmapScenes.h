@@ -93,7 +93,7 @@ inline LaserScan turnOf(const Vec2& from, int beams, double distance, double tim
   scan.sensor.position = from;
   scan.time = time;
   scan.angleMin = -base::kPi;
-  scan.perBeam = 2.0 * base::kPi / beams;
+  scan.angleIncrement = 2.0 * base::kPi / beams;
   scan.range = 30.0;
   scan.distances.assign(static_cast<std::size_t>(beams), distance);
   return scan;

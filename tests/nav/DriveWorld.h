@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/nav/DriveKinematics.h"
 #include "sim2d/nav/FootprintGap.h"
-#include "sim2d/nav/Motion.h"
 #include "sim2d/nav/Planner.h"
 
 /// A robot that drives by a planner among walls and people who go on at constant velocity and give
@@ -69,11 +69,11 @@ class World {
     isGood_ = isGood_ && static_cast<bool>(command);
     const BodyTwist wanted = command ? *command : BodyTwist{};
     commands_.push_back(wanted);
-    areFeasible_ = areFeasible_ && feasible(body_, wanted) == wanted;
+    areFeasible_ = areFeasible_ && clampedToLimits(body_, wanted) == wanted;
     Observation& now = observation_;
     const Pose2 before = now.pose;
     now.motion = reached(body_, now.motion, wanted, now.dt);
-    now.pose = advanced(now.pose, now.motion, now.dt);
+    now.pose = propagated(now.pose, now.motion, now.dt);
     now.time += now.dt;
     for (TrackedBody& other : now.bodies) {
       other.position += now.dt * other.velocity;

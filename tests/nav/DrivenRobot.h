@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/nav/DriveKinematics.h"
 #include "sim2d/nav/FootprintGap.h"
-#include "sim2d/nav/Motion.h"
 #include "sim2d/nav/Planner.h"
 
 /// A robot that a planner drives through a small world of walls and of people who walk on and do
@@ -98,7 +98,7 @@ class Robot {
     const BodyTwist command = *planner.command(seen_);
     const Pose2 before = seen_.pose;
     seen_.motion = reached(body_, seen_.motion, command, seen_.dt);
-    seen_.pose = advanced(before, seen_.motion, seen_.dt);
+    seen_.pose = propagated(before, seen_.motion, seen_.dt);
     seen_.time += seen_.dt;
     for (TrackedBody& other : seen_.bodies) {
       other.position += seen_.dt * other.velocity;

@@ -41,7 +41,7 @@ class Judge {
   }
   void prepare(const Path& plan) { prepare(plan, plan.back()); }
 
-  DwbPrice price(const std::vector<Pose2>& poses, const BodyTwist& velocity = {}) {
+  DwbScore score(const std::vector<Pose2>& poses, const BodyTwist& velocity = {}) {
     DwbTrajectory trajectory;
     trajectory.velocity = velocity;
     trajectory.poses = poses;
@@ -52,9 +52,9 @@ class Judge {
       const bool isFirst = trajectory.onMap + 1 == trajectory.cells.size();
       trajectory.onMap += cell && isFirst ? 1 : 0;
     }
-    return critic_->price(trajectory);
+    return critic_->score(trajectory);
   }
-  DwbPrice priceOf(const BodyTwist& velocity) { return price({scene.robot}, velocity); }
+  DwbScore priceOf(const BodyTwist& velocity) { return score({scene.robot}, velocity); }
 
   Scene scene;
 

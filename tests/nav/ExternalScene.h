@@ -25,7 +25,7 @@ inline PlannerSetup setupOf(const std::string& robot = "amy") {
   setup.body.limits.maxVel = 0.8;
   setup.seed = 18446744073709551615U;
   setup.robotId = 3;
-  setup.code = CodeUse::Allowed;
+  setup.code = ExternalCodePolicy::Allowed;
   return setup;
 }
 

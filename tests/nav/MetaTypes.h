@@ -6,7 +6,7 @@
 
 #include "sim2d/base/Types.h"
 #include "sim2d/nav/Body.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
 /// Types of columns in the tables of these tests: a declaration has to stand outside of any
 /// namespace.

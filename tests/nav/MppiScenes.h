@@ -67,7 +67,7 @@ class SceneMaker {
   }
 
  private:
-  double jitter(double half) { return rng_.uniform(-half, half, base::Draw::Test, next_++); }
+  double jitter(double half) { return rng_.uniform(-half, half, base::DrawPurpose::Test, next_++); }
 
   std::vector<sim2d::Outline> walls() const {
     switch (meeting_) {

@@ -9,8 +9,8 @@
 
 #include "sim2d/base/Rng.h"
 #include "sim2d/map/Outlines.h"
+#include "sim2d/nav/DriveKinematics.h"
 #include "sim2d/nav/FootprintGap.h"
-#include "sim2d/nav/Motion.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/SocialForce.h"
 
@@ -157,9 +157,9 @@ inline Outcome World::run(sim2d::Planner& planner, const sim2d::RobotBody& body,
   for (; step < steps && !outcome.arrived; ++step) {
     const auto command = planner.command(observe(pose, motion, goal, people, step * kDt));
     motion = sim2d::reached(body, motion, *command, kDt);
-    const sim2d::Pose2 next = sim2d::advanced(pose, motion, kDt);
+    const sim2d::Pose2 next = sim2d::propagated(pose, motion, kDt);
     walk(people, {-1, pose.position, (next.position - pose.position) / kDt,
-                  sim2d::reachOf(body.footprint)});
+                  sim2d::circumscribedRadius(body.footprint)});
     pose = next;
     outcome.way.push_back(pose.position);
     double gap = 1e9;

@@ -37,7 +37,7 @@ struct CriticBench {
     fill(columns.yaw, yaw);
   }
   void setPose(int sample, int step, double x, double y, double yaw = 0.0) {
-    const std::size_t place = columns.placeOf(step, sample);
+    const std::size_t place = columns.elementIndex(step, sample);
     columns.x[place] = static_cast<float>(x);
     columns.y[place] = static_cast<float>(y);
     columns.yaw[place] = static_cast<float>(yaw);
@@ -45,13 +45,13 @@ struct CriticBench {
 
   /// What each trajectory costs.
   std::vector<double> all() {
-    MppiCritics critics(mppi, trajectoryKernelOf(sim2d::fastestMppiPath()));
+    MppiCritics critics(mppi, trajectoryKernelOf(sim2d::fastestMppiSimdLevel()));
     std::vector<float> costs(columns.length.size(), 0.0F);
     critics.begin(scene.view());
     critics.score(scene.view(), columns, costs);
     furthest = critics.furthest().value_or(-1);
     hasFailed = critics.hasFailed();
-    wasAsked = critics.wasAsked(0);
+    wasEvaluated = critics.wasEvaluated(0);
     std::vector<double> result;
     for (int i = 0; i < columns.count(); ++i) {
       result.push_back(static_cast<double>(costs[static_cast<std::size_t>(i)]));
@@ -68,9 +68,9 @@ struct CriticBench {
 
   MppiConfiguration mppi;
   HandScene scene;
-  TrajectoryColumns columns;
+  TrajectoryBuffer columns;
   int furthest = 0;
-  bool hasFailed = false, wasAsked = false;
+  bool hasFailed = false, wasEvaluated = false;
 };
 
 }  // namespace nav2test

@@ -236,7 +236,7 @@ class Reference {
 
   double priceOf(const std::string& name, Trajectory& way) const {
     const MppiCriticSettings& c = mppi_.critics;
-    const auto powered = [](const CriticSettings& s, double raw) {
+    const auto powered = [](const CommonCriticSettings& s, double raw) {
       return std::pow(s.weight * raw, s.power);
     };
     if (name == "ConstraintCritic") {
@@ -347,7 +347,7 @@ class Reference {
       blocked += isValid(i) ? 0.0 : 1.0;
     }
     const bool isBlocked =
-        blocked > 2.0 && blocked / static_cast<double>(furthest_) > c.mostOccupied;
+        blocked > 2.0 && blocked / static_cast<double>(furthest_) > c.maxPathOccupancyRatio;
     return furthest_ >= static_cast<std::size_t>(c.offsetFromFurthest) && !isBlocked;
   }
 
@@ -399,7 +399,7 @@ class Reference {
     const std::size_t at = std::min(furthest_ + static_cast<std::size_t>(c.offsetFromFurthest),
                                     scene_->path.size() - 1);
     const Vec2& place = scene_->path[at].position;
-    if (angleTo(scene_->robot, place) < c.mostAngle) {
+    if (angleTo(scene_->robot, place) < c.maxAngleToFurthest) {
       return 0.0;
     }
     if (mppi_.distro != Distro::Humble) {

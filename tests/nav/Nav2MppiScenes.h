@@ -25,7 +25,7 @@ struct HandScene {
   Path path;
   Pose2 goal;
   Costmap costmap{60, 60, 0.05, Vec2(-1.5, -1.5)};
-  ControlledShape shape;
+  RobotFootprint shape;
   double xyGoalTolerance = 0.25;
 
   HandScene() {

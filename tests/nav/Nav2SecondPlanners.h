@@ -14,7 +14,7 @@
 #include <queue>
 
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "sim2d/nav/nav2/costmap/CostmapParameters.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"

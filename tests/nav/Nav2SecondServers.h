@@ -11,8 +11,8 @@
 
 #include "sim2d/nav/Body.h"
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
-#include "sim2d/nav/nav2/control/GoalChecker.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
+#include "sim2d/nav/nav2/control/GoalCheckers.h"
 #include "sim2d/nav/nav2/control/ProgressChecker.h"
 #include "sim2d/nav/nav2/servers/CollisionMonitor.h"
 #include "sim2d/nav/nav2/servers/VelocitySmoother.h"

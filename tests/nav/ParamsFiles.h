@@ -15,7 +15,7 @@ inline ParameterFile parsed(const std::string& text) {
   return file ? *file : ParameterFile();
 }
 
-inline Nav2Reading readOf(const std::string& text, Distro distro = Distro::Jazzy) {
+inline Nav2ReadResult readOf(const std::string& text, Distro distro = Distro::Jazzy) {
   return readNav2Parameters(parsed(text), {distro, {}});
 }
 
@@ -41,10 +41,10 @@ inline const base::Diagnostic* problemOf(const base::Diagnostics& problems,
   return found == problems.end() ? nullptr : &*found;
 }
 
-inline const KeyNote* noteOf(const Nav2Reading& reading, const std::string& path) {
+inline const KeyUsage* noteOf(const Nav2ReadResult& reading, const std::string& path) {
   const auto& keys = reading.parameters.notes.keys;
   const auto found =
-      std::find_if(keys.begin(), keys.end(), [&](const KeyNote& key) { return key.path == path; });
+      std::find_if(keys.begin(), keys.end(), [&](const KeyUsage& key) { return key.path == path; });
   return found == keys.end() ? nullptr : &*found;
 }
 

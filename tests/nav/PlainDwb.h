@@ -12,8 +12,8 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/control/dwb/DwbParameters.h"
-#include "sim2d/nav/nav2/control/dwb/VelocitySamples.h"
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+#include "sim2d/nav/nav2/control/dwb/DwbTrajectory.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 /// DWB written down as it is told, without any thought of time: what the program's is held against.
 namespace plain_dwb {

@@ -112,7 +112,7 @@ class RotateToGoal {
       isTurning_ = true;
     }
   }
-  Price price(const BodyTwist& v, double endHeading) const {
+  Price score(const BodyTwist& v, double endHeading) const {
     const double left = std::fabs(std::remainder(goal_.heading - endHeading, 2.0 * M_PI));
     const double wanted = std::hypot(v.linear, v.lateral);
     if (!isThere_) {
@@ -168,7 +168,7 @@ class Oscillation {
       sign_ = {};
     }
   }
-  Price price(const BodyTwist& twist) const {
+  Price score(const BodyTwist& twist) const {
     const std::array<double, 3> v = {twist.linear, twist.lateral, twist.angular};
     for (std::size_t i = 0; i < 3; ++i) {
       if ((noBack_[i] && v[i] < 0.0) || (noAhead_[i] && v[i] > 0.0)) {

@@ -9,7 +9,7 @@
 #include <queue>
 
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/global/PlannerParameters.h"
 
 /// Theta* a second time, from descriptions of Nav2's planner alone and built otherwise than the

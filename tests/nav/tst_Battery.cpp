@@ -31,11 +31,11 @@ void BatteryTest::effort_isTheLargerShare() {
   DriveLimits limits;
   limits.maxVel = 2.0;
   limits.maxOmega = 1.0;
-  QCOMPARE(effortOf({}, limits), 0.0);
-  QCOMPARE(effortOf({1.0, 0.2, 0.0}, limits), 0.5);
-  QCOMPARE(effortOf({-1.0, 0.8, 0.0}, limits), 0.8);
-  QCOMPARE(effortOf({0.6, 0.0, 0.8}, limits), 0.5);  // sideways as well: 1 m/s
-  QCOMPARE(effortOf({5.0, 0.0, 0.0}, limits), 1.0);
+  QCOMPARE(driveEffort({}, limits), 0.0);
+  QCOMPARE(driveEffort({1.0, 0.2, 0.0}, limits), 0.5);
+  QCOMPARE(driveEffort({-1.0, 0.8, 0.0}, limits), 0.8);
+  QCOMPARE(driveEffort({0.6, 0.0, 0.8}, limits), 0.5);  // sideways as well: 1 m/s
+  QCOMPARE(driveEffort({5.0, 0.0, 0.0}, limits), 1.0);
 }
 
 /// 20 W and 60 W at full effort; 120 W at a charger.
@@ -47,10 +47,10 @@ void BatteryTest::power_isOfMotionOrCharger() {
 
 /// 50 W of 100 Wh for half an hour take a quarter.
 void BatteryTest::level_isEnergyByCapacity() {
-  QVERIFY(std::fabs(levelAfter(battery(), 0.8, -50.0, 1800.0) - 0.55) < 1e-12);
-  QVERIFY(std::fabs(levelAfter(battery(), 0.5, 120.0, 900.0) - 0.8) < 1e-12);
-  QCOMPARE(levelAfter(battery(), 0.1, -50.0, 1800.0), 0.0);
-  QCOMPARE(levelAfter(battery(), 0.9, 120.0, 1800.0), 1.0);
+  QVERIFY(std::fabs(chargeLevelAfter(battery(), 0.8, -50.0, 1800.0) - 0.55) < 1e-12);
+  QVERIFY(std::fabs(chargeLevelAfter(battery(), 0.5, 120.0, 900.0) - 0.8) < 1e-12);
+  QCOMPARE(chargeLevelAfter(battery(), 0.1, -50.0, 1800.0), 0.0);
+  QCOMPARE(chargeLevelAfter(battery(), 0.9, 120.0, 1800.0), 1.0);
 }
 
 /// Half way between 21 and 25.2 V; 46.2 W are 2 A.

@@ -7,7 +7,7 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/nav2/servers/BehaviorServer.h"
+#include "sim2d/nav/nav2/servers/Behaviors.h"
 
 using namespace sim2d::nav2;
 using sim2d::BodyTwist;

@@ -39,7 +39,7 @@ CollisionMonitorParameters monitorOf(const std::vector<MonitorPolygon>& shapes) 
 LaserScan scanTo(const Vec2& point, int count = 1) {
   LaserScan scan;
   scan.angleMin = base::atan2(point.y(), point.x());
-  scan.perBeam = 1e-4;
+  scan.angleIncrement = 1e-4;
   scan.distances.assign(static_cast<std::size_t>(count), point.norm());
   return scan;
 }

@@ -21,28 +21,29 @@ using Names = std::vector<std::string>;
 constexpr double kStep = 0.05;  // [s]
 
 /// The controller_server's block for a controller under its usual name.
-Nav2Block nodeOf(const std::string& plugin, Distro distro) {
-  Nav2Block node{{"FollowPath.plugin", plugin}};
+Nav2ParameterBlock nodeOf(const std::string& plugin, Distro distro) {
+  Nav2ParameterBlock node{{"FollowPath.plugin", plugin}};
   node["failure_tolerance"] = 0.3;
   if (plugin == "dwb_core::DWBLocalPlanner") {
-    const Nav2Block keys{{"max_vel_x", 0.26},
-                         {"max_vel_theta", 1.0},
-                         {"max_speed_xy", 0.26},
-                         {"acc_lim_x", 2.5},
-                         {"acc_lim_theta", 3.2},
-                         {"decel_lim_x", -2.5},
-                         {"decel_lim_theta", -3.2},
-                         {"linear_granularity", 0.05},
-                         {"critics", Names{"RotateToGoal", "Oscillation", "BaseObstacle",
-                                           "GoalAlign", "PathAlign", "PathDist", "GoalDist"}},
-                         {"BaseObstacle.scale", 0.02},
-                         {"GoalAlign.scale", 24.0},
-                         {"GoalAlign.forward_point_distance", 0.1},
-                         {"PathAlign.scale", 32.0},
-                         {"PathAlign.forward_point_distance", 0.1},
-                         {"PathDist.scale", 32.0},
-                         {"GoalDist.scale", 24.0},
-                         {"RotateToGoal.scale", 32.0}};
+    const Nav2ParameterBlock keys{
+        {"max_vel_x", 0.26},
+        {"max_vel_theta", 1.0},
+        {"max_speed_xy", 0.26},
+        {"acc_lim_x", 2.5},
+        {"acc_lim_theta", 3.2},
+        {"decel_lim_x", -2.5},
+        {"decel_lim_theta", -3.2},
+        {"linear_granularity", 0.05},
+        {"critics", Names{"RotateToGoal", "Oscillation", "BaseObstacle", "GoalAlign", "PathAlign",
+                          "PathDist", "GoalDist"}},
+        {"BaseObstacle.scale", 0.02},
+        {"GoalAlign.scale", 24.0},
+        {"GoalAlign.forward_point_distance", 0.1},
+        {"PathAlign.scale", 32.0},
+        {"PathAlign.forward_point_distance", 0.1},
+        {"PathDist.scale", 32.0},
+        {"GoalDist.scale", 24.0},
+        {"RotateToGoal.scale", 32.0}};
     for (const auto& [key, value] : keys) {
       node["FollowPath." + key] = value;
     }
@@ -134,7 +135,7 @@ void ControllerDrivesTest::bend_isDrivenToItsEnd_alwaysTheSame_data() {
                            "nav2_rotation_shim_controller::RotationShimController"};
   const char* names[] = {"pursuit", "dwb", "graceful", "shim"};
   for (int i = 0; i < 4; ++i) {
-    for (const Distro distro : kEachDistro) {
+    for (const Distro distro : kDistros) {
       QTest::addRow("%s, %s", names[i], distroName(distro))
           << QString::fromLatin1(plugins[i]) << static_cast<int>(distro);
     }

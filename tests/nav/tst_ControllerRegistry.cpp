@@ -67,31 +67,32 @@ void ControllerRegistryTest::unknown_tellsTheNearest() {
 }
 
 void ControllerRegistryTest::names_ofCodes() {
-  QCOMPARE(controlCodeName(ControlCode::NoValidControl), "NO_VALID_CONTROL");
-  QCOMPARE(static_cast<int>(ControlCode::NoValidControl), 106);
-  QCOMPARE(controlCodeName(ControlCode::PatienceExceeded), "PATIENCE_EXCEEDED");
-  QCOMPARE(static_cast<int>(ControlCode::PatienceExceeded), 104);
+  QCOMPARE(controllerErrorName(ControllerError::NoValidControl), "NO_VALID_CONTROL");
+  QCOMPARE(static_cast<int>(ControllerError::NoValidControl), 106);
+  QCOMPARE(controllerErrorName(ControllerError::PatienceExceeded), "PATIENCE_EXCEEDED");
+  QCOMPARE(static_cast<int>(ControllerError::PatienceExceeded), 104);
 }
 
 void ControllerRegistryTest::filled_takesWhatIsGiven() {
   base::Diagnostics problems;
-  const Nav2Block block{{"length", 2.5}, {"x.on", false}, {"on", false}, {"x.count", 9}};
-  const Sample one = filled(Sample(), sampleKeys(), block, Distro::Humble, problems);
+  const Nav2ParameterBlock block{{"length", 2.5}, {"x.on", false}, {"on", false}, {"x.count", 9}};
+  const Sample one = applyBlock(Sample(), sampleKeys(), block, Distro::Humble, problems);
   QCOMPARE(one.length, 2.5);
   QCOMPARE(one.count, 3);
   QCOMPARE(one.isOn, false);
-  const Sample below = filled(Sample(), sampleKeys(), block, Distro::Humble, problems, "x.");
+  const Sample below = applyBlock(Sample(), sampleKeys(), block, Distro::Humble, problems, "x.");
   QCOMPARE(below.length, 1.5);
   QCOMPARE(below.count, 9);
-  const Sample jazzy = filled(Sample(), sampleKeys(), block, Distro::Jazzy, problems);
+  const Sample jazzy = applyBlock(Sample(), sampleKeys(), block, Distro::Jazzy, problems);
   QCOMPARE(jazzy.length, 1.5);  // Jazzy has no such key
   QVERIFY(problems.empty());
 }
 
 void ControllerRegistryTest::filled_otherTypes_areProblems() {
   base::Diagnostics problems;
-  const Nav2Block block{{"length", 2}, {"count", 2.0}, {"row", std::vector<std::string>{"a"}}};
-  const Sample sample = filled(Sample(), sampleKeys(), block, Distro::Humble, problems);
+  const Nav2ParameterBlock block{
+      {"length", 2}, {"count", 2.0}, {"row", std::vector<std::string>{"a"}}};
+  const Sample sample = applyBlock(Sample(), sampleKeys(), block, Distro::Humble, problems);
   QCOMPARE(sample.length, 1.5);
   QCOMPARE(problems.size(), std::size_t{3});
   QCOMPARE(problems[0].value("wanted"), std::string("double"));
@@ -100,10 +101,10 @@ void ControllerRegistryTest::filled_otherTypes_areProblems() {
 }
 
 void ControllerRegistryTest::addRows_prefixAndFallbacks() {
-  Nav2Keys keys;
-  addRows(keys, sampleKeys(), Sample(), "critic.");
+  Nav2KeyTable keys;
+  addKeyRows(keys, sampleKeys(), Sample(), "critic.");
   QCOMPARE(keys.rows.size(), sampleKeys().size());
-  const Nav2Keys::Row* row = keys.find("critic.length", Distro::Humble);
+  const Nav2KeyTable::Row* row = keys.find("critic.length", Distro::Humble);
   QVERIFY(row != nullptr);
   QCOMPARE(std::get<double>(row->fallback), 1.5);
   QCOMPARE(row->unit, std::string("m"));

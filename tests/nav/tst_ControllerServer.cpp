@@ -18,7 +18,7 @@ namespace {
 class Puppet final : public Controller {
  public:
   void setPlan(const Path& plan) override { plans.push_back(plan); }
-  Control computeVelocityCommands(const ControlInput& input) override {
+  ControlResult computeVelocityCommands(const ControlInput& input) override {
     ++asked;
     seen = input.speed;
     seenPlan = input.localPlan != nullptr ? *input.localPlan : Path();
@@ -28,7 +28,7 @@ class Puppet final : public Controller {
   bool cancel() override { return isCancellable; }
   void reset() override { ++resets; }
 
-  Control answer = BodyTwist{0.4, 0.1};
+  ControlResult answer = BodyTwist{0.4, 0.1};
   bool isCancellable = true;
   std::vector<Path> plans;
   int asked = 0, resets = 0;
@@ -53,7 +53,7 @@ struct Stage {
         *makeProgressChecker("nav2_controller::SimpleProgressChecker", distro, {});
     if (distro == Distro::Main) {
       setup.pathHandlers["PathHandler"] =
-          std::make_unique<PathHandler>(handlingOf(FeasiblePathHandlerParameters()));
+          std::make_unique<PathHandler>(pruningOf(FeasiblePathHandlerParameters()));
     }
     server = std::make_unique<ControllerServer>(std::move(setup));
   }
@@ -138,7 +138,7 @@ void ControllerServerTest::goal_isFollowedUntilReached() {
   stage.scene.robot.position.x() = 1.2;
   feedback = stage.step();
   QCOMPARE(feedback.status, FollowStatus::Succeeded);
-  QCOMPARE(feedback.code, ControlCode::None);
+  QCOMPARE(feedback.code, ControllerError::None);
   QCOMPARE(*feedback.command, BodyTwist());
   QCOMPARE(stage.a().resets, distro == static_cast<int>(Distro::Humble) ? 0 : 1);
   QCOMPARE(stage.step().status, FollowStatus::Idle);
@@ -155,7 +155,7 @@ void ControllerServerTest::goalReached_orderOfDistro() {
   QCOMPARE(stage.step().status, FollowStatus::Succeeded);
   QCOMPARE(stage.a().asked, isHumble ? 1 : 0);
   stage.follow(straight(1.4));
-  stage.a().answer = {ControlCode::NoValidControl, "none"};
+  stage.a().answer = {ControllerError::NoValidControl, "none"};
   QCOMPARE(stage.step().status, isHumble ? FollowStatus::Failed : FollowStatus::Succeeded);
 }
 
@@ -185,7 +185,7 @@ void ControllerServerTest::names_unknown_fail() {
   stage.follow(straight(1.4), "");  // two controllers: it must have a name
   FollowFeedback feedback = stage.step();
   QCOMPARE(feedback.status, FollowStatus::Failed);
-  QCOMPARE(feedback.code, ControlCode::InvalidController);
+  QCOMPARE(feedback.code, ControllerError::InvalidController);
   QCOMPARE(feedback.words, std::string("Failed to find controller name: "));
   FollowPathGoal goal;
   goal.path = straight(1.4);
@@ -193,7 +193,7 @@ void ControllerServerTest::names_unknown_fail() {
   goal.goalChecker = "other";
   stage.server->follow(goal);
   feedback = stage.step();
-  QCOMPARE(feedback.code, ControlCode::Unknown);
+  QCOMPARE(feedback.code, ControllerError::Unknown);
   QCOMPARE(feedback.words, std::string("Failed to find goal checker name: other"));
   goal.goalChecker = "";
   goal.progressChecker = "goal";
@@ -205,17 +205,17 @@ void ControllerServerTest::emptyPath_fails() {
   Stage stage(Distro::Jazzy);
   stage.follow({});
   const FollowFeedback feedback = stage.step();
-  QCOMPARE(feedback.code, ControlCode::InvalidPath);
+  QCOMPARE(feedback.code, ControllerError::InvalidPath);
   QCOMPARE(feedback.words, std::string("Path is empty."));
 }
 
 void ControllerServerTest::noValidControl_withoutTolerance_failsAtOnce() {
   Stage stage(Distro::Jazzy);
   stage.follow(straight(1.4));
-  stage.a().answer = {ControlCode::NoValidControl, "no way"};
+  stage.a().answer = {ControllerError::NoValidControl, "no way"};
   const FollowFeedback feedback = stage.step();
   QCOMPARE(feedback.status, FollowStatus::Failed);
-  QCOMPARE(feedback.code, ControlCode::NoValidControl);
+  QCOMPARE(feedback.code, ControllerError::NoValidControl);
   QCOMPARE(feedback.words, std::string("no way"));
   QCOMPARE(*feedback.command, BodyTwist());
 }
@@ -224,25 +224,25 @@ void ControllerServerTest::noValidControl_withoutTolerance_failsAtOnce() {
 void ControllerServerTest::noValidControl_patience_thenExceeded() {
   Stage stage(Distro::Jazzy, patient(0.301));
   stage.follow(straight(1.4));
-  QVERIFY(!stage.step().isPatient);
-  stage.a().answer = {ControlCode::NoValidControl, "no way"};
+  QVERIFY(!stage.step().isFailureTolerated);
+  stage.a().answer = {ControllerError::NoValidControl, "no way"};
   for (int i = 1; i <= 6; ++i) {
     const FollowFeedback feedback = stage.step();
     QCOMPARE(feedback.status, FollowStatus::Running);
     QCOMPARE(*feedback.command, BodyTwist());
-    QVERIFY(feedback.isPatient);
+    QVERIFY(feedback.isFailureTolerated);
     QCOMPARE(feedback.words, std::string("no way"));
   }
   const FollowFeedback feedback = stage.step();
   QCOMPARE(feedback.status, FollowStatus::Failed);
-  QCOMPARE(feedback.code, ControlCode::PatienceExceeded);
+  QCOMPARE(feedback.code, ControllerError::PatienceExceeded);
   QCOMPARE(feedback.words, std::string("Controller patience exceeded"));
 }
 
 void ControllerServerTest::noValidControl_forEver_neverFails() {
   Stage stage(Distro::Jazzy, patient(-1.0));
   stage.follow(straight(1.4));
-  stage.a().answer = {ControlCode::NoValidControl, "no way"};
+  stage.a().answer = {ControllerError::NoValidControl, "no way"};
   for (int i = 0; i < 100; ++i) {
     QCOMPARE(stage.step().status, FollowStatus::Running);
   }
@@ -252,8 +252,8 @@ void ControllerServerTest::noValidControl_validBetween_startsAnew() {
   Stage stage(Distro::Jazzy, patient(0.301));
   stage.follow(straight(1.4));
   for (int i = 0; i < 40; ++i) {
-    stage.a().answer =
-        i % 5 == 4 ? Control(BodyTwist{0.1, 0.0}) : Control(ControlCode::NoValidControl, "no way");
+    stage.a().answer = i % 5 == 4 ? ControlResult(BodyTwist{0.1, 0.0})
+                                  : ControlResult(ControllerError::NoValidControl, "no way");
     QCOMPARE(stage.step().status, FollowStatus::Running);
   }
 }
@@ -263,7 +263,7 @@ void ControllerServerTest::otherFailures_patienceOfHumbleAlone() {
   for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
     Stage stage(distro, patient(5.0));
     stage.follow(straight(1.4));
-    stage.a().answer = {ControlCode::InvalidPath, "Resulting plan has 0 poses in it."};
+    stage.a().answer = {ControllerError::InvalidPath, "Resulting plan has 0 poses in it."};
     QCOMPARE(stage.step().status,
              distro == Distro::Humble ? FollowStatus::Running : FollowStatus::Failed);
   }
@@ -277,7 +277,7 @@ void ControllerServerTest::noProgress_fails_andNewPathDoesNotReset() {
   QCOMPARE(stage.step(4.1).status, FollowStatus::Running);  // 6 s
   const FollowFeedback feedback = stage.step();             // 10.1 s
   QCOMPARE(feedback.status, FollowStatus::Failed);
-  QCOMPARE(feedback.code, ControlCode::FailedToMakeProgress);
+  QCOMPARE(feedback.code, ControllerError::FailedToMakeProgress);
   QCOMPARE(feedback.words, std::string("Failed to make progress"));
   stage.follow(straight(1.4));  // a new goal does
   QCOMPARE(stage.step(9.9).status, FollowStatus::Running);
@@ -305,7 +305,7 @@ void ControllerServerTest::costmapNotCurrent_waits_timesOut() {
     if (distro == Distro::Humble) {
       QCOMPARE(feedback.status, FollowStatus::Running);
     } else {
-      QCOMPARE(feedback.code, ControlCode::ControllerTimedOut);
+      QCOMPARE(feedback.code, ControllerError::ControllerTimedOut);
       QCOMPARE(feedback.words, std::string("Costmap timed out waiting for update"));
     }
   }
@@ -389,15 +389,15 @@ void ControllerServerTest::main_localPath_isCutByTheHandler() {
 void ControllerServerTest::main_pathOffTheMap_fails() {
   Stage stage(Distro::Main);
   stage.follow({{Vec2(9.0, 9.0), 0.0}, {Vec2(9.0, 9.5), 0.0}});
-  QCOMPARE(stage.step().code, ControlCode::InvalidPath);
+  QCOMPARE(stage.step().code, ControllerError::InvalidPath);
 }
 
 void ControllerServerTest::make_defaults_needNoPlugins() {
   for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
-    const Nav2Block node{{"FollowPath.critics", std::vector<std::string>{"BaseObstacle"}},
-                         {"FollowPath.max_vel_x", 0.26},
-                         {"FollowPath.max_speed_xy", 0.26},
-                         {"FollowPath.acc_lim_x", 2.5}};
+    const Nav2ParameterBlock node{{"FollowPath.critics", std::vector<std::string>{"BaseObstacle"}},
+                                  {"FollowPath.max_vel_x", 0.26},
+                                  {"FollowPath.max_speed_xy", 0.26},
+                                  {"FollowPath.acc_lim_x", 2.5}};
     auto made = makeControllerServer(node, distro);
     QVERIFY(made);
     Scene scene(distro);
@@ -413,13 +413,14 @@ void ControllerServerTest::make_defaults_needNoPlugins() {
 
 void ControllerServerTest::make_everyProblemAtOnce() {
   using Names = std::vector<std::string>;
-  const Nav2Block node{{"controller_frequency", 0.0},
-                       {"failure_tolerance", 1},
-                       {"controller_plugins", Names{"FollowPath", "Slow"}},
-                       {"FollowPath.plugin", std::string("dwb_core::DWBLocalPlaner")},
-                       {"goal_checker_plugins", Names{"general"}},
-                       {"general.plugin", std::string("nav2_controller::SimpleGoalChecker")},
-                       {"general.xy_goal_tolerance", 1}};
+  const Nav2ParameterBlock node{
+      {"controller_frequency", 0.0},
+      {"failure_tolerance", 1},
+      {"controller_plugins", Names{"FollowPath", "Slow"}},
+      {"FollowPath.plugin", std::string("dwb_core::DWBLocalPlaner")},
+      {"goal_checker_plugins", Names{"general"}},
+      {"general.plugin", std::string("nav2_controller::SimpleGoalChecker")},
+      {"general.xy_goal_tolerance", 1}};
   const auto made = makeControllerServer(node, Distro::Humble);
   QVERIFY(!made);
   Names codes;
@@ -433,7 +434,7 @@ void ControllerServerTest::make_everyProblemAtOnce() {
 }
 
 void ControllerServerTest::make_humble_oneProgressChecker() {
-  const Nav2Block node{
+  const Nav2ParameterBlock node{
       {"FollowPath.plugin",
        std::string("nav2_regulated_pure_pursuit_controller/RegulatedPurePursuitController")},
       {"progress_checker_plugin", std::string("pc")},
@@ -443,16 +444,16 @@ void ControllerServerTest::make_humble_oneProgressChecker() {
 }
 
 void ControllerServerTest::keys_ofTheNode() {
-  const Nav2Block node{
+  const Nav2ParameterBlock node{
       {"FollowPath.plugin",
        std::string("nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController")}};
-  const Nav2Keys keys = controllerServerNodeKeys(node, Distro::Jazzy);
+  const Nav2KeyTable keys = controllerServerNodeKeys(node, Distro::Jazzy);
   QVERIFY(keys.find("controller_frequency", Distro::Jazzy) != nullptr);
   QVERIFY(keys.find("FollowPath.lookahead_dist", Distro::Jazzy) != nullptr);
   QVERIFY(keys.find("FollowPath.critics", Distro::Jazzy) == nullptr);
   QVERIFY(keys.find("goal_checker.xy_goal_tolerance", Distro::Jazzy) != nullptr);
   QVERIFY(keys.find("progress_checker.movement_time_allowance", Distro::Jazzy) != nullptr);
-  const Nav2Keys main = controllerServerNodeKeys({}, Distro::Main);
+  const Nav2KeyTable main = controllerServerNodeKeys({}, Distro::Main);
   QVERIFY(main.find("PathHandler.prune_distance", Distro::Main) != nullptr);
   QCOMPARE(std::get<std::string>(main.find("FollowPath.plugin", Distro::Main)->fallback),
            std::string("dwb_core::DWBLocalPlanner"));

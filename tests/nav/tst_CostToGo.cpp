@@ -41,7 +41,7 @@ class CostToGoTest : public QObject {
 void CostToGoTest::at_openPlane_isTheDistance() {
   World world(robotBody(Kinematics::Differential), {Vec2::Zero(), 0.0}, Vec2(2.4, 1.0));
   const CostToGo toGo = solved(world);
-  QVERIFY(toGo.endsHere());
+  QVERIFY(toGo.containsRouteEnd());
   for (int i = 0; i < 200; ++i) {
     const Vec2 place(2.5 * std::cos(0.7 * i), 2.5 * std::sin(0.41 * i));
     const Vec2 way = Vec2(2.4, 1.0) - place;
@@ -55,7 +55,7 @@ void CostToGoTest::at_openPlane_isTheDistance() {
 void CostToGoTest::at_farGoal_isTheDistance() {
   World world(robotBody(Kinematics::Differential), {Vec2(3.0, 3.0), 0.0}, Vec2(33.0, 3.0));
   const CostToGo toGo = solved(world);
-  QVERIFY(!toGo.endsHere());
+  QVERIFY(!toGo.containsRouteEnd());
   QVERIFY(std::fabs(toGo.at(Vec2(3.0, 3.0)) - 30.0) < 0.3);
   QVERIFY(std::fabs(toGo.at(Vec2(4.0, 3.0)) - 29.0) < 0.3);
   QVERIFY(toGo.direction(Vec2(3.0, 3.0)).x() > 0.99);
@@ -106,10 +106,10 @@ void CostToGoTest::leastWithin_placesInReach_haveNoLess() {
     const double radius = 3.0 * std::fabs(std::sin(0.37 * i));
     const double share = std::fabs(std::cos(2.1 * i));
     const Vec2 place = from + share * radius * Vec2(std::cos(0.61 * i), std::sin(0.61 * i));
-    QVERIFY2(toGo.leastWithin(from, radius) <= toGo.at(place) + 1e-12, QByteArray::number(i));
+    QVERIFY2(toGo.minWithin(from, radius) <= toGo.at(place) + 1e-12, QByteArray::number(i));
   }
   // No better guess than the straight way where nothing is in between.
-  QVERIFY(toGo.leastWithin(Vec2::Zero(), 0.0) > 0.8 * goal.norm() - 0.4);
+  QVERIFY(toGo.minWithin(Vec2::Zero(), 0.0) > 0.8 * goal.norm() - 0.4);
 }
 
 void CostToGoTest::at_thinWall_isNotCrossed() {

@@ -7,7 +7,6 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/costmap/Footprint.h"
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
 
 using namespace sim2d::nav2;
 using sim2d::Cell;
@@ -148,7 +147,7 @@ void CostmapFootprintTest::inscribedRadius_box_isOfTheNearestEdge() {
 }
 
 void CostmapFootprintTest::placed_turnedPose_turnsAndMoves() {
-  const Polygon world = placed({{1.0, 0.0}, {0.0, 2.0}}, {{10.0, 20.0}, base::kPi / 2.0});
+  const Polygon world = transformed({{1.0, 0.0}, {0.0, 2.0}}, {{10.0, 20.0}, base::kPi / 2.0});
   QVERIFY(isNear(world[0], 10.0, 21.0));
   QVERIFY(isNear(world[1], 8.0, 20.0));
 }
@@ -225,7 +224,7 @@ void CostmapFootprintTest::footprintCost_cornerOffTheMap_isLethal() {
   const Polygon box = {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}};
   QCOMPARE(int{footprintCost(costmap, box, {{5.0, 5.0}, 0.0})}, 0);
   QCOMPARE(int{footprintCost(costmap, box, {{0.9, 5.0}, 0.0})}, 254);
-  QCOMPARE(int{placeCost(costmap, {-0.1, 5.0})}, 254);
+  QCOMPARE(int{pointCost(costmap, {-0.1, 5.0})}, 254);
 }
 
 void CostmapFootprintTest::isInCollision_roundAndPolygon_lookElsewhere() {

@@ -34,10 +34,10 @@ LaserScan scanOf(const Pose2& pose, double time, const std::vector<Vec2>& centre
   scan.sensor = pose;
   scan.time = time;
   scan.angleMin = -base::kPi;
-  scan.perBeam = base::kPi / 180.0;
+  scan.angleIncrement = base::kPi / 180.0;
   scan.range = 10.0;
   for (int i = 0; i < 360; ++i) {
-    const double angle = pose.heading + scan.angleMin + i * scan.perBeam;
+    const double angle = pose.heading + scan.angleMin + i * scan.angleIncrement;
     const Vec2 way(std::cos(angle), std::sin(angle));
     double distance = scan.range;
     for (const Vec2& centre : centres) {
@@ -222,10 +222,10 @@ void DwaTest::drive_crowd_neverDrivesIntoAnybody() {
     World world(body, {Vec2::Zero(), 0.0}, Vec2(10.0, 0.0));
     for (int i = 0; i < 14; ++i) {
       const auto draw = static_cast<std::uint32_t>(4 * i);
-      const double angle = random.uniform(-base::kPi, base::kPi, base::Draw::Test, draw);
-      const double speed = random.uniform(0.3, 1.4, base::Draw::Test, draw + 1);
-      const Vec2 place(random.uniform(2.0, 12.0, base::Draw::Test, draw + 2),
-                       random.uniform(-5.0, 5.0, base::Draw::Test, draw + 3));
+      const double angle = random.uniform(-base::kPi, base::kPi, base::DrawPurpose::Test, draw);
+      const double speed = random.uniform(0.3, 1.4, base::DrawPurpose::Test, draw + 1);
+      const Vec2 place(random.uniform(2.0, 12.0, base::DrawPurpose::Test, draw + 2),
+                       random.uniform(-5.0, 5.0, base::DrawPurpose::Test, draw + 3));
       world.observation().bodies.push_back(
           person(i + 1, place, speed * Vec2(std::cos(angle), std::sin(angle))));
     }

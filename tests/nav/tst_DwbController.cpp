@@ -20,7 +20,7 @@ constexpr char kDwb[] = "dwb_core::DWBLocalPlanner";
 using Names = std::vector<std::string>;
 
 /// As in Humble's bringup, without the critics that look at the goal's heading and at flips.
-Nav2Block bringup() {
+Nav2ParameterBlock bringup() {
   return {{"max_vel_x", 0.26},
           {"max_vel_theta", 1.0},
           {"max_speed_xy", 0.26},
@@ -39,9 +39,9 @@ Nav2Block bringup() {
           {"GoalDist.scale", 24.0}};
 }
 
-DwbParameters parametersOf(const Nav2Block& block) {
+DwbParameters parametersOf(const Nav2ParameterBlock& block) {
   base::Diagnostics problems;
-  return filled(DwbParameters(), dwbKeys(), block, Distro::Humble, problems);
+  return applyBlock(DwbParameters(), dwbKeys(), block, Distro::Humble, problems);
 }
 
 /// A path that curves to the left, dense.
@@ -112,7 +112,7 @@ void DwbControllerTest::choice_equalsPlainCode() {
   scene.speed = {speed, turning};
   const auto controller = scene.make(kDwb, bringup());
   controller->setPlan(curve());
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   const plain_dwb::Best plain =
       plain_dwb::choose(parametersOf(bringup()), {}, scene.costmap, controller->view().localPlan,
@@ -136,7 +136,7 @@ void DwbControllerTest::choice_randomScenes_equalsPlainCode() {
     scene.speed = {numbers.between(0.0, 0.26), numbers.between(-1.0, 1.0)};
     const auto controller = scene.make(kDwb, bringup());
     controller->setPlan(curve());
-    const Control control = scene.run(*controller);
+    const ControlResult control = scene.run(*controller);
     const plain_dwb::Best plain =
         plain_dwb::choose(parametersOf(bringup()), {}, scene.costmap, controller->view().localPlan,
                           scene.robot, scene.speed);
@@ -158,7 +158,7 @@ void DwbControllerTest::choice_randomScenes_equalsPlainCode() {
 void DwbControllerTest::totals_equalPlainCode() {
   Scene scene(Distro::Humble);
   addPillar(scene, 0.5, 0.3);
-  Nav2Block block = bringup();
+  Nav2ParameterBlock block = bringup();
   block["short_circuit_trajectory_evaluation"] = false;
   const auto controller = scene.make(kDwb, block);
   controller->watch(true);
@@ -171,11 +171,11 @@ void DwbControllerTest::totals_equalPlainCode() {
   const plain_dwb::Grid path(scene.costmap, seeds), goal(scene.costmap, {seeds.back()}),
       pushed(scene.costmap, {plain_dwb::seedsOf(on, scene.costmap).back()});
   std::size_t legal = 0;
-  for (const WeighedTrajectory& each : controller->view().trajectories) {
+  for (const EvaluatedTrajectory& each : controller->view().trajectories) {
     const auto total = plain_dwb::totalOf(
         plain_dwb::rollOut(parametersOf(block), scene.robot, scene.speed, each.twist),
         scene.costmap, path, goal, pushed, {});
-    QCOMPARE(each.refusal.empty(), total.has_value());
+    QCOMPARE(each.rejection.empty(), total.has_value());
     if (total) {
       QCOMPARE(each.total, static_cast<double>(*total));
       ++legal;
@@ -185,7 +185,7 @@ void DwbControllerTest::totals_equalPlainCode() {
 }
 
 void DwbControllerTest::shortCircuit_changesNothing() {
-  Nav2Block whole = bringup();
+  Nav2ParameterBlock whole = bringup();
   whole["short_circuit_trajectory_evaluation"] = false;
   Scene scene(Distro::Humble);
   addPillar(scene, 0.5, 0.4);
@@ -194,7 +194,7 @@ void DwbControllerTest::shortCircuit_changesNothing() {
   cut->setPlan(curve());
   full->setPlan(curve());
   for (int cycle = 0; cycle < 20; ++cycle) {
-    const Control control = scene.run(*cut);
+    const ControlResult control = scene.run(*cut);
     QCOMPARE(control.twist, scene.run(*full).twist);
     scene.speed = control.twist;
     scene.robot.position += 0.05 * control.twist.linear * scene.robot.direction();
@@ -208,21 +208,21 @@ void DwbControllerTest::watched_scoresAddUp() {
   addPillar(scene, 0.5, 0.3);
   const auto controller = scene.make(kDwb, bringup());
   controller->setPlan(curve());
-  const Control unwatched = scene.run(*controller);
+  const ControlResult unwatched = scene.run(*controller);
   QVERIFY(controller->view().trajectories.empty());
   controller->watch(true);
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QCOMPARE(control.twist, unwatched.twist);
   int chosen = 0;
   double best = 1e9;
-  for (const WeighedTrajectory& each : controller->view().trajectories) {
+  for (const EvaluatedTrajectory& each : controller->view().trajectories) {
     double sum = 0.0;
     for (const CriticScore& score : each.scores) {
       sum += score.scale * score.raw;
     }
-    QVERIFY(!each.refusal.empty() || isNear(sum, each.total, 1e-3));
-    QVERIFY(each.refusal.empty() || each.total < 0.0);
-    best = each.refusal.empty() ? std::min(best, each.total) : best;
+    QVERIFY(!each.rejection.empty() || isNear(sum, each.total, 1e-3));
+    QVERIFY(each.rejection.empty() || each.total < 0.0);
+    best = each.rejection.empty() ? std::min(best, each.total) : best;
     if (each.isChosen) {
       ++chosen;
       QCOMPARE(each.twist, control.twist);
@@ -233,7 +233,7 @@ void DwbControllerTest::watched_scoresAddUp() {
     }
   }
   QCOMPARE(chosen, 1);
-  for (const WeighedTrajectory& each : controller->view().trajectories) {
+  for (const EvaluatedTrajectory& each : controller->view().trajectories) {
     QVERIFY(!each.isChosen || each.total == best);
   }
 }
@@ -243,8 +243,8 @@ void DwbControllerTest::boxedIn_isNoValidControl() {
   const auto controller = scene.make(kDwb, bringup());
   controller->setPlan(straight(1.0));
   scene.block(-2.0, -2.0, 2.0, 2.0, kInscribed);
-  const Control control = scene.run(*controller);
-  QCOMPARE(control.code, ControlCode::NoValidControl);
+  const ControlResult control = scene.run(*controller);
+  QCOMPARE(control.code, ControllerError::NoValidControl);
   // 19 times (20 and zero), without standing still: the steps of the 20th add up to more than
   // max_speed_xy
   QCOMPARE(control.words, std::string("Could not find a legal trajectory: No valid trajectories "
@@ -257,12 +257,12 @@ void DwbControllerTest::standingStill_isNoCandidate() {
   Scene scene(Distro::Humble);
   scene.block(0.05, -2.0, 2.0, 2.0);
   scene.robot.position.x() = 0.04;
-  Nav2Block block = bringup();
+  Nav2ParameterBlock block = bringup();
   block["critics"] = Names{"BaseObstacle", "Twirling"};
   block["linear_granularity"] = 0.01;
   const auto controller = scene.make(kDwb, block);
   controller->setPlan(straight(1.0));
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QVERIFY(control.twist.angular != 0.0);
 }
@@ -270,7 +270,7 @@ void DwbControllerTest::standingStill_isNoCandidate() {
 /// Left and right cost the same: the first tried, to the right, is taken.
 void DwbControllerTest::equalTotals_firstWins() {
   Scene scene(Distro::Humble);
-  Nav2Block block = bringup();
+  Nav2ParameterBlock block = bringup();
   block["critics"] = Names{"Twirling"};
   block["min_vel_x"] = 0.1;
   block["max_vel_x"] = 0.1;
@@ -284,7 +284,7 @@ void DwbControllerTest::equalTotals_firstWins() {
 
 void DwbControllerTest::speedLimit_scalesGreatestAlone() {
   Scene scene(Distro::Humble);
-  Nav2Block block = bringup();
+  Nav2ParameterBlock block = bringup();
   block["max_vel_y"] = 0.1;
   block["min_vel_x"] = -0.1;
   const auto made = scene.make(kDwb, block);
@@ -307,7 +307,7 @@ void DwbControllerTest::speedLimit_scalesGreatestAlone() {
 /// In the goal's window the robot only turns, until a new path comes.
 void DwbControllerTest::newPath_resetsCritics() {
   Scene scene(Distro::Humble);
-  Nav2Block block = bringup();
+  Nav2ParameterBlock block = bringup();
   block["critics"] = Names{"RotateToGoal", "PathDist", "GoalDist"};
   const auto controller = scene.make(kDwb, block);
   Path near = straight(0.2);
@@ -323,7 +323,7 @@ void DwbControllerTest::newPath_resetsCritics() {
 void DwbControllerTest::scaleZero_criticIsNotAsked() {
   Scene scene(Distro::Humble);
   scene.block(-2.0, -2.0, 2.0, 2.0, kLethal);
-  Nav2Block block = bringup();
+  Nav2ParameterBlock block = bringup();
   block["BaseObstacle.scale"] = 0.0;  // its refusal does not count either
   const auto controller = scene.make(kDwb, block);
   controller->setPlan(straight(1.0));
@@ -375,9 +375,9 @@ void DwbControllerTest::make_problems() {
 void DwbControllerTest::keys_dependOnCritics() {
   const ControllerType* type = controllerRegistry().find(kDwb, Distro::Humble);
   QVERIFY(type != nullptr);
-  const Nav2Block given{{"critics", Names{"Mine", "Twirling"}},
-                        {"Mine.class", std::string("dwb_critics::PathAlign")}};
-  const Nav2Keys keys = type->keys(given, Distro::Humble);
+  const Nav2ParameterBlock given{{"critics", Names{"Mine", "Twirling"}},
+                                 {"Mine.class", std::string("dwb_critics::PathAlign")}};
+  const Nav2KeyTable keys = type->keys(given, Distro::Humble);
   QVERIFY(keys.find("Mine.forward_point_distance", Distro::Humble) != nullptr);
   QVERIFY(keys.find("Twirling.scale", Distro::Humble) != nullptr);
   QVERIFY(keys.find("Twirling.forward_point_distance", Distro::Humble) == nullptr);

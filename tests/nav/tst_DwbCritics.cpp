@@ -29,8 +29,8 @@ Path row(double length) {
   return path;
 }
 
-std::string refusal(const DwbPrice& price) {
-  return price.refusal == nullptr ? std::string() : std::string(price.refusal);
+std::string rejection(const DwbScore& score) {
+  return score.rejection == nullptr ? std::string() : std::string(score.rejection);
 }
 
 DwbCriticParameters with(double DwbCriticParameters::*member, double value) {
@@ -92,18 +92,18 @@ void DwbCriticsTest::baseObstacle_vectors() {  // 37
   judge.scene.block(0.8, 0.0, 0.85, 0.05, 253);
   judge.scene.block(0.9, 0.0, 0.95, 0.05, 252);
   judge.prepare(row(1.0));
-  QCOMPARE(refusal(judge.price({at(0.52, 0.02)})), std::string("Trajectory Hits Obstacle."));
-  QCOMPARE(refusal(judge.price({at(0.62, 0.02)})), std::string("Trajectory Hits Obstacle."));
-  QCOMPARE(judge.price({at(0.72, 0.02)}).raw, 128.0);
-  QCOMPARE(refusal(judge.price({at(0.82, 0.02)})), std::string("Trajectory Hits Obstacle."));
-  QCOMPARE(judge.price({at(0.92, 0.02)}).raw, 252.0);
-  QCOMPARE(refusal(judge.price({at(1.6, 0.02)})), std::string("Trajectory Goes Off Grid."));
-  QCOMPARE(judge.price({at(0.72, 0.02), at(0.2, 0.0)}).raw, 0.0);  // of the last
-  QCOMPARE(refusal(judge.price({at(0.52, 0.02), at(0.2, 0.0)})),
+  QCOMPARE(rejection(judge.score({at(0.52, 0.02)})), std::string("Trajectory Hits Obstacle."));
+  QCOMPARE(rejection(judge.score({at(0.62, 0.02)})), std::string("Trajectory Hits Obstacle."));
+  QCOMPARE(judge.score({at(0.72, 0.02)}).raw, 128.0);
+  QCOMPARE(rejection(judge.score({at(0.82, 0.02)})), std::string("Trajectory Hits Obstacle."));
+  QCOMPARE(judge.score({at(0.92, 0.02)}).raw, 252.0);
+  QCOMPARE(rejection(judge.score({at(1.6, 0.02)})), std::string("Trajectory Goes Off Grid."));
+  QCOMPARE(judge.score({at(0.72, 0.02), at(0.2, 0.0)}).raw, 0.0);  // of the last
+  QCOMPARE(rejection(judge.score({at(0.52, 0.02), at(0.2, 0.0)})),
            std::string("Trajectory Hits Obstacle."));
-  QCOMPARE(refusal(judge.price({at(0.52, 0.02), at(1.6, 0.0)})),
+  QCOMPARE(rejection(judge.score({at(0.52, 0.02), at(1.6, 0.0)})),
            std::string("Trajectory Hits Obstacle."));  // whichever comes first
-  QCOMPARE(refusal(judge.price({at(1.6, 0.02), at(0.52, 0.02)})),
+  QCOMPARE(rejection(judge.score({at(1.6, 0.02), at(0.52, 0.02)})),
            std::string("Trajectory Goes Off Grid."));
 }
 
@@ -113,7 +113,7 @@ void DwbCriticsTest::baseObstacle_sum_countsEachPose() {
   Judge judge("BaseObstacle", parameters);
   judge.scene.block(0.5, 0.0, 0.55, 0.05, 100);
   judge.prepare(row(1.0));
-  QCOMPARE(judge.price({at(0.52, 0.02), at(0.53, 0.03), at(0.2, 0.0)}).raw, 200.0);
+  QCOMPARE(judge.score({at(0.52, 0.02), at(0.53, 0.03), at(0.2, 0.0)}).raw, 200.0);
 }
 
 void DwbCriticsTest::obstacleFootprint_edgesCount() {
@@ -124,14 +124,14 @@ void DwbCriticsTest::obstacleFootprint_edgesCount() {
   judge.scene.block(0.0, 0.4, 0.05, 0.45, 255);
   judge.scene.block(0.0, -0.1, 0.05, -0.05, 77);
   judge.prepare(row(1.0));
-  QCOMPARE(judge.price({at(0.22, 0.0)}).raw, 253.0);  // an edge may
-  QCOMPARE(judge.price({at(0.42, 0.0)}).raw, 0.0);    // inside nobody looks
-  QCOMPARE(refusal(judge.price({at(-0.22, 0.0)})), std::string("Trajectory Hits Obstacle."));
-  QCOMPARE(refusal(judge.price({at(0.0, 0.32)})), std::string("Trajectory Hits Unknown Region."));
-  QCOMPARE(judge.price({at(0.0, 0.32, base::kPi / 2.0)}).raw, 0.0);  // turned it reaches beyond
-  QCOMPARE(judge.price({at(0.0, 0.01)}).raw, 77.0);
-  QCOMPARE(refusal(judge.price({at(1.4, 0.0)})), std::string("Footprint Goes Off Grid."));
-  QCOMPARE(refusal(judge.price({at(1.6, 0.0)})), std::string("Trajectory Goes Off Grid."));
+  QCOMPARE(judge.score({at(0.22, 0.0)}).raw, 253.0);  // an edge may
+  QCOMPARE(judge.score({at(0.42, 0.0)}).raw, 0.0);    // inside nobody looks
+  QCOMPARE(rejection(judge.score({at(-0.22, 0.0)})), std::string("Trajectory Hits Obstacle."));
+  QCOMPARE(rejection(judge.score({at(0.0, 0.32)})), std::string("Trajectory Hits Unknown Region."));
+  QCOMPARE(judge.score({at(0.0, 0.32, base::kPi / 2.0)}).raw, 0.0);  // turned it reaches beyond
+  QCOMPARE(judge.score({at(0.0, 0.01)}).raw, 77.0);
+  QCOMPARE(rejection(judge.score({at(1.4, 0.0)})), std::string("Footprint Goes Off Grid."));
+  QCOMPARE(rejection(judge.score({at(1.6, 0.0)})), std::string("Trajectory Goes Off Grid."));
 }
 
 /// The path runs in the row of y = 0: 0.32 m to its left are 6 cells.
@@ -139,10 +139,10 @@ void DwbCriticsTest::pathDist_cellsToPath() {
   Judge judge("PathDist");
   judge.scene.block(0.5, 0.1, 0.6, 0.2);  // obstacles are no hindrance for the grid
   judge.prepare(row(1.0));
-  QCOMPARE(judge.price({at(0.5, 0.02)}).raw, 0.0);
-  QCOMPARE(judge.price({at(0.5, 0.02), at(0.52, 0.32)}).raw, 6.0);
-  QCOMPARE(judge.price({at(1.22, 0.12)}).raw, 4.0 + 2.0);  // beyond the end at 1.0, steps add up
-  QCOMPARE(refusal(judge.price({at(0.5, 0.0), at(0.5, 1.6), at(0.5, 0.0)})),
+  QCOMPARE(judge.score({at(0.5, 0.02)}).raw, 0.0);
+  QCOMPARE(judge.score({at(0.5, 0.02), at(0.52, 0.32)}).raw, 6.0);
+  QCOMPARE(judge.score({at(1.22, 0.12)}).raw, 4.0 + 2.0);  // beyond the end at 1.0, steps add up
+  QCOMPARE(rejection(judge.score({at(0.5, 0.0), at(0.5, 1.6), at(0.5, 0.0)})),
            std::string("Trajectory Goes Off Grid."));
 }
 
@@ -153,7 +153,7 @@ void DwbCriticsTest::pathDist_aggregations() {
     parameters.aggregation = way;
     Judge judge("PathDist", parameters);
     judge.prepare(row(1.0));
-    QCOMPARE(judge.price(poses).raw, raw);
+    QCOMPARE(judge.score(poses).raw, raw);
   }
 }
 
@@ -161,30 +161,30 @@ void DwbCriticsTest::pathDist_noPathOnMap_isUnreachable() {
   for (const char* name : {"PathDist", "GoalDist"}) {
     Judge judge(name);
     judge.prepare({at(8.0, 0.0), at(9.0, 0.0)});
-    QCOMPARE(refusal(judge.price({at(0.0, 0.0)})),
+    QCOMPARE(rejection(judge.score({at(0.0, 0.0)})),
              std::string("Trajectory Hits Unreachable Area."));
-    QCOMPARE(refusal(judge.price({at(5.0, 0.0)})), std::string("Trajectory Goes Off Grid."));
+    QCOMPARE(rejection(judge.score({at(5.0, 0.0)})), std::string("Trajectory Goes Off Grid."));
   }
   Judge align("PathAlign");
   align.prepare({at(8.0, 0.0), at(9.0, 0.0)});
-  QCOMPARE(align.price({at(0.0, 0.0)}).raw, 3601.0);  // size of the grid + 1, no refusal
+  QCOMPARE(align.score({at(0.0, 0.0)}).raw, 3601.0);  // size of the grid + 1, no refusal
 }
 
 void DwbCriticsTest::goalDist_cellsToEndOfPath() {
   Judge judge("GoalDist");
   judge.prepare(row(1.0));
-  QCOMPARE(judge.price({at(0.02, 0.02)}).raw, 20.0);
-  QCOMPARE(judge.price({at(0.52, -0.22)}).raw, 10.0 + 5.0);
+  QCOMPARE(judge.score({at(0.02, 0.02)}).raw, 20.0);
+  QCOMPARE(judge.score({at(0.52, -0.22)}).raw, 10.0 + 5.0);
   judge.prepare(row(4.0));  // the last cell on the map is that of 1.45
-  QCOMPARE(judge.price({at(0.02, 0.02)}).raw, 29.0);
+  QCOMPARE(judge.score({at(0.02, 0.02)}).raw, 29.0);
 }
 
 void DwbCriticsTest::pathAlign_pointAhead_andScaleNearGoal() {
   Judge judge("PathAlign", with(&DwbCriticParameters::forwardPointDistance, 0.3));
   judge.prepare(row(1.0));
-  QCOMPARE(judge.price({at(0.52, 0.02)}).raw, 0.0);
-  QCOMPARE(judge.price({at(0.52, 0.02, base::kPi / 2.0)}).raw, 6.0);  // 0.32
-  QCOMPARE(refusal(judge.price({at(1.4, 0.0)})), std::string("Trajectory Goes Off Grid."));
+  QCOMPARE(judge.score({at(0.52, 0.02)}).raw, 0.0);
+  QCOMPARE(judge.score({at(0.52, 0.02, base::kPi / 2.0)}).raw, 6.0);  // 0.32
+  QCOMPARE(rejection(judge.score({at(1.4, 0.0)})), std::string("Trajectory Goes Off Grid."));
   QVERIFY(judge.critic().scale(0.05) > 0.0);
   judge.prepare(row(1.0), at(0.3, 0.0));
   QCOMPARE(judge.critic().scale(0.05), 0.0);  // as near as that
@@ -197,15 +197,15 @@ void DwbCriticsTest::pathAlign_pointAhead_andScaleNearGoal() {
 void DwbCriticsTest::goalAlign_endIsPushedOn() {
   Judge judge("GoalAlign", with(&DwbCriticParameters::forwardPointDistance, 0.3));
   judge.prepare({at(0.02, 0.02), at(0.25, 0.25), at(0.5, 0.5)});
-  QCOMPARE(judge.price({at(0.02, 0.02)}).raw, 8.0 + 14.0);  // the point ahead: (0.32, 0.02)
-  QCOMPARE(judge.price({at(0.42, 0.72)}).raw, 0.0);
+  QCOMPARE(judge.score({at(0.02, 0.02)}).raw, 8.0 + 14.0);  // the point ahead: (0.32, 0.02)
+  QCOMPARE(judge.score({at(0.42, 0.72)}).raw, 0.0);
 }
 
 void DwbCriticsTest::align_onlyTheLastPoseCounts() {
   for (const char* name : {"PathAlign", "GoalAlign"}) {
     Judge judge(name);
     judge.prepare(row(1.0));
-    QVERIFY(judge.price({at(1.45, 0.0), at(3.0, 0.0), at(0.5, 0.0)}).refusal == nullptr);
+    QVERIFY(judge.score({at(1.45, 0.0), at(3.0, 0.0), at(0.5, 0.0)}).rejection == nullptr);
   }
 }
 
@@ -220,17 +220,18 @@ void DwbCriticsTest::rotateToGoal_moving_mustSlowDown() {
   Judge judge("RotateToGoal");
   judge.scene.speed = {0.3, 0.0, 0.4};
   judge.prepare(row(1.0), at(0.2, 0.0, 1.0));
-  QCOMPARE(refusal(judge.priceOf({0.5, 0.0})), std::string("Not slowing down near goal."));
-  QVERIFY(isNear(judge.price({at(0, 0), at(0, 0, 0.25)}, {0.3, 0.1}).raw, 0.09 * 5.0 + 0.75));
+  QCOMPARE(rejection(judge.priceOf({0.5, 0.0})), std::string("Not slowing down near goal."));
+  QVERIFY(isNear(judge.score({at(0, 0), at(0, 0, 0.25)}, {0.3, 0.1}).raw, 0.09 * 5.0 + 0.75));
 }
 
 void DwbCriticsTest::rotateToGoal_stopped_turnsOnly() {
   Judge judge("RotateToGoal");
   judge.scene.speed = {0.25, 0.0};  // counts as standing
   judge.prepare(row(1.0), at(0.2, 0.0, -3.0));
-  QCOMPARE(refusal(judge.priceOf({0.1, 0.5})), std::string("Nonrotation command near goal."));
-  QCOMPARE(refusal(judge.priceOf({0.0, 0.5, 0.1})), std::string("Nonrotation command near goal."));
-  QVERIFY(isNear(judge.price({at(0, 0, 3.0)}, {0.0, 0.5}).raw, 2.0 * base::kPi - 6.0));
+  QCOMPARE(rejection(judge.priceOf({0.1, 0.5})), std::string("Nonrotation command near goal."));
+  QCOMPARE(rejection(judge.priceOf({0.0, 0.5, 0.1})),
+           std::string("Nonrotation command near goal."));
+  QVERIFY(isNear(judge.score({at(0, 0, 3.0)}, {0.0, 0.5}).raw, 2.0 * base::kPi - 6.0));
 }
 
 void DwbCriticsTest::rotateToGoal_latchesUntilNewPath() {
@@ -238,7 +239,7 @@ void DwbCriticsTest::rotateToGoal_latchesUntilNewPath() {
   judge.prepare(row(1.0), at(0.2, 0.0, 1.0));
   judge.scene.speed = {0.5, 0.0};
   judge.prepare(row(1.0), at(0.9, 0.0, 1.0));  // pushed away: still only turning
-  QCOMPARE(refusal(judge.priceOf({0.1, 0.0})), std::string("Nonrotation command near goal."));
+  QCOMPARE(rejection(judge.priceOf({0.1, 0.0})), std::string("Nonrotation command near goal."));
   judge.critic().reset();
   judge.prepare(row(1.0), at(0.9, 0.0, 1.0));
   QCOMPARE(judge.priceOf({0.1, 0.0}).raw, 0.0);
@@ -248,9 +249,9 @@ void DwbCriticsTest::rotateToGoal_main_longPathIsNoWindow() {
   for (const Distro distro : {Distro::Jazzy, Distro::Main}) {
     Judge judge("RotateToGoal", {}, distro);
     judge.prepare(row(1.1), at(0.2, 0.0, 1.0));
-    QCOMPARE(judge.priceOf({0.1, 0.0}).refusal == nullptr, distro == Distro::Main);
+    QCOMPARE(judge.priceOf({0.1, 0.0}).rejection == nullptr, distro == Distro::Main);
     judge.prepare(row(0.9), at(0.2, 0.0, 1.0));
-    QVERIFY(judge.priceOf({0.1, 0.0}).refusal != nullptr);
+    QVERIFY(judge.priceOf({0.1, 0.0}).rejection != nullptr);
   }
 }
 
@@ -259,7 +260,7 @@ void DwbCriticsTest::rotateToGoal_lookaheadTime_takesItsHeading() {
   judge.prepare(row(1.0), at(0.2, 0.0, 1.0));
   // Steps of 0.1 s: half way between 0.2 and 0.4 rad
   const std::vector<Pose2> poses = {at(0, 0, 0.0), at(0, 0, 0.2), at(0, 0, 0.4), at(0, 0, 0.6)};
-  QVERIFY(isNear(judge.price(poses, {0.0, 2.0}).raw, 0.7));
+  QVERIFY(isNear(judge.score(poses, {0.0, 2.0}).raw, 0.7));
 }
 
 void DwbCriticsTest::oscillation_flip_forbidsOldSign() {
@@ -272,11 +273,11 @@ void DwbCriticsTest::oscillation_flip_forbidsOldSign() {
   QCOMPARE(judge.priceOf({-0.1, 0.0}).raw, 0.0);  // nothing forbidden yet
   chose({0.0, 0.0});                              // 0 is no sign
   chose({-0.1, 0.0});
-  QCOMPARE(refusal(judge.priceOf({0.1, 0.0})), std::string("Trajectory is oscillating."));
-  QVERIFY(judge.priceOf({-0.1, 0.0}).refusal == nullptr);
-  QVERIFY(judge.priceOf({0.0, 0.5}).refusal == nullptr);
+  QCOMPARE(rejection(judge.priceOf({0.1, 0.0})), std::string("Trajectory is oscillating."));
+  QVERIFY(judge.priceOf({-0.1, 0.0}).rejection == nullptr);
+  QVERIFY(judge.priceOf({0.0, 0.5}).rejection == nullptr);
   judge.critic().reset();
-  QVERIFY(judge.priceOf({0.1, 0.0}).refusal == nullptr);
+  QVERIFY(judge.priceOf({0.1, 0.0}).rejection == nullptr);
 }
 
 void DwbCriticsTest::oscillation_turnsAreNotedWhenSlow() {
@@ -284,13 +285,13 @@ void DwbCriticsTest::oscillation_turnsAreNotedWhenSlow() {
   judge.prepare(row(1.0));
   judge.critic().debrief({0.2, 1.0});  // too fast ahead: not noted
   judge.critic().debrief({0.2, -1.0});
-  QVERIFY(judge.priceOf({0.2, 1.0}).refusal == nullptr);
+  QVERIFY(judge.priceOf({0.2, 1.0}).rejection == nullptr);
   judge.critic().debrief({0.05, 1.0, 0.1});
   judge.critic().debrief({0.05, -1.0, 0.1});
-  QVERIFY(judge.priceOf({0.2, 1.0}).refusal != nullptr);  // tested at any speed
-  QVERIFY(judge.priceOf({0.2, -1.0}).refusal == nullptr);
+  QVERIFY(judge.priceOf({0.2, 1.0}).rejection != nullptr);  // tested at any speed
+  QVERIFY(judge.priceOf({0.2, -1.0}).rejection == nullptr);
   judge.critic().debrief({0.05, -1.0, -0.1});
-  QVERIFY(judge.priceOf({0.2, -1.0, 0.1}).refusal != nullptr);
+  QVERIFY(judge.priceOf({0.2, -1.0, 0.1}).rejection != nullptr);
 }
 
 void DwbCriticsTest::oscillation_getsOn_isForgotten() {
@@ -310,7 +311,7 @@ void DwbCriticsTest::oscillation_getsOn_isForgotten() {
     judge.scene.time = time;
     judge.prepare(row(1.0));
     judge.critic().debrief({-0.2, 0.0});
-    return judge.priceOf({0.2, 0.0}).refusal != nullptr;
+    return judge.priceOf({0.2, 0.0}).rejection != nullptr;
   };
   flip(10.0);
   QVERIFY(forbidsAfter(at(0.04, 0.0, 0.19), 12.0));

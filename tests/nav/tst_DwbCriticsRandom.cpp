@@ -60,8 +60,8 @@ struct Tally {
   double largest = 0.0;  // in parts of prices above 1
 
   /// False: only one of both calls the trajectory legal.
-  bool add(const DwbPrice& found, const Price& wanted) {
-    if ((found.refusal == nullptr) != wanted.has_value()) {
+  bool add(const DwbScore& found, const Price& wanted) {
+    if ((found.rejection == nullptr) != wanted.has_value()) {
       return false;
     }
     ++(wanted ? legal : illegal);
@@ -108,10 +108,10 @@ void DwbCriticsRandomTest::obstacleCritics_areTheSame() {
     footprint.prepare(bentPath(numbers));
     for (int i = 0; i < 50; ++i) {
       const std::vector<Pose2> poses = anyPoses(numbers);
-      QVERIFY(centre.add(base.price(poses), plain_dwb::obstaclePrice(base.scene.costmap, poses,
+      QVERIFY(centre.add(base.score(poses), plain_dwb::obstaclePrice(base.scene.costmap, poses,
                                                                      parameters.sumsScores)));
       QVERIFY(
-          edges.add(footprint.price(poses),
+          edges.add(footprint.score(poses),
                     plain_dwb::footprintPrice(base.scene.costmap, footprint.scene.shape.vertices,
                                               poses, parameters.sumsScores)));
     }
@@ -145,7 +145,7 @@ void DwbCriticsRandomTest::gridCritics_areTheSame() {
       const double ahead = name.find("Align") == 4 ? parameters.forwardPointDistance : 0.0;
       for (int i = 0; i < 50; ++i) {
         const std::vector<Pose2> poses = anyPoses(numbers);
-        QVERIFY2(all.add(judge.price(poses), plain_dwb::gridPrice(judge.scene.costmap, grid, poses,
+        QVERIFY2(all.add(judge.score(poses), plain_dwb::gridPrice(judge.scene.costmap, grid, poses,
                                                                   ahead, parameters.aggregation)),
                  name.c_str());
       }
@@ -175,7 +175,7 @@ void DwbCriticsRandomTest::rotateToGoal_isTheSame() {
       for (int i = 0; i < 10; ++i) {
         const std::vector<Pose2> poses = anyPoses(numbers);
         const BodyTwist twist = anyTwist(numbers);
-        QVERIFY(all.add(judge.price(poses, twist), second.price(twist, poses.back().heading)));
+        QVERIFY(all.add(judge.score(poses, twist), second.score(twist, poses.back().heading)));
       }
     }
   }
@@ -200,7 +200,7 @@ void DwbCriticsRandomTest::oscillation_isTheSame() {
       judge.prepare(control_scene::straight(1.0));
       for (int i = 0; i < 4; ++i) {
         const BodyTwist twist = anyTwist(numbers);
-        QVERIFY(all.add(judge.priceOf(twist), second.price(twist)));
+        QVERIFY(all.add(judge.priceOf(twist), second.score(twist)));
       }
       const BodyTwist chosen = anyTwist(numbers);
       judge.critic().debrief(chosen);

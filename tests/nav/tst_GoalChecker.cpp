@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/nav2/control/GoalChecker.h"
+#include "sim2d/nav/nav2/control/GoalCheckers.h"
 #include "sim2d/nav/nav2/control/ProgressChecker.h"
 
 using namespace sim2d::nav2;
@@ -11,7 +11,7 @@ using sim2d::BodyTwist;
 
 namespace {
 
-std::unique_ptr<GoalChecker> checkerOf(const char* plugin, const Nav2Block& block = {},
+std::unique_ptr<GoalChecker> checkerOf(const char* plugin, const Nav2ParameterBlock& block = {},
                                        Distro distro = Distro::Jazzy) {
   return *makeGoalChecker(plugin, distro, block);
 }
@@ -108,19 +108,20 @@ void GoalCheckerTest::position_headingDoesNotMatter() {
 /// A path along y to (1, 2): 0.2 m across and 0.3 m along it.
 void GoalCheckerTest::axis_splitsTheOffset() {
   const Path path = {{Vec2(1.0, 0.0), 0.0}, {Vec2(1.0, 1.5), 0.0}, {Vec2(1.0, 2.0), 0.3}};
-  const auto reaches = [&](const Nav2Block& block, double across, double along, double length) {
+  const auto reaches = [&](const Nav2ParameterBlock& block, double across, double along,
+                           double length) {
     const auto checker = checkerOf(kAxis, block, Distro::Main);
     return checker->isGoalReached(
         {{Vec2(1.0 + across, 2.0 + along), 2.0}, {Vec2(1.0, 2.0), 0.3}, {}, length, &path});
   };
-  const Nav2Block narrow = {{"cross_track_tolerance", 0.1}, {"along_path_tolerance", 0.4}};
+  const Nav2ParameterBlock narrow = {{"cross_track_tolerance", 0.1}, {"along_path_tolerance", 0.4}};
   QVERIFY(reaches(narrow, 0.05, -0.35, 0.4));
   QVERIFY(!reaches(narrow, 0.15, -0.35, 0.4));
   QVERIFY(!reaches(narrow, -0.15, -0.35, 0.4));
   QVERIFY(!reaches(narrow, 0.05, -0.45, 0.4));
   QVERIFY(!reaches(narrow, 0.05, 0.45, 0.4));
   QVERIFY(!reaches(narrow, 0.05, -0.35, 1.1));  // the path is longer than 1 m
-  Nav2Block beyond = narrow;
+  Nav2ParameterBlock beyond = narrow;
   beyond["is_overshoot_valid"] = true;
   QVERIFY(reaches(beyond, 0.05, 5.0, 0.4));
   QVERIFY(!reaches(beyond, 0.05, -0.45, 0.4));
@@ -130,7 +131,7 @@ void GoalCheckerTest::axis_splitsTheOffset() {
 /// The last step of 5 cm turns aside. Main looks 0.15 m back, Lyrical at the last pose but one.
 void GoalCheckerTest::axis_direction_isThatOfThePathsEnd() {
   const Path path = {{Vec2(0.0, 2.0), 0.0}, {Vec2(1.0, 1.95), 0.0}, {Vec2(1.0, 2.0), 0.0}};
-  const Nav2Block narrow = {{"cross_track_tolerance", 0.1}, {"along_path_tolerance", 0.4}};
+  const Nav2ParameterBlock narrow = {{"cross_track_tolerance", 0.1}, {"along_path_tolerance", 0.4}};
   const GoalQuery ahead{{Vec2(0.7, 2.0), 0.0}, {Vec2(1.0, 2.0), 0.0}, {}, 0.3, &path};
   QVERIFY(checkerOf(kAxis, narrow, Distro::Main)->isGoalReached(ahead));
   QVERIFY(!checkerOf(kAxis, narrow, Distro::Lyrical)->isGoalReached(ahead));
@@ -139,7 +140,7 @@ void GoalCheckerTest::axis_direction_isThatOfThePathsEnd() {
 }
 
 void GoalCheckerTest::adaptive_standing_widensTheTolerance() {
-  const Nav2Block block = {{"required_stagnation_cycles", 3}};
+  const Nav2ParameterBlock block = {{"required_stagnation_cycles", 3}};
   const auto checker = checkerOf(kAdaptive, block, Distro::Main);
   QVERIFY(checker->isGoalReached(query(0.09, 0.0, {0.3, 0.0})));  // within the fine one
   checker->reset();

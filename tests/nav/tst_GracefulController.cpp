@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/control/GracefulController.h"
-#include "sim2d/nav/nav2/control/SmoothControlLaw.h"
+#include "sim2d/nav/nav2/control/GracefulParameters.h"
 #include "tests/nav/ControlScene.h"
 
 using namespace control_scene;
@@ -135,7 +135,7 @@ void GracefulControllerTest::goalReached_turnsToItsHeading() {
       scene.local.back().heading = heading;
       const auto controller = scene.make(kGraceful, {});
       controller->setPlan(scene.local);
-      const Control control = scene.run(*controller);
+      const ControlResult control = scene.run(*controller);
       QVERIFY(control);
       QCOMPARE(control.twist.linear, 0.0);
       QVERIFY(isNear(control.twist.angular, w));  // 0.5 * angle * 1 rad/s, at least 0.25
@@ -168,7 +168,7 @@ void GracefulControllerTest::goalTurn_blocked_followsTheLaw() {
   controller->setPlan(path);
   QCOMPARE(scene.run(*controller).twist.linear, 0.0);
   scene.block(0.4, 0.4, 0.45, 0.45);
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QVERIFY(control.twist.linear > 0.0);
 }
@@ -181,7 +181,7 @@ void GracefulControllerTest::newPathAside_turnsFirst_onceOnly() {
   }
   const auto controller = scene.make(kGraceful, {});
   controller->setPlan(path);
-  Control control = scene.run(*controller);
+  ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QCOMPARE(control.twist.linear, 0.0);
   QVERIFY(isNear(control.twist.angular, 0.5 * base::kPi / 2.0));
@@ -201,7 +201,7 @@ void GracefulControllerTest::target_isFarthestWithinLookahead() {
   Scene scene;
   const auto controller = scene.make(kGraceful, {{"max_lookahead", 0.82}});
   controller->setPlan(straight(1.4, 0.1));
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QVERIFY((controller->view().lookahead.at(0) - Vec2(0.8, 0.0)).norm() < 1e-9);
   QVERIFY(isNear(control.twist.linear, 0.5 * 0.8 / 1.5));  // slowdown_radius 1.5
@@ -224,7 +224,7 @@ void GracefulControllerTest::target_nearerThanLeast_isNone() {
   const auto controller = scene.make(kGraceful, {});
   controller->setPlan(straight(1.4, 0.1));
   scene.block(0.1, -0.2, 0.3, 0.2, kInscribed);  // only 0.1 m can be reached: less than 0.25
-  QCOMPARE(scene.run(*controller).code, ControlCode::NoValidControl);
+  QCOMPARE(scene.run(*controller).code, ControllerError::NoValidControl);
   const auto near = scene.make(kGraceful, {{"min_lookahead", 0.1}});
   near->setPlan(straight(1.4, 0.1));
   QVERIFY(scene.run(*near));
@@ -237,8 +237,8 @@ void GracefulControllerTest::allBlocked_isNoValidControl() {
     const auto controller = scene.make(kGraceful, {});
     controller->setPlan(scene.local);
     scene.block(-2.0, -2.0, 2.0, 2.0, kInscribed);
-    const Control control = scene.run(*controller);
-    QCOMPARE(control.code, ControlCode::NoValidControl);
+    const ControlResult control = scene.run(*controller);
+    QCOMPARE(control.code, ControllerError::NoValidControl);
     QCOMPARE(control.words, std::string("Collision detected in trajectory"));
   }
 }
@@ -273,7 +273,7 @@ void GracefulControllerTest::backward_targetBehind_drivesBack() {
   const auto controller =
       scene.make(kGraceful, {{"allow_backward", true}, {"initial_rotation", false}});
   controller->setPlan(path);
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QVERIFY(control.twist.linear < -0.1);
   QVERIFY(isNear(control.twist.angular, 0.0, 1e-6));
@@ -321,7 +321,7 @@ void GracefulControllerTest::humble_oneTarget_turnsWhenAside() {
   QVERIFY(scene.run(*controller).twist.linear > 0.0);
   QVERIFY((controller->view().lookahead.at(0) - Vec2(0.75, 0.0)).norm() < 1e-9);  // >= 0.6
   scene.robot.heading = 1.0;  // more than 0.75 aside, whenever it is
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QCOMPARE(control.twist.linear, 0.0);
   QVERIFY(isNear(control.twist.angular, -0.5));
 }
@@ -386,7 +386,7 @@ void GracefulControllerTest::make_problems() {
   QVERIFY(!wrong);
   QCOMPARE(wrong.diagnostics().size(), std::size_t{3});
   const ControllerType* type = controllerRegistry().find(kGraceful, Distro::Humble);
-  const Nav2Keys humble = type->keys({}, Distro::Humble);
+  const Nav2KeyTable humble = type->keys({}, Distro::Humble);
   QCOMPARE(std::get<double>(humble.find("k_phi", Distro::Humble)->fallback), 3.0);
   QVERIFY(humble.find("max_lookahead", Distro::Humble) == nullptr);
   QVERIFY(humble.find("motion_target_dist", Distro::Humble) != nullptr);

@@ -9,7 +9,7 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "sim2d/nav/nav2/costmap/InflationLayer.h"
 #include "tests/nav/CostmapScenes.h"
 #include "tests/nav/MetaTypes.h"
@@ -92,12 +92,12 @@ class InflationLayerTest : public QObject {
 
 /// 252 e^-(d - 5): page 6.4, vector 40; with r_in 0.2255 and scaling 3 those of page 6.6.
 void InflationLayerTest::law_distances_giveTheCostsOfTheFormula() {
-  const InflationLaw slow{10.5, 1.0, 5.0};
+  const InflationCostFunction slow{10.5, 1.0, 5.0};
   const std::vector<int> expected = {254, 253, 253, 253, 253, 253, 92, 34, 12, 4, 1, 0};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     QCOMPARE(int{slow.cost(static_cast<double>(i))}, expected[i]);
   }
-  const InflationLaw fine{0.7, 3.0, costmapFootprint(0.22, {}, 0.01).inscribed};
+  const InflationCostFunction fine{0.7, 3.0, costmapFootprint(0.22, {}, 0.01).inscribed};
   const std::vector<std::pair<double, int>> page = {{0.25, 234}, {0.30, 201}, {0.40, 149},
                                                     {0.50, 110}, {0.55, 95},  {0.70, 60}};
   for (const auto& [distance, cost] : page) {
@@ -106,10 +106,11 @@ void InflationLayerTest::law_distances_giveTheCostsOfTheFormula() {
 }
 
 void InflationLayerTest::law_cost_givesTheDistanceBack() {
-  const InflationLaw law{0.7, 3.0, 0.2};
-  QVERIFY(std::fabs(law.distance(253) - 0.2) < 1e-12);
-  QVERIFY(std::fabs(law.distance(100) - (0.2 - std::log(100.0 / 253.0) / 3.0)) < 1e-12);
-  QVERIFY(std::fabs(law.distance(law.cost(0.5)) - 0.5) < 0.01);  // costs are whole
+  const InflationCostFunction costFunction{0.7, 3.0, 0.2};
+  QVERIFY(std::fabs(costFunction.distance(253) - 0.2) < 1e-12);
+  QVERIFY(std::fabs(costFunction.distance(100) - (0.2 - std::log(100.0 / 253.0) / 3.0)) < 1e-12);
+  QVERIFY(std::fabs(costFunction.distance(costFunction.cost(0.5)) - 0.5) <
+          0.01);  // costs are whole
 }
 
 /// Vector 38.
@@ -328,10 +329,10 @@ void InflationLayerTest::updateCosts_disabled_doesNothing() {
 void InflationLayerTest::law_customRadius_countsInMainOnly() {
   InflationLayerParameters parameters = inflationLayer(3.0);
   parameters.customInscribedRadius = 2.0;
-  QCOMPARE(Scene(5, Distro::Main, 1.0, parameters).layer->law().inscribed, 2.0);
-  QCOMPARE(Scene(5, Distro::Jazzy, 1.0, parameters).layer->law().inscribed, 1.0);
+  QCOMPARE(Scene(5, Distro::Main, 1.0, parameters).layer->costFunction().inscribed, 2.0);
+  QCOMPARE(Scene(5, Distro::Jazzy, 1.0, parameters).layer->costFunction().inscribed, 1.0);
   parameters.customInscribedRadius = -1.0;
-  QCOMPARE(Scene(5, Distro::Main, 1.0, parameters).layer->law().inscribed, 1.0);
+  QCOMPARE(Scene(5, Distro::Main, 1.0, parameters).layer->costFunction().inscribed, 1.0);
 }
 
 QTEST_APPLESS_MAIN(InflationLayerTest)

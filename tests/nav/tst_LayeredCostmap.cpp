@@ -10,8 +10,8 @@
 #include <QtTest>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/nav/nav2/Nav2Block.h"
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "sim2d/nav/nav2/costmap/StaticLayer.h"
 #include "tests/nav/CostmapScenes.h"
 
@@ -120,7 +120,7 @@ void LayeredCostmapTest::update_inflatedMap_hasTheRingOfEveryWall() {
     LayeredCostmap costmap(setup);
     costmap.updateNow(at({0.0, 0.0}, 0.0));
     QCOMPARE(count(costmap.costmap(), kLethal), 20);
-    const Costmap walls = costmapOf(setup.map, setup.settings.parameters, distro);
+    const Costmap walls = costmapFromMap(setup.map, setup.settings.parameters, distro);
     int ring = 0;
     for (int row = 0; row < 10; ++row) {
       for (int column = 0; column < 10; ++column) {
@@ -717,8 +717,8 @@ void LayeredCostmapTest::keys_tables_haveDifferentNames() {
   QVERIFY(areDifferent(voxelLayerKeys()));
   QVERIFY(areDifferent(inflationLayerKeys()));
   QVERIFY(areDifferent(socialLayerKeys()));
-  QVERIFY(areDifferent(idleCostmapKeys()));
-  QVERIFY(areDifferent(idleLayerKeys()));
+  QVERIFY(areDifferent(ignoredCostmapKeys()));
+  QVERIFY(areDifferent(ignoredLayerKeys()));
   VoxelLayerParameters voxels;  // a key of the base has its member
   for (const Nav2Key<VoxelLayerParameters>& key : voxelLayerKeys()) {
     if (std::string(key.name) == "combination_method") {
@@ -731,10 +731,10 @@ void LayeredCostmapTest::keys_tables_haveDifferentNames() {
 /// As declared in costmap_2d_ros.cpp, obstacle_layer.cpp, voxel_layer.cpp and inflation_layer.cpp.
 void LayeredCostmapTest::keys_defaults_areThoseOfNav2sCode() {
   const auto textOf = [](const auto& keys, const auto& defaults) {
-    Nav2Keys rows;
-    addRows(rows, keys, defaults);
+    Nav2KeyTable rows;
+    addKeyRows(rows, keys, defaults);
     std::string text;
-    for (const Nav2Keys::Row& row : rows.rows) {
+    for (const Nav2KeyTable::Row& row : rows.rows) {
       text += row.name + " ";
       if (const auto* const real = std::get_if<double>(&row.fallback)) {
         text += base::formatDouble(*real) + " m; ";

@@ -118,10 +118,10 @@ void LibraryPlannerTest::make_refused_tellsTheReason() {
   NEED_LIBRARY(kFaulty);
   const auto made = faulty("refused");
   QCOMPARE(codeOf(made.diagnostics()), std::string("library.refused"));
-  QVERIFY(messageOf(made.diagnostics()).endsWith("makes no planner: no?licence"));
+  QVERIFY(messageOf(made.diagnostics()).endsWith("creates no planner: no?licence"));
   const auto silent = faulty("refused_silently");
   QCOMPARE(codeOf(silent.diagnostics()), std::string("library.refused"));
-  QVERIFY(messageOf(silent.diagnostics()).endsWith("makes no planner"));
+  QVERIFY(messageOf(silent.diagnostics()).endsWith("creates no planner"));
 }
 
 void LibraryPlannerTest::make_fromRegistry_takesItsTexts() {
@@ -140,9 +140,9 @@ void LibraryPlannerTest::make_fromRegistry_takesItsTexts() {
   const auto gone = entry->make(setup);
   QVERIFY2(messageOf(gone.diagnostics()).contains("/nowhere/gone.so"),
            messageOf(gone.diagnostics()));
-  setup.code = CodeUse::LeftOut;
+  setup.code = ExternalCodePolicy::Skipped;
   QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-there"));
-  setup.code = CodeUse::Refused;
+  setup.code = ExternalCodePolicy::Refused;
   QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-allowed"));
 }
 
@@ -176,7 +176,7 @@ void LibraryPlannerTest::command_observation_isHandedOver() {
   scan.sensor = {{0.1, 0.2}, 0.3};
   scan.time = 1.5;
   scan.angleMin = -2.0;
-  scan.perBeam = 0.5;
+  scan.angleIncrement = 0.5;
   scan.range = 8.0;
   scan.distances = {8.0, 4.5, 3.0};
   seen.time = 2.0;
@@ -210,7 +210,7 @@ void LibraryPlannerTest::command_error_endsTheRun() {
   QVERIFY((*made)->command(scene.observation));
   const auto second = (*made)->command(scene.observation);
   QCOMPARE(codeOf(second.diagnostics()), std::string("library.failed"));
-  QVERIFY2(messageOf(second.diagnostics()).endsWith("gives up with code 42: stuck"),
+  QVERIFY2(messageOf(second.diagnostics()).endsWith("failed with code 42: stuck"),
            messageOf(second.diagnostics()));
   QVERIFY(messageOf(second.diagnostics()).startsWith("robot 'fails': "));
 }

@@ -110,7 +110,7 @@ double castAlone(const Floor& floor, const LidarParameters& lidar, const LegGait
   for (std::size_t i = 0; i < floor.bodies.size(); ++i) {
     const SensedBody& body = floor.bodies[i];
     if (body.kind == BodyKind::Person && lidar.legs) {
-      const Legs legs = legsOf(body, gait.strideOf(i));
+      const Legs legs = legsAt(body, gait.gaitPhase(i));
       addCircle(legs.left, legs.radius);
       addCircle(legs.right, legs.radius);
     } else if (body.footprint == nullptr) {
@@ -132,7 +132,7 @@ double worstBeam(const Floor& floor, const LidarParameters& parameters, const Po
   double worst = static_cast<int>(scan.distances.size()) == parameters.beams ? 0.0 : 1e9;
   for (std::size_t i = 0; i < scan.distances.size(); ++i) {
     const double angle =
-        scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.perBeam;
+        scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.angleIncrement;
     const double expected =
         castAlone(floor, parameters, gait, scan.sensor.position, base::directionOf(angle));
     worst = std::max(worst, std::fabs(scan.distances[i] - expected));
@@ -309,12 +309,12 @@ void LidarTest::turn_beamsOfFan_standFromEndToEnd() {
   const double quarter = base::kPi / 4.0;
   const LaserScan fan = turnAt({}, lidarOf(3, -quarter, quarter), room, {});
   QCOMPARE(fan.angleMin, -quarter);
-  QCOMPARE(fan.perBeam, quarter);
+  QCOMPARE(fan.angleIncrement, quarter);
   QVERIFY(std::fabs(fan.distances[0] - 4.0 * std::sqrt(2.0)) < kExact);  // into the corner
   QVERIFY(std::fabs(fan.distances[1] - 4.0) < kExact);
   QVERIFY(std::fabs(fan.distances[2] - 4.0 * std::sqrt(2.0)) < kExact);
   const LaserScan around = turnAt({}, lidarOf(8), room, {});
-  QCOMPARE(around.perBeam, quarter);  // the last beam is not the first one again
+  QCOMPARE(around.angleIncrement, quarter);  // the last beam is not the first one again
 }
 
 void LidarTest::turn_insideSomething_isZero() {
@@ -382,7 +382,7 @@ void LidarTest::turn_longWay_seesTheWallsThatCome() {
     QVERIFY(lidar.update({pose, pose, floor.obstacles, floor.bodies, 0.1 * step}));
     for (std::size_t i = 0; i < 180; ++i) {
       const double angle =
-          pose.heading - base::kPi + static_cast<double>(i) * lidar.scan()->perBeam;
+          pose.heading - base::kPi + static_cast<double>(i) * lidar.scan()->angleIncrement;
       const double expected =
           castAlone(floor, parameters, gait, pose.position, base::directionOf(angle));
       QVERIFY(std::fabs(lidar.scan()->distances[i] - expected) <= kExact);
@@ -544,7 +544,7 @@ void LidarTest::legs_anyStride_stayInTheDisc() {
       for (const double speed : {0.0, 0.5, 1.4, 3.0}) {
         SensedBody person = personAt(1, {5.0, -2.0}, 0.7, speed);
         person.radius = radius;
-        const Legs legs = legsOf(person, 0.01 * i);
+        const Legs legs = legsAt(person, 0.01 * i);
         for (const Vec2& leg : {legs.left, legs.right}) {
           QVERIFY((leg - person.position).norm() + legs.radius <= radius + 1e-12);
         }
@@ -565,13 +565,13 @@ void LidarTest::legs_walking_standOnTheGround() {
   people[0].radius = 1.0;
   LegGait gait(11);
   gait.update(people);
-  Legs before = legsOf(people[0], gait.strideOf(0));
+  Legs before = legsAt(people[0], gait.gaitPhase(0));
   int changes = 0;
   bool wasLeft = false;
   for (int step = 0; step < 2000; ++step) {
     people[0].position += Vec2(0.0065, 0.0);  // 5 ms
     gait.update(people);
-    const Legs now = legsOf(people[0], gait.strideOf(0));
+    const Legs now = legsAt(people[0], gait.gaitPhase(0));
     const double left = (now.left - before.left).norm();
     const double right = (now.right - before.right).norm();
     const bool isLeft = left < right;
@@ -583,17 +583,17 @@ void LidarTest::legs_walking_standOnTheGround() {
   // 13 m in steps of sqrt(0.39 * 1.3) = 0.712 m: 18.3 steps.
   QVERIFY(changes == 18 || changes == 19);
   // Standing still keeps them.
-  const double stride = gait.strideOf(0);
+  const double stride = gait.gaitPhase(0);
   people[0].velocity = Vec2::Zero();
   gait.update(people);
-  QCOMPARE(gait.strideOf(0), stride);
+  QCOMPARE(gait.gaitPhase(0), stride);
   // Others come and go without a change.
   people.insert(people.begin(), personAt(2, {3.0, 3.0}));
   gait.update(people);
-  QCOMPARE(gait.strideOf(1), stride);
+  QCOMPARE(gait.gaitPhase(1), stride);
   people.erase(people.begin());
   gait.update(people);
-  QCOMPARE(gait.strideOf(0), stride);
+  QCOMPARE(gait.gaitPhase(0), stride);
 }
 
 /// Grieve & Gear 1966 (Ergonomics 9): 64.8 V^0.57 strides a minute at V statures a second.
@@ -668,7 +668,7 @@ struct ReadAlwaysAndElse {
 /// Turns that nobody looked at leave nothing behind, in legs and errors neither.
 void LidarTest::update_readFromSomeTimeOn_isTheSame() {
   ReadAlwaysAndElse lidars;
-  const auto use = [](int step) { return step >= 31 ? ScanUse::Now : ScanUse::None; };
+  const auto use = [](int step) { return step >= 31 ? ScanDemand::Now : ScanDemand::None; };
   lidars.walk(60, use, [&](int step, bool isTurn, bool isTurnOfTheOther) {
     QCOMPARE(isTurn, step % 2 == 0);
     QCOMPARE(isTurnOfTheOther, isTurn && step >= 31);
@@ -684,14 +684,14 @@ void LidarTest::update_readFromSomeTimeOn_isTheSame() {
 void LidarTest::update_nowAfterLater_isTheLastTurn() {
   ReadAlwaysAndElse lidars;
   const auto isNow = [](int step) { return step == 3 || step == 7; };
-  const auto use = [&](int step) { return isNow(step) ? ScanUse::Now : ScanUse::Later; };
+  const auto use = [&](int step) { return isNow(step) ? ScanDemand::Now : ScanDemand::Later; };
   lidars.walk(8, use, [&](int step, bool /*isTurn*/, bool isTurnOfTheOther) {
     QVERIFY(!isTurnOfTheOther);
-    QCOMPARE(lidars.other.laterTurn() == nullptr, isNow(step));
+    QCOMPARE(lidars.other.deferredSnapshot() == nullptr, isNow(step));
     if (isNow(step)) {
       QVERIFY(lidars.areScansEqual());
     } else {
-      QVERIFY(lidars.other.laterTurn()->time == lidars.always.scan()->time);
+      QVERIFY(lidars.other.deferredSnapshot()->time == lidars.always.scan()->time);
     }
   });
 }

@@ -9,7 +9,7 @@
 using base::Pose2;
 using base::Vec2;
 using sim2d::inverse;
-using sim2d::kMostDeviations;
+using sim2d::kMaxDeviations;
 using sim2d::LocalizationError;
 using sim2d::LocalizationParameters;
 using sim2d::Localizer;
@@ -130,7 +130,7 @@ class LocalizationTest : public QObject {
       most = std::max(
           {most, std::fabs(value.x) / 0.1, std::fabs(value.y) / 0.2, std::fabs(value.yaw) / 0.05});
     }
-    QVERIFY(isClose(most, kMostDeviations, 1e-12));  // 270 of 100000 normal draws are beyond
+    QVERIFY(isClose(most, kMaxDeviations, 1e-12));  // 270 of 100000 normal draws are beyond
   }
 
   void process_withoutCorrelation_isWhite() {

@@ -127,10 +127,11 @@ void MapGridTest::refined_gaps_byHand() {
     return found;
   };
   const auto to = [](double x) { return Path{{Vec2(0, 0), 0.5}, {Vec2(x, 0), 0.0}}; };
-  QCOMPARE(xs(refined(to(0.65), 0.1)), (QVector<double>{0.0, 0.216667, 0.433333, 0.65}));
-  QCOMPARE(xs(refined(to(0.45), 0.1)), (QVector<double>{0.0, 0.45}));
-  QCOMPARE(xs(refined(to(0.2), 0.1)), (QVector<double>{0.0, 0.2}));
-  QCOMPARE(xs(refined({}, 0.1)), QVector<double>());
+  QCOMPARE(xs(adjustPlanResolution(to(0.65), 0.1)),
+           (QVector<double>{0.0, 0.216667, 0.433333, 0.65}));
+  QCOMPARE(xs(adjustPlanResolution(to(0.45), 0.1)), (QVector<double>{0.0, 0.45}));
+  QCOMPARE(xs(adjustPlanResolution(to(0.2), 0.1)), (QVector<double>{0.0, 0.2}));
+  QCOMPARE(xs(adjustPlanResolution({}, 0.1)), QVector<double>());
 }
 
 void MapGridTest::seeds_firstStretchOnTheMap() {

@@ -213,8 +213,9 @@ void MppiTest::command_everyInstructionSet_equalBits() {
   PlannerSetup setup;
   setup.body = body;
   std::vector<Vec2> first;
-  for (const MppiPath path : {MppiPath::Sse2, MppiPath::Avx2, MppiPath::Avx512}) {
-    if (!hasMppiPath(path)) {
+  for (const MppiSimdLevel path :
+       {MppiSimdLevel::Sse2, MppiSimdLevel::Avx2, MppiSimdLevel::Avx512}) {
+    if (!isMppiSimdLevelSupported(path)) {
       continue;
     }
     World world = openPlane();

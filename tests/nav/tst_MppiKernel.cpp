@@ -76,7 +76,7 @@ void MppiKernelTest::draw_anyDrive_agreesWithReference() {
   scene.problem.discCount = 2;
   setDriveOf(scene.problem.drive, kind);
   mppitest::Columns columns(kSamples, scene.problem.steps);
-  mppiKernelOf(fastestMppiPath()).draw(scene.problem, columns.view(), 0, kSamples);
+  mppiKernelFor(fastestMppiSimdLevel()).draw(scene.problem, columns.view(), 0, kSamples);
   const auto expected = reference::rollAll(scene.problem, 0, kSamples);
   int differ = 0;
   for (int i = 0; i < kSamples; ++i) {
@@ -107,7 +107,7 @@ void MppiKernelTest::update_weightedMean_agreesWithReference() {
   scene.problem.costs.hit = 0.0F;  // its steps would make rounding visible
   scene.problem.costs.stop = 0.0F;
   mppitest::Columns columns(kSamples, scene.problem.steps);
-  const MppiKernel kernel = mppiKernelOf(fastestMppiPath());
+  const MppiKernel kernel = mppiKernelFor(fastestMppiSimdLevel());
   kernel.draw(scene.problem, columns.view(), 0, kSamples);
   std::vector<float> weights(kSamples);
   mppiWeights(columns.costs.data(), kSamples, 0.3, weights.data());
@@ -128,18 +128,18 @@ void MppiKernelTest::draw_everyInstructionSet_hasEqualBits() {
     mppitest::HandMade scene(6, true);
     setDriveOf(scene.problem.drive, kind);
     mppitest::Columns first(kSamples, scene.problem.steps);
-    mppiKernelOf(MppiPath::Sse2).draw(scene.problem, first.view(), 0, kSamples);
+    mppiKernelFor(MppiSimdLevel::Sse2).draw(scene.problem, first.view(), 0, kSamples);
     std::vector<float> weights(kSamples);
     mppiWeights(first.costs.data(), kSamples, 0.3, weights.data());
     const float mean =
-        mppiKernelOf(MppiPath::Sse2).sum(weights.data(), first.controls[0].data(), kSamples);
+        mppiKernelFor(MppiSimdLevel::Sse2).sum(weights.data(), first.controls[0].data(), kSamples);
     QVERIFY(*std::max_element(first.costs.begin(), first.costs.end()) > 0.0F);
-    for (const MppiPath path : {MppiPath::Avx2, MppiPath::Avx512}) {
-      if (!hasMppiPath(path)) {
+    for (const MppiSimdLevel path : {MppiSimdLevel::Avx2, MppiSimdLevel::Avx512}) {
+      if (!isMppiSimdLevelSupported(path)) {
         continue;
       }
       mppitest::Columns other(kSamples, scene.problem.steps);
-      const MppiKernel kernel = mppiKernelOf(path);
+      const MppiKernel kernel = mppiKernelFor(path);
       kernel.draw(scene.problem, other.view(), 0, kSamples);
       QVERIFY(other.costs == first.costs);
       QVERIFY(other.hits == first.hits);
@@ -167,7 +167,7 @@ void MppiKernelTest::draw_noise_hasTheMomentsOfItsLaw() {
     std::fill(axis.begin(), axis.end(), 0.0F);
   }
   mppitest::Columns columns(kMany, problem.steps);
-  mppiKernelOf(fastestMppiPath()).draw(problem, columns.view(), 0, kMany);
+  mppiKernelFor(fastestMppiSimdLevel()).draw(problem, columns.view(), 0, kMany);
   const double sigma[2] = {0.2, 0.4};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     double sum = 0.0;
@@ -194,7 +194,7 @@ void MppiKernelTest::draw_noise_hasTheMomentsOfItsLaw() {
 void MppiKernelTest::weigh_feasibleControls_keepsThem() {
   mppitest::HandMade scene(3, false);
   mppitest::Columns columns(kMppiColumns, scene.problem.steps);
-  const MppiKernel kernel = mppiKernelOf(fastestMppiPath());
+  const MppiKernel kernel = mppiKernelFor(fastestMppiSimdLevel());
   kernel.draw(scene.problem, columns.view(), 0, kMppiColumns);
   mppitest::Columns again = columns;
   kernel.weigh(scene.problem, again.view(), 0, kMppiColumns);
@@ -214,7 +214,7 @@ void MppiKernelTest::weigh_straightAlongAWall_costsByHand() {
   scene.problem.costs.goal = 5.0F;
   scene.problem.costs.end = 2.0F;
   mppitest::Columns columns(kMppiColumns, scene.problem.steps);
-  mppiKernelOf(fastestMppiPath()).weigh(scene.problem, columns.view(), 0, kMppiColumns);
+  mppiKernelFor(fastestMppiSimdLevel()).weigh(scene.problem, columns.view(), 0, kMppiColumns);
   const double expected = 4.0 * 0.16 + 7.0 * std::sqrt(16.25);
   QVERIFY(std::fabs(static_cast<double>(columns.costs[0]) - expected) < 2e-3);
   QCOMPARE(columns.hits[0], 0.0F);
@@ -269,7 +269,7 @@ void MppiKernelTest::weigh_onePerson_costsByHand() {
   social.strip = term == QStringLiteral("strip") ? 1.0F : 0.0F;
   social.legible = term == QStringLiteral("legible") ? 1.0F : 0.0F;
   mppitest::Columns columns(kMppiColumns, scene.problem.steps);
-  mppiKernelOf(fastestMppiPath()).weigh(scene.problem, columns.view(), 0, kMppiColumns);
+  mppiKernelFor(fastestMppiSimdLevel()).weigh(scene.problem, columns.view(), 0, kMppiColumns);
   // Legibility counts early steps more; over the even steps of 56 the mean weight is 2 - 54 / 56.
   const double early = term == QStringLiteral("legible") ? 2.0 - 54.0 / 56.0 : 1.0;
   QVERIFY2(std::fabs(static_cast<double>(columns.costs[0]) - expected * early) < 1e-4,
@@ -301,13 +301,14 @@ void MppiKernelTest::pull_whiteAndCorrelated_matchesTheInverseCovariance() {
                u[1] * (-k * drift[0] + (1.0 + k * k) * drift[1] - k * drift[2]) +
                u[2] * (-k * drift[1] + drift[2]));
   std::vector<float> pull;
-  mppiPull({0.5F, 0.7F, -0.2F}, 0.015, 0.2, k, pull);
+  mppiControlCost({0.5F, 0.7F, -0.2F}, 0.015, 0.2, k, pull);
   double sum = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     sum += static_cast<double>(pull[i]) * n[i];
   }
   QVERIFY(std::fabs(sum - 0.015 / 0.2 * expected) < 1e-6);
-  mppiPull({0.5F, 0.7F, -0.2F}, 0.015, 0.2, 0.0, pull);  // white: Nav2's gamma / sigma² u epsilon
+  mppiControlCost({0.5F, 0.7F, -0.2F}, 0.015, 0.2, 0.0,
+                  pull);  // white: Nav2's gamma / sigma² u epsilon
   QVERIFY(std::fabs(static_cast<double>(pull[1]) - 0.015 / 0.2 * 0.7) < 1e-6);
 }
 

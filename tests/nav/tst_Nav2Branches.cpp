@@ -92,7 +92,7 @@ void Nav2BranchesTest::read_partialFile_isNotAnError_data() {
 void Nav2BranchesTest::read_partialFile_isNotAnError() {
   QFETCH(QString, text);
   QFETCH(QString, held);
-  const Nav2Reading reading = readOf(text.toStdString());
+  const Nav2ReadResult reading = readOf(text.toStdString());
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(reading.problems.size(), std::size_t{1});
   QCOMPARE(reading.problems.front().code, std::string_view("nav2.partial-file"));
@@ -105,7 +105,7 @@ void Nav2BranchesTest::read_partialFile_isNotAnError() {
 void Nav2BranchesTest::read_disabledMonitor_isKept() {
   const auto file = ParameterFile::read(SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml");
   QVERIFY(file);
-  const Nav2Reading reading = readNav2Parameters(*file);
+  const Nav2ReadResult reading = readNav2Parameters(*file);
   QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
   QVERIFY(reading.parameters.distro >= Distro::Lyrical);
   QVERIFY(reading.parameters.collisionMonitor && !reading.parameters.collisionMonitor->enabled);
@@ -113,17 +113,17 @@ void Nav2BranchesTest::read_disabledMonitor_isKept() {
 
 void Nav2BranchesTest::read_keyOfAnotherDistro_isNotUsed() {
   const std::string text = kPursuit + "      use_fixed_curvature_lookahead: true\n";
-  const Nav2Reading humble = readOf(text, Distro::Humble);
+  const Nav2ReadResult humble = readOf(text, Distro::Humble);
   QCOMPARE(noteOf(humble, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
            KeyUse::OtherDistro);
-  const Nav2Reading jazzy = readOf(text, Distro::Jazzy);
+  const Nav2ReadResult jazzy = readOf(text, Distro::Jazzy);
   QCOMPARE(noteOf(jazzy, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
            KeyUse::Used);
 }
 
 /// A key of another plugin is not suggested, however similar its name is.
 void Nav2BranchesTest::read_unknownKey_isComparedWithItsOwnBlock() {
-  const Nav2Reading reading = readOf(R"(local_costmap:
+  const Nav2ReadResult reading = readOf(R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["obstacle_layer", "inflation_layer"]
@@ -139,7 +139,7 @@ void Nav2BranchesTest::read_unknownKey_isComparedWithItsOwnBlock() {
 }
 
 void Nav2BranchesTest::read_blockThatNothingNames_isOneProblem() {
-  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["obstacle_layer"]

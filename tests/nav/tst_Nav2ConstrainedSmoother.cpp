@@ -6,8 +6,8 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/global/BandedLeastSquares.h"
+#include "sim2d/nav/nav2/global/ConstrainedResiduals.h"
 #include "sim2d/nav/nav2/global/ConstrainedSmoother.h"
-#include "sim2d/nav/nav2/global/ConstrainedTerms.h"
 #include "tests/nav/CostmapSketch.h"
 
 /// The constrained smoother: its residuals against a second evaluation, its derivatives against
@@ -55,7 +55,7 @@ class Functions final : public LeastSquares {
         std::vector<double> high = point, low = point;
         high[variable] += 1e-6;
         low[variable] -= 1e-6;
-        group.slopes.push_back((functions_[i](high) - functions_[i](low)) / 2e-6);
+        group.derivatives.push_back((functions_[i](high) - functions_[i](low)) / 2e-6);
       }
       all.push_back(group);
     }
@@ -121,7 +121,7 @@ void Nav2ConstrainedSmootherTest::leastSquares_line_isFittedInOneStep() {
   };
   const Functions problem({at(0.0, 1.0), at(1.0, 3.0), at(2.0, 5.3)}, {{0, 1}, {0, 1}, {0, 1}});
   std::vector<double> point = {0.0, 0.0};
-  const LeastSquaresEnd end = minimise(problem, {}, point);
+  const LeastSquaresResult end = minimizeLeastSquares(problem, {}, point);
   QVERIFY(end.isConverged);
   QVERIFY(isNear(point[0], 0.95, 1e-3) && isNear(point[1], 2.15, 1e-3));
   // Of the residuals -0.05, 0.1, -0.05.
@@ -134,7 +134,7 @@ void Nav2ConstrainedSmootherTest::leastSquares_valley_isFollowedToItsEnd() {
                            [](const std::vector<double>& p) { return 1.0 - p[0]; }},
                           {{0, 1}, {0}});
   std::vector<double> point = {-1.2, 1.0};
-  const LeastSquaresEnd end = minimise(problem, {}, point);
+  const LeastSquaresResult end = minimizeLeastSquares(problem, {}, point);
   QVERIFY(isNear(end.firstCost, 12.1, 1e-9));
   QVERIFY(isNear(point[0], 1.0, 1e-4) && isNear(point[1], 1.0, 1e-4));
   QVERIFY(end.lastCost < 1e-8 && end.iterations < 60);
@@ -222,11 +222,11 @@ void Nav2ConstrainedSmootherTest::residuals_slopes_areThoseOfDifferences() {
       high[k] += 1e-6;
       low[k] -= 1e-6;
       const double slope = (residuals(high)[i].value - residuals(low)[i].value) / 2e-6;
-      QVERIFY2(isNear(found[i].slopes[k], slope, 1e-4),
+      QVERIFY2(isNear(found[i].derivatives[k], slope, 1e-4),
                qPrintable(QStringLiteral("residual %1, variable %2: %3, not %4")
                               .arg(i)
                               .arg(k)
-                              .arg(found[i].slopes[k])
+                              .arg(found[i].derivatives[k])
                               .arg(slope)));
     }
   }

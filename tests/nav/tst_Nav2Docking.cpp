@@ -56,7 +56,7 @@ namespace {
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
 using sim2d::BatteryState;
 using sim2d::BodyTwist;
-using sim2d::DockPlace;
+using sim2d::DockPose;
 using Words = std::vector<std::string>;
 
 constexpr double kDt = 0.05;  // [s]
@@ -78,12 +78,12 @@ struct Robot {
   bool hasBattery = true;
   Costmap room = emptyRoom();
   CostmapFootprint footprint = squareFootprint();
-  std::vector<DockPlace> seen;
+  std::vector<DockPose> seen;
   double time = 0.0;
 
   Pose2 costmapFrame;
 
-  DockView view() const { return {pose, motion, room, footprint, costmapFrame}; }
+  DockControllerInput view() const { return {pose, motion, room, footprint, costmapFrame}; }
   std::optional<BatteryState> battery() const {
     const bool isThere = charger && (pose.position - *charger).norm() <= 0.1;
     return hasBattery ? std::optional(BatteryState{0.5, 24.0, isThere ? 5.0 : -1.0, isThere})
@@ -130,7 +130,7 @@ Course run(DockingServer& server, Robot& robot, StagingDrive staging = StagingDr
 
 const Pose2 kDockPose{{2.0, 0.0}, 0.0};
 
-std::vector<DockPlace> home() {
+std::vector<DockPose> home() {
   return {{"home", kDockPose, true}};
 }
 
@@ -145,10 +145,10 @@ bool isNear(const Pose2& a, const Pose2& b, double distance, double angle) {
          std::fabs(base::wrapToPi(a.heading - b.heading)) < angle;
 }
 
-Nav2Reading readingOf(const std::string& text, Distro distro = Distro::Jazzy,
-                      const std::string& file = "p.yaml") {
+Nav2ReadResult readingOf(const std::string& text, Distro distro = Distro::Jazzy,
+                         const std::string& file = "p.yaml") {
   const auto parsed = ParameterFile::parse(text, file);
-  return parsed ? readNav2Parameters(*parsed, {distro, {}, false}) : Nav2Reading();
+  return parsed ? readNav2Parameters(*parsed, {distro, {}, false}) : Nav2ReadResult();
 }
 
 }  // namespace
@@ -573,7 +573,7 @@ void Nav2DockingTest::following_endsWhenTheObjectStands() {
 // ---------------------------------------------------------------------------------------
 
 void Nav2DockingTest::file_isReadWithItsDocks() {
-  const Nav2Reading reading = readingOf(R"(controller_server:
+  const Nav2ReadResult reading = readingOf(R"(controller_server:
   ros__parameters:
     FollowPath: {plugin: "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"}
 docking_server:
@@ -602,7 +602,7 @@ docking_server:
   QCOMPARE(docking.instances.size(), std::size_t{2});
   QCOMPARE(docking.instances[0].name, std::string("home"));
   QVERIFY(isNear(docking.instances[1].pose, {{3.0, 4.0}, -1.0}, 1e-12, 1e-12));
-  for (const KeyNote& key : reading.parameters.notes.keys) {
+  for (const KeyUsage& key : reading.parameters.notes.keys) {
     QVERIFY2(key.use != KeyUse::Unknown, key.path.c_str());
   }
 }
@@ -619,19 +619,19 @@ docking_server:
     dock_plugins: ["simple"]
     simple: {plugin: "opennav_docking::SimpleChargingDock"}
     dock_database: )";
-  const Nav2Reading reading =
+  const Nav2ReadResult reading =
       readingOf(head + "/home/robot/docks.yaml\n", Distro::Jazzy, folder + "p.yaml");
   QVERIFY2(reading.ok(), reading.problems.empty() ? "" : reading.problems[0].text().c_str());
   QCOMPARE(reading.parameters.dockingServer.instances.size(), std::size_t{1});
   QCOMPARE(reading.parameters.dockingServer.instances[0].name, std::string("home"));
-  const Nav2Reading lost = readingOf(head + "lost.yaml\n", Distro::Jazzy, folder + "p.yaml");
+  const Nav2ReadResult lost = readingOf(head + "lost.yaml\n", Distro::Jazzy, folder + "p.yaml");
   QVERIFY(lost.ok());  // the file is on the robot
   QVERIFY(std::any_of(lost.problems.begin(), lost.problems.end(),
                       [](const auto& problem) { return problem.code == "nav2.file-not-found"; }));
 }
 
 void Nav2DockingTest::wrongDock_isAnErrorAtItsLine() {
-  const Nav2Reading reading = readingOf(R"(controller_server:
+  const Nav2ReadResult reading = readingOf(R"(controller_server:
   ros__parameters:
     FollowPath: {plugin: "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"}
 docking_server:

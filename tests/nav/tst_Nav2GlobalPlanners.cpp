@@ -7,10 +7,9 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/nav2/Nav2Block.h"
-#include "sim2d/nav/nav2/global/GlobalPlanners.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
+#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
-#include "sim2d/nav/nav2/global/PlannerServer.h"
 #include "tests/nav/CostmapSketch.h"
 #include "tests/nav/MetaTypes.h"
 
@@ -51,7 +50,7 @@ Pose2 pose(double x, double y, double heading = 0.0) {
 template <class Parameters>
 std::set<std::string> namesOf(const Parameters& parameters) {
   std::set<std::string> names;
-  std::size_t count = idleKeysOf(parameters).size();
+  std::size_t count = ignoredKeysOf(parameters).size();
   for (const auto& key : keysOf(parameters)) {
     names.insert(key.name);
     if (std::string(key.meaning).empty()) {
@@ -59,7 +58,7 @@ std::set<std::string> namesOf(const Parameters& parameters) {
     }
     ++count;
   }
-  for (const IdleKey& key : idleKeysOf(parameters)) {
+  for (const IgnoredKey& key : ignoredKeysOf(parameters)) {
     names.insert(key.name);
     if (std::string(key.why).empty()) {
       return {};
@@ -160,7 +159,7 @@ void Nav2GlobalPlannersTest::plugin_everyDistro_makesOneThatPlans() {
   const Costmap costmap(60, 60, 0.1, Vec2::Zero());
   for (const std::string& name : globalPlannerPluginNames()) {
     const auto parameters = *globalPlannerPlugin(name, distro).parameters;
-    QVERIFY(complaintsAbout(parameters).empty());
+    QVERIFY(parameterErrors(parameters).empty());
     const auto planner = makeGlobalPlanner(parameters, distro);
     const PlanResult result = planner->plan({costmap, pose(1.04, 1.02), pose(4.52, 4.04)});
     QVERIFY2(result.error == PlanError::None, name.c_str());
@@ -230,15 +229,15 @@ void Nav2GlobalPlannersTest::keys_everyComponent_areUniqueAndTold() {
 }
 
 void Nav2GlobalPlannersTest::keys_ofADistro_areFilled() {
-  const Nav2Block block = {{"tolerance", 0.3},
-                           {"max_iterations", 77},
-                           {"smoother.w_data", 0.1},
-                           {"use_quadratic_cost_penalty", true},
-                           {"goal_heading_mode", std::string("BIDIRECTIONAL")}};
+  const Nav2ParameterBlock block = {{"tolerance", 0.3},
+                                    {"max_iterations", 77},
+                                    {"smoother.w_data", 0.1},
+                                    {"use_quadratic_cost_penalty", true},
+                                    {"goal_heading_mode", std::string("BIDIRECTIONAL")}};
   for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
     base::Diagnostics problems;
     const SmacHybridParameters found =
-        filled(SmacHybridParameters(), keysOf(SmacHybridParameters()), block, distro, problems);
+        applyBlock(SmacHybridParameters(), keysOf(SmacHybridParameters()), block, distro, problems);
     QVERIFY(problems.empty());
     QCOMPARE(found.tolerance, 0.3);
     QCOMPARE(found.maxIterations, 77);
@@ -251,22 +250,22 @@ void Nav2GlobalPlannersTest::keys_ofADistro_areFilled() {
 void Nav2GlobalPlannersTest::complaints_badValues_nameTheKey() {
   ThetaStarParameters theta;
   theta.howManyCorners = 6;
-  QCOMPARE(complaintsAbout(GlobalPlannerParameters(theta)),
+  QCOMPARE(parameterErrors(GlobalPlannerParameters(theta)),
            (std::vector<std::string>{"how_many_corners is 6, not 4 or 8"}));
   SmacHybridParameters hybrid;
   hybrid.motionModelForSearch = "DUBINS";
   hybrid.analyticExpansionRatio = 0.0;
-  const std::vector<std::string> found = complaintsAbout(GlobalPlannerParameters(hybrid));
+  const std::vector<std::string> found = parameterErrors(GlobalPlannerParameters(hybrid));
   QCOMPARE(found.size(), std::size_t{2});
   QCOMPARE(found[0],
            std::string("motion_model_for_search is 'DUBINS', not one of DUBIN, REEDS_SHEPP"));
   QCOMPARE(found[1], std::string("analytic_expansion_ratio is 0, not 0.001 to 1000000"));
   NavfnParameters navfn;
   navfn.tolerance = std::nan("");
-  QCOMPARE(complaintsAbout(GlobalPlannerParameters(navfn)).size(), std::size_t{1});
+  QCOMPARE(parameterErrors(GlobalPlannerParameters(navfn)).size(), std::size_t{1});
   SavitzkyGolayParameters golay;
   golay.windowSize = 6;
-  QCOMPARE(complaintsAbout(PathSmootherParameters(golay)),
+  QCOMPARE(parameterErrors(PathSmootherParameters(golay)),
            (std::vector<std::string>{"window_size is even"}));
 }
 
@@ -284,7 +283,7 @@ void Nav2GlobalPlannersTest::planError_names_areThoseOfTheMessage() {
   QCOMPARE(int(PlanError::StartOutsideMap), 203);
   QCOMPARE(int(PlanError::NoValidPath), 208);
   QCOMPARE(QLatin1String(planErrorName(PlanError::GoalOccupied)), QLatin1String("GOAL_OCCUPIED"));
-  QCOMPARE(QLatin1String(planErrorWords(PlanError::None)), QLatin1String(""));
+  QCOMPARE(QLatin1String(planErrorMessage(PlanError::None)), QLatin1String(""));
   QCOMPARE(QLatin1String(smoothErrorName(SmoothError::SmoothedPathInCollision)),
            QLatin1String("SMOOTHED_PATH_IN_COLLISION"));
 }
@@ -296,7 +295,7 @@ void Nav2GlobalPlannersTest::throughPoses_legs_areJoined() {
   const ThroughPosesResult result =
       planThroughPoses(*planner, {costmap, pose(1.0, 1.0), {}}, goals);
   QVERIFY(result.error == PlanError::None);
-  QVERIFY(result.isWhole);
+  QVERIFY(result.isComplete);
   QCOMPARE(result.reached, 1);
   const Path first = planner->plan({costmap, pose(1.0, 1.0), goals[0]}).path;
   const Path second = planner->plan({costmap, goals[0], goals[1]}).path;
@@ -316,7 +315,7 @@ void Nav2GlobalPlannersTest::throughPoses_firstLegEndsBeside_nextStartsThere() {
   const auto planner = makeGlobalPlanner(NavfnParameters(), Distro::Jazzy);
   const ThroughPosesResult result =
       planThroughPoses(*planner, {costmap, pose(1.0, 1.0), {}}, {pose(3.0, 1.0), pose(3.0, 3.0)});
-  QVERIFY(result.isWhole);
+  QVERIFY(result.isComplete);
   const Pose2 beside = planner->plan({costmap, pose(1.0, 1.0), pose(3.0, 1.0)}).path.back();
   QVERIFY((beside.position - Vec2(3.0, 1.0)).norm() > 0.15);
   const Path second = planner->plan({costmap, beside, pose(3.0, 3.0)}).path;
@@ -335,7 +334,7 @@ void Nav2GlobalPlannersTest::throughPoses_closedGoal_failsOrIsPart() {
   QVERIFY(failed.path.empty());
   const ThroughPosesResult part = planThroughPoses(*planner, request, goals, true);
   QVERIFY(part.error == PlanError::None);
-  QVERIFY(!part.isWhole);
+  QVERIFY(!part.isComplete);
   QCOMPARE(part.reached, 0);
   QCOMPARE(part.path.back(), goals[0]);
   // A first leg that fails leaves nothing.

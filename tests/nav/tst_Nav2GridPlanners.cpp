@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/global/Smac2DPlanner.h"
-#include "sim2d/nav/nav2/global/SmacGrid.h"
+#include "sim2d/nav/nav2/global/SmacCommon.h"
 #include "sim2d/nav/nav2/global/ThetaStarPlanner.h"
 #include "tests/nav/CostmapSketch.h"
 

@@ -235,14 +235,14 @@ const std::map<std::string, Place>& placesOfComponents() {
 }
 
 /// A file with one key of a component, and how a branch treats it.
-Nav2Reading readingOf(const Place& place, const std::string& key, const std::string& value,
-                      Distro distro) {
+Nav2ReadResult readingOf(const Place& place, const std::string& key, const std::string& value,
+                         Distro distro) {
   std::string text = place.head;
   if (!key.empty()) {
     text += std::string(static_cast<std::size_t>(place.indent), ' ') + key + ": " + value + "\n";
   }
   const auto file = ParameterFile::parse(text, "p.yaml");
-  return file ? readNav2Parameters(*file, {distro, {}, true}) : Nav2Reading();
+  return file ? readNav2Parameters(*file, {distro, {}, true}) : Nav2ReadResult();
 }
 
 void addComponents() {
@@ -262,8 +262,8 @@ bool isList(const std::string& key) {
          key == "edge_cost_functions" || key == "operations" || key == "semantic_classes";
 }
 
-std::optional<KeyUse> useOf(const Nav2Reading& reading, const std::string& path) {
-  for (const KeyNote& note : reading.parameters.notes.keys) {
+std::optional<KeyUse> useOf(const Nav2ReadResult& reading, const std::string& path) {
+  for (const KeyUsage& note : reading.parameters.notes.keys) {
     if (note.path == path) {
       return note.use;
     }
@@ -287,7 +287,7 @@ void Nav2KeysTest::eachKey_isReadByItsBranches() {
     if (isList(key.name)) {
       continue;
     }
-    for (const Distro distro : kEachDistro) {
+    for (const Distro distro : kDistros) {
       const std::string& own = key.defaults.at(static_cast<std::size_t>(distro));
       std::string value = own;
       for (const std::string& other : key.defaults) {
@@ -295,7 +295,7 @@ void Nav2KeysTest::eachKey_isReadByItsBranches() {
       }
       value = value == "-" || value == "*" ? "\"word\"" : value;
       const auto use = useOf(readingOf(place, key.name, value, distro), place.path + key.name);
-      const bool isRead = use == KeyUse::Used || use == KeyUse::Idle;
+      const bool isRead = use == KeyUse::Used || use == KeyUse::Ignored;
       if (own == "-" ? use == KeyUse::Used : !isRead) {
         wrong << QStringLiteral("%1 in %2")
                      .arg(QString::fromStdString(key.name), QLatin1String(distroTitle(distro)));
@@ -313,9 +313,9 @@ void Nav2KeysTest::eachDefault_isThatOfTheCode() {
   QFETCH(QString, component);
   QStringList wrong;
   const Place& place = placesOfComponents().at(component.toStdString());
-  for (const Distro distro : kEachDistro) {
-    const Nav2Reading reading = readingOf(place, {}, {}, distro);
-    for (const KnownKey& known : reading.parameters.notes.known) {
+  for (const Distro distro : kDistros) {
+    const Nav2ReadResult reading = readingOf(place, {}, {}, distro);
+    for (const EffectiveKey& known : reading.parameters.notes.known) {
       for (const DeclaredKey& key : declaredKeys().at(component.toStdString())) {
         const std::string& declared = key.defaults.at(static_cast<std::size_t>(distro));
         if (known.path != place.path + key.name || declared == "*" || declared == "-") {

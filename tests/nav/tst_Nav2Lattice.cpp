@@ -6,8 +6,8 @@
 #include <QtTest>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/global/GlobalPlanners.h"
-#include "sim2d/nav/nav2/global/LatticeSearch.h"
+#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
+#include "sim2d/nav/nav2/global/SmacLatticePlanner.h"
 #include "tests/nav/CostmapSketch.h"
 
 /// Smac Lattice over a lattice of four headings that is made by hand: straight on by 0.1 m, quarter
@@ -98,7 +98,7 @@ void Nav2LatticeTest::cost_ofPrimitives_byHand() {
   const SmacLatticeParameters parameters = parametersOf();
   const Costmap costmap(20, 20, 0.05, {0.0, 0.0});
   const PlanRequest request(costmap, {}, {});
-  ObstacleDistance obstacles;
+  ObstacleHeuristic obstacles;
   const LatticeSearch search(
       {parameters, Distro::Jazzy, *parameters.lattice, costmap, request, obstacles});
   const auto isNear = [](double a, double b) { return std::abs(a - b) < 1e-9; };
@@ -193,7 +193,7 @@ void Nav2LatticeTest::lattice_withoutItsFile_isSmacHybrid() {
   parameters.tolerance = 0.4;
   parameters.allowReverseExpansion = true;
   parameters.smootherMaxIterations = 7;
-  const SmacHybridParameters hybrid = hybridInsteadOf(parameters, Distro::Jazzy);
+  const SmacHybridParameters hybrid = hybridFallback(parameters, Distro::Jazzy);
   QCOMPARE(hybrid.tolerance, 0.4);
   QCOMPARE(hybrid.motionModelForSearch, std::string("REEDS_SHEPP"));
   QCOMPARE(hybrid.smootherMaxIterations, 7);

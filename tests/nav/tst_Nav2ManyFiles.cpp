@@ -82,12 +82,12 @@ void Nav2ManyFilesTest::append_problems_nameTheFileOfTheValue() {
   const ParameterFile all =
       both(kPursuit + "    controller_frequency: 20\n",
            "\ncontroller_server:\n  ros__parameters:\n    FollowPath:\n      lookahead_dist: 1\n");
-  const Nav2Reading reading = readNav2Parameters(all, {Distro::Jazzy, {}});
+  const Nav2ReadResult reading = readNav2Parameters(all, {Distro::Jazzy, {}});
   QCOMPARE(texts(reading.problems),
            std::string("a/first.yaml:5:27: error: controller_server.controller_frequency has an "
-                       "invalid type: ROS 2 wants double, this is integer\n"
-                       "b/second.yaml:5:23: error: controller_server.FollowPath.lookahead_dist has "
-                       "an invalid type: ROS 2 wants double, this is integer\n"));
+                       "invalid type: ROS 2 expects double, found integer\nb/second.yaml:5:23: "
+                       "error: controller_server.FollowPath.lookahead_dist has an invalid type: "
+                       "ROS 2 expects double, found integer\n"));
 }
 
 void Nav2ManyFilesTest::override_text_isNodeNameAndValue_data() {
@@ -124,24 +124,24 @@ void Nav2ManyFilesTest::override_text_isNodeNameAndValue() {
 
 void Nav2ManyFilesTest::override_typed_isAsRos2TakesIt() {
   ParameterFile all = file(kPursuit, "f.yaml");
-  const Nav2Reading before = readNav2Parameters(all, {Distro::Jazzy, {}});
+  const Nav2ReadResult before = readNav2Parameters(all, {Distro::Jazzy, {}});
   QCOMPARE(texts(overrideNav2Value(all, before, *parameterOverride("controller_frequency:=10.0"))),
            std::string());
-  const Nav2Reading reading = readNav2Parameters(all, {Distro::Jazzy, {}});
+  const Nav2ReadResult reading = readNav2Parameters(all, {Distro::Jazzy, {}});
   QCOMPARE(controllerValue(reading.parameters, "controller_frequency", 0.0), 10.0);
   ParameterFile wrong = file(kPursuit, "f.yaml");
   QVERIFY(overrideNav2Value(wrong, before, *parameterOverride("controller_frequency:=10")).empty());
-  const Nav2Reading refused = readNav2Parameters(wrong, {Distro::Jazzy, {}});
+  const Nav2ReadResult refused = readNav2Parameters(wrong, {Distro::Jazzy, {}});
   QCOMPARE(texts(refused.problems),
            std::string("error: controller_server.controller_frequency has an invalid type: ROS 2 "
-                       "wants double, this is integer\n"));
+                       "expects double, found integer\n"));
 }
 
 void Nav2ManyFilesTest::override_withoutNode_isOfEachThatHasIt() {
   ParameterFile all = file(kPursuit + kCostmaps, "f.yaml");
-  const Nav2Reading before = readNav2Parameters(all, {Distro::Jazzy, {}});
+  const Nav2ReadResult before = readNav2Parameters(all, {Distro::Jazzy, {}});
   const auto radii = [&all] {
-    const Nav2Reading reading = readNav2Parameters(all, {Distro::Jazzy, {}});
+    const Nav2ReadResult reading = readNav2Parameters(all, {Distro::Jazzy, {}});
     return std::pair(reading.parameters.localCostmap.parameters.robotRadius,
                      reading.parameters.globalCostmap.parameters.robotRadius);
   };
@@ -157,10 +157,10 @@ void Nav2ManyFilesTest::override_withoutNode_isOfEachThatHasIt() {
 
 void Nav2ManyFilesTest::override_unknown_isAnErrorWithTheNearest() {
   ParameterFile all = file(kPursuit, "f.yaml");
-  const Nav2Reading before = readNav2Parameters(all, {Distro::Jazzy, {}});
+  const Nav2ReadResult before = readNav2Parameters(all, {Distro::Jazzy, {}});
   QCOMPARE(
       texts(overrideNav2Value(all, before, *parameterOverride("FollowPath.lookahead_dst:=1.0"))),
-      std::string("error: 'FollowPath.lookahead_dst' is no parameter of Nav2 (did you mean "
+      std::string("error: 'FollowPath.lookahead_dst' is not a Nav2 parameter (did you mean "
                   "'FollowPath.lookahead_dist'?)\n"));
   QVERIFY(!overrideNav2Value(all, before, *parameterOverride("controller_frequency:=")).empty());
 }
@@ -168,10 +168,10 @@ void Nav2ManyFilesTest::override_unknown_isAnErrorWithTheNearest() {
 void Nav2ManyFilesTest::folders_ofAParameter_beginWithItsFile() {
   const ParameterFile all = both(
       kPursuit, "bt_navigator:\n  ros__parameters:\n    default_nav_to_pose_bt_xml: tree.xml\n");
-  const Nav2Reading reading = readNav2Parameters(all, {Distro::Jazzy, {}});
-  QCOMPARE(foldersOfParameter(reading.parameters, "bt_navigator.default_nav_to_pose_bt_xml"),
+  const Nav2ReadResult reading = readNav2Parameters(all, {Distro::Jazzy, {}});
+  QCOMPARE(parameterFolders(reading.parameters, "bt_navigator.default_nav_to_pose_bt_xml"),
            (std::vector<std::string>{"b", "a"}));
-  QCOMPARE(foldersOfParameter(reading.parameters, "bt_navigator.other"),
+  QCOMPARE(parameterFolders(reading.parameters, "bt_navigator.other"),
            (std::vector<std::string>{"a", "b"}));
 }
 

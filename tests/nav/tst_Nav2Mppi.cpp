@@ -17,7 +17,7 @@
 using namespace sim2d::nav2;
 using nav2test::HandScene;
 using sim2d::BodyTwist;
-using sim2d::MppiPath;
+using sim2d::MppiSimdLevel;
 
 /// The optimiser of Nav2's MPPI: whole cycles against plain loops in double precision
 /// (Nav2MppiReference.h), its instruction sets against each other, its noise, its failures.
@@ -55,7 +55,7 @@ MppiConfiguration smallMppi(Distro distro, MppiMotion motion) {
   mppi.settings.batchSize = 50;  // no multiple of 16
   mppi.settings.timeSteps = 24;
   mppi.critics.pathAlign.offsetFromFurthest = 3;  // short ways shall meet it
-  mppi.critics.pathAngle.mostAngle = 0.05;
+  mppi.critics.pathAngle.maxAngleToFurthest = 0.05;
   mppi.critics.goalAngle.threshold = mppi.critics.goal.threshold = 5.0;
   return mppi;
 }
@@ -66,7 +66,7 @@ struct Bits {
   BodyTwist twist;
 };
 
-Bits bitsOf(const MppiConfiguration& mppi, const HandScene& scene, MppiPath path) {
+Bits bitsOf(const MppiConfiguration& mppi, const HandScene& scene, MppiSimdLevel path) {
   MppiOptimizer optimizer(mppi, {0.05, 7, 3, path});
   Bits bits;
   for (int call = 0; call < 3; ++call) {
@@ -89,7 +89,7 @@ void Nav2MppiTest::cycle_anyRelease_agreesWithReference_data() {
   QTest::addColumn<double>("period");
   QTest::addColumn<bool>("isOpenLoop");
   const char* motions[] = {"DiffDrive", "Omni", "Ackermann"};
-  for (const Distro branch : kEachDistro) {
+  for (const Distro branch : kDistros) {
     const int distro = static_cast<int>(branch);
     for (int motion = 0; motion < 3; ++motion) {
       QTest::addRow("%s, %s", distroTitle(branch), motions[motion])
@@ -118,7 +118,7 @@ void compareCycles(const MppiConfiguration& mppi, double period, HandScene scene
     const auto& columns = optimizer.trajectories();
     const auto wanted = reference.cycle(scene, [&](int sample, int step, int axis) {
       return static_cast<double>(
-          columns.noise[static_cast<std::size_t>(axis)][columns.placeOf(step, sample)]);
+          columns.noise[static_cast<std::size_t>(axis)][columns.elementIndex(step, sample)]);
     });
     QCOMPARE(optimizer.critics().furthest().value_or(-1), static_cast<int>(reference.furthest()));
     for (int i = 0; i < columns.count(); ++i) {
@@ -139,7 +139,7 @@ void compareCycles(const MppiConfiguration& mppi, double period, HandScene scene
     QVERIFY(std::fabs(command->angular - wanted[1]) < 2e-5);
     QVERIFY(std::fabs(command->lateral - wanted[2]) < 2e-5);
     for (std::size_t critic = 0; critic < optimizer.critics().names().size(); ++critic) {
-      QVERIFY2(call > 0 || optimizer.critics().wasAsked(critic),  // 0 would agree with 0
+      QVERIFY2(call > 0 || optimizer.critics().wasEvaluated(critic),  // 0 would agree with 0
                optimizer.critics().names()[critic].c_str());
     }
     scene.robot.position += 0.05 * command->linear * scene.robot.direction();
@@ -168,7 +168,7 @@ void Nav2MppiTest::cycle_anyRelease_agreesWithReference() {
 void Nav2MppiTest::cycle_otherCritics_agreesWithReference_data() {
   QTest::addColumn<int>("distro");
   QTest::addColumn<int>("motion");
-  for (const Distro branch : kEachDistro) {
+  for (const Distro branch : kDistros) {
     QTest::addRow("%s, DiffDrive", distroTitle(branch)) << static_cast<int>(branch) << 0;
     QTest::addRow("%s, Omni", distroTitle(branch)) << static_cast<int>(branch) << 1;
   }
@@ -207,10 +207,10 @@ void Nav2MppiTest::cycle_everyInstructionSet_hasEqualBits() {
       mppi.critics.pathAngle.mode = motion;
       mppi.critics.deadband.velocities = {0.1, 0.1, 0.1};
       const HandScene scene = nav2test::curve();
-      const Bits first = bitsOf(mppi, scene, MppiPath::Sse2);
+      const Bits first = bitsOf(mppi, scene, MppiSimdLevel::Sse2);
       QVERIFY(first.twist.linear < 9.0);
-      for (const MppiPath path : {MppiPath::Avx2, MppiPath::Avx512}) {
-        if (!sim2d::hasMppiPath(path)) {
+      for (const MppiSimdLevel path : {MppiSimdLevel::Avx2, MppiSimdLevel::Avx512}) {
+        if (!sim2d::isMppiSimdLevelSupported(path)) {
           continue;
         }
         const Bits other = bitsOf(mppi, scene, path);
@@ -304,7 +304,8 @@ void Nav2MppiTest::noise_values_areThoseOfTheCounter() {
         for (int axis = 0; axis < 3; ++axis) {
           const auto a = static_cast<std::size_t>(axis);
           const double wanted = deviations[a] * reference::normal(law, sample, step, axis);
-          const double found = static_cast<double>(columns.noise[a][columns.placeOf(step, sample)]);
+          const double found =
+              static_cast<double>(columns.noise[a][columns.elementIndex(step, sample)]);
           QVERIFY(std::fabs(found - wanted) < 1e-6);
         }
       }
@@ -361,7 +362,7 @@ void Nav2MppiTest::command_allCollide_givesUpAtOnce() {
     }
     const std::vector<float>& hits = optimizer.critics().hits();
     QVERIFY(std::all_of(hits.begin(), hits.end(), [](float hit) { return hit == 1.0F; }));
-    QVERIFY(!optimizer.critics().wasAsked(2));  // behind CostCritic nobody is asked
+    QVERIFY(!optimizer.critics().wasEvaluated(2));  // behind CostCritic nobody is asked
     QVERIFY(optimizer.optimal().empty());
     scene.costmap.costs() = costs;
     QVERIFY(optimizer.command(scene.view()).has_value());
@@ -399,7 +400,7 @@ void Nav2MppiTest::command_validator_retries() {
   HandScene scene = wallAhead(mppi, kInscribed);
   MppiOptimizer failing(mppi, {});
   QVERIFY(!failing.command(scene.view()).has_value());
-  QVERIFY(failing.critics().wasAsked(0));  // in the retry as well
+  QVERIFY(failing.critics().wasEvaluated(0));  // in the retry as well
   // A fast sequence meets a wall far ahead; the retry, which begins from nothing, does not.
   scene = wallAhead(mppi, kFreeSpace);
   MppiOptimizer optimizer(mppi, {});
@@ -445,7 +446,7 @@ MppiConfiguration wildMppi(std::uint32_t number, HandScene& scene) {
   const base::AgentRng rng(number, 0);
   std::uint32_t draw = 0;
   const auto pick = [&](const std::vector<double>& values) {
-    const double u = rng.uniform01(base::Draw::Test, draw++);
+    const double u = rng.uniform01(base::DrawPurpose::Test, draw++);
     return values[static_cast<std::size_t>(u * static_cast<double>(values.size()))];
   };
   const auto count = [&](const std::vector<double>& values) {
@@ -576,7 +577,7 @@ void Nav2MppiTest::drive_toTheGoal_arrives_data() {
   QTest::addColumn<int>("distro");
   QTest::addColumn<int>("motion");
   const char* motions[] = {"DiffDrive", "Omni", "Ackermann"};
-  for (const Distro branch : kEachDistro) {
+  for (const Distro branch : kDistros) {
     const int distro = static_cast<int>(branch);
     for (int motion = 0; motion < 3; ++motion) {
       QTest::addRow("%s, %s", distroTitle(branch), motions[motion]) << distro << motion;

@@ -49,11 +49,11 @@ namespace {
 
 const char kMppi[] = "nav2_mppi_controller::MPPIController";
 
-Nav2Block stockBlock() {
+Nav2ParameterBlock stockBlock() {
   return {{"critics", nav2test::stockCritics()}, {"batch_size", 200}};
 }
 
-std::unique_ptr<Controller> made(Distro distro, const Nav2Block& block = stockBlock(),
+std::unique_ptr<Controller> made(Distro distro, const Nav2ParameterBlock& block = stockBlock(),
                                  double frequency = 20.0) {
   ControllerSetup setup;
   setup.distro = distro;
@@ -71,7 +71,7 @@ struct Driver {
     scene.goAhead(6.0, 121);
     controller->setPlan(scene.path);
   }
-  Control command(const Path* local = nullptr) {
+  ControlResult command(const Path* local = nullptr) {
     ControlInput input{scene.robot, scene.speed, scene.costmap, scene.shape, *checker, time};
     input.localPlan = local;
     time += 0.05;
@@ -149,10 +149,10 @@ void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode() {
   QFETCH(int, distro);
   QFETCH(QString, key);
   QFETCH(double, wanted);
-  Nav2Block block = stockBlock();
+  Nav2ParameterBlock block = stockBlock();
   std::get<std::vector<std::string>>(block["critics"]).push_back("ObstaclesCritic");
-  const Nav2Keys keys = mppiKeysOf(block, static_cast<Distro>(distro));
-  const Nav2Keys::Row* row = keys.find(key.toStdString(), static_cast<Distro>(distro));
+  const Nav2KeyTable keys = mppiKeysOf(block, static_cast<Distro>(distro));
+  const Nav2KeyTable::Row* row = keys.find(key.toStdString(), static_cast<Distro>(distro));
   QCOMPARE(row != nullptr, wanted >= 0.0);
   if (row != nullptr) {
     const auto number = [](const auto& value) {
@@ -170,10 +170,10 @@ void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode() {
 /// Each key given anew arrives in the struct: another value than the default comes back.
 void Nav2MppiControllerTest::read_everyKey_isTaken() {
   for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
-    Nav2Block block;
+    Nav2ParameterBlock block;
     block["critics"] = nav2test::stockCritics();
-    for (const Nav2Keys::Row& row : mppiKeysOf(block, distro).rows) {
-      if (!isIn(row.distros, distro)) {
+    for (const Nav2KeyTable::Row& row : mppiKeysOf(block, distro).rows) {
+      if (!includesDistro(row.distros, distro)) {
         continue;
       }
       if (const double* number = std::get_if<double>(&row.fallback)) {
@@ -195,13 +195,13 @@ void Nav2MppiControllerTest::read_everyKey_isTaken() {
     QCOMPARE(mppi->critics.cost.weight, 1.905);
     QVERIFY(mppi->critics.cost.considersFootprint);
     QVERIFY(!mppi->critics.preferForward.isEnabled);
-    QCOMPARE(mppi->critics.pathAlign.mostOccupied, 0.035);
+    QCOMPARE(mppi->critics.pathAlign.maxPathOccupancyRatio, 0.035);
     QCOMPARE(mppi->critics.twirling.weight, 10.0);
   }
 }
 
 void Nav2MppiControllerTest::read_badBlock_tellsEveryProblem() {
-  Nav2Block block = stockBlock();
+  Nav2ParameterBlock block = stockBlock();
   block["critics"] = std::vector<std::string>{"CostCritc", "PathAlignLegacyCritic", "GoalCritic"};
   block["vx_max"] = 1;  // an integer is no double
   block["time_steps"] = 1;
@@ -219,7 +219,7 @@ void Nav2MppiControllerTest::read_badBlock_tellsEveryProblem() {
       return text.find(part) != std::string::npos;
     });
   };
-  QVERIFY(has("no plugin 'CostCritc' here (did you mean 'CostCritic'?"));
+  QVERIFY(has("unknown plugin 'CostCritc' (did you mean 'CostCritic'?"));
   QVERIFY(has("'PathAlignLegacyCritic'"));
   QVERIFY(has("vx_max has an invalid type"));
   QVERIFY(has("time_steps 1 is not 2 to 200"));
@@ -231,7 +231,7 @@ void Nav2MppiControllerTest::read_badBlock_tellsEveryProblem() {
 }
 
 void Nav2MppiControllerTest::read_motionModel_byRelease() {
-  Nav2Block block = stockBlock();
+  Nav2ParameterBlock block = stockBlock();
   block["motion_model"] = std::string("Ackermann");
   block["AckermannConstraints.min_turning_r"] = 0.7;
   QCOMPARE(readMppi(block, Distro::Jazzy)->motion, MppiMotion::Ackermann);
@@ -250,17 +250,17 @@ void Nav2MppiControllerTest::read_motionModel_byRelease() {
 }
 
 void Nav2MppiControllerTest::keys_criticsListed_haveRows() {
-  const Nav2Keys keys =
+  const Nav2KeyTable keys =
       mppiKeysOf({{"critics", std::vector<std::string>{"GoalCritic"}}}, Distro::Jazzy);
   QVERIFY(keys.find("GoalCritic.cost_weight", Distro::Jazzy) != nullptr);
   QVERIFY(keys.find("TwirlingCritic.cost_weight", Distro::Jazzy) == nullptr);
-  const auto idle = [&](const std::string& name) {
-    return std::any_of(keys.idle.begin(), keys.idle.end(),
-                       [&](const Nav2Keys::Idle& key) { return key.name == name; });
+  const auto ignored = [&](const std::string& name) {
+    return std::any_of(keys.ignored.begin(), keys.ignored.end(),
+                       [&](const Nav2KeyTable::Ignored& key) { return key.name == name; });
   };
-  QVERIFY(idle("TwirlingCritic.cost_weight"));
-  QVERIFY(!idle("GoalCritic.cost_weight"));
-  QVERIFY(idle("visualize"));
+  QVERIFY(ignored("TwirlingCritic.cost_weight"));
+  QVERIFY(!ignored("GoalCritic.cost_weight"));
+  QVERIFY(ignored("visualize"));
 }
 
 void Nav2MppiControllerTest::make_period_isComparedWithModelDt() {
@@ -275,8 +275,8 @@ void Nav2MppiControllerTest::make_period_isComparedWithModelDt() {
   QVERIFY(equal && equal.diagnostics().empty());
   setup.frequency = 30.0;
   setup.block.erase("critics");
-  const auto idle = controllerRegistry().make(kMppi, setup);
-  QCOMPARE(idle.diagnostics()[0].code, std::string_view("nav2.mppi-no-critics"));
+  const auto ignored = controllerRegistry().make(kMppi, setup);
+  QCOMPARE(ignored.diagnostics()[0].code, std::string_view("nav2.mppi-no-critics"));
   setup.block = stockBlock();
   const auto fast = controllerRegistry().make(kMppi, setup);
   QVERIFY(static_cast<bool>(fast));
@@ -287,7 +287,7 @@ void Nav2MppiControllerTest::command_path_isCutAndFollowed() {
   for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
     Driver driver(distro, made(distro));
     for (int call = 0; call < 30; ++call) {
-      const Control control = driver.command();
+      const ControlResult control = driver.command();
       QVERIFY(static_cast<bool>(control));
       driver.scene.speed = control.twist;
       driver.scene.robot.position.x() += 0.05 * control.twist.linear;
@@ -312,7 +312,7 @@ void Nav2MppiControllerTest::command_main_takesTheServersPath() {
   for (int i = 0; i < 30; ++i) {  // to the left, whatever the plan says
     local.push_back({Vec2(0.0, 0.05 * i), base::kPi / 2.0});
   }
-  Control control = driver.command(&local);
+  ControlResult control = driver.command(&local);
   for (int call = 0; call < 10; ++call) {
     driver.scene.speed = control.twist;
     control = driver.command(&local);
@@ -326,8 +326,8 @@ void Nav2MppiControllerTest::command_noPath_isInvalid() {
     Driver driver(distro, made(distro));
     driver.controller->setPlan({});
     const Path none;
-    const Control control = driver.command(distro == Distro::Main ? &none : nullptr);
-    QCOMPARE(control.code, ControlCode::InvalidPath);
+    const ControlResult control = driver.command(distro == Distro::Main ? &none : nullptr);
+    QCOMPARE(control.code, ControllerError::InvalidPath);
     QVERIFY(!control.words.empty());
     QCOMPARE(control.twist, BodyTwist{});
   }
@@ -337,19 +337,19 @@ void Nav2MppiControllerTest::command_walledIn_isNoValidControl() {
   Driver driver(Distro::Jazzy, made(Distro::Jazzy));
   std::fill(driver.scene.costmap.costs().begin(), driver.scene.costmap.costs().end(), kLethal);
   driver.controller->watch(true);
-  const Control control = driver.command();
-  QCOMPARE(control.code, ControlCode::NoValidControl);
+  const ControlResult control = driver.command();
+  QCOMPARE(control.code, ControllerError::NoValidControl);
   QCOMPARE(control.words, std::string("Optimizer fail to compute path"));
   const ControlView& view = driver.controller->view();
   QVERIFY(view.predicted.empty());
   QCOMPARE(view.trajectories.size(), std::size_t(40));  // why: they collide
-  for (const WeighedTrajectory& one : view.trajectories) {
-    QVERIFY(!one.isChosen && !one.refusal.empty());
+  for (const EvaluatedTrajectory& one : view.trajectories) {
+    QVERIFY(!one.isChosen && !one.rejection.empty());
   }
 }
 
 void Nav2MppiControllerTest::command_footprintOfARadius_isInvalid() {
-  Nav2Block block = stockBlock();
+  Nav2ParameterBlock block = stockBlock();
   block["ObstaclesCritic.consider_footprint"] = true;  // is not listed
   Driver driver(Distro::Jazzy, made(Distro::Jazzy, block));
   driver.scene.shape.isRadius = true;
@@ -358,7 +358,7 @@ void Nav2MppiControllerTest::command_footprintOfARadius_isInvalid() {
   Driver edges(Distro::Jazzy, made(Distro::Jazzy, block));
   QVERIFY(static_cast<bool>(edges.command()));
   edges.scene.shape.isRadius = true;
-  QCOMPARE(edges.command().code, ControlCode::InvalidController);
+  QCOMPARE(edges.command().code, ControllerError::InvalidController);
 }
 
 /// Humble forgets after a pause, the others when a goal begins. Speeds are held at 0, so commands
@@ -397,7 +397,7 @@ void Nav2MppiControllerTest::watch_trajectories_changesNoCommand() {
   const auto& shown = watched.controller->view().trajectories;
   QCOMPARE(shown.size(), std::size_t(41));
   std::size_t refused = 0;
-  for (const WeighedTrajectory& one : shown) {
+  for (const EvaluatedTrajectory& one : shown) {
     QCOMPARE(one.scores.size(), nav2test::stockCritics().size());
     double sum = 0.0;
     for (const CriticScore& score : one.scores) {
@@ -406,8 +406,8 @@ void Nav2MppiControllerTest::watch_trajectories_changesNoCommand() {
     QVERIFY(std::fabs(sum - one.total) <= 1e-9 * one.total);
     QCOMPARE(one.poses.size(), std::size_t(one.isChosen ? 56 : 15));
     QCOMPARE(one.isChosen, &one == &shown.back());
-    refused += one.refusal.empty() ? 0 : 1;
-    QCOMPARE(one.refusal.empty(), one.scores[1].raw < 1e3);  // CostCritic
+    refused += one.rejection.empty() ? 0 : 1;
+    QCOMPARE(one.rejection.empty(), one.scores[1].raw < 1e3);  // CostCritic
   }
   QCOMPARE(shown[0].scores[2].scale, 0.0);  // the goal is far: GoalCritic was not asked
   QCOMPARE(shown[0].scores[1].scale, 1.0);
@@ -431,7 +431,7 @@ void Nav2MppiControllerTest::server_stockKeys_arrives() {
   QFETCH(int, distro);
   QFETCH(bool, isShim);
   QFETCH(double, start);
-  Nav2Block node = {
+  Nav2ParameterBlock node = {
       {"FollowPath.plugin", std::string(kMppi)},
       {"FollowPath.batch_size", 2000},
       {"FollowPath.regenerate_noises", true},

@@ -115,7 +115,7 @@ void Nav2MppiCriticsTest::constraint_omniUntilJazzy_limitsThePlanarSpeed() {
 
 /// Until Kilted the limits of every motion model contain vy_max: hypot(0.5, 0.3) = 0.5831.
 void Nav2MppiCriticsTest::constraint_diffDriveUntilKilted_countsVyMax() {
-  for (const Distro distro : kEachDistro) {
+  for (const Distro distro : kDistros) {
     CriticBench bench("ConstraintCritic", distro);
     bench.mppi.settings.vyMax = 0.3;
     bench.setSpeeds(0.7);
@@ -129,7 +129,7 @@ void Nav2MppiCriticsTest::constraint_diffDriveUntilKilted_countsVyMax() {
 
 /// 30 steps with a stride of 4 are poses 0 to 24 in Jazzy, with 28 elsewhere; step 28 costs 100.
 void Nav2MppiCriticsTest::cost_stride_endsEarlierInJazzy() {
-  for (const Distro distro : kEachDistro) {
+  for (const Distro distro : kDistros) {
     CriticBench bench("CostCritic", distro, 1);
     bench.mppi.critics.cost.pointStep = 4;
     bench.mppi.critics.cost.weight = 254.0;
@@ -191,13 +191,13 @@ void Nav2MppiCriticsTest::near_releases_measureOtherWays() {
     bench.scene.goal = {Vec2(0.2, 0.0), 1.0};
     bench.mppi.critics.goalAngle.threshold = 0.3;
     bench.all();
-    QCOMPARE(bench.wasAsked, distro == Distro::Jazzy);
+    QCOMPARE(bench.wasEvaluated, distro == Distro::Jazzy);
     bench.mppi.critics.goalAngle.threshold = 0.5;
     bench.all();
-    QCOMPARE(bench.wasAsked, distro != Distro::Main);
+    QCOMPARE(bench.wasEvaluated, distro != Distro::Main);
     bench.mppi.critics.goalAngle.threshold = 1.3;
     bench.all();
-    QVERIFY(bench.wasAsked);
+    QVERIFY(bench.wasEvaluated);
   }
 }
 
@@ -245,7 +245,7 @@ void Nav2MppiCriticsTest::pathAngle_robotLooksThere_isNotAsked() {
   bench.setPoses(0.0, 0.0, 0.3);
   bench.scene.robot.heading = 1.8158 - 0.78;
   compareTo(bench.each(), 0.0);
-  QVERIFY(!bench.wasAsked);
+  QVERIFY(!bench.wasEvaluated);
   bench.scene.robot.heading = 1.8158 - 0.79;
   compareTo(bench.each(), 2.2 * (std::atan2(4.0, -1.0) - 0.3));
 }
@@ -363,13 +363,13 @@ void Nav2MppiCriticsTest::pathAlign_blockedPath_isNotAsked() {
   block(5);
   block(6);
   bench.all();
-  QVERIFY(bench.wasAsked);  // two are never too many
-  block(7);                 // 3 of the 29 up to the one reached are more than 7 %
+  QVERIFY(bench.wasEvaluated);  // two are never too many
+  block(7);                     // 3 of the 29 up to the one reached are more than 7 %
   bench.all();
-  QVERIFY(!bench.wasAsked);
-  bench.mppi.critics.pathAlign.mostOccupied = 3.0 / 29.0 + 0.01;
+  QVERIFY(!bench.wasEvaluated);
+  bench.mppi.critics.pathAlign.maxPathOccupancyRatio = 3.0 / 29.0 + 0.01;
   bench.all();
-  QVERIFY(bench.wasAsked);
+  QVERIFY(bench.wasEvaluated);
 }
 
 void Nav2MppiCriticsTest::deadband_vector64_areMet() {
@@ -525,7 +525,7 @@ void Nav2MppiCriticsTest::cost_allCollide_fails() {
     QVERIFY(!bench.hasFailed);
     for (int step = 4; step < 30; ++step) {
       bench.setPose(19, step, 1.01, 1.01);
-      const std::size_t beyond = bench.columns.placeOf(step, 25);
+      const std::size_t beyond = bench.columns.elementIndex(step, 25);
       bench.columns.x[beyond] = bench.columns.y[beyond] = 0.0F;  // padding does not count
     }
     const double cost = bench.all()[19];
@@ -601,7 +601,7 @@ void Nav2MppiCriticsTest::disabled_anyCritic_isNotAsked() {
     visitCritics(bench.mppi.critics,
                  [](const char*, auto& critic, const auto&) { critic.isEnabled = false; });
     QCOMPARE(bench.each(), 0.0);
-    QVERIFY(!bench.wasAsked);
+    QVERIFY(!bench.wasEvaluated);
   });
 }
 

@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/mppi/MppiSequence.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryColumns.h"
+#include "sim2d/nav/nav2/mppi/TrajectoryBuffer.h"
 
 using namespace sim2d::nav2;
 
@@ -63,19 +63,19 @@ struct OneRoll {
       problem.most[axis] = 0.1F;
     }
   }
-  void roll() { trajectoryKernelOf(sim2d::fastestMppiPath()).roll(problem, columns.view()); }
+  void roll() { trajectoryKernelOf(sim2d::fastestMppiSimdLevel()).roll(problem, columns.view()); }
   float speed(int step, std::size_t axis = 0) const {
-    return columns.speeds[axis][columns.placeOf(step, 0)];
+    return columns.speeds[axis][columns.elementIndex(step, 0)];
   }
   float control(int step, std::size_t axis = 0) const {
-    return columns.controls[axis][columns.placeOf(step, 0)];
+    return columns.controls[axis][columns.elementIndex(step, 0)];
   }
-  float x(int step) const { return columns.x[columns.placeOf(step, 0)]; }
-  float y(int step) const { return columns.y[columns.placeOf(step, 0)]; }
+  float x(int step) const { return columns.x[columns.elementIndex(step, 0)]; }
+  float y(int step) const { return columns.y[columns.elementIndex(step, 0)]; }
 
   MppiSequence mean;
-  TrajectoryColumns columns;
-  RollProblem problem;
+  TrajectoryBuffer columns;
+  RolloutProblem problem;
 };
 
 }  // namespace
@@ -109,13 +109,13 @@ void Nav2MppiSequenceTest::shiftByOne_vector70_isMet() {
 
 void Nav2MppiSequenceTest::limitedTo_vector71_areMet() {
   const MppiLimits base = mppiLimitsOf({});
-  const MppiLimits half = limitedTo(base, 50.0, true);
+  const MppiLimits half = withSpeedLimit(base, 50.0, true);
   QVERIFY(isNear(half.high[0], 0.25) && isNear(half.low[0], -0.175));
   QVERIFY(isNear(half.high[1], 0.95) && isNear(half.low[2], -0.25));
-  const MppiLimits more = limitedTo(base, 0.75, false);
+  const MppiLimits more = withSpeedLimit(base, 0.75, false);
   QVERIFY(isNear(more.high[0], 0.75) && isNear(more.low[0], -0.525));
   QVERIFY(isNear(more.high[1], 2.85));
-  QCOMPARE(limitedTo(base, 0.0, true).high[0], base.high[0]);
+  QCOMPARE(withSpeedLimit(base, 0.0, true).high[0], base.high[0]);
   QCOMPARE(half.most[0], base.most[0]);
 }
 
@@ -148,10 +148,10 @@ void Nav2MppiSequenceTest::tieToSpeed_vector73_isMet() {
   settings.axMin = -1.0;
   const MppiLimits limits = mppiLimitsOf(settings);
   MppiSequence sequence = sequenceOf(4, {1.0F, 1.0F, 1.0F, 1.0F});
-  tieToSpeed(sequence, limits, {}, 0.05F);
+  limitFirstToSpeed(sequence, limits, {}, 0.05F);
   QVERIFY(isNear(sequence[0][0], 0.05));
   QCOMPARE(sequence[0][1], 1.0F);
-  tieToSpeed(sequence, limits, {0.3F, 0.1F, 0.0F}, 0.0F);  // shifting: the present speed
+  limitFirstToSpeed(sequence, limits, {0.3F, 0.1F, 0.0F}, 0.0F);  // shifting: the present speed
   QCOMPARE(sequence[0][0], 0.3F);
   QCOMPARE(sequence[1][0], 0.1F);
 }
@@ -170,16 +170,16 @@ void Nav2MppiSequenceTest::roll_accelerations_limitByTheSideOfZero() {
 
 void Nav2MppiSequenceTest::roll_writeBack_leavesTheLastControl() {
   OneRoll roll(sequenceOf(4, {1.0F, 1.0F, 1.0F, 1.0F}));
-  roll.problem.writesBack = true;
-  roll.problem.pull[0] = 2.0F;
+  roll.problem.writesLimitedControls = true;
+  roll.problem.controlCost[0] = 2.0F;
   roll.roll();
   const double wanted[] = {0.3, 0.4, 0.5, 1.0};  // at rest it counts as going back
-  double pull = 0.0;
+  double controlCost = 0.0;
   for (int step = 0; step < 4; ++step) {
     QVERIFY(isNear(roll.control(step), wanted[step]));
-    pull += 2.0 * 1.0 * (wanted[step] - 1.0);  // gamma's share is of what is averaged
+    controlCost += 2.0 * 1.0 * (wanted[step] - 1.0);  // gamma's share is of what is averaged
   }
-  QVERIFY(isNear(roll.columns.pull[0], pull));
+  QVERIFY(isNear(roll.columns.controlCost[0], controlCost));
 }
 
 void Nav2MppiSequenceTest::roll_delays_holdTheSpeed() {
@@ -216,7 +216,7 @@ void Nav2MppiSequenceTest::roll_curve_byHand() {
 void Nav2MppiSequenceTest::limitEachOther_firstElement_isFree() {
   const MppiLimits limits = mppiLimitsOf({});  // 0.15 per step of 0.05 s
   MppiSequence sequence = sequenceOf(4, {0.9F, 0.0F, -0.9F, -0.9F}, {3.0F, 1.0F, 1.8F, 1.8F});
-  limitEachOther(sequence, limits, 0.05F, true);
+  limitChanges(sequence, limits, 0.05F, true);
   const double vx[] = {0.5, 0.35, 0.2, 0.05};
   const double wz[] = {1.9, 1.725, 1.8, 1.8};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -224,25 +224,25 @@ void Nav2MppiSequenceTest::limitEachOther_firstElement_isFree() {
     QVERIFY(isNear(sequence[1][i], wz[i]));
   }
   sequence = sequenceOf(3, {0.9F, 0.0F, -0.9F});
-  limitEachOther(sequence, limits, 0.05F, false);
+  limitChanges(sequence, limits, 0.05F, false);
   QCOMPARE(sequence[0], (std::vector<float>{0.5F, 0.0F, -0.35F}));
 }
 
 void Nav2MppiSequenceTest::limitFromSpeed_firstElement_isTied() {
   const MppiLimits limits = mppiLimitsOf({});
   MppiSequence sequence = sequenceOf(3, {0.9F, 0.9F, 0.9F});
-  limitFromSpeed(sequence, limits, {0.1F, 0.0F, 0.0F}, 0.02F, 0.05F);
+  limitChangesFromSpeed(sequence, limits, {0.1F, 0.0F, 0.0F}, 0.02F, 0.05F);
   const double wanted[] = {0.16, 0.31, 0.46};
   for (std::size_t i = 0; i < 3; ++i) {
     QVERIFY(isNear(sequence[0][i], wanted[i]));
   }
-  limitFromSpeed(sequence, limits, {0.1F, 0.0F, 0.0F}, 0.0F, 0.05F);  // shifting
+  limitChangesFromSpeed(sequence, limits, {0.1F, 0.0F, 0.0F}, 0.0F, 0.05F);  // shifting
   QVERIFY(isNear(sequence[0][0], 0.1) && isNear(sequence[0][1], 0.25));
 }
 
 void Nav2MppiSequenceTest::limitTurns_anySpeed_byHand() {
   MppiSequence sequence = sequenceOf(4, {0.2F, -0.2F, 0.0F, 0.2F}, {1.5F, -1.5F, 1.0F, 0.5F});
-  limitTurns(sequence, 0.2F);
+  limitTurningRadius(sequence, 0.2F);
   QCOMPARE(sequence[1], (std::vector<float>{1.0F, -1.0F, 0.0F, 0.5F}));
 }
 
@@ -293,7 +293,7 @@ void Nav2MppiSequenceTest::filter_short_isLeft() {
 void Nav2MppiSequenceTest::integrated_turn_byHand() {
   MppiSequence sequence = sequenceOf(3, {1.0F, 1.0F, 1.0F}, {0.0F, 2.0F, 0.0F});
   sequence[2] = {0.0F, 0.0F, 0.5F};
-  const Path path = integrated({Vec2(1.0, 1.0), base::kPi / 2.0}, sequence, 0.5);
+  const Path path = integratePath({Vec2(1.0, 1.0), base::kPi / 2.0}, sequence, 0.5);
   QVERIFY((path[0].position - Vec2(1.0, 1.5)).norm() < 1e-9);
   QVERIFY((path[1].position - Vec2(1.0, 2.0)).norm() < 1e-9);
   const double heading = base::kPi / 2.0 + 1.0;

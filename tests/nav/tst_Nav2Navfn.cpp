@@ -7,7 +7,6 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/global/NavfnPlanner.h"
-#include "sim2d/nav/nav2/global/NavfnWave.h"
 #include "tests/nav/CostmapSketch.h"
 #include "tests/nav/MetaTypes.h"
 
@@ -125,15 +124,15 @@ Costmap snake() {
 }  // namespace
 
 void Nav2NavfnTest::costOf_costmapCosts_areNavfns() {
-  QCOMPARE(int(NavfnWave::costOf(0, true)), 50);
-  QCOMPARE(int(NavfnWave::costOf(1, true)), 50);  // 50.8
-  QCOMPARE(int(NavfnWave::costOf(100, true)), 130);
-  QCOMPARE(int(NavfnWave::costOf(128, true)), 152);
-  QCOMPARE(int(NavfnWave::costOf(252, true)), 251);
-  QCOMPARE(int(NavfnWave::costOf(253, true)), 254);
-  QCOMPARE(int(NavfnWave::costOf(254, true)), 254);
-  QCOMPARE(int(NavfnWave::costOf(255, true)), 253);
-  QCOMPARE(int(NavfnWave::costOf(255, false)), 254);
+  QCOMPARE(int(NavfnWavefront::costOf(0, true)), 50);
+  QCOMPARE(int(NavfnWavefront::costOf(1, true)), 50);  // 50.8
+  QCOMPARE(int(NavfnWavefront::costOf(100, true)), 130);
+  QCOMPARE(int(NavfnWavefront::costOf(128, true)), 152);
+  QCOMPARE(int(NavfnWavefront::costOf(252, true)), 251);
+  QCOMPARE(int(NavfnWavefront::costOf(253, true)), 254);
+  QCOMPARE(int(NavfnWavefront::costOf(254, true)), 254);
+  QCOMPARE(int(NavfnWavefront::costOf(255, true)), 253);
+  QCOMPARE(int(NavfnWavefront::costOf(255, false)), 254);
 }
 
 void Nav2NavfnTest::descend_threeByThree_isNavfns_data() {
@@ -154,9 +153,9 @@ void Nav2NavfnTest::descend_threeByThree_isNavfns() {
   QFETCH(std::vector<Vec2>, expected);
   std::vector<std::uint8_t> costs(25, 50);
   costs[12] = static_cast<std::uint8_t>(centre);
-  NavfnWave wave;
+  NavfnWavefront wave;
   wave.setCosts(5, 5, costs);
-  wave.spread({3, 4 - row}, {1, row}, true);
+  wave.propagate({3, 4 - row}, {1, row}, true);
   const std::vector<Vec2> path = wave.descend({1, row}, 20);
   QCOMPARE(path.size(), expected.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -165,9 +164,9 @@ void Nav2NavfnTest::descend_threeByThree_isNavfns() {
 }
 
 void Nav2NavfnTest::descend_fewSteps_fails() {
-  NavfnWave wave;
+  NavfnWavefront wave;
   wave.setCosts(Costmap(20, 20, 1.0, Vec2::Zero()), true);
-  wave.spread({2, 10}, {10, 10}, false);
+  wave.propagate({2, 10}, {10, 10}, false);
   QVERIFY(wave.descend({10, 10}, 1).empty());
   const std::vector<Vec2> path = wave.descend({10, 10}, 80);
   QVERIFY(!path.empty());
@@ -176,9 +175,9 @@ void Nav2NavfnTest::descend_fewSteps_fails() {
 }
 
 void Nav2NavfnTest::spread_freeSpace_ringsAsByHand() {
-  NavfnWave wave;
+  NavfnWavefront wave;
   wave.setCosts(9, 9, std::vector<std::uint8_t>(81, 50));
-  wave.spread({4, 4}, {0, 0}, false);  // a target on the border is never reached
+  wave.propagate({4, 4}, {0, 0}, false);  // a target on the border is never reached
   QCOMPARE(wave.potential({4, 4}), 0.0F);
   for (const Cell ring : {Cell{3, 4}, Cell{5, 4}, Cell{4, 3}, Cell{4, 5}}) {
     QCOMPARE(wave.potential(ring), 50.0F);
@@ -189,7 +188,7 @@ void Nav2NavfnTest::spread_freeSpace_ringsAsByHand() {
   QCOMPARE(wave.potential({6, 4}), 100.0F);
   // Between 100 beside and 85.2 below: d = 14.8/50, 85.2 + 50 (0.7040 + 0.5307 d - 0.2301 d^2)
   QVERIFY(std::fabs(wave.potential({6, 5}) - 127.2464) < 1e-3);
-  QCOMPARE(wave.potential({0, 0}), NavfnWave::kUnreached);
+  QCOMPARE(wave.potential({0, 0}), NavfnWavefront::kUnreached);
 }
 
 void Nav2NavfnTest::spread_everywhere_isNearTheEikonalSolution_data() {
@@ -206,9 +205,9 @@ void Nav2NavfnTest::spread_everywhere_isNearTheEikonalSolution() {
   costs[17 * kWidth + 11] = 50;
   // Neighbours that would gain little are not looked at again, with A* even fewer: so it is above.
   for (const bool useAstar : {false, true}) {
-    NavfnWave wave;
+    NavfnWavefront wave;
     wave.setCosts(kWidth, kHeight, costs);
-    wave.spread(robot, {0, 0}, useAstar);
+    wave.propagate(robot, {0, 0}, useAstar);
     const std::vector<double> exact = eikonal(kWidth, kHeight, costs, robot);
     int reached = 0;
     for (int row = 1; row + 1 < kHeight; ++row) {
@@ -234,9 +233,9 @@ void Nav2NavfnTest::spread_everywhere_isNearTheEikonalSolution() {
 void Nav2NavfnTest::spread_everywhere_isNotAboveFourNeighbours() {
   constexpr int kSide = 60;
   const auto costs = roughCosts(kSide, kSide, true, 9);
-  NavfnWave wave;
+  NavfnWavefront wave;
   wave.setCosts(kSide, kSide, costs);
-  wave.spread({30, 30}, {0, 0}, false);
+  wave.propagate({30, 30}, {0, 0}, false);
   const Costmap grid(kSide, kSide, 1.0, Vec2::Zero());
   const auto stepCost = [&](Cell to, double) {
     const bool isBorder =

@@ -151,10 +151,9 @@ void Nav2ParamsTest::parse_repeatedKey_lastCountsWithAWarning() {
   QCOMPARE(valueOf(node, "a"), std::string("3"));
   QCOMPARE(valueOf(node, "c.d"), std::string("5"));
   QCOMPARE(texts(file.diagnostics()),
-           std::string("p.yaml:3:5: warning: key 'a' is repeated: the value of line 5 counts, not "
-                       "that of line 3\n"
-                       "p.yaml:6:5: warning: key 'c.d' is repeated: the value of line 7 counts, "
-                       "not that of line 6\n"));
+           std::string("p.yaml:3:5: warning: key 'a' is repeated: the value of line 5 is used, not "
+                       "that of line 3\np.yaml:6:5: warning: key 'c.d' is repeated: the value of "
+                       "line 7 is used, not that of line 6\n"));
 }
 
 void Nav2ParamsTest::parse_repeatedBlocks_areMerged() {
@@ -186,7 +185,7 @@ void Nav2ParamsTest::parse_noParameters_isAnError() {
 }
 
 void Nav2ParamsTest::read_integerForADouble_isAnErrorAtItsPlace() {
-  const Nav2Reading reading = readOf(kPursuit + "      lookahead_dist: 1\n");
+  const Nav2ReadResult reading = readOf(kPursuit + "      lookahead_dist: 1\n");
   const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.wrong-type");
   QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
   QCOMPARE(problem->line, 5);
@@ -196,7 +195,7 @@ void Nav2ParamsTest::read_integerForADouble_isAnErrorAtItsPlace() {
 }
 
 void Nav2ParamsTest::read_everyProblem_isToldAtOnce() {
-  const Nav2Reading reading = readOf(kPursuit + R"(      lookahead_dist: true
+  const Nav2ReadResult reading = readOf(kPursuit + R"(      lookahead_dist: true
 velocity_smoother:
   ros__parameters:
     max_velocity: [0.5, 0.0]
@@ -220,7 +219,7 @@ local_costmap:
 }
 
 void Nav2ParamsTest::read_absentKey_takesTheCodesDefault() {
-  const Nav2Reading reading = readOf(kPursuit);
+  const Nav2ReadResult reading = readOf(kPursuit);
   // Of Nav2's code, not of its examples: 5 x 5 m at 0.1 m, 0.1 m, 10.0.
   QCOMPARE(reading.parameters.localCostmap.parameters.resolution, 0.1);
   QCOMPARE(reading.parameters.localCostmap.parameters.robotRadius, 0.1);
@@ -231,13 +230,13 @@ void Nav2ParamsTest::read_absentKey_takesTheCodesDefault() {
   QCOMPARE(layer.inflationRadius, 0.55);
   QCOMPARE(xyGoalTolerance(reading.parameters), 0.25);
   const auto& defaults = reading.parameters.notes.defaults;
-  QVERIFY(std::any_of(defaults.begin(), defaults.end(), [](const DefaultNote& each) {
+  QVERIFY(std::any_of(defaults.begin(), defaults.end(), [](const DefaultedKey& each) {
     return each.path == "local_costmap.resolution" && each.value == "0.1";
   }));
 }
 
 void Nav2ParamsTest::read_unknownKey_tellsTheNearest() {
-  const Nav2Reading reading = readOf(kPursuit + "      lookahaed_dist: 0.6\n");
+  const Nav2ReadResult reading = readOf(kPursuit + "      lookahaed_dist: 0.6\n");
   const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-key");
   QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
   QCOMPARE(problem->severity, base::Severity::Warning);
@@ -248,24 +247,24 @@ void Nav2ParamsTest::read_unknownKey_tellsTheNearest() {
 }
 
 void Nav2ParamsTest::read_otherNodes_areIdleOrUnknown() {
-  const Nav2Reading reading = readOf(R"(amcl:
+  const Nav2ReadResult reading = readOf(R"(amcl:
   ros__parameters: {alpha1: 0.2}
 planer_server:
   ros__parameters: {x: 1}
 )" + kPursuit);
-  QCOMPARE(noteOf(reading, "amcl.alpha1")->use, KeyUse::Idle);
+  QCOMPARE(noteOf(reading, "amcl.alpha1")->use, KeyUse::Ignored);
   const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-node");
   QVERIFY(problem != nullptr && problem->message.find("planner_server") != std::string::npos);
 }
 
 void Nav2ParamsTest::read_recoveriesServer_isTheBehaviorServer() {
-  const Nav2Reading reading = readOf(R"(recoveries_server:
+  const Nav2ReadResult reading = readOf(R"(recoveries_server:
   ros__parameters:
     cycle_frequency: 5.0
     behavior_plugins: ["spin"]
     spin: {plugin: "nav2_recoveries/Spin"}
 )" + kPursuit,
-                                     Distro::Humble);
+                                        Distro::Humble);
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(reading.parameters.behaviors.server.cycleFrequency, 5.0);
   QVERIFY(reading.parameters.behaviors.hasSpin && !reading.parameters.behaviors.hasWait);
@@ -286,24 +285,24 @@ void Nav2ParamsTest::read_otherNamespace_isNoted() {
   QFETCH(QString, noted);
   const std::string node =
       ":\n  velocity_smoother:\n    ros__parameters: {smoothing_frequency: 10.0}\n";
-  const Nav2Reading reading =
+  const Nav2ReadResult reading =
       readNav2Parameters(parsed("one" + node + "two" + node), {Distro::Jazzy, robot.toStdString()});
   int count = 0;
-  for (const KeyNote& key : reading.parameters.notes.keys) {
+  for (const KeyUsage& key : reading.parameters.notes.keys) {
     count += key.path.find('/') != std::string::npos ? 1 : 0;
   }
   QCOMPARE(count, 1);
-  const KeyNote* const other =
+  const KeyUsage* const other =
       noteOf(reading, noted.toStdString() + "/velocity_smoother.smoothing_frequency");
   QVERIFY(other != nullptr);
-  QVERIFY(other->use == KeyUse::Idle);
+  QVERIFY(other->use == KeyUse::Ignored);
   QVERIFY(noteOf(reading, "velocity_smoother.smoothing_frequency")->use == KeyUse::Used);
 }
 
 /// Counts beyond what fits are no counts, whatever their sign.
 void Nav2ParamsTest::read_hugeCount_isOutOfRange() {
   for (const char* const count : {"99999999999", "-9223372036854775808"}) {
-    const Nav2Reading reading = readNav2Parameters(
+    const Nav2ReadResult reading = readNav2Parameters(
         parsed("controller_server:\n  ros__parameters:\n    FollowPath:\n"
                "      plugin: \"nav2_mppi_controller::MPPIController\"\n      time_steps: " +
                std::string(count) + "\n      critics: [\"GoalCritic\"]\n"),
@@ -316,11 +315,11 @@ void Nav2ParamsTest::read_hugeCount_isOutOfRange() {
 
 void Nav2ParamsTest::set_value_integersPassForDoubles() {
   ParameterFile file = parsed(kPursuit);
-  const Nav2Reading before = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const Nav2ReadResult before = readNav2Parameters(file, {Distro::Jazzy, {}});
   QVERIFY(setNav2Value(file, before, "FollowPath.lookahead_dist", "2").empty());
   QVERIFY(setNav2Value(file, before, "local_costmap.width", "7").empty());
   QVERIFY(setNav2Value(file, before, "velocity_smoother.max_velocity", "[1, 0, 2]").empty());
-  const Nav2Reading after = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const Nav2ReadResult after = readNav2Parameters(file, {Distro::Jazzy, {}});
   QVERIFY2(after.ok(), texts(after.problems).c_str());
   QCOMPARE(controllerValue(after.parameters, "FollowPath.lookahead_dist", 0.0), 2.0);
   QCOMPARE(after.parameters.localCostmap.parameters.width, 7);
@@ -329,7 +328,7 @@ void Nav2ParamsTest::set_value_integersPassForDoubles() {
 
 void Nav2ParamsTest::set_unknownPath_tellsTheNearest() {
   ParameterFile file = parsed(kPursuit);
-  const Nav2Reading reading = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const Nav2ReadResult reading = readNav2Parameters(file, {Distro::Jazzy, {}});
   const base::Diagnostics wrong = setNav2Value(file, reading, "FollowPath.lookahed_dist", "2.0");
   QCOMPARE(wrong.size(), std::size_t{1});
   QVERIFY(wrong.front().message.find("FollowPath.lookahead_dist") != std::string::npos);
@@ -337,7 +336,7 @@ void Nav2ParamsTest::set_unknownPath_tellsTheNearest() {
 
 void Nav2ParamsTest::set_keyOfBothCostmaps_needsItsNode() {
   ParameterFile file = parsed(kPursuit);
-  const Nav2Reading reading = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const Nav2ReadResult reading = readNav2Parameters(file, {Distro::Jazzy, {}});
   const base::Diagnostics wrong =
       setNav2Value(file, reading, "inflation_layer.inflation_radius", "0.7");
   QVERIFY(problemOf(wrong, "nav2.set-ambiguous"));
@@ -361,13 +360,13 @@ void Nav2ParamsTest::shipped_files_haveNoProblems() {
   const auto file =
       ParameterFile::read(SOURCE_DIR "/resources/nav2_params/" + name.toStdString() + ".yaml");
   QVERIFY(file);
-  const Nav2Reading reading = readNav2Parameters(*file);
+  const Nav2ReadResult reading = readNav2Parameters(*file);
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(static_cast<int>(reading.parameters.distro), distro);
-  for (const KeyNote& key : reading.parameters.notes.keys) {
+  for (const KeyUsage& key : reading.parameters.notes.keys) {
     // Humble's example has it, and nothing reads it.
     const bool isLeftOver = key.path == "controller_server.FollowPath.stateful";
-    QVERIFY2(key.use == KeyUse::Used || key.use == KeyUse::Idle || isLeftOver, key.path.c_str());
+    QVERIFY2(key.use == KeyUse::Used || key.use == KeyUse::Ignored || isLeftOver, key.path.c_str());
   }
 }
 

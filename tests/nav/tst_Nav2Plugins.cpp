@@ -28,7 +28,7 @@ class Nav2PluginsTest : public QObject {
 using namespace nav2test;  // NOLINT: this file is about nothing else
 
 void Nav2PluginsTest::read_unknownPlugin_tellsTheNearest() {
-  const Nav2Reading reading = readOf(R"(planner_server:
+  const Nav2ReadResult reading = readOf(R"(planner_server:
   ros__parameters:
     planner_plugins: ["Mine"]
     Mine:
@@ -66,12 +66,12 @@ void Nav2PluginsTest::read_layerThatIsNotHere_refusesNoFile() {
       it: {plugin: ")" +
                   plugin.toStdString() + "\", some_key: 2, enabled: " + enabled + "}\n");
   };
-  const Nav2Reading on = read("true");
+  const Nav2ReadResult on = read("true");
   QVERIFY2(on.ok(), texts(on.problems).c_str());
   QCOMPARE(on.problems.size(), std::size_t{1});
   QCOMPARE(on.problems.front().code, std::string_view(code.toLatin1().constData()));
   QCOMPARE(on.problems.front().line, 9);
-  QVERIFY(noteOf(on, "local_costmap.it.some_key")->use == KeyUse::Idle);
+  QVERIFY(noteOf(on, "local_costmap.it.some_key")->use == KeyUse::Ignored);
   const auto& plugins = on.parameters.localCostmap.plugins;
   QCOMPARE(plugins.size(), std::size_t{as.isEmpty() ? 0U : 1U});
   if (!as.isEmpty()) {
@@ -84,7 +84,7 @@ void Nav2PluginsTest::read_layerThatIsNotHere_refusesNoFile() {
 
 /// Each with a value that is not the default.
 void Nav2PluginsTest::read_rareLayers_readTheirKeys() {
-  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["stvl", "sides", "old", "clean", "sonar"]
@@ -106,11 +106,11 @@ void Nav2PluginsTest::read_rareLayers_readTheirKeys() {
       sonar: {plugin: "nav2_costmap_2d::RangeSensorLayer", topics: ["/sonar"], phi: 1.5}
       lights: {plugin: "nav2_costmap_2d::BinaryFilter", flip_threshold: 20.0}
 )",
-                                     Distro::Main);
+                                        Distro::Main);
   QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
   const auto& plugins = reading.parameters.localCostmap.plugins;
   QCOMPARE(plugins.size(), std::size_t{5});
-  const auto& decay = std::get<DecayLayerParameters>(plugins[0].parameters);
+  const auto& decay = std::get<SpatioTemporalVoxelLayerParameters>(plugins[0].parameters);
   QCOMPARE(decay.voxelDecay, 15.0);
   QCOMPARE(decay.sources.front().obstacleRange, 4.5);
   QCOMPARE(decay.sources.front().decayAcceleration, 5.0);
@@ -127,7 +127,7 @@ void Nav2PluginsTest::read_rareLayers_readTheirKeys() {
 }
 
 void Nav2PluginsTest::read_container_holdsItsPlugins() {
-  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["both", "inflation_layer"]
@@ -143,7 +143,7 @@ void Nav2PluginsTest::read_container_holdsItsPlugins() {
   QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
   const auto& plugins = reading.parameters.localCostmap.plugins;
   QCOMPARE(plugins.size(), std::size_t{2});
-  const auto& container = std::get<ContainerLayerParameters>(plugins[0].parameters);
+  const auto& container = std::get<PluginContainerLayerParameters>(plugins[0].parameters);
   QCOMPARE(container.combinationMethod, 0);
   QCOMPARE(container.layers.size(), std::size_t{2});
   QCOMPARE(container.layers[1].name, std::string("both.two"));
@@ -152,7 +152,7 @@ void Nav2PluginsTest::read_container_holdsItsPlugins() {
 }
 
 void Nav2PluginsTest::read_latticeAndConstrainedSmoother_readTheirKeys() {
-  const Nav2Reading reading = readOf(kPursuit + R"(planner_server:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(planner_server:
   ros__parameters:
     planner_plugins: ["GridBased"]
     GridBased: {plugin: "nav2_smac_planner::SmacPlannerLattice", tolerance: 0.5,
@@ -176,8 +176,8 @@ void Nav2PluginsTest::read_goalChecker_readsItsOwnKeys() {
   const auto use = [](const char* plugin, const char* key) {
     const std::string text = std::string("    goal_checker_plugins: [It]\n    It: {plugin: \"") +
                              plugin + "\", " + key + ": 0.1}\n";
-    const Nav2Reading reading = readOf(kPursuit + text, Distro::Main);
-    const KeyNote* const note = noteOf(reading, std::string("controller_server.It.") + key);
+    const Nav2ReadResult reading = readOf(kPursuit + text, Distro::Main);
+    const KeyUsage* const note = noteOf(reading, std::string("controller_server.It.") + key);
     return reading.ok() && note != nullptr && note->use == KeyUse::Used;
   };
   QVERIFY(use("nav2_controller::SimpleGoalChecker", "yaw_goal_tolerance"));
@@ -191,7 +191,7 @@ void Nav2PluginsTest::read_goalChecker_readsItsOwnKeys() {
 }
 
 void Nav2PluginsTest::read_wordOfLaunchFiles_switchesAFilterOff() {
-  const Nav2Reading reading = readOf(R"(global_costmap:
+  const Nav2ReadResult reading = readOf(R"(global_costmap:
   global_costmap:
     ros__parameters:
       filters: ["keepout_filter"]
@@ -205,7 +205,7 @@ void Nav2PluginsTest::read_wordOfLaunchFiles_switchesAFilterOff() {
 }
 
 void Nav2PluginsTest::read_pluginBlocks_goByTheirNames() {
-  const Nav2Reading reading = readOf(R"(planner_server:
+  const Nav2ReadResult reading = readOf(R"(planner_server:
   ros__parameters:
     planner_plugins: ["Fast", "Far"]
     Fast: {plugin: "nav2_navfn_planner::NavfnPlanner", tolerance: 0.75}
@@ -221,7 +221,7 @@ void Nav2PluginsTest::read_pluginBlocks_goByTheirNames() {
 }
 
 void Nav2PluginsTest::read_sources_areThoseThatTheLayerNames() {
-  const Nav2Reading reading = readOf(R"(local_costmap:
+  const Nav2ReadResult reading = readOf(R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["obstacle_layer"]

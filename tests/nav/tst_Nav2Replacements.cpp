@@ -45,7 +45,7 @@ std::string controllerOf(const std::string& plugin, const std::string& keys) {
 }
 
 template <class T>
-T valueAt(const Nav2Reading& reading, const std::string& key) {
+T valueAt(const Nav2ReadResult& reading, const std::string& key) {
   return controllerValue(reading.parameters, key, T());
 }
 
@@ -99,8 +99,8 @@ void Nav2ReplacementsTest::controller_ofAnotherPackage_isTheNearestOne() {
   QFETCH(double, speed);
   QFETCH(QString, turnKey);
   QFETCH(double, turn);
-  for (const Distro distro : kEachDistro) {
-    const Nav2Reading reading =
+  for (const Distro distro : kDistros) {
+    const Nav2ReadResult reading =
         readOf(controllerOf(plugin.toStdString(), keys.toStdString()), distro);
     QVERIFY2(reading.ok(), texts(reading.problems).c_str());
     QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 1);
@@ -116,10 +116,10 @@ void Nav2ReplacementsTest::controller_ofAnotherPackage_isTheNearestOne() {
 }
 
 void Nav2ReplacementsTest::controller_withoutLimits_hasThoseOfTheSmoother() {
-  const Nav2Reading reading = readOf(controllerOf("my_robot/Follower", "") +
-                                     "velocity_smoother:\n  ros__parameters:\n"
-                                     "    max_velocity: [0.8, 0.0, 1.7]\n"
-                                     "    min_velocity: [-0.8, 0.0, -1.7]\n");
+  const Nav2ReadResult reading = readOf(controllerOf("my_robot/Follower", "") +
+                                        "velocity_smoother:\n  ros__parameters:\n"
+                                        "    max_velocity: [0.8, 0.0, 1.7]\n"
+                                        "    min_velocity: [-0.8, 0.0, -1.7]\n");
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(valueAt<double>(reading, "FollowPath.max_vel_x"), 0.8);
   QCOMPARE(valueAt<double>(reading, "FollowPath.max_vel_theta"), 1.7);
@@ -127,7 +127,7 @@ void Nav2ReplacementsTest::controller_withoutLimits_hasThoseOfTheSmoother() {
 
 /// 8 Hz: steps of 0.125 s, 22 of which are 2.75 s.
 void Nav2ReplacementsTest::controller_mppiSteps_areNotShorterThanThePeriod() {
-  const Nav2Reading reading =
+  const Nav2ReadResult reading =
       readOf(controllerOf("teb_local_planner::TebLocalPlannerROS", "min_turning_radius: 0.6") +
              "    controller_frequency: 8.0\n");
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
@@ -139,9 +139,9 @@ void Nav2ReplacementsTest::controller_mppiSteps_areNotShorterThanThePeriod() {
 
 void Nav2ReplacementsTest::controller_valueFromOutside_counts() {
   ParameterFile file = parsed(controllerOf("my_robot/Follower", "max_vel_x: 0.3"));
-  const Nav2Reading before = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const Nav2ReadResult before = readNav2Parameters(file, {Distro::Jazzy, {}});
   QVERIFY(setNav2Value(file, before, "FollowPath.sim_time", "1.2").empty());
-  const Nav2Reading after = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const Nav2ReadResult after = readNav2Parameters(file, {Distro::Jazzy, {}});
   QCOMPARE(valueAt<double>(before, "FollowPath.sim_time"), 1.7);
   QCOMPARE(valueAt<double>(after, "FollowPath.sim_time"), 1.2);
   QCOMPARE(valueAt<double>(after, "FollowPath.max_vel_x"), 0.3);
@@ -149,7 +149,7 @@ void Nav2ReplacementsTest::controller_valueFromOutside_counts() {
 
 void Nav2ReplacementsTest::controller_belowAShim_isReplaced() {
   const std::string shim = "nav2_rotation_shim_controller::RotationShimController";
-  const Nav2Reading flat =
+  const Nav2ReadResult flat =
       readOf(controllerOf(shim,
                           "primary_controller: \"teb_local_planner::TebLocalPlannerROS\", "
                           "max_vel_x: 0.4, angular_dist_threshold: 0.9"));
@@ -157,7 +157,7 @@ void Nav2ReplacementsTest::controller_belowAShim_isReplaced() {
   QCOMPARE(countOf(flat.problems, "nav2.treated-as"), 1);
   QCOMPARE(valueAt<double>(flat, "FollowPath.vx_max"), 0.4);
   QCOMPARE(valueAt<double>(flat, "FollowPath.angular_dist_threshold"), 0.9);
-  const Nav2Reading nested =
+  const Nav2ReadResult nested =
       readOf(controllerOf(shim,
                           "primary_controller: {plugin: \"teb_local_planner::TebLocalPlannerROS\", "
                           "max_vel_x: 0.4}, angular_dist_threshold: 0.9"),
@@ -176,14 +176,14 @@ void Nav2ReplacementsTest::controller_misspelt_isAnError_data() {
 
 void Nav2ReplacementsTest::controller_misspelt_isAnError() {
   QFETCH(QString, plugin);
-  const Nav2Reading reading = readOf(controllerOf(plugin.toStdString(), ""));
+  const Nav2ReadResult reading = readOf(controllerOf(plugin.toStdString(), ""));
   const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-plugin");
   QVERIFY2(problem != nullptr && !reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(problem->line, 4);
 }
 
 void Nav2ReplacementsTest::checker_ofAnotherPackage_isTheSimpleOne() {
-  const Nav2Reading reading = readOf(kPursuit + R"(    goal_checker_plugins: [goal]
+  const Nav2ReadResult reading = readOf(kPursuit + R"(    goal_checker_plugins: [goal]
     progress_checker_plugins: [moves]
     goal: {plugin: "my_robot::PatientGoalChecker", xy_goal_tolerance: 0.15, patience: 3}
     moves: {plugin: "my_robot::Watch", movement_time_allowance: 4.0}
@@ -209,7 +209,7 @@ void Nav2ReplacementsTest::planner_ofAnotherPackage_isTheNearestOne_data() {
 void Nav2ReplacementsTest::planner_ofAnotherPackage_isTheNearestOne() {
   QFETCH(QString, plugin);
   QFETCH(int, index);
-  const Nav2Reading reading =
+  const Nav2ReadResult reading =
       readOf(kPursuit +
              "planner_server:\n  ros__parameters:\n    planner_plugins: [GridBased]\n"
              "    GridBased: {plugin: \"" +
@@ -223,7 +223,7 @@ void Nav2ReplacementsTest::planner_ofAnotherPackage_isTheNearestOne() {
 }
 
 void Nav2ReplacementsTest::smootherAndBehavior_ofAnotherPackage() {
-  const Nav2Reading reading = readOf(kPursuit + R"(smoother_server:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(smoother_server:
   ros__parameters:
     smoother_plugins: [smooth]
     smooth: {plugin: "my_robot::BSpline", tolerance: 1.0e-9}
@@ -244,25 +244,25 @@ behavior_server:
 }
 
 void Nav2ReplacementsTest::critics_ofOtherPackages_areLeftOut() {
-  const Nav2Reading dwb = readOf(controllerOf(
+  const Nav2ReadResult dwb = readOf(controllerOf(
       "dwb_core::DWBLocalPlanner",
       "max_vel_x: 0.3, max_vel_theta: 1.0, critics: [PathDist, \"social_critics::PersonalSpace\"], "
       "trajectory_generator_name: \"our_dwb::Generator\""));
   QVERIFY2(dwb.ok(), texts(dwb.problems).c_str());
   QCOMPARE(countOf(dwb.problems, "nav2.left-out"), 1);
   QCOMPARE(countOf(dwb.problems, "nav2.treated-as"), 1);
-  const Nav2Reading mppi =
+  const Nav2ReadResult mppi =
       readOf(controllerOf("nav2_mppi_controller::MPPIController",
                           "critics: [CostCritic, SocialCritic, PathFollowCritic]"));
   QVERIFY2(mppi.ok(), texts(mppi.problems).c_str());
   QCOMPARE(countOf(mppi.problems, "nav2.left-out"), 1);
-  const Nav2Reading wrong = readOf(controllerOf("nav2_mppi_controller::MPPIController",
-                                                "critics: [CostCritc, PathFollowCritic]"));
+  const Nav2ReadResult wrong = readOf(controllerOf("nav2_mppi_controller::MPPIController",
+                                                   "critics: [CostCritc, PathFollowCritic]"));
   QVERIFY(!wrong.ok());
 }
 
 void Nav2ReplacementsTest::oldNames_areTheirNewerNames() {
-  const Nav2Reading reading = readOf(R"(controller_server:
+  const Nav2ReadResult reading = readOf(R"(controller_server:
   ros__parameters:
     controller_plugins: [FollowPath]
     goal_checker_plugin: "checker"
@@ -280,7 +280,7 @@ recoveries_server:
     recovery_plugins: ["spin"]
     spin: {plugin: "nav2_recoveries/Spin"}
 )",
-                                     Distro::Humble);
+                                        Distro::Humble);
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(countOf(reading.problems, "nav2.older-branch"), 3);
   QVERIFY2(!problemOf(reading.problems, "nav2.unknown-key"), texts(reading.problems).c_str());
@@ -293,7 +293,7 @@ recoveries_server:
 }
 
 void Nav2ReplacementsTest::oldNames_ofEloquent_nameClassesInLists() {
-  const Nav2Reading reading = readOf(R"(controller_server:
+  const Nav2ReadResult reading = readOf(R"(controller_server:
   ros__parameters:
     controller_plugin_types: ["dwb_core::DWBLocalPlanner"]
     controller_plugin_ids: ["Drive"]
@@ -312,7 +312,7 @@ global_costmap:
       plugin_types: ["nav2_costmap_2d::StaticLayer", "nav2_costmap_2d::InflationLayer"]
       inflation.cost_scaling_factor: 3.5
 )",
-                                     Distro::Humble);
+                                        Distro::Humble);
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(valueAt<double>(reading, "Drive.max_vel_x"), 0.31);
   QCOMPARE(reading.parameters.planners.front().first, std::string("GridBased"));
@@ -323,7 +323,7 @@ global_costmap:
 }
 
 void Nav2ReplacementsTest::placeholder_isAbsent() {
-  const Nav2Reading reading = readOf(kPursuit + R"(    controller_frequency: TO_BE_OVERRIDDEN
+  const Nav2ReadResult reading = readOf(kPursuit + R"(    controller_frequency: TO_BE_OVERRIDDEN
 )");
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.placeholder");
@@ -333,7 +333,7 @@ void Nav2ReplacementsTest::placeholder_isAbsent() {
 }
 
 void Nav2ReplacementsTest::placeholder_ofLaunchFiles_isAbsent() {
-  const Nav2Reading reading = readOf(kPursuit + R"yaml(    controller_frequency: $(var rate)
+  const Nav2ReadResult reading = readOf(kPursuit + R"yaml(    controller_frequency: $(var rate)
 local_costmap:
   local_costmap:
     ros__parameters:
@@ -348,7 +348,7 @@ local_costmap:
 }
 
 void Nav2ReplacementsTest::placeholder_listHasItsBlocks() {
-  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: TO_BE_OVERRIDDEN
@@ -367,7 +367,7 @@ void Nav2ReplacementsTest::placeholder_listHasItsBlocks() {
 }
 
 void Nav2ReplacementsTest::emptyList_ofPlanners_isAbsent() {
-  const Nav2Reading reading = readOf(kPursuit + R"(planner_server:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(planner_server:
   ros__parameters:
     planner_plugins: [""]
 )");

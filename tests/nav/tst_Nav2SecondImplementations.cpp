@@ -11,8 +11,8 @@
 
 #include "sim2d/nav/nav2/costmap/InflationLayer.h"
 #include "sim2d/nav/nav2/global/SavitzkyGolaySmoother.h"
-#include "sim2d/nav/nav2/global/SimpleSmoother.h"
 #include "sim2d/nav/nav2/global/Smac2DPlanner.h"
+#include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 #include "tests/nav/CostmapSketch.h"
 #include "tests/nav/MetaTypes.h"
 #include "tests/nav/Nav2SecondPlanners.h"
@@ -46,7 +46,7 @@ class Nav2SecondImplementationsTest : public QObject {
  private:
   static void addRows() {
     QTest::addColumn<Distro>("distro");
-    for (const Distro distro : kEachDistro) {
+    for (const Distro distro : kDistros) {
       QTest::newRow(std::array{"humble", "jazzy", "kilted", "lyrical",
                                "main"}[static_cast<std::size_t>(distro)])
           << distro;
@@ -336,13 +336,13 @@ void Nav2SecondImplementationsTest::collisionMonitor_randomScans_isTheSame() {
       parameters.shapes.push_back(shapes.back().keys);
     }
     sim2d::LaserScan scan;
-    scan.perBeam = 2.0 * base::kPi / 90.0;
+    scan.angleIncrement = 2.0 * base::kPi / 90.0;
     scan.range = 2.0;
     std::vector<Vec2> points;
     for (int i = 0; i < 90; ++i) {
       scan.distances.push_back(isHeads(numbers, 0.6) ? 2.0 : numbers.between(0.3, 1.9));
       if (scan.distances.back() < scan.range) {
-        points.push_back(scan.distances.back() * base::directionOf(i * scan.perBeam));
+        points.push_back(scan.distances.back() * base::directionOf(i * scan.angleIncrement));
       }
     }
     const nav2second::Twist command = {numbers.between(-0.6, 1.0),
@@ -374,8 +374,9 @@ void Nav2SecondImplementationsTest::goalCheckers_randomWalks_areTheSame() {
     GoalCheckerParameters parameters;
     parameters.isStateful = isHeads(numbers);
     parameters.isSymmetric = isHeads(numbers);
-    const Nav2Block block = {{"stateful", Nav2Value(parameters.isStateful)},
-                             {"symmetric_yaw_tolerance", Nav2Value(parameters.isSymmetric)}};
+    const Nav2ParameterBlock block = {
+        {"stateful", Nav2Value(parameters.isStateful)},
+        {"symmetric_yaw_tolerance", Nav2Value(parameters.isSymmetric)}};
     auto checker = makeGoalChecker("nav2_controller::" + kind + "GoalChecker", distro, block);
     QVERIFY(checker);
     nav2second::Arrival second(kind, distro, parameters);

@@ -6,9 +6,9 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
-#include "sim2d/nav/nav2/global/HybridEstimates.h"
-#include "sim2d/nav/nav2/global/HybridMotion.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
+#include "sim2d/nav/nav2/global/HybridSearch.h"
+#include "sim2d/nav/nav2/global/SmacCommon.h"
 #include "sim2d/nav/nav2/global/SmacHybridPlanner.h"
 #include "tests/nav/CostmapSketch.h"
 
@@ -169,8 +169,8 @@ void Nav2SmacHybridTest::cost_factors_areByHand() {
 void Nav2SmacHybridTest::obstacleDistance_clutter_isDijkstra() {
   const Costmap costmap = cluttered(60, 4);
   const Cell goal{50, 51};
-  ObstacleDistance distance;
-  ObstacleDistance::Settings settings;
+  ObstacleHeuristic distance;
+  ObstacleHeuristic::Settings settings;
   settings.isDownsampled = false;
   distance.start(costmap, goal, settings, false);
   // From the goal outward; Dijkstra pays for the cell that it enters.
@@ -189,8 +189,8 @@ void Nav2SmacHybridTest::obstacleDistance_clutter_isDijkstra() {
 
 void Nav2SmacHybridTest::obstacleDistance_downsampled_isNotAbove() {
   const Costmap costmap = cluttered(60, 4);
-  ObstacleDistance fine, coarse;
-  ObstacleDistance::Settings settings;
+  ObstacleHeuristic fine, coarse;
+  ObstacleHeuristic::Settings settings;
   coarse.start(costmap, {50, 51}, settings, false);
   settings.isDownsampled = false;
   fine.start(costmap, {50, 51}, settings, false);
@@ -210,7 +210,7 @@ void Nav2SmacHybridTest::obstacleDistance_downsampled_isNotAbove() {
 
 void Nav2SmacHybridTest::obstacleDistance_kept_onlyForTheSameGoal() {
   Costmap costmap(30, 30, 1.0, Vec2::Zero());
-  ObstacleDistance distance;
+  ObstacleHeuristic distance;
   distance.start(costmap, {4, 4}, {}, true);
   QCOMPARE(distance.from({24, 4}), 20.0);
   for (int row = 0; row < 28; ++row) {
@@ -226,7 +226,7 @@ void Nav2SmacHybridTest::obstacleDistance_kept_onlyForTheSameGoal() {
 }
 
 void Nav2SmacHybridTest::curveDistance_isTheRoundedCurve() {
-  CurveDistance distance(CarMotion::Dubins, 5.0, 72, 41);
+  DistanceHeuristic distance(CarMotion::Dubins, 5.0, 72, 41);
   const auto exact = [](double x, double y, int bin) {
     return shortestCurve(CarMotion::Dubins, pose(x, y, bin * base::kPi / 36.0), {}, 5.0).length();
   };

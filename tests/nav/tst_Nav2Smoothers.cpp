@@ -4,7 +4,6 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/global/SavitzkyGolaySmoother.h"
-#include "sim2d/nav/nav2/global/SimpleSmoother.h"
 #include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 #include "tests/nav/CostmapSketch.h"
 
@@ -269,7 +268,7 @@ void Nav2SmoothersTest::simple_inversionNotEnforced_smoothsOver() {
 
 void Nav2SmoothersTest::simple_outOfTime_dependsOnDistro() {
   const Path path = zigzag(30);
-  const double fourSweeps = 4.5 * 30.0 / kSweepedPosesPerSecond;  // [s]
+  const double fourSweeps = 4.5 * 30.0 / kSweptPosesPerSecond;  // [s]
   const SmoothResult jazzy = simple(path, {}, Distro::Jazzy, openMap(), fourSweeps);
   QVERIFY(jazzy.error == SmoothError::Timeout);
   QVERIFY(jazzy.path.empty());

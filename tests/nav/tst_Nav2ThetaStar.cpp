@@ -7,8 +7,7 @@
 #include <QtTest>
 #include <queue>
 
-#include "sim2d/nav/nav2/global/StaleHeap.h"
-#include "sim2d/nav/nav2/global/ThetaStarLines.h"
+#include "sim2d/nav/nav2/global/OpenList.h"
 #include "sim2d/nav/nav2/global/ThetaStarPlanner.h"
 #include "tests/nav/CostmapSketch.h"
 #include "tests/nav/MetaTypes.h"
@@ -71,7 +70,7 @@ Trial trialOf(std::uint64_t seed, int side) {
 }
 
 std::optional<double> line(const Costmap& costmap, Distro distro, Cell from, Cell to) {
-  return thetaStarLine(costmap, ThetaStarCosts({}), distro, from, to);
+  return thetaStarLineCost(costmap, ThetaStarCosts({}), distro, from, to);
 }
 
 /// What a free cell adds to a line: 2 (26/252)^2, and one of cost 128: 2 (141.2/252)^2.
@@ -130,7 +129,7 @@ void Nav2ThetaStarTest::plans_randomMaps_equalTheSecondImplementation() {
 
 /// In a corridor the queue is empty when its only cell has been popped, which ends Nav2's loop.
 void Nav2ThetaStarTest::plans_corridorOfOneCell_fail() {
-  for (const Distro distro : kEachDistro) {
+  for (const Distro distro : kDistros) {
     ThetaStarPlanner planner({}, distro);
     const Costmap narrow = drawn({"#####", ".....", "#####"});
     QVERIFY(planner.plan({narrow, {{0.5, 1.5}, 0.0}, {{4.5, 1.5}, 0.0}}).error ==

@@ -49,7 +49,7 @@ base::YamlNode yamlOf(const std::string& text) {
   return base::parseYaml(text, {}, problems);
 }
 
-double frequencyOf(const Nav2Reading& reading) {
+double frequencyOf(const Nav2ReadResult& reading) {
   return controllerValue(reading.parameters, "controller_frequency", 20.0);
 }
 
@@ -100,7 +100,8 @@ void Nav2ToleranceTest::placeholder_ofAKeyThatCounts_isAWarningWithTheDefault_da
 
 void Nav2ToleranceTest::placeholder_ofAKeyThatCounts_isAWarningWithTheDefault() {
   QFETCH(QString, value);
-  const Nav2Reading reading = readOf(pursuitWith("controller_frequency: " + value.toStdString()));
+  const Nav2ReadResult reading =
+      readOf(pursuitWith("controller_frequency: " + value.toStdString()));
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.placeholder");
   QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
@@ -112,14 +113,14 @@ void Nav2ToleranceTest::placeholder_ofAKeyThatCounts_isAWarningWithTheDefault() 
 }
 
 void Nav2ToleranceTest::placeholder_ofAKeyWithoutEffect_isNotReported() {
-  const Nav2Reading reading = readOf(pursuitWith("use_sim_time: $(var use_sim_time)") +
-                                     "amcl:\n  ros__parameters:\n    set_initial_pose: <x>\n");
+  const Nav2ReadResult reading = readOf(pursuitWith("use_sim_time: $(var use_sim_time)") +
+                                        "amcl:\n  ros__parameters:\n    set_initial_pose: <x>\n");
   QCOMPARE(texts(reading.problems), std::string());
-  QVERIFY(noteOf(reading, "controller_server.use_sim_time")->use == KeyUse::Idle);
+  QVERIFY(noteOf(reading, "controller_server.use_sim_time")->use == KeyUse::Ignored);
 }
 
 void Nav2ToleranceTest::placeholder_forAListOfPlugins_givesNav2sList() {
-  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: LAYERS
@@ -130,7 +131,7 @@ void Nav2ToleranceTest::placeholder_forAListOfPlugins_givesNav2sList() {
 }
 
 void Nav2ToleranceTest::placeholder_thatSwitchesAFilterOn_leavesItOff() {
-  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       filters: [keepout_filter]
@@ -145,13 +146,14 @@ void Nav2ToleranceTest::placeholder_thatSwitchesAFilterOn_leavesItOff() {
 
 void Nav2ToleranceTest::integerForADouble_isNoPlaceholder() {
   for (const char* const value : {"20", "true", "fast", "[20.0]"}) {
-    const Nav2Reading reading = readOf(pursuitWith(std::string("controller_frequency: ") + value));
+    const Nav2ReadResult reading =
+        readOf(pursuitWith(std::string("controller_frequency: ") + value));
     QVERIFY2(problemOf(reading.problems, "nav2.wrong-type") != nullptr, value);
   }
 }
 
 void Nav2ToleranceTest::number_beyondTheLimits_isCut() {
-  const Nav2Reading reading = readOf(kPursuit + "      lookahead_time: .inf\n");
+  const Nav2ReadResult reading = readOf(kPursuit + "      lookahead_time: .inf\n");
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.number-cut");
   QVERIFY(problem != nullptr);
@@ -241,8 +243,8 @@ void Nav2ToleranceTest::yaml_template_isOneClearError() {
       "amcl:\n  ros__parameters:\n    base_frame_id: {{ robot }}/base\n", "p.yaml");
   QCOMPARE(
       texts(file.diagnostics()),
-      std::string("p.yaml:3:20: error: '{{' is a template (Jinja, xacro, Helm), not YAML: fill "
-                  "it in before it is read\n"));
+      std::string("p.yaml:3:20: error: '{{' is a template (Jinja, xacro, Helm), not YAML: render "
+                  "it first\n"));
 }
 
 void Nav2ToleranceTest::parameters_misspeltOrMissing_areReadWithAWarning_data() {
@@ -345,7 +347,7 @@ void Nav2ToleranceTest::mistake_thatNav2Overlooks_isAWarning() {
   QFETCH(QString, text);
   QFETCH(QString, code);
   QFETCH(int, line);
-  const Nav2Reading reading = readOf(kPursuit + text.toStdString());
+  const Nav2ReadResult reading = readOf(kPursuit + text.toStdString());
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   const base::Diagnostic* const problem = problemOf(reading.problems, code.toStdString());
   QVERIFY2(problem != nullptr, texts(reading.problems).c_str());

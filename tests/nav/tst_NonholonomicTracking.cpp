@@ -137,7 +137,7 @@ void NonholonomicTrackingTest::fastestTracked_isTheInverse() {
   int limited = 0;
   for (int i = -31; i <= 31; ++i) {
     const double angle = 0.1 * i;
-    const double speed = fastestTracked(model, angle, kEpsilon);
+    const double speed = maxTrackableSpeed(model, angle, kEpsilon);
     if (speed > 0.0 && speed < model.maxVel) {
       ++limited;
       QVERIFY(std::fabs(trackingError(model, speed, angle) - kEpsilon) < 1e-9);
@@ -153,12 +153,12 @@ void NonholonomicTrackingTest::fastestTracked_isTheInverse() {
 void NonholonomicTrackingTest::steeringAngle_solvesItsEquation() {
   for (const double radius : {0.3, 1.0, 5.0}) {
     for (const double epsilon : {0.01, 0.1, 0.2}) {
-      const double half = 0.5 * steeringAngle(radius, epsilon);
+      const double half = 0.5 * maxTrackableAngle(radius, epsilon);
       QVERIFY(std::fabs(2.0 * radius * std::tan(half) * std::sin(half) - epsilon) < 1e-12);
     }
   }
-  QCOMPARE(steeringAngle(0.01, 1.0), 0.5 * base::kPi);
-  QCOMPARE(steeringAngle(0.0, 0.1), 0.5 * base::kPi);
+  QCOMPARE(maxTrackableAngle(0.01, 1.0), 0.5 * base::kPi);
+  QCOMPARE(maxTrackableAngle(0.0, 0.1), 0.5 * base::kPi);
 }
 
 void NonholonomicTrackingTest::trackedVelocities_lieInTheSet_andFillMostOfIt_data() {
@@ -183,13 +183,13 @@ void NonholonomicTrackingTest::trackedVelocities_lieInTheSet_andFillMostOfIt() {
   QFETCH(double, least);
   TrackingModel model = modelOf(static_cast<Kinematics>(kinematics));
   model.maxOmega = omega;
-  const std::vector<std::vector<HalfPlane>> pieces = trackedVelocities(model, epsilon);
+  const std::vector<std::vector<HalfPlane>> pieces = trackableVelocities(model, epsilon);
   const base::AgentRng random(4, 2);
   int tracked = 0;
   int found = 0;
   for (std::uint32_t i = 0; i < 40000; ++i) {
-    const Vec2 velocity(random.uniform(-1.0, 1.0, base::Draw::Test, 2 * i),
-                        random.uniform(-1.0, 1.0, base::Draw::Test, 2 * i + 1));
+    const Vec2 velocity(random.uniform(-1.0, 1.0, base::DrawPurpose::Test, 2 * i),
+                        random.uniform(-1.0, 1.0, base::DrawPurpose::Test, 2 * i + 1));
     const double speed = velocity.norm();
     const double angle = std::atan2(velocity.y(), velocity.x());
     const bool isTracked =
@@ -238,8 +238,8 @@ void NonholonomicTrackingTest::trackingModelOf_weakMotor_takesLonger() {
   RobotBody body;
   body.limits.maxOmega = 2.0;
   body.limits.maxAlpha = 2.5;
-  QCOMPARE(trackingModelOf(body, 0.5).turnTime, 0.8);
-  QCOMPARE(trackingModelOf(body, 1.0).turnTime, 1.0);
+  QCOMPARE(trackingModelFor(body, 0.5).turnTime, 0.8);
+  QCOMPARE(trackingModelFor(body, 1.0).turnTime, 1.0);
 }
 
 QTEST_GUILESS_MAIN(NonholonomicTrackingTest)

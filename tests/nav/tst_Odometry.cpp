@@ -5,8 +5,8 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/Motion.h"
-#include "sim2d/nav/Odometry.h"
+#include "sim2d/nav/DriveKinematics.h"
+#include "sim2d/nav/Localization.h"
 
 using namespace sim2d;
 
@@ -30,7 +30,7 @@ Odometry driven(const OdometryParameters& parameters, int robot, const BodyTwist
   Pose2 truth{{2.0, -1.0}, 0.7};
   Odometry odometry(parameters, 42, robot, truth);
   for (int i = 0; i < steps; ++i) {
-    truth = advanced(truth, twist, time / steps);
+    truth = propagated(truth, twist, time / steps);
     odometry.advance(truth, twist, time / steps, static_cast<std::uint64_t>(i));
   }
   return odometry;
@@ -116,7 +116,7 @@ void OdometryTest::advance_noErrors_isTheTruthToTheBit() {
   QVERIFY(odometry.pose() == truth);
   for (std::uint64_t step = 0; step < 1000; ++step) {
     const BodyTwist twist{0.7, step % 2 == 0 ? 1.1 : -0.4, 0.13};
-    truth = advanced(truth, twist, 0.05);
+    truth = propagated(truth, twist, 0.05);
     odometry.advance(truth, twist, 0.05, step);
     QVERIFY(odometry.pose() == truth);
     QVERIFY(odometry.motion() == twist);
@@ -197,7 +197,7 @@ void OdometryTest::advance_manySteps_giveTheVarianceOfTheWay() {
 
 void OdometryTest::advance_standing_believesTheSame() {
   Odometry odometry = driven(noisy(), 3, {1.0, 0.5}, 1.0, 20);
-  const Pose2 truth = advanced({{2.0, -1.0}, 0.7}, {1.0, 0.5}, 1.0);
+  const Pose2 truth = propagated({{2.0, -1.0}, 0.7}, {1.0, 0.5}, 1.0);
   odometry.advance(truth, {}, 0.05, 20);  // takes up what rounding has left of the way
   const Pose2 believed = odometry.pose();
   for (std::uint64_t step = 21; step < 100; ++step) {
@@ -226,7 +226,7 @@ void OdometryTest::advance_drift_bendsTheWay() {
   parameters.headingDrift = 0.05;  // 0.05 rad per metre: a circle of radius 20
   const Odometry odometry = driven(parameters, 1, {1.0, 0.0}, 10.0, 20000);
   QVERIFY(std::fabs(odometry.pose().heading - 1.2) < 1e-9);
-  const Pose2 circle = advanced({{2.0, -1.0}, 0.7}, {1.0, 0.05}, 10.0);
+  const Pose2 circle = propagated({{2.0, -1.0}, 0.7}, {1.0, 0.05}, 10.0);
   QVERIFY((odometry.pose().position - circle.position).norm() < 1e-6);
   QVERIFY(std::fabs(odometry.motion().angular - 0.05) < 1e-9);
   QVERIFY(std::fabs(odometry.motion().linear - 1.0) < 1e-12);

@@ -75,10 +75,10 @@ void OrcaPlannerTest::planes_pairOfTheCircle_byHand() {
   const Walker first(1, Vec2(-5.0, 0.0), Vec2(1.0, 0.0), 1.5);
   const Walker second(2, Vec2(5.0, 0.0), Vec2(-1.0, 0.0), 1.5);
   const double cosine = std::sqrt(0.91);
-  const HalfPlane plane = avoidBody(first, second, 10.0, 0.25);
+  const HalfPlane plane = bodyHalfPlane(first, second, 10.0, 0.25);
   QVERIFY(isNear(plane.point, Vec2(1.0 - 0.3 * 0.3, -0.3 * cosine)));
   QVERIFY(isNear(plane.direction, Vec2(-cosine, 0.3)));
-  const HalfPlane mirrored = avoidBody(second, first, 10.0, 0.25);
+  const HalfPlane mirrored = bodyHalfPlane(second, first, 10.0, 0.25);
   QVERIFY(isNear(mirrored.point, -plane.point) && isNear(mirrored.direction, -plane.direction));
 }
 

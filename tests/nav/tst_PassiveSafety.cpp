@@ -82,21 +82,21 @@ void PassiveSafetyTest::isPassivelySafe_touching_mayPart() {
 /// Braking from v takes 0.05 s * (v + (v - 0.05) + …): 0.5125 m from 0.9875 m/s, 0.5 m from 0.975.
 void PassiveSafetyTest::passivelySafe_tooFast_slowsDownAsLittleAsItMust() {
   const Observation seen = seenAt(open_, 1.0, {ahead(0.51 + kMargin)});
-  const BodyTwist found = passivelySafe(body_, seen, BodyTwist{1.0, 0.0}, kMargin);
+  const BodyTwist found = nearestSafeTwist(body_, seen, BodyTwist{1.0, 0.0}, kMargin);
   QVERIFY2(std::fabs(found.linear - 0.975) < 1e-12, qPrintable(QString::number(found.linear)));
   QCOMPARE(found.angular, 0.0);
 }
 
 void PassiveSafetyTest::passivelySafe_blocked_turnsOnTheSpot() {
   const Observation seen = seenAt(open_, 0.0, {ahead(0.01)});
-  const BodyTwist found = passivelySafe(body_, seen, BodyTwist{1.0, 1.0}, kMargin);
+  const BodyTwist found = nearestSafeTwist(body_, seen, BodyTwist{1.0, 1.0}, kMargin);
   QCOMPARE(found.linear, 0.0);
   QVERIFY(std::fabs(found.angular - 0.15) < 1e-12);  // 3 rad/s² for a step
 }
 
 void PassiveSafetyTest::passivelySafe_nothingHelps_brakes() {
   const Observation seen = seenAt(open_, 1.0, {ahead(0.1)});
-  QVERIFY(passivelySafe(body_, seen, BodyTwist{1.0, 1.0}, kMargin) == BodyTwist{});
+  QVERIFY(nearestSafeTwist(body_, seen, BodyTwist{1.0, 1.0}, kMargin) == BodyTwist{});
 }
 
 QTEST_GUILESS_MAIN(PassiveSafetyTest)

@@ -14,10 +14,10 @@ Pose2 at(double x, double y, double heading = 0.0) {
   return {Vec2(x, y), heading};
 }
 
-PathHandler handlerOf(PathHandling::Rule rule) {
-  PathHandling handling;
-  handling.rule = rule;
-  return PathHandler(handling);
+PathHandler handlerOf(PathPruning::Rule rule) {
+  PathPruning pruning;
+  pruning.rule = rule;
+  return PathHandler(pruning);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void PathHandlerTest::lengths_byHand() {
 }
 
 void PathHandlerTest::pursuit_farPoses_areCut() {
-  PathHandler handler = handlerOf(PathHandling::Rule::Pursuit);
+  PathHandler handler = handlerOf(PathPruning::Rule::Pursuit);
   handler.setPlan(straight(3.0, 0.1));
   const LocalPlan local = handler.localPlan(at(0.52, 0.3), map_);
   QVERIFY(local.problem == nullptr);
@@ -74,11 +74,11 @@ void PathHandlerTest::pursuit_loop_searchIsBounded() {
   for (int i = 0; i <= 20; ++i) {
     path.push_back(at(2.0 - 0.1 * i, 0.1));
   }
-  PathHandler bounded = handlerOf(PathHandling::Rule::Pursuit);
+  PathHandler bounded = handlerOf(PathPruning::Rule::Pursuit);
   bounded.setPlan(path);
   QCOMPARE(bounded.localPlan(at(0.0, 0.1), map_).poses.front(), path.front());
-  PathHandling everywhere;
-  everywhere.rule = PathHandling::Rule::Pursuit;
+  PathPruning everywhere;
+  everywhere.rule = PathPruning::Rule::Pursuit;
   everywhere.searchDistance = -1.0;
   PathHandler all(everywhere);
   all.setPlan(path);
@@ -90,56 +90,56 @@ void PathHandlerTest::pursuit_loop_searchIsBounded() {
 }
 
 void PathHandlerTest::pursuit_atTheEnd_twoPosesSinceJazzy() {
-  PathHandling handling;
-  handling.rule = PathHandling::Rule::Pursuit;
-  PathHandler humble(handling);
+  PathPruning pruning;
+  pruning.rule = PathPruning::Rule::Pursuit;
+  PathHandler humble(pruning);
   humble.setPlan(straight(0.5, 0.1));
   QCOMPARE(humble.localPlan(at(0.5, 0.0), map_).poses.size(), std::size_t{1});
-  handling.keepsTwo = true;
-  PathHandler jazzy(handling);
+  pruning.keepsLastTwo = true;
+  PathHandler jazzy(pruning);
   jazzy.setPlan(straight(0.5, 0.1));
   QCOMPARE(jazzy.localPlan(at(0.5, 0.0), map_).poses.size(), std::size_t{2});
   QCOMPARE(jazzy.localPlan(at(0.5, 0.0), map_).poses.size(), std::size_t{2});
 }
 
 void PathHandlerTest::dwb_beginsNear_endsByDistance() {
-  PathHandling handling;
-  handling.rule = PathHandling::Rule::Dwb;
-  handling.pruneDistance = 0.25;
-  handling.forwardPruneDistance = 1.0;
-  PathHandler handler(handling);
+  PathPruning pruning;
+  pruning.rule = PathPruning::Rule::Dwb;
+  pruning.pruneDistance = 0.25;
+  pruning.forwardPruneDistance = 1.0;
+  PathHandler handler(pruning);
   handler.setPlan(straight(3.0, 0.1));
   LocalPlan local = handler.localPlan(at(0.52, 0.0), map_);
   QVERIFY(isNear(local.poses.front().position.x(), 0.3));  // the first nearer than 0.25
   QVERIFY(isNear(local.poses.back().position.x(), 1.5));   // the last not farther than 1
   QVERIFY(isNear(handler.plan().front().position.x(), 0.3));
-  handling.prunesPlan = false;  // then half the map counts: 60 * 0.05 / 2
-  handling.shortensPlan = false;
-  PathHandler whole(handling);
+  pruning.prunesPlan = false;  // then half the map counts: 60 * 0.05 / 2
+  pruning.shortensPlan = false;
+  PathHandler whole(pruning);
   whole.setPlan(straight(3.0, 0.1));
   local = whole.localPlan(at(0.52, 0.0), map_);
   QVERIFY(isNear(local.poses.front().position.x(), 0.0));
   QVERIFY(isNear(local.poses.back().position.x(), 2.0));
   QVERIFY(isNear(whole.plan().front().position.x(), 0.0));
   // Farther on than forward_prune_distance of way nothing is looked for.
-  handling.prunesPlan = true;
-  PathHandler behind(handling);
+  pruning.prunesPlan = true;
+  PathHandler behind(pruning);
   behind.setPlan(straight(3.0, 0.1));
   local = behind.localPlan(at(2.0, 0.0), map_);
   QVERIFY(isNear(local.poses.front().position.x(), 1.1));
 }
 
 void PathHandlerTest::way_endsByLengthOrMap() {
-  PathHandling handling;
-  handling.pruneDistance = 0.55;
-  PathHandler handler(handling);
+  PathPruning pruning;
+  pruning.pruneDistance = 0.55;
+  PathHandler handler(pruning);
   Path path = straight(0.5, 0.1);
   path.push_back(at(0.5, 0.1));
   path.push_back(at(0.4, 0.1));
   handler.setPlan(path);
   QVERIFY((handler.localPlan(at(0, 0), map_).poses.back().position - Vec2(0.5, 0.0)).norm() < 1e-9);
-  handling.pruneDistance = 5.0;
-  PathHandler far(handling);
+  pruning.pruneDistance = 5.0;
+  PathHandler far(pruning);
   far.setPlan(straight(3.0, 0.1));
   QVERIFY(
       isNear(far.localPlan(at(0.12, 0), map_).poses.back().position.x(), 1.4));  // map ends at 1.5
@@ -147,9 +147,9 @@ void PathHandlerTest::way_endsByLengthOrMap() {
 }
 
 void PathHandlerTest::way_inversion_isHeldUntilReached() {
-  PathHandling handling;
-  handling.enforcesInversion = true;
-  PathHandler handler(handling);
+  PathPruning pruning;
+  pruning.enforcesInversion = true;
+  PathHandler handler(pruning);
   Path path = straight(0.8, 0.1);
   const std::size_t ahead = path.size();
   for (int i = 1; i <= 6; ++i) {
@@ -166,9 +166,9 @@ void PathHandlerTest::way_inversion_isHeldUntilReached() {
 }
 
 void PathHandlerTest::way_rotation_isHeldUntilMade() {
-  PathHandling handling;
-  handling.enforcesRotation = true;
-  PathHandler handler(handling);
+  PathPruning pruning;
+  pruning.enforcesRotation = true;
+  PathHandler handler(pruning);
   Path path = straight(0.5, 0.1);
   path.push_back(at(0.5, 0.0, 0.5));
   path.push_back(at(0.5, 0.0, 1.0));  // 1 rad on the spot
@@ -180,8 +180,8 @@ void PathHandlerTest::way_rotation_isHeldUntilMade() {
   handler.localPlan(at(0.45, 0.0, 0.5), map_);  // not turned yet
   QCOMPARE(handler.localPlan(at(0.45, 0.0, 0.9), map_).poses.back(), at(0.5, 0.0, 1.0));
   QVERIFY(isNear(handler.localPlan(at(0.45, 0.0, 0.9), map_).poses.back().position.y(), 0.5));
-  handling.minimumRotation = 1.1;
-  PathHandler little(handling);
+  pruning.minimumRotation = 1.1;
+  PathHandler little(pruning);
   little.setPlan(path);
   QVERIFY(isNear(little.localPlan(at(0, 0), map_).poses.back().position.y(), 0.5));
 }
@@ -191,13 +191,13 @@ void PathHandlerTest::way_rotation_isHeldUntilMade() {
 /// the plan.
 void PathHandlerTest::planFrame_turnedAndMoved_isThatOfTheResult_data() {
   QTest::addColumn<int>("rule");
-  QTest::newRow("pursuit") << static_cast<int>(PathHandling::Rule::Pursuit);
-  QTest::newRow("dwb") << static_cast<int>(PathHandling::Rule::Dwb);
-  QTest::newRow("way") << static_cast<int>(PathHandling::Rule::Way);
+  QTest::newRow("pursuit") << static_cast<int>(PathPruning::Rule::Pursuit);
+  QTest::newRow("dwb") << static_cast<int>(PathPruning::Rule::Dwb);
+  QTest::newRow("way") << static_cast<int>(PathPruning::Rule::AlongPath);
 }
 void PathHandlerTest::planFrame_turnedAndMoved_isThatOfTheResult() {
   QFETCH(int, rule);
-  PathHandler handler = handlerOf(static_cast<PathHandling::Rule>(rule));
+  PathHandler handler = handlerOf(static_cast<PathPruning::Rule>(rule));
   Path path;
   for (int i = -10; i <= 20; ++i) {
     path.push_back(at(0.1 * i, 0.0));
@@ -210,19 +210,19 @@ void PathHandlerTest::planFrame_turnedAndMoved_isThatOfTheResult() {
     QVERIFY(isNear(pose.position.x(), 0.0) && isNear(pose.heading, base::kPi / 2.0));
   }
   // Dwb begins with the first pose within half the map (1.5 m), the others with the nearest one.
-  const bool isDwb = rule == static_cast<int>(PathHandling::Rule::Dwb);
+  const bool isDwb = rule == static_cast<int>(PathPruning::Rule::Dwb);
   QVERIFY(isNear(local.poses.front().position.y(), isDwb ? 0.0 : 0.5));
   // Way ends with the map at y = 1.5; the others by the distance: hypot(x + 0.48, 0.1) is at most
   // 1.4875 or 1.5 up to x = 1.004 and 1.016.
-  const bool isWay = rule == static_cast<int>(PathHandling::Rule::Way);
+  const bool isWay = rule == static_cast<int>(PathPruning::Rule::AlongPath);
   QVERIFY2(isNear(local.poses.back().position.y(), isWay ? 1.4 : 2.0),
            qPrintable(QString::number(local.poses.back().position.y())));
 }
 
 void PathHandlerTest::problems_inNav2sWords() {
-  PathHandling handling;
-  handling.rejectsUnitPath = true;
-  PathHandler handler(handling);
+  PathPruning pruning;
+  pruning.rejectsUnitPath = true;
+  PathHandler handler(pruning);
   QCOMPARE(handler.localPlan(at(0, 0), map_).problem, "Received plan with zero length");
   handler.setPlan({at(0, 0)});
   QCOMPARE(handler.localPlan(at(0, 0), map_).problem, "Received plan with length of one");

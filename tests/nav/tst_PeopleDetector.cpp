@@ -10,8 +10,6 @@
 #include <QtTest>
 
 #include "sim2d/base/Rng.h"
-#include "sim2d/nav/AngularCover.h"
-#include "sim2d/nav/MotionFilter.h"
 #include "sim2d/nav/PeopleDetector.h"
 
 using namespace sim2d;
@@ -47,19 +45,19 @@ SensedBody robotAt(int id, const Vec2& position) {
 
 /// Everything perfect but for what the test changes; a cycle at each step.
 DetectorParameters perfect() {
-  return groundTruth();
+  return groundTruthDetector();
 }
 
 /// Perfect but for the filter.
 DetectorParameters filtered() {
-  DetectorParameters parameters = groundTruth();
-  parameters.isMotionMeasured = false;
+  DetectorParameters parameters = groundTruthDetector();
+  parameters.measuresVelocity = false;
   return parameters;
 }
 
 /// Perfect but for occlusion.
 DetectorParameters occluded() {
-  DetectorParameters parameters = groundTruth();
+  DetectorParameters parameters = groundTruthDetector();
   parameters.isOccluded = true;
   return parameters;
 }
@@ -137,7 +135,7 @@ class PeopleDetectorTest : public QObject {
 };
 
 void PeopleDetectorTest::groundTruth_movingBodies_isExact() {
-  PeopleDetector detector(groundTruth(), 1, 0);
+  PeopleDetector detector(groundTruthDetector(), 1, 0);
   for (int step = 0; step < 50; ++step) {
     const double t = 0.05 * step;
     const std::vector<SensedBody> bodies = {bodyAt(3, {std::cos(t), 7.0 * t}, {-std::sin(t), 7.0}),
@@ -186,7 +184,7 @@ void PeopleDetectorTest::sight_walls_hide() {
   const std::vector<SensedBody> bodies = {bodyAt(1, {4.0, 0.0}), bodyAt(2, {4.0, 2.0}),
                                           bodyAt(3, {4.0, 2.2}), bodyAt(4, {-4.0, 0.0})};
   DetectorParameters parameters = occluded();
-  parameters.hiddenShare = 1.0;
+  parameters.maxOcclusion = 1.0;
   QVERIFY(seenFrom({}, parameters, bodies, wall) == (Ids{3, 4}));
   QVERIFY(seenFrom({}, perfect(), bodies, wall) == (Ids{1, 2, 3, 4}));
   wall.setEnabled(part, false);
@@ -208,7 +206,7 @@ void PeopleDetectorTest::sight_oneBodyBefore_hidesByAngle() {
   const auto seen = [&](double share, double threshold, double side) {
     const double bearing = side * (0.225638 - share * 0.150141);
     DetectorParameters parameters = occluded();
-    parameters.hiddenShare = threshold;
+    parameters.maxOcclusion = threshold;
     return seenFrom({{0.0, 0.0}, heading}, parameters,
                     {bodyAt(1, 4.0 * base::directionOf(heading + bearing)),
                      bodyAt(2, 2.0 * base::directionOf(heading))});
@@ -406,7 +404,7 @@ void PeopleDetectorTest::velocity_filtered_equalsAMatrixFilter() {
   parameters.accelerationPower = 0.7;
   PeopleDetector detector(parameters, 9, 0);
   DetectorParameters seen = parameters;
-  seen.isMotionMeasured = true;  // the same places without a filter
+  seen.measuresVelocity = true;  // the same places without a filter
   PeopleDetector places(seen, 9, 0);
 
   const double T = 0.1;
@@ -449,7 +447,7 @@ void PeopleDetectorTest::velocity_filtered_equalsAMatrixFilter() {
 /// position and (3 - sqrt(3)) / T for the velocity.
 void PeopleDetectorTest::velocity_steadyFilterWithoutErrors_hasTheGainsOfTheRiccatiEquation() {
   const double T = 0.1;
-  MotionFilter filter(0.0, 0.5);
+  ConstantVelocityFilter filter(0.0, 0.5);
   filter.start(Vec2::Zero());
   for (int i = 0; i < 100; ++i) {
     filter.predict(T);
@@ -534,9 +532,9 @@ void PeopleDetectorTest::update_sameSeed_sameBytes() {
       bodies.reserve(40);
       for (int i = 0; i < 40; ++i) {
         const base::AgentRng rng(1, i);
-        const Vec2 start(rng.uniform(-12.0, 12.0, base::Draw::Test, 0),
-                         rng.uniform(-12.0, 12.0, base::Draw::Test, 1));
-        const Vec2 velocity(rng.uniform(-1.0, 1.0, base::Draw::Test, 2), 0.5);
+        const Vec2 start(rng.uniform(-12.0, 12.0, base::DrawPurpose::Test, 0),
+                         rng.uniform(-12.0, 12.0, base::DrawPurpose::Test, 1));
+        const Vec2 velocity(rng.uniform(-1.0, 1.0, base::DrawPurpose::Test, 2), 0.5);
         bodies.push_back(bodyAt(i, start + 0.05 * step * velocity, velocity));
       }
       detector.update({{}, {}, openGround(), bodies, 0.05 * step});
@@ -560,13 +558,14 @@ void PeopleDetectorTest::angularCover_randomIntervals_equalsSampling() {
   const double perMark = 2.0 * base::kPi / kMarks;
   for (int round = 0; round < 200; ++round) {
     const base::AgentRng rng(77, round);
-    AngularCover cover;
+    AngularIntervalSet cover;
     std::vector<char> isHidden(kMarks, 0);
     std::uint32_t index = 0;
     const auto interval = [&] {
-      const int first = static_cast<int>(rng.uniform(0.0, kMarks, base::Draw::Test, index++));
+      const int first =
+          static_cast<int>(rng.uniform(0.0, kMarks, base::DrawPurpose::Test, index++));
       const double most = round % 10 == 0 ? kMarks : 150.0;
-      const int count = static_cast<int>(rng.uniform(0.0, most, base::Draw::Test, index++));
+      const int count = static_cast<int>(rng.uniform(0.0, most, base::DrawPurpose::Test, index++));
       return std::pair<int, int>(first, count);
     };
     for (int i = 0; i < round % 12; ++i) {
@@ -586,7 +585,7 @@ void PeopleDetectorTest::angularCover_randomIntervals_equalsSampling() {
                         expected * perMark) < 1e-9);
     }
   }
-  AngularCover whole;
+  AngularIntervalSet whole;
   whole.add(0.3, 2.0 * base::kPi);
   QVERIFY(std::fabs(whole.covered(-2.0, 4.0) - 4.0) < 1e-12);
 }

@@ -5,8 +5,8 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/external/PlannerProtocol.h"
-#include "sim2d/nav/external/ShownText.h"
+#include "sim2d/nav/external/ExternalPlanner.h"
+#include "sim2d/nav/external/PrintableText.h"
 #include "tests/nav/ExternalScene.h"
 
 using namespace external;
@@ -79,7 +79,7 @@ void PlannerProtocolTest::observation_everything_isWrittenAsDocumented() {
   scan.sensor = {{0.1, 0.0}, 0.5};
   scan.time = 1.2;
   scan.angleMin = -1.5;
-  scan.perBeam = 0.25;
+  scan.angleIncrement = 0.25;
   scan.range = 10.0;
   scan.distances = {10.0, 2.5};
   Observation& seen = scene.observation;
@@ -134,9 +134,9 @@ void PlannerProtocolTest::end_reason_isWritten() {
 
 void PlannerProtocolTest::standingOutlines_doors_areLeftOutWhenOpen() {
   Scene scene;
-  QCOMPARE(standingOutlines(*scene.observation.obstacles).size(), std::size_t{2});
+  QCOMPARE(enabledOutlines(*scene.observation.obstacles).size(), std::size_t{2});
   scene.setDoor(false);
-  const auto standing = standingOutlines(*scene.observation.obstacles);
+  const auto standing = enabledOutlines(*scene.observation.obstacles);
   QCOMPARE(standing.size(), std::size_t{1});
   QVERIFY(standing[0]->points[0] == Vec2(2.0, 3.0));
 }
@@ -226,7 +226,8 @@ void PlannerProtocolTest::answer_bad_isToldWithWhatWasFound_data() {
   row(R"({"linear":1,"angular":0,"path":[[1]]})", "external.bad-path", "not [1]");
   row(R"({"linear":1,"angular":0,"path":[[1,2],[1,"a"]]})", "external.bad-path", "not [1,\"a\"]");
   row(R"({"linear":1,"angular":0,"path":[[1,2,3]]})", "external.bad-path", "not [1,2,3]");
-  row(R"({"error":"no way","linear":1,"angular":0})", "external.complaint", "gives up: no way");
+  row(R"({"error":"no way","linear":1,"angular":0})", "external.complaint",
+      "reports an error: no way");
   row(R"({"error":{"code":4}})", "external.complaint", "{\"code\":4}");
 }
 
@@ -248,11 +249,11 @@ void PlannerProtocolTest::answer_severalMistakes_areAllTold() {
 }
 
 void PlannerProtocolTest::shownText_long_isCutBetweenCharacters() {
-  QCOMPARE(shownText("a\tb\x01\x7F\xC3\xA4"), std::string("a?b??\xC3\xA4"));
-  QCOMPARE(shownText("abcd", 4), std::string("abcd"));
-  QCOMPARE(shownText("abcde", 4), std::string("abcd…"));
-  QCOMPARE(shownText("abc\xC3\xA4", 4), std::string("abc…"));
-  QCOMPARE(shownText("\xC3\xA4", 1), std::string("…"));
+  QCOMPARE(printableText("a\tb\x01\x7F\xC3\xA4"), std::string("a?b??\xC3\xA4"));
+  QCOMPARE(printableText("abcd", 4), std::string("abcd"));
+  QCOMPARE(printableText("abcde", 4), std::string("abcd…"));
+  QCOMPARE(printableText("abc\xC3\xA4", 4), std::string("abc…"));
+  QCOMPARE(printableText("\xC3\xA4", 1), std::string("…"));
 }
 
 QTEST_GUILESS_MAIN(PlannerProtocolTest)

@@ -19,7 +19,7 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/external/CommandWords.h"
+#include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/nav/external/ExternalPlanner.h"
 #include "sim2d/nav/external/ExternalProcess.h"
 #include "tests/nav/ExternalScene.h"
@@ -237,7 +237,7 @@ void ProcessPlannerTest::words_quotes_areCutAsAShellDoes_data() {
 void ProcessPlannerTest::words_quotes_areCutAsAShellDoes() {
   QFETCH(QString, command);
   QFETCH(QStringList, words);
-  const auto cut = commandWords(command.toStdString());
+  const auto cut = splitCommandLine(command.toStdString());
   QVERIFY(cut);
   QStringList found;
   for (const std::string& each : *cut) {
@@ -248,10 +248,10 @@ void ProcessPlannerTest::words_quotes_areCutAsAShellDoes() {
 
 void ProcessPlannerTest::words_openQuotes_areErrors() {
   for (const char* command : {"a 'b", "a \"b", "a \"b\\\"", "a \\"}) {
-    QCOMPARE(codeOf(commandWords(command).diagnostics()), std::string("external.open-quote"));
+    QCOMPARE(codeOf(splitCommandLine(command).diagnostics()), std::string("external.open-quote"));
   }
   for (const char* command : {"", "  ", "''"}) {
-    QCOMPARE(codeOf(commandWords(command).diagnostics()), std::string("external.no-command"));
+    QCOMPARE(codeOf(splitCommandLine(command).diagnostics()), std::string("external.no-command"));
   }
 }
 
@@ -309,7 +309,7 @@ void ProcessPlannerTest::make_fromRegistry_takesItsTexts() {
     QCOMPARE(codeOf(problems), std::string("external.too-slow"));
     QVERIFY2(messageOf(problems).contains("0.3 s"), messageOf(problems));
   }
-  setup.code = CodeUse::Refused;
+  setup.code = ExternalCodePolicy::Refused;
   QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("external.not-allowed"));
 }
 
@@ -319,7 +319,7 @@ void ProcessPlannerTest::make_codeLeftOut_standsAndTells() {
   addExternal(registry);
   const auto* entry = registry.find("external");
   PlannerSetup setup = setupOf();
-  setup.code = CodeUse::LeftOut;
+  setup.code = ExternalCodePolicy::Skipped;
   setup.command = script("touch '" + path("was-here").toUtf8() + "'\n");
   const auto made = entry->make(setup);
   QVERIFY(made);
@@ -412,7 +412,7 @@ void ProcessPlannerTest::command_misbehaviour_endsClearly_data() {
   const QByteArray ready = kReady;
   const QByteArray one = ready + "read -r line; echo '{\"linear\":0.5,\"angular\":0}'\n";
   row("dies before ready", "echo oops >&2; echo why >&2; exit 3\n", "external.died",
-      "with exit code 3 instead of answering; it said: oops / why");
+      "with exit code 3 without an answer; its error output: oops / why");
   row("dies of a signal", "read -r line; kill -9 $$\n", "external.died", "by signal 9 (Killed)");
   row("dies later", one + "read -r line; exit 4\n", "external.died", "exit code 4", 1);
   row("dies, its output stays open", ready + "read -r line; sleep 60 & exit 5\n", "external.died",
@@ -421,17 +421,17 @@ void ProcessPlannerTest::command_misbehaviour_endsClearly_data() {
   row("closes its input", "read -r line; exec <&-; echo '{\"ready\":true}'; sleep 60\n",
       "external.closed", "its input");
   row("hangs", "echo slow >&2\n" + ready + "sleep 60\n", "external.too-slow",
-      "within 1 s; it said: slow");
+      "within 1 s; its error output: slow");
   row("half a line", ready + "read -r line; printf '{\"linear\":'; sleep 60\n", "external.too-slow",
       "within 1 s");
   row("floods a line", ready + "read -r line; exec cat /dev/zero\n", "external.line-too-long",
       "1048576");
-  row("floods lines", ready + "read -r line; exec yes\n", "external.unasked",
-      "more than the one line");
-  row("floods errors", "yes >&2 &\n" + ready + "sleep 60\n", "external.too-slow", "said: ");
+  row("floods lines", ready + "read -r line; exec yes\n", "external.unasked", "more than one line");
+  row("floods errors", "yes >&2 &\n" + ready + "sleep 60\n", "external.too-slow",
+      "its error output: ");
   row("says ready twice",
       "read -r line; printf '{\"ready\":true}\\n{\"ready\":true}\\n'; sleep 60\n",
-      "external.unasked", "more than the one line");
+      "external.unasked", "more than one line");
   row("is not ready", "read -r line; echo '{\"linear\":0}'; sleep 60\n", "external.not-ready",
       "\"ready\": true");
   row("nonsense", ready + "read -r line; echo hello; sleep 60\n", "external.not-json", "'hello'");
@@ -496,7 +496,8 @@ void ProcessPlannerTest::command_extraLineLater_isUnasked() {
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("said")), 20000);
   const auto answer = made->command(scene.observation);
   QCOMPARE(codeOf(answer.diagnostics()), std::string("external.unasked"));
-  QVERIFY(messageOf(answer.diagnostics()).endsWith("asked for: '{\"linear\":0.5,\"angular\":0}?'"));
+  QVERIFY(
+      messageOf(answer.diagnostics()).endsWith("as an answer: '{\"linear\":0.5,\"angular\":0}?'"));
 }
 
 void ProcessPlannerTest::command_grandchild_diesToo() {

@@ -6,13 +6,12 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/nav2/costmap/AsymmetricInflationLayer.h"
-#include "sim2d/nav/nav2/costmap/ContainerLayer.h"
 #include "sim2d/nav/nav2/costmap/CostmapFilters.h"
-#include "sim2d/nav/nav2/costmap/DecayLayer.h"
 #include "sim2d/nav/nav2/costmap/DenoiseLayer.h"
 #include "sim2d/nav/nav2/costmap/InflationLayer.h"
+#include "sim2d/nav/nav2/costmap/PluginContainerLayer.h"
 #include "sim2d/nav/nav2/costmap/RangeSensorLayer.h"
+#include "sim2d/nav/nav2/costmap/SpatioTemporalVoxelLayer.h"
 #include "tests/nav/CostmapScenes.h"
 #include "tests/nav/CostmapSketch.h"
 
@@ -233,12 +232,12 @@ void RareLayersTest::problems_ofRareLayers_areTold() {
   range.topics = {"/sonar"};
   range.inputSensorType = "FIXED";
   range.markThreshold = 1.5;
-  DecayLayerParameters decay;
+  SpatioTemporalVoxelLayerParameters decay;
   decay.voxelSize = 0.0;
-  DecaySource low;
+  SpatioTemporalVoxelSource low;
   low.maxObstacleHeight = 0.1;  // the lidar is at 0.2 m
   decay.sources = {low};
-  ContainerLayerParameters container;
+  PluginContainerLayerParameters container;
   container.layers = {{"both.sonar", range}};
   setup.settings.plugins = {{"both", container}, {"stvl", decay}};
   std::vector<std::string> codes;
@@ -254,15 +253,16 @@ void RareLayersTest::problems_ofRareLayers_areTold() {
 
 namespace {
 
-LayeredCostmap decayCostmap(const DecayLayerParameters& decay) {
+LayeredCostmap decayCostmap(const SpatioTemporalVoxelLayerParameters& decay) {
   CostmapSetup setup = plainSetup(10, 0.5);
   setup.distro = Distro::Jazzy;
   setup.settings.plugins = {{"stvl", decay}};
   return LayeredCostmap(setup);
 }
 
-DecayLayerParameters decayOf(double seconds, const DecaySource& source) {
-  DecayLayerParameters decay;
+SpatioTemporalVoxelLayerParameters decayOf(double seconds,
+                                           const SpatioTemporalVoxelSource& source) {
+  SpatioTemporalVoxelLayerParameters decay;
   decay.voxelDecay = seconds;
   decay.voxelSize = 0.5;
   decay.updateFootprintEnabled = false;
@@ -274,7 +274,7 @@ DecayLayerParameters decayOf(double seconds, const DecaySource& source) {
 
 /// A hit at 0 s with a decay of 2 s is there at 2 s and gone at 2.2 s; no ray is needed.
 void RareLayersTest::decay_linear_forgetsAfterItsTime() {
-  DecaySource source;
+  SpatioTemporalVoxelSource source;
   source.obstacleRange = 5.0;
   LayeredCostmap costmap = decayCostmap(decayOf(2.0, source));
   const LaserScan scan = beamTo({0.25, 0.25}, {4.25, 0.25}, 0.0);
@@ -292,12 +292,12 @@ void RareLayersTest::decay_linear_forgetsAfterItsTime() {
 /// Age t costs a t³ / 6 more in the field of view: with a = 3 and updates at 1 and 2 s, a mark of 0
 /// is one of -0.5 at 1 s; at 2 s its age is 2.5, and 10 - 2.5 - 3 · 2.5³ / 6 = -0.31.
 void RareLayersTest::decay_fieldOfView_isSooner() {
-  DecaySource source;
+  SpatioTemporalVoxelSource source;
   source.obstacleRange = 5.0;
   source.clearing = true;
   source.decayAcceleration = 3.0;
   source.maxZ = 10.0;
-  const auto leftAt2 = [&](const DecaySource& each) {
+  const auto leftAt2 = [&](const SpatioTemporalVoxelSource& each) {
     LayeredCostmap costmap = decayCostmap(decayOf(10.0, each));
     LaserScan scan = beamTo({0.25, 0.25}, {4.25, 0.25}, 0.0);
     costmap.updateNow(at({0.0, 0.0}, 0.0, &scan));
@@ -308,21 +308,21 @@ void RareLayersTest::decay_fieldOfView_isSooner() {
     return before == 1 ? count(costmap.costmap(), 254) : -1;
   };
   QCOMPARE(leftAt2(source), 0);
-  DecaySource slower = source;
+  SpatioTemporalVoxelSource slower = source;
   slower.decayAcceleration = 2.8;  // 10 - 2.467 - 2.8 · 2.467³ / 6 = 0.53
   QCOMPARE(leftAt2(slower), 1);
-  DecaySource shortSighted = source;
+  SpatioTemporalVoxelSource shortSighted = source;
   shortSighted.maxZ = 3.0;  // the voxel is 4 m away
   QCOMPARE(leftAt2(shortSighted), 1);
-  DecaySource idle = source;
+  SpatioTemporalVoxelSource idle = source;
   idle.clearing = false;
   QCOMPARE(leftAt2(idle), 1);
 }
 
 void RareLayersTest::decay_persistent_staysBehindTheRays() {
-  DecaySource source;
+  SpatioTemporalVoxelSource source;
   source.obstacleRange = 5.0;
-  DecayLayerParameters decay = decayOf(-1.0, source);
+  SpatioTemporalVoxelLayerParameters decay = decayOf(-1.0, source);
   decay.decayModel = -1;
   LayeredCostmap costmap = decayCostmap(decay);
   LaserScan scan = beamTo({0.25, 0.25}, {4.25, 0.25}, 0.0);
@@ -343,7 +343,7 @@ void RareLayersTest::container_isMergedAsOne() {
   setup.settings.parameters.robotRadius = 0.5;
   setup.map = gridOf({"#........", ".........", ".........", ".........", ".........", ".........",
                       ".........", ".........", "........."});
-  ContainerLayerParameters container;
+  PluginContainerLayerParameters container;
   ObservationSource source = farSource();
   source.observationPersistence = 0.0;
   container.layers = {{"both.seen", obstacleLayer(source)}, {"both.grown", inflationLayer(1.0)}};
@@ -365,7 +365,7 @@ void RareLayersTest::container_isMergedAsOne() {
 
 void RareLayersTest::container_law_isFound() {
   CostmapSetup setup = plainSetup(9);
-  ContainerLayerParameters container;
+  PluginContainerLayerParameters container;
   container.layers = {{"both.grown", inflationLayer(2.0, 4.0)}};
   setup.settings.plugins = {{"both", container}};
   const LayeredCostmap costmap(setup);
@@ -393,7 +393,7 @@ void RareLayersTest::legacy_inMain_isTheInflationOfJazzy() {
   QCOMPARE(costsOf(Distro::Main, legacy), costsOf(Distro::Jazzy, plain));
   const CostmapContext context = contextOf(Distro::Main);
   const LegacyInflationLayer layer("legacy", context, legacy, 1.0);
-  QCOMPARE(layer.law().scaling, 0.4);
+  QCOMPARE(layer.costFunction().scaling, 0.4);
 }
 
 /// A path along x between two walls: beside the left one costs fall off by 1, beside the right one
@@ -413,23 +413,23 @@ void RareLayersTest::asymmetric_sides_fallOffByTheirFactors() {
   LayeredCostmap costmap(setup);
   const auto costAt = [&](int row) { return int{costmap.costmap().at({5, row})}; };
   const double inscribed = costmap.footprint().inscribed;
-  const auto law = [inscribed](double factor, double distance) {
+  const auto costFunction = [inscribed](double factor, double distance) {
     return static_cast<int>(252.0 * std::exp(-factor * (distance - inscribed)));
   };
   costmap.updateNow(at({1.0, 5.5}, 0.0));
-  QCOMPARE(costAt(8), law(2.0, 2.0));
-  QCOMPARE(costAt(2), law(2.0, 2.0));
+  QCOMPARE(costAt(8), costFunction(2.0, 2.0));
+  QCOMPARE(costAt(2), costFunction(2.0, 2.0));
   costmap.setPlan({{{1.0, 5.5}, 0.0}, {{5.0, 5.5}, 0.0}, {{10.0, 5.5}, 0.0}});
   costmap.updateNow(at({1.0, 5.5}, 0.2));
-  QCOMPARE(costAt(8), law(1.0, 2.0));  // to the left
-  QCOMPARE(costAt(2), law(2.0, 2.0));  // to the right
+  QCOMPARE(costAt(8), costFunction(1.0, 2.0));  // to the left
+  QCOMPARE(costAt(2), costFunction(2.0, 2.0));  // to the right
   QCOMPARE(costAt(5), 0);
   costmap.setPlan({{{10.0, 5.5}, 0.0}, {{5.0, 5.5}, 0.0}, {{1.0, 5.5}, 0.0}});
   costmap.updateNow(at({10.0, 5.5}, 0.4));  // the other way the sides are exchanged
-  QCOMPARE(costAt(8), law(2.0, 2.0));
-  QCOMPARE(costAt(2), law(1.0, 2.0));
+  QCOMPARE(costAt(8), costFunction(2.0, 2.0));
+  QCOMPARE(costAt(2), costFunction(1.0, 2.0));
   costmap.updateNow(at({2.0, 5.5}, 0.6));  // 1 m before the end
-  QCOMPARE(costAt(2), law(2.0, 2.0));
+  QCOMPARE(costAt(2), costFunction(2.0, 2.0));
   QCOMPARE(costmap.inflation()->scaling, 1.5);
 }
 

@@ -2,10 +2,9 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/nav2/control/DynamicWindowPursuit.h"
-#include "sim2d/nav/nav2/control/HeadingTurn.h"
-#include "sim2d/nav/nav2/control/PursuitRules.h"
+#include "sim2d/nav/nav2/control/ControllerUtils.h"
 #include "sim2d/nav/nav2/control/RegulatedPurePursuit.h"
+#include "sim2d/nav/nav2/control/RegulationFunctions.h"
 #include "tests/nav/ControlScene.h"
 
 using namespace control_scene;
@@ -84,7 +83,7 @@ void RegulatedPurePursuitTest::lookahead_fixedAndScaled() {  // 2, 3
   PursuitParameters p;
   QCOMPARE(lookaheadDistance(p, 0.0), 0.6);
   QCOMPARE(lookaheadDistance(p, 10.0), 0.6);
-  p.scalesLookahead = true;
+  p.usesVelocityScaledLookahead = true;
   QCOMPARE(lookaheadDistance(p, 10.0), 0.9);
   QVERIFY(isNear(lookaheadDistance(p, 0.35), 0.525));
   QVERIFY(isNear(lookaheadDistance(p, -0.35), 0.525));
@@ -92,12 +91,12 @@ void RegulatedPurePursuitTest::lookahead_fixedAndScaled() {  // 2, 3
 }
 
 void RegulatedPurePursuitTest::turn_reachesBrakesAndAccelerates() {  // 6, 7
-  const HeadingTurn turn;                                            // 1.8 rad/s, 3.2 rad/s^2
-  QVERIFY(isNear(turnVelocity(turn, 0.4, 1.75, 0.05), 1.6));
-  QVERIFY(isNear(turnVelocity(turn, -0.4, -1.75, 0.05), -1.6));
-  QVERIFY(isNear(turnVelocity(turn, 0.4, 0.0, 0.05), 0.16));
-  QVERIFY(isNear(turnVelocity(turn, 0.4, 1.0, 0.05), 1.16));
-  QVERIFY(isNear(turnVelocity(turn, -0.4, 1.0, 0.05), 0.84));
+  const RotationLimits turn;                                         // 1.8 rad/s, 3.2 rad/s^2
+  QVERIFY(isNear(rotationVelocity(turn, 0.4, 1.75, 0.05), 1.6));
+  QVERIFY(isNear(rotationVelocity(turn, -0.4, -1.75, 0.05), -1.6));
+  QVERIFY(isNear(rotationVelocity(turn, 0.4, 0.0, 0.05), 0.16));
+  QVERIFY(isNear(rotationVelocity(turn, 0.4, 1.0, 0.05), 1.16));
+  QVERIFY(isNear(rotationVelocity(turn, -0.4, 1.0, 0.05), 0.84));
 }
 
 void RegulatedPurePursuitTest::regulatedSpeed_vectors() {  // 8, 11
@@ -129,7 +128,7 @@ void RegulatedPurePursuitTest::dynamicWindow_fromRest_isOneStep() {  // 12
   const auto controller = scene.make(kPursuit, {{"use_dynamic_window", true}});
   scene.local = straight(1.4);
   controller->setPlan(scene.local);
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QVERIFY(isNear(control.twist.linear, 0.125));  // 2.5 m/s^2 * 0.05 s
   QCOMPARE(control.twist.angular, 0.0);
@@ -150,7 +149,7 @@ void RegulatedPurePursuitTest::command_carrotAside_turnsOnTheSpot() {
   Scene scene;
   const auto controller = scene.make(kPursuit, {});
   controller->setPlan({Pose2{}, Pose2{Vec2(x, y), 0.0}});
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QCOMPARE(control.twist.linear == 0.0, turns);
   if (turns) {
@@ -173,7 +172,7 @@ void RegulatedPurePursuitTest::command_nearGoal_turnsToItsHeading() {
     scene.local = {Pose2{}, Pose2{Vec2(distance, 0.0), -1.0}};
     const auto controller = scene.make(kPursuit, {});
     controller->setPlan(scene.local);
-    const Control control = scene.run(*controller);
+    const ControlResult control = scene.run(*controller);
     QVERIFY(control);
     QCOMPARE(control.twist.linear == 0.0, turns);
     QVERIFY(isNear(control.twist.angular, turns ? -0.16 : 0.0));
@@ -196,8 +195,9 @@ void RegulatedPurePursuitTest::command_goalLeft_latchOfDistro() {
   QFETCH(bool, isStateful);
   QFETCH(bool, turns);
   Scene scene(static_cast<Distro>(distro));
-  const auto controller = scene.make(
-      kPursuit, scene.distro == Distro::Jazzy ? Nav2Block{{"stateful", isStateful}} : Nav2Block{});
+  const auto controller = scene.make(kPursuit, scene.distro == Distro::Jazzy
+                                                   ? Nav2ParameterBlock{{"stateful", isStateful}}
+                                                   : Nav2ParameterBlock{});
   scene.local = {Pose2{}, Pose2{Vec2(0.2, 0.0), 1.0}};
   controller->setPlan(scene.local);
   QCOMPARE(scene.run(*controller).twist.linear, 0.0);
@@ -278,7 +278,7 @@ void RegulatedPurePursuitTest::command_straight_isDesiredSpeed() {
   Scene scene;
   const auto controller = scene.make(kPursuit, {});
   controller->setPlan(straight(1.4));
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QCOMPARE(control.twist, (BodyTwist{0.5, 0.0}));
   QCOMPARE(controller->view().lookahead.size(), std::size_t{1});
@@ -295,7 +295,7 @@ void RegulatedPurePursuitTest::command_arc_followsCircle() {
     path.push_back({Vec2(0.5 * std::sin(angle), 0.5 - 0.5 * std::cos(angle)), angle});
   }
   controller->setPlan(path);
-  const Control control = scene.run(*controller);
+  const ControlResult control = scene.run(*controller);
   QVERIFY(control);
   QVERIFY(isNear(control.twist.linear, 0.5 * 0.5 / 0.9, 1e-4));
   QVERIFY(isNear(control.twist.angular, control.twist.linear / 0.5, 1e-3));
@@ -306,8 +306,8 @@ void RegulatedPurePursuitTest::command_obstacleAhead_isNoValidControl() {
   const auto controller = scene.make(kPursuit, {});
   controller->setPlan(straight(1.4));
   scene.block(0.5, -0.1, 0.6, 0.1);  // met 0.5 m + 0.23 m ahead at most
-  const Control control = scene.run(*controller);
-  QCOMPARE(control.code, ControlCode::NoValidControl);
+  const ControlResult control = scene.run(*controller);
+  QCOMPARE(control.code, ControllerError::NoValidControl);
   QCOMPARE(control.words, std::string("RegulatedPurePursuitController detected collision ahead!"));
   QCOMPARE(control.twist, BodyTwist());
   const auto blind = scene.make(kPursuit, {{"use_collision_detection", false}});
@@ -338,7 +338,7 @@ void RegulatedPurePursuitTest::command_slowTurn_sweepsAllTheTime() {
   controller->setPlan({Pose2{}, Pose2{Vec2(-0.5, 0.5), 0.0}, Pose2{Vec2(-1.0, 1.0), 0.0}});
   QVERIFY(scene.run(*controller));
   scene.block(0.1, 0.5, 0.2, 0.6);  // about 75 degrees to the left: 1.8 rad/s for 1 s reach 103
-  QCOMPARE(scene.run(*controller).code, ControlCode::NoValidControl);
+  QCOMPARE(scene.run(*controller).code, ControllerError::NoValidControl);
 }
 
 void RegulatedPurePursuitTest::command_unknownAhead_isFreeOnlyWhenTracked() {
@@ -356,13 +356,13 @@ void RegulatedPurePursuitTest::command_offTheMap_isAnError() {
   scene.robot.position = {5.0, 0.0};
   const auto controller = scene.make(kPursuit, {});
   controller->setPlan({Pose2{Vec2(5.0, 0.0), 0.0}, Pose2{Vec2(6.0, 0.0), 0.0}});
-  QCOMPARE(scene.run(*controller).code, ControlCode::Unknown);
+  QCOMPARE(scene.run(*controller).code, ControllerError::Unknown);
 }
 
 void RegulatedPurePursuitTest::command_emptyPath_isInvalidPath() {
   Scene scene;
   const auto controller = scene.make(kPursuit, {});
-  QCOMPARE(scene.run(*controller).code, ControlCode::InvalidPath);
+  QCOMPARE(scene.run(*controller).code, ControllerError::InvalidPath);
   QCOMPARE(scene.run(*controller).words, std::string("Received plan with zero length"));
   scene.robot.position = {5.0, 0.0};  // every pose is out of reach
   controller->setPlan(straight(1.0));
@@ -378,13 +378,13 @@ void RegulatedPurePursuitTest::command_cusp_reversesUntilJazzy() {
   for (const double x : {-0.2, 0.0, 0.2, 0.4, 0.6, 0.8}) {
     path.push_back({Vec2(x, 0.001), 0.0});
   }
-  const Nav2Block block{{"allow_reversing", true}, {"use_rotate_to_heading", false}};
+  const Nav2ParameterBlock block{{"allow_reversing", true}, {"use_rotate_to_heading", false}};
   for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
     Scene scene(distro);
     const auto controller = scene.make(kPursuit, block);
     scene.local = path;
     controller->setPlan(path);
-    const Control control = scene.run(*controller);
+    const ControlResult control = scene.run(*controller);
     QVERIFY(control);
     // Main does not look for cusps here: its carrot lies 0.6 m ahead, behind the cusp.
     QCOMPARE(control.twist.linear, distro == Distro::Main ? 0.5 : -0.5);
@@ -401,7 +401,7 @@ void RegulatedPurePursuitTest::command_fixedCurvature_turnsByItsOwnCarrot() {
                                            {"curvature_lookahead_dist", 0.7},
                                            {"lookahead_dist", 0.4}});
   fixed->setPlan(path);
-  const Control control = scene.run(*fixed);
+  const ControlResult control = scene.run(*fixed);
   QVERIFY(control);
   // Where the way crosses the circle of 0.7 m: (0.6, sqrt(0.13)); kappa = 2 y/0.49
   const double curvature = 2.0 * std::sqrt(0.13) / 0.49;
@@ -444,9 +444,9 @@ void RegulatedPurePursuitTest::main_lookaheadTime_growsWithDistance() {
   Scene scene(Distro::Main);
   scene.local = straight(1.4);
   scene.block(0.8, -0.1, 0.9, 0.1);
-  const Nav2Block block{{"lookahead_dist", 1.2}};
+  const Nav2ParameterBlock block{{"lookahead_dist", 1.2}};
   QVERIFY(scene.run(*scene.make(kPursuit, block)));
-  Nav2Block far = block;
+  Nav2ParameterBlock far = block;
   far["min_distance_to_obstacle"] = 1.0;
   QVERIFY(!scene.run(*scene.make(kPursuit, far)));
 }

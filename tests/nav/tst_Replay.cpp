@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/nav/CommandFile.h"
+#include "sim2d/nav/VelocityRecording.h"
 #include "tests/nav/DriveWorld.h"
 #include "tests/nav/PlannerFunctions.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 QStringList problemsOf(const std::string& text, int robot = -1) {
   QStringList found;
-  const base::Result<CommandRecord> record = parseCommands(text, "drive.csv", robot);
+  const base::Result<VelocityRecording> record = parseVelocities(text, "drive.csv", robot);
   for (const base::Diagnostic& problem : record.diagnostics()) {
     found << QString::fromStdString(problem.text());
   }
@@ -58,7 +58,7 @@ class ReplayTest : public QObject {
 };
 
 void ReplayTest::at_betweenRows_holdsTheLast() {
-  const base::Result<CommandRecord> record = parseCommands(
+  const base::Result<VelocityRecording> record = parseVelocities(
       "time,linear,angular,lateral\n1,0.5,0.1,0\n2,0.25,-0.5,0.75\n4,1,0,0\n", "drive.csv", -1);
   QVERIFY(record);
   QVERIFY(record->at(0.9) == BodyTwist{});
@@ -71,15 +71,15 @@ void ReplayTest::at_betweenRows_holdsTheLast() {
 }
 
 void ReplayTest::at_oneRow_holdsForGood() {
-  const base::Result<CommandRecord> record =
-      parseCommands("time,linear,angular\n0,0.5,0.1", "drive.csv", -1);
+  const base::Result<VelocityRecording> record =
+      parseVelocities("time,linear,angular\n0,0.5,0.1", "drive.csv", -1);
   QVERIFY(record);
   QVERIFY(record->at(1000.0) == (BodyTwist{0.5, 0.1}));
 }
 
 void ReplayTest::parse_columnsInAnyOrderAndLineEnds_isTheSame() {
-  const base::Result<CommandRecord> record =
-      parseCommands("angular, time, linear\r\n 0.5, 0, 1\r\n\r\n-0.5,1,2\r\n", "drive.csv", -1);
+  const base::Result<VelocityRecording> record =
+      parseVelocities("angular, time, linear\r\n 0.5, 0, 1\r\n\r\n-0.5,1,2\r\n", "drive.csv", -1);
   QVERIFY(record);
   QCOMPARE(record->rows.size(), std::size_t{2});
   QVERIFY(record->at(0.5) == (BodyTwist{1.0, 0.5}));
@@ -96,7 +96,7 @@ void ReplayTest::parse_trajectory_isTheRobotsVelocities() {
       "1,0.5,-1,robot,0,0,1.5707963267948966,0,0.5,0,-1,,\n"
       "1,0.5,-2,robot,3,3,0,9,9,9,-1,,\n"
       "2,1,-1,robot,0,0,3.141592653589793,-0.75,0.25,0,-1,,\n";
-  base::Result<CommandRecord> record = parseCommands(text, "trajectory.csv", -1);
+  base::Result<VelocityRecording> record = parseVelocities(text, "trajectory.csv", -1);
   QVERIFY(record);
   QCOMPARE(record->rows.size(), std::size_t{2});
   // The velocity with which it came to a row acts from the row before.
@@ -105,7 +105,7 @@ void ReplayTest::parse_trajectory_isTheRobotsVelocities() {
   QVERIFY(std::fabs(record->at(0.5).linear - 0.75) < 1e-12);
   QVERIFY(std::fabs(record->at(0.5).lateral + 0.25) < 1e-12);
   QVERIFY(record->at(1.0) == BodyTwist{});
-  record = parseCommands(text, "trajectory.csv", -2);
+  record = parseVelocities(text, "trajectory.csv", -2);
   QVERIFY(record && record->at(0.2).angular == 9.0);
   QCOMPARE(
       problemsOf(text, -3),
@@ -119,7 +119,7 @@ void ReplayTest::parse_badRows_areAllTold() {
       QStringLiteral("drive.csv:2:7: error: angular is not a finite number: 'x'"),
       QStringLiteral("drive.csv:3:3: error: linear is not a finite number: 'nan'"),
       QStringLiteral("drive.csv:3:7: error: angular is not a finite number: 'inf'"),
-      QStringLiteral("drive.csv:5:1: error: time does not advance"),
+      QStringLiteral("drive.csv:5:1: error: time does not increase"),
       QStringLiteral("drive.csv:6:3: error: the line has 2 fields instead of 3"),
       QStringLiteral("drive.csv:7:7: error: the line has 4 fields instead of 3")};
   QVERIFY2(found == expected, qPrintable(found.join(QLatin1Char('\n'))));
@@ -137,7 +137,7 @@ void ReplayTest::parse_badFirstLine_isRefused() {
 
 void ReplayTest::parse_nothingInIt_isRefused() {
   QCOMPARE(problemsOf("time,linear,angular\n"),
-           QStringList(QStringLiteral("drive.csv: error: holds no velocities")));
+           QStringList(QStringLiteral("drive.csv: error: the file contains no velocities")));
 }
 
 void ReplayTest::make_badFiles_areErrors() {

@@ -42,7 +42,7 @@ void RobotRouteTest::lengths_besideTheRoute_areThoseOfItsFoot() {
   QVERIFY((route.pointAhead(beside, 2.0) - Vec2(5.0, 0.0)).norm() < 1e-12);
   QVERIFY((route.pointAhead(beside, 20.0) - Vec2(10.0, 0.0)).norm() < 1e-12);
   // From the place itself: 7 m along and 0.4 m aside.
-  QVERIFY(std::fabs(route.restLength(beside) - std::sqrt(49.16)) < 1e-12);
+  QVERIFY(std::fabs(route.remainingLength(beside) - std::sqrt(49.16)) < 1e-12);
 }
 
 void RobotRouteTest::update_roundAWall_keepsTheClearance() {
@@ -55,7 +55,7 @@ void RobotRouteTest::update_roundAWall_keepsTheClearance() {
     QVERIFY(world.obstacles().clearance(route.pointAhead(Vec2::Zero(), 0.05 * i), 1.0) > 0.28);
   }
   // Touching the corners at 0.3 m it would be longer than the straight lines to them.
-  const double rest = route.restLength(Vec2::Zero());
+  const double rest = route.remainingLength(Vec2::Zero());
   QVERIFY(rest > 2.0 * std::sqrt(1.9 * 1.9 + 1.0) + 0.2 && rest < 6.0);
 }
 
@@ -113,14 +113,14 @@ void RobotRouteTest::update_doorMoves_plansAtOnce() {
   now.navigation = &navigation;
   RobotRoute route;
   route.update(now, 0.3, 1.0);
-  const double open = route.restLength(Vec2::Zero());
+  const double open = route.remainingLength(Vec2::Zero());
   QVERIFY(std::fabs(open - 4.0) < 0.05);
   obstacles.setEnabled(door, true);
   navigation.update(OccupancyGrid{}, obstacles);
   now.time = 0.05;
   route.update(now, 0.3, 1.0);
   QVERIFY(route.takeReplanned());
-  QVERIFY(route.restLength(Vec2::Zero()) > 7.0);  // round the lower end
+  QVERIFY(route.remainingLength(Vec2::Zero()) > 7.0);  // round the lower end
 }
 
 void RobotRouteTest::update_noWay_isEmptyAndTriesAgain() {

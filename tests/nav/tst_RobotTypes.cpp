@@ -22,7 +22,7 @@ const RobotType& typeOf(const char* name) {
 }
 
 bool isValidLidar(const RobotLidar& lidar, const RobotType& type) {
-  const bool fits = std::hypot(lidar.x, lidar.y) <= reachOf(type.body.footprint);
+  const bool fits = std::hypot(lidar.x, lidar.y) <= circumscribedRadius(type.body.footprint);
   return lidar.beams > 1 && lidar.angleMin < lidar.angleMax && lidar.angleMin >= -base::kPi &&
          lidar.angleMax < base::kPi && lidar.range > 0.0 && lidar.rate > 0.0 && fits &&
          lidar.height > 0.0 && lidar.noise >= 0.0;
@@ -63,7 +63,7 @@ void RobotTypesTest::robotTypes_bodies_areValid() {
     const Footprint& footprint = type.body.footprint;
     const DriveLimits& limits = type.body.limits;
     QVERIFY2(inscribedRadius(footprint) > 0.0, type.name.c_str());
-    QVERIFY(std::fabs(reachOf(footprint) - footprint.radius) < 1e-15);
+    QVERIFY(std::fabs(circumscribedRadius(footprint) - footprint.radius) < 1e-15);
     if (!footprint.isDisc()) {
       QVERIFY(isSimple(footprint.corners));
       QVERIFY(signedArea(footprint.corners) > 0.0);
@@ -133,7 +133,8 @@ void RobotTypesTest::robotTypes_boxes_haveTheSizesOfTheSources() {
 }
 
 void RobotTypesTest::robotTypes_wheelchair_turnsWithinThirtyInches() {
-  QVERIFY(std::fabs(reachOf(typeOf("wheelchair").body.footprint) - 30 * 0.0254) < 0.002);
+  QVERIFY(std::fabs(circumscribedRadius(typeOf("wheelchair").body.footprint) - 30 * 0.0254) <
+          0.002);
 }
 
 void RobotTypesTest::findRobotType_unknown_isNull() {

@@ -3,8 +3,8 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/Rollout.h"
-#include "sim2d/nav/StuckWatch.h"
+#include "sim2d/nav/DriveKinematics.h"
+#include "sim2d/nav/StuckDetector.h"
 
 using namespace sim2d;
 
@@ -96,7 +96,7 @@ void RolloutTest::sample_ackermann_isFeasible() {
   QCOMPARE(twists.size(), std::size_t{81});
   double tightest = 0.0;
   for (const BodyTwist& twist : twists) {
-    QVERIFY(feasible(body, twist) == twist);
+    QVERIFY(clampedToLimits(body, twist) == twist);
     QVERIFY(std::fabs(twist.angular) * 0.8 <= std::fabs(twist.linear) + 1e-12);
     tightest = std::max(tightest, twist.angular);
   }
@@ -166,7 +166,7 @@ void RolloutTest::relaxedDubins_anyPoint_isWhatASearchFinds() {
 }
 
 void RolloutTest::stuckWatch_noProgress_movesOffAndNarrows() {
-  StuckWatch watch(4.0, 0.4);
+  StuckDetector watch(4.0, 0.4);
   const Vec2 goal(5.0, 0.0);
   double time = 0.0;
   const auto drive = [&](double seconds, const Vec2& place, double from, double speed) {
@@ -176,20 +176,20 @@ void RolloutTest::stuckWatch_noProgress_movesOffAndNarrows() {
     }
   };
   drive(10.0, Vec2::Zero(), 10.0, 0.2);  // slow, but gets on
-  QVERIFY(!watch.isMovingOff() && watch.tries() == 0 && watch.shareOfMargin() == 1.0);
+  QVERIFY(!watch.isRecovering() && watch.tries() == 0 && watch.marginScale() == 1.0);
   drive(4.5, Vec2::Zero(), 8.0, 0.0);
-  QVERIFY(watch.isMovingOff() && watch.tries() == 1 && watch.shareOfMargin() == 0.5);
+  QVERIFY(watch.isRecovering() && watch.tries() == 1 && watch.marginScale() == 0.5);
   drive(0.1, Vec2(-0.41, 0.0), 8.4, 0.0);
-  QVERIFY(!watch.isMovingOff());
+  QVERIFY(!watch.isRecovering());
   drive(4.5, Vec2::Zero(), 8.0, 0.0);
-  QVERIFY(watch.isMovingOff() && watch.tries() == 2 && watch.shareOfMargin() == 0.25);
+  QVERIFY(watch.isRecovering() && watch.tries() == 2 && watch.marginScale() == 0.25);
   drive(2.2, Vec2::Zero(), 8.0, 0.0);  // cannot move either
-  QVERIFY(!watch.isMovingOff());
+  QVERIFY(!watch.isRecovering());
   drive(3.0, Vec2::Zero(), 8.0, 0.3);
-  QVERIFY(watch.tries() == 0 && watch.shareOfMargin() == 1.0);
+  QVERIFY(watch.tries() == 0 && watch.marginScale() == 1.0);
   drive(4.5, Vec2::Zero(), 7.0, 0.0);
   watch.update(time + 0.1, Vec2::Zero(), Vec2(0.0, 3.0), 3.0);  // another goal
-  QVERIFY(!watch.isMovingOff() && watch.tries() == 0);
+  QVERIFY(!watch.isRecovering() && watch.tries() == 0);
 }
 
 QTEST_GUILESS_MAIN(RolloutTest)

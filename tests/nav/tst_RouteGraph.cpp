@@ -115,11 +115,11 @@ void RouteGraphTest::read_wrongFiles_tellPlaces_data() {
   row("empty", "{\"features\":\n []}",
       "g.geojson:2:2: error: there are no nodes (Point) or no edges (MultiLineString)");
   row("id", "{\"features\":[\n" + node(-1, 0, 0) + "]}",
-      "g.geojson:2:43: error: 'id' must be a whole number from 0 on");
+      "g.geojson:2:43: error: 'id' must be an integer of 0 or greater");
   row("no such node", "{\"features\":[" + two + ",\n" + edge(5, 0, 9) + "]}",
       "g.geojson:2:68: error: endid: there is no node 9");
   row("twice", "{\"features\":[" + two + ",\n" + node(1, 2, 2) + "," + edge(5, 0, 1) + "]}",
-      "g.geojson:2:35: error: id 1 belongs to two nodes");
+      "g.geojson:2:35: error: id 1 is used by two nodes");
 }
 
 void RouteGraphTest::read_wrongFiles_tellPlaces() {

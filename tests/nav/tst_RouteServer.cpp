@@ -201,7 +201,7 @@ void RouteServerTest::pruned_startBesideTheFirstEdge_leavesItOut() {
     ContinuedEdge none;
     RouteRequest request = byPoses(start, {4.0, 3.0});
     request.usesPoses = usesPoses;
-    return pruned(whole, graph, request, isFirst, parameters, none).edges.size();
+    return pruneRoute(whole, graph, request, isFirst, parameters, none).edges.size();
   };
   QCOMPARE(edges({1.0, 0.5}), std::size_t{1});
   QCOMPARE(edges({-1.0, 0.5}), std::size_t{2});              // before the node
@@ -211,12 +211,12 @@ void RouteServerTest::pruned_startBesideTheFirstEdge_leavesItOut() {
   QCOMPARE(edges({1.0, 0.5}, false, false), std::size_t{1});
   ContinuedEdge continued{whole.edges[0], Vec2::Zero()};
   const Route left =
-      pruned(whole, graph, byPoses({1.0, 0.5}, {4.0, 3.0}), false, parameters, continued);
+      pruneRoute(whole, graph, byPoses({1.0, 0.5}, {4.0, 3.0}), false, parameters, continued);
   QCOMPARE(left.start, std::size_t{1});
   QVERIFY(isNear(left.cost, 3.0));
   QVERIFY(continued.edge == whole.edges[0] && isAt(continued.nearest, 1.0, 0.0));
   continued = {whole.edges[1], Vec2::Zero()};
-  pruned(whole, graph, byPoses({1.0, 0.5}, {4.0, 3.0}), false, parameters, continued);
+  pruneRoute(whole, graph, byPoses({1.0, 0.5}, {4.0, 3.0}), false, parameters, continued);
   QVERIFY(!continued.edge);
 }
 
@@ -226,7 +226,7 @@ void RouteServerTest::pruned_goalBeforeTheLastNode_leavesTheEdgeOut() {
   RouteServerParameters parameters;
   const auto edges = [&](const Vec2& goal) {
     ContinuedEdge none;
-    return pruned(whole, graph, byPoses({0.0, 0.0}, goal), true, parameters, none).edges.size();
+    return pruneRoute(whole, graph, byPoses({0.0, 0.0}, goal), true, parameters, none).edges.size();
   };
   QCOMPARE(edges({4.2, 2.0}), std::size_t{1});
   QCOMPARE(edges({4.2, 3.5}), std::size_t{2});  // past the last node
@@ -291,9 +291,9 @@ void RouteServerTest::tracking_cutCorner_achievesTheNodeOnTheBisector() {
   const RouteServerParameters parameters;
   const auto achieves = [&](const Vec2& place, bool wasNear = false) {
     TrackState state = beginTracking(route, graph, {});
-    goOn(state, route, graph);  // on edge 10, to node 1 (4, 0)
+    advanceToNextEdge(state, route, graph);  // on edge 10, to node 1 (4, 0)
     state.isNear = wasNear;
-    return achievesNode(state, place, route, graph, parameters);
+    return isNodeAchieved(state, place, route, graph, parameters);
   };
   // The bisector of (1, 0) and (0, 1): passed where x + y > 4.
   QVERIFY(!achieves({3.4, 0.5}));

@@ -2,9 +2,8 @@
 
 #include <QtTest>
 
-#include "sim2d/nav/DriveGear.h"
-#include "sim2d/nav/RouteVelocity.h"
-#include "sim2d/nav/VelocityPlanes.h"
+#include "sim2d/nav/NonholonomicTracking.h"
+#include "sim2d/nav/RobotRoute.h"
 #include "tests/nav/DrivenRobot.h"
 
 using namespace sim2d;
@@ -55,7 +54,7 @@ void RouteVelocityTest::velocityAlong_slowsDownToTheGoal() {
     seen.goal = Vec2(0.0, distance);
     RobotRoute route;
     route.update(seen, 0.3, 0.8);
-    return velocityAlong(route, seen, 0.8, 0.7, 1.0);
+    return routeVelocity(route, seen, 0.8, 0.7, 1.0);
   };
   QVERIFY((speedTo(9.0) - Vec2(0.0, 0.7)).norm() < 1e-12);
   QVERIFY((speedTo(0.2) - Vec2(0.0, std::sqrt(0.32))).norm() < 1e-12);  // 0.8 m/s² for 0.2 m
@@ -117,60 +116,60 @@ void RouteVelocityTest::passingSide_aloneOrOnTheWay_staysRight() {
 
 /// Turning radius 0.6 m: a point 0.6 m to the left is the circle's centre.
 void RouteVelocityTest::driveGear_pointInsideTheTurningCircle_backsUp() {
-  DriveGear gear(driven::bodyOf(Kinematics::Ackermann), 0.5);
+  GearSelector gear(driven::bodyOf(Kinematics::Ackermann), 0.5);
   Observation seen = seenIn(open_);
   const Vec2 wanted(0.0, 1.0);
-  const DriveAim aim = gear.choose(seen, Vec2(0.0, 0.6), wanted, 0.1);
-  QVERIFY(aim.isBacking);
+  const DriveReference aim = gear.choose(seen, Vec2(0.0, 0.6), wanted, 0.1);
+  QVERIFY(aim.isReversing);
   QCOMPARE(aim.heading, base::kPi);
   QCOMPARE(aim.model.maxVel, 0.5);
   // Backwards and turning to the left, where the point is.
-  const double aside = steeringAngle(0.6, 0.1);
+  const double aside = maxTrackableAngle(0.6, 0.1);
   const Vec2 behind = 0.5 * base::directionOf(base::wrapToPi(base::kPi + aside));
   QVERIFY((aim.wanted - behind).norm() < 1e-12);
-  const BodyTwist command = aim.commandOf(BodyTwist{0.4, 0.2});
+  const BodyTwist command = aim.toRobotCommand(BodyTwist{0.4, 0.2});
   QVERIFY((command == BodyTwist{-0.4, 0.2}));
   // Clear of the circle, but not before two seconds.
   seen.motion.linear = -0.3;
   seen.time = 1.9;
-  QVERIFY(gear.choose(seen, Vec2(2.0, 0.0), wanted, 0.1).isBacking);
+  QVERIFY(gear.choose(seen, Vec2(2.0, 0.0), wanted, 0.1).isReversing);
   seen.time = 2.1;
-  QVERIFY(!gear.choose(seen, Vec2(2.0, 0.0), wanted, 0.1).isBacking);
+  QVERIFY(!gear.choose(seen, Vec2(2.0, 0.0), wanted, 0.1).isReversing);
 }
 
 void RouteVelocityTest::driveGear_blocked_backsUpAfterASecond() {
-  DriveGear gear(driven::bodyOf(Kinematics::Ackermann), 0.5);
+  GearSelector gear(driven::bodyOf(Kinematics::Ackermann), 0.5);
   Observation seen = seenIn(open_);
   const Vec2 target(3.0, 0.0);
   for (int i = 0; i <= 20; ++i) {
     seen.time = 5.0 + kStep * i;
-    QVERIFY(!gear.choose(seen, target, Vec2(1.0, 0.0), 0.1).isBacking);
+    QVERIFY(!gear.choose(seen, target, Vec2(1.0, 0.0), 0.1).isReversing);
   }
   seen.time = 6.1;
-  QVERIFY(gear.choose(seen, target, Vec2(1.0, 0.0), 0.1).isBacking);
-  DriveGear waiting(driven::bodyOf(Kinematics::Ackermann), 0.5);
+  QVERIFY(gear.choose(seen, target, Vec2(1.0, 0.0), 0.1).isReversing);
+  GearSelector waiting(driven::bodyOf(Kinematics::Ackermann), 0.5);
   for (int i = 0; i < 100; ++i) {  // it does not want to go
     seen.time += kStep;
-    QVERIFY(!waiting.choose(seen, target, Vec2::Zero(), 0.1).isBacking);
+    QVERIFY(!waiting.choose(seen, target, Vec2::Zero(), 0.1).isReversing);
   }
 }
 
 void RouteVelocityTest::driveGear_wantedAside_steersAsFarAsItCan() {
-  DriveGear gear(driven::bodyOf(Kinematics::Ackermann), 0.5);
+  GearSelector gear(driven::bodyOf(Kinematics::Ackermann), 0.5);
   const Observation seen = seenIn(open_);
-  const double most = steeringAngle(0.6, 0.1);
-  const DriveAim right = gear.choose(seen, Vec2(2.0, -2.0), Vec2(0.0, -0.8), 0.1);
+  const double most = maxTrackableAngle(0.6, 0.1);
+  const DriveReference right = gear.choose(seen, Vec2(2.0, -2.0), Vec2(0.0, -0.8), 0.1);
   QVERIFY((right.wanted - 0.8 * base::directionOf(-most)).norm() < 1e-12);
-  const DriveAim little = gear.choose(seen, Vec2(2.0, 0.2), Vec2(0.8, 0.08), 0.1);
+  const DriveReference little = gear.choose(seen, Vec2(2.0, 0.2), Vec2(0.8, 0.08), 0.1);
   QVERIFY((little.wanted - Vec2(0.8, 0.08)).norm() < 1e-12);
 }
 
 void RouteVelocityTest::driveGear_otherKinematics_driveAhead() {
   for (const Kinematics kinematics : {Kinematics::Differential, Kinematics::Omnidirectional}) {
-    DriveGear gear(driven::bodyOf(kinematics), 0.5);
-    const DriveAim aim = gear.choose(seenIn(open_), Vec2(0.0, 0.1), Vec2(-0.3, 0.4), 0.1);
-    QVERIFY(!aim.isBacking && aim.wanted == Vec2(-0.3, 0.4) && aim.heading == 0.0);
-    QCOMPARE(gear.leastLookahead(), 0.0);
+    GearSelector gear(driven::bodyOf(kinematics), 0.5);
+    const DriveReference aim = gear.choose(seenIn(open_), Vec2(0.0, 0.1), Vec2(-0.3, 0.4), 0.1);
+    QVERIFY(!aim.isReversing && aim.wanted == Vec2(-0.3, 0.4) && aim.heading == 0.0);
+    QCOMPARE(gear.minLookahead(), 0.0);
   }
 }
 

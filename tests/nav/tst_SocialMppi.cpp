@@ -7,7 +7,6 @@
 #include <QtTest>
 
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/mppi/MppiPeople.h"
 #include "sim2d/nav/mppi/MppiScene.h"
 #include "tests/nav/MppiScenes.h"
 #include "tests/nav/PlannerFunctions.h"
@@ -102,7 +101,7 @@ void SocialMppiTest::coverOf_polygon_holdsItsPoints() {
   Footprint footprint;
   footprint.corners = {Vec2(-0.6, -0.25), Vec2(0.14, -0.25), Vec2(0.2, 0.0), Vec2(0.14, 0.25),
                        Vec2(-0.6, 0.25)};
-  const std::vector<MppiDisc> discs = coverOf(footprint);
+  const std::vector<MppiDisc> discs = discsCovering(footprint);
   for (std::size_t i = 0; i < footprint.corners.size(); ++i) {
     const Vec2& a = footprint.corners[i];
     const Vec2& b = footprint.corners[(i + 1) % footprint.corners.size()];
@@ -180,22 +179,22 @@ void SocialMppiTest::narrowPlaceAhead_doorway_isFound() {
   route.update(observation, 0.3, 1.0);
   const NarrowPlace place =
       narrowPlaceAhead(route, observation.pose.position, scene.world->obstacles(), 1.6);
-  QVERIFY(place.isThere);
+  QVERIFY(place.isFound);
   QVERIFY(std::fabs(place.position.x() - 5.0) < 0.25);  // the wall stands from 4.9 to 5.1
   QVERIFY(std::fabs(place.width - 1.2) < 0.1);
   QVERIFY(place.direction.x() > 0.9);
   QVERIFY(
-      !narrowPlaceAhead(route, observation.pose.position, scene.world->obstacles(), 1.0).isThere);
+      !narrowPlaceAhead(route, observation.pose.position, scene.world->obstacles(), 1.0).isFound);
 }
 
 void SocialMppiTest::comesThrough_waysOfOnePerson() {
   const NarrowPlace door{true, Vec2(5.0, 0.0), Vec2(1.0, 0.0), 1.0};
-  QVERIFY(comesThrough(tracked(Vec2(7.0, 0.0), Vec2(-1.0, 0.0)), door));
-  QVERIFY(!comesThrough(tracked(Vec2(7.0, 0.0), Vec2(1.0, 0.0)), door));    // goes away
-  QVERIFY(!comesThrough(tracked(Vec2(7.0, 0.0), Vec2::Zero()), door));      // stands
-  QVERIFY(!comesThrough(tracked(Vec2(3.0, 0.0), Vec2(-1.0, 0.0)), door));   // is through
-  QVERIFY(!comesThrough(tracked(Vec2(7.0, 3.0), Vec2(-1.0, 0.0)), door));   // walks past it
-  QVERIFY(!comesThrough(tracked(Vec2(12.0, 0.0), Vec2(-1.0, 0.0)), door));  // is far away
+  QVERIFY(isComingThrough(tracked(Vec2(7.0, 0.0), Vec2(-1.0, 0.0)), door));
+  QVERIFY(!isComingThrough(tracked(Vec2(7.0, 0.0), Vec2(1.0, 0.0)), door));    // goes away
+  QVERIFY(!isComingThrough(tracked(Vec2(7.0, 0.0), Vec2::Zero()), door));      // stands
+  QVERIFY(!isComingThrough(tracked(Vec2(3.0, 0.0), Vec2(-1.0, 0.0)), door));   // is through
+  QVERIFY(!isComingThrough(tracked(Vec2(7.0, 3.0), Vec2(-1.0, 0.0)), door));   // walks past it
+  QVERIFY(!isComingThrough(tracked(Vec2(12.0, 0.0), Vec2(-1.0, 0.0)), door));  // is far away
 }
 
 void SocialMppiTest::specs_everyParameter_isDescribed() {

@@ -71,16 +71,16 @@ void TeleopTest::command_speedShare_cutsSpeedAndTurn() {
   Driven driven(Kinematics::Differential, {{"speed_share", 0.5}});
   driven.input->drive({0.9, 1.4});  // of 1 m/s and 1.5 rad/s
   QVERIFY(driven.commandNow() == (BodyTwist{0.5, 0.75}));
-  driven.input->headFor(Vec2(20.0, 0.0));
+  driven.input->driveTo(Vec2(20.0, 0.0));
   QVERIFY(std::fabs(driven.commandNow().linear - 0.5) < 1e-12);
 }
 
 void TeleopTest::command_newestWord_counts() {
   Driven driven(Kinematics::Differential);
-  driven.input->headFor(Vec2(3.0, 0.0));
+  driven.input->driveTo(Vec2(3.0, 0.0));
   driven.input->drive({0.1, 0.2});
   QVERIFY(driven.commandNow() == (BodyTwist{0.1, 0.2}));
-  driven.input->headFor(Vec2(0.0, 3.0));
+  driven.input->driveTo(Vec2(0.0, 3.0));
   const BodyTwist turning = driven.commandNow();
   QVERIFY(turning.linear == 0.0 && turning.angular > 0.0);
   QCOMPARE(driven.planner->path().size(), std::size_t{2});
@@ -118,7 +118,7 @@ void TeleopTest::command_sameWordAgain_startsTheTimeAnew() {
 
 void TeleopTest::command_pointAhead_isTheArcThroughIt() {
   Driven driven(Kinematics::Differential);
-  driven.input->headFor(Vec2(3.0, 1.0));
+  driven.input->driveTo(Vec2(3.0, 1.0));
   const BodyTwist twist = driven.commandNow();
   // The circle that touches the x axis in the origin and passes (3, 1): r = (9 + 1) / 2.
   QVERIFY(std::fabs(twist.linear - 1.0) < 1e-12);
@@ -143,7 +143,7 @@ void TeleopTest::headFor_point_arrivesAndStands() {
   QFETCH(QPointF, point);
   Driven driven(kinematics, {{"timeout", 0.0}});
   const Vec2 place(point.x(), point.y());
-  driven.input->headFor(place);
+  driven.input->driveTo(place);
   for (int i = 0; i < 500; ++i) {
     driven.commandNow();
   }
@@ -167,14 +167,14 @@ void TeleopTest::say_fromOtherThreads_isHeardWhole() {
   });
   bool isWhole = true;
   for (int i = 0; i < 20000; ++i) {
-    const TeleopInput::Wish wish = input.newest();
+    const TeleopInput::Command wish = input.latest();
     isWhole = isWhole && wish.twist.linear == wish.twist.angular &&
               wish.twist.linear == wish.twist.lateral;
   }
   one.join();
   other.join();
   QVERIFY(isWhole);
-  QCOMPARE(input.newest().number, std::uint64_t{40000});
+  QCOMPARE(input.latest().number, std::uint64_t{40000});
 }
 
 QTEST_GUILESS_MAIN(TeleopTest)

@@ -5,7 +5,6 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/control/dwb/DwbTrajectory.h"
-#include "sim2d/nav/nav2/control/dwb/VelocitySamples.h"
 #include "tests/nav/ControlScene.h"
 
 using namespace sim2d::nav2;

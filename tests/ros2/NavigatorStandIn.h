@@ -35,7 +35,7 @@ class NavigatorStandIn {
       response.accepted = true;
       return response;
     });
-    using Result = Action::GetResult<Action::EmptyResult>;
+    using Result = Action::GetResult<Action::HumbleResult>;
     serve<Result>("navigate_to_pose/_action/get_result", [this](const auto& /*request*/) {
       const int mine = goals_;
       participant_->spinUntil([&] { return hasArrived_ || goals_ != mine || isOver_; },
@@ -45,7 +45,7 @@ class NavigatorStandIn {
                                     : action_msgs::GoalStatus::kStatusAborted;
       return response;
     });
-    participant_->announce();
+    participant_->publishGraph();
   }
 
   template <class Done>

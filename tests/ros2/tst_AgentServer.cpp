@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "app/bridge/agents/LoaderAnswers.h"
+#include "app/bridge/agents/LoaderResponses.h"
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/nodes/AgentServer.h"
 #include "tests/agents/Caller.h"
@@ -153,7 +153,7 @@ void AgentServerTest::services_callOfAWrapper_movesAndPublishes() {
 
 void AgentServerTest::services_namespaceGiven_areThere() {
   Pair pair(Rmw::FastRtps, [](ServeSettings& settings) {
-    settings.space = "/lab";
+    settings.nameSpace = "/lab";
     settings.actsAsGenerator = true;
   });
   const auto client = pair.client("/lab/get_agents", hunav_msgs::GetAgents::kType);

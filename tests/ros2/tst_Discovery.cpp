@@ -92,14 +92,15 @@ void DiscoveryTest::topic_anyPublisher_isHeardOnce() {
 void DiscoveryTest::others_areMet() {
   constexpr int kEmptyDomain = 60;
   const auto one = participant(inDomain(kEmptyDomain));
-  QVERIFY(!one->hasMetAnyone());
+  QVERIFY(!one->hasDiscoveredPeers());
   one->spin(Milliseconds(300));
-  QVERIFY(!one->hasMetAnyone());
+  QVERIFY(!one->hasDiscoveredPeers());
   auto two = participant(inDomain(kEmptyDomain));
-  QVERIFY(spinBoth(*one, *two, [&] { return one->hasMetAnyone() && two->hasMetAnyone(); }));
+  QVERIFY(
+      spinBoth(*one, *two, [&] { return one->hasDiscoveredPeers() && two->hasDiscoveredPeers(); }));
   two.reset();
   one->spin(Milliseconds(300));
-  QVERIFY(one->hasMetAnyone());
+  QVERIFY(one->hasDiscoveredPeers());
 }
 
 QTEST_APPLESS_MAIN(DiscoveryTest)

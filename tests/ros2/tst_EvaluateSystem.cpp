@@ -44,7 +44,7 @@ class FakeSystem {
     start_ =
         *participant_->client(node, "hunav_start_recording", hunav_msgs::StartEvaluation::kType);
     stop_ = *participant_->client(node, "hunav_stop_recording", std_srvs::Empty::kType);
-    participant_->announce();
+    participant_->publishGraph();
     publishMap();
   }
 
@@ -219,7 +219,7 @@ class EvaluateSystemTest : public QObject {
       QCOMPARE(system.start(tag, 1, std::nullopt), std::optional(false));
     }
     QCOMPARE(evaluator.end(), 0);
-    QVERIFY2(evaluator.said().contains(text("cannot begin '../x'")), qPrintable(evaluator.said()));
+    QVERIFY2(evaluator.said().contains(text("cannot start '../x'")), qPrintable(evaluator.said()));
     QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 0);
   }
 
@@ -239,7 +239,7 @@ class EvaluateSystemTest : public QObject {
     bridge::RecorderSettings settings;
     settings.domain = inDomain(kEmptyDomain);
     const auto recorder = bridge::Recorder::create(
-        settings, {[](const bridge::RecordingAsked&) { return true; }, [] {}},
+        settings, {[](const bridge::RecordingRequest&) { return true; }, [] {}},
         [&](const base::Diagnostic& problem) { reported.push_back(problem); });
     QVERIFY(recorder);
     const auto begin = std::chrono::steady_clock::now();

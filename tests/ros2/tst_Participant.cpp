@@ -3,8 +3,8 @@
 
 #include <QtTest>
 
-#include "app/bridge/dds/Graph.h"
-#include "app/bridge/dds/RosNames.h"
+#include "app/bridge/dds/Discovery.h"
+#include "app/bridge/dds/Domain.h"
 #include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/Codec.h"
 #include "tests/ros2/Ros2Test.h"
@@ -175,15 +175,15 @@ void ParticipantTest::topic_isWanted_byWhoHearsIt() {
   const auto talks = a->publisher(a->addNode("/", "talker"), "words", kType, Qos());
   const auto keeps = a->publisher(0, "kept_words", kType, Qos::latched());
   QVERIFY(talks && keeps);
-  QVERIFY(!(*talks)->isWanted());
-  QVERIFY((*keeps)->isWanted());  // by who comes later
+  QVERIFY(!(*talks)->hasReceivers());
+  QVERIFY((*keeps)->hasReceivers());  // by who comes later
   {
     const auto hears = b->subscription(b->addNode("/", "listener"), "words", kType, Qos(),
                                        [](const Bytes& /*bytes*/) {});
     QVERIFY(hears);
-    QVERIFY(spinBoth(*a, *b, [&] { return (*talks)->isWanted(); }));
+    QVERIFY(spinBoth(*a, *b, [&] { return (*talks)->hasReceivers(); }));
   }
-  QVERIFY(spinBoth(*a, *b, [&] { return !(*talks)->isWanted(); }));
+  QVERIFY(spinBoth(*a, *b, [&] { return !(*talks)->hasReceivers(); }));
 }
 
 void ParticipantTest::topic_latched_comesToWhoComesLater() {

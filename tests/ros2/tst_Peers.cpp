@@ -114,7 +114,7 @@ class Peer {
 /// The café with a lidar on its robot, told on topics.
 struct Told {
   explicit Told(int domain) {
-    app::RunOptions options;
+    app::RunSpec options;
     options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
     options.set = {"robot1.lidar.beams=90", "robot1.lidar.rate=10"};
     bundle = app::readBundle(options, app::RunSettings{}, sim2d::ImageLoader());
@@ -122,7 +122,7 @@ struct Told {
     if (verdict.world == nullptr) {
       return;
     }
-    verdict.world->tellScans(true);
+    verdict.world->enableScans(true);
     RunNodeSettings settings;
     settings.domain = inDomain(domain);
     auto made = RunNode::create(verdict.world->header(), lidarsOf(*bundle.scenario), settings,
@@ -131,13 +131,13 @@ struct Told {
   }
   bool step(int times) {
     for (int k = 0; k < times; ++k) {
-      node->tell(frame());
+      node->publishState(frame());
       if (!verdict.world->step(node->inputs(frame()))) {
         return false;
       }
       QTest::qWait(5);  // best effort: who hears shall keep up
     }
-    node->tell(frame());
+    node->publishState(frame());
     return true;
   }
   const sim2d::Frame& frame() const { return verdict.world->frame(); }
@@ -148,7 +148,7 @@ struct Told {
   std::unique_ptr<RunNode> node;
 };
 
-constexpr int kSteps = 40, kMostSteps = 150;  // in all before the robot arrives
+constexpr int kSteps = 40, kMaxSteps = 150;  // in all before the robot arrives
 
 /// What a topic told last, in the words of cyclone_topics, beside how often.
 struct Heard {
@@ -437,16 +437,16 @@ void PeersTest::run_everyTopic_isHeard() {
   Peer peer(program, words);
   QVERIFY2(peer.says("ready"), peer.said());
   int steps = 0;
-  for (; steps < kMostSteps && !peer.lines().contains("hearing"); ++steps) {
+  for (; steps < kMaxSteps && !peer.lines().contains("hearing"); ++steps) {
     QVERIFY(told.step(1));  // the writers see the readers a little later
     QTest::qWait(50);
   }
-  QVERIFY2(steps < kMostSteps, peer.said());
+  QVERIFY2(steps < kMaxSteps, peer.said());
   QVERIFY(told.step(kSteps));
   QVERIFY2(peer.says("kept"), peer.said());
   for (int again = 0; again < 5; ++again) {  // the last state, should a datagram have been lost
     QTest::qWait(100);
-    told.node->tell(told.frame());
+    told.node->publishState(told.frame());
   }
   QTest::qWait(300);  // what is on its way
   const QByteArray said = peer.end();
@@ -514,7 +514,7 @@ void PeersTest::cyclone_isTheNavigator_theRobotArrives() {
   bool hasArrived = false;
   for (int k = 0; k < 400 && !hasArrived; ++k) {
     const sim2d::Frame& frame = verdict.world->frame();
-    (*node)->tell(frame);
+    (*node)->publishState(frame);
     QVERIFY(verdict.world->step((*node)->inputs(frame)));
     for (const sim2d::Event& event : verdict.world->frame().events) {
       hasArrived = hasArrived || (event.kind == sim2d::EventKind::Arrived && event.id < 0);

@@ -4,7 +4,7 @@
 
 #include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/NavigationMessages.h"
-#include "app/bridge/nodes/NoPeerCheck.h"
+#include "app/bridge/nodes/Node.h"
 #include "app/bridge/nodes/RunNode.h"
 #include "tests/agents/Caller.h"
 #include "tests/ros2/Ros2Test.h"
@@ -53,7 +53,7 @@ struct Drive {
     if (verdict.world == nullptr) {
       return;
     }
-    verdict.world->tellScans(true);
+    verdict.world->enableScans(true);
     auto made = RunNode::create(verdict.world->header(), lidarsOf(scenario),
                                 {inDomain(kDomain), stamped, false},
                                 [this](const base::Diagnostic& said) { told.push_back(said); });
@@ -73,8 +73,8 @@ struct Drive {
     return made ? *std::move(made) : nullptr;
   }
   bool step() {
-    run->tellRefused(verdict.world->refused());
-    run->tell(verdict.world->frame());
+    run->reportRejected(verdict.world->refused());
+    run->publishState(verdict.world->frame());
     return verdict.world->step(run->inputs(verdict.world->frame()));
   }
   double robotX() const { return verdict.world->frame().robots.x.at(0); }
@@ -292,10 +292,10 @@ void RunNodeTest::run_noOtherParticipant_isToldOnce() {
     }
   }
   QCOMPARE(drive.told.size(), std::size_t{isAlone ? 1U : 0U});
-  const auto ofNetwork = withNetwork.look(*nobody);
+  const auto ofNetwork = withNetwork.check(*nobody);
   QVERIFY(ofNetwork && ofNetwork->code == std::string_view("ros2.no-peer-on-network"));
   QVERIFY(ofNetwork->message.find("--network") == std::string::npos);
-  QVERIFY(!withNetwork.look(*nobody));
+  QVERIFY(!withNetwork.check(*nobody));
   if (isAlone) {
     QCOMPARE(drive.told[0].code, std::string_view("ros2.no-peer-here"));
     for (const char* reason : {"domain 61", "--network", "ROS_DOMAIN_ID", "interface"}) {

@@ -11,7 +11,7 @@
 
 #include "app/run/Batch.h"
 #include "app/run/ExperimentRunner.h"
-#include "app/run/Sha256.h"
+#include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
 
 namespace {
@@ -24,14 +24,14 @@ app::BatchJob jobOf(std::size_t count, Rows& rows) {
   for (std::size_t run = 0; run < count; ++run) {
     job.runs.push_back(run);
   }
-  job.make = [](std::size_t run, const auto& /*met*/) -> base::Result<app::ResultRow> {
+  job.execute = [](std::size_t run, const auto& /*met*/) -> base::Result<app::ResultRow> {
     app::ResultRow row;
     row.ok = true;
     row.simulated = std::to_string(run);
     row.fields = {{"worker", std::to_string(::getpid())}};
     return row;
   };
-  job.take = [&rows](std::size_t run, const app::ResultRow& row) {
+  job.storeRow = [&rows](std::size_t run, const app::ResultRow& row) {
     rows[run] = row;
     return base::Diagnostics();
   };
@@ -111,8 +111,8 @@ class BatchTest : public QObject {
   void worker_grown_isReplaced() {
     Rows rows;
     app::BatchJob job = jobOf(6, rows);
-    job.mostGrowth = std::size_t{32} << 20U;
-    job.make = [inner = job.make](std::size_t run, const auto& met) {
+    job.maxGrowth = std::size_t{32} << 20U;
+    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
       static std::string kept;  // grows by 64 MB a run
       kept.resize(kept.size() + (run > 0 ? std::size_t{64} << 20U : 0), 'x');
       return inner(run, met);
@@ -127,7 +127,7 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(8, rows);
     job.jobs = 2;
-    job.make = [inner = job.make](std::size_t run, const auto& met) {
+    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
       if (run == 3) {
         ::signal(SIGSEGV, SIG_DFL);  // a sanitizer would tell much
         ::raise(SIGSEGV);
@@ -154,7 +154,7 @@ class BatchTest : public QObject {
     QFETCH(const int, signal);
     Rows rows;
     app::BatchJob job = jobOf(4, rows);
-    job.make = [inner = job.make, signal](std::size_t run, const auto& met) {
+    job.execute = [inner = job.execute, signal](std::size_t run, const auto& met) {
       if (run == 1) {
         ::signal(signal, SIG_DFL);  // NOLINT(bugprone-unused-return-value): KILL has no other
         ::raise(signal);
@@ -170,7 +170,7 @@ class BatchTest : public QObject {
   void noMemory_isTheMachinesFailure() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.make = [inner = job.make](std::size_t run, const auto& met) {
+    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
       if (run == 1) {
         throw std::bad_alloc();
       }
@@ -186,7 +186,7 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(5, rows);
     const std::string mark = path("mark");
-    job.make = [inner = job.make, mark](std::size_t run, const auto& met) {
+    job.execute = [inner = job.execute, mark](std::size_t run, const auto& met) {
       if (run == 2 && !QFile::exists(QString::fromStdString(mark))) {
         if (base::writeFileAtomically(mark, "x").empty()) {
           ::kill(::getpid(), SIGKILL);
@@ -202,7 +202,7 @@ class BatchTest : public QObject {
   void exception_isTheReason() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.make = [inner = job.make](std::size_t run, const auto& met) {
+    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
       if (run == 1) {
         throw std::runtime_error("no memory for this");
       }
@@ -219,7 +219,7 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(4, rows);
     job.timeLimit = 0.3;
-    job.make = [inner = job.make](std::size_t run, const auto& met) {
+    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
       if (run == 1) {
         for (;;) {
           ::pause();
@@ -238,7 +238,7 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(4, rows);
     job.timeLimit = 0.5;
-    job.make = [inner = job.make](std::size_t run, const auto& met) {
+    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
       met({{"a.yaml", "1"}, {"b.pgm", std::to_string(run)}});
       if (run == 0) {
         for (;;) {
@@ -266,8 +266,8 @@ class BatchTest : public QObject {
   void filesThatCannotBeWritten_endTheBatch() {
     Rows rows;
     app::BatchJob job = jobOf(5, rows);
-    job.make = [inner = job.make](std::size_t run,
-                                  const auto& met) -> base::Result<app::ResultRow> {
+    job.execute = [inner = job.execute](std::size_t run,
+                                        const auto& met) -> base::Result<app::ResultRow> {
       return run == 2 ? base::error("file.no-permission", {}, "x/2") : inner(run, met);
     };
     const base::Diagnostics said = app::runBatch(job);
@@ -280,7 +280,7 @@ class BatchTest : public QObject {
   void resultsThatCannotBeKept_endTheBatch() {
     Rows rows;
     app::BatchJob job = jobOf(5, rows);
-    job.take = [](std::size_t, const app::ResultRow&) {
+    job.storeRow = [](std::size_t, const app::ResultRow&) {
       return base::Diagnostics{base::error("file.no-permission", {}, "y")};
     };
     QCOMPARE(app::runBatch(job).size(), std::size_t{1});
@@ -289,7 +289,7 @@ class BatchTest : public QObject {
   void stop_endsAtOnce() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.make = [](std::size_t, const auto& /*met*/) -> base::Result<app::ResultRow> {
+    job.execute = [](std::size_t, const auto& /*met*/) -> base::Result<app::ResultRow> {
       while (true) {
         ::pause();
       }
@@ -302,7 +302,7 @@ class BatchTest : public QObject {
   void answer_ofMegabytes_arrives() {
     Rows rows;
     app::BatchJob job = jobOf(2, rows);
-    job.make = [](std::size_t run, const auto& /*met*/) -> base::Result<app::ResultRow> {
+    job.execute = [](std::size_t run, const auto& /*met*/) -> base::Result<app::ResultRow> {
       app::ResultRow row;
       row.ok = true;
       row.fields = {{"text", std::string(3'000'000, run == 0 ? 'a' : 'b')}};
@@ -400,7 +400,7 @@ class BatchTest : public QObject {
     for (std::size_t way = 0; way < std::size(texts); ++way) {
       Rows rows;
       app::BatchJob job = jobOf(study.runCount(), rows);
-      job.make = [&runner](std::size_t run, const auto& met) { return runner.run(run, met); };
+      job.execute = [&runner](std::size_t run, const auto& met) { return runner.run(run, met); };
       if (way == 1) {
         std::reverse(job.runs.begin(), job.runs.end());
       } else if (way == 2) {  // 5 and 16 have no common divisor: every run once
@@ -413,7 +413,7 @@ class BatchTest : public QObject {
       QVERIFY(app::runBatch(job).empty());
       for (const auto& [run, row] : rows) {
         QVERIFY2(row.ok, row.reason.c_str());
-        texts[way][run] = app::rowText(row);
+        texts[way][run] = app::serializeRow(row);
       }
     }
     QCOMPARE(texts[0].size(), std::size_t{16});

@@ -5,13 +5,13 @@
 #include <QtTest>
 
 #include "app/run/BatchFolder.h"
+#include "app/run/ManifestFiles.h"
 #include "app/run/Merge.h"
-#include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/StruckCalls.h"
 
 using app::BatchFolder;
-using app::Earlier;
+using app::ExistingBatch;
 
 /// The folder of a batch, whatever ends the process that writes into it.
 class BatchFolderTest : public QObject {
@@ -40,7 +40,7 @@ class BatchFolderTest : public QObject {
     return {number, "scene", 1, {}, app::rowOf({base::error("batch.no-results", {}, reason)})};
   }
   /// Runs [first, end) and the end of the process that made them, as batch does it.
-  bool work(std::size_t first, std::size_t end, Earlier earlier) const {
+  bool work(std::size_t first, std::size_t end, ExistingBatch earlier) const {
     const auto batch = BatchFolder::open(folder(), study(), earlier);
     if (!batch) {
       return false;
@@ -65,20 +65,20 @@ class BatchFolderTest : public QObject {
   /// Killed at each call that changes the folder.
   void finish_killed_canBeResumed() {
     QFETCH(bool, isResumed);
-    QVERIFY(work(0, 3, Earlier::Refuse));
+    QVERIFY(work(0, 3, ExistingBatch::Refuse));
     const std::string expected = textOf("results.csv");
     QCOMPARE(base::split(expected, '\n').size(), std::size_t{5});  // head, three rows, end
     int kills = 0;
     for (int code = 9; code == 9; ++kills) {
       init();
-      QVERIFY(!isResumed || work(0, 1, Earlier::Refuse));
+      QVERIFY(!isResumed || work(0, 1, ExistingBatch::Refuse));
       code = struck::elsewhere([&] {
         struck::callsLeft = kills;
-        return work(isResumed ? 1 : 0, 3, Earlier::Resume) ? 0 : 1;
+        return work(isResumed ? 1 : 0, 3, ExistingBatch::Resume) ? 0 : 1;
       });
       QVERIFY(code == 0 || code == 9);
       const std::string where = "call " + std::to_string(kills);
-      QVERIFY2(work(0, 3, Earlier::Resume), where.c_str());
+      QVERIFY2(work(0, 3, ExistingBatch::Resume), where.c_str());
       QVERIFY2(textOf("results.csv") == expected, where.c_str());
       QVERIFY2(textOf("manifest.json").find("\"finished\": 3") != std::string::npos, where.c_str());
       const QStringList left =
@@ -91,16 +91,16 @@ class BatchFolderTest : public QObject {
   }
 
   void open_changedTable_isRefusedUntilReplaced() {
-    QVERIFY(work(0, 3, Earlier::Refuse));
+    QVERIFY(work(0, 3, ExistingBatch::Refuse));
     const std::string path = folder() + "/results.csv";
     QVERIFY(base::writeFileAtomically(path, "my remarks\n").empty());
-    for (const Earlier earlier : {Earlier::Refuse, Earlier::Resume}) {
+    for (const ExistingBatch earlier : {ExistingBatch::Refuse, ExistingBatch::Resume}) {
       const auto refused = BatchFolder::open(folder(), study(), earlier);
       QVERIFY(!refused);
       QCOMPARE(refused.diagnostics().front().file, path);
       QCOMPARE(textOf("results.csv"), std::string("my remarks\n"));
     }
-    QVERIFY(work(0, 3, Earlier::Replace));
+    QVERIFY(work(0, 3, ExistingBatch::Replace));
   }
 
   /// The machine ended one of three failed runs: a resumed batch repeats that one, a retry repeats
@@ -108,14 +108,14 @@ class BatchFolderTest : public QObject {
   void resume_failedRuns_areMissing_data() {
     QTest::addColumn<int>("earlier");
     QTest::addColumn<QVector<int>>("missing");
-    QTest::newRow("resume") << static_cast<int>(Earlier::Resume) << QVector<int>{1};
-    QTest::newRow("retry") << static_cast<int>(Earlier::Retry) << QVector<int>{1, 2};
+    QTest::newRow("resume") << static_cast<int>(ExistingBatch::Resume) << QVector<int>{1};
+    QTest::newRow("retry") << static_cast<int>(ExistingBatch::Retry) << QVector<int>{1, 2};
   }
   void resume_failedRuns_areMissing() {
     QFETCH(const int, earlier);
     QFETCH(const QVector<int>, missing);
     {
-      const auto batch = *BatchFolder::open(folder(), study(), Earlier::Refuse);
+      const auto batch = *BatchFolder::open(folder(), study(), ExistingBatch::Refuse);
       app::StoredRun good = runOf(0), killed = runOf(1);
       good.row.ok = true;
       killed.row.failedBy = app::FailedBy::Machine;
@@ -127,7 +127,7 @@ class BatchFolderTest : public QObject {
       QCOMPARE(batch->store().firstFailure()->run, std::size_t{1});
     }
     {
-      const auto batch = *BatchFolder::open(folder(), study(), static_cast<Earlier>(earlier));
+      const auto batch = *BatchFolder::open(folder(), study(), static_cast<ExistingBatch>(earlier));
       const std::vector<std::size_t> found = batch->missing();
       QCOMPARE(QVector<int>(found.begin(), found.end()), missing);
       QCOMPARE(batch->store().failed(), std::size_t{2} - found.size());
@@ -141,7 +141,7 @@ class BatchFolderTest : public QObject {
       QCOMPARE(batch->store().failedByMachine(), std::size_t{0});
     }
     QVERIFY(textOf("results.csv").find("1,scene,1,ok,duration,") != std::string::npos);
-    const auto batch = *BatchFolder::open(folder(), study(), Earlier::Resume);
+    const auto batch = *BatchFolder::open(folder(), study(), ExistingBatch::Resume);
     QVERIFY(batch->missing().empty());
   }
 
@@ -152,7 +152,7 @@ class BatchFolderTest : public QObject {
       app::Study part = study();
       part.shard = {number, 2};
       const auto batch =
-          *BatchFolder::open(place + "/" + std::to_string(number), part, Earlier::Refuse);
+          *BatchFolder::open(place + "/" + std::to_string(number), part, ExistingBatch::Refuse);
       for (const std::size_t run : batch->missing()) {
         app::StoredRun stored = runOf(run);
         stored.row.failedBy = run == 2 ? app::FailedBy::Machine : app::FailedBy::Run;
@@ -161,26 +161,27 @@ class BatchFolderTest : public QObject {
       QVERIFY(batch->finish().empty());
     }
     {
-      const auto whole = app::mergeShards(folder(), {place + "/1", place + "/2"}, Earlier::Refuse);
+      const auto whole =
+          app::mergeShards(folder(), {place + "/1", place + "/2"}, ExistingBatch::Refuse);
       QVERIFY(static_cast<bool>(whole));
       QCOMPARE((*whole)->store().failed(), std::size_t{3});
       QCOMPARE((*whole)->store().failedByMachine(), std::size_t{1});
     }
-    const auto resumed = *BatchFolder::open(folder(), study(), Earlier::Resume);
+    const auto resumed = *BatchFolder::open(folder(), study(), ExistingBatch::Resume);
     QVERIFY(resumed->missing() == std::vector<std::size_t>{2});
   }
 
   /// Killed while failed runs are removed: either all of them exist, or all are missing.
   void retry_killed_losesNothing() {
-    QVERIFY(work(0, 3, Earlier::Refuse));
+    QVERIFY(work(0, 3, ExistingBatch::Refuse));
     int kills = 0;
     for (int code = 9; code == 9; ++kills) {
       code = struck::elsewhere([&] {
         struck::callsLeft = kills;
-        return work(0, 3, Earlier::Retry) ? 0 : 1;
+        return work(0, 3, ExistingBatch::Retry) ? 0 : 1;
       });
       QVERIFY(code == 0 || code == 9);
-      QVERIFY(work(0, 3, Earlier::Resume));
+      QVERIFY(work(0, 3, ExistingBatch::Resume));
       QVERIFY(textOf("manifest.json").find("\"finished\": 3") != std::string::npos);
     }
     QVERIFY2(kills >= 5, QByteArray::number(kills));
@@ -193,7 +194,7 @@ class BatchFolderTest : public QObject {
     QVERIFY(base::writeFileAtomically(tree, "<root/>").empty());
     const std::string hash = app::sha256Of("<root/>");
     {
-      const auto batch = *BatchFolder::open(folder(), study(), Earlier::Refuse);
+      const auto batch = *BatchFolder::open(folder(), study(), ExistingBatch::Refuse);
       app::StoredRun run = runOf(0);
       run.row.inputs = {{"a.xml", "11"}, {tree, hash}, {"lost.xml", ""}};
       QVERIFY(batch->add(run).empty());
@@ -215,7 +216,7 @@ class BatchFolderTest : public QObject {
     QVERIFY(manifest.find("lost.xml") == std::string::npos);
     const auto filesTold = [this](const app::Study& now) {
       std::vector<std::string> files;
-      const auto batch = BatchFolder::open(folder(), now, Earlier::Resume);
+      const auto batch = BatchFolder::open(folder(), now, ExistingBatch::Resume);
       files.reserve(batch.diagnostics().size());
       for (const base::Diagnostic& problem : batch.diagnostics()) {
         files.push_back(problem.file);
@@ -241,7 +242,7 @@ class BatchFolderTest : public QObject {
     const auto limitAfter = [this](double limit, std::size_t run) {
       app::Study now = study();
       now.timeLimit = limit;
-      const auto batch = BatchFolder::open(folder(), now, Earlier::Resume);
+      const auto batch = BatchFolder::open(folder(), now, ExistingBatch::Resume);
       if (!batch || (!(*batch)->store().has(run) && !(*batch)->add(runOf(run)).empty()) ||
           !(*batch)->finish().empty()) {
         return -1.0;

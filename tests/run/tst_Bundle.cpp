@@ -64,13 +64,13 @@ class BundleTest : public QObject {
   void check_runIsLeft_makesNoWorld() {
     app::Bundle bundle = bundleOf();
     const auto left = std::make_shared<base::StopFlag>();
-    bundle.left = left;
+    bundle.stopOfRun = left;
     left->stop();
     QVERIFY_EXCEPTION_THROWN(app::check(bundle), base::Stopped);
   }
 
   void readBundle_noTreeFiles_isToldAtTheListOfPeople() {
-    app::RunOptions options;
+    app::RunSpec options;
     options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
     const std::string text = *base::readTextFile(options.scenario);
     const auto place = static_cast<std::ptrdiff_t>(text.find("    agents:\n"));
@@ -140,7 +140,9 @@ class BundleTest : public QObject {
       scenario.doors = {door};
     }));
     QVERIFY(verdict.world == nullptr);
-    QVERIFY2(textOf(verdict.problems).find("both ends are the same point") != std::string::npos,
+    QVERIFY2(textOf(verdict.problems)
+                     .find("the length of the door is 0: both ends are the same "
+                           "point") != std::string::npos,
              textOf(verdict.problems).c_str());
   }
 

@@ -102,24 +102,24 @@ class ExperimentCheckTest : public QObject {
       newRow(text) << QByteArray(text) << QString::fromLatin1(said);
     };
     add("planner: orca\nvalues:\n  robot1.planner: [pursuit, dwa]\n",
-        "5:3 error 'robot1.planner' is set by the experiment's key 'planner' too");
+        "5:3 error 'robot1.planner' is also set by the experiment's key 'planner'");
     add("planner: orca\nvalues:\n  robot1.planner: {choice: [pursuit, dwa]}\n",
-        "5:3 error 'robot1.planner' is set by the experiment's key 'planner' too");
+        "5:3 error 'robot1.planner' is also set by the experiment's key 'planner'");
     add("planner: orca\nvalues:\n  robot1: [{start: {x: 1.0, y: 1.0}, planner: dwa}]\n",
-        "5:3 error 'robot1' is set by the experiment's key 'planner' too");
+        "5:3 error 'robot1' is also set by the experiment's key 'planner'");
     add("robot: tiago\nvalues:\n  robot1.type: [generic, pmb2]\n",
-        "5:3 error 'robot1.type' is set by the experiment's key 'robot' too");
+        "5:3 error 'robot1.type' is also set by the experiment's key 'robot'");
     add("model: sfm\nvalues:\n  model: [orca]\n",
-        "5:3 error 'model' is set by the experiment's key 'model' too");
+        "5:3 error 'model' is also set by the experiment's key 'model'");
     add("duration: 5.0\nvalues:\n  duration: [4.0]\n",
-        "5:3 error 'duration' is set by the experiment's key 'duration' too");
+        "5:3 error 'duration' is also set by the experiment's key 'duration'");
     add("dt: 0.05\nvalues:\n  dt: {range: [0.01, 0.05, 0.01]}\n",
-        "5:3 error 'dt' is set by the experiment's key 'dt' too");
+        "5:3 error 'dt' is also set by the experiment's key 'dt'");
     add("stuck_after: 0.0\nvalues:\n  stuck_after: [4.0]\n",
-        "5:3 error 'stuck_after' is set by the experiment's key 'stuck_after' too");
+        "5:3 error 'stuck_after' is also set by the experiment's key 'stuck_after'");
     add("stop_on_collision: any\nvalues:\n  stop_on_collision: [none]\n",
-        "5:3 error 'stop_on_collision' is set by the experiment's key 'stop_on_collision' too");
-    add("seeds: 2\nvalues:\n  seed: [5, 9]\n", "5:3 error seeds of runs stand in seeds");
+        "5:3 error 'stop_on_collision' is also set by the experiment's key 'stop_on_collision'");
+    add("seeds: 2\nvalues:\n  seed: [5, 9]\n", "5:3 error the seed cannot be one of the values");
   }
   void optionsOfAllRuns_areNoValues() {
     QFETCH(const QByteArray, text);
@@ -166,7 +166,7 @@ class ExperimentCheckTest : public QObject {
     QVERIFY(linesWith("tiago.planner")
                 .value(0)
                 .startsWith(QStringLiteral(
-                    "5:3 error 'tiago.planner' is set by the experiment's key 'planner' too")));
+                    "5:3 error 'tiago.planner' is also set by the experiment's key 'planner'")));
     QVERIFY(linesWith("robot1.planner").value(0).contains(QStringLiteral("unknown path")));
   }
 
@@ -189,10 +189,10 @@ class ExperimentCheckTest : public QObject {
         {line("4:38 error robot1: planner 'dva' is unknown")});
     add("  anna.model: [sfm, orka]\n", {line("4:21 error anna: model 'orka' is unknown")});
     add("  \"*.behavior.type\": [Skared, Scared]\n",
-        {line("4:23 warning anna.behavior.type: 'Skared' is no behaviour of HuNavSim")});
+        {line("4:23 warning anna.behavior.type: 'Skared' is not a HuNavSim behaviour")});
     add("  \"*.model\": [sfm, orka]\n", {line("4:20 error anna: model 'orka' is unknown")});
     add("  anna.behavior.type: [Scared, Skared]\n",
-        {line("4:32 warning anna.behavior.type: 'Skared' is no behaviour of HuNavSim")});
+        {line("4:32 warning anna.behavior.type: 'Skared' is not a HuNavSim behaviour")});
     add("  anna.goals: [[1, 2], [2, 7]]\n", {line("4:24 error anna: goal 7 ")});
     add("  robot1.planner: [pursuit, dwa]\n  robot1.planner_parameters: [{lookahead: 1.0}]\n",
         {line("4:29 error robot1.planner_parameters.lookahead: ")});

@@ -175,7 +175,7 @@ class ExperimentValuesTest : public QObject {
     QCOMPARE(experiment.diagnostics().size(), std::size_t{1});
     const base::Diagnostic& said = experiment.diagnostics().front();
     QVERIFY2(said.text().find("seeds") != std::string::npos ||
-                 said.text().find("at most 10000000") != std::string::npos,
+                 said.text().find("the limit is 10000000") != std::string::npos,
              said.text().c_str());
     QCOMPARE(said.line, line);
   }

@@ -6,7 +6,7 @@
 
 #include "app/run/Export.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 using base::Vec2;
@@ -195,7 +195,7 @@ class ExportRoundTripTest : public QObject {
   QTemporaryDir folder_;
 
   RoundTrip exported(const QString& scenario, const std::string& target) {
-    app::RunOptions options;
+    app::RunSpec options;
     options.scenario = scenario.toStdString();
     const base::Result<app::Bundle> source = app::readExportSource(options, {});
     if (!source) {
@@ -302,7 +302,7 @@ class ExportRoundTripTest : public QObject {
       QCOMPARE(is.size(), was.size());
       for (std::size_t k = 0; k < was.size(); ++k) {
         QCOMPARE(is[k].name, was[k].name);
-        QVERIFY2(trip.isNative() || k > 3 || trip.tells({was[k].name, "our own block"}),
+        QVERIFY2(trip.isNative() || k > 3 || trip.tells({was[k].name, "hunavsim_desktop"}),
                  was[k].name.c_str());
       }
     };

@@ -146,7 +146,7 @@ class ExportTreesTest : public QObject {
   QString yard() const { return folder_.filePath(QStringLiteral("yard.yaml")); }
 
   static app::Bundle sourceOf(const QString& file) {
-    app::RunOptions options;
+    app::RunSpec options;
     options.scenario = file.toStdString();
     base::Result<app::Bundle> source = app::readExportSource(options, {});
     return source ? std::move(*source) : app::Bundle();

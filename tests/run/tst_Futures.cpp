@@ -241,10 +241,11 @@ class FuturesTest : public QObject {
   void question_throughBytes_isAnsweredAlike() {
     app::FuturesQuestion question;
     question.bundle = crossing();
-    app::ForkStage stage;
-    stage.step = 20;
-    stage.options.set = {"robot1.max_vel=0.4"};
-    question.stages = {stage};
+    app::RunBranch branch;
+    branch.step = 20;
+    branch.changes.set = {"robot1.max_vel=0.4"};
+    branch.changes.stuckAfter = 3.5;
+    question.branches = {branch};
     sim2d::Input push;
     push.kind = sim2d::InputKind::Push;
     push.id = 2;
@@ -265,8 +266,14 @@ class FuturesTest : public QObject {
     const auto texts = answered(question);
     QCOMPARE(texts.size(), std::size_t{2});
     QVERIFY(answered(*read) == texts);
+    app::FuturesQuestion nav2 = question;
+    nav2.branches.front().changes.nav2Params = {"FollowPath.max_vel_x:=0.3"};
+    const auto readNav2 = app::questionOf(app::questionBytes(nav2));
+    QVERIFY(bool(readNav2));
+    QVERIFY(readNav2->branches.front().changes.nav2Params ==
+            nav2.branches.front().changes.nav2Params);
     app::FuturesQuestion slower = question;  // what it was made of counts
-    slower.stages.clear();
+    slower.branches.clear();
     QVERIFY(answered(slower) != texts);
     app::FuturesQuestion other = question;
     other.state = "60,3,1,human,0,0\n";
@@ -291,7 +298,7 @@ class FuturesTest : public QObject {
     row("/options/gap", "0.0");
     row("/options/horizon", "1e300");
     row("/options/spread", "-1.0");
-    row("/stages", "3");
+    row("/branches", "3");
     row("/trees", "[3]");
   }
   void question_withOneWrongValue_isRefused() {

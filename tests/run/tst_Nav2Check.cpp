@@ -203,9 +203,9 @@ void Nav2CheckTest::branch_thatIsGiven_isNotGuessed() {
       return each.text().find(words) != std::string::npos;
     });
   };
-  QVERIFY(has(checked(text), "taken for a file of jazzy"));
+  QVERIFY(has(checked(text), "read as a file of jazzy"));
   const base::Diagnostics found = checked(text, sim2d::nav2::Distro::Humble);
-  QVERIFY(!has(found, "taken for"));
+  QVERIFY(!has(found, "read as a file of"));
   QVERIFY(
       has(found, "progress_checker_plugins is a key of Jazzy, Kilted, Lyrical and main: Humble"));
 }
@@ -231,7 +231,7 @@ void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
   QTest::addColumn<QString>("told");  // but for Infos
   QTest::newRow("repeated key") << "nav2_duplicate_key"
                                 << ":3:5: warning: key 'controller_frequency' is repeated: the "
-                                   "value of line 8 counts, not that of line 3\n";
+                                   "value of line 8 is used, not that of line 3\n";
   QTest::newRow("key of Ackermann alone") << "nav2_min_turning_diffdrive"
                                           << "";
   QTest::newRow("disabled monitor") << "nav2_monitor_disabled"
@@ -250,7 +250,7 @@ void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
          "placeholder that launch files replace; the default \"\" is used\n";
   QTest::newRow("placeholder of a filter")
       << "nav2_launch_placeholders"
-      << ":21:18: warning: keepout_filter is switched off: its 'enabled' is a word that Nav2's "
+      << ":21:18: warning: keepout_filter is disabled: its 'enabled' is a placeholder that Nav2's "
          "launch files replace\n";
   QTest::newRow("aliases") << "nav2_aliases"
                            << ":16:11: warning: an alias (*name) is replaced by its value; ROS 2's "
@@ -261,9 +261,8 @@ void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
          "ROS 2 does\n";
   QTest::newRow("only amcl")
       << "nav2_only_amcl"
-      << ":1: warning: this file holds only amcl: it configures no controller "
-         "(controller_plugins of controller_server), so it cannot drive a "
-         "robot by itself\n";
+      << ":1: warning: this file contains only amcl: it configures no controller "
+         "(controller_plugins of controller_server), so it cannot drive a robot by itself\n";
 }
 
 void Nav2CheckTest::fieldFile_isTakenAsRos2Takes() {
@@ -297,7 +296,7 @@ void Nav2CheckTest::wrongValue_isToldAloneAtItsLine_data() {
   row("width: 3\n", "width: 30000\n", "width: 30000 must be from 1 to 1000");
   row("      resolution: 0.05\n", "      resolution: 0.0\n",
       "resolution: 0 must be from 0.005 to 10");
-  row("width: 3\n", "width: 500\n", "width: 500 m in cells of 0.06 m (resolution) are more than");
+  row("width: 3\n", "width: 500\n", "width: 500 m with cells of 0.06 m (resolution) exceed");
   row("robot_radius: 0.175\n", "robot_radius: -1.0\n", "robot_radius: -1 must be from 0 to 10");
   row("vx_max: 0.26\n", "vx_max: -1.0\n", "vx_max -1 is not greater than 0");
   row("time_steps: 56\n", "time_steps: 100000\n", "time_steps 1e+05 is not 2 to 200");

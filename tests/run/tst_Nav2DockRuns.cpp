@@ -112,7 +112,7 @@ struct Driven {
 
 Driven drive(const std::string& scenario, const std::string& params, const std::string& tree,
              double seconds, const std::function<sim2d::StepInputs(double)>& inputs = {}) {
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = scenario;
   options.nav2Params = {params};
   options.nav2Tree = tree;

@@ -9,7 +9,6 @@
 #include <QtTest>
 
 #include "app/run/Bundle.h"
-#include "app/run/Nav2Body.h"
 #include "app/run/Nav2Robots.h"
 #include "bt/robot/Nav2Files.h"
 #include "sim2d/base/Text.h"
@@ -52,8 +51,8 @@ class Nav2FilesTest : public QObject {
                                                                        : std::string();
   }
   /// Of a robot in an open plane that these files drive.
-  app::RunOptions optionsOf(const std::vector<std::string>& params) const {
-    app::RunOptions options;
+  app::RunSpec optionsOf(const std::vector<std::string>& params) const {
+    app::RunSpec options;
     options.scenario = scenario_;
     options.planner = "nav2";
     options.nav2Params = params;
@@ -74,13 +73,13 @@ const std::string kController = R"(controller_server:
       desired_linear_vel: 0.4
 )";
 
-app::Bundle bundleOf(const app::RunOptions& options, bool isStrict = false) {
+app::Bundle bundleOf(const app::RunSpec& options, bool isStrict = false) {
   app::RunSettings settings;
   settings.strict = isStrict;
   return app::readBundle(options, settings, sim2d::ImageLoader());
 }
 
-app::Verdict verdictOf(const app::RunOptions& options, bool isStrict = false) {
+app::Verdict verdictOf(const app::RunSpec& options, bool isStrict = false) {
   return app::check(bundleOf(options, isStrict));
 }
 
@@ -93,7 +92,7 @@ std::string textsOf(const base::Diagnostics& problems) {
 }
 
 std::string allOf(const app::Verdict& verdict) {
-  return textsOf(verdict.wrongWords) + textsOf(verdict.problems) + textsOf(verdict.worldRemarks);
+  return textsOf(verdict.wrongOptions) + textsOf(verdict.problems) + textsOf(verdict.worldRemarks);
 }
 
 /// What the manifest has of the robot's navigator.
@@ -102,7 +101,7 @@ nlohmann::json reportOf(const app::Verdict& verdict) {
     throw std::runtime_error(allOf(verdict));  // the test fails with it
   }
   verdict.world->step();  // the planner has its map since
-  return nlohmann::json::parse(verdict.world->robotReports().at(0));
+  return nlohmann::json::parse(verdict.world->plannerReports().at(0));
 }
 
 /// The files with the trees that are shipped.
@@ -188,7 +187,7 @@ void Nav2FilesTest::severalFiles_areAllInputsOfTheRun() {
 }
 
 void Nav2FilesTest::singleValuesAlone_areOverTheScenariosFile() {
-  app::RunOptions options = optionsOf({"FollowPath.desired_linear_vel:=0.25"});
+  app::RunSpec options = optionsOf({"FollowPath.desired_linear_vel:=0.25"});
   options.set = {"robot1.nav2_params=" + pursuit_};
   const app::Verdict verdict = verdictOf(options);
   QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
@@ -209,7 +208,7 @@ void Nav2FilesTest::singleValue_thatNoParameterFits_isAnError() {
 }
 
 void Nav2FilesTest::scenario_listOfFiles_isRead() {
-  app::RunOptions options = optionsOf({});
+  app::RunSpec options = optionsOf({});
   options.set = {"robot1.nav2_params=[" + pursuit_ + ", FollowPath.desired_linear_vel:=0.2]"};
   const app::Verdict verdict = verdictOf(options);
   QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
@@ -298,7 +297,7 @@ void Nav2FilesTest::body_ofTheFile_isTheRobots() {
                                         "local_costmap:\n  local_costmap:\n    "
                                         "ros__parameters:\n      " +
                                         shape.toStdString() + "\n");
-  app::RunOptions options = optionsOf({params});
+  app::RunSpec options = optionsOf({params});
   const auto bodyIn = [](const app::Verdict& verdict) {
     return verdict.world->header().robots.front();
   };
@@ -320,7 +319,7 @@ void Nav2FilesTest::body_ofTheFile_isTheRobots() {
 }
 
 void Nav2FilesTest::body_thatTheFileLacks_isAWarning() {
-  app::RunOptions options = optionsOf({pursuit_});
+  app::RunSpec options = optionsOf({pursuit_});
   options.nav2Body = true;
   const app::Verdict verdict = verdictOf(options);
   QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());

@@ -39,7 +39,7 @@ struct Driven {
   std::string problems;
 };
 
-Driven drive(app::RunOptions options, const Words& set, double longest) {
+Driven drive(app::RunSpec options, const Words& set, double longest) {
   options.set = set;
   options.scenario = options.scenario.empty() ? kCrossing : options.scenario;
   const auto settings = app::runSettingsOf(options);
@@ -53,14 +53,14 @@ Driven drive(app::RunOptions options, const Words& set, double longest) {
     return driven;
   }
   sim2d::World& world = *verdict.world;
-  world.tellSenses(true);
+  world.publishSensors(true);
   const auto placeNow = [&world] {
     const sim2d::RobotColumns& robots = world.frame().robots;
     return Pose2{{robots.x[0], robots.y[0]}, robots.heading[0]};
   };
   Pose2 before = placeNow();
   while (!world.arrivedAt() && world.time() < longest && world.step()) {
-    const sim2d::RobotSenses& senses = world.frame().senses->front();
+    const sim2d::RobotTelemetry& senses = world.frame().senses->front();
     driven.places.push_back(before);
     driven.estimates.push_back(senses.believed);
     driven.isLocalized.push_back(!senses.localizer || senses.localizer->isLocalized);
@@ -72,8 +72,8 @@ Driven drive(app::RunOptions options, const Words& set, double longest) {
   return driven;
 }
 
-app::RunOptions nav2(const std::string& params = "turtlebot4") {
-  app::RunOptions options;
+app::RunSpec nav2(const std::string& params = "turtlebot4") {
+  app::RunSpec options;
   options.planner = "nav2";
   options.nav2Params = {SOURCE_DIR "/resources/nav2_params/" + params + ".yaml"};
   options.nav2Tree =
@@ -81,12 +81,12 @@ app::RunOptions nav2(const std::string& params = "turtlebot4") {
   return options;
 }
 
-app::RunOptions withTree(const std::string& nodes) {
+app::RunSpec withTree(const std::string& nodes) {
   const std::string tree = std::string(TEST_OUTPUT_DIR) + "/tmp/localization_tree.xml";
   base::writeFileAtomically(
       tree, "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
                 "</BehaviorTree></root>");
-  app::RunOptions options = nav2();
+  app::RunSpec options = nav2();
   options.nav2Tree = tree;
   return options;
 }
@@ -180,7 +180,7 @@ void Nav2LocalizationTest::reinitialize_errorJumpsAndRelaxes() {
 
 /// Every planner gets the estimate: a wrong initial pose without corrections shifts the way.
 void Nav2LocalizationTest::ownPlanners_driveByTheEstimate() {
-  app::RunOptions options;
+  app::RunSpec options;
   options.planner = "pursuit";
   const Driven exact = drive(options, {}, 5.0);
   const Driven wrong =

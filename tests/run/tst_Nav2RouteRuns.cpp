@@ -133,7 +133,7 @@ struct Driven {
 
 Driven drive(const std::string& paramsFile, const std::string& treeFile, double longest,
              const std::vector<std::string>& set = {}) {
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = scenario();
   options.planner = "nav2";
   options.nav2Params = {paramsFile};
@@ -142,7 +142,7 @@ Driven drive(const std::string& paramsFile, const std::string& treeFile, double 
   options.set = set;
   const auto settings = app::runSettingsOf(options);
   app::Verdict verdict = app::check(app::readBundle(options, *settings, {}));
-  base::append(verdict.problems, verdict.wrongWords);
+  base::append(verdict.problems, verdict.wrongOptions);
   base::append(verdict.problems, verdict.worldRemarks);
   Driven driven;
   for (const base::Diagnostic& problem : verdict.problems) {
@@ -160,7 +160,7 @@ Driven drive(const std::string& paramsFile, const std::string& treeFile, double 
   }
   driven.hasArrived = world.arrivedAt().has_value();
   driven.failure = world.failure();
-  driven.report = nlohmann::json::parse(world.robotReports().at(0));
+  driven.report = nlohmann::json::parse(world.plannerReports().at(0));
   return driven;
 }
 
@@ -265,7 +265,7 @@ void Nav2RouteRunsTest::noGraph_failsWithNav2sCode() {
     </Fallback>)";
   const Driven driven = drive(params(""), tree(nodes), 10.0);
   QVERIFY2(driven.problems.find("error:") == std::string::npos, driven.problems.c_str());
-  QVERIFY2(driven.problems.find("the tree asks for routes") != std::string::npos,
+  QVERIFY2(driven.problems.find("the tree computes routes") != std::string::npos,
            driven.problems.c_str());
   QCOMPARE(driven.report["counts"]["recoveries"], 1);  // it has turned
   QCOMPARE(driven.report["counts"]["tree_failures"], 0);

@@ -10,7 +10,7 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/Nav2Robots.h"
-#include "bt/robot/Nav2Route.h"
+#include "bt/robot/Nav2Goals.h"
 #include "sim2d/base/Text.h"
 
 /// Robots with Nav2 that have several goals, and masks that keep them out or slow them down.
@@ -90,7 +90,7 @@ struct RouteDriven {
 
 RouteDriven driveRoute(const std::string& scenario, const std::string& params,
                        const std::string& tree = {}) {
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = scenario;
   options.nav2Params = {params};
   options.nav2Tree = tree.empty() ? std::nullopt : std::optional(tree);
@@ -199,21 +199,21 @@ std::string slowFile() {
 
 void Nav2RoutesTest::route_tellsPassedFromReached() {
   const std::vector<Vec2> after = {{2.0, 0.0}, {2.0, 3.0}};
-  bt::Nav2Route route;
-  QVERIFY(!route.goesOnWith({1.0, 0.0}, after));
+  bt::Nav2GoalTracker route;
+  QVERIFY(!route.continuesTo({1.0, 0.0}, after));
   route.begin({{0.0, 0.0}, 1.0}, {1.0, 0.0}, after, true);
   QCOMPARE(route.poses().size(), std::size_t{3});
   QCOMPARE(route.poses()[0].heading, 0.0);
   QVERIFY(std::abs(route.poses()[2].heading - 0.5 * base::kPi) < 1e-12);
-  QVERIFY(route.goesOnWith({1.0, 0.0}, after));
-  route.treeLeft(2);
+  QVERIFY(route.continuesTo({1.0, 0.0}, after));
+  route.setGoalsLeftInTree(2);
   QCOMPARE(route.takePassed(), std::size_t{1});  // the world hears of it once
   QCOMPARE(route.takePassed(), std::size_t{0});
-  QVERIFY(route.goesOnWith({2.0, 0.0}, {{2.0, 3.0}}));
-  QVERIFY(route.goesOnWith({2.0, 3.0}, {}));  // the world was first
-  route.treeLeft(1);
+  QVERIFY(route.continuesTo({2.0, 0.0}, {{2.0, 3.0}}));
+  QVERIFY(route.continuesTo({2.0, 3.0}, {}));  // the world was first
+  route.setGoalsLeftInTree(1);
   QCOMPARE(route.takePassed(), std::size_t{0});
-  QVERIFY(!route.goesOnWith({5.0, 0.0}, {}));
+  QVERIFY(!route.continuesTo({5.0, 0.0}, {}));
 }
 
 void Nav2RoutesTest::severalGoals_areOneRoute() {

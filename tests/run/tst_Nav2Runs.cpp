@@ -59,8 +59,8 @@ const std::string kTree =
 const std::string kHumbleTree =
     SOURCE_DIR "/resources/nav2_trees/humble/navigate_to_pose_w_replanning_and_recovery.xml";
 
-app::RunOptions optionsOf(const std::string& scenario, const std::string& params) {
-  app::RunOptions options;
+app::RunSpec optionsOf(const std::string& scenario, const std::string& params) {
+  app::RunSpec options;
   options.scenario = scenario;
   options.planner = "nav2";
   options.nav2Params = {paramsFile(params)};
@@ -144,15 +144,15 @@ std::string textOf(const base::Diagnostics& problems) {
   return text;
 }
 
-app::Verdict prepared(const app::RunOptions& options) {
+app::Verdict prepared(const app::RunSpec& options) {
   const auto settings = app::runSettingsOf(options);
   const app::Bundle bundle = app::readBundle(options, *settings, {});
   app::Verdict verdict = app::check(bundle);
-  base::append(verdict.problems, verdict.wrongWords);
+  base::append(verdict.problems, verdict.wrongOptions);
   return verdict;
 }
 
-Driven drive(const app::RunOptions& options, double longest) {
+Driven drive(const app::RunSpec& options, double longest) {
   Driven driven;
   app::Verdict verdict = prepared(options);
   driven.problems = textOf(verdict.problems);
@@ -168,13 +168,13 @@ Driven drive(const app::RunOptions& options, double longest) {
   driven.hasArrived = world.arrivedAt().has_value();
   driven.time = world.time();
   driven.failure = world.failure();
-  driven.report = nlohmann::json::parse(world.robotReports().at(0));
+  driven.report = nlohmann::json::parse(world.plannerReports().at(0));
   return driven;
 }
 
 Driven driveBox(const std::string& params, const Words& set, double longest = 60.0,
                 double heading = 0.0, bool hasBox = true) {
-  app::RunOptions options = optionsOf(boxScenario(heading, hasBox), params);
+  app::RunSpec options = optionsOf(boxScenario(heading, hasBox), params);
   options.set = set;
   return drive(options, longest);
 }
@@ -185,7 +185,7 @@ Driven driveTree(const std::string& nodes, double heading, double longest, const
   base::writeFileAtomically(
       tree, "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
                 "</BehaviorTree></root>");
-  app::RunOptions options = optionsOf(boxScenario(heading), "generic");
+  app::RunSpec options = optionsOf(boxScenario(heading), "generic");
   options.nav2Tree = tree;
   options.nav2Distro = "main";
   options.set = set;
@@ -219,7 +219,7 @@ void Nav2RunsTest::shippedFiles_inShippedMaps_arrive() {
   QFETCH(QString, params);
   QFETCH(QString, type);
   QFETCH(QString, scenario);
-  app::RunOptions options =
+  app::RunSpec options =
       optionsOf(SOURCE_DIR "/maps/" + scenario.toStdString() + ".yaml", params.toStdString());
   options.robot = type.toStdString();
   const Driven driven = drive(options, 150.0);
@@ -235,7 +235,7 @@ void Nav2RunsTest::sameRunTwice_isEqualToTheBit() {
 }
 
 void Nav2RunsTest::twoRobots_withTwoFiles_bothArrive() {
-  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  app::RunSpec options = optionsOf(boxScenario(), "generic");
   options.set = {"robots=[robot1, robot2]", "robot2.planner=nav2", "robot2.type=turtlebot3_waffle",
                  "robot2.nav2_params=" + paramsFile("turtlebot3"),
                  "robot2.nav2_tree=" + kHumbleTree};
@@ -245,7 +245,7 @@ void Nav2RunsTest::twoRobots_withTwoFiles_bothArrive() {
   while (!world.arrivedAt() && world.time() < 90.0 && world.step()) {
   }
   QVERIFY2(world.arrivedAt(), world.failure().c_str());
-  const std::vector<std::string> reports = world.robotReports();
+  const std::vector<std::string> reports = world.plannerReports();
   QCOMPARE(nlohmann::json::parse(reports[0])["distro"], "jazzy");
   QCOMPARE(nlohmann::json::parse(reports[1])["distro"], "humble");
 }
@@ -254,7 +254,7 @@ void Nav2RunsTest::ownTree_thatOnlySpins_spins() {
   const std::string tree = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_spin.xml";
   base::writeFileAtomically(tree, R"(<root BTCPP_format="4" main_tree_to_execute="T">
   <BehaviorTree ID="T"><Spin spin_dist="1.57"/></BehaviorTree></root>)");
-  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  app::RunSpec options = optionsOf(boxScenario(), "generic");
   options.nav2Tree = tree;
   app::Verdict verdict = prepared(options);
   QVERIFY2(verdict.world, textOf(verdict.problems).c_str());
@@ -444,7 +444,7 @@ void Nav2RunsTest::badInput_isToldNotRun_data() {
 void Nav2RunsTest::badInput_isToldNotRun() {
   QFETCH(QString, set);
   QFETCH(QString, part);
-  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  app::RunSpec options = optionsOf(boxScenario(), "generic");
   options.nav2Params.clear();
   options.nav2Tree.reset();
   options.set = {"robot1.nav2_params=" + paramsFile("generic"), "robot1.nav2_tree=" + kTree,
@@ -457,7 +457,7 @@ void Nav2RunsTest::badInput_isToldNotRun() {
 
 /// Its polygon holds the whole room; an enabled node would stop the robot immediately.
 void Nav2RunsTest::monitor_thatIsDisabled_changesNothing() {
-  app::RunOptions options = optionsOf(boxScenario(0.0, false), "generic");
+  app::RunSpec options = optionsOf(boxScenario(0.0, false), "generic");
   options.nav2Params = {SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml"};
   const Driven driven = drive(options, 12.0);
   QVERIFY2(!driven.places.empty() && driven.places.back().x() > 2.0,
@@ -491,7 +491,7 @@ void Nav2RunsTest::bodyOfTheFile_otherThanTheRobots_isReported() {
       "\"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\"\n"
       "local_costmap:\n  local_costmap:\n    ros__parameters:\n      " +
           shape.toStdString() + "\n");
-  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  app::RunSpec options = optionsOf(boxScenario(), "generic");
   options.nav2Params = {path};
   const app::Verdict verdict = prepared(options);
   const std::string text = textOf(verdict.problems) + textOf(verdict.worldRemarks);
@@ -524,7 +524,7 @@ void Nav2RunsTest::errorOfTheFile_isAtItsLine() {
   QFETCH(QString, told);
   const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_wrong.yaml";
   base::writeFileAtomically(path, yaml.toStdString());
-  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  app::RunSpec options = optionsOf(boxScenario(), "generic");
   options.nav2Params = {path};
   const app::Verdict verdict = prepared(options);
   QVERIFY(!verdict.world);

@@ -105,7 +105,7 @@ const nav2set::Case& caseOf(const QString& name) {
 /// Whether a robot with these parameters reaches the goal of a scene within two minutes.
 bool arrives(const std::string& parameters, const std::string& scene) {
   constexpr double kLongest = 120.0;  // [s]
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = std::string(SOURCE_DIR "/maps/planners/") + scene + "_agents.yaml";
   options.planner = "nav2";
   options.nav2Params = {parameters};

@@ -27,7 +27,7 @@ namespace {
 using base::Vec2;
 
 std::unique_ptr<sim2d::World> worldWith(const QString& controller) {
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = SOURCE_DIR "/maps/planners/doorway_agents.yaml";
   options.planner = "nav2";
   options.nav2Params = {
@@ -39,8 +39,8 @@ std::unique_ptr<sim2d::World> worldWith(const QString& controller) {
   return std::move(verdict.world);
 }
 
-std::shared_ptr<sim2d::PlannerWatch> watching(bool costs, bool ways) {
-  auto watch = std::make_shared<sim2d::PlannerWatch>();
+std::shared_ptr<sim2d::PlannerDebugFlags> watching(bool costs, bool ways) {
+  auto watch = std::make_shared<sim2d::PlannerDebugFlags>();
   watch->costs = costs;
   watch->ways = ways;
   return watch;
@@ -50,19 +50,19 @@ std::shared_ptr<sim2d::PlannerWatch> watching(bool costs, bool ways) {
 std::unique_ptr<sim2d::World> driven(const QString& controller, int steps) {
   std::unique_ptr<sim2d::World> world = worldWith(controller);
   if (world != nullptr) {
-    world->tellSenses(true);
-    world->watchPlanners(watching(true, true));
+    world->publishSensors(true);
+    world->setPlannerDebug(watching(true, true));
     for (int step = 0; step < steps && world->step(); ++step) {
     }
   }
   return world;
 }
 
-const sim2d::RobotSenses& sensesOf(const sim2d::World& world) {
+const sim2d::RobotTelemetry& sensesOf(const sim2d::World& world) {
   return world.frame().senses->front();
 }
 
-double sumOf(const sim2d::RobotSenses::Way& way) {
+double sumOf(const sim2d::RobotTelemetry::Candidate& way) {
   double sum = 0.0;
   for (const auto& [critic, score] : way.scores) {
     sum += score;
@@ -86,8 +86,8 @@ void Nav2ViewTest::watched_isTheSameRun() {
   QVERIFY(plain != nullptr && watched != nullptr);
   const auto watch = watching(false, false);
   const double start = watched->frame().robots.x[0];
-  watched->tellSenses(true);
-  watched->watchPlanners(watch);
+  watched->publishSensors(true);
+  watched->setPlannerDebug(watch);
   for (int step = 0; step < 120; ++step) {
     watch->costs = step % 3 != 0;  // switched on and off as it goes
     watch->ways = step % 5 != 0;
@@ -96,25 +96,25 @@ void Nav2ViewTest::watched_isTheSameRun() {
     QVERIFY(plain->frame().humans == watched->frame().humans);
     QVERIFY(plain->frame().events == watched->frame().events);
   }
-  QCOMPARE(plain->robotReports(), watched->robotReports());
+  QCOMPARE(plain->plannerReports(), watched->plannerReports());
   QVERIFY(watched->frame().robots.x[0] - start > 1.0);  // it drove
 }
 
 void Nav2ViewTest::unwatched_tellsNothing() {
   const std::unique_ptr<sim2d::World> world = worldWith(QStringLiteral("dwb"));
-  world->tellSenses(true);
-  world->watchPlanners(watching(false, false));
+  world->publishSensors(true);
+  world->setPlannerDebug(watching(false, false));
   for (int step = 0; step < 60; ++step) {
     QVERIFY(world->step());
   }
-  const sim2d::RobotSenses& senses = sensesOf(*world);
+  const sim2d::RobotTelemetry& senses = sensesOf(*world);
   QVERIFY(senses.localCosts == nullptr && senses.globalCosts == nullptr);
   QVERIFY(senses.ways.empty() && senses.lookahead.empty() && senses.predicted.empty());
 }
 
 void Nav2ViewTest::dwb_pricesAddUpAndTheCheapestIsChosen() {
   const auto world = driven(QStringLiteral("dwb"), 80);
-  const std::vector<sim2d::RobotSenses::Way>& ways = sensesOf(*world).ways;
+  const std::vector<sim2d::RobotTelemetry::Candidate>& ways = sensesOf(*world).ways;
   QVERIFY(ways.size() > 100);  // 20 x 20 velocities, those in reach
   QCOMPARE(std::count_if(ways.begin(), ways.end(), [](const auto& way) { return way.isChosen; }),
            std::ptrdiff_t{1});
@@ -140,7 +140,7 @@ void Nav2ViewTest::dwb_pricesAddUpAndTheCheapestIsChosen() {
 
 void Nav2ViewTest::mppi_hasSamplesAndTheOptimum() {
   const auto world = driven(QStringLiteral("mppi"), 80);
-  const std::vector<sim2d::RobotSenses::Way>& ways = sensesOf(*world).ways;
+  const std::vector<sim2d::RobotTelemetry::Candidate>& ways = sensesOf(*world).ways;
   QCOMPARE(ways.size(), std::size_t{41});  // a sample of 40, and what is followed
   QVERIFY(ways.back().isChosen);
   QCOMPARE(ways.back().scores.size() > 2, true);
@@ -153,7 +153,7 @@ void Nav2ViewTest::mppi_hasSamplesAndTheOptimum() {
 
 void Nav2ViewTest::pursuit_aimsAtItsLookaheadDistance() {
   const auto world = driven(QStringLiteral("rpp"), 80);
-  const sim2d::RobotSenses& senses = sensesOf(*world);
+  const sim2d::RobotTelemetry& senses = sensesOf(*world);
   QVERIFY(senses.ways.empty());
   QCOMPARE(senses.lookahead.size(), std::size_t{1});
   const double speed = std::hypot(world->frame().robots.vx[0], world->frame().robots.vy[0]);

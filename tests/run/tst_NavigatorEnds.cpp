@@ -139,7 +139,7 @@ struct Ended {
   std::string problems;
 
   const sim2d::RobotResult& robot() const { return result.robots.at(0); }
-  const sim2d::GoalEnd& last() const { return robot().goalEnds.back(); }
+  const sim2d::GoalResult& last() const { return robot().goalResults.back(); }
   std::string events() const {
     std::string text;
     for (const auto& [step, event] : trace.events) {
@@ -157,7 +157,7 @@ struct Ended {
 
 Ended ended(const std::string& scenario, const std::string& params, const std::string& tree = {},
             const Words& set = {}) {
-  app::RunOptions options;
+  app::RunSpec options;
   options.scenario = scenario;
   options.nav2Params = {params};
   options.nav2Tree = tree.empty() ? std::nullopt : std::optional(tree);
@@ -174,7 +174,7 @@ Ended ended(const std::string& scenario, const std::string& params, const std::s
   sim2d::Recording recording;
   run.result = sim2d::run(*verdict.world, sim2d::stopRuleOf(*bundle.scenario), recording);
   run.trace = recording.trace(verdict.world->header());
-  run.report = nlohmann::json::parse(verdict.world->robotReports().at(0));
+  run.report = nlohmann::json::parse(verdict.world->plannerReports().at(0));
   return run;
 }
 
@@ -191,7 +191,7 @@ void NavigatorEndsTest::success_outsideTheGoalRadius_isTheArrival() {
                           paramsFile("dwb", "0.25"));
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
   QCOMPARE(QString::fromStdString(run.result.reason), QStringLiteral("arrived"));
-  QVERIFY(run.robot().result == sim2d::WayEnd::Arrived);
+  QVERIFY(run.robot().result == sim2d::NavigationOutcome::Arrived);
   QVERIFY2(run.last().distance > 0.05 && run.last().distance < 0.3,
            base::formatDouble(run.last().distance).c_str());
   QVERIFY(run.events().find("navigation_succeeded 0.") != std::string::npos);
@@ -204,7 +204,7 @@ void NavigatorEndsTest::success_besideAnOccupiedGoal_tellsWhatIsLeft() {
   const Ended run = ended(scene("pillar", "      goal: {x: 4.0, y: 0.5}\n", kPillar),
                           paramsFile("rpp", "0.6"), {}, {"nav2.global_costmap.robot_radius=0.8"});
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QVERIFY2(run.robot().result == sim2d::WayEnd::Arrived, run.events().c_str());
+  QVERIFY2(run.robot().result == sim2d::NavigationOutcome::Arrived, run.events().c_str());
   QVERIFY(run.last().result.hasSucceeded);
   // Farther than its checker allows, and within the limit: 0.25 + 0.5 m.
   QVERIFY2(run.last().distance > 0.25 && run.last().distance < 0.75,
@@ -248,10 +248,10 @@ void NavigatorEndsTest::unreachable_endsWithTheReason() {
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
   QCOMPARE(QString::fromStdString(run.result.reason),
            QStringLiteral("navigation_failed: robot1, ") + reason);
-  QVERIFY(run.robot().result == sim2d::WayEnd::NavigationFailed);
+  QVERIFY(run.robot().result == sim2d::NavigationOutcome::NavigationFailed);
   QCOMPARE(run.last().result.reason, reason.toStdString());
   QCOMPARE(run.last().result.errorCode, distro == QLatin1String("humble") ? 0 : 208);
-  QCOMPARE(run.last().result.message, std::string("there is no way to the goal"));
+  QCOMPARE(run.last().result.message, std::string("there is no path to the goal"));
   const int failures = run.report["counts"]["plan_failures"].get<int>();
   QVERIFY(failures > 0);
   QCOMPARE(run.report["plan_failure_reasons"].size(), std::size_t{1});
@@ -275,8 +275,8 @@ void NavigatorEndsTest::severalGoals_oneUnreachable_goesOn() {
   const Ended run = ended(scene("three", "      goals: [1, 2, 3]\n", kNarrow),
                           paramsFile("rpp", "0.1"), plainTree(), {kWide});
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QCOMPARE(run.robot().goalEnds.size(), std::size_t{3});
-  const auto& ends = run.robot().goalEnds;
+  QCOMPARE(run.robot().goalResults.size(), std::size_t{3});
+  const auto& ends = run.robot().goalResults;
   QVERIFY(ends[0].isReached && !ends[1].result.hasSucceeded && ends[2].isReached);
   QVERIFY(ends[0].goal == 1 && ends[1].goal == 2 && ends[2].goal == 3);
   QCOMPARE(QString::fromStdString(run.result.reason),
@@ -294,9 +294,9 @@ void NavigatorEndsTest::repeatedGoal_isNavigatedToAgain() {
   const Ended run =
       ended(scene("twice", "      goals: [1, 1]\n"), paramsFile("rpp", "0.25"), plainTree());
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QCOMPARE(run.robot().goalEnds.size(), std::size_t{2});
-  QVERIFY(run.robot().result == sim2d::WayEnd::Arrived);
-  QVERIFY(run.robot().goalEnds[1].time > run.robot().goalEnds[0].time);
+  QCOMPARE(run.robot().goalResults.size(), std::size_t{2});
+  QVERIFY(run.robot().result == sim2d::NavigationOutcome::Arrived);
+  QVERIFY(run.robot().goalResults[1].time > run.robot().goalResults[0].time);
 }
 
 /// NavigateThroughPoses is given up as a whole, with the codes of its own action.
@@ -304,7 +304,7 @@ void NavigatorEndsTest::route_withAnUnreachableGoal_fails() {
   const Ended run = ended(scene("route", "      goals: [1, 2, 3]\n", kNarrow),
                           paramsFile("rpp", "0.1"), {}, {kWide});
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QCOMPARE(run.robot().goalEnds.size(), std::size_t{1});
+  QCOMPARE(run.robot().goalResults.size(), std::size_t{1});
   QCOMPARE(run.last().result.errorCode, 308);
   QCOMPARE(run.last().result.goals, std::size_t{3});
   QCOMPARE(QString::fromStdString(run.result.reason),
@@ -321,16 +321,19 @@ void NavigatorEndsTest::sameRunTwice_hasTheSameEvents() {
 }
 
 void NavigatorEndsTest::columns_ofTheResults_areOneOfThem() {
-  using sim2d::WayEnd;
-  const std::pair<WayEnd, const char*> ends[] = {
-      {WayEnd::Arrived, "ended_by_success"},          {WayEnd::GoalMissed, "ended_by_success"},
-      {WayEnd::NavigationFailed, "ended_by_failure"}, {WayEnd::Collision, "ended_by_contact"},
-      {WayEnd::Stuck, "ended_by_standstill"},         {WayEnd::Timeout, "ended_by_time"}};
+  using sim2d::NavigationOutcome;
+  const std::pair<NavigationOutcome, const char*> ends[] = {
+      {NavigationOutcome::Arrived, "ended_by_success"},
+      {NavigationOutcome::GoalMissed, "ended_by_success"},
+      {NavigationOutcome::NavigationFailed, "ended_by_failure"},
+      {NavigationOutcome::Collision, "ended_by_contact"},
+      {NavigationOutcome::Stuck, "ended_by_standstill"},
+      {NavigationOutcome::Timeout, "ended_by_time"}};
   for (const auto& [end, key] : ends) {
     app::FinishedRun run{{}, {}, {}, base::error("metrics.no-samples"), {}, false, {}, {}};
     run.header.robots.emplace_back().name = "robot1";
     sim2d::RobotResult robot{-1, "robot1", end, 2.0, true, {}};
-    robot.goalEnds.emplace_back().distance = 0.25;
+    robot.goalResults.emplace_back().distance = 0.25;
     run.result.robots = {robot};
     const app::ResultRow row = app::rowOf(run);
     QCOMPARE(row.fields.size(), std::size_t{6});
@@ -340,7 +343,7 @@ void NavigatorEndsTest::columns_ofTheResults_areOneOfThem() {
                                                            : "False";
       QCOMPARE(column + " " + field, column + " " + wanted);
     }
-    run.result.robots[0].endsGoals = false;  // of other planners nothing
+    run.result.robots[0].decidesGoalEnd = false;  // of other planners nothing
     QVERIFY(app::rowOf(run).fields.empty());
   }
 }

@@ -42,7 +42,7 @@ class OutputFolderTest : public QObject {
     while (files.hasNext()) {
       const std::string path = files.next().toStdString();
       const std::string name = path.substr(folder().size() + 1);
-      const bool isWork = app::isRestOfOutput(name.substr(0, name.find('/')));
+      const bool isWork = app::isInternalEntry(name.substr(0, name.find('/')));
       if (!files.fileInfo().isDir() && (withWork || !isWork) && name != "manifest.json") {
         const base::Result<std::string> text = base::readTextFile(path);
         found[name] = text ? *text : "?";
@@ -61,11 +61,11 @@ class OutputFolderTest : public QObject {
         return problems;
       }
     }
-    return (*output)->commit("{}", OutputFolder::Earlier::Removed);
+    return (*output)->commit("{}", OutputFolder::EarlierFiles::Removed);
   }
   bool isOneOfBoth() const { return seen() == before_ || seen() == after_; }
   base::Diagnostics checked() const {
-    return app::checkListed(folder(), {"a.csv", "b.csv", "gone.csv", "sub/d.csv"});
+    return app::checkManifestFiles(folder(), {"a.csv", "b.csv", "gone.csv", "sub/d.csv"});
   }
 
  private Q_SLOTS:
@@ -96,7 +96,7 @@ class OutputFolderTest : public QObject {
     {
       const auto output = OutputFolder::open(folder(), false);
       QVERIFY((*output)->write("b.csv", "b").empty());
-      QVERIFY((*output)->commit("{}", OutputFolder::Earlier::Kept).empty());
+      QVERIFY((*output)->commit("{}", OutputFolder::EarlierFiles::Kept).empty());
     }
     QCOMPARE(seen(), (Content{{"a.csv", "a"}, {"b.csv", "b"}}));
     QVERIFY(checked().empty());
@@ -108,8 +108,8 @@ class OutputFolderTest : public QObject {
     {
       const auto output = OutputFolder::open(folder(), false);
       QVERIFY((*output)->write("a.csv", "new a").empty());
-      (*output)->drop({"a.csv", "b.csv", "gone.csv"});
-      QVERIFY((*output)->commit("{}", OutputFolder::Earlier::Kept).empty());
+      (*output)->removeOnCommit({"a.csv", "b.csv", "gone.csv"});
+      QVERIFY((*output)->commit("{}", OutputFolder::EarlierFiles::Kept).empty());
     }
     QCOMPARE(seen(), (Content{{"a.csv", "new a"}, {"b.csv", "edited"}}));  // not ours any more
   }
@@ -131,7 +131,7 @@ class OutputFolderTest : public QObject {
     }
     QVERIFY(write(before_).empty());
     QVERIFY(write(after_).empty());
-    QVERIFY(app::settleFolder(folder()).empty());
+    QVERIFY(app::completeCommit(folder()).empty());
     Content all = after_;
     all.insert(mine.begin(), mine.end());
     QCOMPARE(seen(true), all);
@@ -205,7 +205,7 @@ class OutputFolderTest : public QObject {
         return write(after_).empty() ? 0 : 1;
       });
       QVERIFY(code == 0 || code == 9);
-      QVERIFY(app::settleFolder(folder()).empty());
+      QVERIFY(app::completeCommit(folder()).empty());
       QVERIFY2(isOneOfBoth(), QByteArray::number(calls));
       QVERIFY(checked().empty());
       wasNew += seen() == after_ ? 1 : 0;
@@ -236,7 +236,7 @@ class OutputFolderTest : public QObject {
         break;
       }
       ++faults;
-      QVERIFY(app::settleFolder(folder()).empty());
+      QVERIFY(app::completeCommit(folder()).empty());
       QVERIFY2(isOneOfBoth(), QByteArray::number(calls));
       QVERIFY((code & 1) == 1 || seen() == after_);  // success is success
       QVERIFY(checked().empty());
@@ -263,12 +263,12 @@ class OutputFolderTest : public QObject {
   }
 
   void nameOfUnfinished_otherNames_haveNone() {
-    QCOMPARE(app::nameOfUnfinished("a.csv.new-1-20").value_or(""), std::string("a.csv"));
-    QCOMPARE(app::nameOfUnfinished("a.new-1-2.new-30-4").value_or(""), std::string("a.new-1-2"));
+    QCOMPARE(app::targetOfTemporary("a.csv.new-1-20").value_or(""), std::string("a.csv"));
+    QCOMPARE(app::targetOfTemporary("a.new-1-2.new-30-4").value_or(""), std::string("a.new-1-2"));
     for (const char* const other :
          {"", "a", ".new-1-2", "a.new-", "a.new-1", "a.new-1-", "a.new--1", "a.new-1-2x",
           "a.new-x-2", "a.new-1_2", "a.new-1-2-3"}) {
-      QVERIFY2(!app::nameOfUnfinished(other), other);
+      QVERIFY2(!app::targetOfTemporary(other), other);
     }
   }
 

@@ -41,14 +41,14 @@ sim2d::Trace plainTrace(std::int64_t steps) {
 }
 
 /// The news up to a moment, put together.
-void collect(app::Session& session, app::SessionNews& all) {
-  app::SessionNews news = session.takeNews();
+void collect(app::Session& session, app::SessionUpdate& all) {
+  app::SessionUpdate news = session.takeUpdate();
   all.remarks = news.remarks ? news.remarks : all.remarks;
   all.history = news.history ? news.history : all.history;
   all.newest = news.newest ? news.newest : all.newest;
   all.measuredSpeed = news.measuredSpeed ? news.measuredSpeed : all.measuredSpeed;
   all.result = news.result ? news.result : all.result;
-  all.broke = news.broke ? news.broke : all.broke;
+  all.breakpointHit = news.breakpointHit ? news.breakpointHit : all.breakpointHit;
   all.entries = news.entries ? news.entries : all.entries;
 }
 
@@ -64,7 +64,7 @@ class SessionTest : public QObject {
     auto world = makeWorld();
     QVERIFY(bool(world));
     app::Session session({100, false});
-    session.keepHistory(1);
+    session.enableHistory(1);
     sim2d::Recording sink;
     int seen = 0;
     const sim2d::RunResult result =
@@ -98,7 +98,7 @@ class SessionTest : public QObject {
   void add_input_actsInTheNextStep() {
     auto world = makeWorld();
     app::Session session({10, false});
-    session.keepHistory(1);
+    session.enableHistory(1);
     session.run(**world, nullptr, [&session](const sim2d::Frame& frame) {
       if (frame.step == 3) {
         sim2d::Input input;
@@ -117,12 +117,12 @@ class SessionTest : public QObject {
 
   void orders_ofAnotherThread_pauseAndStep() {
     app::Session session({1000, false});
-    session.keepHistory(1);
+    session.enableHistory(1);
     session.setPaused(true);
-    session.allowStep();
-    session.allowStep();
+    session.stepOnce();
+    session.stepOnce();
     std::thread thread([&session] { session.run(makeWorld); });
-    app::SessionNews news;
+    app::SessionUpdate news;
     QTRY_VERIFY_WITH_TIMEOUT((collect(session, news), news.newest && news.newest->step == 2),
                              20000);
     QVERIFY(news.remarks && !base::hasErrors(*news.remarks));
@@ -147,29 +147,30 @@ class SessionTest : public QObject {
     const std::string& path =
         (*first.paths)[static_cast<std::size_t>(ticked - first.statuses.begin())];
     app::Session session({40, false});
-    session.keepHistory(1);
+    session.enableHistory(1);
     session.setBreakpoints({{1, path, status, "id == 1"},
                             {2, path, status, {}},
                             {1, path, status, "id == 2"},
                             {1, path, status, "nothing > 1"},
                             {1, path, status, "id := 3"}});
-    session.watchEntries(1);
+    session.watchBlackboard(1);
     std::thread thread([&] { session.run(**world); });
-    app::SessionNews news;
-    QTRY_VERIFY((collect(session, news), news.broke.has_value()));
+    app::SessionUpdate news;
+    QTRY_VERIFY((collect(session, news), news.breakpointHit.has_value()));
     QCOMPARE(news.newest->step, std::int64_t{1});
-    QCOMPARE(news.broke->person, 1);
-    QCOMPARE(news.broke->at.path, path);
-    QCOMPARE(news.broke->at.condition, std::string("id == 1"));
+    QCOMPARE(news.breakpointHit->person, 1);
+    QCOMPARE(news.breakpointHit->at.path, path);
+    QCOMPARE(news.breakpointHit->at.condition, std::string("id == 1"));
     QTRY_VERIFY((collect(session, news), news.entries.has_value()));
     const auto isId = [](const auto& entry) { return entry.first == "id" && entry.second == "1"; };
     QVERIFY(std::any_of(news.entries->begin(), news.entries->end(), isId));
-    news.broke.reset();
+    news.breakpointHit.reset();
     session.setPaused(false);
-    QTRY_VERIFY((collect(session, news), news.result.has_value() || news.broke.has_value() ||
+    QTRY_VERIFY((collect(session, news), news.result.has_value() ||
+                                             news.breakpointHit.has_value() ||
                                              session.history()->size() == 41));
     thread.join();
-    QVERIFY(!news.broke);
+    QVERIFY(!news.breakpointHit);
     QCOMPARE(session.history()->size(), std::size_t{41});
   }
 
@@ -189,7 +190,7 @@ class SessionTest : public QObject {
     session.run([]() -> base::Result<std::unique_ptr<sim2d::World>> {
       return base::error("run.failed", {"no place for Ana"});
     });
-    const app::SessionNews news = session.takeNews();
+    const app::SessionUpdate news = session.takeUpdate();
     QVERIFY(news.remarks && base::hasErrors(*news.remarks));
     QVERIFY(!news.result);
   }

@@ -1,7 +1,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/run/Sha256.h"
+#include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
 
 /// Expected: the examples of FIPS 180-4, and of coreutils' sha256sum.

@@ -55,10 +55,11 @@ class RandomScenario {
  private:
   bool flip() { return upTo(1) == 1; }
   int upTo(int most) {
-    return static_cast<int>(rng_.bits(base::Draw::Test, ++draw_) % static_cast<unsigned>(most + 1));
+    return static_cast<int>(rng_.bits(base::DrawPurpose::Test, ++draw_) %
+                            static_cast<unsigned>(most + 1));
   }
   double real() {
-    const double value = rng_.normal(0.0, 20.0, base::Draw::Test, ++draw_);
+    const double value = rng_.normal(0.0, 20.0, base::DrawPurpose::Test, ++draw_);
     return flip() ? value : static_cast<double>(static_cast<int>(value * 10.0)) / 10.0;
   }
   double size() { return std::abs(real()) + 0.01; }
@@ -112,7 +113,7 @@ class RandomScenario {
       to.type = static_cast<sim2d::BehaviorType>(1 + upTo(5));
     } else if (flip()) {
       to.type = sim2d::BehaviorType::Regular;
-      to.foreignType = flip() ? "Happy" : "9";
+      to.unknownType = flip() ? "Happy" : "9";
     }
     maybe(to.configuration, [&] { return static_cast<sim2d::Configuration>(upTo(3)); });
     for (auto* value : {&to.dist, &to.duration, &to.safeDistance, &to.stopDist, &to.frontDist,
@@ -252,7 +253,7 @@ class RandomScenario {
     }
     maybe(to.kind, [&] { return static_cast<sim2d::DetectorKind>(upTo(1)); });
     maybe(to.range, [&] { return flip() ? 10.0 : size(); });
-    for (auto* value : {&to.field, &to.latency, &to.misses, &to.swaps, &to.hiddenShare}) {
+    for (auto* value : {&to.field, &to.latency, &to.misses, &to.swaps, &to.maxOcclusion}) {
       maybe(*value, [&] { return 0.01 + share() * 0.9; });
     }
     for (auto* value : {&to.rate, &to.noise, &to.swapDistance, &to.coastTime}) {
@@ -353,7 +354,7 @@ class RandomScenario {
     maybe(to.preset, [&] { return static_cast<sim2d::VariationPreset>(upTo(2)); });
     for (std::size_t i = 0; i < sim2d::kVariedCount; ++i) {
       sim2d::SpreadSettings& spread = to.spreads[i];
-      const bool isFactor = sim2d::variedQuantity(static_cast<sim2d::Varied>(i)).isFactor;
+      const bool isFactor = sim2d::variationInfo(static_cast<sim2d::VariationQuantity>(i)).isFactor;
       if (upTo(3) == 0) {
         maybe(spread.kind, [&] { return static_cast<sim2d::SpreadKind>(upTo(2)); });
         maybe(spread.sd, [&] { return size(); });

@@ -2,9 +2,9 @@
 #include <map>
 
 #include "ScenarioTest.h"
-#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/FieldBuilder.h"
 #include "sim2d/scenario/Fields.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 using namespace sim2d;
 using namespace scenariotest;
@@ -43,7 +43,7 @@ YamlNode wrongFor(const base::ParameterSpec& spec, bool isMap) {
 /// A number just outside of the range; nothing when every number is allowed.
 std::optional<double> outside(const base::ParameterSpec& spec) {
   if (!std::isinf(spec.range.low)) {
-    return spec.range.above ? spec.range.low : spec.range.low - 1.0;
+    return spec.range.excludesLow ? spec.range.low : spec.range.low - 1.0;
   }
   return std::isinf(spec.range.high) ? std::nullopt : std::optional(spec.range.high + 1.0);
 }
@@ -101,20 +101,20 @@ std::map<std::string, Fault> allFaults(const Scenario& scenario) {
   FaultRows(rows, kLoaderNode, {}).addAll<ScenarioSettings>(scenario);
   FaultRows(rows, kLoaderNode, {anna.name}).addAll(anna);
   FaultRows(rows, kLoaderNode, {anna.name, "behavior"}).addAll(anna.behavior);
-  FaultRows(rows, kBlockNode, {}).addAll(scenario.desktop);
-  FaultRows(rows, kBlockNode, {"metrics"}).addAll(scenario.desktop.metrics);
-  FaultRows(rows, kBlockNode, {anna.name}).addAll(anna.ours);
+  FaultRows(rows, kDesktopNode, {}).addAll(scenario.desktop);
+  FaultRows(rows, kDesktopNode, {"metrics"}).addAll(scenario.desktop.metrics);
+  FaultRows(rows, kDesktopNode, {anna.name}).addAll(anna.ours);
   const Robot& robot = scenario.robots.front();
-  FaultRows(rows, kBlockNode, {robot.name}).addAll(robot);
-  FaultRows(rows, kBlockNode, {robot.name, "lidar"}).addAll(robot.lidar);
-  FaultRows(rows, kBlockNode, {robot.name, "detector"}).addAll(robot.detector);
-  FaultRows(rows, kBlockNode, {robot.name, "odometry_noise"}).addAll(robot.odometryNoise);
-  FaultRows(rows, kBlockNode, {robot.name, "localization"}).addAll(robot.localization);
+  FaultRows(rows, kDesktopNode, {robot.name}).addAll(robot);
+  FaultRows(rows, kDesktopNode, {robot.name, "lidar"}).addAll(robot.lidar);
+  FaultRows(rows, kDesktopNode, {robot.name, "detector"}).addAll(robot.detector);
+  FaultRows(rows, kDesktopNode, {robot.name, "odometry_noise"}).addAll(robot.odometryNoise);
+  FaultRows(rows, kDesktopNode, {robot.name, "localization"}).addAll(robot.localization);
   for (const Obstacle& obstacle : scenario.obstacles) {
-    FaultRows(rows, kBlockNode, {obstacle.name}).addAll(obstacle);
+    FaultRows(rows, kDesktopNode, {obstacle.name}).addAll(obstacle);
   }
-  FaultRows(rows, kBlockNode, {scenario.doors.front().name}).addAll(scenario.doors.front());
-  FaultRows(rows, kBlockNode, {scenario.areas.front().name}).addAll(scenario.areas.front());
+  FaultRows(rows, kDesktopNode, {scenario.doors.front().name}).addAll(scenario.doors.front());
+  FaultRows(rows, kDesktopNode, {scenario.areas.front().name}).addAll(scenario.areas.front());
   return rows;
 }
 
@@ -162,11 +162,11 @@ FieldTables tablesWith(Bumpers& bumpers) {
     }
   };
   std::get<Fields<Robot>>(tables).push_back(
-      FieldOf<Robot>("bumper", "How far it stands out", {"Bumper"}, "m", {0.0, 1.0})
+      FieldBuilder<Robot>("bumper", "How far it stands out", {"Bumper"}, "m", {0.0, 1.0})
           .typed(base::ParameterType::Number)
           .with(&Field<Robot>::get, get)
           .with(&Field<Robot>::set, set)
-          .orElse(0.1));
+          .defaultsTo(0.1));
   return tables;
 }
 

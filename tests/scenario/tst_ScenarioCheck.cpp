@@ -1,7 +1,7 @@
 #include <QTemporaryDir>
 
 #include "ScenarioTest.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
 using namespace sim2d;
@@ -80,19 +80,20 @@ class ScenarioCheckTest : public QObject {
     door.count = 3;
     scenario.areas.push_back(door);
     scenario.humans[0].id = 2147483644;  // three are left
-    QVERIFY(!shown(check(scenario)).contains(QStringLiteral("ids are left")));
+    QVERIFY(!shown(check(scenario)).contains(QStringLiteral("ids remain")));
     scenario.humans[0].id = 2147483645;
     QVERIFY(shown(check(scenario))
-                .contains(QStringLiteral("warning: door: after id 2147483645 too few ids are left "
-                                         "for those who arrive")));
+                .contains(QStringLiteral("warning: door: too few ids remain after id 2147483645 "
+                                         "for the people that are spawned")));
     scenario.humans[0].id = 2147483643;  // four, of which the first door takes three
     door.name = "gate";
     door.key = {base::EntityKind::Area, 61};
     door.count = 2;
     scenario.areas.push_back(door);
     const QString said = shown(check(scenario));
-    QVERIFY(!said.contains(QStringLiteral("door: after id")));
-    QVERIFY2(said.contains(QStringLiteral("gate: after id 2147483643")), qPrintable(said));
+    QVERIFY(!said.contains(QStringLiteral("door: too few ids remain")));
+    QVERIFY2(said.contains(QStringLiteral("gate: too few ids remain after id 2147483643")),
+             qPrintable(said));
   }
 
   void check_places_data() {
@@ -104,31 +105,25 @@ class ScenarioCheckTest : public QObject {
     QTest::newRow("start in the wall")
         << QPointF(5.05, 5.0) << QPointF(2.0, 5.0) << true << QStringLiteral("warning")
         << QStringLiteral(
-               "anna: init_pose (5.05, 5): a body of "
-               "radius 0.3 does not fit, a run takes (");
+               "anna: init_pose (5.05, 5): a body of radius 0.3 does not fit here, a run uses (");
     QTest::newRow("start beside the wall")
         << QPointF(4.9, 5.0) << QPointF(2.0, 5.0) << true << QStringLiteral("warning")
         << QStringLiteral("anna: init_pose (4.9, 5): a body");
     QTest::newRow("goal in the wall")
         << QPointF(2.0, 5.0) << QPointF(5.1, 5.0) << true << QStringLiteral("warning")
-        << QStringLiteral(
-               "goal 1 (5.1, 5): a body of radius 0.3 "
-               "does not fit, a run takes (");
+        << QStringLiteral("goal 1 (5.1, 5): a body of radius 0.3 does not fit here, a run uses (");
     QTest::newRow("no way") << QPointF(2.0, 5.0) << QPointF(8.0, 5.0) << false
                             << QStringLiteral("warning")
                             << QStringLiteral(
-                                   "anna: there is no way from the start to goal 1 (8, "
-                                   "5), it is left out");
+                                   "anna: no path from the start to goal 1 (8, 5): the goal is "
+                                   "skipped");
     QTest::newRow("round the wall")
         << QPointF(2.0, 5.0) << QPointF(8.0, 5.0) << true << QStringLiteral("info")
-        << QStringLiteral(
-               "anna: a wall stands in the straight line to "
-               "goal 1");
+        << QStringLiteral("anna: a wall blocks the straight line to goal 1");
     QTest::newRow("unknown cell") << QPointF(9.5, 5.0) << QPointF(8.0, 5.0) << true
                                   << QStringLiteral("warning")
                                   << QStringLiteral(
-                                         "anna: init_pose (9.5, 5): the map does not "
-                                         "know this place");
+                                         "anna: init_pose (9.5, 5): the map cell is unknown");
   }
   void check_places() {
     QFETCH(QPointF, start);
@@ -153,7 +148,7 @@ class ScenarioCheckTest : public QObject {
     const auto said = check(oneWalker({5.0, 3.0}, {5.0, 8.0}), grid);
     QCOMPARE(said.size(), std::size_t(1));
     QVERIFY(said[0].severity == base::Severity::Error);
-    QVERIFY(said[0].message.find("fits neither there nor anywhere within 1 m") !=
+    QVERIFY(said[0].message.find("no free space for a body of radius 0.3 here or within 1 m") !=
             std::string::npos);
   }
 
@@ -163,7 +158,7 @@ class ScenarioCheckTest : public QObject {
     const auto said = check(scenario, dividedRoom(false));
     QCOMPARE(said.size(), std::size_t(1));
     QVERIFY(said[0].severity == base::Severity::Warning);
-    QVERIFY(said[0].message.find("anna: a wall stands in the straight line") == 0);
+    QVERIFY(said[0].message.find("anna: a wall blocks the straight line") == 0);
   }
 
   void check_door_closedCutsOffUnlessItOpens_data() {
@@ -189,7 +184,7 @@ class ScenarioCheckTest : public QObject {
     scenario.doors.push_back(door);
     const auto said = check(scenario, dividedRoom(true));
     const QString all = shown(said);
-    QVERIFY2(all.contains(QStringLiteral("there is no way")) != reachable, qPrintable(all));
+    QVERIFY2(all.contains(QStringLiteral("no path from the start")) != reachable, qPrintable(all));
   }
 
   void check_nobodyButASource_hasSomebody() {
@@ -286,7 +281,7 @@ class ScenarioCheckTest : public QObject {
     QTemporaryDir folder;
     Scenario scenario;
     scenario.map = "maps/yard.yaml";
-    FilePlaces places;
+    FileSearchPaths places;
     places.scenarioPath = folder.filePath(QStringLiteral("scenarios/a.yaml")).toStdString();
     places.shippedMaps = folder.filePath(QStringLiteral("shipped")).toStdString();
     const auto found = [&] {
@@ -326,7 +321,7 @@ class ScenarioCheckTest : public QObject {
     scenario.yamlBaseName = "base";
     Human human;
     human.id = 12;
-    FilePlaces places;
+    FileSearchPaths places;
     places.scenarioPath = folder.filePath(QStringLiteral("scenarios/a.yaml")).toStdString();
     const auto found = [&] { return QString::fromStdString(findTree(scenario, human, places)); };
     QVERIFY(found().isEmpty());

@@ -46,7 +46,7 @@ class ScenarioErrorsTest : public QObject {
       base::append(said,
                    checkScenario(reading.scenario, surroundings, name.toStdString(), knownNames()));
     }
-    addPlaces(said, reading.lines, name.toStdString());
+    addLocations(said, reading.lines, name.toStdString());
     const QString expected =
         QString::fromStdString(path).replace(QStringLiteral(".yaml"), QStringLiteral(".txt"));
     QCOMPARE(shown(said), QString::fromStdString(textOf(expected.toStdString())));
@@ -80,12 +80,12 @@ class ScenarioErrorsTest : public QObject {
     QTest::addColumn<QByteArray>("expected");
     QTest::newRow("names") << QByteArray("    agents:\n") << QByteArray("      - a\n") << 100001
                            << QByteArray(
-                                  "many.yaml:100004:9: error: more than 100000 people in agents: "
-                                  "that is the most\n");
+                                  "many.yaml:100004:9: error: more than 100000 people in agents, "
+                                  "which is the limit\n");
     QTest::newRow("blocks") << QByteArray() << QByteArray("    a#: {}\n") << 250001
                             << QByteArray(
-                                   "many.yaml:250003:5: error: more than 250000 keys in one map: "
-                                   "that is the most, of people 100000\n");
+                                   "many.yaml:250003:5: error: more than 250000 keys in one map, "
+                                   "which is the limit (100000 for people)\n");
   }
   /// What comes behind is not read: a file may be larger than the memory.
   void read_tooManyPeople_isOneErrorWithItsPlace() {

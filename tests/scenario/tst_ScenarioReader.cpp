@@ -332,7 +332,7 @@ class ScenarioReaderTest : public QObject {
     QVERIFY(reading.scenario.nextKey() > reading.scenario.areas.back().key.key);
     base::Diagnostics about = {base::warning("run.failed", {"something"})};
     about[0].entity = anna.key;
-    addPlaces(about, reading.lines, dataFile("block.yaml"));
+    addLocations(about, reading.lines, dataFile("block.yaml"));
     QCOMPARE(about[0].line, 24);
   }
 

@@ -68,8 +68,8 @@ class SetValueTest : public QObject {
     row("", "1", "unknown path ''");
     row("dt", "0.5", "dt: 0.5 must be from 0.001 to 0.1");
     row("seed", "1.5", "seed: '1.5' is not an integer");
-    row("seed", "", "seed: '' is no value");
-    row("seed", "[", "seed: '[' is no value");
+    row("seed", "", "seed: '' is not a value");
+    row("seed", "[", "seed: '[' is not a value");
     row("anna.max_vel", "fast", "anna.max_vel: 'fast' is not a number");
     row("anna.max_vel", ".nan", "anna.max_vel: .nan is not a finite number");
     row("anna.goals", "3", "anna.goals: must be a list of goal numbers");

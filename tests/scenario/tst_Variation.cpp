@@ -46,7 +46,7 @@ double below(double x) {
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-std::vector<double> drawsOf(const Spread& spread, Varied quantity) {
+std::vector<double> drawsOf(const Spread& spread, VariationQuantity quantity) {
   std::vector<double> values;
   values.reserve(kDraws);
   for (int person = 0; person < kDraws; ++person) {
@@ -145,7 +145,7 @@ void VariationTest::draws_manyPeople_meanAndDeviationAreThoseOfTheDistribution()
     mean = (from + to) / 2.0;
     deviation = (to - from) / std::sqrt(12.0);
   }
-  const std::vector<double> values = drawsOf(spread, Varied::Speed);
+  const std::vector<double> values = drawsOf(spread, VariationQuantity::Speed);
   for (const double value : values) {
     QVERIFY2(value >= low && value <= high, qPrintable(QString::number(value)));
   }
@@ -236,17 +236,17 @@ void VariationTest::firstGoal_oneWayRoute_staysWhole() {
 void VariationTest::spreadOf_ownKeys_comeBeforeThePreset() {
   VariationSettings settings;
   QVERIFY(!isVaried(settings));
-  settings.of(Varied::Speed).sd = 0.3;  // of no kind yet
+  settings.of(VariationQuantity::Speed).sd = 0.3;  // of no kind yet
   QVERIFY(!isVaried(settings));
   settings.preset = VariationPreset::Light;
   QVERIFY(isVaried(settings));
-  QVERIFY(spreadOf(settings, Varied::Speed).kind == SpreadKind::Normal);
-  QCOMPARE(spreadOf(settings, Varied::Speed).sd, 0.3);
-  QCOMPARE(spreadOf(settings, Varied::Speed).least, 0.1);  // not the preset's
-  QCOMPARE(spreadOf(settings, Varied::ReactionTime).least, 0.8);
-  settings.of(Varied::Start).kind = SpreadKind::None;
-  QVERIFY(spreadOf(settings, Varied::Start).kind == SpreadKind::None);
-  QVERIFY(spreadOf(settings, Varied::Heading).kind == SpreadKind::Normal);
+  QVERIFY(spreadOf(settings, VariationQuantity::Speed).kind == SpreadKind::Normal);
+  QCOMPARE(spreadOf(settings, VariationQuantity::Speed).sd, 0.3);
+  QCOMPARE(spreadOf(settings, VariationQuantity::Speed).least, 0.1);  // not the preset's
+  QCOMPARE(spreadOf(settings, VariationQuantity::ReactionTime).least, 0.8);
+  settings.of(VariationQuantity::Start).kind = SpreadKind::None;
+  QVERIFY(spreadOf(settings, VariationQuantity::Start).kind == SpreadKind::None);
+  QVERIFY(spreadOf(settings, VariationQuantity::Heading).kind == SpreadKind::Normal);
 }
 
 void VariationTest::read_everyKey_isThere() {
@@ -257,10 +257,10 @@ void VariationTest::read_everyKey_isThere() {
   QVERIFY2(reading.diagnostics.empty() || reading.ok(), qPrintable(shown(reading.diagnostics)));
   const VariationSettings& variation = reading.scenario.desktop.variation;
   QVERIFY(variation.preset == VariationPreset::Strong);
-  const SpreadSettings& start = variation.of(Varied::Start);
+  const SpreadSettings& start = variation.of(VariationQuantity::Start);
   QVERIFY(start.kind == SpreadKind::Uniform && start.halfWidth == 0.5);
   QVERIFY(start.min == -0.25 && start.max == 0.75 && !start.sd);
-  QVERIFY(variation.of(Varied::Speed).sd == 0.2);
+  QVERIFY(variation.of(VariationQuantity::Speed).sd == 0.2);
 }
 
 void VariationTest::read_badInput_errorWithLine_data() {
@@ -330,8 +330,8 @@ void VariationTest::setValue_presetAndQuantity() {
   QVERIFY(!base::hasErrors(setValue(scenario, "variation.speed.sd", "0.05")));
   QVERIFY(!base::hasErrors(setValue(scenario, "variation.first_goal.kind", "none")));
   QVERIFY(scenario.desktop.variation.preset == VariationPreset::Strong);
-  QVERIFY(scenario.desktop.variation.of(Varied::Speed).sd == 0.05);
-  QVERIFY(scenario.desktop.variation.of(Varied::FirstGoal).kind == SpreadKind::None);
+  QVERIFY(scenario.desktop.variation.of(VariationQuantity::Speed).sd == 0.05);
+  QVERIFY(scenario.desktop.variation.of(VariationQuantity::FirstGoal).kind == SpreadKind::None);
   const Scenario before = scenario;
   QVERIFY(base::hasErrors(setValue(scenario, "variation.preset", "much")));
   QVERIFY(base::hasErrors(setValue(scenario, "variation.speed.width", "1.0")));

@@ -13,7 +13,7 @@ class InputsTest : public QObject {
 };
 
 void InputsTest::rows_ofEachKind_readBackEqual() {
-  std::string text = inputsHead();
+  std::string text = inputsHeader();
   RecordedInputs written;
   for (const InputKind kind : {InputKind::Robot, InputKind::Open, InputKind::Close, InputKind::Move,
                                InputKind::Add, InputKind::Set, InputKind::Push, InputKind::Stop,
@@ -46,21 +46,19 @@ void InputsTest::parse_brokenRows_areToldWithPlace_data() {
   row("unknown kind", "1,kick,2,,0,0,0,0,0,0,0,0\n", "inputs.csv:2:3: error: unknown input 'kick'");
   row("no number", "1,move,2,,0,nan,0,0,0,0,0,0\n",
       "inputs.csv:2:13: error: not a finite number: 'nan'");
-  row("no id", "1,move,x,,0,0,0,0,0,0,0,0\n",
-      "inputs.csv:2:8: error: id is not a whole number: 'x'");
+  row("no id", "1,move,x,,0,0,0,0,0,0,0,0\n", "inputs.csv:2:8: error: id is not an integer: 'x'");
   row("short", "1,move,2\n", "inputs.csv:2:8: error: the line has 3 fields instead of 12");
   row("cut", "1,move,2,,0,0,0,0,0,0,0,0",
-      "inputs.csv:2:25: error: the file ends inside this line "
-      "(cut?)");
+      "inputs.csv:2:25: error: the file ends inside this line (truncated?)");
   row("backwards", "3,move,2,,0,0,0,0,0,0,0,0\n2,move,2,,0,0,0,0,0,0,0,0\n",
-      "inputs.csv:3:1: error: steps run backwards");
+      "inputs.csv:3:1: error: steps decrease");
 }
 
 void InputsTest::parse_brokenRows_areToldWithPlace() {
   QFETCH(QString, rows);
   QFETCH(QString, problem);
   const base::Result<RecordedInputs> read =
-      parseInputs(inputsHead() + rows.toStdString(), "inputs.csv");
+      parseInputs(inputsHeader() + rows.toStdString(), "inputs.csv");
   QVERIFY(!read);
   QCOMPARE(QString::fromStdString(read.diagnostics().front().text()), problem);
   QVERIFY(!parseInputs("step,id\n", "inputs.csv"));

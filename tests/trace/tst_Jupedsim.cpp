@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "sim2d/trace/WalkableArea.h"
-#include "tests/trace/ForeignTest.h"
+#include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
@@ -72,13 +72,13 @@ class JupedsimTest : public QObject {
   void noRate_asksForIt() {
     const std::string path = written("r.sqlite", {kTables, kRows});
     QVERIFY(textOf(read(path).diagnostics()).find("--fps F") != std::string::npos);
-    ForeignOptions options;
+    TrackImportOptions options;
     options.framesPerSecond = 5.0;
     QVERIFY(isNear(trackOf(*read(path, options), 5)->points[1].time, 0.2));
   }
   void badFiles_areErrors() {
     const auto told = [](const std::string& path) {
-      ForeignOptions options;
+      TrackImportOptions options;
       options.format = "jupedsim";
       return read(path, options).diagnostics();
     };

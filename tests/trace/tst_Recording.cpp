@@ -270,7 +270,7 @@ void RecordingTest::readRecording_folder_isWhatWasRecorded() {
   const auto without = readRecording(path);
   QVERIFY(without && (*without)->treeAt(1, 50).paths == nullptr);
   QVERIFY(base::writeFileAtomically(path + "trees.csv", recording.treesCsv()).empty());
-  std::string inputs = inputsHead();
+  std::string inputs = inputsHeader();
   appendInputRow(inputs, recording.inputs()[0].first, recording.inputs()[0].second);
   QVERIFY(base::writeFileAtomically(path + "inputs.csv", inputs).empty());
   const auto read = readRecording(path);

@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "sim2d/trace/RecordExport.h"
-#include "tests/trace/ForeignTest.h"
+#include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
@@ -136,7 +136,7 @@ class Socnav3Test : public QObject {
     const std::string path = files_.add(
         "rate.json", R"({"sequence": [{"robot": {"x": 0, "y": 0}}, {"robot": {"x": 1, "y": 0}}]})");
     QVERIFY(textOf(read(path).diagnostics()).find("--fps F") != std::string::npos);
-    ForeignOptions options;
+    TrackImportOptions options;
     options.framesPerSecond = 4.0;
     QVERIFY(isNear(read(path, options)->tracks[0].points[1].time, 0.25));
   }
@@ -154,7 +154,7 @@ class Socnav3Test : public QObject {
     QVERIFY2(told.find("bad.json:4: error: 'timestamp' is missing") != std::string::npos,
              told.c_str());
     QVERIFY2(told.find("bad.json:5: error: 'id' is missing") != std::string::npos, told.c_str());
-    ForeignOptions options;
+    TrackImportOptions options;
     options.format = "socnav3";
     QVERIFY(tells(read(files_.add("none.json", "{\"a\": 1}"), options).diagnostics(),
                   "tracks.no-sequence"));

@@ -191,14 +191,15 @@ void TraceTest::readTrace_badFile_namesPlace_data() {
       << QByteArray("trajectory.csv:8:15: error: x is not");
   QTest::newRow("time backwards") << rows << QByteArray("\n3,0.30000000000000004,3")
                                   << QByteArray("\n1,0.1,3")
-                                  << QByteArray("trajectory.csv:10:1: error: step and time run");
+                                  << QByteArray(
+                                         "trajectory.csv:10:1: error: step and time decrease");
   QTest::newRow("time off the grid") << rows << QByteArray("\n1,0.1,3") << QByteArray("\n1,0.15,3")
                                      << QByteArray("trajectory.csv:4:3: error: time is not step");
   QTest::newRow("unknown person") << rows << QByteArray("\n1,0.1,7") << QByteArray("\n1,0.1,8")
                                   << QByteArray("trajectory.csv:5:7: error: id 8 is not in");
   QTest::newRow("robot without row")
       << rows << QByteArray("1,0.1,-1,robot,1,2,0,0.5,0,-0.25,-1,0,\n") << QByteArray()
-      << QByteArray("step 1 lacks a robot");
+      << QByteArray("step 1 has no row for a robot");
   QTest::newRow("field missing") << rows << QByteArray("2,0.2,-1,robot,") << QByteArray("2,0.2,-1,")
                                  << QByteArray("trajectory.csv:9:");
   QTest::newRow("columns") << rows << QByteArray("step,time,id") << QByteArray("step,id,time")
@@ -227,7 +228,7 @@ void TraceTest::readTrace_badFile_namesPlace_data() {
   QTest::newRow("too many cells")
       << QByteArray("trace.json") << QByteArray("\"width\":3,\"height\":2")
       << QByteArray("\"width\":2000000000,\"height\":2000000000")
-      << QByteArray("map: must be 100000000 cells at most, not 2000000000 x 2000000000");
+      << QByteArray("map: must have at most 100000000 cells, not 2000000000 x 2000000000");
 }
 
 void TraceTest::readTrace_badFile_namesPlace() {

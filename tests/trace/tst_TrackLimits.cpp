@@ -4,9 +4,9 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
-#include "sim2d/trace/JsonPlaces.h"
+#include "sim2d/trace/JsonInput.h"
 #include "tests/support/Sanitizers.h"
-#include "tests/trace/ForeignTest.h"
+#include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
@@ -179,7 +179,7 @@ class TrackLimitsTest : public QObject {
     for (int k = 0; k < 2000000; ++k) {
       text += "a\n";
     }
-    ForeignOptions options;
+    TrackImportOptions options;
     options.format = "trajnet";
     const base::Diagnostics told = read(files_.add("rows.txt", text), options).diagnostics();
     QVERIFY(tells(told, "tracks.more-of-a-kind") && told.size() < 20);
@@ -191,12 +191,12 @@ class TrackLimitsTest : public QObject {
       deep += "{\"a\":";
     }
     deep += "1" + std::string(100000, '}');
-    QCOMPARE(sim2d::JsonPlaces(deep).lineOf("a.a.a"), 1);
+    QCOMPARE(sim2d::JsonLineIndex(deep).lineOf("a.a.a"), 1);
     std::string list = "{\"" + std::string(300000, 'k') + "\": [";
     for (int k = 0; k < 100000; ++k) {
       list += "{},";
     }
-    QCOMPARE(sim2d::JsonPlaces(list + "{}]}").lineOf("a"), 0);
+    QCOMPARE(sim2d::JsonLineIndex(list + "{}]}").lineOf("a"), 0);
   }
 
  private:

@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "tests/trace/ForeignTest.h"
+#include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
@@ -147,7 +147,7 @@ class TrackMetadataTest : public QObject {
     QVERIFY(textOf(read(path).diagnostics())
                 .find("two frame rates are stated, 25 and 16 (choose with --fps F)") !=
             std::string::npos);
-    ForeignOptions options;
+    TrackImportOptions options;
     options.framesPerSecond = 10.0;
     QVERIFY(isNear(secondTime(read(path, options)), 0.1));
   }
@@ -178,7 +178,7 @@ class TrackMetadataTest : public QObject {
       const std::string told = textOf(read(path).diagnostics());
       QVERIFY2(told.find("--fps F") != std::string::npos, told.c_str());
       QVERIFY2(told.find("--unit m, cm or mm") != std::string::npos, told.c_str());
-      ForeignOptions options;
+      TrackImportOptions options;
       options.framesPerSecond = 16.0;
       const base::Result<TrackFile> metres = read(path, options);
       QVERIFY(metres && tells(metres.diagnostics(), "tracks.no-unit"));
@@ -221,7 +221,7 @@ class TrackMetadataTest : public QObject {
     QVERIFY(isNear(file->tracks[0].points[1].position.x(), 3.0));
   }
   void columns_ofNumbers_areSaid() {
-    ForeignOptions options = withColumns("frame=2,id=1");
+    TrackImportOptions options = withColumns("frame=2,id=1");
     options.framesPerSecond = 2.0;
     options.format = "trajnet";
     const base::Result<TrackFile> rows =
@@ -263,7 +263,7 @@ class TrackMetadataTest : public QObject {
     QVERIFY(isNear(secondTime(file), 0.5));
     QCOMPARE(file->tracks[0].points[1].position, base::Vec2(1.5, 2.0));
     QVERIFY(isNear(*file->tracks[0].points[0].heading, base::kPi / 2.0));
-    ForeignOptions options;  // options of the user take precedence
+    TrackImportOptions options;  // options of the user take precedence
     options.lengthUnit = 1e-3;
     const base::Result<TrackFile> given =
         read(files_.add("units.csv", header.toStdString() + "0,1,100,200,90\n500,1,150,200,90\n"),
@@ -275,7 +275,7 @@ class TrackMetadataTest : public QObject {
     const std::string told = textOf(read(path).diagnostics());
     QVERIFY2(told.find("x and y have different units (--unit METRES)") != std::string::npos,
              told.c_str());
-    ForeignOptions options;
+    TrackImportOptions options;
     options.lengthUnit = 0.1;
     const base::Result<TrackFile> file = read(path, options);
     QVERIFY2(file, textOf(file.diagnostics()).c_str());
@@ -320,7 +320,7 @@ class TrackMetadataTest : public QObject {
     const std::string path = files_.add("film.vsp", "1\n2\n-60.0 88.0 0 90.0\n40.0 -12.0 20 0.0\n");
     const std::string told = textOf(read(path).diagnostics());
     QVERIFY2(told.find("--unit METRES") != std::string::npos, told.c_str());
-    ForeignOptions options;
+    TrackImportOptions options;
     options.lengthUnit = 0.02;
     const base::Result<TrackFile> file = read(path, options);
     QVERIFY2(file, textOf(file.diagnostics()).c_str());
@@ -341,7 +341,7 @@ class TrackMetadataTest : public QObject {
         "hall.scenario",
         R"({"name": "hall", "scenario": {"attributesSimulation": {"simTimeStepLength": 0.1}}})");
     QVERIFY(isNear(secondTime(read(path)), 0.1));
-    ForeignOptions options;
+    TrackImportOptions options;
     options.framesPerSecond = 5.0;
     QVERIFY(isNear(secondTime(read(path, options)), 0.2));
     folder.add("hall.scenario", "{");
@@ -350,7 +350,7 @@ class TrackMetadataTest : public QObject {
   void trajnet_rate_standsInAComment() {
     QVERIFY(isNear(secondTime(read(files_.add("r.txt", "# fps: 5\n0 1 0 0\n1 1 1 0\n2 1 2 0\n"),
                                    [] {
-                                     ForeignOptions options;
+                                     TrackImportOptions options;
                                      options.format = "trajnet";
                                      return options;
                                    }())),

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "tests/trace/ForeignTest.h"
+#include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "tests/trace/ForeignTest.h"
+#include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
@@ -108,8 +108,7 @@ class TrackTablesTest : public QObject {
         textOf(read(files_.add("times.pp",
                                record("m", "$PEDESTRIAN:NO;COORDCENTX;COORDCENTY\n", "1;1;1\n")))
                    .diagnostics());
-    QVERIFY2(times.find("no column of times (--columns time=NAME") != std::string::npos,
-             times.c_str());
+    QVERIFY2(times.find("no time column (--columns time=NAME") != std::string::npos, times.c_str());
   }
   void viswalk_badRow_hasItsPlace() {
     const std::string told = textOf(

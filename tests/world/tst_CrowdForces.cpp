@@ -30,7 +30,7 @@ struct Crowd {
   std::vector<Walker> walkers;
   std::vector<char> present;
   std::vector<ForceParameters> parameters;
-  std::vector<SocialLaw> laws;
+  std::vector<CrowdForceModel> forceModels;
   std::vector<double> room;
   double size = 0.0;  // of the square [m]
 
@@ -56,9 +56,9 @@ struct Crowd {
     connect();
   }
   void connect() {
-    laws.resize(walkers.size());
+    forceModels.resize(walkers.size());
     for (std::size_t i = 0; i < walkers.size(); ++i) {
-      laws[i].parameters = &parameters[i];
+      forceModels[i].parameters = &parameters[i];
     }
   }
 };
@@ -70,10 +70,10 @@ bool seesAll(std::size_t /*self*/, std::size_t /*other*/) {
 using Sight = std::function<bool(std::size_t, std::size_t)>;
 
 std::vector<Vec2> fastForces(const Crowd& crowd, const Sight& isVisible = seesAll,
-                             VectorPath path = fastestVectorPath(), int threads = 1) {
+                             SimdLevel path = fastestSimdLevel(), int threads = 1) {
   CrowdForces forces(path);
   WorkerPool workers(threads);
-  forces.compute({crowd.walkers, crowd.present, crowd.laws, crowd.room, isVisible}, workers);
+  forces.compute({crowd.walkers, crowd.present, crowd.forceModels, crowd.room, isVisible}, workers);
   return forces.forces();
 }
 
@@ -83,9 +83,10 @@ std::vector<Vec2> exactForces(const Crowd& crowd, const Sight& isVisible = seesA
   for (std::size_t i = 0; i < sums.size(); ++i) {
     for (std::size_t k = 0; k < sums.size(); ++k) {
       if (i != k && crowd.present[i] != 0 && crowd.present[k] != 0 &&
-          crowd.laws[i].parameters != nullptr &&
-          (crowd.laws[i].goesThroughWalls || isVisible(i, k))) {
-        sums[i] += socialForce(*crowd.laws[i].parameters, crowd.walkers[i], crowd.walkers[k]);
+          crowd.forceModels[i].parameters != nullptr &&
+          (crowd.forceModels[i].goesThroughWalls || isVisible(i, k))) {
+        sums[i] +=
+            socialForce(*crowd.forceModels[i].parameters, crowd.walkers[i], crowd.walkers[k]);
       }
     }
   }
@@ -218,7 +219,7 @@ void CrowdForcesTest::compute_mixedPeople_withinAQuarterPercent() {
     crowd.walkers[i].velocity *= draws.between(0.0, 1.6);
     crowd.present[i] = i % 9 == 0 ? 0 : 1;
     if (i % 7 == 0) {
-      crowd.laws[i].parameters = nullptr;
+      crowd.forceModels[i].parameters = nullptr;
     }
   }
   const std::vector<Vec2> found = fastForces(crowd);
@@ -233,7 +234,7 @@ void CrowdForcesTest::compute_wallBetween_cutsTheForce() {
   const double middle = crowd.size / 2.0;
   for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
     crowd.room[i] = std::fabs(crowd.walkers[i].position.x() - middle);
-    crowd.laws[i].goesThroughWalls = i % 5 == 0;
+    crowd.forceModels[i].goesThroughWalls = i % 5 == 0;
   }
   const Sight isOnTheSameSide = [&](std::size_t self, std::size_t other) {
     return (crowd.walkers[self].position.x() < middle) ==
@@ -272,15 +273,15 @@ void CrowdForcesTest::compute_thirtySeconds_positionsWithinACentimetre() {
 
 void CrowdForcesTest::compute_everyPath_givesTheSameBits_data() {
   QTest::addColumn<int>("path");
-  for (const VectorPath path : {VectorPath::Avx2, VectorPath::Avx512}) {
-    QTest::newRow(vectorPathName(path)) << static_cast<int>(path);
+  for (const SimdLevel path : {SimdLevel::Avx2, SimdLevel::Avx512}) {
+    QTest::newRow(simdLevelName(path)) << static_cast<int>(path);
   }
 }
 
 void CrowdForcesTest::compute_everyPath_givesTheSameBits() {
   QFETCH(int, path);
-  const auto other = static_cast<VectorPath>(path);
-  if (!hasVectorPath(other)) {
+  const auto other = static_cast<SimdLevel>(path);
+  if (!isSimdLevelSupported(other)) {
     QSKIP("This processor has no such instructions.");
   }
   Crowd crowd = developedCrowd(700);
@@ -289,15 +290,15 @@ void CrowdForcesTest::compute_everyPath_givesTheSameBits() {
     crowd.parameters[i].socialFactor = 3.0 + static_cast<double>(i % 11);
   }
   const Sight seesSome = [](std::size_t self, std::size_t with) { return (self + with) % 4 != 0; };
-  QVERIFY(areSameBits(fastForces(crowd, seesSome, VectorPath::Sse2),
+  QVERIFY(areSameBits(fastForces(crowd, seesSome, SimdLevel::Sse2),
                       fastForces(crowd, seesSome, other)));
 }
 
 void CrowdForcesTest::compute_everyThreadCount_givesTheSameBits() {
   const Crowd crowd = developedCrowd(700);
   const std::vector<Vec2> one = fastForces(crowd);
-  QVERIFY(areSameBits(one, fastForces(crowd, seesAll, fastestVectorPath(), 2)));
-  QVERIFY(areSameBits(one, fastForces(crowd, seesAll, fastestVectorPath(), 8)));
+  QVERIFY(areSameBits(one, fastForces(crowd, seesAll, fastestSimdLevel(), 2)));
+  QVERIFY(areSameBits(one, fastForces(crowd, seesAll, fastestSimdLevel(), 8)));
 }
 
 /// What earlier steps left behind only says where nobody needs to be looked for.
@@ -312,7 +313,8 @@ void CrowdForcesTest::compute_afterOtherSpeeds_givesTheSameBits() {
     for (Walker& walker : crowd.walkers) {
       walker.velocity *= faster;
     }
-    forces.compute({crowd.walkers, crowd.present, crowd.laws, crowd.room, isVisible}, workers);
+    forces.compute({crowd.walkers, crowd.present, crowd.forceModels, crowd.room, isVisible},
+                   workers);
     if (step % 8 == 7) {
       QVERIFY2(areSameBits(forces.forces(), fastForces(crowd)), qPrintable(QString::number(step)));
     }
@@ -376,8 +378,8 @@ void CrowdForcesTest::compute_oneNeighbour_equalsThePair() {
   crowd.walkers[0].velocity = Vec2(1.3, 0.0);
   crowd.walkers[1].position = crowd.walkers[0].position + apart;
   crowd.walkers[1].velocity = velocity;
-  for (const VectorPath path : {VectorPath::Sse2, VectorPath::Avx2, VectorPath::Avx512}) {
-    if (hasVectorPath(path)) {
+  for (const SimdLevel path : {SimdLevel::Sse2, SimdLevel::Avx2, SimdLevel::Avx512}) {
+    if (isSimdLevelSupported(path)) {
       const std::vector<Vec2> found = fastForces(crowd, seesAll, path);
       const std::vector<Vec2> exact = exactForces(crowd);
       // Below the bound a pair may be left out: 5e-5 of k_s = 5.

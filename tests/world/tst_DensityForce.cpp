@@ -40,7 +40,7 @@ Vec2 stepped(const DensityParameters& parameters, const Pedestrian& self,
   if (velocity.norm() > self.desired.desiredSpeed) {
     velocity *= self.desired.desiredSpeed / velocity.norm();
   }
-  return guardContacts(parameters, self, others, points, velocity, kDt);
+  return avoidContacts(parameters, self, others, points, velocity, kDt);
 }
 
 bool isNear(const Vec2& a, const Vec2& b, double tolerance = kRounding) {
@@ -149,7 +149,7 @@ void DensityForceTest::densityForce_everythingOff_isThePlainModel() {
   plain.brakingShare = 1.0;
   plain.timeGap = 1e-9;
   plain.crowdWallShare = 1.0;
-  plain.mateTurnWidth = 0.0;
+  plain.groupTurnWidth = 0.0;
   plain.pushBackLimit = std::numeric_limits<double>::infinity();
   const Pedestrian self = pedestrian(0, Vec2::Zero(), Vec2(1.1, 0.1), Vec2(1.0, 0.0));
   for (int i = 0; i < 200; ++i) {
@@ -245,8 +245,8 @@ void DensityForceTest::guardContacts_touchingAbreast_largerIdYields() {
   const Pedestrian first = pedestrian(1, Vec2(0.0, 0.2), Vec2(1.0, 0.0), Vec2(1.0, 0.0));
   const Pedestrian second = pedestrian(2, Vec2(0.0, -0.2), Vec2(1.0, 0.0), Vec2(1.0, 0.0));
   const Vec2 ahead(1.0, 0.0);
-  QVERIFY(isNear(guardContacts(standard(), first, {second}, {}, ahead, kDt), ahead));
-  QVERIFY(isNear(guardContacts(standard(), second, {first}, {}, ahead, kDt), Vec2(1.0, -0.15)));
+  QVERIFY(isNear(avoidContacts(standard(), first, {second}, {}, ahead, kDt), ahead));
+  QVERIFY(isNear(avoidContacts(standard(), second, {first}, {}, ahead, kDt), Vec2(1.0, -0.15)));
 }
 
 /// Three before a door: the one in the middle must let go those at both sides, to get out of which
@@ -255,7 +255,7 @@ void DensityForceTest::guardContacts_betweenTwoToGiveWayTo_goesBack() {
   const Pedestrian self = pedestrian(55, Vec2(-0.507, -0.081), Vec2::Zero(), Vec2(1.0, 0.0));
   const Pedestrian right = pedestrian(56, Vec2(-0.178, -0.308), Vec2::Zero(), Vec2(0.976, 0.218));
   const Pedestrian left = pedestrian(13, Vec2(-0.471, 0.330), Vec2::Zero(), Vec2(0.985, -0.17));
-  const Vec2 velocity = guardContacts(standard(), self, {left, right}, {}, Vec2(0.3, 0.0), kDt);
+  const Vec2 velocity = avoidContacts(standard(), self, {left, right}, {}, Vec2(0.3, 0.0), kDt);
   for (const Pedestrian& other : {left, right}) {
     const Vec2 apart = other.body.position - self.body.position;
     const double gap = apart.norm() - 0.4;
@@ -269,13 +269,13 @@ void DensityForceTest::guardContacts_otherLeaves_mayFollow() {
   const Vec2 way(1.0, 0.0);
   const Pedestrian self = pedestrian(1, Vec2::Zero(), way, way);
   const Pedestrian other = pedestrian(2, Vec2(0.415, 0.0), Vec2(0.2, 0.0), way);
-  QVERIFY(isNear(guardContacts(standard(), self, {other}, {}, way, kDt), Vec2(0.125, 0.0)));
+  QVERIFY(isNear(avoidContacts(standard(), self, {other}, {}, way, kDt), Vec2(0.125, 0.0)));
 }
 
 void DensityForceTest::guardContacts_insideAWall_leadsOut() {
   const Pedestrian self = pedestrian(1, Vec2::Zero(), Vec2::Zero(), Vec2(1.0, 0.0));
   const Obstacles::Point wayOut{Vec2(0.0, 0.1), 0.1, true, 0};
-  QVERIFY(guardContacts(standard(), self, {}, {wayOut}, Vec2::Zero(), kDt).y() > 0.29);
+  QVERIFY(avoidContacts(standard(), self, {}, {wayOut}, Vec2::Zero(), kDt).y() > 0.29);
 }
 
 void DensityForceTest::limitedObstacleForce_walkingIntoAWall_isLimited() {

@@ -38,7 +38,7 @@ struct Place {
         std::vector<Vec2>{kFrom - Vec2(2.0, 2.0), kNext + Vec2(2.0, 2.0)});
   }
   std::optional<Vec2> beside(const std::vector<StandingBody>& standing) {
-    return placeBeside(standing, kRadius, kFrom, kNext, *navigation);
+    return passingPoint(standing, kRadius, kFrom, kNext, *navigation);
   }
   Obstacles obstacles;
   std::unique_ptr<NavigationMap> navigation;
@@ -100,10 +100,11 @@ void DetourTest::follower_goesRoundAndOn() {
   bool wasStuck = false;
   for (int step = 0; step < 300; ++step) {
     request.time = 0.05 * step;
-    const RouteFollower::Leg leg = follower.follow(request, *plane.navigation, plane.obstacles);
+    const RouteFollower::Guidance leg =
+        follower.follow(request, *plane.navigation, plane.obstacles);
     if (leg.stuck) {
       wasStuck = true;
-      follower.goRound(request, {robot}, *plane.navigation);
+      follower.insertDetour(request, {robot}, *plane.navigation);
       continue;
     }
     request.position += 0.05 * leg.direction;

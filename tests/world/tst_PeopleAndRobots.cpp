@@ -5,7 +5,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/FootprintGap.h"
-#include "sim2d/world/GivingWay.h"
+#include "sim2d/world/YieldModel.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -140,7 +140,7 @@ void addWallWithDoors(Scenario& scenario, const std::vector<double>& doors, doub
 
 void PeopleAndRobotsTest::addModels() {
   QTest::addColumn<QString>("model");
-  for (const std::string& name : programRegistries().models.names()) {
+  for (const std::string& name : builtinRegistries().models.names()) {
     if (name != "sfm-hunav2") {
       QTest::newRow(name.c_str()) << QString::fromStdString(name);
     }
@@ -151,11 +151,11 @@ void PeopleAndRobotsTest::addModels() {
 void PeopleAndRobotsTest::closingSpeed_leavesRoomToStop() {
   for (const double speed : {0.1, 0.5, 1.0, 1.5, 2.0}) {
     const double room = speed * 0.3 + speed * speed / (2.0 * 1.5);
-    QVERIFY(std::fabs(closingSpeedFor(room) - speed) < 1e-9);
+    QVERIFY(std::fabs(maxClosingSpeed(room) - speed) < 1e-9);
   }
-  QCOMPARE(closingSpeedFor(0.0), 0.0);
-  QVERIFY(std::fabs(closingSpeedFor(-0.05) + 0.1) < 1e-9);
-  QCOMPARE(closingSpeedFor(-1.0), -0.3);
+  QCOMPARE(maxClosingSpeed(0.0), 0.0);
+  QVERIFY(std::fabs(maxClosingSpeed(-0.05) + 0.1) < 1e-9);
+  QCOMPARE(maxClosingSpeed(-1.0), -0.3);
 }
 
 void PeopleAndRobotsTest::parkedRobot_onTheLine_isPassedWithRoom() {
@@ -253,7 +253,7 @@ void PeopleAndRobotsTest::robotComesThroughDoorway_isLetThrough() {
 void PeopleAndRobotsTest::crossingRobot_inView_isNotTouched_data() {
   QTest::addColumn<QString>("model");
   QTest::addColumn<double>("ahead");  // the robot is at the crossing before the person [s]
-  for (const std::string& name : programRegistries().models.names()) {
+  for (const std::string& name : builtinRegistries().models.names()) {
     for (const int tenths : {-8, -4, 0, 4, 8}) {
       if (name != "sfm-hunav2") {
         QTest::addRow("%s %d", name.c_str(), tenths)

@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/world/realism/RealismTest.h"
 
 using namespace sim2d;

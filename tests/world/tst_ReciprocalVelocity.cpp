@@ -49,27 +49,27 @@ class ReciprocalVelocityTest : public QObject {
 };
 
 void ReciprocalVelocityTest::nearestAllowed_corner_isFound() {
-  QVERIFY(
-      isNear(nearestAllowed({below(0.3), leftOf(0.4)}, 0, Vec2(1.0, 1.0), 2.0), Vec2(0.4, 0.3)));
+  QVERIFY(isNear(nearestFeasibleVelocity({below(0.3), leftOf(0.4)}, 0, Vec2(1.0, 1.0), 2.0),
+                 Vec2(0.4, 0.3)));
 }
 
 void ReciprocalVelocityTest::nearestAllowed_nothingInTheWay_isTheWantedVelocity() {
-  QVERIFY(isNear(nearestAllowed({below(0.3)}, 0, Vec2(1.0, 0.2), 2.0), Vec2(1.0, 0.2)));
-  QVERIFY(isNear(nearestAllowed({}, 0, Vec2(-1.0, 0.2), 2.0), Vec2(-1.0, 0.2)));
+  QVERIFY(isNear(nearestFeasibleVelocity({below(0.3)}, 0, Vec2(1.0, 0.2), 2.0), Vec2(1.0, 0.2)));
+  QVERIFY(isNear(nearestFeasibleVelocity({}, 0, Vec2(-1.0, 0.2), 2.0), Vec2(-1.0, 0.2)));
 }
 
 void ReciprocalVelocityTest::nearestAllowed_fasterThanAllowed_isCut() {
-  QVERIFY(isNear(nearestAllowed({}, 0, Vec2(3.0, 4.0), 1.0), Vec2(0.6, 0.8)));
-  QVERIFY(isNear(nearestAllowed({below(0.6)}, 0, Vec2(0.0, 4.0), 1.0), Vec2(0.0, 0.6)));
+  QVERIFY(isNear(nearestFeasibleVelocity({}, 0, Vec2(3.0, 4.0), 1.0), Vec2(0.6, 0.8)));
+  QVERIFY(isNear(nearestFeasibleVelocity({below(0.6)}, 0, Vec2(0.0, 4.0), 1.0), Vec2(0.0, 0.6)));
 }
 
 void ReciprocalVelocityTest::nearestAllowed_contradiction_isSharedEvenly() {
-  const Vec2 found = nearestAllowed({below(-0.3), above(0.5)}, 0, Vec2(0.2, 0.0), 2.0);
+  const Vec2 found = nearestFeasibleVelocity({below(-0.3), above(0.5)}, 0, Vec2(0.2, 0.0), 2.0);
   QVERIFY(std::fabs(found.y() - 0.1) < 1e-9);
 }
 
 void ReciprocalVelocityTest::nearestAllowed_contradiction_keepsWalls() {
-  const Vec2 found = nearestAllowed({below(-0.3), above(0.5)}, 1, Vec2(0.2, 0.0), 2.0);
+  const Vec2 found = nearestFeasibleVelocity({below(-0.3), above(0.5)}, 1, Vec2(0.2, 0.0), 2.0);
   QVERIFY(found.y() <= -0.3 + 1e-9);
 }
 
@@ -83,7 +83,7 @@ void ReciprocalVelocityTest::nearestAllowed_manyPlanes_isAsNearAsASearchFinds() 
       planes.push_back({Vec2(-0.4 * -direction.y(), -0.4 * direction.x()), direction});
     }
     const Vec2 wanted = 1.3 * Vec2(std::cos(0.9 * example), std::sin(0.9 * example));
-    const Vec2 found = nearestAllowed(planes, 0, wanted, 1.3);
+    const Vec2 found = nearestFeasibleVelocity(planes, 0, wanted, 1.3);
     for (const HalfPlane& plane : planes) {
       QVERIFY(plane.violation(found) <= 1e-9);
     }
@@ -105,8 +105,8 @@ void ReciprocalVelocityTest::nearestAllowed_manyPlanes_isAsNearAsASearchFinds() 
 
 /// At rest, 3 m apart, horizon 2 s: contact needs 1 m/s of closing speed; there is room.
 void ReciprocalVelocityTest::avoidBody_behindTheDisc_takesHalf() {
-  const HalfPlane plane = avoidBody(walker(1, Vec2::Zero(), Vec2::Zero()),
-                                    walker(2, Vec2(3.0, 0.0), Vec2::Zero()), 2.0, 0.05);
+  const HalfPlane plane = bodyHalfPlane(walker(1, Vec2::Zero(), Vec2::Zero()),
+                                        walker(2, Vec2(3.0, 0.0), Vec2::Zero()), 2.0, 0.05);
   QVERIFY(std::fabs(plane.violation(Vec2(0.5, 0.0))) < 1e-9);
   QVERIFY(plane.violation(Vec2(0.51, 0.0)) > 0.0 && plane.violation(Vec2(0.49, 0.0)) < 0.0);
 }
@@ -114,8 +114,8 @@ void ReciprocalVelocityTest::avoidBody_behindTheDisc_takesHalf() {
 /// Other 2 m ahead and reach 1 m: the legs of the cone rise at 30 degrees.
 void ReciprocalVelocityTest::avoidBody_sideways_touchesTheCone() {
   const Vec2 velocity(2.0, 0.5);
-  const HalfPlane plane = avoidBody(walker(1, Vec2::Zero(), velocity),
-                                    walker(2, Vec2(2.0, 0.0), Vec2::Zero()), 2.0, 0.05, 1.0);
+  const HalfPlane plane = bodyHalfPlane(walker(1, Vec2::Zero(), velocity),
+                                        walker(2, Vec2(2.0, 0.0), Vec2::Zero()), 2.0, 0.05, 1.0);
   const Vec2 leg(std::sqrt(0.75), 0.5);
   QVERIFY(isNear(plane.direction, leg, 1e-12));
   QVERIFY(std::fabs(plane.violation(Vec2::Zero())) < 1e-12);
@@ -125,9 +125,10 @@ void ReciprocalVelocityTest::avoidBody_sideways_touchesTheCone() {
 void ReciprocalVelocityTest::avoidBody_bothGiveWay_missEachOther() {
   const Walker first = walker(1, Vec2::Zero(), Vec2(1.0, 0.05));
   const Walker second = walker(2, Vec2(3.0, 0.0), Vec2(-1.0, -0.05));
-  const Vec2 mine = nearestAllowed({avoidBody(first, second, 2.0, 0.05)}, 0, first.velocity, 2.0);
+  const Vec2 mine =
+      nearestFeasibleVelocity({bodyHalfPlane(first, second, 2.0, 0.05)}, 0, first.velocity, 2.0);
   const Vec2 others =
-      nearestAllowed({avoidBody(second, first, 2.0, 0.05)}, 0, second.velocity, 2.0);
+      nearestFeasibleVelocity({bodyHalfPlane(second, first, 2.0, 0.05)}, 0, second.velocity, 2.0);
   double least = 1e9;
   for (int i = 0; i <= 200; ++i) {
     const Vec2 apart = second.position - first.position + 0.01 * i * (others - mine);
@@ -139,17 +140,17 @@ void ReciprocalVelocityTest::avoidBody_bothGiveWay_missEachOther() {
 void ReciprocalVelocityTest::avoidBody_overlap_parts() {
   const Walker first = walker(1, Vec2::Zero(), Vec2::Zero());
   const Walker second = walker(2, Vec2(0.9, 0.0), Vec2::Zero());
-  const HalfPlane plane = avoidBody(first, second, 2.0, 0.05);
+  const HalfPlane plane = bodyHalfPlane(first, second, 2.0, 0.05);
   QVERIFY(plane.violation(Vec2::Zero()) > 0.0);
   QVERIFY(plane.violation(Vec2(-1.0, 0.0)) <= 1e-9);  // half of 0.1 m in 0.05 s
 }
 
 void ReciprocalVelocityTest::avoidPoint_wall_limitsTheSpeedTowardsIt() {
   const Walker self = walker(1, Vec2::Zero(), Vec2::Zero());
-  const HalfPlane outside = avoidPoint(self, {Vec2(0.0, 0.8), 0.8, false, 0}, 1.0, 0.05);
+  const HalfPlane outside = pointHalfPlane(self, {Vec2(0.0, 0.8), 0.8, false, 0}, 1.0, 0.05);
   QVERIFY(std::fabs(outside.violation(Vec2(2.0, 0.3))) < 1e-12);
   QVERIFY(outside.violation(Vec2(0.0, 0.31)) > 0.0);
-  const HalfPlane inside = avoidPoint(self, {Vec2(0.0, 0.8), 0.8, true, 0}, 1.0, 0.05);
+  const HalfPlane inside = pointHalfPlane(self, {Vec2(0.0, 0.8), 0.8, true, 0}, 1.0, 0.05);
   QVERIFY(inside.violation(Vec2::Zero()) > 0.0 && inside.violation(Vec2(0.0, 0.5)) <= 1e-9);
 }
 

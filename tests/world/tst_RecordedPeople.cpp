@@ -5,7 +5,7 @@
 #include <QFileInfo>
 #include <QtTest>
 
-#include "sim2d/trace/ForeignFiles.h"
+#include "sim2d/trace/TrackImport.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -142,7 +142,7 @@ void RecordedPeopleTest::walk_asRecorded_staysNear() {
     if (!QFileInfo::exists(path)) {
       QSKIP("the recordings are not there");
     }
-    const base::Result<TrackFile> file = readForeign(path.toStdString(), {});
+    const base::Result<TrackFile> file = importTracks(path.toStdString(), {});
     QVERIFY(file);
     const std::vector<Crowd> crowds = crowdsOf(*file);
     const Score sfm = scoreOf("sfm", crowds);

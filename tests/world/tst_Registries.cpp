@@ -62,7 +62,7 @@ class Drift : public PedestrianModel {
 };
 
 std::shared_ptr<const Registries> ownRegistries() {
-  auto own = std::make_shared<Registries>(programRegistries());
+  auto own = std::make_shared<Registries>(builtinRegistries());
   own->planners.add("circle", circleTable().specs(),
                     [](const PlannerSetup& setup) -> base::Result<std::shared_ptr<Planner>> {
                       CircleParameters parameters;
@@ -133,7 +133,7 @@ class GivesUp : public Planner {
 };
 
 std::unique_ptr<World> worldOfPlanner(const char* type, const std::shared_ptr<Planner>& planner) {
-  auto own = std::make_shared<Registries>(programRegistries());
+  auto own = std::make_shared<Registries>(builtinRegistries());
   own->planners.add("wish", {}, [planner](const PlannerSetup& /*setup*/) {
     return base::Result<std::shared_ptr<Planner>>(planner);
   });
@@ -258,7 +258,8 @@ void RegistriesTest::table_oneRow_isInSpecsValuesAndCheck() {
   }
   QVERIFY((told == std::vector<std::string>{
                        "robot1.planner_parameters.speed: '1.5' is not a number from 0 to 1 m/s",
-                       "robot1.planner_parameters.trun: unknown to 'circle' (did you mean 'turn'?)",
+                       "robot1.planner_parameters.trun: unknown parameter of 'circle' (did you "
+                       "mean 'turn'?)",
                        "robot1.planner_parameters.turn: 'no' is not a number"}));
 }
 
@@ -279,22 +280,22 @@ void RegistriesTest::modelParameters_setByPath_countInTheRunAndAreChecked() {
   QVERIFY(setValue(scenario, "model_parameters.orca.horizn", "1").empty());
   std::vector<std::string> told;
   for (const base::Diagnostic& each : checkScenario(scenario, makeSurroundings(scenario, {}),
-                                                    "orca.yaml", knownNames(programRegistries()))) {
+                                                    "orca.yaml", knownNames(builtinRegistries()))) {
     if (each.message.find("model_parameters") != std::string::npos) {
       told.push_back(each.message);
     }
   }
-  QVERIFY(
-      (told == std::vector<std::string>{
-                   "model_parameters.orca.range: '-1' is not a number from 0.001 to 1e+06 m",
-                   "model_parameters.orca.horizn: unknown to 'orca' (did you mean 'horizon'?)"}));
+  QVERIFY((told == std::vector<std::string>{
+                       "model_parameters.orca.range: '-1' is not a number from 0.001 to 1e+06 m",
+                       "model_parameters.orca.horizn: unknown parameter of 'orca' (did you mean "
+                       "'horizon'?)"}));
   const base::Result<std::unique_ptr<World>> refused = worldOf(scenario, nullptr);
   QVERIFY(!refused);
   QCOMPARE(refused.diagnostics().front().code, std::string_view("world.unknown-model-parameter"));
 }
 
 void RegistriesTest::specs_ofTheProgram_areDescribed() {
-  const Registries all = programRegistries();
+  const Registries all = builtinRegistries();
   const auto check = [](const std::string& owner, const std::vector<base::ParameterSpec>& specs) {
     std::set<std::string> keys;
     for (const base::ParameterSpec& spec : specs) {

@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "sim2d/world/RobotBatteries.h"
+#include "sim2d/world/RobotSensors.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -63,8 +63,8 @@ void RobotBatteriesTest::dock_holdsARobotOfEitherHeading() {
 void RobotBatteriesTest::detector_seesDocksRelativeToTheRobot() {
   const Dock near = dockAtPlace({{1.0, 3.0}, base::kPi});
   const Dock far = dockAtPlace({{1.0, 4.1}, 0.0});
-  const std::vector<DockPlace> seen =
-      docksSeen({&near, &far}, {{1.0, 1.0}, 0.5 * base::kPi}, {{0.0, 0.0}, 0.0});
+  const std::vector<DockPose> seen =
+      detectedDocks({&near, &far}, {{1.0, 1.0}, 0.5 * base::kPi}, {{0.0, 0.0}, 0.0});
   QCOMPARE(seen.size(), std::size_t{1});
   QVERIFY((seen[0].pose.position - Vec2(2.0, 0.0)).norm() < 1e-12);
   QVERIFY(std::fabs(seen[0].pose.heading - 0.5 * base::kPi) < 1e-12);
@@ -83,10 +83,10 @@ void RobotBatteriesTest::driving_takesEnergy() {
   state.robots = {now};
   updateBatteries(model, state);
   QVERIFY(std::fabs(state.robots[0].battery - (0.5 - 2.5 / 3600.0)) < 1e-12);
-  const auto battery = batteryOf(robot, state.robots[0]);
+  const auto battery = measuredBattery(robot, state.robots[0]);
   QVERIFY(battery && !battery->isCharging);
   QVERIFY(std::fabs(battery->current + 50.0 / battery->voltage) < 1e-12);
-  QVERIFY(!batteryOf(ResolvedRobot(), now));
+  QVERIFY(!measuredBattery(ResolvedRobot(), now));
 }
 
 /// 360 J: the first second, in which it accelerates to 1 m/s, takes 50 J, then 80 W are left for

@@ -52,12 +52,12 @@ Robot& addWatcher(Scenario& scenario, const Vec2& place) {
 std::unique_ptr<World> watched(const Scenario& scenario) {
   std::unique_ptr<World> world = make(scenario);
   if (world != nullptr) {
-    world->tellSenses(true);
+    world->publishSensors(true);
   }
   return world;
 }
 
-const RobotSenses& sensesOf(const Frame& frame, std::size_t robot = 0) {
+const RobotTelemetry& sensesOf(const Frame& frame, std::size_t robot = 0) {
   return frame.senses->at(robot);
 }
 
@@ -85,7 +85,7 @@ void RobotSensesTest::person_behindAWall_isUnknownUntilHeComesOut() {
   int seen = 0;
   Seen before = personOf(world->frame());
   advance(*world, 60, [&](const Frame& frame) {
-    const std::vector<RobotSenses::Body>& bodies = sensesOf(frame).bodies;
+    const std::vector<RobotTelemetry::Body>& bodies = sensesOf(frame).bodies;
     if (before.position.y() < 2.05) {
       QVERIFY(bodies.empty());
       ++hidden;
@@ -126,7 +126,7 @@ void RobotSensesTest::person_lateDetector_isToldWhereHeWas() {
   const std::unique_ptr<World> world = watched(scenario);
   std::vector<Seen> truth = {personOf(world->frame())};
   advance(*world, 60, [&](const Frame& frame) {
-    const std::vector<RobotSenses::Body>& bodies = sensesOf(frame).bodies;
+    const std::vector<RobotTelemetry::Body>& bodies = sensesOf(frame).bodies;
     const std::size_t now = truth.size() - 1;  // the state that the step began with
     QCOMPARE(bodies.size(), std::size_t{now < kLate ? 0U : 1U});
     if (now >= kLate) {
@@ -150,7 +150,7 @@ void RobotSensesTest::person_missedNowAndThen_isKnownFromBefore() {
   int exact = 0;
   int known = 0;
   advance(*world, 80, [&](const Frame& frame) {
-    const std::vector<RobotSenses::Body>& bodies = sensesOf(frame).bodies;
+    const std::vector<RobotTelemetry::Body>& bodies = sensesOf(frame).bodies;
     known += bodies.empty() ? 0 : 1;
     exact += !bodies.empty() && bodies[0].position == before.position ? 1 : 0;
     before = personOf(frame);
@@ -170,7 +170,7 @@ void RobotSensesTest::groundTruth_wallsAndDistance_isTheState() {
   const std::unique_ptr<World> world = watched(scenario);
   Frame before = world->frame();
   advance(*world, 40, [&](const Frame& frame) {
-    const std::vector<RobotSenses::Body>& bodies = sensesOf(frame).bodies;
+    const std::vector<RobotTelemetry::Body>& bodies = sensesOf(frame).bodies;
     QCOMPARE(bodies.size(), std::size_t{3});
     for (std::size_t i = 0; i < 2; ++i) {
       QCOMPARE(bodies[i].id, before.humans.id[i]);
@@ -195,7 +195,7 @@ void RobotSensesTest::robots_faceToFace_knowEachOther() {
   std::vector<double> between = {6.0};  // along x, by step
   advance(*world, 20, [&](const Frame& frame) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const std::vector<RobotSenses::Body>& bodies = sensesOf(frame, i).bodies;
+      const std::vector<RobotTelemetry::Body>& bodies = sensesOf(frame, i).bodies;
       QCOMPARE(bodies.size(), std::size_t{1});
       QVERIFY(bodies[0].isRobot);
       QCOMPARE(bodies[0].id, i == 0 ? -2 : -1);
@@ -208,7 +208,7 @@ void RobotSensesTest::robots_faceToFace_knowEachOther() {
   QVERIFY(std::fabs(sensesOf(world->frame(), 0).bodies[0].radius - std::hypot(0.254, 0.2159)) <
           1e-12);
   // Its front, 0.254 m before its middle, is what the lidar met in its last turn.
-  const RobotSenses::Scan& scan = *sensesOf(world->frame(), 0).scan;
+  const RobotTelemetry::Scan& scan = *sensesOf(world->frame(), 0).scan;
   const double nearest = *std::min_element(scan.distances.begin(), scan.distances.end());
   const auto turn = static_cast<std::size_t>(std::lround(scan.time / kStep));
   QVERIFY(std::fabs(nearest - (between.at(turn) - 0.254)) < 0.06);
@@ -261,12 +261,12 @@ void RobotSensesTest::lidar_inARoom_measuresItsWalls() {
   robot.lidar.x = 0.25;
   const std::unique_ptr<World> world = watched(scenario);
   advance(*world, 1);
-  const RobotSenses::Scan& scan = *sensesOf(world->frame()).scan;
+  const RobotTelemetry::Scan& scan = *sensesOf(world->frame()).scan;
   QCOMPARE(scan.distances.size(), std::size_t{90});
   const Vec2 eye(3.0 + 0.25 * std::cos(0.5), 2.0 + 0.25 * std::sin(0.5));
   QVERIFY((scan.sensor.position - eye).norm() < 1e-12);
   QVERIFY(std::fabs(scan.angleMin + M_PI) < 1e-12);  // all round, the first one backwards
-  QVERIFY(std::fabs(scan.perBeam - 2.0 * M_PI / 90.0) < 1e-12);
+  QVERIFY(std::fabs(scan.angleIncrement - 2.0 * M_PI / 90.0) < 1e-12);
   for (int i = 0; i < 90; ++i) {
     const double angle = 0.5 - M_PI + 2.0 * M_PI / 90.0 * i;
     const Vec2 along(std::cos(angle), std::sin(angle));
@@ -299,7 +299,7 @@ void RobotSensesTest::lidar_ofTheType_isThere() {
   }
   const std::unique_ptr<World> world = watched(scenario);
   advance(*world, 1);
-  const std::optional<RobotSenses::Scan>& scan = sensesOf(world->frame()).scan;
+  const std::optional<RobotTelemetry::Scan>& scan = sensesOf(world->frame()).scan;
   QCOMPARE(scan ? static_cast<int>(scan->distances.size()) : 0, beams);
 }
 
@@ -332,25 +332,25 @@ void RobotSensesTest::scansAlone_areThoseOfAllSenses() {
   addRobot(scenario, Vec2(0.0, 0.0), Vec2(3.0, 3.0)).odometryNoise.alpha1 = 0.2;
   const std::unique_ptr<World> all = watched(scenario);
   const std::unique_ptr<World> world = make(scenario);
-  world->tellScans(true);
+  world->enableScans(true);
   advance(*world, 5, [&](const Frame& frame) {
     QVERIFY(all->step());
-    const RobotSenses& wanted = sensesOf(all->frame());
-    const RobotSenses& told = sensesOf(frame);
+    const RobotTelemetry& wanted = sensesOf(all->frame());
+    const RobotTelemetry& told = sensesOf(frame);
     QVERIFY(told.believed == wanted.believed);
-    QVERIFY(!told.scan && told.laterScan && told.laterScan->time == wanted.scan->time);
-    QVERIFY(told.laterScan->make().distances == wanted.scan->distances);
+    QVERIFY(!told.scan && told.deferredScan && told.deferredScan->time == wanted.scan->time);
+    QVERIFY(told.deferredScan->make().distances == wanted.scan->distances);
     QVERIFY(wanted.bodies.size() == 1 && told.bodies.empty());
     QVERIFY(frame.humanPaths == nullptr);
   });
-  world->tellSenses(true);
+  world->publishSensors(true);
   advance(*world, 1);
   QCOMPARE(sensesOf(world->frame()).bodies.size(), std::size_t{1});
-  QVERIFY(sensesOf(world->frame()).scan && !sensesOf(world->frame()).laterScan);
-  world->tellSenses(false);  // scans are still wanted
-  advance(*world, 2);        // one of them is a turn
-  QVERIFY(sensesOf(world->frame()).laterScan && sensesOf(world->frame()).bodies.empty());
-  world->tellScans(false);
+  QVERIFY(sensesOf(world->frame()).scan && !sensesOf(world->frame()).deferredScan);
+  world->publishSensors(false);  // scans are still wanted
+  advance(*world, 2);            // one of them is a turn
+  QVERIFY(sensesOf(world->frame()).deferredScan && sensesOf(world->frame()).bodies.empty());
+  world->enableScans(false);
   advance(*world, 1);
   QVERIFY(world->frame().senses == nullptr);
 }
@@ -370,20 +370,20 @@ void RobotSensesTest::scansForLater_areThoseOfTheirInstant() {
   other.lidar.range = 8.0;
   const std::unique_ptr<World> all = watched(scenario);
   std::unique_ptr<World> world = make(scenario);
-  world->tellScans(true);
-  std::vector<RobotSenses::Scan> wanted;
-  std::vector<RobotSenses::LaterScan> later;
+  world->enableScans(true);
+  std::vector<RobotTelemetry::Scan> wanted;
+  std::vector<RobotTelemetry::DeferredScan> later;
   advance(*world, 100, [&](const Frame& frame) {
     QVERIFY(all->step());
     for (std::size_t robot = 0; robot < 2; ++robot) {
       wanted.push_back(*sensesOf(all->frame(), robot).scan);
-      later.push_back(*sensesOf(frame, robot).laterScan);
+      later.push_back(*sensesOf(frame, robot).deferredScan);
     }
   });
   world.reset();
   QCOMPARE(later.size(), std::size_t{200});
   for (std::size_t k = later.size(); k-- > 0;) {  // in another order
-    const RobotSenses::Scan made = later[k].make();
+    const RobotTelemetry::Scan made = later[k].make();
     QCOMPARE(made.time, wanted[k].time);
     QVERIFY(made.sensor == wanted[k].sensor && made.distances == wanted[k].distances);
   }
@@ -489,7 +489,7 @@ class ScanReader : public Planner {
 void RobotSensesTest::planner_setsOffAgain_knowsTheLastTurn() {
   for (const bool isHeard : {false, true}) {
     std::vector<double> times;
-    auto own = std::make_shared<Registries>(programRegistries());
+    auto own = std::make_shared<Registries>(builtinRegistries());
     own->planners.add("scan_reader", {}, [&times](const PlannerSetup& /*setup*/) {
       return base::Result<std::shared_ptr<Planner>>(std::make_shared<ScanReader>(times));
     });
@@ -501,7 +501,7 @@ void RobotSensesTest::planner_setsOffAgain_knowsTheLastTurn() {
     setup.registries = own;
     const base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
     QVERIFY(static_cast<bool>(world));
-    (*world)->tellScans(isHeard);
+    (*world)->enableScans(isHeard);
     QCOMPARE(ofKind(advance(**world, 41), EventKind::Arrived).size(), std::size_t{1});
     times.clear();
     Input order;
@@ -521,7 +521,7 @@ void RobotSensesTest::create_badSensors_isRefused_data() {
   QTest::addColumn<QString>("text");
   QTest::newRow("angles") << 0 << "angle_max must be above angle_min";
   QTest::newRow("more than a turn") << 1 << "angle_max must be above angle_min";
-  QTest::newRow("too dense") << 2 << "beams 0.0001 rad apart";
+  QTest::newRow("too dense") << 2 << "beams at least 0.0001 rad apart";
   QTest::newRow("a car that cannot turn") << 3 << "turning_radius";
 }
 

@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "sim2d/trace/Arrival.h"
+#include "sim2d/trace/RobotArrival.h"
 #include "sim2d/world/Runner.h"
 #include "tests/world/TestWorld.h"
 
@@ -79,7 +79,7 @@ class RunEndsTest : public QObject {
     scenario.desktop.duration.reset();
     const Ran ran = ranWith(scenario);
     QCOMPARE(ran.result.reason, std::string("arrived"));
-    QVERIFY(ran.robot().result == WayEnd::Arrived);
+    QVERIFY(ran.robot().result == NavigationOutcome::Arrived);
     QCOMPARE(ran.robot().name, std::string("robot1"));
     QCOMPARE(timesOf(ran.trace, EventKind::Arrived), std::vector<double>{ran.robot().time});
   }
@@ -108,11 +108,12 @@ class RunEndsTest : public QObject {
         return inputs;
       });
       QCOMPARE(result.reason, std::string("duration"));
-      QVERIFY(result.robots[0].result == (hasGoal ? std::optional(WayEnd::Timeout) : std::nullopt));
+      QVERIFY(result.robots[0].result ==
+              (hasGoal ? std::optional(NavigationOutcome::Timeout) : std::nullopt));
       const Trace trace = recording.trace(world->header());
       QCOMPARE(timesOf(trace, EventKind::Arrived).size(), std::size_t{1});
       for (const auto& [step, event] : trace.events) {
-        QVERIFY(event.kind != EventKind::Arrived || event.text == kAtOrder);
+        QVERIFY(event.kind != EventKind::Arrived || event.text == kOrderText);
         QVERIFY(event.kind != EventKind::Goal || event.text.empty());
       }
     }
@@ -132,7 +133,7 @@ class RunEndsTest : public QObject {
       }
       return inputs;
     });
-    QVERIFY(result.robots[0].result == WayEnd::Arrived);
+    QVERIFY(result.robots[0].result == NavigationOutcome::Arrived);
     QCOMPARE(timesOf(recording.trace(world->header()), EventKind::Arrived),
              std::vector<double>{result.robots[0].time});
     QVERIFY(result.robots[0].time < 4.0);
@@ -142,7 +143,7 @@ class RunEndsTest : public QObject {
     const Ran ran = ranWith(driveTo(30.0));
     QCOMPARE(ran.result.reason, std::string("duration"));
     QVERIFY(ran.result.status == RunStatus::Finished);
-    QVERIFY(ran.robot().result == WayEnd::Timeout);
+    QVERIFY(ran.robot().result == NavigationOutcome::Timeout);
     QCOMPARE(ran.robot().time, 7.0);
   }
 
@@ -166,8 +167,9 @@ class RunEndsTest : public QObject {
       const RunResult result = run(*world, stopRuleOf(scenario), recording,
                                    [](const Frame& frame) { return frame.step == 120; });
       QVERIFY(result.status == (fails ? RunStatus::Failed : RunStatus::Interrupted));
-      QVERIFY(result.robots[0].result == (fails ? WayEnd::Failed : WayEnd::Interrupted));
-      QVERIFY(result.robots[1].result == WayEnd::Arrived);
+      QVERIFY(result.robots[0].result ==
+              (fails ? NavigationOutcome::Failed : NavigationOutcome::Interrupted));
+      QVERIFY(result.robots[1].result == NavigationOutcome::Arrived);
     }
   }
 
@@ -201,7 +203,8 @@ class RunEndsTest : public QObject {
              qPrintable(QString::number(contacts.front())));
     const bool isEnd = end < 7.0;
     QVERIFY(ran.result.status == RunStatus::Finished);
-    QVERIFY(ran.robot().result == (isEnd ? WayEnd::Collision : WayEnd::Timeout));
+    QVERIFY(ran.robot().result ==
+            (isEnd ? NavigationOutcome::Collision : NavigationOutcome::Timeout));
     QCOMPARE(ran.robot().time, isEnd ? contacts.front() : 7.0);
     QCOMPARE(ran.result.reason, std::string(!isEnd   ? "duration"
                                             : isWall ? "collision: robot1 with an obstacle"
@@ -231,7 +234,8 @@ class RunEndsTest : public QObject {
     const Ran ran = ranWith(scenario);
     QVERIFY(!timesOf(ran.trace, EventKind::Contact).empty());
     QCOMPARE(ran.result.reason, std::string("duration"));
-    QVERIFY(ran.robot().result == (goal < 1.0 ? WayEnd::Arrived : WayEnd::Timeout));
+    QVERIFY(ran.robot().result ==
+            (goal < 1.0 ? NavigationOutcome::Arrived : NavigationOutcome::Timeout));
     QVERIFY(goal > 1.0 || ran.robot().time < timesOf(ran.trace, EventKind::Contact).front());
   }
 
@@ -242,7 +246,7 @@ class RunEndsTest : public QObject {
     scenario.desktop.stopOnCollision = StopOnCollision::Any;
     const Ran ran = ranWith(scenario, {-1});
     QCOMPARE(ran.result.reason, std::string("collision: robot1 with robot2"));
-    QVERIFY(ran.robot(0).result == WayEnd::Collision);
+    QVERIFY(ran.robot(0).result == NavigationOutcome::Collision);
     QVERIFY(!ran.robot(1).result);
     QVERIFY(isAbout(ran.robot(0).time, 2.8, 0.1));  // 2.3 m
     scenario.desktop.model.emplace("sfm-hunav2");   // others do not push robots
@@ -269,9 +273,11 @@ class RunEndsTest : public QObject {
       const bool isEnd = rule == StopOnCollision::Any;
       QCOMPARE(ran.result.reason,
                std::string(isEnd ? "collision: robot1 with robot2" : "duration"));
-      QVERIFY(ran.robot(0).result == (isEnd ? WayEnd::Collision : WayEnd::Timeout));
+      QVERIFY(ran.robot(0).result ==
+              (isEnd ? NavigationOutcome::Collision : NavigationOutcome::Timeout));
       QVERIFY(ran.robot(1).result == ran.robot(0).result);
-      QVERIFY(ran.robot(2).result == (isEnd ? WayEnd::Interrupted : WayEnd::Timeout));
+      QVERIFY(ran.robot(2).result ==
+              (isEnd ? NavigationOutcome::Interrupted : NavigationOutcome::Timeout));
     }
   }
 
@@ -287,7 +293,7 @@ class RunEndsTest : public QObject {
     const Ran ran = ranWith(scenario);
     QCOMPARE(ran.result.reason, std::string("stuck: robot1"));
     QVERIFY(ran.result.status == RunStatus::Finished);
-    QVERIFY(ran.robot().result == WayEnd::Stuck);
+    QVERIFY(ran.robot().result == NavigationOutcome::Stuck);
     QCOMPARE(timesOf(ran.trace, EventKind::Stuck), std::vector<double>{ran.robot().time});
     const std::vector<Frame>& frames = ran.trace.frames;
     QCOMPARE(frames.back().time, ran.robot().time);
@@ -310,8 +316,8 @@ class RunEndsTest : public QObject {
     addRobot(scenario, Vec2(0.0, 9.0), Vec2(0.0, 9.0)).goal.point.reset();
     const Ran ran = ranWith(scenario);
     QCOMPARE(ran.result.reason, std::string("stuck: robot1"));
-    QVERIFY(ran.robot(0).result == WayEnd::Stuck);
-    QVERIFY(ran.robot(1).result == WayEnd::Arrived);
+    QVERIFY(ran.robot(0).result == NavigationOutcome::Stuck);
+    QVERIFY(ran.robot(1).result == NavigationOutcome::Arrived);
     QVERIFY(!ran.robot(2).result);
     QCOMPARE(ran.trace.frames.back().time, ran.robot(1).time);
     QVERIFY(ran.robot(0).time < ran.robot(1).time);
@@ -338,8 +344,8 @@ class RunEndsTest : public QObject {
       return inputs;
     });
     QCOMPARE(result.reason, std::string("duration"));
-    QVERIFY(result.robots[0].result == WayEnd::Stuck);
-    QVERIFY(result.robots[1].result == WayEnd::Timeout);
+    QVERIFY(result.robots[0].result == NavigationOutcome::Stuck);
+    QVERIFY(result.robots[1].result == NavigationOutcome::Timeout);
     QCOMPARE(timesOf(recording.trace(world->header()), EventKind::Arrived, -2).size(),
              std::size_t{1});
   }
@@ -368,8 +374,8 @@ class RunEndsTest : public QObject {
     const Trace trace = recording.trace(world->header());
     QCOMPARE(timesOf(trace, EventKind::Stuck).size(), std::size_t{1});
     QVERIFY(timesOf(trace, EventKind::Stuck).front() < 9.0);
-    QVERIFY(result.robots[0].result == WayEnd::Arrived);
-    QVERIFY(result.robots[1].result == WayEnd::Arrived);
+    QVERIFY(result.robots[0].result == NavigationOutcome::Arrived);
+    QVERIFY(result.robots[1].result == NavigationOutcome::Arrived);
     QCOMPARE(result.reason, std::string("duration"));
   }
 
@@ -383,14 +389,14 @@ class RunEndsTest : public QObject {
     addWall(scenario, {Vec2(4.0, 0.7), Vec2(4.0, 3.0)});
     addDoor(scenario, Vec2(4.0, -0.75), Vec2(4.0, 0.75), true, {1.0, 12.0});
     const Ran door = ranWith(scenario);
-    QVERIFY(door.robot().result == WayEnd::Arrived);
+    QVERIFY(door.robot().result == NavigationOutcome::Arrived);
     QVERIFY(door.robot().time > 12.0);
     QVERIFY(timesOf(door.trace, EventKind::Stuck).empty());
     Scenario late = driveTo(2.0);
     late.desktop.duration = 20.0;
     late.desktop.stuckAfter = 3.0;
     late.robots[0].startTime = 8.0;
-    QVERIFY(ranWith(late).robot().result == WayEnd::Arrived);
+    QVERIFY(ranWith(late).robot().result == NavigationOutcome::Arrived);
   }
 
   /// Looking for stuck robots moves nothing.

@@ -123,7 +123,7 @@ void RunnerTest::run_peopleListedInAnotherOrder_givesAnEqualTrace() {
 
 void RunnerTest::run_threads_giveEqualTraces_data() {
   QTest::addColumn<QString>("model");
-  for (const std::string& model : programRegistries().models.names()) {
+  for (const std::string& model : builtinRegistries().models.names()) {
     QTest::newRow(model.c_str()) << QString::fromStdString(model);
   }
 }

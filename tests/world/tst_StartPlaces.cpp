@@ -64,7 +64,7 @@ void StartPlacesTest::create_crowdedStarts_nobodyStandsInAnother() {
   const base::Result<std::unique_ptr<World>> world = create(scenario);
   QVERIFY(world);
   for (const base::Diagnostic& said : world.diagnostics()) {
-    QVERIFY2(said.message.find("no place") == std::string::npos, said.message.c_str());
+    QVERIFY2(said.message.find("no free space") == std::string::npos, said.message.c_str());
   }
   const std::vector<Disc> discs = discsOf(**world, scenario);
   QCOMPARE(discs.size(), std::size_t(401));
@@ -104,7 +104,7 @@ void StartPlacesTest::create_tooManyInOnePlace_aWarningSaysSo() {
   QVERIFY(world);
   const bool isTold = std::any_of(
       world.diagnostics().begin(), world.diagnostics().end(), [](const base::Diagnostic& said) {
-        return said.message.find("no place is free within 1 m") != std::string::npos;
+        return said.message.find("no free space within 1 m") != std::string::npos;
       });
   QVERIFY(isTold);
 }
@@ -120,7 +120,7 @@ void StartPlacesTest::create_farTooManyInOnePlace_isRefused() {
   const auto refused = std::count_if(
       world.diagnostics().begin(), world.diagnostics().end(), [](const base::Diagnostic& said) {
         return said.severity == base::Severity::Error &&
-               said.message.find("more than 1000 bodies start where others stand") == 0;
+               said.message.find("more than 1000 bodies start at occupied places") == 0;
       });
   QCOMPARE(static_cast<int>(refused), 1);
 }

@@ -107,7 +107,7 @@ void StartVariationTest::starts_farWiderThanTheRoom_staysInIt() {
   clock.start();
   for (int seed = 1; seed <= 20; ++seed) {
     Scenario scenario = rooms(VariationPreset::Strong, seed);
-    SpreadSettings& start = scenario.desktop.variation.of(Varied::Start);
+    SpreadSettings& start = scenario.desktop.variation.of(VariationQuantity::Start);
     start.kind = SpreadKind::Uniform;
     start.halfWidth = 1000.0;
     const Numbers numbers = peopleOf(scenario);
@@ -164,7 +164,7 @@ void StartVariationTest::firstGoal_drawn_isWalkedToFirst() {
   std::set<int> first;
   for (int seed = 1; seed <= 20; ++seed) {
     Scenario scenario = rooms(VariationPreset::None, seed);
-    scenario.desktop.variation.of(Varied::FirstGoal).kind = SpreadKind::Uniform;
+    scenario.desktop.variation.of(VariationQuantity::FirstGoal).kind = SpreadKind::Uniform;
     const std::unique_ptr<World> world = make(scenario);
     QVERIFY(world);
     const TraceHuman person = world->header().humans[0];
@@ -218,8 +218,8 @@ void StartVariationTest::reactionTime_slow_setsOffLater() {
     Scenario scenario;
     scenario.desktop.seed = seed;
     scenario.desktop.model = model.toStdString();
-    scenario.desktop.variation.of(Varied::ReactionTime).kind = SpreadKind::Uniform;
-    scenario.desktop.variation.of(Varied::ReactionTime).halfWidth = 0.8;
+    scenario.desktop.variation.of(VariationQuantity::ReactionTime).kind = SpreadKind::Uniform;
+    scenario.desktop.variation.of(VariationQuantity::ReactionTime).halfWidth = 0.8;
     addGoal(scenario, 1, 20.0, 0.0);
     addPerson(scenario, 1, {0.0, 0.0}, {1});
     const std::unique_ptr<World> world = make(scenario);

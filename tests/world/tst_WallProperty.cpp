@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kRadius = 0.25;   // [m]
 constexpr double kDeepest = 0.05;  // [m] that a body may be in a wall
-constexpr int kMostPeople = 120;   // enough for the ways of large worlds
+constexpr int kMaxPeople = 120;    // enough for the ways of large worlds
 constexpr int kAgentSteps = 1000000;
 
 bool isTaken(const Scenario& scenario, const Vec2& place) {
@@ -35,8 +35,8 @@ bool isTaken(const Scenario& scenario, const Vec2& place) {
 }
 
 Vec2 placeIn(const OccupancyGrid& map, const base::AgentRng& rng, std::uint32_t number) {
-  return map.cornerToWorld(rng.uniform(0.0, map.width(), base::Draw::Test, 2 * number),
-                           rng.uniform(0.0, map.height(), base::Draw::Test, 2 * number + 1));
+  return map.cornerToWorld(rng.uniform(0.0, map.width(), base::DrawPurpose::Test, 2 * number),
+                           rng.uniform(0.0, map.height(), base::DrawPurpose::Test, 2 * number + 1));
 }
 
 /// People at random places that are free.
@@ -45,7 +45,7 @@ Scenario crowdIn(const OccupancyGrid& map, const Obstacles& obstacles) {
   const base::AgentRng rng(5, 0, 0);
   for (std::uint32_t trial = 0; trial < 20000; ++trial) {
     const Vec2 place = placeIn(map, rng, trial);
-    if (static_cast<int>(scenario.humans.size()) < kMostPeople && !isTaken(scenario, place) &&
+    if (static_cast<int>(scenario.humans.size()) < kMaxPeople && !isTaken(scenario, place) &&
         obstacles.clearance(place) > 1.2 * kRadius) {
       Human& human = addPerson(scenario, static_cast<int>(scenario.humans.size()) + 1, place);
       human.radius = kRadius;

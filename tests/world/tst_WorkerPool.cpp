@@ -14,7 +14,7 @@ namespace {
 
 /// Counts how often each item was worked on.
 void addOne(WorkerPool& pool, std::vector<int>& done, std::size_t slice) {
-  pool.forSlices(done.size(), slice, [&](std::size_t, std::size_t begin, std::size_t end) {
+  pool.parallelFor(done.size(), slice, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       ++done[i];
     }
@@ -86,7 +86,7 @@ void WorkerPoolTest::forSlices_oneSliceIsSlow_othersDoTheRest() {
   WorkerPool pool(2);
   std::atomic<int> others{0};
   bool sawOthers = false;
-  pool.forSlices(1000, 10, [&](std::size_t, std::size_t begin, std::size_t) {
+  pool.parallelFor(1000, 10, [&](std::size_t, std::size_t begin, std::size_t) {
     if (begin != 0) {
       ++others;
       return;
@@ -105,11 +105,11 @@ void WorkerPoolTest::forSlices_fewItems_stayWithTheCaller() {
   const std::thread::id caller = std::this_thread::get_id();
   bool isCaller = true;
   int calls = 0;
-  pool.forSlices(WorkerPool::kWorthThreads - 1, 1,
-                 [&](std::size_t thread, std::size_t begin, std::size_t end) {
-                   isCaller = thread == 0 && std::this_thread::get_id() == caller;
-                   calls += begin == 0 && end == WorkerPool::kWorthThreads - 1 ? 1 : 0;
-                 });
+  pool.parallelFor(WorkerPool::kMinParallelItems - 1, 1,
+                   [&](std::size_t thread, std::size_t begin, std::size_t end) {
+                     isCaller = thread == 0 && std::this_thread::get_id() == caller;
+                     calls += begin == 0 && end == WorkerPool::kMinParallelItems - 1 ? 1 : 0;
+                   });
   QVERIFY(isCaller);
   QCOMPARE(calls, 1);
 }
@@ -121,7 +121,7 @@ void WorkerPoolTest::forSlices_thread_hasOneSliceAtATime() {
   std::vector<std::atomic<int>> users(kThreads);
   std::atomic<int> clashes{0};
   for (int round = 0; round < 100; ++round) {
-    pool.forSlices(2000, 3, [&](std::size_t thread, std::size_t, std::size_t) {
+    pool.parallelFor(2000, 3, [&](std::size_t thread, std::size_t, std::size_t) {
       clashes += users[thread]++;
       --users[thread];
     });
@@ -131,23 +131,23 @@ void WorkerPoolTest::forSlices_thread_hasOneSliceAtATime() {
 
 void WorkerPoolTest::rouse_withoutWork_isHarmless() {
   WorkerPool none(1);
-  none.rouse();
+  none.wakeThreads();
   WorkerPool pool(3);
   std::vector<int> done(500, 0);
   for (int round = 1; round <= 20; ++round) {
-    pool.rouse();
-    pool.rouse();
+    pool.wakeThreads();
+    pool.wakeThreads();
     std::this_thread::sleep_for(std::chrono::microseconds(round * 100));
     addOne(pool, done, 8);
     QVERIFY(areAll(done, round));
   }
-  pool.rouse();
+  pool.wakeThreads();
 }
 
 void WorkerPoolTest::idle_afterWork_takesNoProcessor() {
   WorkerPool pool(2);
   std::vector<int> done(1000, 0);
-  pool.rouse();
+  pool.wakeThreads();
   addOne(pool, done, 10);
   bool isIdle = false;
   for (int look = 0; look < 100 && !isIdle; ++look) {  // how soon is up to the machine

@@ -387,13 +387,13 @@ void WorldTest::create_impossibleScenarios_areErrors_data() {
   QTest::addColumn<QString>("word");
   QTest::newRow("dt") << 0 << "dt";
   QTest::newRow("model") << 1 << "did you mean 'sfm'";
-  QTest::newRow("id twice") << 2 << "is taken by";
+  QTest::newRow("id twice") << 2 << "is also used by";
   QTest::newRow("negative id") << 3 << "id must be";
   QTest::newRow("not finite") << 4 << "not finite";
   QTest::newRow("planner") << 5 << "did you mean 'pursuit'";
   QTest::newRow("planner parameter") << 6 << "no parameter 'lookahaed'";
   QTest::newRow("robot type") << 7 << "unknown type";
-  QTest::newRow("start in a wall") << 8 << "does not fit";
+  QTest::newRow("start in a wall") << 8 << "no free space";
   QTest::newRow("goal unknown") << 9 << "global_goals";
   QTest::newRow("dt of zero") << 10 << "dt";
   QTest::newRow("dt of ten seconds") << 11 << "dt";

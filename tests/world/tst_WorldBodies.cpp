@@ -104,8 +104,8 @@ void WorldBodiesTest::people_walkingAtRandom_stayOutOfWalls() {
       Intent& intent = intents.of(human);
       intent.motion = Motion::Walk;
       intent.speed = 2.0;
-      intent.target.position = Vec2(rng.uniform(-20.0, 20.0, base::Draw::Test, 0),
-                                    rng.uniform(-20.0, 20.0, base::Draw::Test, 1));
+      intent.target.position = Vec2(rng.uniform(-20.0, 20.0, base::DrawPurpose::Test, 0),
+                                    rng.uniform(-20.0, 20.0, base::DrawPurpose::Test, 1));
     }
   });
   QVERIFY(world != nullptr);

@@ -132,7 +132,7 @@ void WorldInputsTest::step_robotMoved_standsThereAndGoesOn() {
   scenario.robots[0].odometryNoise.alpha3 = 0.02;
   const std::unique_ptr<World> world = make(scenario);
   QVERIFY(world != nullptr);
-  world->tellSenses(true);
+  world->publishSensors(true);
   advance(*world, 40);
   const RobotColumns before = world->frame().robots;
   QVERIFY(before.x[0] > 0.5);
@@ -213,13 +213,13 @@ void WorldInputsTest::step_robotWithoutGoalOrdered_arrives() {
   QVERIFY(world != nullptr);
   advance(*world, 10);
   QCOMPARE(world->frame().robots.x[0], 0.0);
-  QVERIFY(!world->robotsOnWay()[0].hasGoal && !world->arrivedAt());
+  QVERIFY(!world->robotStatuses()[0].hasGoal && !world->arrivedAt());
   QVERIFY(world->step({placing(InputKind::Goal, -1, {2.0, 0.0})}));
-  QVERIFY(world->robotsOnWay()[0].hasGoal);
+  QVERIFY(world->robotStatuses()[0].hasGoal);
   const std::vector<Recorded> arrived = ofKind(advance(*world, 100), EventKind::Arrived);
   QCOMPARE(arrived.size(), std::size_t{1});
   QCOMPARE(arrived[0].event.text, std::string("order"));
-  QVERIFY(world->robotsOnWay()[0].arrived.has_value());
+  QVERIFY(world->robotStatuses()[0].arrived.has_value());
 }
 
 void WorldInputsTest::step_robotOrderedWhereItCannotBe_isRefused() {
@@ -413,7 +413,7 @@ void WorldInputsTest::step_recordedInputs_giveTheSameBytes() {
     const Trace trace = recording.trace(world->header());
     return trajectoryCsv(trace) + eventsCsv(trace) + traceJson(trace.header);
   };
-  std::string rows = inputsHead();
+  std::string rows = inputsHeader();
   const std::string first = record(script, rows);
   const base::Result<RecordedInputs> read = parseInputs(rows, "inputs.csv");
   QVERIFY(read);
@@ -422,7 +422,7 @@ void WorldInputsTest::step_recordedInputs_giveTheSameBytes() {
   for (const auto& [step, input] : *read) {
     replayed[step].push_back(input);
   }
-  std::string again = inputsHead();
+  std::string again = inputsHeader();
   QVERIFY(record(replayed, again) == first);
   QCOMPARE(QString::fromStdString(again), QString::fromStdString(rows));
   std::string none;

@@ -4,10 +4,10 @@
 #include <QtTest>
 
 #include "sim2d/nav/Lidar.h"
-#include "sim2d/nav/Sight.h"
+#include "sim2d/nav/Observation.h"
 #include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/Physics.h"
-#include "sim2d/world/WorldInside.h"
+#include "sim2d/world/WorldInternal.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -144,18 +144,18 @@ void WorldPartsTest::physics_touches_beginAndLast() {
   Physics physics(Vec2::Zero());
   physics.addPart({boxOutline({Vec2(2.0, 0.0), 0.0}, 1.0, 6.0)}, true);
   const int body = physics.addBody({{Vec2(0.9, 0.0), 0.0}, 0.4, 80.0, {}, true});
-  std::vector<Touch> none;
-  std::vector<Touch> touches;
+  std::vector<Contact> none;
+  std::vector<Contact> currentContacts;
   physics.setVelocity(body, Vec2(1.0, 0.0), 0.0);
   physics.step(0.1);
-  physics.touches(none, touches);
+  physics.currentContacts(none, currentContacts);
   physics.step(0.1);
-  physics.touches(none, touches);
+  physics.currentContacts(none, currentContacts);
   physics.step(0.1);
-  physics.touches(none, touches);
-  QCOMPARE(touches.size(), std::size_t{1});
-  QCOMPARE(touches[0].part, 0);
-  QVERIFY((touches[0].normal - Vec2(1.0, 0.0)).norm() < 1e-6);
+  physics.currentContacts(none, currentContacts);
+  QCOMPARE(currentContacts.size(), std::size_t{1});
+  QCOMPARE(currentContacts[0].part, 0);
+  QVERIFY((currentContacts[0].normal - Vec2(1.0, 0.0)).norm() < 1e-6);
   physics.setPartEnabled(0, false);
   for (int i = 0; i < 20; ++i) {
     physics.setVelocity(body, Vec2(1.0, 0.0), 0.0);
@@ -229,10 +229,10 @@ void WorldPartsTest::names_forLists_areThere() {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   for (const char* name : {"das", "orca", "sfm", "sfm-hunav2"}) {
-    QVERIFY2(has(programRegistries().models.names(), name), name);
+    QVERIFY2(has(builtinRegistries().models.names(), name), name);
   }
-  QVERIFY(has(programRegistries().planners.names(), "pursuit"));
-  QVERIFY(has(programRegistries().robotTypes.names(), "generic"));
+  QVERIFY(has(builtinRegistries().planners.names(), "pursuit"));
+  QVERIFY(has(builtinRegistries().robotTypes.names(), "generic"));
 }
 
 QTEST_APPLESS_MAIN(WorldPartsTest)

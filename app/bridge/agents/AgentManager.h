@@ -8,32 +8,33 @@
 #include <string>
 #include <vector>
 
-#include "app/bridge/agents/StepTopics.h"
+#include "app/bridge/agents/StepMessages.h"
 #include "app/bridge/messages/HunavServices.h"
 #include "app/run/Bundle.h"
 #include "sim2d/world/CoupledWorld.h"
 
 namespace bridge {
 
-/// What HuNavSim's agent manager answers, from a request to its response; it knows nothing of DDS.
-/// Clock, places and obstacles are the caller's; people decide and move as a scenario of ours says.
-/// Each request is answered whatever is in it, with the states that came where nothing better is
-/// known. With the compatibility `hunav2` and its models the numbers are those of the original's
-/// call path, but that all people move from the state at the beginning of the step.
+/// HuNavSim's agent manager: computes the response to each service request; independent of DDS. The
+/// caller provides clock, positions and obstacles; behavior trees and motion models follow the
+/// loaded scenario. Every request is answered, with the received states where nothing better is
+/// known. With compatibility `hunav2` and its models, the results equal those of the original's
+/// call path, except that all agents move from the state at the beginning of the step.
 ///
-/// - The first request with agents makes their minds and answers with the states that came.
-/// - dt is the difference of the stamps; 0 when time runs backwards or leaps by more than 10 s.
-///   Steps above 0.1 s are cut into such, not with `hunav2`.
-/// - `compute_agent` answers the state after the last step; with `hunav2` it ticks once more.
-/// - `reset_agents` begins anew: minds, goals, clock; with `hunav2` it takes the places alone.
+///
+/// - The first request with agents creates the behavior trees and returns the received states.
+/// - dt is the difference of the stamps; 0 if time runs backwards or jumps by more than 10 s. Steps
+/// above 0.1 s are divided, except with `hunav2`.
+/// - `compute_agent` returns the state after the last step; with `hunav2` it ticks once more.
+/// - `reset_agents` resets behavior trees, goals and clock; with `hunav2` only the positions.
 class AgentManager {
  public:
   explicit AgentManager(app::Bundle bundle);
 
-  /// Everything wrong with the scenario; with errors among it nobody can be served. Works out what
-  /// takes time before the first request.
+  /// Validates the scenario and does the slow preparations before the first request. With errors,
+  /// no request can be served.
   base::Diagnostics prepare();
-  /// The scenario that is served; from prepare() on with its variation drawn (drawnScenario).
+  /// The loaded scenario; after prepare() with its variation applied (drawnScenario).
   const std::shared_ptr<const sim2d::Scenario>& scenario() const { return bundle_.scenario; }
 
   hunav_msgs::ComputeAgents::Response compute(const hunav_msgs::ComputeAgents::Request& request);
@@ -41,13 +42,13 @@ class AgentManager {
   hunav_msgs::ComputeAgent::Response computeOne(const hunav_msgs::ComputeAgent::Request& request);
   hunav_msgs::ResetAgents::Response reset(const hunav_msgs::ResetAgents::Request& request);
 
-  /// Of the last compute or moveOne; nothing in the first. Made here, so an answer need not wait
-  /// for them.
-  std::optional<StepTopics> takeTopics();
-  /// "Agent 3 says: hello", of the last step.
+  /// The topics of the last compute or moveOne; nothing after the first one. They are created here,
+  /// so that the response need not wait for them.
+  std::optional<StepMessages> takeTopics();
+  /// The utterances of the last step: "Agent 3 says: hello".
   std::vector<std::string> takeSayings();
-  /// What is worth telling, each cause once.
-  base::Diagnostics takeRemarks();
+  /// New warnings and errors, each cause once.
+  base::Diagnostics takeWarnings();
 
  private:
   struct Stamped {
@@ -57,36 +58,36 @@ class AgentManager {
 
   base::Result<std::unique_ptr<sim2d::CoupledWorld>> makeWorld(const hunav_msgs::Agents& agents);
   bool hunav2() const { return bundle_.settings.compatibility.hunav2(); }
-  /// Takes the state; true: the world was there before.
+  /// Applies the state of a request. True: the world existed before.
   bool take(const hunav_msgs::Agents& agents, const hunav_msgs::Agent& robot);
-  bool needWorld(const hunav_msgs::Agents& agents);
+  bool ensureWorld(const hunav_msgs::Agents& agents);
   std::vector<sim2d::CoupledPerson> usablePeople(const hunav_msgs::Agents& agents);
   std::optional<sim2d::CoupledRobot> usableRobot(const hunav_msgs::Agent& robot);
   void restartClocks(const hunav_msgs::Agents& agents);
   double sinceLast(Stamped& stamped, std::int64_t now);
   void step(double dt, std::optional<int> only);
-  hunav_msgs::Agent answerTo(const hunav_msgs::Agent& asked) const;
-  void tell(base::Severity severity, std::string_view code, base::ProblemValues values = {});
+  hunav_msgs::Agent responseTo(const hunav_msgs::Agent& asked) const;
+  void warn(base::Severity severity, std::string_view code, base::ProblemValues values = {});
 
   app::Bundle bundle_;
-  /// The setup of the world, so that a world of the same people can be created without checking the
-  /// scenario and its trees again.
+  /// The setup of the world. A world with the same agents can be created from it without checking
+  /// the scenario and its trees again.
   struct Recipe {
     std::shared_ptr<const sim2d::Scenario> of;
-    sim2d::WorldSetup setup;  // its people have not entered
+    sim2d::WorldSetup setup;  // its agents have not been spawned
   };
   std::optional<Recipe> recipe_;
-  std::unique_ptr<sim2d::CoupledWorld> world_;   // null: before the first request with agents
-  bool cannotBe_ = false;                        // the world; told
-  Stamped clock_;                                // of steps of everybody
-  std::map<int, Stamped> ownClocks_;             // of people in steps of their own, by id
+  std::unique_ptr<sim2d::CoupledWorld> world_;   // null before the first request with agents
+  bool hasWorldFailed_ = false;                  // creating the world failed; reported
+  Stamped clock_;                                // of steps of all agents
+  std::map<int, Stamped> agentClocks_;           // of agents that are stepped individually, by id
   double lastDt_ = 0.0;                          // [s]
-  std::map<int, hunav_msgs::Agent> lastAgents_;  // as they came last and could be used, by id
+  std::map<int, hunav_msgs::Agent> lastAgents_;  // last valid states, by id
   std::optional<sim2d::CoupledRobot> lastRobot_;
-  std::optional<hunav_msgs::ComputeAgents::Request> stepped_;  // the state before the last step
+  std::optional<hunav_msgs::ComputeAgents::Request> stepped_;  // state before the last step
   std::vector<std::string> sayings_;
-  base::Diagnostics remarks_;
-  std::set<std::string> told_;
+  base::Diagnostics warnings_;
+  std::set<std::string> reported_;
 };
 
 }  // namespace bridge

@@ -33,7 +33,7 @@ hunav_msgs::AgentBehavior behaviorOf(const hunav_msgs::AgentBehavior& asked,
 
 }  // namespace
 
-std::string faultOf(const hunav_msgs::Agent& agent) {
+std::string invalidReason(const hunav_msgs::Agent& agent) {
   const geometry_msgs::Twist& v = agent.velocity;
   if (!isUsable(agent.position.position.x, kFarthest) ||
       !isUsable(agent.position.position.y, kFarthest)) {
@@ -42,7 +42,8 @@ std::string faultOf(const hunav_msgs::Agent& agent) {
   if (!isUsable(agent.yaw, 1e5)) {
     return "yaw is not finite or beyond 1e5 rad";
   }
-  if (!isUsable(v.linear.x, sim2d::kFastest) || !isUsable(v.linear.y, sim2d::kFastest)) {
+  if (!isUsable(v.linear.x, sim2d::kMaxPlausibleSpeed) ||
+      !isUsable(v.linear.y, sim2d::kMaxPlausibleSpeed)) {
     return "velocity is not finite or above 1000 m/s";
   }
   return {};
@@ -79,39 +80,39 @@ std::optional<sim2d::CoupledRobot> robotOf(const hunav_msgs::Agent& robot) {
   return known;
 }
 
-hunav_msgs::Agent answerFor(const hunav_msgs::Agent& asked, const sim2d::CoupledWorld& world,
-                            int human) {
+hunav_msgs::Agent responseFor(const hunav_msgs::Agent& asked, const sim2d::CoupledWorld& world,
+                              int human) {
   const sim2d::ResolvedHuman& person = world.view().constants(human);
   const sim2d::Pose2 pose = world.view().pose(human);
   const sim2d::Vec2 velocity = world.view().velocity(human);
-  hunav_msgs::Agent answer = asked;
-  answer.type = hunav_msgs::Agent::kPerson;
-  answer.position.position.x = pose.position.x();
-  answer.position.position.y = pose.position.y();
-  answer.position.orientation = quaternionOf(pose.heading);
-  answer.yaw = static_cast<float>(pose.heading);
-  answer.linearVel = static_cast<float>(velocity.norm());
-  answer.angularVel = static_cast<float>(world.omega(human));
-  answer.velocity = {};
-  answer.velocity.linear.x = velocity.x();
-  answer.velocity.linear.y = velocity.y();
-  answer.velocity.angular.z = world.omega(human);
-  answer.desiredVelocity = static_cast<float>(person.desiredSpeed);
-  answer.radius = static_cast<float>(person.radius);
-  answer.goalRadius = static_cast<float>(person.goalRadius);
-  answer.cyclicGoals = person.cyclicGoals;
-  answer.behavior = behaviorOf(asked.behavior, person, world.isActive(human));
-  answer.closestObs.clear();
+  hunav_msgs::Agent response = asked;
+  response.type = hunav_msgs::Agent::kPerson;
+  response.position.position.x = pose.position.x();
+  response.position.position.y = pose.position.y();
+  response.position.orientation = quaternionOf(pose.heading);
+  response.yaw = static_cast<float>(pose.heading);
+  response.linearVel = static_cast<float>(velocity.norm());
+  response.angularVel = static_cast<float>(world.omega(human));
+  response.velocity = {};
+  response.velocity.linear.x = velocity.x();
+  response.velocity.linear.y = velocity.y();
+  response.velocity.angular.z = world.omega(human);
+  response.desiredVelocity = static_cast<float>(person.desiredSpeed);
+  response.radius = static_cast<float>(person.radius);
+  response.goalRadius = static_cast<float>(person.goalRadius);
+  response.cyclicGoals = person.cyclicGoals;
+  response.behavior = behaviorOf(asked.behavior, person, world.isActive(human));
+  response.closestObs.clear();
   const std::vector<sim2d::GoalItem>& goals = world.control(human).goals;
   if (!goals.empty()) {
-    answer.goals.clear();
+    response.goals.clear();
   }
   for (const sim2d::GoalItem& goal : goals) {
-    geometry_msgs::Pose& place = answer.goals.emplace_back();
+    geometry_msgs::Pose& place = response.goals.emplace_back();
     place.position.x = goal.position.x();
     place.position.y = goal.position.y();
   }
-  return answer;
+  return response;
 }
 
 geometry_msgs::Quaternion quaternionOf(double yaw) {

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -18,35 +20,72 @@ struct BagChannel {
   std::string encoding = "cdr";
 };
 
-/// Messages that were recorded: an MCAP file, a database of rosbag2, a folder of rosbag2. Files may
-/// hold anything: lengths are held against the file before memory is taken. One thread at a time.
+/// A recording: an MCAP file, a rosbag2 database or a rosbag2 folder. Files are untrusted: lengths
+/// are checked against the file size before memory is allocated. Not thread-safe.
 class Bag {
  public:
-  /// `time` [ns] at which it was recorded; the bytes are valid during the call.
+  /// `time`: recording time [ns]. `bytes` is valid during the call.
   using Visit = std::function<void(std::size_t channel, std::int64_t time, std::string_view bytes)>;
 
   virtual ~Bag() = default;
   virtual const std::vector<BagChannel>& channels() const = 0;
-  /// Calls `visit` for the messages of the channels with true, in the order of the file. What comes
-  /// back are warnings of what is damaged and left out, or errors.
+  /// Calls `visit` for the messages of the channels that are true, in file order. Returns warnings
+  /// about damaged parts that were skipped, or errors.
   virtual base::Diagnostics read(const std::vector<bool>& channels, const Visit& visit) = 0;
-  /// A value of a metadata record; empty: there is none.
+  /// A value of a metadata record; empty: none.
   virtual std::string metadata(const std::string& /*name*/, const std::string& /*key*/) {
     return {};
   }
 };
 
-/// By its content, whatever it is called.
+/// Detects bags by content, independent of the file name.
 bool isBag(const std::string& path);
-/// Errors: no bag, or of a kind that cannot be read. Warnings: it is cut off.
+/// Errors: not a bag, or an unsupported kind. Warnings: the file is truncated.
 base::Result<std::unique_ptr<Bag>> openBag(const std::string& path);
 
-/// The files of a bag, for a manifest; those that its metadata names.
+/// The files of a bag for a manifest, including those named in its metadata.
 std::vector<std::string> filesOfBag(const std::string& path);
 
-// the kinds
+// Readers for the kinds of bags.
 base::Result<std::unique_ptr<Bag>> openMcap(const std::string& path);
-base::Result<std::unique_ptr<Bag>> openDatabase(const std::string& path);
+base::Result<std::unique_ptr<Bag>> openSqliteBag(const std::string& path);
 base::Result<std::unique_ptr<Bag>> openBagFolder(const std::string& folder);
+
+/// A topic of a bag that is being written.
+struct ChannelInfo {
+  std::string topic, type;
+  std::string definition;                                     // in ros2msg format
+  std::vector<std::pair<std::string, std::string>> metadata;  // channel metadata
+};
+
+/// Writes messages to a temporary file and moves it to its final path in finish().
+class BagWriter {
+ public:
+  struct Totals {
+    std::uint64_t messages = 0;
+    std::int64_t begin = 0, end = 0;  // [ns], first and last message
+    std::map<std::uint16_t, std::uint64_t> perChannel;
+  };
+  using Entries = std::vector<std::pair<std::string, std::string>>;
+
+  BagWriter() = default;
+  virtual ~BagWriter() = default;
+  BagWriter(const BagWriter&) = delete;
+  BagWriter& operator=(const BagWriter&) = delete;
+  BagWriter(BagWriter&&) = delete;
+  BagWriter& operator=(BagWriter&&) = delete;
+
+  virtual std::uint16_t addChannel(ChannelInfo channel) = 0;
+  /// `time` [ns] need not be increasing.
+  virtual void write(std::uint16_t channel, std::int64_t time, std::string_view message) = 0;
+  /// Adds a metadata record.
+  virtual void addMetadata(const std::string& name, const Entries& entries) = 0;
+  /// Whether a write failed; finish() returns the reason.
+  virtual bool hasFailed() const = 0;
+  /// Closes the file. Empty on success: the file is complete and at its final path.
+  virtual base::Diagnostics finish() = 0;
+  /// The totals of the messages written.
+  virtual const Totals& totals() const = 0;
+};
 
 }  // namespace bridge

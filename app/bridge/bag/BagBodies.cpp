@@ -9,14 +9,93 @@
 #include "sim2d/map/MapReader.h"
 
 namespace bridge {
+
+bool InvalidNumbers::areValid(std::size_t channel, const char* field,
+                              std::initializer_list<double> numbers, double most, Loss loss) {
+  const auto* const bad = std::find_if(numbers.begin(), numbers.end(), [most](double number) {
+    return !(std::fabs(number) <= most);  // also for NaN
+  });
+  if (bad == numbers.end()) {
+    return true;
+  }
+  Count& count = counts_[{channel, field}];
+  if (count.count++ == 0) {
+    count.first = *bad;
+    count.loss = loss;
+  }
+  return false;
+}
+
+bool InvalidNumbers::hasDiscardedSamples() const {
+  return std::any_of(counts_.begin(), counts_.end(),
+                     [](const auto& each) { return each.second.loss == Loss::Sample; });
+}
+
+base::Diagnostics InvalidNumbers::warnings(const std::vector<BagChannel>& channels,
+                                           const std::string& path) const {
+  base::Diagnostics warnings;
+  for (const auto& [where, count] : counts_) {
+    const char* const code = count.loss == Loss::Sample ? "bag.bad-samples" : "bag.bad-values";
+    warnings.push_back(base::warning(
+        code,
+        {count.count, channels[where.first].topic, where.second, base::formatDouble(count.first)},
+        path));
+  }
+  return warnings;
+}
+
 namespace {
 
-constexpr int kRobot = -1;                    // id of a robot that has none
-constexpr std::uint32_t kWidest = 1U << 16U;  // [cells] of a map
-// [ns]: of any two times and stamps the difference is a number as well.
+constexpr int kLongestChain = 32;
+
+/// Removes a leading slash, which some programs write.
+std::string nameOf(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+base::Pose2 composed(const base::Pose2& outer, const base::Pose2& inner) {
+  return {outer.toWorld(inner.position), base::wrapToPi(outer.heading + inner.heading)};
+}
+
+}  // namespace
+
+base::Pose2 planarPose(const geometry_msgs::Pose& pose) {
+  return {{pose.position.x, pose.position.y}, headingOf(pose.orientation)};
+}
+
+void FrameTree::add(const tf2_msgs::TFMessage& message) {
+  for (const geometry_msgs::TransformStamped& each : message.transforms) {
+    const geometry_msgs::Transform& t = each.transform;
+    links_[nameOf(each.childFrameId)] = {
+        nameOf(each.header.frameId), {{t.translation.x, t.translation.y}, headingOf(t.rotation)}};
+  }
+}
+
+std::optional<base::Pose2> FrameTree::inMap(const std::string& frame) const {
+  std::string name = nameOf(frame);
+  base::Pose2 pose;
+  for (int k = 0; k < kLongestChain; ++k) {
+    if (name == kMapFrame) {
+      return pose;
+    }
+    const auto link = links_.find(name);
+    if (link == links_.end()) {
+      return std::nullopt;
+    }
+    pose = composed(link->second.pose, pose);
+    name = link->second.parent;
+  }
+  return std::nullopt;  // cyclic or too long
+}
+
+namespace {
+
+constexpr int kRobot = -1;                    // id of a robot without an id
+constexpr std::uint32_t kWidest = 1U << 16U;  // [cells], map width and height
+// [ns]: limits times, so that differences do not overflow.
 constexpr std::int64_t kLatest = std::int64_t{1} << 62U;
 
-/// The value of a tag of HuNavSim.
+/// The integer value of one of HuNavSim's tags.
 std::optional<int> tagOf(const people_msgs::Person& person, const char* name) {
   for (std::size_t k = 0; k < std::min(person.tagnames.size(), person.tags.size()); ++k) {
     if (person.tagnames[k] == name) {
@@ -38,26 +117,26 @@ const BagObstacles::Part* BagObstacles::find(const std::string& name) const {
   return found == parts.end() ? nullptr : &*found;
 }
 
-BagBodies::BagBodies(Bag& bag, BagChoice choice, std::string path)
-    : bag_(bag), choice_(std::move(choice)), path_(std::move(path)) {}
+BagBodies::BagBodies(Bag& bag, TopicSelection choice, std::string path)
+    : bag_(bag), selection_(std::move(choice)), path_(std::move(path)) {}
 
 base::Diagnostics BagBodies::read() {
   std::vector<bool> wanted(bag_.channels().size(), false);
   const auto want = [&](std::size_t channel) {
     wanted[channel] = true;
-    losses_[channel];
+    readCounts_[channel];
   };
-  std::for_each(choice_.robots.begin(), choice_.robots.end(), want);
-  if (choice_.people) {
-    want(*choice_.people);
+  std::for_each(selection_.robots.begin(), selection_.robots.end(), want);
+  if (selection_.people) {
+    want(*selection_.people);
   }
-  if (choice_.map) {
-    want(*choice_.map);
+  if (selection_.map) {
+    want(*selection_.map);
   }
-  for (const std::size_t channel : choice_.transforms) {
+  for (const std::size_t channel : selection_.transforms) {
     wanted[channel] = true;
   }
-  for (const std::optional<std::size_t>& channel : {choice_.goals, choice_.obstacles}) {
+  for (const std::optional<std::size_t>& channel : {selection_.goals, selection_.obstacles}) {
     if (channel) {
       wanted[*channel] = true;
     }
@@ -66,7 +145,7 @@ base::Diagnostics BagBodies::read() {
       bag_.read(wanted, [this](std::size_t channel, std::int64_t time, std::string_view bytes) {
         take(channel, time, bytes);
       });
-  pairRobots();
+  assignRobotStamps();
   base::append(problems, losses());
   return problems;
 }
@@ -74,15 +153,15 @@ base::Diagnostics BagBodies::read() {
 void BagBodies::take(std::size_t channel, std::int64_t recorded, std::string_view bytes) {
   const std::int64_t time = std::clamp(recorded, std::int64_t{0}, kLatest);
   const std::string& type = bag_.channels()[channel].type;
-  if (choice_.people == channel && type == hunav_msgs::Agents::kType) {
+  if (selection_.people == channel && type == hunav_msgs::Agents::kType) {
     takeAgents(channel, bytes, time);
-  } else if (choice_.people == channel) {
+  } else if (selection_.people == channel) {
     takePeople(channel, bytes);
-  } else if (choice_.map == channel) {
+  } else if (selection_.map == channel) {
     takeMap(channel, bytes);
-  } else if (choice_.goals == channel) {
+  } else if (selection_.goals == channel) {
     takeGoal(channel, bytes);
-  } else if (choice_.obstacles == channel) {
+  } else if (selection_.obstacles == channel) {
     takeObstacles(channel, bytes);
   } else if (type == tf2_msgs::TFMessage::kType) {
     takeTransforms(channel, bytes);
@@ -91,29 +170,29 @@ void BagBodies::take(std::size_t channel, std::int64_t recorded, std::string_vie
   }
 }
 
-/// Where the frame lies in the map's; what nothing tells is taken for the map's.
+/// The pose of a frame in the map frame. An unknown frame is treated as the map frame and counted.
 base::Pose2 BagBodies::toMap(const std::string& frame) {
   if (frame.empty() || frame == kMapFrame) {
     return {};
   }
   const std::optional<base::Pose2> pose = frames_.inMap(frame);
   if (!pose) {
-    ++strange_[frame];
+    ++unknownFrames_[frame];
   }
   return pose.value_or(base::Pose2());
 }
 
-bool BagBodies::isFine(std::size_t channel, const people_msgs::Person& person, bool hasTurning) {
+bool BagBodies::isValid(std::size_t channel, const people_msgs::Person& person, bool hasTurning) {
   const geometry_msgs::Point& place = person.position;
   const geometry_msgs::Point& velocity = person.velocity;
-  return bad_.areFine(channel, "position", {place.x, place.y, hasTurning ? place.z : 0.0},
-                      kMostMetres) &&
-         bad_.areFine(channel, "velocity", {velocity.x, velocity.y, hasTurning ? velocity.z : 0.0},
-                      kMostSpeed);
+  return invalid_.areValid(channel, "position", {place.x, place.y, hasTurning ? place.z : 0.0},
+                           kMostMetres) &&
+         invalid_.areValid(channel, "velocity",
+                           {velocity.x, velocity.y, hasTurning ? velocity.z : 0.0}, kMostSpeed);
 }
 
-/// Of HuNavSim, which tags its people: position.z is the heading, the velocity ends with the
-/// turning.
+/// Messages of HuNavSim have tags; then position.z is the heading and velocity.z the angular
+/// velocity.
 void BagBodies::takePeople(std::size_t channel, std::string_view bytes) {
   const std::optional<people_msgs::People> all = decoded<people_msgs::People>(channel, bytes);
   if (!all) {
@@ -122,7 +201,7 @@ void BagBodies::takePeople(std::size_t channel, std::string_view bytes) {
   const base::Pose2 frame = toMap(all->header.frameId);
   for (const people_msgs::Person& person : all->people) {
     const std::optional<int> id = tagOf(person, "id");
-    if (!isFine(channel, person, id.has_value())) {
+    if (!isValid(channel, person, id.has_value())) {
       continue;
     }
     const int known =
@@ -130,8 +209,8 @@ void BagBodies::takePeople(std::size_t channel, std::string_view bytes) {
     BagBody& body = people_[known];
     body.id = known;
     body.name = person.name;
-    if (const std::optional<int> type = tagOf(person, "behavior"); type && !body.told) {
-      body.told.emplace().behavior.type = static_cast<std::uint8_t>(std::clamp(*type, 1, 6));
+    if (const std::optional<int> type = tagOf(person, "behavior"); type && !body.properties) {
+      body.properties.emplace().behavior.type = static_cast<std::uint8_t>(std::clamp(*type, 1, 6));
     }
     BagSample sample;
     sample.time = nanosecondsOf(all->header.stamp);
@@ -156,10 +235,10 @@ BagBody& BagBodies::robot() {
 
 void BagBodies::takeOdometry(std::size_t channel, const nav_msgs::Odometry& odometry) {
   const geometry_msgs::Twist& twist = odometry.twist.twist;
-  const bool isFine =
-      bad_.areFine(channel, "twist.linear", {twist.linear.x, twist.linear.y}, kMostSpeed) &&
-      bad_.areFine(channel, "twist.angular", {twist.angular.z}, kMostSpeed);
-  if (!isFine || !takePose(channel, odometry.header, odometry.pose.pose)) {
+  const bool isValid =
+      invalid_.areValid(channel, "twist.linear", {twist.linear.x, twist.linear.y}, kMostSpeed) &&
+      invalid_.areValid(channel, "twist.angular", {twist.angular.z}, kMostSpeed);
+  if (!isValid || !takePose(channel, odometry.header, odometry.pose.pose)) {
     return;
   }
   BagSample& sample = robot().samples.back();
@@ -168,12 +247,13 @@ void BagBodies::takeOdometry(std::size_t channel, const nav_msgs::Odometry& odom
   sample.omega = twist.angular.z;
 }
 
-/// False: it has numbers that are not finite, and nothing is added.
+/// False: the pose has invalid numbers and is discarded.
 bool BagBodies::takePose(std::size_t channel, const std_msgs::Header& header,
                          const geometry_msgs::Pose& pose) {
   const base::Pose2 inFrame = planarPose(pose);
-  if (!bad_.areFine(channel, "pose.position", {pose.position.x, pose.position.y}, kMostMetres) ||
-      !bad_.areFine(channel, "pose.orientation", {inFrame.heading}, kMostSpeed)) {
+  if (!invalid_.areValid(channel, "pose.position", {pose.position.x, pose.position.y},
+                         kMostMetres) ||
+      !invalid_.areValid(channel, "pose.orientation", {inFrame.heading}, kMostSpeed)) {
     return false;
   }
   const base::Pose2 frame = toMap(header.frameId);
@@ -214,13 +294,13 @@ void BagBodies::takeTransforms(std::size_t channel, std::string_view bytes) {
                            [&](const geometry_msgs::TransformStamped& each) {
                              const geometry_msgs::Transform& t = each.transform;
                              const double turn = headingOf(t.rotation);
-                             return !bad_.areFine(channel, "transforms",
-                                                  {t.translation.x, t.translation.y, turn},
-                                                  kMostMetres);
+                             return !invalid_.areValid(channel, "transforms",
+                                                       {t.translation.x, t.translation.y, turn},
+                                                       kMostMetres);
                            }),
             all.end());
   frames_.add(*message);
-  if (!choice_.isRobotByTf) {
+  if (!selection_.isRobotFromTf) {
     return;
   }
   for (const geometry_msgs::TransformStamped& each : message->transforms) {
@@ -229,7 +309,7 @@ void BagBodies::takeTransforms(std::size_t channel, std::string_view bytes) {
         isRobot ? frames_.inMap(each.childFrameId) : std::nullopt;
     const std::int64_t stamp = nanosecondsOf(each.header.stamp);
     if (!pose || (!robot().samples.empty() && stamp <= robot().samples.back().time)) {
-      continue;  // the same instant by its other name, or a transform that is fixed
+      continue;  // same time with the other frame name, or a static transform
     }
     BagSample sample;
     sample.time = stamp;
@@ -246,14 +326,15 @@ void BagBodies::takeMap(std::size_t channel, std::string_view bytes) {
   }
   const std::uint64_t cells = std::uint64_t{map->info.width} * map->info.height;
   const bool isPossible = map->info.width <= kWidest && map->info.height <= kWidest && cells > 0 &&
-                          cells <= std::uint64_t{sim2d::kMostMapCells} &&
+                          cells <= std::uint64_t{sim2d::kMaxMapCells} &&
                           cells == map->data.size() && map->info.resolution > 0.0F &&
                           std::isfinite(map->info.resolution);
   const base::Pose2 origin = planarPose(map->info.origin);
-  if (!isPossible || !base::isInReach(origin.position) || !std::isfinite(origin.heading)) {
-    ++losses_[channel].lost;
-    --losses_[channel].read;
-    losses_[channel].first = "its size and cells do not fit, or are too many";
+  if (!isPossible || !base::isWithinCoordinateRange(origin.position) ||
+      !std::isfinite(origin.heading)) {
+    ++readCounts_[channel].lost;
+    --readCounts_[channel].read;
+    readCounts_[channel].first = "its size does not match its cells, or there are too many cells";
     return;
   }
   std::vector<std::int8_t> values = map->data;
@@ -261,14 +342,14 @@ void BagBodies::takeMap(std::size_t channel, std::string_view bytes) {
     value = value < -1 || value > 100 ? std::int8_t{-1} : value;
   }
   map_ = sim2d::OccupancyGrid(static_cast<int>(map->info.width), static_cast<int>(map->info.height),
-                              asWritten(map->info.resolution), origin, std::move(values));
+                              shortestDecimal(map->info.resolution), origin, std::move(values));
 }
 
 void BagBodies::takeGoal(std::size_t channel, std::string_view bytes) {
   const auto pose = decoded<geometry_msgs::PoseStamped>(channel, bytes);
   if (!pose ||
-      !bad_.areFine(channel, "pose.position", {pose->pose.position.x, pose->pose.position.y},
-                    kMostMetres, BadNumbers::Loss::Value)) {
+      !invalid_.areValid(channel, "pose.position", {pose->pose.position.x, pose->pose.position.y},
+                         kMostMetres, InvalidNumbers::Loss::Value)) {
     return;
   }
   const base::Vec2 goal =
@@ -280,8 +361,7 @@ void BagBodies::takeGoal(std::size_t channel, std::string_view bytes) {
   }
 }
 
-/// As hunavsim publishes them: all earlier outlines are deleted, then one closed line follows for
-/// each.
+/// Expects the format of hunavsim: a DELETEALL marker, then one closed line strip per outline.
 void BagBodies::takeObstacles(std::size_t channel, std::string_view bytes) {
   using visualization_msgs::Marker;
   const auto all = decoded<visualization_msgs::MarkerArray>(channel, bytes);
@@ -299,8 +379,8 @@ void BagBodies::takeObstacles(std::size_t channel, std::string_view bytes) {
     sim2d::Outline outline;
     for (std::size_t k = 0; k + 1 < marker.points.size(); ++k) {  // the last repeats the first
       const geometry_msgs::Point& point = marker.points[k];
-      if (bad_.areFine(channel, "points", {point.x, point.y}, kMostMetres,
-                       BadNumbers::Loss::Value)) {
+      if (invalid_.areValid(channel, "points", {point.x, point.y}, kMostMetres,
+                            InvalidNumbers::Loss::Value)) {
         outline.points.push_back(frame.toWorld(inFrame.toWorld({point.x, point.y})));
       }
     }
@@ -316,7 +396,7 @@ void BagBodies::takeObstacles(std::size_t channel, std::string_view bytes) {
 
 base::Diagnostics BagBodies::losses() const {
   base::Diagnostics problems;
-  for (const auto& [channel, losses] : losses_) {
+  for (const auto& [channel, losses] : readCounts_) {
     const std::string& topic = bag_.channels()[channel].topic;
     if (losses.lost > 0) {
       problems.push_back(
@@ -326,8 +406,8 @@ base::Diagnostics BagBodies::losses() const {
       problems.push_back(base::warning("bag.no-messages", {topic}, path_));
     }
   }
-  base::append(problems, bad_.warnings(bag_.channels(), path_));
-  for (const auto& [frame, count] : strange_) {
+  base::append(problems, invalid_.warnings(bag_.channels(), path_));
+  for (const auto& [frame, count] : unknownFrames_) {
     problems.push_back(base::warning("bag.moved-frame", {count, frame}, path_));
   }
   return problems;

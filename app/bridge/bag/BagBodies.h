@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,55 +10,102 @@
 #include <utility>
 #include <vector>
 
-#include "app/bridge/bag/BadNumbers.h"
 #include "app/bridge/bag/Bag.h"
-#include "app/bridge/bag/BagChoice.h"
-#include "app/bridge/bag/FrameTree.h"
+#include "app/bridge/bag/TopicSelection.h"
 #include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/GeometryMessages.h"
 #include "app/bridge/messages/HunavMessages.h"
 #include "app/bridge/messages/MarkerMessages.h"
 #include "app/bridge/messages/NavigationMessages.h"
+#include "sim2d/base/Types.h"
 #include "sim2d/trace/Trace.h"
 
 namespace bridge {
 
-/// The shortest decimal number that this float is: 0.05 of 0.0500000007.
-double asWritten(float value);
+// Limits for plausible numbers in recordings.
+constexpr double kMostMetres = 1e9;    // [m] from the origin, as in the track reader
+constexpr double kMostSpeed = 1e4;     // [m/s] and [rad/s]
+constexpr double kMostRadius = 100.0;  // [m], radius of a body
+constexpr double kMostFactor = 1e6;    // force factors; also [m], radius of a goal
+
+/// Counts numbers that are not finite or implausibly large, by topic and field.
+class InvalidNumbers {
+ public:
+  enum class Loss { Sample, Value };  // what is discarded with the number
+
+  /// Returns false and counts the problem if a number is not finite or its magnitude is above
+  /// `most`.
+  bool areValid(std::size_t channel, const char* field, std::initializer_list<double> numbers,
+                double most, Loss loss = Loss::Sample);
+  bool hasDiscardedSamples() const;  // whether samples were discarded
+  /// One warning per topic and field.
+  base::Diagnostics warnings(const std::vector<BagChannel>& channels,
+                             const std::string& path) const;
+
+ private:
+  struct Count {
+    std::size_t count = 0;
+    double first = 0.0;
+    Loss loss = Loss::Sample;
+  };
+  std::map<std::pair<std::size_t, std::string>, Count> counts_;
+};
+
+/// The newest tf transforms, projected to the plane.
+class FrameTree {
+ public:
+  void add(const tf2_msgs::TFMessage& message);
+  /// The pose of the frame in the map frame. Nothing: not connected to the map frame.
+  std::optional<base::Pose2> inMap(const std::string& frame) const;
+
+ private:
+  struct Link {
+    std::string parent;
+    base::Pose2 pose;  // in the parent frame
+  };
+  std::map<std::string, Link> links_;  // by child frame
+};
+
+base::Pose2 planarPose(const geometry_msgs::Pose& pose);
+
+/// The double closest to the shortest decimal representation of a float: 0.05 instead of
+/// 0.0500000007.
+double shortestDecimal(float value);
 
 constexpr double kNanosecond = 1e-9;  // [s]
-constexpr double kSamePlace = 1e-6;   // [m]: precision of a position in a message
+constexpr double kSamePlace = 1e-6;   // [m], precision of positions in messages
 
 inline std::int64_t nanosecondsOf(const builtin_interfaces::Time& stamp) {
   return std::int64_t{stamp.sec} * 1000000000 + stamp.nanosec;
 }
 
-/// A body at an instant. Map frame.
+/// The state of a body at one time, in the map frame.
 struct BagSample {
   std::int64_t time = 0;  // [ns]
   base::Pose2 pose;
-  std::optional<double> heading;  // none: not told
+  std::optional<double> heading;  // none: unknown
   std::optional<base::Vec2> velocity;
   std::optional<double> omega;
   int group = -1;
   std::uint8_t state = 0;
-  std::optional<base::Vec2> goal;     // the current one
+  std::optional<base::Vec2> goal;     // current goal
   std::vector<base::Vec2> obstacles;  // points near the body (closest_obs)
 };
 
-/// A person or robot of a bag.
+/// A person or robot in a bag.
 struct BagBody {
   int id = 0;
   std::string name;
-  /// Its properties in hunav_msgs; each is taken from the first message that fills it in. Its goals
-  /// are all goals in the messages, in order.
-  std::optional<hunav_msgs::Agent> told;
-  std::vector<BagSample> samples;  // in the order of the bag
+  /// Properties from hunav_msgs, each from the first message that sets it. The goals are all goals
+  /// in the messages, in order.
+  std::optional<hunav_msgs::Agent> properties;
+  std::vector<BagSample> samples;  // in bag order
 };
 
-/// The outlines on /obstacles from a certain time on.
+/// The outlines on /obstacles from `time` on.
 struct BagObstacles {
   struct Part {
-    std::string name;  // of the obstacle or door
+    std::string name;  // name of the obstacle or door
     std::vector<sim2d::Outline> outlines;
   };
   std::int64_t time = 0;  // [ns]
@@ -65,27 +113,27 @@ struct BagObstacles {
   const Part* find(const std::string& name) const;
 };
 
-/// Reads the messages of a choice.
+/// Reads the bodies, map, goals and obstacles from the chosen topics.
 class BagBodies {
  public:
-  BagBodies(Bag& bag, BagChoice choice, std::string path);
+  BagBodies(Bag& bag, TopicSelection choice, std::string path);
 
-  /// All problems; warnings: what could not be read, topics of which nothing could.
+  /// Returns all problems. Warnings: unreadable messages, topics without readable messages.
   base::Diagnostics read();
 
   const std::map<int, BagBody>& people() const { return people_; }
   const std::map<int, BagBody>& robots() const { return robots_; }
   const std::optional<sim2d::OccupancyGrid>& map() const { return map_; }
-  /// Goals sent to the robot, each once, in order.
+  /// The goals sent to the robot, each once, in order.
   const std::vector<base::Vec2>& goals() const { return goals_; }
-  std::optional<std::int64_t> firstGoal() const { return firstGoal_; }  // its stamp [ns]
+  std::optional<std::int64_t> firstGoal() const { return firstGoal_; }  // [ns], stamp
   const std::vector<BagObstacles>& obstacles() const { return obstacles_; }
-  bool hasBadSamples() const { return bad_.hasSamples(); }
+  bool hasInvalidSamples() const { return invalid_.hasDiscardedSamples(); }
 
  private:
-  struct Losses {
+  struct ReadCounts {
     std::size_t read = 0, lost = 0;
-    std::string first;  // why
+    std::string first;  // first error
   };
 
   void take(std::size_t channel, std::int64_t time, std::string_view bytes);
@@ -93,13 +141,13 @@ class BagBodies {
   std::optional<M> decoded(std::size_t channel, std::string_view bytes);
   void takeAgents(std::size_t channel, std::string_view bytes, std::int64_t time);
   void takePeople(std::size_t channel, std::string_view bytes);
-  bool isFine(std::size_t channel, const people_msgs::Person& person, bool hasTurning);
+  bool isValid(std::size_t channel, const people_msgs::Person& person, bool hasTurning);
   void takeRobot(std::size_t channel, std::int64_t time, std::string_view bytes);
   void takeAgent(std::size_t channel, const hunav_msgs::Agent& agent, std::int64_t time,
                  std::map<int, BagBody>& to);
-  bool isFine(std::size_t channel, const hunav_msgs::Agent& agent);
+  bool isValid(std::size_t channel, const hunav_msgs::Agent& agent);
   std::vector<base::Vec2> obstaclesOf(std::size_t channel, const hunav_msgs::Agent& agent);
-  void fillIn(std::size_t channel, const hunav_msgs::Agent& agent, BagBody& body);
+  void setMissing(std::size_t channel, const hunav_msgs::Agent& agent, BagBody& body);
   void takeOdometry(std::size_t channel, const nav_msgs::Odometry& odometry);
   bool takePose(std::size_t channel, const std_msgs::Header& header,
                 const geometry_msgs::Pose& pose);
@@ -109,11 +157,11 @@ class BagBodies {
   void takeObstacles(std::size_t channel, std::string_view bytes);
   base::Pose2 toMap(const std::string& frame);
   BagBody& robot();
-  void pairRobots();
+  void assignRobotStamps();
   base::Diagnostics losses() const;
 
   Bag& bag_;
-  BagChoice choice_;
+  TopicSelection selection_;
   std::string path_;
   FrameTree frames_;
   std::map<int, BagBody> people_, robots_;
@@ -121,16 +169,17 @@ class BagBodies {
   std::vector<base::Vec2> goals_;
   std::optional<std::int64_t> firstGoal_;
   std::vector<BagObstacles> obstacles_;
-  BadNumbers bad_;
-  std::map<std::size_t, Losses> losses_;                       // by channel
-  std::map<std::string, std::size_t> strange_;                 // frames without a way to the map's
-  std::map<std::string, int> named_;                           // ids of people who have names alone
-  std::vector<std::pair<std::int64_t, std::int64_t>> stamps_;  // recorded, stamp of people [ns]
+  InvalidNumbers invalid_;
+  std::map<std::size_t, ReadCounts> readCounts_;      // by channel
+  std::map<std::string, std::size_t> unknownFrames_;  // frames without a transform to map
+  std::map<std::string, int> named_;                  // ids assigned to people by name
+  std::vector<std::pair<std::int64_t, std::int64_t>>
+      peopleStamps_;  // [ns], recording time and stamp
 };
 
 template <class M>
 std::optional<M> BagBodies::decoded(std::size_t channel, std::string_view bytes) {
-  Losses& losses = losses_[channel];
+  ReadCounts& losses = readCounts_[channel];
   base::Result<M> message = decode<M>(bytes);
   if (!message) {
     if (losses.lost++ == 0) {

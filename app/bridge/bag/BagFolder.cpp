@@ -9,10 +9,9 @@
 
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/McapFormat.h"
-#include "sim2d/base/LfsPointer.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/RepeatedKeys.h"
-#include "sim2d/trace/ForeignFiles.h"
+#include "sim2d/base/yaml/DuplicateKeys.h"
+#include "sim2d/trace/TrackImport.h"
 
 namespace bridge {
 namespace {
@@ -23,18 +22,18 @@ constexpr std::string_view kDatabaseMagic = "SQLite format 3";
 constexpr std::size_t kLongestMagic = 64;  // [B]
 constexpr const char* kMetadataFile = "metadata.yaml";
 
-enum class Kind { None, Mcap, Database, Folder, Packed, Pointer };
+enum class Kind { None, Mcap, Database, Folder, Packed, LfsPointer };
 
-struct Packing {
+struct CompressionFormat {
   std::string_view magic, name;
 };
-constexpr Packing kPackings[] = {{"\x28\xB5\x2F\xFD", "zstd"},
-                                 {"\x04\x22\x4D\x18", "lz4"},
-                                 {"\x1F\x8B", "gzip"},
-                                 {"BZh", "bzip2"},
-                                 {"\xFD"
-                                  "7zXZ",
-                                  "xz"}};
+constexpr CompressionFormat kCompressionFormats[] = {{"\x28\xB5\x2F\xFD", "zstd"},
+                                                     {"\x04\x22\x4D\x18", "lz4"},
+                                                     {"\x1F\x8B", "gzip"},
+                                                     {"BZh", "bzip2"},
+                                                     {"\xFD"
+                                                      "7zXZ",
+                                                      "xz"}};
 
 std::string beginningOf(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -48,15 +47,15 @@ bool beginsWith(const std::string& text, std::string_view with) {
   return std::string_view(text).substr(0, with.size()) == with;
 }
 
-/// Name of the compression of the whole file; empty: none that is known.
-std::string_view packingOf(const std::string& begin) {
+/// The name of the compression of the whole file; empty: none known.
+std::string_view compressionOf(const std::string& begin) {
   const auto* const found =
-      std::find_if(std::begin(kPackings), std::end(kPackings),
-                   [&](const Packing& each) { return beginsWith(begin, each.magic); });
-  return found == std::end(kPackings) ? std::string_view() : found->name;
+      std::find_if(std::begin(kCompressionFormats), std::end(kCompressionFormats),
+                   [&](const CompressionFormat& each) { return beginsWith(begin, each.magic); });
+  return found == std::end(kCompressionFormats) ? std::string_view() : found->name;
 }
 
-/// By the content; for files that are compressed or stored elsewhere, only by the name.
+/// Detects the kind by content; for files that are compressed or stored elsewhere, by name.
 Kind kindOfFile(const std::string& path) {
   const std::string begin = beginningOf(path);
   if (beginsWith(begin, kMcapMagic)) {
@@ -65,17 +64,17 @@ Kind kindOfFile(const std::string& path) {
   if (beginsWith(begin, kDatabaseMagic)) {
     return sim2d::isTrajectoryDatabase(path) ? Kind::None : Kind::Database;
   }
-  const std::string name = base::lowered(fs::path(path).filename().string());
+  const std::string name = base::toLower(fs::path(path).filename().string());
   const bool isNamed =
       name.find(".mcap") != std::string::npos || name.find(".db3") != std::string::npos;
-  if (isNamed && !packingOf(begin).empty()) {
+  if (isNamed && !compressionOf(begin).empty()) {
     return Kind::Packed;
   }
-  return isNamed && base::isLfsPointer(begin) ? Kind::Pointer : Kind::None;
+  return isNamed && base::isLfsPointer(begin) ? Kind::LfsPointer : Kind::None;
 }
 
-/// "bag_2" comes before "bag_10".
-bool isBeforeByNumbers(const std::string& a, const std::string& b) {
+/// Natural order: "bag_2" before "bag_10".
+bool isBeforeNaturally(const std::string& a, const std::string& b) {
   std::size_t i = 0;
   std::size_t k = 0;
   while (i < a.size() && k < b.size()) {
@@ -100,14 +99,13 @@ bool isBeforeByNumbers(const std::string& a, const std::string& b) {
   return a.size() - i < b.size() - k;
 }
 
-/// The files of a bag in a folder, independent of the metadata: recognised by their content, in the
-/// order of their numbers.
+/// The bag files in a folder, without metadata: detected by content, in numerical order.
 std::vector<std::string> bagFilesIn(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     const std::string path = entry.path().string();
-    const std::string ending = base::lowered(entry.path().extension().string());
+    const std::string ending = base::toLower(entry.path().extension().string());
     const bool isFile = entry.is_regular_file(ignored);
     const Kind kind = isFile ? kindOfFile(path) : Kind::None;
     // Other programs use databases for other purposes.
@@ -115,11 +113,11 @@ std::vector<std::string> bagFilesIn(const std::string& folder) {
       files.push_back(path);
     }
   }
-  std::sort(files.begin(), files.end(), isBeforeByNumbers);
+  std::sort(files.begin(), files.end(), isBeforeNaturally);
   return files;
 }
 
-/// A folder with the record of a run and without metadata.yaml is a run, even if it contains bag
+/// A folder with the files of a run and without metadata.yaml is a run, even if it contains bag
 /// files.
 bool isRecord(const fs::path& folder) {
   std::error_code ignored;
@@ -141,10 +139,10 @@ std::string textOf(const base::YamlNode* map, const char* key) {
   return node != nullptr && node->isScalar() ? node->text : std::string();
 }
 
-/// Files of one recording, one after the other.
-class FileRow final : public Bag {
+/// The files of a split recording, read in sequence.
+class SplitBag final : public Bag {
  public:
-  explicit FileRow(std::vector<std::unique_ptr<Bag>> files) : files_(std::move(files)) {
+  explicit SplitBag(std::vector<std::unique_ptr<Bag>> files) : files_(std::move(files)) {
     for (const std::unique_ptr<Bag>& file : files_) {
       std::vector<std::size_t>& places = places_.emplace_back();
       for (const BagChannel& channel : file->channels()) {
@@ -194,14 +192,14 @@ class FileRow final : public Bag {
 
   std::vector<std::unique_ptr<Bag>> files_;
   std::vector<BagChannel> channels_;
-  std::vector<std::vector<std::size_t>> places_;  // of each file's channels in channels_
+  std::vector<std::vector<std::size_t>> places_;  // per file: channel index in channels_
 };
 
-/// Path of a file that the metadata names: early versions include its folder in the name, and a
-/// file that was decompressed manually has lost its last extension. Empty: the file does not exist.
+/// The path of a file named in the metadata. Early versions include the folder in the name; a
+/// manually decompressed file has lost its last extension. Empty: the file does not exist.
 std::string placeOf(const std::string& folder, const std::string& name) {
   const fs::path file = fs::path(name).filename();
-  const std::string ending = base::lowered(file.extension().string());
+  const std::string ending = base::toLower(file.extension().string());
   const bool isPacked = ending == ".zstd" || ending == ".zst" || ending == ".lz4";
   for (const fs::path& place : {fs::path(folder) / name, fs::path(folder) / file,
                                 fs::path(folder) / (isPacked ? file.stem() : file)}) {
@@ -223,13 +221,13 @@ base::Diagnostic absent(const base::YamlNode& name, const std::string& folder,
                      name.column);
 }
 
-/// The files that the metadata names; none with an error.
+/// The files named in the metadata; empty after an error.
 std::vector<std::string> namedFiles(const std::string& folder, base::Diagnostics& problems) {
   const std::string path = (fs::path(folder) / kMetadataFile).string();
   const base::Result<std::string> text = base::readTextFile(path);
   base::append(problems, text.diagnostics());
   const base::YamlNode root =
-      text ? base::parseYaml(*text, path, base::RepeatedKeys::FirstCounts, problems)
+      text ? base::parseYaml(*text, path, base::DuplicateKeys::FirstWins, problems)
            : base::YamlNode();
   if (base::hasErrors(problems)) {
     return {};
@@ -238,7 +236,7 @@ std::vector<std::string> namedFiles(const std::string& folder, base::Diagnostics
   const std::string storage = textOf(info, "storage_identifier");
   const std::string packing = textOf(info, "compression_format");
   const bool isPacked =
-      !packing.empty() && base::lowered(textOf(info, "compression_mode")) == "message";
+      !packing.empty() && base::toLower(textOf(info, "compression_mode")) == "message";
   const base::YamlNode* const names = info != nullptr ? info->find("relative_file_paths") : nullptr;
   if (storage != "mcap" && storage != "sqlite3" && !storage.empty()) {
     problems.push_back(base::error("bag.storage", {storage}, path));
@@ -280,7 +278,7 @@ std::vector<std::string> filesOfBag(const std::string& path) {
   if (kindOf(path) != Kind::Folder) {
     return {path};
   }
-  base::Diagnostics ignored;  // told when it is opened
+  base::Diagnostics ignored;  // reported when the bag is opened
   std::vector<std::string> files = filesOf(path, ignored);
   const fs::path metadata = fs::path(path) / kMetadataFile;
   if (std::error_code none; fs::exists(metadata, none)) {
@@ -294,7 +292,7 @@ base::Result<std::unique_ptr<Bag>> openBagFolder(const std::string& folder) {
   std::vector<std::unique_ptr<Bag>> bags;
   for (const std::string& file : filesOf(folder, problems)) {
     const Kind kind = kindOf(file);
-    if (kind == Kind::Folder) {  // no folders in folders
+    if (kind == Kind::Folder) {  // nested folders are not supported
       problems.push_back(base::error("bag.no-bag", {}, file));
       continue;
     }
@@ -307,7 +305,7 @@ base::Result<std::unique_ptr<Bag>> openBagFolder(const std::string& folder) {
   if (base::hasErrors(problems)) {
     return problems;
   }
-  return {std::unique_ptr<Bag>(std::make_unique<FileRow>(std::move(bags))), std::move(problems)};
+  return {std::unique_ptr<Bag>(std::make_unique<SplitBag>(std::move(bags))), std::move(problems)};
 }
 
 base::Result<std::unique_ptr<Bag>> openBag(const std::string& path) {
@@ -315,12 +313,12 @@ base::Result<std::unique_ptr<Bag>> openBag(const std::string& path) {
     case Kind::Mcap:
       return openMcap(path);
     case Kind::Database:
-      return openDatabase(path);
+      return openSqliteBag(path);
     case Kind::Folder:
       return openBagFolder(path);
     case Kind::Packed:
-      return base::error("bag.compressed-file", {packingOf(beginningOf(path))}, path);
-    case Kind::Pointer:
+      return base::error("bag.compressed-file", {compressionOf(beginningOf(path))}, path);
+    case Kind::LfsPointer:
       return base::error("file.lfs-pointer", {}, path);
     case Kind::None:
       break;

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "app/bridge/bag/BagBodies.h"
-#include "app/bridge/bag/ForeignBag.h"
-#include "app/bridge/bag/RunBag.h"
+#include "app/bridge/bag/RunBagWriter.h"
+#include "app/bridge/bag/ThirdPartyBag.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/TraceTexts.h"
+#include "sim2d/trace/TraceContents.h"
 
 namespace bridge {
 namespace {
@@ -26,7 +26,7 @@ const std::vector<sim2d::TraceGoal>* goalsOf(const sim2d::TraceHeader& header, i
   return human != nullptr ? &human->goals : nullptr;
 }
 
-/// The id of the goal of a record that stands there.
+/// The id of the goal at this position; kNoGoal: none.
 int goalAt(const sim2d::TraceHeader& header, int id, const std::optional<base::Vec2>& place) {
   const std::vector<sim2d::TraceGoal>* const goals = goalsOf(header, id);
   if (!place || goals == nullptr) {
@@ -38,10 +38,11 @@ int goalAt(const sim2d::TraceHeader& header, int id, const std::optional<base::V
   return found == goals->end() ? sim2d::kNoGoal : found->id;
 }
 
-/// A run of ours: header and events by their texts, bodies by their messages.
-class OwnTrace {
+/// Creates the trace of a hunavsim run: header and events from the metadata, bodies from the
+/// messages.
+class HunavsimTrace {
  public:
-  OwnTrace(Bag& bag, const std::string& path) : bag_(bag), path_(path) {}
+  HunavsimTrace(Bag& bag, const std::string& path) : bag_(bag), path_(path) {}
 
   base::Result<sim2d::Trace> make() {
     sim2d::TraceTexts texts{{path_ + " trajectory", {}},
@@ -52,10 +53,10 @@ class OwnTrace {
     if (!header) {
       return header.diagnostics();
     }
-    BagBodies bodies(bag_, ownTopics(bag_.channels()), path_);
+    BagBodies bodies(bag_, hunavsimTopics(bag_.channels()), path_);
     base::Diagnostics problems = bodies.read();
-    if (base::hasErrors(problems) || bodies.hasBadSamples()) {
-      return problems;  // no run can be made of the remaining parts
+    if (base::hasErrors(problems) || bodies.hasInvalidSamples()) {
+      return problems;  // the run cannot be reconstructed
     }
     texts.trajectory.content = rowsOf(bodies, *header);
     base::Result<sim2d::Trace> trace = sim2d::parseTrace(texts);
@@ -86,17 +87,17 @@ class OwnTrace {
     }
   }
 
-  /// As trajectory.csv has them: its reader checks them.
+  /// The rows of trajectory.csv, so that its reader validates them.
   static std::string rowsOf(const BagBodies& bodies, const sim2d::TraceHeader& header) {
     Frames frames;
     for (const auto& [id, body] : bodies.people()) {
       add(body, header, false, frames);
     }
     const std::map<int, BagBody>& robots = bodies.robots();
-    for (auto robot = robots.rbegin(); robot != robots.rend(); ++robot) {  // -1, -2 …
+    for (auto robot = robots.rbegin(); robot != robots.rend(); ++robot) {  // ids -1, -2 …
       add(robot->second, header, true, frames);
     }
-    std::string rows = sim2d::headLine(sim2d::kTrajectoryColumns);
+    std::string rows = sim2d::headerLine(sim2d::kTrajectoryColumns);
     for (const auto& [step, frame] : frames) {
       sim2d::appendTrajectoryRows(rows, frame);
     }
@@ -107,18 +108,18 @@ class OwnTrace {
   const std::string& path_;
 };
 
-/// Used as it was written: no choice of topics or robots, no other step.
-bool isUsedAsItIs(Bag& bag, const BagUse& use, const sim2d::TrackOptions& options) {
+/// Whether the bag is used unmodified: no options for topics, robots or time step.
+bool isUnmodified(Bag& bag, const BagTopicOptions& use, const sim2d::TrackOptions& options) {
   const bool isChosen = !use.people.empty() || !use.robot.empty() || !use.map.empty() ||
                         options.robotId || !options.robotName.empty() || options.robotGoal ||
                         options.step > 0.0;
   return !isChosen && !bag.metadata(kRunMetadata, "trace.json").empty() &&
-         ownTopics(bag.channels()).people;
+         hunavsimTopics(bag.channels()).people;
 }
 
 }  // namespace
 
-base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagUse& use,
+base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagTopicOptions& use,
                                         const sim2d::TrackOptions& options,
                                         sim2d::RecordedPoints* points) {
   base::Result<std::unique_ptr<Bag>> bag = openBag(path);
@@ -126,8 +127,8 @@ base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagUse& u
   if (!bag) {
     return problems;
   }
-  if (isUsedAsItIs(**bag, use, options)) {
-    base::Result<sim2d::Trace> own = OwnTrace(**bag, path).make();
+  if (isUnmodified(**bag, use, options)) {
+    base::Result<sim2d::Trace> own = HunavsimTrace(**bag, path).make();
     if (own) {
       base::append(problems, own.diagnostics());
       return {*std::move(own), std::move(problems)};
@@ -135,7 +136,7 @@ base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagUse& u
     problems.push_back(
         base::warning("bag.not-as-written", {own.diagnostics().front().message}, path));
   }
-  base::Result<sim2d::Trace> trace = readForeignBag(**bag, path, use, options, points);
+  base::Result<sim2d::Trace> trace = readThirdPartyBag(**bag, path, use, options, points);
   base::append(problems, trace.diagnostics());
   return trace ? base::Result<sim2d::Trace>(*std::move(trace), std::move(problems))
                : base::Result<sim2d::Trace>(std::move(problems));

@@ -9,27 +9,27 @@
 
 namespace bridge {
 
-/// Which topics of a bag tell what; empty: the first of a type that does (`readBagTrace`).
-struct BagUse {
+/// The topics to use, by name; empty: chosen by type (`readBagTrace`).
+struct BagTopicOptions {
   std::string people, robot, map;
 };
 
-/// "people=/human_states,robot=/odom,map=/map", in any order; others are errors.
-base::Result<BagUse> parseBagUse(const std::string& text);
+/// Parses "people=/human_states,robot=/odom,map=/map", in any order. Other keys are errors.
+base::Result<BagTopicOptions> parseBagTopicOptions(const std::string& text);
 
-/// A recording of a run as a record that can be measured.
+/// Reads a recording as a trace that can be evaluated.
 ///
-/// People: hunav_msgs/Agents, else people_msgs/People. The robot: hunav_msgs/Agent, else
-/// nav_msgs/Odometry, geometry_msgs/PoseStamped or PoseWithCovarianceStamped, else the frame
-/// base_footprint or base_link of tf; its goals: those of hunav_msgs/Agent, and /goal_pose. The
-/// map: nav_msgs/OccupancyGrid, and /obstacles of a run of hunavsim. Poses in other frames than the
-/// map's are transformed by tf where it connects the frames. `points`: takes closest_obs of
-/// hunav_msgs. Samples with numbers that are not finite are left out, with a warning.
+/// People: hunav_msgs/Agents, otherwise people_msgs/People. The robot: hunav_msgs/Agent, otherwise
+/// nav_msgs/Odometry, geometry_msgs/PoseStamped or PoseWithCovarianceStamped, otherwise the tf
+/// frame base_footprint or base_link. Its goals: those of hunav_msgs/Agent, and /goal_pose. The
+/// map: nav_msgs/OccupancyGrid, and /obstacles of hunavsim. Poses in other frames are transformed
+/// to the map frame by tf if possible. `points` receives closest_obs of hunav_msgs. Samples with
+/// numbers that are not finite are discarded with a warning.
 ///
-/// A bag of ours (`kRunMetadata`) that is used as it is gives the record of its run: all but the
-/// bodies comes from its metadata, the bodies from /human_states and /robot_states. A bag of which
-/// a part is missing is read as a recording of another program, with a warning.
-base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagUse& use,
+/// A complete bag of hunavsim (`kRunMetadata`) yields the trace of its run: the bodies come from
+/// /human_states and /robot_states, everything else from its metadata. If parts are missing, it is
+/// read as a third-party recording, with a warning.
+base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagTopicOptions& use,
                                         const sim2d::TrackOptions& options,
                                         sim2d::RecordedPoints* points = nullptr);
 

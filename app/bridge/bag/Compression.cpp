@@ -4,42 +4,43 @@
 #include <memory>
 #include <new>
 #include <utility>
+#include <zlib.h>
 #include <zstd.h>
 
 namespace bridge {
 
 namespace {
 
-constexpr int kLevel = 1;  // the fastest that is not much larger: a run goes on beside it
+constexpr int kLevel = 1;  // fast, because the run is simulated concurrently
 
 }  // namespace
 
-ZstdPacker::ZstdPacker() : context_(ZSTD_createCCtx(), &ZSTD_freeCCtx) {
+ZstdCompressor::ZstdCompressor() : context_(ZSTD_createCCtx(), &ZSTD_freeCCtx) {
   if (context_ == nullptr) {
     throw std::bad_alloc();
   }
 }
 
-std::string_view ZstdPacker::packed(std::string_view bytes) {
-  packed_.resize(std::max(packed_.size(), ZSTD_compressBound(bytes.size())));
-  const std::size_t size = ZSTD_compressCCtx(context_.get(), packed_.data(), packed_.size(),
+std::string_view ZstdCompressor::compress(std::string_view bytes) {
+  buffer_.resize(std::max(buffer_.size(), ZSTD_compressBound(bytes.size())));
+  const std::size_t size = ZSTD_compressCCtx(context_.get(), buffer_.data(), buffer_.size(),
                                              bytes.data(), bytes.size(), kLevel);
-  if (ZSTD_isError(size) != 0U) {  // there is room, so it is memory that is missing
+  if (ZSTD_isError(size) != 0U) {  // the buffer is large enough: out of memory
     throw std::bad_alloc();
   }
-  return {packed_.data(), size};
+  return {buffer_.data(), size};
 }
 
-std::optional<std::string> zstdUnpacked(std::string_view packed, std::size_t size) {
-  std::string bytes = zstdBeginning(packed, size);
+std::optional<std::string> zstdDecompressed(std::string_view compressed, std::size_t size) {
+  std::string bytes = zstdDecompressedPrefix(compressed, size);
   return bytes.size() == size ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-std::string zstdBeginning(std::string_view packed, std::size_t most) {
+std::string zstdDecompressedPrefix(std::string_view compressed, std::size_t most) {
   const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
                                                                           &ZSTD_freeDStream);
   std::string bytes;
-  ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+  ZSTD_inBuffer in{compressed.data(), compressed.size(), 0};
   std::size_t made = 1;
   while (stream && made > 0 && bytes.size() < most) {
     std::string piece(std::min(most - bytes.size(), ZSTD_DStreamOutSize()), '\0');
@@ -49,6 +50,11 @@ std::string zstdBeginning(std::string_view packed, std::size_t most) {
     bytes.append(piece, 0, out.pos);
   }
   return bytes;
+}
+
+std::uint32_t crc32(std::string_view bytes, std::uint32_t before) {
+  return static_cast<std::uint32_t>(
+      ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace bridge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,22 +11,26 @@ struct ZSTD_CCtx_s;
 
 namespace bridge {
 
-/// Packs one piece after the other in the same memory. Thread: one at a time.
-class ZstdPacker {
+/// Compresses blocks, reusing its memory. Not thread-safe.
+class ZstdCompressor {
  public:
-  ZstdPacker();
-  /// As one frame of zstd, valid until the next call.
-  std::string_view packed(std::string_view bytes);
+  ZstdCompressor();
+  /// Returns one zstd frame, valid until the next call.
+  std::string_view compress(std::string_view bytes);
 
  private:
   std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> context_;
-  std::string packed_;
+  std::string buffer_;
 };
 
-/// None: they are no frame of zstd, or not of `size` bytes. Memory is taken as bytes come.
-std::optional<std::string> zstdUnpacked(std::string_view packed, std::size_t size);
+/// Decompresses a frame. Nothing: not a zstd frame or not of `size` bytes. Memory grows with the
+/// output.
+std::optional<std::string> zstdDecompressed(std::string_view compressed, std::size_t size);
 
-/// What the beginning of such a frame holds, up to `most` bytes.
-std::string zstdBeginning(std::string_view packed, std::size_t most);
+/// Decompresses the beginning of a possibly truncated frame, up to `most` bytes.
+std::string zstdDecompressedPrefix(std::string_view compressed, std::size_t most);
+
+/// The zlib CRC-32 of `bytes`. `before`: the CRC of the preceding bytes.
+std::uint32_t crc32(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace bridge

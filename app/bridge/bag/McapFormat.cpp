@@ -4,7 +4,7 @@ namespace bridge {
 
 McapRecord::McapRecord(McapOp op) {
   bytes_ += static_cast<char>(op);
-  bytes_.append(kRecordHead - 1, '\0');
+  bytes_.append(kRecordHeaderSize - 1, '\0');
 }
 
 McapRecord& McapRecord::text(std::string_view text) {
@@ -50,7 +50,7 @@ McapRecord& McapRecord::counts(const std::map<std::uint16_t, std::uint64_t>& cou
 }
 
 const std::string& McapRecord::finish(std::size_t following) {
-  const std::uint64_t size = bytes_.size() - kRecordHead + following;
+  const std::uint64_t size = bytes_.size() - kRecordHeaderSize + following;
   for (std::size_t k = 0; k < sizeof(size); ++k) {
     bytes_[1 + k] = static_cast<char>((size >> (8U * k)) & 0xFFU);
   }

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-/// Records of MCAP files (https://mcap.dev/spec): an opcode, a length of eight bytes, the content.
-/// All numbers are little endian.
+/// Records of MCAP files (https://mcap.dev/spec): an opcode, an 8-byte length, the content. All
+/// numbers are little-endian.
 namespace bridge {
 
 constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
-constexpr std::size_t kRecordHead = 9;  // [B] opcode and length
+constexpr std::size_t kRecordHeaderSize = 9;  // [B], opcode and length
 
 enum class McapOp : std::uint8_t {
   Header = 1,
@@ -33,7 +33,7 @@ enum class McapOp : std::uint8_t {
 
 using McapEntries = std::vector<std::pair<std::string, std::string>>;
 
-/// One record; its length is known at the end.
+/// Builds one record. The length is set by finish().
 class McapRecord {
  public:
   explicit McapRecord(McapOp op);
@@ -45,14 +45,14 @@ class McapRecord {
     }
     return *this;
   }
-  McapRecord& text(std::string_view text);      // length of four bytes
-  McapRecord& bytes(std::string_view bytes);    // the same
-  McapRecord& bytes64(std::string_view bytes);  // length of eight bytes
+  McapRecord& text(std::string_view text);      // 4-byte length
+  McapRecord& bytes(std::string_view bytes);    // 4-byte length
+  McapRecord& bytes64(std::string_view bytes);  // 8-byte length
   McapRecord& entries(const McapEntries& entries);
-  /// A map from channels to numbers.
+  /// A map from channel ids to numbers.
   McapRecord& counts(const std::map<std::uint16_t, std::uint64_t>& counts);
 
-  /// `following`: so many bytes of its content come behind what stands here.
+  /// `following`: number of content bytes appended separately after this buffer.
   const std::string& finish(std::size_t following = 0);
 
  private:
@@ -60,5 +60,66 @@ class McapRecord {
 
   std::string bytes_;
 };
+
+/// Reads the fields of a record in order. After the end, all values are 0 or empty, and hasFailed()
+/// is true.
+class McapFields {
+ public:
+  explicit McapFields(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class T>
+  T number() {
+    const std::string_view raw = take(sizeof(T));
+    std::uint64_t value = 0;
+    for (std::size_t k = 0; k < raw.size(); ++k) {
+      value |= std::uint64_t{static_cast<unsigned char>(raw[k])} << (8U * k);
+    }
+    return static_cast<T>(value);
+  }
+  std::string_view text() { return take(number<std::uint32_t>()); }
+  std::string_view bytes64() { return take(number<std::uint64_t>()); }
+  std::string_view rest() { return take(bytes_.size()); }
+  std::string_view skip(std::size_t size) { return take(size); }
+  bool atEnd() const { return bytes_.empty(); }
+  bool hasFailed() const { return hasFailed_; }
+
+ private:
+  std::string_view take(std::uint64_t size) {
+    if (size > bytes_.size()) {
+      hasFailed_ = true;
+      bytes_ = {};
+      return {};
+    }
+    const std::string_view taken = bytes_.substr(0, static_cast<std::size_t>(size));
+    bytes_.remove_prefix(taken.size());
+    return taken;
+  }
+
+  std::string_view bytes_;
+  bool hasFailed_ = false;
+};
+
+/// A record within a buffer.
+struct McapRecordView {
+  McapOp op = McapOp::Header;
+  std::string_view content;
+};
+
+/// Removes the next record from `bytes`. False at the end, or if the rest is not a complete record
+/// (`bytes` is then not empty).
+inline bool nextRecord(std::string_view& bytes, McapRecordView& piece) {
+  if (bytes.size() < kRecordHeaderSize) {
+    return false;
+  }
+  McapFields head(bytes.substr(0, kRecordHeaderSize));
+  piece.op = static_cast<McapOp>(head.number<std::uint8_t>());
+  const auto size = head.number<std::uint64_t>();
+  if (size > bytes.size() - kRecordHeaderSize) {
+    return false;
+  }
+  piece.content = bytes.substr(kRecordHeaderSize, static_cast<std::size_t>(size));
+  bytes.remove_prefix(kRecordHeaderSize + piece.content.size());
+  return true;
+}
 
 }  // namespace bridge

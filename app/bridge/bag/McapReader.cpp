@@ -6,12 +6,12 @@
 #include <system_error>
 #include <utility>
 
-#include "app/bridge/bag/Crc32.h"
+#include "app/bridge/bag/Compression.h"
 
 namespace bridge {
 namespace {
 
-constexpr std::uint64_t kFooter = kRecordHead + 20;  // [B]
+constexpr std::uint64_t kFooter = kRecordHeaderSize + 20;  // [B]
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void McapReader::damaged(const char* part, std::uint64_t place) {
   problems_.push_back(base::warning("bag.damaged", {part, std::to_string(place)}, path_));
 }
 
-/// None when the file is shorter.
+/// Nothing if the file is shorter.
 std::optional<std::string> McapReader::bytesAt(std::uint64_t place, std::uint64_t size) {
   if (place > size_ || size > size_ - place) {
     return std::nullopt;
@@ -37,18 +37,18 @@ std::optional<std::string> McapReader::bytesAt(std::uint64_t place, std::uint64_
   return file_ ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-/// Its head alone is read; none when it goes beyond the end.
-std::optional<McapReader::Placed> McapReader::recordAt(std::uint64_t place) {
-  const std::optional<std::string> head = bytesAt(place, kRecordHead);
+/// Reads only the record header. Nothing if the record exceeds the file.
+std::optional<McapReader::RecordPosition> McapReader::recordAt(std::uint64_t place) {
+  const std::optional<std::string> head = bytesAt(place, kRecordHeaderSize);
   if (!head) {
     return std::nullopt;
   }
   McapFields fields(*head);
-  Placed record;
+  RecordPosition record;
   record.place = place;
   record.op = static_cast<McapOp>(fields.number<std::uint8_t>());
   record.size = fields.number<std::uint64_t>();
-  return record.size <= size_ - place - kRecordHead ? std::optional(record) : std::nullopt;
+  return record.size <= size_ - place - kRecordHeaderSize ? std::optional(record) : std::nullopt;
 }
 
 void McapReader::noteMetadata(std::string_view content) {
@@ -61,7 +61,7 @@ void McapReader::noteMetadata(std::string_view content) {
   }
 }
 
-/// Several writers of one topic have a channel each.
+/// Channels of one topic, written by several publishers, are merged.
 std::size_t McapReader::placeOf(const BagChannel& channel) {
   const auto known = std::find_if(channels_.begin(), channels_.end(), [&](const BagChannel& other) {
     return other.topic == channel.topic && other.type == channel.type;
@@ -73,7 +73,7 @@ std::size_t McapReader::placeOf(const BagChannel& channel) {
   return place;
 }
 
-void McapReader::note(const McapPiece& piece) {
+void McapReader::note(const McapRecordView& piece) {
   McapFields fields(piece.content);
   if (piece.op == McapOp::Schema) {
     const auto id = fields.number<std::uint16_t>();
@@ -93,7 +93,7 @@ void McapReader::note(const McapPiece& piece) {
   }
 }
 
-bool McapReader::readSummaryRecord(const McapPiece& piece) {
+bool McapReader::readSummaryRecord(const McapRecordView& piece) {
   McapFields fields(piece.content);
   if (piece.op == McapOp::ChunkIndex) {
     Chunk chunk;
@@ -107,9 +107,9 @@ bool McapReader::readSummaryRecord(const McapPiece& piece) {
     }
     chunks_.push_back(std::move(chunk));
   } else if (piece.op == McapOp::MetadataIndex) {
-    const std::optional<Placed> record = recordAt(fields.number<std::uint64_t>());
+    const std::optional<RecordPosition> record = recordAt(fields.number<std::uint64_t>());
     const std::optional<std::string> content =
-        record ? bytesAt(record->place + kRecordHead, record->size) : std::nullopt;
+        record ? bytesAt(record->place + kRecordHeaderSize, record->size) : std::nullopt;
     if (content) {
       noteMetadata(*content);
     }
@@ -119,7 +119,7 @@ bool McapReader::readSummaryRecord(const McapPiece& piece) {
   return !fields.hasFailed();
 }
 
-/// False: there is none, or it is damaged; nothing is known then.
+/// False: there is no summary, or it is damaged; then nothing is set.
 bool McapReader::readSummary() {
   const std::uint64_t tail = kFooter + kMcapMagic.size();
   if (size_ < tail + kMcapMagic.size()) {
@@ -130,7 +130,7 @@ bool McapReader::readSummary() {
       static_cast<McapOp>(end->front()) != McapOp::Footer) {
     return false;
   }
-  McapFields footer(std::string_view(*end).substr(kRecordHead));
+  McapFields footer(std::string_view(*end).substr(kRecordHeaderSize));
   const auto begin = footer.number<std::uint64_t>();
   footer.skip(sizeof(std::uint64_t));
   const auto sum = footer.number<std::uint32_t>();
@@ -145,10 +145,10 @@ bool McapReader::readSummary() {
   }
   bool isFine = true;
   std::string_view rest = *bytes;
-  for (McapPiece piece; isFine && nextRecord(rest, piece);) {
+  for (McapRecordView piece; isFine && nextRecord(rest, piece);) {
     isFine = readSummaryRecord(piece);
   }
-  std::set<std::uint64_t> places;  // a chunk named a thousand times would be read as often
+  std::set<std::uint64_t> places;  // rejects duplicates, which would be read repeatedly
   const bool isEachOnce = std::all_of(chunks_.begin(), chunks_.end(), [&](const Chunk& chunk) {
     return places.insert(chunk.place).second;
   });
@@ -156,33 +156,33 @@ bool McapReader::readSummary() {
   return isIndexed_;
 }
 
-/// What is in a record of the data section, when there is no summary.
-void McapReader::lookInto(const Placed& record) {
+/// Indexes a record of the data section when there is no summary.
+void McapReader::indexRecord(const RecordPosition& record) {
   const bool isChunk = record.op == McapOp::Chunk;
   if (isChunk || record.op == McapOp::Message) {
-    chunks_.push_back({record.place, kRecordHead + record.size, false, {}});
+    chunks_.push_back({record.place, kRecordHeaderSize + record.size, false, {}});
   }
-  const bool isTold =
+  const bool isDefinition =
       record.op == McapOp::Schema || record.op == McapOp::Channel || record.op == McapOp::Metadata;
-  if (!isChunk && !isTold) {
+  if (!isChunk && !isDefinition) {
     return;
   }
-  const std::optional<std::string> content = bytesAt(record.place + kRecordHead, record.size);
+  const std::optional<std::string> content = bytesAt(record.place + kRecordHeaderSize, record.size);
   if (!content) {
     return;
   }
-  if (isTold) {
+  if (isDefinition) {
     note({record.op, *content});
     return;
   }
-  const std::optional<std::string> records = unpacked(*content, record.place);
+  const std::optional<std::string> records = decompressChunk(*content, record.place);
   std::string_view rest = records ? std::string_view(*records) : std::string_view();
-  for (McapPiece piece; nextRecord(rest, piece);) {
+  for (McapRecordView piece; nextRecord(rest, piece);) {
     note(piece);
   }
 }
 
-/// From the beginning to the end of the data, or as far as the records are whole.
+/// Scans from the beginning to the end of the data or the last complete record.
 void McapReader::scan() {
   channels_.clear();
   places_.clear();
@@ -192,17 +192,17 @@ void McapReader::scan() {
   std::uint64_t place = kMcapMagic.size();
   bool isOver = false;
   while (!isOver) {
-    const std::optional<Placed> record = recordAt(place);
+    const std::optional<RecordPosition> record = recordAt(place);
     if (!record) {
       problems_.push_back(base::warning("bag.cut", {std::to_string(place)}, path_));
-      keepBeginning(place);
+      readTruncatedRecord(place);
       return;
     }
-    lookInto(*record);
-    if (unpacked_ > mostUnpacked()) {
+    indexRecord(*record);
+    if (decompressedSize_ > maxDecompressedSize()) {
       return;
     }
-    place += kRecordHead + record->size;
+    place += kRecordHeaderSize + record->size;
     isOver = record->op == McapOp::DataEnd || record->op == McapOp::Footer;
   }
 }
@@ -216,16 +216,16 @@ base::Result<std::unique_ptr<Bag>> McapReader::open(const std::string& path) {
   if (!reader->readSummary()) {
     reader->scan();
   }
-  base::Diagnostics told;  // what is damaged is told by read()
+  base::Diagnostics openProblems;  // damage is reported by read()
   for (const base::Diagnostic& each : std::exchange(reader->problems_, {})) {
     if (each.code == "bag.cut" || each.severity == base::Severity::Error) {
-      told.push_back(each);
+      openProblems.push_back(each);
     }
   }
-  if (base::hasErrors(told)) {
-    return told;
+  if (base::hasErrors(openProblems)) {
+    return openProblems;
   }
-  return {std::unique_ptr<Bag>(std::move(reader)), std::move(told)};
+  return {std::unique_ptr<Bag>(std::move(reader)), std::move(openProblems)};
 }
 
 std::string McapReader::metadata(const std::string& name, const std::string& key) {
@@ -239,6 +239,147 @@ std::string McapReader::metadata(const std::string& name, const std::string& key
 
 base::Result<std::unique_ptr<Bag>> openMcap(const std::string& path) {
   return McapReader::open(path);
+}
+
+namespace {
+
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30U;  // [B], limit per chunk
+
+}  // namespace
+
+/// False: the total decompressed size is above the limit. This is reported, and reading stops.
+bool McapReader::mayDecompress(std::uint64_t size) {
+  decompressedSize_ += size;
+  const bool isAllowed = decompressedSize_ <= maxDecompressedSize();
+  if (!isAllowed) {
+    problems_ = {base::error("bag.unpacked", {std::to_string(maxDecompressedSize())}, path_)};
+  }
+  return isAllowed;
+}
+
+/// The records of a chunk. Nothing: damaged (reported).
+std::optional<std::string> McapReader::decompressChunk(std::string_view chunk,
+                                                       std::uint64_t place) {
+  McapFields fields(chunk);
+  fields.skip(2 * sizeof(std::uint64_t));
+  const auto size = fields.number<std::uint64_t>();
+  const auto sum = fields.number<std::uint32_t>();
+  const std::string compression(fields.text());
+  const std::string_view packed = fields.bytes64();
+  if (!compression.empty() && compression != "zstd") {
+    const base::Diagnostic unknown = base::warning("bag.compression", {compression}, path_);
+    if (problems_.empty() || problems_.back().code != unknown.code) {  // once for all chunks
+      problems_.push_back(unknown);
+    }
+    return std::nullopt;
+  }
+  std::optional<std::string> records;
+  if (!fields.hasFailed() && size <= kMostUnpacked) {
+    if (!mayDecompress(size)) {
+      return std::nullopt;
+    }
+    records = compression.empty() ? std::optional(std::string(packed))
+                                  : zstdDecompressed(packed, static_cast<std::size_t>(size));
+  }
+  if (!records || (sum != 0 && crc32(*records) != sum)) {
+    damaged("chunk", place);
+    return std::nullopt;
+  }
+  return records;
+}
+
+/// The available records of a truncated chunk, which may end with an incomplete record.
+std::string McapReader::beginningOf(const Chunk& chunk) {
+  const std::optional<std::string> bytes = bytesAt(chunk.place, chunk.size);
+  if (!bytes || bytes->size() < kRecordHeaderSize ||
+      static_cast<McapOp>(bytes->front()) != McapOp::Chunk) {
+    return {};
+  }
+  McapFields fields(std::string_view(*bytes).substr(kRecordHeaderSize));
+  fields.skip(2 * sizeof(std::uint64_t));  // times
+  const auto size = std::min(fields.number<std::uint64_t>(), kMostUnpacked);
+  fields.skip(sizeof(std::uint32_t));  // checksum
+  const std::string compression(fields.text());
+  fields.skip(sizeof(std::uint64_t));
+  const std::string_view packed = fields.rest();
+  if (fields.hasFailed() || (!compression.empty() && compression != "zstd")) {
+    return {};
+  }
+  return compression.empty() ? std::string(packed)
+                             : zstdDecompressedPrefix(packed, static_cast<std::size_t>(size));
+}
+
+/// Reads the last record of a truncated file: a chunk may contain complete messages.
+void McapReader::readTruncatedRecord(std::uint64_t place) {
+  Chunk chunk{place, size_ - std::min(place, size_), true, {}};
+  const std::string records = beginningOf(chunk);
+  std::string_view rest = records;
+  for (McapRecordView piece; nextRecord(rest, piece);) {
+    note(piece);
+  }
+  if (!records.empty()) {
+    chunks_.push_back(std::move(chunk));
+  }
+}
+
+std::size_t McapReader::visitMessages(std::string_view records, const Visit& visit,
+                                      const std::vector<bool>& wanted) const {
+  McapRecordView piece;
+  while (nextRecord(records, piece)) {
+    if (piece.op != McapOp::Message) {
+      continue;
+    }
+    McapFields fields(piece.content);
+    const auto channel = places_.find(fields.number<std::uint16_t>());
+    fields.skip(sizeof(std::uint32_t));  // sequence
+    const auto time = fields.number<std::int64_t>();
+    fields.skip(sizeof(std::uint64_t));  // publish time
+    if (!fields.hasFailed() && channel != places_.end() && wanted[channel->second]) {
+      visit(channel->second, time, fields.rest());
+    }
+  }
+  return records.size();
+}
+
+void McapReader::readChunk(const Chunk& chunk, const Visit& visit,
+                           const std::vector<bool>& wanted) {
+  if (chunk.isTruncated) {  // reported by open()
+    visitMessages(beginningOf(chunk), visit, wanted);
+    return;
+  }
+  const std::optional<RecordPosition> record = recordAt(chunk.place);
+  const std::optional<std::string> bytes =
+      record ? bytesAt(chunk.place, kRecordHeaderSize + record->size) : std::nullopt;
+  if (!bytes || (record->op != McapOp::Chunk && record->op != McapOp::Message)) {
+    damaged("chunk", chunk.place);
+    return;
+  }
+  const std::optional<std::string> records =
+      record->op == McapOp::Message
+          ? bytes
+          : decompressChunk(std::string_view(*bytes).substr(kRecordHeaderSize), chunk.place);
+  if (records && visitMessages(*records, visit, wanted) > 0) {
+    damaged("message", chunk.place);
+  }
+}
+
+base::Diagnostics McapReader::read(const std::vector<bool>& channels, const Visit& visit) {
+  problems_.clear();
+  decompressedSize_ = 0;
+  const auto isWanted = [&](std::uint16_t id) {
+    const auto place = places_.find(id);
+    return place != places_.end() && channels[place->second];
+  };
+  for (const Chunk& chunk : chunks_) {
+    if (!isIndexed_ || chunk.channels.empty() ||
+        std::any_of(chunk.channels.begin(), chunk.channels.end(), isWanted)) {
+      readChunk(chunk, visit, channels);
+    }
+    if (decompressedSize_ > maxDecompressedSize()) {
+      break;
+    }
+  }
+  return std::move(problems_);
 }
 
 }  // namespace bridge

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "app/bridge/bag/Bag.h"
-#include "app/bridge/bag/McapCursor.h"
+#include "app/bridge/bag/McapFormat.h"
 
 namespace bridge {
 
-/// What all chunks of a file together may unpack to [B]: so much, and the second for each byte of
-/// the file. A small file could go on unpacking for hours otherwise.
-constexpr std::size_t kUnpackedOfAny = std::size_t{4} << 30U;
-constexpr std::uint64_t kUnpackedPerByte = 100;
+/// Limits for the total decompressed size of a file [B]: a constant, plus a multiple of the file
+/// size. Otherwise a small file could take hours to decompress.
+constexpr std::size_t kMinDecompressionLimit = std::size_t{4} << 30U;
+constexpr std::uint64_t kMaxCompressionRatio = 100;
 
-/// An MCAP file. With a summary only chunks that hold what is wanted are read; without one, or when
-/// the file is cut off, it is read from the beginning as far as it is whole.
+/// Reads an MCAP file. With a summary, only chunks with wanted channels are read. Without one, or
+/// if the file is truncated, it is scanned from the beginning to the last complete record.
 class McapReader final : public Bag {
  public:
   static base::Result<std::unique_ptr<Bag>> open(const std::string& path);
@@ -30,11 +30,11 @@ class McapReader final : public Bag {
 
  private:
   struct Chunk {
-    std::uint64_t place = 0, size = 0;    // of its record, with the head
-    bool isCut = false;                   // the file ends in it
-    std::vector<std::uint16_t> channels;  // ids of those with messages in it
+    std::uint64_t place = 0, size = 0;    // of the record, including its header
+    bool isTruncated = false;             // truncated by the end of the file
+    std::vector<std::uint16_t> channels;  // ids of channels with messages
   };
-  struct Placed {
+  struct RecordPosition {
     std::uint64_t place = 0;
     McapOp op = McapOp::Header;
     std::uint64_t size = 0;  // of the content
@@ -42,21 +42,23 @@ class McapReader final : public Bag {
 
   explicit McapReader(const std::string& path);
   std::optional<std::string> bytesAt(std::uint64_t place, std::uint64_t size);
-  std::optional<Placed> recordAt(std::uint64_t place);
+  std::optional<RecordPosition> recordAt(std::uint64_t place);
   bool readSummary();
-  bool readSummaryRecord(const McapPiece& piece);
+  bool readSummaryRecord(const McapRecordView& piece);
   void scan();
-  void lookInto(const Placed& record);
-  void note(const McapPiece& piece);  // schema, channel, metadata
+  void indexRecord(const RecordPosition& record);
+  void note(const McapRecordView& piece);  // handles schema, channel, metadata
   std::size_t placeOf(const BagChannel& channel);
   void noteMetadata(std::string_view content);
-  std::uint64_t mostUnpacked() const { return kUnpackedOfAny + kUnpackedPerByte * size_; }
-  bool mayUnpack(std::uint64_t size);
-  std::optional<std::string> unpacked(std::string_view chunk, std::uint64_t place);
-  void keepBeginning(std::uint64_t place);
+  std::uint64_t maxDecompressedSize() const {
+    return kMinDecompressionLimit + kMaxCompressionRatio * size_;
+  }
+  bool mayDecompress(std::uint64_t size);
+  std::optional<std::string> decompressChunk(std::string_view chunk, std::uint64_t place);
+  void readTruncatedRecord(std::uint64_t place);
   std::string beginningOf(const Chunk& chunk);
   void readChunk(const Chunk& chunk, const Visit& visit, const std::vector<bool>& wanted);
-  /// The bytes that are left: no whole record.
+  /// Returns the number of bytes left, an incomplete record.
   std::size_t visitMessages(std::string_view records, const Visit& visit,
                             const std::vector<bool>& wanted) const;
   void damaged(const char* part, std::uint64_t place);
@@ -64,11 +66,11 @@ class McapReader final : public Bag {
   std::string path_;
   std::ifstream file_;
   std::uint64_t size_ = 0;
-  std::uint64_t unpacked_ = 0;  // [B] so far, of one reading
+  std::uint64_t decompressedSize_ = 0;  // [B], decompressed in this pass
   std::vector<BagChannel> channels_;
-  std::map<std::uint16_t, std::size_t> places_;   // of channel ids in channels_
-  std::map<std::uint16_t, std::string> schemas_;  // names by id
-  std::vector<Chunk> chunks_;                     // a message outside of any chunk is one by itself
+  std::map<std::uint16_t, std::size_t> places_;   // channel id -> index in channels_
+  std::map<std::uint16_t, std::string> schemas_;  // id -> type name
+  std::vector<Chunk> chunks_;                     // also messages outside chunks, one entry each
   bool isIndexed_ = false;
   std::map<std::string, std::map<std::string, std::string>> metadata_;
   base::Diagnostics problems_;

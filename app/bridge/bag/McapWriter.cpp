@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/bridge/bag/Crc32.h"
+#include "app/bridge/bag/Compression.h"
 #include "app/run/DataPaths.h"
 
 namespace bridge {
 namespace {
 
-/// How many of the list are in the file: those with messages.
+/// The number of elements written to the file: those with messages.
 template <class List>
-std::size_t introduced(const List& list) {
+std::size_t writtenCount(const List& list) {
   return static_cast<std::size_t>(
-      std::count_if(list.begin(), list.end(), [](const auto& each) { return each.isIntroduced; }));
+      std::count_if(list.begin(), list.end(), [](const auto& each) { return each.isWritten; }));
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void McapWriter::append(const std::string& record) {
   dataSum_ = crc32(record, dataSum_);
 }
 
-std::uint16_t McapWriter::addChannel(WrittenChannel channel) {
+std::uint16_t McapWriter::addChannel(ChannelInfo channel) {
   Channel made;
   const auto known = std::find_if(schemas_.begin(), schemas_.end(), [&](const Schema& schema) {
     return schema.type == channel.type;
@@ -44,7 +44,7 @@ std::uint16_t McapWriter::addChannel(WrittenChannel channel) {
   if (known == schemas_.end()) {
     schemas_.push_back({channel.type, channel.definition, false});
   }
-  made.told = std::move(channel);
+  made.info = std::move(channel);
   channels_.push_back(std::move(made));
   return static_cast<std::uint16_t>(channels_.size() - 1);
 }
@@ -64,27 +64,27 @@ std::string McapWriter::channelRecord(std::uint16_t id) const {
   return McapRecord(McapOp::Channel)
       .number(id)
       .number(channel.schema)
-      .text(channel.told.topic)
+      .text(channel.info.topic)
       .text("cdr")
-      .entries(channel.told.metadata)
+      .entries(channel.info.metadata)
       .finish();
 }
 
-/// Before its first message, in the chunk of that.
-void McapWriter::introduce(Channel& channel, std::uint16_t id) {
+/// Writes the channel before its first message, into the same chunk.
+void McapWriter::writeChannelOnce(Channel& channel, std::uint16_t id) {
   Schema& schema = schemas_[channel.schema - 1U];
-  if (!schema.isIntroduced) {
+  if (!schema.isWritten) {
     chunk_ += schemaRecord(channel.schema);
-    schema.isIntroduced = true;
+    schema.isWritten = true;
   }
   chunk_ += channelRecord(id);
-  channel.isIntroduced = true;
+  channel.isWritten = true;
 }
 
 void McapWriter::write(std::uint16_t channel, std::int64_t time, std::string_view message) {
   Channel& to = channels_[channel];
-  if (!to.isIntroduced) {
-    introduce(to, channel);
+  if (!to.isWritten) {
+    writeChannelOnce(to, channel);
   }
   chunkSpan_.add(time, index_.empty());
   index_[channel].emplace_back(time, chunk_.size());
@@ -106,7 +106,7 @@ void McapWriter::write(std::uint16_t channel, std::int64_t time, std::string_vie
   }
 }
 
-/// One per channel; where each begins.
+/// Writes one index per channel and returns their positions.
 std::map<std::uint16_t, std::uint64_t> McapWriter::writeMessageIndexes() {
   std::map<std::uint16_t, std::uint64_t> places;
   for (const auto& [channel, messages] : index_) {
@@ -127,7 +127,7 @@ void McapWriter::endChunk() {
     return;
   }
   const std::uint64_t begin = position_;
-  const std::string_view packed = packer_.packed(chunk_);
+  const std::string_view packed = compressor_.compress(chunk_);
   append(McapRecord(McapOp::Chunk)
              .number(chunkSpan_.begin)
              .number(chunkSpan_.end)
@@ -167,8 +167,8 @@ void McapWriter::addMetadata(const std::string& name, const Entries& entries) {
 std::string McapWriter::statisticsRecord() const {
   return McapRecord(McapOp::Statistics)
       .number(totals_.messages)
-      .number(static_cast<std::uint16_t>(introduced(schemas_)))
-      .number(static_cast<std::uint32_t>(introduced(channels_)))
+      .number(static_cast<std::uint16_t>(writtenCount(schemas_)))
+      .number(static_cast<std::uint32_t>(writtenCount(channels_)))
       .number(std::uint32_t{0})  // attachments
       .number(static_cast<std::uint32_t>(metadataIndexes_.size()))
       .number(static_cast<std::uint32_t>(chunkIndexes_.size()))
@@ -181,12 +181,12 @@ std::string McapWriter::statisticsRecord() const {
 void McapWriter::writeSummary() {
   std::vector<std::string> schemas, channels;
   for (std::size_t k = 0; k < schemas_.size(); ++k) {
-    if (schemas_[k].isIntroduced) {
+    if (schemas_[k].isWritten) {
       schemas.push_back(schemaRecord(static_cast<std::uint16_t>(k + 1)));
     }
   }
   for (std::size_t k = 0; k < channels_.size(); ++k) {
-    if (channels_[k].isIntroduced) {
+    if (channels_[k].isWritten) {
       channels.push_back(channelRecord(static_cast<std::uint16_t>(k)));
     }
   }
@@ -212,9 +212,9 @@ void McapWriter::writeSummary() {
   const std::uint64_t begin = position_;
   McapRecord footer(McapOp::Footer);
   footer.number(begin).number(begin + summary.size());
-  const std::string soFar =
-      McapRecord(footer).number(std::uint32_t{0}).finish().substr(0, kRecordHead + 16);
-  const std::uint32_t sum = crc32(soFar, crc32(offsets, crc32(summary)));
+  const std::string footerPrefix =
+      McapRecord(footer).number(std::uint32_t{0}).finish().substr(0, kRecordHeaderSize + 16);
+  const std::uint32_t sum = crc32(footerPrefix, crc32(offsets, crc32(summary)));
   append(summary + offsets + footer.number(sum).finish() + std::string(kMcapMagic));
 }
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/bridge/dds/DdsInside.h"
-#include "app/bridge/dds/RosNames.h"
+#include "app/bridge/dds/DdsEntities.h"
+#include "app/bridge/dds/Domain.h"
 #include "app/bridge/messages/TypeNames.h"
 
 namespace bridge {
@@ -26,17 +26,16 @@ class DdsPublisher : public Publisher {
     return writer_.write(message, none);
   }
   int matched() const override { return writer_.matched(); }
-  bool isWanted() const override { return isKept_ || matched() > 0; }
+  bool hasReceivers() const override { return isKept_ || matched() > 0; }
 
  private:
   OwnedWriter writer_;
-  bool isKept_;  // for who comes later
+  bool isKept_;  // transient local: kept for late subscribers
 };
 
-/// Two readers where every publisher is wanted (Qos::anyPublisher): one with the requested quality
-/// of service, and one that requests least and delivers samples of publishers that the first cannot
-/// match.
-class DdsSubscription : public Subscription, public Source {
+/// With Qos::anyPublisher it has two readers: one with the requested QoS, and one with the weakest
+/// QoS that delivers samples of publishers the first cannot match.
+class DdsSubscription : public Subscription, public SampleSource {
  public:
   DdsSubscription(DdsPtr dds, int node, const Qos& qos, efd::DataReader* reader,
                   efd::DataReader* least, Participant::Handler handler)
@@ -47,7 +46,7 @@ class DdsSubscription : public Subscription, public Source {
     dds_->sources.push_back(this);
   }
   ~DdsSubscription() override {
-    std::vector<Source*>& all = dds_->sources;
+    std::vector<SampleSource*>& all = dds_->sources;
     all.erase(std::remove(all.begin(), all.end(), this), all.end());
   }
   DdsSubscription(const DdsSubscription&) = delete;
@@ -56,17 +55,17 @@ class DdsSubscription : public Subscription, public Source {
   DdsSubscription& operator=(DdsSubscription&&) = delete;
 
   int matched() const override { return least_ ? least_->matched() : reader_.matched(); }
-  bool handOutOne() override {
+  bool deliverOne() override {
     const auto any = [](const rtps::GUID_t& /*publisher*/) { return true; };
     const auto unmatched = [this](const rtps::GUID_t& publisher) {
-      return dds_->others.offersLess(publisher, qos_);
+      return dds_->remote.hasIncompatibleQos(publisher, qos_);
     };
-    return handOutOne(reader_, any) || (least_ && handOutOne(*least_, unmatched));
+    return deliverOne(reader_, any) || (least_ && deliverOne(*least_, unmatched));
   }
 
  private:
   template <class IsFrom>
-  bool handOutOne(const OwnedReader& reader, const IsFrom& isFrom) const {
+  bool deliverOne(const OwnedReader& reader, const IsFrom& isFrom) const {
     Bytes bytes;
     efd::SampleInfo info;
     if (!reader.take(bytes, info)) {
@@ -90,8 +89,8 @@ class DdsParticipant : public Participant {
  public:
   explicit DdsParticipant(DdsPtr dds) : dds_(std::move(dds)) {}
 
-  int addNode(const std::string& space, const std::string& name) override {
-    dds_->nodes.push_back({space, name, {}, {}});
+  int addNode(const std::string& nameSpace, const std::string& name) override {
+    dds_->nodes.push_back({nameSpace, name, {}, {}});
     return static_cast<int>(dds_->nodes.size()) - 1;
   }
   base::Result<std::unique_ptr<Publisher>> publisher(int node, const std::string& topic,
@@ -102,22 +101,22 @@ class DdsParticipant : public Participant {
                                                            Handler handler) override;
   base::Result<std::unique_ptr<Server>> server(int node, const std::string& service,
                                                const std::string& type, const Qos& qos,
-                                               Answer answer) override;
+                                               ServiceCallback callback) override;
   base::Result<std::unique_ptr<Client>> client(int node, const std::string& service,
                                                const std::string& type) override;
-  bool hasMetAnyone() const override { return dds_->others.hasMetAnyone(); }
-  std::vector<OthersTopic> topicsOfOthers() override { return dds_->others.topics(); }
-  void announce() override;
+  bool hasDiscoveredPeers() const override { return dds_->remote.hasDiscoveredPeers(); }
+  std::vector<RemoteTopic> remoteTopics() override { return dds_->remote.topics(); }
+  void publishGraph() override;
   bool spin(Milliseconds atMost) override;
 
  private:
   std::string resolved(int node, const std::string& name) const {
     const NodeEndpoints& of = dds_->nodes[static_cast<std::size_t>(node)];
-    return resolvedName(name, of.space, of.name);
+    return resolvedName(name, of.nameSpace, of.name);
   }
-  /// Why an endpoint could not be made.
-  base::Diagnostic refusal(const std::string& name, const std::string& ddsName,
-                           const std::string& type) const {
+  /// The reason why an endpoint could not be created.
+  base::Diagnostic endpointError(const std::string& name, const std::string& ddsName,
+                                 const std::string& type) const {
     const std::string there = dds_->typeOf(ddsName);
     return there.empty() || there == type ? base::error("ros2.endpoint-refused", {name})
                                           : base::error("ros2.other-type", {name, there, type});
@@ -136,7 +135,7 @@ base::Result<std::unique_ptr<Publisher>> DdsParticipant::publisher(int node,
   const std::string mangled = ddsTypeName(type);
   efd::DataWriter* const writer = dds_->makeWriter(ddsTopic(name), mangled, qos, {}, nullptr);
   if (writer == nullptr) {
-    return refusal(name, ddsTopic(name), mangled);
+    return endpointError(name, ddsTopic(name), mangled);
   }
   return std::unique_ptr<Publisher>(
       std::make_unique<DdsPublisher>(dds_, node, writer, qos.transientLocal));
@@ -157,7 +156,7 @@ base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(
     if (reader != nullptr) {
       dds_->drop(reader);
     }
-    return refusal(name, ddsTopic(name), mangled);
+    return endpointError(name, ddsTopic(name), mangled);
   }
   return std::unique_ptr<Subscription>(
       std::make_unique<DdsSubscription>(dds_, node, qos, reader, second, std::move(handler)));
@@ -171,11 +170,12 @@ ServiceNames DdsParticipant::namesOf(int node, const std::string& service,
 
 base::Result<std::unique_ptr<Server>> DdsParticipant::server(int node, const std::string& service,
                                                              const std::string& type,
-                                                             const Qos& qos, Answer answer) {
+                                                             const Qos& qos,
+                                                             ServiceCallback callback) {
   const ServiceNames names = namesOf(node, service, type);
-  std::unique_ptr<Server> made = makeServer(dds_, node, names, qos, std::move(answer));
+  std::unique_ptr<Server> made = makeServer(dds_, node, names, qos, std::move(callback));
   if (made == nullptr) {
-    return refusal(resolved(node, service), names.requestTopic, names.requestType);
+    return endpointError(resolved(node, service), names.requestTopic, names.requestType);
   }
   return made;
 }
@@ -185,17 +185,17 @@ base::Result<std::unique_ptr<Client>> DdsParticipant::client(int node, const std
   const ServiceNames names = namesOf(node, service, type);
   std::unique_ptr<Client> made = makeClient(dds_, node, names);
   if (made == nullptr) {
-    return refusal(resolved(node, service), names.requestTopic, names.requestType);
+    return endpointError(resolved(node, service), names.requestTopic, names.requestType);
   }
   return made;
 }
 
-void DdsParticipant::announce() {
+void DdsParticipant::publishGraph() {
   if (graph_ == nullptr) {
     efd::DataWriter* const writer =
         dds_->makeWriter(kGraphTopic, kGraphType, Qos::latched(), {}, nullptr);
     if (writer == nullptr) {
-      return;  // others still find topics and services
+      return;  // topics and services are still discoverable
     }
     graph_ = std::make_unique<OwnedWriter>(dds_, -1, writer);
   }
@@ -206,15 +206,15 @@ void DdsParticipant::announce() {
 bool DdsParticipant::spin(Milliseconds atMost) {
   const Clock::time_point until = Clock::now() + atMost;
   while (true) {
-    const std::uint64_t seen = dds_->bell.count();
+    const std::uint64_t seen = dds_->wakeSignal.count();
     bool any = false;
     for (std::size_t i = 0; i < dds_->sources.size(); ++i) {
-      any = dds_->sources[i]->handOutOne() || any;
+      any = dds_->sources[i]->deliverOne() || any;
     }
     if (any) {
       return true;
     }
-    if (!dds_->bell.waitBeyond(seen, until)) {
+    if (!dds_->wakeSignal.waitAfter(seen, until)) {
       return false;
     }
   }
@@ -223,7 +223,7 @@ bool DdsParticipant::spin(Milliseconds atMost) {
 }  // namespace
 
 base::Result<std::unique_ptr<Participant>> Participant::create(const DomainSettings& settings) {
-  // DDS ends the whole program when ports would be too high.
+  // DDS terminates the process if a port number is out of range.
   const bool isPossible = settings.domain >= 0 && settings.domain <= kLastDomain;
   DdsPtr dds = isPossible ? DdsEntities::create(settings) : nullptr;
   if (dds == nullptr) {

@@ -2,20 +2,19 @@
 #include <fastdds/rtps/common/WriteParams.h>
 #include <utility>
 
-#include "app/bridge/dds/AnswerWriter.h"
-#include "app/bridge/dds/DdsInside.h"
-#include "app/bridge/dds/OwnAnswers.h"
+#include "app/bridge/dds/DdsEntities.h"
+#include "app/bridge/dds/ServiceReplies.h"
 
-/// Calls of services in both ways of writing who asked. rmw_fastrtps has it beside the sample
-/// (`related_sample_identity`), rmw_cyclonedds as 16 bytes in front of the fields.
+/// Service servers and clients for both encodings of the request identity: rmw_fastrtps sends it
+/// beside the sample (`related_sample_identity`), rmw_cyclonedds as 16 bytes before the fields.
 namespace bridge {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr Milliseconds kSettled(500);  // until a server knows both ends of a client
-constexpr std::size_t kHeader = 4;     // [bytes] of CDR
-constexpr std::size_t kCallId = 16;    // guid, then number
+constexpr Milliseconds kSettled(500);  // time for the server to discover both client endpoints
+constexpr std::size_t kHeader = 4;     // [bytes], CDR encapsulation
+constexpr std::size_t kCallId = 16;    // [bytes], guid and request number
 constexpr std::uint8_t kReaderBit = 0x04;
 
 struct CallId {
@@ -38,7 +37,7 @@ std::uint64_t numberAt(const Bytes& from, std::size_t at, bool isBigEndian) {
   return value;
 }
 
-/// Takes the 16 bytes out of the body. Nothing: it is too short to have them.
+/// Removes the 16-byte request identity from the body. Nothing: the body is too short.
 std::optional<CallId> takeCallId(Bytes& bytes) {
   if (bytes.size() < kHeader + kCallId) {
     return std::nullopt;
@@ -64,8 +63,8 @@ bool isKnown(const rtps::GUID_t& guid) {
   return !(guid == rtps::GUID_t::unknown());
 }
 
-/// "key=1.a.ff;" of these bytes.
-std::string idText(const char* key, const Guid& guid) {
+/// Formats a GUID as DDS user data: "key=1.a.ff;".
+std::string userDataOf(const char* key, const Guid& guid) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text = key;
   for (std::size_t i = 0; i < guid.size(); ++i) {
@@ -78,7 +77,7 @@ std::string idText(const char* key, const Guid& guid) {
   return text + ";";
 }
 
-/// Of the participant, with a number of its own for each service or client.
+/// The participant's GUID with a unique number per service or client in the last two bytes.
 Guid callerGuid(const DdsEntities& dds) {
   Guid guid = dds.guid();
   const std::size_t number = dds.sources.size();
@@ -87,18 +86,18 @@ Guid callerGuid(const DdsEntities& dds) {
   return guid;
 }
 
-class DdsServer : public Server, public Source {
+class DdsServer : public Server, public SampleSource {
  public:
   DdsServer(DdsPtr dds, int node, efd::DataReader* requests, efd::DataWriter* replies,
-            std::unique_ptr<MetReaders> met, Participant::Answer answer)
+            std::unique_ptr<MatchedReaders> matchedReaders, Participant::ServiceCallback callback)
       : dds_(std::move(dds)),
-        answer_(std::move(answer)),
+        callback_(std::move(callback)),
         requests_(dds_, node, requests),
-        replies_(dds_, node, replies, std::move(met)) {
+        replies_(dds_, node, replies, std::move(matchedReaders)) {
     dds_->sources.push_back(this);
   }
   ~DdsServer() override {
-    std::vector<Source*>& all = dds_->sources;
+    std::vector<SampleSource*>& all = dds_->sources;
     all.erase(std::remove(all.begin(), all.end(), this), all.end());
   }
   DdsServer(const DdsServer&) = delete;
@@ -106,37 +105,37 @@ class DdsServer : public Server, public Source {
   DdsServer(DdsServer&&) = delete;
   DdsServer& operator=(DdsServer&&) = delete;
 
-  bool handOutOne() override {
-    replies_.sendKept();
+  bool deliverOne() override {
+    replies_.sendPending();
     ServiceRequest request;
     efd::SampleInfo info;
     if (!requests_.take(request.bytes, info)) {
       return false;
     }
     const bool isFast = isKnown(info.related_sample_identity.writer_guid());
-    request.writtenFor = isFast ? Rmw::FastRtps : Rmw::CycloneDds;
+    request.clientRmw = isFast ? Rmw::FastRtps : Rmw::CycloneDds;
     if (dds_->settings.rmw == Rmw::CycloneDds) {
-      answerInBody(request, rtps::iHandle2GUID(info.publication_handle));
+      replyAsCycloneDds(request, rtps::iHandle2GUID(info.publication_handle));
     } else {
-      answerBeside(request, info);
+      replyAsFastRtps(request, info);
     }
     return true;
   }
 
  private:
-  void answerInBody(ServiceRequest& request, const rtps::GUID_t& writer) {
+  void replyAsCycloneDds(ServiceRequest& request, const rtps::GUID_t& writer) {
     const std::optional<CallId> id = takeCallId(request.bytes);
-    const Bytes reply = answer_(request);
+    const Bytes reply = callback_(request);
     if (id) {
       const rtps::GUID_t anyReader(writer.guidPrefix, rtps::EntityId_t::unknown());
       replies_.send(anyReader, withCallId(reply, *id), {});
     }
   }
 
-  void answerBeside(const ServiceRequest& request, const efd::SampleInfo& info) {
-    const Bytes reply = answer_(request);
+  void replyAsFastRtps(const ServiceRequest& request, const efd::SampleInfo& info) {
+    const Bytes reply = callback_(request);
     rtps::SampleIdentity caller = info.sample_identity;
-    if (request.writtenFor == Rmw::FastRtps) {
+    if (request.clientRmw == Rmw::FastRtps) {
       caller.writer_guid(info.related_sample_identity.writer_guid());
     }
     const bool isReader = (caller.writer_guid().entityId.value[3] & kReaderBit) != 0;
@@ -146,42 +145,43 @@ class DdsServer : public Server, public Source {
   }
 
   DdsPtr dds_;
-  Participant::Answer answer_;
+  Participant::ServiceCallback callback_;
   OwnedReader requests_;
-  AnswerWriter replies_;
+  ReplyWriter replies_;
 };
 
 class DdsClient : public Client {
  public:
   DdsClient(DdsPtr dds, int node, efd::DataReader* replies, efd::DataWriter* requests,
-            std::unique_ptr<OwnAnswers> answers)
+            std::unique_ptr<ReplyReader> answers)
       : dds_(std::move(dds)),
-        answers_(std::move(answers)),
+        replyReader_(std::move(answers)),
         replies_(dds_, node, replies),
         requests_(dds_, node, requests) {
     const Guid own = guidOf(requests_->guid());
-    for (const std::uint8_t byte : own) {  // FNV-1a: any number of its own will do
-      number_.client = (number_.client ^ byte) * 1099511628211U;
+    for (const std::uint8_t byte : own) {  // FNV-1a hash; any unique number works
+      lastRequest_.client = (lastRequest_.client ^ byte) * 1099511628211U;
     }
-    recognizeAnswers();
+    setReplyFilter();
   }
 
   bool isReady() override {
     if (requests_.matched() == 0 || replies_.matched() == 0) {
-      met_.reset();
+      matchedSince_.reset();
       return false;
     }
-    if (!met_) {
-      met_ = Clock::now();
+    if (!matchedSince_) {
+      matchedSince_ = Clock::now();
     }
-    return Clock::now() - *met_ >= kSettled;
+    return Clock::now() - *matchedSince_ >= kSettled;
   }
 
   std::int64_t send(const Bytes& request) override {
     rtps::WriteParams parameters;
     if (dds_->settings.rmw == Rmw::CycloneDds) {
-      ++number_.number;
-      return requests_.write(withCallId(request, number_), parameters) ? number_.number : -1;
+      ++lastRequest_.number;
+      return requests_.write(withCallId(request, lastRequest_), parameters) ? lastRequest_.number
+                                                                            : -1;
     }
     rtps::SampleIdentity caller;
     caller.writer_guid(replies_->guid());
@@ -192,19 +192,19 @@ class DdsClient : public Client {
     return static_cast<std::int64_t>(parameters.sample_identity().sequence_number().to64long());
   }
 
-  std::optional<std::pair<std::int64_t, Bytes>> receive() override { return answers_->next(); }
+  std::optional<std::pair<std::int64_t, Bytes>> receive() override { return replyReader_->next(); }
 
   std::optional<Bytes> call(const Bytes& request, Milliseconds atMost) override {
     const Clock::time_point until = Clock::now() + atMost;
     const std::int64_t number = send(request);
     while (number >= 0) {
-      const std::uint64_t seen = dds_->bell.count();
+      const std::uint64_t seen = dds_->wakeSignal.count();
       while (std::optional<std::pair<std::int64_t, Bytes>> reply = receive()) {
         if (reply->first == number) {
           return std::move(reply->second);
         }
       }
-      if (!dds_->bell.waitBeyond(seen, until)) {
+      if (!dds_->wakeSignal.waitAfter(seen, until)) {
         break;
       }
     }
@@ -212,17 +212,17 @@ class DdsClient : public Client {
   }
 
  private:
-  void recognizeAnswers() {
+  void setReplyFilter() {
     if (dds_->settings.rmw == Rmw::CycloneDds) {
-      answers_->recognizeBy(
-          [client = number_.client](Bytes& bytes, const efd::SampleInfo& /*info*/) {
+      replyReader_->setFilter(
+          [client = lastRequest_.client](Bytes& bytes, const efd::SampleInfo& /*info*/) {
             const std::optional<CallId> id = takeCallId(bytes);
             return id && id->client == client ? std::optional(id->number) : std::nullopt;
           });
       return;
     }
-    answers_->recognizeBy([reader = replies_->guid(), writer = requests_->guid()](
-                              Bytes& /*bytes*/, const efd::SampleInfo& info) {
+    replyReader_->setFilter([reader = replies_->guid(), writer = requests_->guid()](
+                                Bytes& /*bytes*/, const efd::SampleInfo& info) {
       const rtps::SampleIdentity& to = info.related_sample_identity;
       const bool isOurs = to.writer_guid() == reader || to.writer_guid() == writer;
       return isOurs ? std::optional(static_cast<std::int64_t>(to.sequence_number().to64long()))
@@ -231,9 +231,9 @@ class DdsClient : public Client {
   }
 
   DdsPtr dds_;
-  CallId number_{14695981039346656037U, 0};  // of the request last sent
-  std::optional<Clock::time_point> met_;
-  std::unique_ptr<OwnAnswers> answers_;  // the listener of what follows
+  CallId lastRequest_{14695981039346656037U, 0};  // last request sent
+  std::optional<Clock::time_point> matchedSince_;
+  std::unique_ptr<ReplyReader> replyReader_;  // listener of replies_
   OwnedReader replies_;
   OwnedWriter requests_;
 };
@@ -241,12 +241,12 @@ class DdsClient : public Client {
 }  // namespace
 
 std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNames& names,
-                                   const Qos& qos, Participant::Answer answer) {
-  const bool tellsId = dds->settings.rmw == Rmw::CycloneDds;
-  const std::string id = tellsId ? idText("serviceid", callerGuid(*dds)) : std::string();
-  auto met = std::make_unique<MetReaders>(dds->bell);
+                                   const Qos& qos, Participant::ServiceCallback callback) {
+  const bool sendsId = dds->settings.rmw == Rmw::CycloneDds;
+  const std::string id = sendsId ? userDataOf("serviceid", callerGuid(*dds)) : std::string();
+  auto matchedReaders = std::make_unique<MatchedReaders>(dds->wakeSignal);
   efd::DataWriter* const replies =
-      dds->makeWriter(names.replyTopic, names.replyType, qos, id, met.get());
+      dds->makeWriter(names.replyTopic, names.replyType, qos, id, matchedReaders.get());
   efd::DataReader* const requests =
       replies == nullptr ? nullptr
                          : dds->makeReader(names.requestTopic, names.requestType, qos, id);
@@ -256,15 +256,15 @@ std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNam
     }
     return nullptr;
   }
-  return std::make_unique<DdsServer>(dds, node, requests, replies, std::move(met),
-                                     std::move(answer));
+  return std::make_unique<DdsServer>(dds, node, requests, replies, std::move(matchedReaders),
+                                     std::move(callback));
 }
 
 std::unique_ptr<Client> makeClient(const DdsPtr& dds, int node, const ServiceNames& names) {
-  const bool tellsId = dds->settings.rmw == Rmw::CycloneDds;
-  const std::string id = tellsId ? idText("clientid", callerGuid(*dds)) : std::string();
+  const bool sendsId = dds->settings.rmw == Rmw::CycloneDds;
+  const std::string id = sendsId ? userDataOf("clientid", callerGuid(*dds)) : std::string();
   const Qos qos = Qos::keepLast(100);
-  auto answers = std::make_unique<OwnAnswers>(dds->bell);
+  auto answers = std::make_unique<ReplyReader>(dds->wakeSignal);
   efd::DataReader* const replies =
       dds->makeReader(names.replyTopic, names.replyType, qos, id, answers.get());
   efd::DataWriter* const requests =

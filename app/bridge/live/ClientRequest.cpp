@@ -12,19 +12,19 @@ namespace {
 
 using RequestJson = nlohmann::json;
 
-constexpr int kDeepest = 16;                // brackets within each other
+constexpr int kDeepest = 16;                // nesting depth of JSON
 constexpr std::size_t kMostItems = 1000;    // of a list
-constexpr std::size_t kLongestName = 1000;  // [B], of what a client calls something
+constexpr std::size_t kLongestName = 1000;  // [B], of names sent by clients
 
-/// Thrown by the readers below, caught where they begin.
-struct Wrong {
+/// Thrown by the functions below, caught in requestOfText.
+struct ParseError {
   std::string why;
 };
 
 const RequestJson& at(const RequestJson& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) {
-    throw Wrong{std::string("'") + key + "' is missing"};
+    throw ParseError{std::string("'") + key + "' is missing"};
   }
   return *found;
 }
@@ -32,14 +32,14 @@ const RequestJson& at(const RequestJson& object, const char* key) {
 std::uint32_t numberOf(const RequestJson& value, const char* what) {
   if (!value.is_number_unsigned() ||
       value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
-    throw Wrong{std::string("'") + what + "' wants whole numbers from 0 to 4294967295"};
+    throw ParseError{std::string("'") + what + "' must be an integer from 0 to 4294967295"};
   }
   return value.get<std::uint32_t>();
 }
 
 std::string textOf(const RequestJson& value, const char* what) {
   if (!value.is_string() || value.get_ref<const std::string&>().size() > kLongestName) {
-    throw Wrong{std::string("'") + what + "' wants a short text"};
+    throw ParseError{std::string("'") + what + "' must be a short text"};
   }
   return value.get<std::string>();
 }
@@ -48,12 +48,12 @@ std::string textAt(const RequestJson& object, const char* key) {
   return textOf(at(object, key), key);
 }
 
-/// Calls read(item) for each of the list.
+/// Calls read(item) for each item of a list.
 template <class Read>
 auto listAt(const RequestJson& object, const char* key, Read read) {
   const RequestJson& list = at(object, key);
   if (!list.is_array() || list.size() > kMostItems) {
-    throw Wrong{std::string("'") + key + "' wants a list of at most 1000"};
+    throw ParseError{std::string("'") + key + "' must be a list of at most 1000 items"};
   }
   std::vector<decltype(read(list))> items;
   items.reserve(list.size());
@@ -80,12 +80,12 @@ std::optional<std::string> idOf(const RequestJson& object) {
 
 const RequestJson& asObject(const RequestJson& item) {
   if (!item.is_object()) {
-    throw Wrong{"a list wants objects"};
+    throw ParseError{"the items of a list must be objects"};
   }
   return item;
 }
 
-/// Lists and objects are no values here.
+/// Lists and objects are not supported as values.
 ParameterValue valueOf(const RequestJson& value) {
   if (value.is_boolean()) {
     return value.get<bool>();
@@ -152,10 +152,10 @@ ClientRequest requestOf(const RequestJson& object) {
   if (op == "subscribeParameterUpdates" || op == "unsubscribeParameterUpdates") {
     return request::WatchParameters{namesAt(object), op.front() == 's'};
   }
-  return request::Refused{"there is no '" + op + "' here"};
+  return request::Refused{"unknown operation '" + op + "'"};
 }
 
-/// Deeper ones cost more than they are worth.
+/// Limits the nesting depth before parsing.
 bool isFlat(std::string_view json) {
   int depth = 0;
   bool isText = false;
@@ -181,15 +181,15 @@ bool isFlat(std::string_view json) {
 
 ClientRequest requestOfText(std::string_view message) {
   if (!isFlat(message)) {
-    return request::Refused{"too many brackets within each other"};
+    return request::Refused{"brackets are nested too deeply"};
   }
   const RequestJson object = RequestJson::parse(message, nullptr, false);
   if (!object.is_object()) {
-    return request::Refused{"a text message wants an object of JSON"};
+    return request::Refused{"a text message must be a JSON object"};
   }
   try {
     return requestOf(object);
-  } catch (const Wrong& wrong) {
+  } catch (const ParseError& wrong) {
     return request::Refused{wrong.why};
   }
 }
@@ -197,12 +197,12 @@ ClientRequest requestOfText(std::string_view message) {
 ClientRequest requestOfBytes(std::string_view message) {
   constexpr char kPublish = 1, kCall = 2;
   if (message.empty() || (message[0] != kPublish && message[0] != kCall)) {
-    return request::Refused{"a binary message wants 1 or 2 as its first byte"};
+    return request::Refused{"the first byte of a binary message must be 1 or 2"};
   }
   const bool isCall = message[0] == kCall;
   message.remove_prefix(1);
   if (message.size() < (isCall ? 12U : 4U)) {
-    return request::Refused{"a binary message was cut off"};
+    return request::Refused{"a binary message is truncated"};
   }
   const std::uint32_t first = littleEndian32(message);
   if (!isCall) {
@@ -212,7 +212,7 @@ ClientRequest requestOfBytes(std::string_view message) {
   const std::uint32_t length = littleEndian32(message.substr(8));
   message.remove_prefix(12);
   if (length > message.size()) {
-    return request::Refused{"a binary message was cut off"};
+    return request::Refused{"a binary message is truncated"};
   }
   return request::CallService{first, call, message.substr(0, length), message.substr(length)};
 }

@@ -8,18 +8,18 @@
 #include <variant>
 #include <vector>
 
-/// What clients of the Foxglove WebSocket protocol, version 1, ask for, read from their messages.
+/// Parsing of client requests of the Foxglove WebSocket protocol, version 1.
 /// https://github.com/foxglove/ws-protocol, docs/spec.md.
 namespace live {
 
-/// The value of a parameter. None: it has none.
+/// The value of a parameter. monostate: no value.
 using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 struct Subscription {
-  std::uint32_t id = 0, channel = 0;  // the client's own number; the server's
+  std::uint32_t id = 0, channel = 0;  // client's subscription id; server's channel id
 };
 struct ClientChannel {
-  std::uint32_t id = 0;  // the client's own number
+  std::uint32_t id = 0;  // client's channel id
   std::string topic, encoding, schemaName;
 };
 struct NamedValue {
@@ -41,7 +41,7 @@ struct Unadvertise {
   std::vector<std::uint32_t> channels;
 };
 struct GetParameters {
-  std::vector<std::string> names;  // none: all
+  std::vector<std::string> names;  // empty: all
   std::optional<std::string> id;
 };
 struct SetParameters {
@@ -53,14 +53,14 @@ struct WatchParameters {
   bool isWatched = true;
 };
 struct Publish {
-  std::uint32_t channel = 0;  // the client's own
-  std::string_view payload;   // in the message that was read
+  std::uint32_t channel = 0;  // client's channel id
+  std::string_view payload;   // points into the message
 };
 struct CallService {
   std::uint32_t service = 0, call = 0;
-  std::string_view encoding, payload;  // in the message that was read
+  std::string_view encoding, payload;  // points into the message
 };
-/// It cannot be understood, or asks for what is not offered here.
+/// An invalid or unsupported request.
 struct Refused {
   std::string why;
 };
@@ -71,7 +71,7 @@ using ClientRequest =
                  request::GetParameters, request::SetParameters, request::WatchParameters,
                  request::Publish, request::CallService, request::Refused>;
 
-/// Any bytes are fine; what is no request is Refused.
+/// Parse any bytes; an invalid message yields Refused.
 ClientRequest requestOfText(std::string_view message);
 ClientRequest requestOfBytes(std::string_view message);
 

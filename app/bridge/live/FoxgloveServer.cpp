@@ -4,18 +4,18 @@
 #include <utility>
 
 #include "app/bridge/live/LittleEndian.h"
-#include "app/bridge/live/ServerText.h"
+#include "app/bridge/live/ServerMessages.h"
 #include "sim2d/base/Text.h"
 
 namespace live {
 
 namespace {
 
-constexpr std::size_t kMostOwn = 100;  // channels that one client publishes on
+constexpr std::size_t kMaxClientChannels = 100;  // advertised channels per client
 
-enum BinaryOp : char { MessageData = 1, TimeOfServer = 2, ServiceResponse = 3 };
+enum BinaryOp : char { MessageData = 1, ServerTime = 2, ServiceResponse = 3 };
 
-/// "a; b and 3 more".
+/// Joins problems: "a; b and 3 more".
 std::string summaryOf(const std::vector<std::string>& problems) {
   constexpr std::size_t kTold = 3;
   const std::vector<std::string> first(
@@ -34,14 +34,14 @@ base::Result<std::unique_ptr<FoxgloveServer>> FoxgloveServer::listen(
   settings.server.rules.protocols = {"foxglove.sdk.v1", "foxglove.websocket.v1"};
   std::unique_ptr<FoxgloveServer> server(new FoxgloveServer(std::move(settings)));
   for (const Channel& channel : channels) {
-    server->outlets_.push_back(std::make_unique<Outlet>());
-    server->outlets_.back()->channel = channel;
+    server->publishedChannels_.push_back(std::make_unique<PublishedChannel>());
+    server->publishedChannels_.back()->channel = channel;
   }
   server->greeting_ = serverInfoText(server->settings_);
   server->channels_ = advertiseText(channels);
   server->services_ = servicesText(server->settings_.services);
   for (const Parameter& each : server->settings_.parameters) {
-    server->told_[each.name] = each.get();
+    server->sentParameters_[each.name] = each.get();
   }
   auto listening = WebSocketServer::listen(server->settings_.server, *server);
   if (!listening) {
@@ -53,13 +53,13 @@ base::Result<std::unique_ptr<FoxgloveServer>> FoxgloveServer::listen(
 
 FoxgloveServer::~FoxgloveServer() {
   if (server_) {
-    server_->stop("the server ends");
+    server_->stop("the server is stopping");
   }
 }
 
 bool FoxgloveServer::isWanted(ChannelId channel) const {
-  const Outlet& outlet = *outlets_.at(channel - 1);
-  return outlet.wanted > 0 || outlet.channel.isLatched;
+  const PublishedChannel& published = *publishedChannels_.at(channel - 1);
+  return published.wanted > 0 || published.channel.isLatched;
 }
 
 void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages) {
@@ -72,107 +72,108 @@ void FoxgloveServer::catchUp(std::uint64_t time, const std::vector<Message>& mes
 
 void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages,
                              bool onlyAwaited) {
-  std::string clock(1, TimeOfServer);
+  std::string clock(1, ServerTime);
   appendLittleEndian(clock, time);
   server_->exclusively([&] {
     for (const Message& message : messages) {
-      Outlet& outlet = *outlets_.at(message.channel - 1);
-      if (outlet.channel.isLatched) {
-        outlet.time = time;
-        outlet.newest = message.payload;
+      PublishedChannel& published = *publishedChannels_.at(message.channel - 1);
+      if (published.channel.isLatched) {
+        published.time = time;
+        published.newest = message.payload;
       }
     }
-    for (auto& [client, table] : tables_) {
-      publishTo(client, table, {time, clock, messages}, onlyAwaited);
-      tellLoss(client, table);
+    for (auto& [client, state] : clientStates_) {
+      publishTo(client, state, {time, clock, messages}, onlyAwaited);
+      warnOfLoss(client, state);
     }
   });
 }
 
 /// The time goes before the messages; also alone, unless only awaited messages are sent.
-void FoxgloveServer::publishTo(Client client, Table& table, const Publication& publication,
+void FoxgloveServer::publishTo(Client client, ClientState& state, const Publication& publication,
                                bool onlyAwaited) {
   bool isTimeDue = true;
   const auto sendTime = [&] {
     Connection* const connection = server_->find(client);
     if (connection != nullptr && std::exchange(isTimeDue, false)) {
-      connection->sendBinary(publication.clock, nullptr, Outbox::Kind::Message);
+      connection->sendBinary(publication.clock, nullptr, SendQueue::Kind::Message);
     }
   };
   if (!onlyAwaited) {
     sendTime();
   }
   for (const Message& message : publication.messages) {
-    const auto wanted = table.wanted.find(message.channel);
-    if (wanted != table.wanted.end() && (!onlyAwaited || wanted->second.isAwaited)) {
+    const auto wanted = state.wanted.find(message.channel);
+    if (wanted != state.wanted.end() && (!onlyAwaited || wanted->second.isMessageAwaited)) {
       sendTime();
       sendMessage(client, message.channel, wanted->second, publication.time, message.payload,
-                  Outbox::Kind::Message);
+                  SendQueue::Kind::Message);
     }
   }
 }
 
-void FoxgloveServer::sendMessage(Client client, ChannelId channel, Wanted& wanted,
+void FoxgloveServer::sendMessage(Client client, ChannelId channel, ClientSubscription& wanted,
                                  std::uint64_t time, const SharedBytes& payload,
-                                 Outbox::Kind kind) {
+                                 SendQueue::Kind kind) {
   if (Connection* const connection = server_->find(client)) {
     std::string head(1, MessageData);
     appendLittleEndian(head, wanted.subscription);
     appendLittleEndian(head, time);
     connection->sendBinary(head, payload, kind);
-    outlets_.at(channel - 1)->awaited -= std::exchange(wanted.isAwaited, false) ? 1 : 0;
+    publishedChannels_.at(channel - 1)->awaited -=
+        std::exchange(wanted.isMessageAwaited, false) ? 1 : 0;
   }
 }
 
-void FoxgloveServer::leave(ChannelId channel, const Wanted& wanted) {
-  Outlet& outlet = *outlets_.at(channel - 1);
-  --outlet.wanted;
-  outlet.awaited -= wanted.isAwaited ? 1 : 0;
+void FoxgloveServer::removeSubscription(ChannelId channel, const ClientSubscription& wanted) {
+  PublishedChannel& published = *publishedChannels_.at(channel - 1);
+  --published.wanted;
+  published.awaited -= wanted.isMessageAwaited ? 1 : 0;
 }
 
-/// Once is enough.
-void FoxgloveServer::tellLoss(Client client, Table& table) {
+/// Warns each client once.
+void FoxgloveServer::warnOfLoss(Client client, ClientState& state) {
   Connection* const connection = server_->find(client);
-  if (connection != nullptr && connection->out().leftOut() > 0 &&
-      !std::exchange(table.isToldOfLoss, true)) {
-    tell(client, statusText(StatusLevel::Warning,
-                            "this connection is too slow: older messages are left out", "slow"));
+  if (connection != nullptr && connection->out().droppedCount() > 0 &&
+      !std::exchange(state.isWarnedOfLoss, true)) {
+    send(client, statusText(StatusLevel::Warning,
+                            "this connection is too slow: older messages are dropped", "slow"));
   }
 }
 
-void FoxgloveServer::noteParameters() {
-  server_->exclusively([this] { tellParameters(); });
+void FoxgloveServer::notifyParameters() {
+  server_->exclusively([this] { sendParameters(); });
 }
 
-/// Those that have changed, to whoever watches them.
-void FoxgloveServer::tellParameters() {
+/// Sends changed parameters to the clients that subscribed to them.
+void FoxgloveServer::sendParameters() {
   std::vector<NamedValue> changed;
   for (const Parameter& each : settings_.parameters) {
     ParameterValue value = each.get();
-    if (told_[each.name] != value) {
-      told_[each.name] = value;
+    if (sentParameters_[each.name] != value) {
+      sentParameters_[each.name] = value;
       changed.push_back({each.name, std::move(value)});
     }
   }
-  for (const auto& [client, table] : tables_) {
+  for (const auto& [client, state] : clientStates_) {
     std::vector<NamedValue> watched;
     std::copy_if(
         changed.begin(), changed.end(), std::back_inserter(watched),
-        [&set = table.watched](const NamedValue& each) { return set.count(each.name) > 0; });
+        [&set = state.watched](const NamedValue& each) { return set.count(each.name) > 0; });
     if (!watched.empty()) {
-      tell(client, parametersText(watched, std::nullopt));
+      send(client, parametersText(watched, std::nullopt));
     }
   }
 }
 
 void FoxgloveServer::opened(Client client) {
-  tables_[client];
-  clientCount_ = tables_.size();
+  clientStates_[client];
+  clientCount_ = clientStates_.size();
   hadClients_ = true;
-  tell(client, greeting_);
-  tell(client, channels_);
+  send(client, greeting_);
+  send(client, channels_);
   if (!settings_.services.empty()) {
-    tell(client, services_);
+    send(client, services_);
   }
 }
 
@@ -183,14 +184,14 @@ void FoxgloveServer::received(Client client, WebSocketMessage&& message) {
 }
 
 void FoxgloveServer::closed(Client client) {
-  const auto found = tables_.find(client);
-  if (found != tables_.end()) {
+  const auto found = clientStates_.find(client);
+  if (found != clientStates_.end()) {
     for (const auto& [channel, wanted] : found->second.wanted) {
-      leave(channel, wanted);
+      removeSubscription(channel, wanted);
     }
-    tables_.erase(found);
+    clientStates_.erase(found);
   }
-  clientCount_ = tables_.size();
+  clientCount_ = clientStates_.size();
 }
 
 void FoxgloveServer::refused(const std::string& origin) {
@@ -205,18 +206,18 @@ void FoxgloveServer::tick() {
   }
 }
 
-void FoxgloveServer::tell(Client client, const std::string& text) {
+void FoxgloveServer::send(Client client, const std::string& text) {
   if (Connection* const connection = server_->find(client)) {
     connection->sendText(text);
   }
 }
 
-void FoxgloveServer::complain(Client client, const std::string& why) {
-  tell(client, statusText(StatusLevel::Error, why));
+void FoxgloveServer::sendError(Client client, const std::string& why) {
+  send(client, statusText(StatusLevel::Error, why));
 }
 
 void FoxgloveServer::answer(Client client, const request::Refused& asked) {
-  complain(client, asked.why);
+  sendError(client, asked.why);
 }
 
 void FoxgloveServer::answer(Client client, const request::Subscribe& asked) {
@@ -227,97 +228,99 @@ void FoxgloveServer::answer(Client client, const request::Subscribe& asked) {
     }
   }
   if (!problems.empty()) {
-    complain(client, summaryOf(problems));
+    sendError(client, summaryOf(problems));
   }
-  const auto& wanted = tables_[client].wanted;
-  const bool isAwaiting = std::any_of(wanted.begin(), wanted.end(),
-                                      [](const auto& each) { return each.second.isAwaited; });
+  const auto& wanted = clientStates_[client].wanted;
+  const bool isAwaiting = std::any_of(
+      wanted.begin(), wanted.end(), [](const auto& each) { return each.second.isMessageAwaited; });
   if (isAwaiting && settings_.subscribed) {
     settings_.subscribed();
   }
 }
 
-/// Returns what is wrong.
+/// Returns an error text; empty on success.
 std::string FoxgloveServer::subscribe(Client client, const Subscription& wanted) {
-  Table& table = tables_[client];
-  if (wanted.channel == 0 || wanted.channel > outlets_.size()) {
+  ClientState& state = clientStates_[client];
+  if (wanted.channel == 0 || wanted.channel > publishedChannels_.size()) {
     return "there is no channel " + std::to_string(wanted.channel);
   }
-  if (std::any_of(table.wanted.begin(), table.wanted.end(),
+  if (std::any_of(state.wanted.begin(), state.wanted.end(),
                   [&](const auto& each) { return each.second.subscription == wanted.id; })) {
-    return "there is a subscription " + std::to_string(wanted.id) + " already";
+    return "subscription " + std::to_string(wanted.id) + " already exists";
   }
-  const auto [added, isNew] = table.wanted.emplace(wanted.channel, Wanted{wanted.id});
+  const auto [added, isNew] = state.wanted.emplace(wanted.channel, ClientSubscription{wanted.id});
   if (!isNew) {
-    return "channel " + std::to_string(wanted.channel) + " is subscribed to already";
+    return "channel " + std::to_string(wanted.channel) + " is already subscribed";
   }
-  Outlet& outlet = *outlets_[wanted.channel - 1];
-  ++outlet.wanted;
-  ++outlet.awaited;
-  if (outlet.newest) {
-    sendMessage(client, wanted.channel, added->second, outlet.time, outlet.newest,
-                Outbox::Kind::Answer);
+  PublishedChannel& published = *publishedChannels_[wanted.channel - 1];
+  ++published.wanted;
+  ++published.awaited;
+  if (published.newest) {
+    sendMessage(client, wanted.channel, added->second, published.time, published.newest,
+                SendQueue::Kind::Answer);
   }
   return {};
 }
 
 void FoxgloveServer::answer(Client client, const request::Unsubscribe& asked) {
   for (const std::uint32_t subscription : asked.subscriptions) {
-    unsubscribe(tables_[client], subscription);
+    unsubscribe(clientStates_[client], subscription);
   }
 }
 
-/// One that is not there is gone already.
-void FoxgloveServer::unsubscribe(Table& table, std::uint32_t subscription) {
-  const auto found = std::find_if(table.wanted.begin(), table.wanted.end(), [&](const auto& each) {
+/// An unknown subscription is ignored.
+void FoxgloveServer::unsubscribe(ClientState& state, std::uint32_t subscription) {
+  const auto found = std::find_if(state.wanted.begin(), state.wanted.end(), [&](const auto& each) {
     return each.second.subscription == subscription;
   });
-  if (found != table.wanted.end()) {
-    leave(found->first, found->second);
-    table.wanted.erase(found);
+  if (found != state.wanted.end()) {
+    removeSubscription(found->first, found->second);
+    state.wanted.erase(found);
   }
 }
 
 void FoxgloveServer::answer(Client client, const request::Advertise& asked) {
   std::vector<std::string> problems;
-  auto& own = tables_[client].own;
+  auto& own = clientStates_[client].own;
   for (const ClientChannel& channel : asked.channels) {
-    const bool isTaken =
-        std::any_of(settings_.inlets.begin(), settings_.inlets.end(), [&](const Inlet& inlet) {
-          return inlet.topic == channel.topic && inlet.schemaName == channel.schemaName;
-        });
+    const bool isTaken = std::any_of(settings_.clientTopics.begin(), settings_.clientTopics.end(),
+                                     [&](const ClientTopic& clientTopic) {
+                                       return clientTopic.topic == channel.topic &&
+                                              clientTopic.schemaName == channel.schemaName;
+                                     });
     if (!isTaken) {
-      problems.push_back("nothing listens to " + channel.topic + " of " + channel.schemaName);
+      problems.push_back("no subscriber for " + channel.topic + " of type " + channel.schemaName);
     } else if (channel.encoding != "cdr" && channel.encoding != "json") {
-      problems.push_back("the encoding '" + channel.encoding + "' is not known here");
-    } else if (own.size() >= kMostOwn || !own.emplace(channel.id, channel).second) {
-      problems.push_back("there is a channel " + std::to_string(channel.id) +
-                         " of yours already, or too many");
+      problems.push_back("the encoding '" + channel.encoding + "' is not supported");
+    } else if (own.size() >= kMaxClientChannels || !own.emplace(channel.id, channel).second) {
+      problems.push_back("client channel " + std::to_string(channel.id) +
+                         " already exists, or there are too many");
     }
   }
   if (!problems.empty()) {
-    complain(client, summaryOf(problems));
+    sendError(client, summaryOf(problems));
   }
 }
 
 void FoxgloveServer::answer(Client client, const request::Unadvertise& asked) {
   for (const std::uint32_t channel : asked.channels) {
-    tables_[client].own.erase(channel);
+    clientStates_[client].own.erase(channel);
   }
 }
 
 void FoxgloveServer::answer(Client client, const request::Publish& asked) {
-  const auto& own = tables_[client].own;
+  const auto& own = clientStates_[client].own;
   const auto channel = own.find(asked.channel);
   if (channel == own.end()) {
-    complain(client, "there is no channel " + std::to_string(asked.channel) + " of yours");
+    sendError(client, "there is no client channel " + std::to_string(asked.channel));
     return;
   }
-  for (const Inlet& inlet : settings_.inlets) {
-    if (inlet.topic == channel->second.topic && inlet.schemaName == channel->second.schemaName) {
-      const std::string problem = inlet.take(channel->second.encoding, asked.payload);
+  for (const ClientTopic& clientTopic : settings_.clientTopics) {
+    if (clientTopic.topic == channel->second.topic &&
+        clientTopic.schemaName == channel->second.schemaName) {
+      const std::string problem = clientTopic.take(channel->second.encoding, asked.payload);
       if (!problem.empty()) {
-        complain(client, inlet.topic + ": " + problem);
+        sendError(client, clientTopic.topic + ": " + problem);
       }
     }
   }
@@ -325,14 +328,14 @@ void FoxgloveServer::answer(Client client, const request::Publish& asked) {
 
 void FoxgloveServer::answer(Client client, const request::CallService& asked) {
   const auto fail = [&](const std::string& why) {
-    tell(client, callFailureText(asked.service, asked.call, why));
+    send(client, callFailureText(asked.service, asked.call, why));
   };
   if (asked.service == 0 || asked.service > settings_.services.size()) {
     fail("there is no service " + std::to_string(asked.service));
     return;
   }
   if (asked.encoding != "cdr" && asked.encoding != "json") {
-    fail("the encodings of services are cdr and json");
+    fail("services support the encodings cdr and json");
     return;
   }
   const ServiceAnswer done =
@@ -347,9 +350,9 @@ void FoxgloveServer::answer(Client client, const request::CallService& asked) {
   appendLittleEndian(bytes, static_cast<std::uint32_t>(asked.encoding.size()));
   bytes.append(asked.encoding).append(done.payload);
   if (Connection* const connection = server_->find(client)) {
-    connection->sendBinary(bytes, nullptr, Outbox::Kind::Answer);
+    connection->sendBinary(bytes, nullptr, SendQueue::Kind::Answer);
   }
-  tellParameters();
+  sendParameters();
 }
 
 const Parameter* FoxgloveServer::parameter(const std::string& name) const {
@@ -358,7 +361,7 @@ const Parameter* FoxgloveServer::parameter(const std::string& name) const {
   return found == settings_.parameters.end() ? nullptr : &*found;
 }
 
-/// Those that are not there have no value, and are left out.
+/// Unknown parameters have no value and are omitted.
 void FoxgloveServer::answer(Client client, const request::GetParameters& asked) {
   std::vector<NamedValue> values;
   for (const Parameter& each : settings_.parameters) {
@@ -367,16 +370,16 @@ void FoxgloveServer::answer(Client client, const request::GetParameters& asked) 
       values.push_back({each.name, each.get()});
     }
   }
-  tell(client, parametersText(values, asked.id));
+  send(client, parametersText(values, asked.id));
 }
 
-/// With an id it is told what counts then, whether it could be set or not.
+/// With an id, the client receives the resulting values, whether they could be set or not.
 void FoxgloveServer::answer(Client client, const request::SetParameters& asked) {
   std::vector<std::string> problems;
   request::GetParameters after{{}, asked.id};
   for (const NamedValue& each : asked.values) {
     const Parameter* const known = parameter(each.name);
-    const std::string problem = known == nullptr ? "is not there"
+    const std::string problem = known == nullptr ? "does not exist"
                                 : !known->set    ? "cannot be set"
                                                  : known->set(each.value);
     if (!problem.empty()) {
@@ -385,16 +388,16 @@ void FoxgloveServer::answer(Client client, const request::SetParameters& asked) 
     after.names.push_back(each.name);
   }
   if (!problems.empty()) {
-    complain(client, summaryOf(problems));
+    sendError(client, summaryOf(problems));
   }
   if (asked.id && !after.names.empty()) {
     answer(client, after);
   }
-  tellParameters();
+  sendParameters();
 }
 
 void FoxgloveServer::answer(Client client, const request::WatchParameters& asked) {
-  std::set<std::string>& watched = tables_[client].watched;
+  std::set<std::string>& watched = clientStates_[client].watched;
   for (const Parameter& each : settings_.parameters) {
     const bool isMeant = asked.names.empty() || std::find(asked.names.begin(), asked.names.end(),
                                                           each.name) != asked.names.end();

@@ -14,26 +14,26 @@
 #include "app/bridge/live/ClientRequest.h"
 #include "app/bridge/live/WebSocketServer.h"
 
-/// The server's side of the Foxglove WebSocket protocol, version 1, for Foxglove, Lichtblick and
-/// PlotJuggler: topics, services, parameters and the clock of a simulation.
+/// A server for the Foxglove WebSocket protocol, version 1, for Foxglove, Lichtblick and
+/// PlotJuggler: topics, services, parameters and the simulation clock.
 namespace live {
 
 using ChannelId = std::uint32_t;
 
-/// What is published.
+/// A published topic.
 struct Channel {
-  std::string topic, schemaName, schema;  // "/scan", "sensor_msgs/msg/LaserScan", text of ros2msg
-  bool isLatched = false;                 // its newest message is kept
+  std::string topic, schemaName, schema;  // "/scan", "sensor_msgs/msg/LaserScan", ros2msg text
+  bool isLatched = false;                 // the newest message is kept
 };
 
-/// The text of a type in ros2msg, with its name.
+/// A type name and its ros2msg definition.
 struct Schema {
   std::string name, text;
 };
 
 struct ServiceAnswer {
   bool isFine = true;
-  std::string payload;  // in the encoding of the call; else why the call failed
+  std::string payload;  // response in the call's encoding, or the error text
 };
 struct Service {
   std::string name, type;  // "/hunavsim/pause", "std_srvs/srv/SetBool"
@@ -41,36 +41,37 @@ struct Service {
   std::function<ServiceAnswer(std::string_view encoding, std::string_view payload)> call;
 };
 
-/// What clients may publish.
-struct Inlet {
+/// A topic that clients can publish.
+struct ClientTopic {
   std::string topic, schemaName;
-  /// Returns what is wrong with the message; empty: it was taken.
+  /// Returns an error text; empty on success.
   std::function<std::string(std::string_view encoding, std::string_view payload)> take;
 };
 
 struct Parameter {
   std::string name;
   std::function<ParameterValue()> get;
-  /// Returns what is wrong with the value; empty: it counts now. Null: nobody may set it.
+  /// Returns an error text; empty on success. Null: read-only.
   std::function<std::string(const ParameterValue&)> set;
 };
 
 struct FoxgloveSettings {
   ServerSettings server;
-  std::string name = "hunavsim", session;  // shown by the app; another one for each run
+  std::string name = "hunavsim", session;  // shown by the client; the session id is unique per run
   std::vector<Service> services;
-  std::vector<Inlet> inlets;          // none: clients publish nothing
-  std::vector<Parameter> parameters;  // none: there are none
-  std::function<void()> tick;         // called ten times a second or more often; may be null
-  std::function<void()> subscribed;   // a subscription has no message yet (`isAwaited`); idem
-  std::function<void(const std::string& origin)> refused;  // a page that may not connect; idem
+  std::vector<ClientTopic> clientTopics;  // empty: clients cannot publish
+  std::vector<Parameter> parameters;      // empty: no parameters
+  std::function<void()> tick;             // called at least ten times per second; may be null
+  std::function<void()>
+      subscribed;  // a subscription lacks a message (`isMessageAwaited`); may be null
+  std::function<void(const std::string& origin)> refused;  // a page was rejected; may be null
 };
 
-/// Functions of the settings are called in the server's thread, one at a time; they must not call
-/// the server. What is called of the server may be called in any other thread.
+/// The callbacks in the settings are called in the server's thread, one at a time, and must not
+/// call the server. The public functions may be called from any other thread.
 class FoxgloveServer : private WebSocketServer::Handler {
  public:
-  /// It listens, but serves nobody before `start`. Errors: as of WebSocketServer.
+  /// Starts listening. Clients are served after `start`. Errors: those of WebSocketServer.
   static base::Result<std::unique_ptr<FoxgloveServer>> listen(FoxgloveSettings settings,
                                                               const std::vector<Channel>& channels);
   ~FoxgloveServer() override;
@@ -83,39 +84,41 @@ class FoxgloveServer : private WebSocketServer::Handler {
   void start() { server_->start(); }
   void stop(std::string_view reason) { server_->stop(reason); }
 
-  /// Somebody has subscribed, or it is latched: else there is no need to make the message.
-  bool isWanted(ChannelId channel) const;  // channels are numbered from 1 on, in their order
+  /// Whether the channel has subscribers or is latched. If not, the message need not be created.
+  bool isWanted(ChannelId channel) const;  // numbered from 1 in order of creation
   struct Message {
     ChannelId channel = 0;
-    SharedBytes payload;  // CDR with its head
+    SharedBytes payload;  // CDR with encapsulation header
   };
-  /// Messages of one instant [ns of simulated time], which is told as well.
+  /// Publishes messages of one time [ns of simulation time] and the time itself.
   void publish(std::uint64_t time, const std::vector<Message>& messages);
-  /// A subscription to the channel has had no message yet.
-  bool isAwaited(ChannelId channel) const { return outlets_.at(channel - 1)->awaited > 0; }
-  /// Messages of the newest instant, only for subscriptions that have had none yet.
+  /// Whether a subscription to the channel has received no message yet.
+  bool isMessageAwaited(ChannelId channel) const {
+    return publishedChannels_.at(channel - 1)->awaited > 0;
+  }
+  /// Publishes messages of the newest time, only to subscriptions that have received none yet.
   void catchUp(std::uint64_t time, const std::vector<Message>& messages);
-  /// A parameter was changed by somebody else than a client: whoever watches it is told.
-  void noteParameters();
+  /// Call after the program changed a parameter: notifies the clients that subscribed to it.
+  void notifyParameters();
   std::size_t clientCount() const { return clientCount_; }
-  bool hadClients() const { return hadClients_; }  // now or before
+  bool hadClient() const { return hadClients_; }  // a client has ever connected
 
  private:
   using Client = WebSocketServer::Client;
-  struct Wanted {
+  struct ClientSubscription {
     std::uint32_t subscription = 0;
-    bool isAwaited = true;  // no message came so far
+    bool isMessageAwaited = true;  // no message sent yet
   };
-  struct Table {  // of one client
-    std::map<ChannelId, Wanted> wanted;
-    std::map<std::uint32_t, ClientChannel> own;  // channels that it publishes on
-    std::set<std::string> watched;               // parameters
-    bool isToldOfLoss = false;
+  struct ClientState {  // state of one client
+    std::map<ChannelId, ClientSubscription> wanted;
+    std::map<std::uint32_t, ClientChannel> own;  // channels advertised by the client
+    std::set<std::string> watched;               // subscribed parameters
+    bool isWarnedOfLoss = false;
   };
-  struct Outlet {  // a channel while it is served
+  struct PublishedChannel {  // a published channel
     Channel channel;
     std::atomic<int> wanted{0}, awaited{0};
-    std::uint64_t time = 0;  // of the newest message, if it is latched
+    std::uint64_t time = 0;  // of the newest message, if latched
     SharedBytes newest;
   };
 
@@ -137,31 +140,32 @@ class FoxgloveServer : private WebSocketServer::Handler {
   void answer(Client client, const request::CallService& asked);
   void answer(Client client, const request::Refused& asked);
   std::string subscribe(Client client, const Subscription& wanted);
-  void unsubscribe(Table& table, std::uint32_t subscription);
-  void tellParameters();
+  void unsubscribe(ClientState& state, std::uint32_t subscription);
+  void sendParameters();
   void publish(std::uint64_t time, const std::vector<Message>& messages, bool onlyAwaited);
   struct Publication {
     std::uint64_t time;        // [ns]
     const std::string& clock;  // the time as a message, the same for all clients
     const std::vector<Message>& messages;
   };
-  void publishTo(Client client, Table& table, const Publication& publication, bool onlyAwaited);
-  void sendMessage(Client client, ChannelId channel, Wanted& wanted, std::uint64_t time,
-                   const SharedBytes& payload, Outbox::Kind kind);
-  void leave(ChannelId channel, const Wanted& wanted);
-  void tellLoss(Client client, Table& table);
+  void publishTo(Client client, ClientState& state, const Publication& publication,
+                 bool onlyAwaited);
+  void sendMessage(Client client, ChannelId channel, ClientSubscription& wanted, std::uint64_t time,
+                   const SharedBytes& payload, SendQueue::Kind kind);
+  void removeSubscription(ChannelId channel, const ClientSubscription& wanted);
+  void warnOfLoss(Client client, ClientState& state);
   const Parameter* parameter(const std::string& name) const;
-  void tell(Client client, const std::string& text);
-  void complain(Client client, const std::string& why);
+  void send(Client client, const std::string& text);
+  void sendError(Client client, const std::string& why);
 
   const FoxgloveSettings settings_;
-  std::vector<std::unique_ptr<Outlet>> outlets_;  // channel 1 first
-  std::string greeting_, channels_, services_;    // sent to each client
-  std::map<Client, Table> tables_;
-  std::map<std::string, ParameterValue> told_;  // as they were told last
+  std::vector<std::unique_ptr<PublishedChannel>> publishedChannels_;  // index 0 is channel 1
+  std::string greeting_, channels_, services_;                        // sent to each new client
+  std::map<Client, ClientState> clientStates_;
+  std::map<std::string, ParameterValue> sentParameters_;  // last published values
   std::atomic<std::size_t> clientCount_{0};
   std::atomic<bool> hadClients_{false};
-  std::unique_ptr<WebSocketServer> server_;  // goes first: its thread uses all else
+  std::unique_ptr<WebSocketServer> server_;  // last member: its thread uses the others
 };
 
 }  // namespace live

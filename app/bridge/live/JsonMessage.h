@@ -9,23 +9,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/bridge/messages/FieldKinds.h"
+#include "app/bridge/messages/FieldTraits.h"
 #include "sim2d/base/JsonText.h"
 
-/// Messages of ROS as JSON, as apps without ROS publish and call: an object of fields by name.
+/// ROS messages as JSON objects, as clients without ROS send them.
 namespace live {
 
-/// Visits the fields of a message: puts in what the object has. A field that is not there keeps its
-/// default, one that is unknown is left alone. Lists are left alone too: what clients may send has
-/// none.
-class JsonFields {
+/// A visitor that fills the fields of a message from a JSON object. Missing fields keep their
+/// default, unknown fields are ignored. Lists are not supported; accepted messages have none.
+class JsonReader {
  public:
-  explicit JsonFields(const nlohmann::json& object)
-      : object_(object), isFine_(object.is_object()) {}
+  explicit JsonReader(const nlohmann::json& object)
+      : object_(object), isValid_(object.is_object()) {}
 
   template <class T>
   void operator()(const char* name, T& value) {
-    if (!isFine_) {
+    if (!isValid_) {
       return;
     }
     const auto found = object_.find(name);
@@ -33,7 +32,7 @@ class JsonFields {
       read(*found, value);
     }
   }
-  bool isFine() const { return isFine_; }
+  bool isValid() const { return isValid_; }
 
  private:
   template <class T>
@@ -51,28 +50,28 @@ class JsonFields {
     } else if constexpr (bridge::kIsString<T>) {
       take(json.is_string(), json, value);
     } else if constexpr (!bridge::kIsSequence<T> && !bridge::kIsArray<T>) {
-      JsonFields inner(json);
+      JsonReader inner(json);
       if constexpr (!bridge::kIsEmptyMessage<T>) {
         T::fields(value, inner);
       }
-      isFine_ = isFine_ && inner.isFine();
+      isValid_ = isValid_ && inner.isValid();
     }
   }
   template <class T>
-  void take(bool isFine, const nlohmann::json& json, T& value) {
-    isFine_ = isFine_ && isFine;
-    if (isFine) {
+  void take(bool isValid, const nlohmann::json& json, T& value) {
+    isValid_ = isValid_ && isValid;
+    if (isValid) {
       value = json.get<T>();
     }
   }
 
   const nlohmann::json& object_;
-  bool isFine_;
+  bool isValid_;
 };
 
-constexpr std::size_t kLargestJson = 65536;  // [B] of a message: no honest one is larger
+constexpr std::size_t kLargestJson = 65536;  // [B], far above valid messages
 
-/// None: the text is no JSON or too large, or a field has another type. Any bytes are safe.
+/// Nothing: the text is not JSON or too large, or a field has another type. Any bytes are safe.
 template <class M>
 std::optional<M> messageOfJson(std::string_view text) {
   if (text.size() > kLargestJson) {
@@ -80,14 +79,14 @@ std::optional<M> messageOfJson(std::string_view text) {
   }
   const nlohmann::json object = nlohmann::json::parse(text, nullptr, false);
   M message;
-  JsonFields fields(object);
+  JsonReader fields(object);
   if constexpr (!bridge::kIsEmptyMessage<M>) {
     M::fields(message, fields);
   }
-  return fields.isFine() ? std::optional<M>(message) : std::nullopt;
+  return fields.isValid() ? std::optional<M>(message) : std::nullopt;
 }
 
-/// Of a message of numbers and texts.
+/// The JSON of a message that contains only numbers and strings.
 template <class M>
 std::string jsonOf(const M& message) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();

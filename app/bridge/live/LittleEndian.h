@@ -7,7 +7,7 @@
 
 namespace live {
 
-/// The first four bytes as a number; there must be four.
+/// Decodes the first four bytes; requires at least four.
 inline std::uint32_t littleEndian32(std::string_view bytes) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -59,10 +59,10 @@ std::optional<double> numberOf(const ParameterValue& value) {
 
 }  // namespace
 
-RunControl::RunControl(app::Session& session, Facts facts, const std::vector<Driven>& robots)
+RunControl::RunControl(app::Session& session, Facts facts, const std::vector<TeleopRobot>& robots)
     : session_(session), facts_(std::move(facts)), robots_(robots) {
   if (!robots_.empty()) {
-    session_.steer([this](const sim2d::Frame&) { return takeDriven(); });
+    session_.steer([this](const sim2d::Frame&) { return takeCommands(); });
   }
 }
 
@@ -82,15 +82,15 @@ Service RunControl::pauseService() {
   service.call = [this](std::string_view encoding, std::string_view payload) {
     const auto request = messageOf<SetBool::Request>(encoding, payload);
     if (!request) {
-      return ServiceAnswer{false, "the request is no std_srvs/srv/SetBool"};
+      return ServiceAnswer{false, "the request is not a std_srvs/srv/SetBool"};
     }
     session_.setPaused(request->data);
-    return answerOf<SetBool::Response>(encoding, true, request->data ? "paused" : "goes on");
+    return answerOf<SetBool::Response>(encoding, true, request->data ? "paused" : "resumed");
   };
   return service;
 }
 
-/// The request says nothing, so nothing in it can be wrong.
+/// The request is empty and need not be decoded.
 Service RunControl::stepService() {
   using bridge::std_srvs::Trigger;
   Service service = serviceOf<Trigger>("/hunavsim/step");
@@ -99,7 +99,7 @@ Service RunControl::stepService() {
       return answerOf<Trigger::Response>(encoding, false,
                                          "the run is not paused (/hunavsim/pause)");
     }
-    session_.allowStep();
+    session_.stepOnce();
     return answerOf<Trigger::Response>(encoding, true, "one step");
   };
   return service;
@@ -112,7 +112,7 @@ std::vector<Parameter> RunControl::parameters() {
   return {{"/hunavsim.paused", [this] { return ParameterValue(isPaused()); },
            [this](const ParameterValue& value) { return setPaused(value); }},
           {"/hunavsim.real_time_factor",
-           // JSON has no infinity: no value is as fast as it goes
+           // JSON has no infinity: unlimited speed has no value.
            [this] {
              const double factor = speed();
              return std::isinf(factor) ? ParameterValue() : ParameterValue(factor);
@@ -126,7 +126,7 @@ std::vector<Parameter> RunControl::parameters() {
 std::string RunControl::setPaused(const ParameterValue& value) {
   const bool* const isPaused = std::get_if<bool>(&value);
   if (isPaused == nullptr) {
-    return "wants true or false";
+    return "must be true or false";
   }
   session_.setPaused(*isPaused);
   return {};
@@ -135,32 +135,33 @@ std::string RunControl::setPaused(const ParameterValue& value) {
 std::string RunControl::setSpeed(const ParameterValue& value) {
   const std::optional<double> speed = numberOf(value);
   if (!speed || !(*speed >= kSlowest && *speed <= kFastest)) {
-    return "wants a number from 0.1 to 100";
+    return "must be a number from 0.1 to 100";
   }
   session_.setSpeed(*speed);
   return {};
 }
 
-std::vector<Inlet> RunControl::inlets() {
-  std::vector<Inlet> inlets;
-  for (const Driven& robot : robots_) {
-    inlets.push_back({robot.topic, bridge::geometry_msgs::Twist::kType,
-                      [this, id = robot.id](std::string_view encoding, std::string_view payload) {
-                        return drive(id, encoding, payload);
-                      }});
+std::vector<ClientTopic> RunControl::clientTopics() {
+  std::vector<ClientTopic> clientTopics;
+  for (const TeleopRobot& robot : robots_) {
+    clientTopics.push_back(
+        {robot.topic, bridge::geometry_msgs::Twist::kType,
+         [this, id = robot.id](std::string_view encoding, std::string_view payload) {
+           return drive(id, encoding, payload);
+         }});
   }
-  return inlets;
+  return clientTopics;
 }
 
 std::string RunControl::drive(int robot, std::string_view encoding, std::string_view payload) {
   const auto twist = messageOf<bridge::geometry_msgs::Twist>(encoding, payload);
   if (!twist || !std::isfinite(twist->linear.x) || !std::isfinite(twist->linear.y) ||
       !std::isfinite(twist->angular.z)) {
-    return "this is no geometry_msgs/msg/Twist of finite numbers";
+    return "not a geometry_msgs/msg/Twist with finite numbers";
   }
-  const auto isTooFast = [](double value) { return std::fabs(value) > sim2d::kFastest; };
+  const auto isTooFast = [](double value) { return std::fabs(value) > sim2d::kMaxPlausibleSpeed; };
   if (isTooFast(twist->linear.x) || isTooFast(twist->linear.y) || isTooFast(twist->angular.z)) {
-    return "numbers above 1000 are no velocities";  // the world would not take them
+    return "velocities must be at most 1000";  // the world rejects them
   }
   sim2d::Input input;
   input.kind = sim2d::InputKind::Robot;
@@ -168,17 +169,17 @@ std::string RunControl::drive(int robot, std::string_view encoding, std::string_
   input.velocity = {twist->linear.x, twist->linear.y};
   input.omega = twist->angular.z;
   const std::lock_guard<std::mutex> lock(mutex_);
-  driven_[robot] = input;
+  commands_[robot] = input;
   return {};
 }
 
-sim2d::StepInputs RunControl::takeDriven() {
+sim2d::StepInputs RunControl::takeCommands() {
   const std::lock_guard<std::mutex> lock(mutex_);
   sim2d::StepInputs inputs;
-  for (const auto& [robot, input] : driven_) {
+  for (const auto& [robot, input] : commands_) {
     inputs.push_back(input);
   }
-  driven_.clear();
+  commands_.clear();
   return inputs;
 }
 

@@ -12,25 +12,25 @@
 
 namespace live {
 
-constexpr double kSlowest = 0.1, kFastest = 100.0;  // simulated seconds per second
+constexpr double kSlowest = 0.1, kFastest = 100.0;  // real-time factor
 
-/// What clients may do with a run, so that it stays the same run: pause it, take a step, change its
-/// pace; drive a robot whose planner is `teleop`, which is recorded with the steps in which it
-/// counts. Thread: any; the session must outlive it.
+/// Controls for clients that do not change the results of a run: pause, single step, real-time
+/// factor. Clients can also drive a robot with planner `teleop`; the commands are recorded with the
+/// steps that use them. Thread-safe; the session must outlive it.
 class RunControl {
  public:
-  struct Facts {  // that parameters tell
+  struct Facts {  // published as parameters
     std::string scenario;
     std::int64_t seed = 1;
     double timeStep = 0.05;  // [s]
   };
-  /// A robot that may be driven.
-  struct Driven {
+  /// A robot that clients can drive.
+  struct TeleopRobot {
     std::string topic;  // "/cmd_vel"
-    int id = -1;        // in frames
+    int id = -1;        // id in frames
   };
 
-  RunControl(app::Session& session, Facts facts, const std::vector<Driven>& robots);
+  RunControl(app::Session& session, Facts facts, const std::vector<TeleopRobot>& robots);
   ~RunControl();
   RunControl(const RunControl&) = delete;
   RunControl& operator=(const RunControl&) = delete;
@@ -39,8 +39,8 @@ class RunControl {
 
   std::vector<Service> services();      // /hunavsim/pause, /hunavsim/step
   std::vector<Parameter> parameters();  // /hunavsim.paused, /hunavsim.real_time_factor and facts
-  std::vector<Inlet> inlets();
-  // As anybody ordered.
+  std::vector<ClientTopic> clientTopics();
+  // As set by any client or the window.
   bool isPaused() const { return session_.isPaused(); }
   double speed() const { return session_.speed(); }
 
@@ -50,13 +50,13 @@ class RunControl {
   Service pauseService();
   Service stepService();
   std::string drive(int robot, std::string_view encoding, std::string_view payload);
-  sim2d::StepInputs takeDriven();
+  sim2d::StepInputs takeCommands();
 
   app::Session& session_;
   const Facts facts_;
-  const std::vector<Driven> robots_;
+  const std::vector<TeleopRobot> robots_;
   std::mutex mutex_;
-  std::map<int, sim2d::Input> driven_;  // the newest word for each robot; guarded by the mutex
+  std::map<int, sim2d::Input> commands_;  // newest command per robot; guarded by mutex_
 };
 
 }  // namespace live

@@ -9,21 +9,21 @@ namespace {
 
 constexpr unsigned kFinal = 0x80, kReserved = 0x70, kOpcodeBits = 0x0F;  // first byte of a frame
 constexpr unsigned kMasked = 0x80, kLengthBits = 0x7F;                   // second byte
-constexpr unsigned kLength16 = 126, kLength64 = 127;                     // lengths that follow
+constexpr unsigned kLength16 = 126, kLength64 = 127;                     // a longer length follows
 constexpr std::size_t kLongestControl = 125;                             // [B]
 
 bool isKnown(unsigned opcode) {
   return opcode <= 2 || (opcode >= 8 && opcode <= 10);
 }
 
-/// 7.4: those that may be sent in a frame.
+/// Codes that may be sent in a close frame (RFC 6455, 7.4).
 bool isCloseCode(unsigned code) {
   const bool isStandard =
       code >= 1000 && code <= 1014 && code != 1004 && code != 1005 && code != 1006;
   return isStandard || (code >= 3000 && code <= 4999);
 }
 
-std::optional<Violation> wrongClose(std::string_view payload) {
+std::optional<Violation> checkClose(std::string_view payload) {
   if (payload.empty()) {
     return std::nullopt;
   }
@@ -34,12 +34,12 @@ std::optional<Violation> wrongClose(std::string_view payload) {
     return Violation{CloseCode::ProtocolError, "wrong close code"};
   }
   if (!isUtf8(payload.substr(2))) {
-    return Violation{CloseCode::WrongText, "the reason is no UTF-8"};
+    return Violation{CloseCode::InvalidText, "the reason is not UTF-8"};
   }
   return std::nullopt;
 }
 
-/// The number of bytes of the character that begins with `first`; 0: none does.
+/// The length of the character that starts with `first`; 0: invalid first byte.
 std::size_t utf8Length(std::uint8_t first) {
   if (first < 0x80) {
     return 1;
@@ -53,7 +53,8 @@ std::size_t utf8Length(std::uint8_t first) {
   return first >= 0xF0 && first <= 0xF4 ? 4 : 0;
 }
 
-/// The second byte tells overlong forms, surrogates and what is beyond U+10FFFF (RFC 3629, 4).
+/// Checks the second byte, which excludes overlong forms, surrogates and values above U+10FFFF (RFC
+/// 3629, 4).
 bool isSecond(std::uint8_t first, std::uint8_t second) {
   const std::uint8_t low = first == 0xE0 ? 0xA0 : (first == 0xF0 ? 0x90 : 0x80);
   const std::uint8_t high = first == 0xED ? 0x9F : (first == 0xF4 ? 0x8F : 0xBF);
@@ -107,13 +108,13 @@ std::string closeFrame(CloseCode code, std::string_view reason) {
   const auto number = static_cast<unsigned>(code);
   std::string payload{static_cast<char>(number >> 8U), static_cast<char>(number & 0xFFU)};
   reason = reason.substr(0, kLongestControl - payload.size());
-  while (!isUtf8(reason)) {  // a character was cut
+  while (!isUtf8(reason)) {  // a truncated character
     reason.remove_suffix(1);
   }
   return wholeFrame(Opcode::Close, payload.append(reason));
 }
 
-/// Of the head, as far as it is known.
+/// The size of the header, as far as known.
 std::size_t FrameReader::headSize() const {
   if (headRead_ < 2) {
     return 2;
@@ -123,7 +124,7 @@ std::size_t FrameReader::headSize() const {
 }
 
 std::optional<Violation> FrameReader::read(std::string_view bytes, const Take& take) {
-  while (!isOver_) {
+  while (!isStopped_) {
     if (!hasHead_) {
       while (!bytes.empty() && headRead_ < headSize()) {
         head_.at(headRead_++) = static_cast<std::uint8_t>(bytes.front());
@@ -133,7 +134,7 @@ std::optional<Violation> FrameReader::read(std::string_view bytes, const Take& t
         return std::nullopt;
       }
       if (std::optional<Violation> wrong = beginFrame()) {
-        isOver_ = true;
+        isStopped_ = true;
         return wrong;
       }
     }
@@ -144,7 +145,7 @@ std::optional<Violation> FrameReader::read(std::string_view bytes, const Take& t
     hasHead_ = false;
     headRead_ = 0;
     if (std::optional<Violation> wrong = endFrame(take)) {
-      isOver_ = true;
+      isStopped_ = true;
       return wrong;
     }
   }
@@ -155,10 +156,10 @@ std::optional<Violation> FrameReader::beginFrame() {
   opcode_ = head_[0] & kOpcodeBits;
   isLast_ = (head_[0] & kFinal) != 0;
   if ((head_[0] & kReserved) != 0) {
-    return Violation{CloseCode::ProtocolError, "no extension was agreed on"};
+    return Violation{CloseCode::ProtocolError, "no extension was negotiated"};
   }
   if ((head_[1] & kMasked) == 0) {
-    return Violation{CloseCode::ProtocolError, "frames of a client are masked"};
+    return Violation{CloseCode::ProtocolError, "frames of a client must be masked"};
   }
   length_ = 0;
   const std::size_t maskAt = headSize() - mask_.size();
@@ -186,25 +187,25 @@ std::optional<Violation> FrameReader::checkOrder(bool isLast) const {
   if (isControl()) {
     return isLast
                ? std::nullopt
-               : std::optional(Violation{CloseCode::ProtocolError, "a control frame in fragments"});
+               : std::optional(Violation{CloseCode::ProtocolError, "a fragmented control frame"});
   }
-  if ((opcode_ == static_cast<unsigned>(Opcode::Continuation)) != begun_.has_value()) {
+  if ((opcode_ == static_cast<unsigned>(Opcode::Continuation)) != messageOpcode_.has_value()) {
     return Violation{CloseCode::ProtocolError, "fragments of two messages are mixed"};
   }
   return std::nullopt;
 }
 
 std::optional<Violation> FrameReader::checkLength() const {
-  const unsigned told = head_[1] & kLengthBits;
-  const bool isShortest = (told != kLength16 || length_ >= kLength16) &&
-                          (told != kLength64 || (length_ > 0xFFFF && length_ >> 63U == 0));
+  const unsigned encoded = head_[1] & kLengthBits;
+  const bool isShortest = (encoded != kLength16 || length_ >= kLength16) &&
+                          (encoded != kLength64 || (length_ > 0xFFFF && length_ >> 63U == 0));
   if (!isShortest) {
     return Violation{CloseCode::ProtocolError, "wrong length of a frame"};
   }
   if (isControl()) {
     return length_ <= kLongestControl
                ? std::nullopt
-               : std::optional(Violation{CloseCode::ProtocolError, "a long control frame"});
+               : std::optional(Violation{CloseCode::ProtocolError, "a control frame is too long"});
   }
   if (length_ > largest_ || message_.size() > largest_ - length_) {
     return Violation{CloseCode::TooLarge, "the message is too large"};
@@ -212,7 +213,7 @@ std::optional<Violation> FrameReader::checkLength() const {
   return std::nullopt;
 }
 
-/// Returns how many bytes belong to the frame.
+/// Returns the number of bytes that belong to the frame.
 std::size_t FrameReader::takePayload(std::string_view bytes) {
   const std::size_t count =
       std::min(bytes.size(), static_cast<std::size_t>(length_ - payloadRead_));
@@ -229,15 +230,15 @@ std::optional<Violation> FrameReader::endFrame(const Take& take) {
     return hand(static_cast<Opcode>(opcode_), control_, take);
   }
   if (opcode_ != static_cast<unsigned>(Opcode::Continuation)) {
-    begun_ = static_cast<Opcode>(opcode_);
+    messageOpcode_ = static_cast<Opcode>(opcode_);
   }
   if (!isLast_) {
     return std::nullopt;
   }
-  const Opcode opcode = *begun_;
-  begun_.reset();
+  const Opcode opcode = *messageOpcode_;
+  messageOpcode_.reset();
   if (opcode == Opcode::Text && !isUtf8(message_)) {
-    return Violation{CloseCode::WrongText, "the text is no UTF-8"};
+    return Violation{CloseCode::InvalidText, "the text is not UTF-8"};
   }
   return hand(opcode, message_, take);
 }
@@ -245,11 +246,11 @@ std::optional<Violation> FrameReader::endFrame(const Take& take) {
 std::optional<Violation> FrameReader::hand(Opcode opcode, std::string& payload, const Take& take) {
   WebSocketMessage message{opcode, std::exchange(payload, std::string())};
   if (opcode == Opcode::Close) {
-    if (std::optional<Violation> wrong = wrongClose(message.payload)) {
+    if (std::optional<Violation> wrong = checkClose(message.payload)) {
       return wrong;
     }
   }
-  isOver_ = !take(std::move(message));
+  isStopped_ = !take(std::move(message));
   return std::nullopt;
 }
 

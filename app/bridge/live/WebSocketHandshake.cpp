@@ -18,14 +18,14 @@ constexpr std::string_view kGuid = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";  // R
 constexpr const char* kBadRequest = "400 Bad Request";
 constexpr const char* kUpgradeRequired = "426 Upgrade Required";
 
-using Headers = std::map<std::string, std::string>;  // by name in lower case
+using Headers = std::map<std::string, std::string>;  // by lower-case name
 
 bool isTokenCharacter(char c) {
   return base::isLetter(c) || base::isDigit(c) ||
          std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
 }
 
-/// What means one thing alone may not come twice.
+/// Headers with a single value must not be repeated.
 bool mayRepeat(const std::string& name) {
   return name != "host" && name != "origin" && name != "sec-websocket-key" &&
          name != "sec-websocket-version";
@@ -39,7 +39,7 @@ bool addHeader(std::string_view line, Headers& to) {
   if (!isName || line.find('\0') != std::string_view::npos) {
     return false;
   }
-  const std::string key = base::lowered(name);
+  const std::string key = base::toLower(name);
   const std::string value = base::trimmed(line.substr(colon + 1));
   const auto [entry, isNew] = to.emplace(key, value);
   if (!isNew) {
@@ -48,7 +48,7 @@ bool addHeader(std::string_view line, Headers& to) {
   return isNew || mayRepeat(key);
 }
 
-/// None: this is no head of HTTP 1.1.
+/// Nothing: not an HTTP/1.1 request.
 std::optional<Headers> headersOf(std::string_view head, bool& isGet) {
   Headers headers;
   bool isFirst = true;
@@ -87,10 +87,10 @@ std::vector<std::string> listOf(const Headers& headers, const char* name) {
 bool holds(const Headers& headers, const char* name, const std::string& wanted) {
   const std::vector<std::string> words = listOf(headers, name);
   return std::any_of(words.begin(), words.end(),
-                     [&](const std::string& word) { return base::lowered(word) == wanted; });
+                     [&](const std::string& word) { return base::toLower(word) == wanted; });
 }
 
-/// 16 bytes in base64.
+/// Whether the key is 16 bytes in base64.
 bool isKey(const std::string& key) {
   const auto isDigitOf64 = [](char c) {
     return base::isLetter(c) || base::isDigit(c) || c == '+' || c == '/';
@@ -99,7 +99,7 @@ bool isKey(const std::string& key) {
          std::all_of(key.begin(), key.begin() + 22, isDigitOf64);
 }
 
-/// The host of "http://localhost:8080"; none for another scheme, or where there is more behind it.
+/// The host of "http://localhost:8080". Nothing for other schemes and for text after the port.
 std::optional<std::string> webHostOf(std::string_view origin) {
   for (const std::string_view scheme :
        {std::string_view("http://"), std::string_view("https://")}) {
@@ -118,10 +118,10 @@ std::optional<std::string> webHostOf(std::string_view origin) {
   return std::nullopt;
 }
 
-HandshakeAnswer refused(const char* status, std::string_view text) {
-  HandshakeAnswer answer;
-  answer.response = httpRefusal(status, text);
-  return answer;
+HandshakeResponse rejected(const char* status, std::string_view text) {
+  HandshakeResponse handshake;
+  handshake.response = httpError(status, text);
+  return handshake;
 }
 
 const std::string& valueOf(const Headers& headers, const char* name) {
@@ -130,21 +130,21 @@ const std::string& valueOf(const Headers& headers, const char* name) {
   return found == headers.end() ? kNone : found->second;
 }
 
-/// What is wrong with a request, whoever sends it.
-std::optional<HandshakeAnswer> wrongRequest(const std::optional<Headers>& headers, bool isGet) {
+/// The response to an invalid request; nothing if it is valid.
+std::optional<HandshakeResponse> checkRequest(const std::optional<Headers>& headers, bool isGet) {
   if (!headers || !isGet || headers->count("host") == 0) {
-    return refused(kBadRequest, "This is no request of HTTP 1.1 that is understood here.");
+    return rejected(kBadRequest, "This is not a supported HTTP 1.1 request.");
   }
   if (!holds(*headers, "upgrade", "websocket") || !holds(*headers, "connection", "upgrade")) {
-    return refused(kUpgradeRequired,
-                   "This is the live view of hunavsim. Open it in Foxglove: Open connection, "
-                   "Foxglove WebSocket, ws:// and this address.");
+    return rejected(kUpgradeRequired,
+                    "This is the live view of hunavsim. Open it in Foxglove: Open connection, "
+                    "Foxglove WebSocket, ws:// and this address.");
   }
   if (valueOf(*headers, "sec-websocket-version") != "13") {
-    return refused(kUpgradeRequired, "Version 13 of WebSocket is spoken here.");
+    return rejected(kUpgradeRequired, "Only version 13 of WebSocket is supported.");
   }
   if (!isKey(valueOf(*headers, "sec-websocket-key"))) {
-    return refused(kBadRequest, "Sec-WebSocket-Key is not 16 bytes in base64.");
+    return rejected(kBadRequest, "Sec-WebSocket-Key is not 16 bytes in base64.");
   }
   return std::nullopt;
 }
@@ -161,7 +161,7 @@ bool isAllowedOrigin(std::string_view origin, const std::vector<std::string>& mo
   return host && (*host == "localhost" || *host == "127.0.0.1" || *host == "[::1]");
 }
 
-std::string acceptOf(std::string_view key) {
+std::string acceptKeyOf(std::string_view key) {
   const std::string text = std::string(key).append(kGuid);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
@@ -171,7 +171,7 @@ std::string acceptOf(std::string_view key) {
   return {base64.begin(), base64.begin() + length};
 }
 
-std::string httpRefusal(std::string_view status, std::string_view text) {
+std::string httpError(std::string_view status, std::string_view text) {
   std::string response = "HTTP/1.1 ";
   response.append(status);
   response += "\r\nConnection: close\r\nContent-Type: text/plain; charset=utf-8\r\n";
@@ -182,36 +182,38 @@ std::string httpRefusal(std::string_view status, std::string_view text) {
   return response.append(text) + "\n";
 }
 
-HandshakeAnswer answerHandshake(std::string_view head, const std::vector<std::string>& protocols,
-                                const std::vector<std::string>& origins) {
+HandshakeResponse respondToHandshake(std::string_view head,
+                                     const std::vector<std::string>& protocols,
+                                     const std::vector<std::string>& origins) {
   bool isGet = false;
   const std::optional<Headers> headers = headersOf(head, isGet);
-  if (std::optional<HandshakeAnswer> wrong = wrongRequest(headers, isGet)) {
+  if (std::optional<HandshakeResponse> wrong = checkRequest(headers, isGet)) {
     return *std::move(wrong);
   }
-  const bool isPage = headers->count("origin") > 0;  // else a program, which could tell any
+  const bool isPage = headers->count("origin") > 0;  // programs may omit the origin
   const std::string& origin = valueOf(*headers, "origin");
   if (isPage && !isAllowedOrigin(origin, origins)) {
-    HandshakeAnswer answer = refused("403 Forbidden", "Pages of this origin may not connect.");
-    answer.refusedOrigin = origin;
-    return answer;
+    HandshakeResponse handshake =
+        rejected("403 Forbidden", "Pages of this origin are not allowed to connect.");
+    handshake.rejectedOrigin = origin;
+    return handshake;
   }
   const std::vector<std::string> offered = listOf(*headers, "sec-websocket-protocol");
   const auto chosen =
       std::find_first_of(offered.begin(), offered.end(), protocols.begin(), protocols.end());
   if (chosen == offered.end()) {
-    return refused(kBadRequest,
-                   "One of these protocols is wanted: " + base::join(protocols, ", ") + ".");
+    return rejected(kBadRequest,
+                    "One of these subprotocols is required: " + base::join(protocols, ", ") + ".");
   }
-  HandshakeAnswer answer;
-  answer.isAccepted = true;
-  answer.protocol = *chosen;
-  answer.response =
+  HandshakeResponse handshake;
+  handshake.isAccepted = true;
+  handshake.protocol = *chosen;
+  handshake.response =
       "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n"
       "Connection: Upgrade\r\nSec-WebSocket-Accept: " +
-      acceptOf(valueOf(*headers, "sec-websocket-key")) + "\r\nSec-WebSocket-Protocol: " + *chosen +
-      "\r\n\r\n";
-  return answer;
+      acceptKeyOf(valueOf(*headers, "sec-websocket-key")) +
+      "\r\nSec-WebSocket-Protocol: " + *chosen + "\r\n\r\n";
+  return handshake;
 }
 
 }  // namespace live

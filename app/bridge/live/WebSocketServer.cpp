@@ -24,18 +24,19 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTurn{100};                          // between looks at the clock
-constexpr milliseconds kLastWords{1000};                    // for all clients at the end
-constexpr milliseconds kNoSocket{500};                      // until the system may have one again
-constexpr std::size_t kPiece = std::size_t{64} << 10U;      // [B], of one reading
-constexpr std::size_t kMostAtOnce = std::size_t{1} << 20U;  // [B], to one client in a turn
-constexpr int kSystemBuffer = 256 << 10;                    // [B]: what waits there is not dropped
-constexpr std::size_t kMostParts = 32;                      // of one call to the system
-constexpr int kMostAccepted = 32;                           // in a turn
-static_assert(kMostAccepted < kMostUnopened, "each is read from before newer ones push it out");
+constexpr milliseconds kTurn{100};                          // poll timeout
+constexpr milliseconds kFlushTimeout{1000};                 // to flush queues when stopping
+constexpr milliseconds kNoSocket{500};                      // retry delay after accept failed
+constexpr std::size_t kPiece = std::size_t{64} << 10U;      // [B], read buffer
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 20U;  // [B], sent to one client per turn
+constexpr int kSystemBuffer = 256 << 10;                    // [B], send buffer
+constexpr std::size_t kMostParts = 32;                      // parts per sendmsg
+constexpr int kMostAccepted = 32;                           // connections per turn
+static_assert(kMostAccepted < kMostUnopened,
+              "each connection is read before newer ones replace it");
 
 void setOption(int socket, int level, int option, int value) {
-  ::setsockopt(socket, level, option, &value, sizeof value);  // a wish: it goes without too
+  ::setsockopt(socket, level, option, &value, sizeof value);  // optional: errors are ignored
 }
 
 struct AddressList {
@@ -60,7 +61,7 @@ std::uint16_t portOf(int socket) {
   sockaddr_storage address{};
   socklen_t size = sizeof address;
   std::array<char, NI_MAXSERV> port{};
-  // The system tells it as text, so that no address is looked into as another type.
+  // getnameinfo returns text, which avoids casting the address to another type.
   auto* const plain = static_cast<sockaddr*>(static_cast<void*>(&address));
   if (::getsockname(socket, plain, &size) != 0 ||
       ::getnameinfo(plain, size, nullptr, 0, port.data(), port.size(), NI_NUMERICSERV) != 0) {
@@ -69,8 +70,8 @@ std::uint16_t portOf(int socket) {
   return static_cast<std::uint16_t>(std::strtoul(port.data(), nullptr, 10));
 }
 
-/// False: the other side is gone.
-bool sendSome(int socket, Outbox& out) {
+/// Sends queued bytes. False: the connection is broken.
+bool sendSome(int socket, SendQueue& out) {
   std::size_t total = 0;
   while (!out.isEmpty() && total < kMostAtOnce) {
     std::array<iovec, kMostParts> parts{};
@@ -97,7 +98,7 @@ WebSocketServer::WebSocketServer(const ServerSettings& settings, Handler& handle
     : settings_(settings), handler_(handler) {}
 
 WebSocketServer::~WebSocketServer() {
-  stop("the server ends");
+  stop("the server is stopping");
 }
 
 base::Result<std::unique_ptr<WebSocketServer>> WebSocketServer::listen(
@@ -121,9 +122,9 @@ base::Diagnostics WebSocketServer::open() {
     return {base::error("live.no-address", {settings_.address})};
   }
   const addrinfo& place = *found.first;
-  listener_ =
-      sim2d::Descriptor(::socket(place.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  setOption(listener_.number(), SOL_SOCKET, SO_REUSEADDR, 1);  // after a run that has just ended
+  listener_ = sim2d::FileDescriptor(
+      ::socket(place.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  setOption(listener_.number(), SOL_SOCKET, SO_REUSEADDR, 1);  // allows an immediate restart
   if (!listener_.isOpen() || ::bind(listener_.number(), place.ai_addr, place.ai_addrlen) != 0 ||
       ::listen(listener_.number(), SOMAXCONN) != 0) {
     const int why = errno;
@@ -132,8 +133,8 @@ base::Diagnostics WebSocketServer::open() {
                 : base::error("live.no-port", {settings_.address, port, reasonOf(why)})};
   }
   port_ = portOf(listener_.number());
-  bell_ = sim2d::Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
-  if (!bell_.isOpen()) {
+  wakeEvent_ = sim2d::FileDescriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  if (!wakeEvent_.isOpen()) {
     return {base::error("live.no-port", {settings_.address, port, reasonOf(errno)})};
   }
   return {};
@@ -149,10 +150,10 @@ void WebSocketServer::stop(std::string_view reason) {
   }
   exclusively([&] {
     isEnding_ = true;
-    endAt_ = Clock::now() + kLastWords;
+    endAt_ = Clock::now() + kFlushTimeout;
     for (auto peer = peers_.begin(); peer != peers_.end();) {
       peer->second.connection.close(CloseCode::GoingAway, reason, Clock::now());
-      peer = peer->second.wasOpened ? std::next(peer) : peers_.erase(peer);
+      peer = peer->second.isOpened ? std::next(peer) : peers_.erase(peer);
     }
   });
   thread_.join();
@@ -161,20 +162,20 @@ void WebSocketServer::stop(std::string_view reason) {
 
 void WebSocketServer::exclusively(const std::function<void()>& work) {
   {
-    const std::unique_lock<std::mutex> lock = lockInTurn();
+    const std::unique_lock<std::mutex> lock = lockFairly();
     work();
   }
   wake();
 }
 
-std::unique_lock<std::mutex> WebSocketServer::lockInTurn() {
-  const std::lock_guard<std::mutex> gate(gate_);
+std::unique_lock<std::mutex> WebSocketServer::lockFairly() {
+  const std::lock_guard<std::mutex> gate(turnMutex_);
   return std::unique_lock<std::mutex>(mutex_);
 }
 
 void WebSocketServer::wake() const {
   const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t written = ::write(bell_.number(), &one, sizeof one);
+  [[maybe_unused]] const ssize_t written = ::write(wakeEvent_.number(), &one, sizeof one);
 }
 
 Connection* WebSocketServer::find(Client client) {
@@ -196,22 +197,23 @@ bool WebSocketServer::isDone(Clock::time_point now) const {
 void WebSocketServer::serve() {
   std::vector<pollfd> watched;
   std::map<Client, short> ready;
-  std::unique_lock<std::mutex> lock = lockInTurn();
+  std::unique_lock<std::mutex> lock = lockFairly();
   for (Clock::time_point now = Clock::now(); !isDone(now); now = Clock::now()) {
-    const bool isAccepting = !isEnding_ && now >= acceptAgain_;
-    watched = {{bell_.number(), POLLIN, 0}, {isAccepting ? listener_.number() : -1, POLLIN, 0}};
+    const bool isAccepting = !isEnding_ && now >= acceptRetryAt_;
+    watched = {{wakeEvent_.number(), POLLIN, 0},
+               {isAccepting ? listener_.number() : -1, POLLIN, 0}};
     ready.clear();
     for (const auto& [client, peer] : peers_) {
-      const int wanted = (peer.connection.wantsBytes() ? POLLIN : 0) |
+      const int wanted = (peer.connection.canRead() ? POLLIN : 0) |
                          (peer.connection.out().isEmpty() ? 0 : POLLOUT);
       watched.push_back({peer.socket.number(), static_cast<short>(wanted), 0});
       ready[client] = 0;
     }
     lock.unlock();
     ::poll(watched.data(), watched.size(), static_cast<int>(kTurn.count()));
-    lock = lockInTurn();
+    lock = lockFairly();
     std::uint64_t rings = 0;
-    [[maybe_unused]] const ssize_t got = ::read(bell_.number(), &rings, sizeof rings);
+    [[maybe_unused]] const ssize_t got = ::read(wakeEvent_.number(), &rings, sizeof rings);
     std::size_t at = 2;
     for (auto& [client, events] : ready) {
       events = watched[at++].revents;
@@ -223,7 +225,7 @@ void WebSocketServer::serve() {
     handler_.tick();
   }
   for (const auto& [client, peer] : std::exchange(peers_, {})) {
-    if (peer.wasOpened) {
+    if (peer.isOpened) {
       handler_.closed(client);
     }
   }
@@ -231,20 +233,20 @@ void WebSocketServer::serve() {
 
 void WebSocketServer::acceptAll(Clock::time_point now) {
   for (int i = 0; i < kMostAccepted; ++i) {
-    sim2d::Descriptor socket(
+    sim2d::FileDescriptor socket(
         ::accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (socket.isOpen()) {
       acceptOne(std::move(socket), now);
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
       return;
     } else if (errno != EINTR && errno != ECONNABORTED && limitUnopened(0) == 0) {
-      acceptAgain_ = now + kNoSocket;
+      acceptRetryAt_ = now + kNoSocket;
       return;
     }
   }
 }
 
-void WebSocketServer::acceptOne(sim2d::Descriptor socket, Clock::time_point now) {
+void WebSocketServer::acceptOne(sim2d::FileDescriptor socket, Clock::time_point now) {
   setOption(socket.number(), IPPROTO_TCP, TCP_NODELAY, 1);
   setOption(socket.number(), SOL_SOCKET, SO_SNDBUF, kSystemBuffer);
   limitUnopened(kMostUnopened - 1);
@@ -252,19 +254,19 @@ void WebSocketServer::acceptOne(sim2d::Descriptor socket, Clock::time_point now)
 }
 
 std::size_t WebSocketServer::limitUnopened(std::size_t most) {
-  const auto isUnopened = [](const auto& each) { return !each.second.wasOpened; };
+  const auto isUnopened = [](const auto& each) { return !each.second.isOpened; };
   const auto count =
       static_cast<std::size_t>(std::count_if(peers_.begin(), peers_.end(), isUnopened));
   const std::size_t tooMany = count > most ? count - most : 0;
   for (std::size_t closed = 0; closed < tooMany; ++closed) {
-    peers_.erase(std::find_if(peers_.begin(), peers_.end(), isUnopened));  // in order of arrival
+    peers_.erase(std::find_if(peers_.begin(), peers_.end(), isUnopened));  // ordered by arrival
   }
   return tooMany;
 }
 
 bool WebSocketServer::isFull() const {
   const auto open = std::count_if(peers_.begin(), peers_.end(),
-                                  [](const auto& each) { return each.second.wasOpened; });
+                                  [](const auto& each) { return each.second.isOpened; });
   return static_cast<std::size_t>(open) >= settings_.mostClients;
 }
 
@@ -276,7 +278,7 @@ void WebSocketServer::serveClients(const std::map<Client, short>& ready, Clock::
     }
     try {
       serveClient(client, found->second, events, now);
-    } catch (const std::exception&) {  // no memory for what it wants
+    } catch (const std::exception&) {  // out of memory for this client
       end(client);
     }
   }
@@ -284,15 +286,15 @@ void WebSocketServer::serveClients(const std::map<Client, short>& ready, Clock::
 
 void WebSocketServer::serveClient(Client client, Peer& peer, short ready, Clock::time_point now) {
   Connection& connection = peer.connection;
-  if ((ready & (POLLIN | POLLHUP | POLLERR)) != 0 && connection.wantsBytes()) {
+  if ((ready & (POLLIN | POLLHUP | POLLERR)) != 0 && connection.canRead()) {
     readFrom(client, peer, now);
   }
   connection.tick(now);
   const bool isThere = sendSome(peer.socket.number(), connection.out());
-  if (connection.isSaid() && !std::exchange(peer.isShut, connection.isSaid())) {
+  if (connection.isSendFinished() && !std::exchange(peer.isShut, connection.isSendFinished())) {
     ::shutdown(peer.socket.number(), SHUT_WR);
   }
-  if (!isThere || connection.isOver()) {
+  if (!isThere || connection.isFinished()) {
     end(client);
   }
 }
@@ -304,7 +306,7 @@ void WebSocketServer::readFrom(Client client, Peer& peer, Clock::time_point now)
     Connection::Events events;
     events.isFull = [this] { return isFull(); };
     events.opened = [&] {
-      peer.wasOpened = true;
+      peer.isOpened = true;
       handler_.opened(client);
     };
     events.received = [&](WebSocketMessage&& message) {
@@ -319,9 +321,9 @@ void WebSocketServer::readFrom(Client client, Peer& peer, Clock::time_point now)
 
 void WebSocketServer::end(Client client) {
   const auto found = peers_.find(client);
-  const bool wasOpened = found->second.wasOpened;
+  const bool isOpened = found->second.isOpened;
   peers_.erase(found);
-  if (wasOpened) {
+  if (isOpened) {
     handler_.closed(client);
   }
 }

@@ -8,7 +8,7 @@
 #include "app/bridge/messages/GeometryMessages.h"
 
 /// Messages and services of action_msgs, and the action NavigateToPose of nav2_msgs.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::unique_identifier_msgs {
 
 struct UUID {
@@ -80,7 +80,7 @@ struct GoalStatusArray {
   }
 };
 
-/// A goal_info of zeros cancels all goals.
+/// A zero goal_info cancels all goals.
 struct CancelGoal {
   static constexpr const char* kType = "action_msgs/srv/CancelGoal";
   struct Request {
@@ -122,7 +122,7 @@ struct CancelGoal {
 
 namespace bridge::nav2_msgs {
 
-/// The action that sends Nav2's robot to a pose. Its result differs between distributions.
+/// The action that sends a Nav2 robot to a pose. Its result type differs between distributions.
 struct NavigateToPose {
   static constexpr const char* kType = "nav2_msgs/action/NavigateToPose";
   using GoalId = unique_identifier_msgs::UUID;
@@ -131,7 +131,7 @@ struct NavigateToPose {
     static constexpr const char* kType = "nav2_msgs/action/NavigateToPose_Goal";
 
     geometry_msgs::PoseStamped pose;
-    std::string behaviorTree;  // empty: the default one
+    std::string behaviorTree;  // empty: the default tree
 
     template <class Self, class F>
     static void fields(Self& self, F&& field) {
@@ -139,8 +139,8 @@ struct NavigateToPose {
       field("behavior_tree", self.behaviorTree);
     }
   };
-  /// Humble.
-  struct EmptyResult {
+  /// The result in Humble.
+  struct HumbleResult {
     static constexpr const char* kType = "nav2_msgs/action/NavigateToPose_Result";
 
     std_msgs::Empty result;
@@ -150,8 +150,8 @@ struct NavigateToPose {
       field("result", self.result);
     }
   };
-  /// Iron.
-  struct CodeResult {
+  /// The result in Iron.
+  struct IronResult {
     static constexpr const char* kType = "nav2_msgs/action/NavigateToPose_Result";
 
     std::uint16_t errorCode = 0;  // 0: none
@@ -161,8 +161,8 @@ struct NavigateToPose {
       field("error_code", self.errorCode);
     }
   };
-  /// Jazzy and later.
-  struct TextResult {
+  /// The result in Jazzy and later.
+  struct JazzyResult {
     static constexpr const char* kType = "nav2_msgs/action/NavigateToPose_Result";
 
     std::uint16_t errorCode = 0;  // 0: none
@@ -174,7 +174,7 @@ struct NavigateToPose {
       field("error_msg", self.errorMsg);
     }
   };
-  /// Later distributions add fields at the end: decode with Rest::Ignored.
+  /// Later distributions append fields: decode with TrailingBytes::Ignored.
   struct Feedback {
     static constexpr const char* kType = "nav2_msgs/action/NavigateToPose_Feedback";
 
@@ -232,7 +232,7 @@ struct NavigateToPose {
       }
     };
   };
-  /// Answered when the goal has ended; Result is one of the three above.
+  /// The response is sent when the goal has ended. Result is one of the three types above.
   template <class Result>
   struct GetResult {
     static constexpr const char* kType = "nav2_msgs/action/NavigateToPose_GetResult";
@@ -249,7 +249,7 @@ struct NavigateToPose {
     struct Response {
       static constexpr const char* kType = "nav2_msgs/action/NavigateToPose_GetResult_Response";
 
-      std::int8_t status = 0;  // of action_msgs/GoalStatus
+      std::int8_t status = 0;  // a status of action_msgs/GoalStatus
       Result result;
 
       template <class Self, class F>

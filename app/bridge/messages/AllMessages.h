@@ -16,8 +16,8 @@ namespace bridge {
 template <class... M>
 struct TypeList {};
 
-/// Every message, request and response, for what is done with each of them. Types that differ
-/// between distributions under one name are there as in Humble.
+/// Every message, request and response. Types that differ between distributions under the same name
+/// are listed in their Humble version.
 using AllMessages = TypeList<
     builtin_interfaces::Time, builtin_interfaces::Duration, std_msgs::Header, std_msgs::String,
     std_msgs::Empty, std_msgs::ColorRGBA, rosgraph_msgs::Clock, std_srvs::Empty::Request,
@@ -52,11 +52,11 @@ using AllMessages = TypeList<
     rcl_interfaces::ListParameters::Response, unique_identifier_msgs::UUID, action_msgs::GoalInfo,
     action_msgs::GoalStatus, action_msgs::GoalStatusArray, action_msgs::CancelGoal::Request,
     action_msgs::CancelGoal::Response, nav2_msgs::NavigateToPose::Goal,
-    nav2_msgs::NavigateToPose::EmptyResult, nav2_msgs::NavigateToPose::Feedback,
+    nav2_msgs::NavigateToPose::HumbleResult, nav2_msgs::NavigateToPose::Feedback,
     nav2_msgs::NavigateToPose::FeedbackMessage, nav2_msgs::NavigateToPose::SendGoal::Request,
     nav2_msgs::NavigateToPose::SendGoal::Response,
-    nav2_msgs::NavigateToPose::GetResult<nav2_msgs::NavigateToPose::EmptyResult>::Request,
-    nav2_msgs::NavigateToPose::GetResult<nav2_msgs::NavigateToPose::EmptyResult>::Response,
+    nav2_msgs::NavigateToPose::GetResult<nav2_msgs::NavigateToPose::HumbleResult>::Request,
+    nav2_msgs::NavigateToPose::GetResult<nav2_msgs::NavigateToPose::HumbleResult>::Response,
     rmw_dds_common::Gid<24>, rmw_dds_common::NodeEntitiesInfo<24>,
     rmw_dds_common::ParticipantEntitiesInfo<24>>;
 

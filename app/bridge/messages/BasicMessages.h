@@ -4,13 +4,13 @@
 #include <string>
 
 /// Messages of builtin_interfaces, std_msgs, rosgraph_msgs and std_srvs.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::builtin_interfaces {
 
-/// Since the epoch of the clock: sec [s] + nanosec [ns].
+/// Time since the epoch of the clock: sec [s] + nanosec [ns].
 struct Time {
   static constexpr const char* kType = "builtin_interfaces/msg/Time";
-  using AllOf = std::int32_t;
+  using PackedElement = std::int32_t;
 
   std::int32_t sec = 0;
   std::uint32_t nanosec = 0;
@@ -24,7 +24,7 @@ struct Time {
 
 struct Duration {
   static constexpr const char* kType = "builtin_interfaces/msg/Duration";
-  using AllOf = std::int32_t;
+  using PackedElement = std::int32_t;
 
   std::int32_t sec = 0;
   std::uint32_t nanosec = 0;
@@ -71,10 +71,10 @@ struct Empty {
   static void fields(Self& /*self*/, F&& /*field*/) {}
 };
 
-/// 0 to 1 each.
+/// Each component is in [0, 1].
 struct ColorRGBA {
   static constexpr const char* kType = "std_msgs/msg/ColorRGBA";
-  using AllOf = float;
+  using PackedElement = float;
 
   float r = 0;
   float g = 0;

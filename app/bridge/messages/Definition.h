@@ -8,12 +8,12 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/bridge/messages/FieldKinds.h"
+#include "app/bridge/messages/FieldTraits.h"
 #include "app/bridge/messages/TypeNames.h"
 
 namespace bridge {
 
-/// "uint8", "float64" … of a primitive.
+/// The ROS name of a primitive type: "uint8", "float64" …
 template <class T>
 std::string primitiveName() {
   if constexpr (std::is_same_v<T, bool>) {
@@ -26,7 +26,7 @@ std::string primitiveName() {
   }
 }
 
-/// The type of a field as the text of a message has it: "geometry_msgs/Pose[]", "string<=256".
+/// The type of a field as written in .msg files: "geometry_msgs/Pose[]", "string<=256".
 template <class T>
 std::string fieldTypeName() {
   if constexpr (kIsPrimitive<T>) {
@@ -43,14 +43,14 @@ std::string fieldTypeName() {
   }
 }
 
-/// The texts of a message and of all that it holds.
+/// The .msg definitions of a message and of all message types it contains.
 class Definitions {
  public:
-  /// Adds the message, then what it holds, each once.
+  /// Adds the message, then the types it contains, each once.
   template <class M>
   void add() {
     const std::size_t at = begin(shortTypeName(M::kType));
-    if (at == kKnown) {
+    if (at == kAlreadyAdded) {
       return;
     }
     if constexpr (kHasConstants<M>) {
@@ -66,25 +66,26 @@ class Definitions {
       M::fields(message, [this, at](const char* name, const auto& value) {
         using T = std::decay_t<decltype(value)>;
         sections_[at].lines += fieldTypeName<T>() + " " + name + "\n";
-        addInner<T>();
+        addNested<T>();
       });
     }
   }
 
-  /// All in the form `ros2msg` of MCAP: the first, then each other one behind a line that names it.
+  /// The definitions in MCAP's `ros2msg` format: the first one, then each dependency after a
+  /// separator line with its name.
   std::string text() const;
 
  private:
-  static constexpr std::size_t kKnown = static_cast<std::size_t>(-1);
+  static constexpr std::size_t kAlreadyAdded = static_cast<std::size_t>(-1);
   struct Section {
     std::string name, lines;
   };
 
-  std::size_t begin(const std::string& name);  // a new section; kKnown: it is there
+  std::size_t begin(const std::string& name);  // starts a section; kAlreadyAdded: it exists
   template <class T>
-  void addInner() {
+  void addNested() {
     if constexpr (kIsSequence<T> || kIsArray<T>) {
-      addInner<typename T::value_type>();
+      addNested<typename T::value_type>();
     } else if constexpr (!kIsPrimitive<T> && !kIsString<T>) {
       add<T>();
     }
@@ -93,12 +94,22 @@ class Definitions {
   std::vector<Section> sections_;
 };
 
-/// The text of a message as MCAP (schema encoding "ros2msg") and the live view want it.
+/// The definition of a message for MCAP (schema encoding "ros2msg") and the live view.
 template <class M>
 std::string definition() {
   Definitions definitions;
   definitions.add<M>();
   return definitions.text();
 }
+
+/// A supported message, request or response type.
+struct KnownType {
+  std::string_view type;   // "hunav_msgs/msg/Agents"
+  std::string definition;  // in the ros2msg format
+};
+
+/// All supported types, in the order of AllMessages.
+const std::vector<KnownType>& knownTypes();
+const KnownType* findType(std::string_view type);  // null: unknown type
 
 }  // namespace bridge

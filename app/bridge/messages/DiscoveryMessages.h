@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/bridge/messages/Bounded.h"
+#include "app/bridge/messages/FieldTraits.h"
 
 /// Messages of rmw_dds_common: which node owns which endpoint.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::rmw_dds_common {
 
-/// A GUID of RTPS, filled up with zeros. Size: 24 in Humble, 16 from Iron on, under one type name.
+/// An RTPS GUID, padded with zeros. Size: 24 in Humble, 16 from Iron on, under the same type name.
 template <std::size_t Size>
 struct Gid {
   static constexpr const char* kType = "rmw_dds_common/msg/Gid";
@@ -41,7 +41,7 @@ struct NodeEntitiesInfo {
   }
 };
 
-/// All nodes of one participant, on the topic ros_discovery_info.
+/// All nodes of one participant, published on the topic ros_discovery_info.
 template <std::size_t Size>
 struct ParticipantEntitiesInfo {
   static constexpr const char* kType = "rmw_dds_common/msg/ParticipantEntitiesInfo";

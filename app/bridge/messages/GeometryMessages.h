@@ -6,13 +6,13 @@
 
 #include "app/bridge/messages/BasicMessages.h"
 
-/// Messages of geometry_msgs and tf2_msgs: m, rad, m/s, rad/s; right-handed, z up.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Messages of geometry_msgs and tf2_msgs. Units: m, rad, m/s, rad/s; right-handed, z up.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::geometry_msgs {
 
 struct Vector3 {
   static constexpr const char* kType = "geometry_msgs/msg/Vector3";
-  using AllOf = double;
+  using PackedElement = double;
 
   double x = 0;
   double y = 0;
@@ -28,7 +28,7 @@ struct Vector3 {
 
 struct Point {
   static constexpr const char* kType = "geometry_msgs/msg/Point";
-  using AllOf = double;
+  using PackedElement = double;
 
   double x = 0;
   double y = 0;
@@ -44,7 +44,7 @@ struct Point {
 
 struct Point32 {
   static constexpr const char* kType = "geometry_msgs/msg/Point32";
-  using AllOf = float;
+  using PackedElement = float;
 
   float x = 0;
   float y = 0;
@@ -58,10 +58,10 @@ struct Point32 {
   }
 };
 
-/// w comes last; the default is no rotation.
+/// w is last. The default is the identity rotation.
 struct Quaternion {
   static constexpr const char* kType = "geometry_msgs/msg/Quaternion";
-  using AllOf = double;
+  using PackedElement = double;
 
   double x = 0;
   double y = 0;
@@ -79,7 +79,7 @@ struct Quaternion {
 
 struct Pose {
   static constexpr const char* kType = "geometry_msgs/msg/Pose";
-  using AllOf = double;
+  using PackedElement = double;
 
   Point position;
   Quaternion orientation;
@@ -106,7 +106,7 @@ struct PoseStamped {
 
 struct Twist {
   static constexpr const char* kType = "geometry_msgs/msg/Twist";
-  using AllOf = double;
+  using PackedElement = double;
 
   Vector3 linear;
   Vector3 angular;
@@ -133,7 +133,7 @@ struct TwistStamped {
 
 struct Transform {
   static constexpr const char* kType = "geometry_msgs/msg/Transform";
-  using AllOf = double;
+  using PackedElement = double;
 
   Vector3 translation;
   Quaternion rotation;
@@ -145,7 +145,7 @@ struct Transform {
   }
 };
 
-/// Pose of the child frame in the frame of the header.
+/// The pose of the child frame in the frame of the header.
 struct TransformStamped {
   static constexpr const char* kType = "geometry_msgs/msg/TransformStamped";
 

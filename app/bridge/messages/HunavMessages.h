@@ -6,11 +6,11 @@
 
 #include "app/bridge/messages/GeometryMessages.h"
 
-/// Messages of hunav_msgs 2.0 (1.5 is the same, 1.x before it is not), and people_msgs.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Messages of hunav_msgs 2.0 (identical in 1.5, different in earlier 1.x), and of people_msgs.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::hunav_msgs {
 
-/// duration [s], vel [m/s], dist [m].
+/// Units: duration [s], vel [m/s], dist [m].
 struct AgentBehavior {
   static constexpr const char* kType = "hunav_msgs/msg/AgentBehavior";
   static constexpr std::uint8_t kBehRegular = 1;
@@ -71,7 +71,7 @@ struct AgentBehavior {
   }
 };
 
-/// A person or the robot; velocity in the frame of the positions; group_id -1: none.
+/// An agent or the robot. The velocity is in the frame of the positions; group_id -1: no group.
 struct Agent {
   static constexpr const char* kType = "hunav_msgs/msg/Agent";
   static constexpr std::uint8_t kPerson = 1;

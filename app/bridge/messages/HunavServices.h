@@ -7,7 +7,7 @@
 #include "app/bridge/messages/HunavMessages.h"
 
 /// Services of hunav_msgs 2.0.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::hunav_msgs {
 
 struct ComputeAgents {

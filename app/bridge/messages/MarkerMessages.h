@@ -6,9 +6,9 @@
 
 #include "app/bridge/messages/NavigationMessages.h"
 
-/// Messages of visualization_msgs.
-/// Fields as the .msg files of ROS 2 Humble to Jazzy have them, in the order of the wire;
-/// constants, which are not on the wire, as in Jazzy, which only adds to them.
+/// Messages of visualization_msgs. Field names, types and order match the .msg files of ROS 2
+/// Humble to Jazzy. The constants, which are not transmitted, are those of Jazzy, a superset of the
+/// others.
 namespace bridge::visualization_msgs {
 
 struct UVCoordinate {
@@ -37,7 +37,7 @@ struct MeshFile {
   }
 };
 
-/// lifetime 0: until it is deleted. type and action are one of the constants.
+/// lifetime 0: until it is deleted. type and action are constants of this struct.
 struct Marker {
   static constexpr const char* kType = "visualization_msgs/msg/Marker";
   static constexpr std::int32_t kArrow = 0;
@@ -52,7 +52,7 @@ struct Marker {
   static constexpr std::int32_t kTextViewFacing = 9;
   static constexpr std::int32_t kMeshResource = 10;
   static constexpr std::int32_t kTriangleList = 11;
-  static constexpr std::int32_t kArrowStrip = 12;  // from Jazzy on
+  static constexpr std::int32_t kArrowStrip = 12;  // since Jazzy
   static constexpr std::int32_t kAdd = 0;
   static constexpr std::int32_t kModify = 0;
   static constexpr std::int32_t kDelete = 2;

@@ -7,10 +7,10 @@
 #include "app/bridge/messages/GeometryMessages.h"
 
 /// Messages of nav_msgs and sensor_msgs.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::nav_msgs {
 
-/// Pose in the frame of the header, twist in the child frame.
+/// The pose is in the frame of the header, the twist in the child frame.
 struct Odometry {
   static constexpr const char* kType = "nav_msgs/msg/Odometry";
 
@@ -28,7 +28,7 @@ struct Odometry {
   }
 };
 
-/// resolution [m/cell]; origin: the outer corner of cell (0, 0).
+/// resolution [m/cell]. origin: pose of the outer corner of cell (0, 0).
 struct MapMetaData {
   static constexpr const char* kType = "nav_msgs/msg/MapMetaData";
 
@@ -48,7 +48,7 @@ struct MapMetaData {
   }
 };
 
-/// Row 0 has the lowest y; 0 free to 100 occupied, -1 unknown.
+/// Row 0 has the lowest y. Cells: 0 free to 100 occupied, -1 unknown.
 struct OccupancyGrid {
   static constexpr const char* kType = "nav_msgs/msg/OccupancyGrid";
 
@@ -101,7 +101,7 @@ struct GetMap {
 
 namespace bridge::sensor_msgs {
 
-/// Angles [rad], ranges [m], times [s].
+/// Units: angles [rad], ranges [m], times [s].
 struct LaserScan {
   static constexpr const char* kType = "sensor_msgs/msg/LaserScan";
 

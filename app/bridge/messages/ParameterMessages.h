@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/bridge/messages/BasicMessages.h"
-#include "app/bridge/messages/Bounded.h"
+#include "app/bridge/messages/FieldTraits.h"
 
-/// Messages of rcl_interfaces: parameters of nodes and their log.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Messages of rcl_interfaces: node parameters and log entries.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::rcl_interfaces {
 
 struct Log {
@@ -78,7 +78,7 @@ struct ParameterType {
   }
 };
 
-/// type is one of ParameterType and says which field counts.
+/// type is a constant of ParameterType and selects the valid field.
 struct ParameterValue {
   static constexpr const char* kType = "rcl_interfaces/msg/ParameterValue";
 

@@ -6,8 +6,8 @@
 
 #include "app/bridge/messages/ParameterMessages.h"
 
-/// Services of rcl_interfaces: parameters of nodes.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Services of rcl_interfaces: node parameters.
+/// Field names, types and order match the ROS 2 Humble .msg and .srv files.
 namespace bridge::rcl_interfaces {
 
 struct GetParameters {
@@ -130,7 +130,7 @@ struct DescribeParameters {
   };
 };
 
-/// depth 0: all.
+/// depth 0: unlimited.
 struct ListParameters {
   static constexpr const char* kType = "rcl_interfaces/srv/ListParameters";
   struct Request {

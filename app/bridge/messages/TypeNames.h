@@ -5,13 +5,13 @@
 
 namespace bridge {
 
-/// "geometry_msgs::msg::dds_::Twist_" of "geometry_msgs/msg/Twist": the name of the type in DDS.
+/// The DDS type name: "geometry_msgs/msg/Twist" -> "geometry_msgs::msg::dds_::Twist_".
 std::string ddsTypeName(std::string_view type);
 
-/// The other way; empty: it is no such name.
+/// The inverse of ddsTypeName. Empty if `ddsType` is not a ROS type name.
 std::string rosTypeName(std::string_view ddsType);
 
-/// "geometry_msgs/Twist" of "geometry_msgs/msg/Twist": the name in texts of messages.
+/// The name in message definitions: "geometry_msgs/msg/Twist" -> "geometry_msgs/Twist".
 std::string shortTypeName(std::string_view type);
 
 }  // namespace bridge

@@ -3,45 +3,45 @@
 #include <set>
 #include <utility>
 
-#include "app/bridge/agents/LoaderAnswers.h"
-#include "app/bridge/nodes/NoPeerCheck.h"
+#include "app/bridge/agents/LoaderResponses.h"
+#include "app/bridge/nodes/Node.h"
 
 namespace bridge {
 namespace {
 
-constexpr std::size_t kMostTold = 1000;  // causes
+constexpr std::size_t kMaxReported = 1000;  // distinct problems
 
 const Qos kServices = Qos::keepLast(100);
 
 class DdsAgentServer final : public AgentServer {
  public:
   DdsAgentServer(app::Bundle bundle, ServeSettings settings,
-                 std::unique_ptr<Participant> participant, Tell tell)
+                 std::unique_ptr<Participant> participant, ReportCallback report)
       : settings_(std::move(settings)),
         noPeer_(settings_.domain),
         participant_(std::move(participant)),
         manager_(std::move(bundle)),
-        tell_(std::move(tell)) {}
+        report_(std::move(report)) {}
 
-  /// Errors: what DDS refuses, what is wrong with the scenario.
+  /// Errors: DDS failures and scenario errors.
   base::Diagnostics start();
   void spin(Milliseconds atMost) override {
     participant_->spin(atMost);
     publishStep();
-    tellRemarks();
-    if (const auto said = noPeer_.look(*participant_)) {
-      tellOnce(*said);
+    reportWarnings();
+    if (const auto diagnostic = noPeer_.check(*participant_)) {
+      reportOnce(*diagnostic);
     }
   }
   std::uint64_t answered() const override { return answered_; }
 
  private:
-  void offerManager();
-  void offerLoader();
+  void createManagerNodes();
+  void createLoaderNode();
   void publishStep();
-  void publish(const StepTopics& topics);
-  void tellOnce(const base::Diagnostic& said);
-  void tellRemarks();
+  void publish(const StepMessages& topics);
+  void reportOnce(const base::Diagnostic& diagnostic);
+  void reportWarnings();
   template <class S, class Work>
   void answer(const std::string& name, Work work) {
     node_->serve<S>(name, kServices, [this, work](const typename S::Request& request) {
@@ -51,7 +51,7 @@ class DdsAgentServer final : public AgentServer {
     });
   }
   const sim2d::Scenario& scenario() const { return *manager_.scenario(); }
-  bool wants(const char* parameter) const {
+  bool isEnabled(const char* parameter) const {
     const rcl_interfaces::ParameterValue* const value = node_->parameter(parameter);
     return value != nullptr && value->boolValue;
   }
@@ -60,18 +60,18 @@ class DdsAgentServer final : public AgentServer {
   NoPeerCheck noPeer_;
   std::unique_ptr<Participant> participant_;
   AgentManager manager_;
-  Tell tell_;
-  std::set<std::string> told_;
+  ReportCallback report_;
+  std::set<std::string> reported_;
   base::Diagnostics startProblems_;
   bool hasStarted_ = false;
   std::uint64_t answered_ = 0;
   std::unique_ptr<Node> node_, sayNode_, loaderNode_;
-  TopicOf<tf2_msgs::TFMessage> transforms_;
-  TopicOf<visualization_msgs::MarkerArray> forces_;
-  TopicOf<hunav_msgs::Agents> humans_;
-  TopicOf<hunav_msgs::Agent> robot_;
-  std::optional<TopicOf<people_msgs::People>> people_;
-  TopicOf<std_msgs::String> sayings_;
+  TypedPublisher<tf2_msgs::TFMessage> transforms_;
+  TypedPublisher<visualization_msgs::MarkerArray> forces_;
+  TypedPublisher<hunav_msgs::Agents> humans_;
+  TypedPublisher<hunav_msgs::Agent> robot_;
+  std::optional<TypedPublisher<people_msgs::People>> people_;
+  TypedPublisher<std_msgs::String> sayings_;
 };
 
 base::Diagnostics DdsAgentServer::start() {
@@ -80,27 +80,27 @@ base::Diagnostics DdsAgentServer::start() {
     return problems;
   }
   if (settings_.actsAsLoader) {
-    offerLoader();
+    createLoaderNode();
   }
-  offerManager();
-  participant_->announce();
+  createManagerNodes();
+  participant_->publishGraph();
   hasStarted_ = true;
   base::append(problems, startProblems_);
   return problems;
 }
 
-void DdsAgentServer::offerManager() {
+void DdsAgentServer::createManagerNodes() {
   const auto isUsed = [](const char* name, bool value) { return parameter(name, value); };
   node_ = std::make_unique<Node>(
-      *participant_, settings_.domain, settings_.space, "hunav_agent_manager",
+      *participant_, settings_.domain, settings_.nameSpace, "hunav_agent_manager",
       Node::Parameters{isUsed("publish_tf", settings_.publishesTransforms),
                        isUsed("publish_sfm_forces", settings_.publishesForces),
                        isUsed("use_sim_time", false)},
-      [this](const base::Diagnostic& said) { tellOnce(said); });
-  sayNode_ =
-      std::make_unique<Node>(*participant_, settings_.domain, settings_.space, "agent_say_node",
-                             Node::Parameters{isUsed("use_sim_time", false)},
-                             [this](const base::Diagnostic& said) { tellOnce(said); });
+      [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); });
+  sayNode_ = std::make_unique<Node>(
+      *participant_, settings_.domain, settings_.nameSpace, "agent_say_node",
+      Node::Parameters{isUsed("use_sim_time", false)},
+      [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); });
   transforms_ = node_->publisher<tf2_msgs::TFMessage>("/tf", Qos::transforms());
   forces_ = node_->publisher<visualization_msgs::MarkerArray>("sfm_forces", Qos::keepLast(5));
   humans_ = node_->publisher<hunav_msgs::Agents>("human_states", Qos::keepLast(1));
@@ -124,32 +124,33 @@ void DdsAgentServer::offerManager() {
   }
 }
 
-void DdsAgentServer::offerLoader() {
+void DdsAgentServer::createLoaderNode() {
   const long long seed = scenario().desktop.seed.value_or(1);
   Node::Parameters parameters = loaderParameters(scenario(), seed);
   parameters.push_back(parameter("use_sim_time", false));
-  loaderNode_ = std::make_unique<Node>(*participant_, settings_.domain, "/", "hunav_loader",
-                                       std::move(parameters),
-                                       [this](const base::Diagnostic& said) { tellOnce(said); });
+  loaderNode_ = std::make_unique<Node>(
+      *participant_, settings_.domain, "/", "hunav_loader", std::move(parameters),
+      [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); });
   loaderNode_->serve<hunav_msgs::GetParameters>(
       "/get_parameters", kServices,
       [this](const hunav_msgs::GetParameters::Request&) { return loaderSummary(scenario()); });
 }
 
-/// Once the answer is on its way: its caller waits. Of another call that came with it before that.
+/// Called after the response is sent, because the caller waits for it. If another request arrives
+/// first, the topics of the previous step are published before it is handled.
 void DdsAgentServer::publishStep() {
-  if (const std::optional<StepTopics> topics = manager_.takeTopics()) {
+  if (const std::optional<StepMessages> topics = manager_.takeTopics()) {
     publish(*topics);
   }
 }
 
-void DdsAgentServer::publish(const StepTopics& topics) {
-  if (wants("publish_tf")) {
+void DdsAgentServer::publish(const StepMessages& topics) {
+  if (isEnabled("publish_tf")) {
     for (const tf2_msgs::TFMessage& transform : topics.transforms) {
       transforms_.publish(transform);
     }
   }
-  if (wants("publish_sfm_forces")) {
+  if (isEnabled("publish_sfm_forces")) {
     forces_.publish(topics.forces);
   }
   humans_.publish(topics.humans);
@@ -162,25 +163,25 @@ void DdsAgentServer::publish(const StepTopics& topics) {
   }
 }
 
-void DdsAgentServer::tellOnce(const base::Diagnostic& said) {
-  if (told_.size() >= kMostTold || !told_.insert(causeOf(said)).second) {
+void DdsAgentServer::reportOnce(const base::Diagnostic& diagnostic) {
+  if (reported_.size() >= kMaxReported || !reported_.insert(problemKey(diagnostic)).second) {
     return;
   }
   if (!hasStarted_) {
-    startProblems_.push_back(said);
+    startProblems_.push_back(diagnostic);
     return;
   }
-  tell_(said);
+  report_(diagnostic);
   if (node_ != nullptr) {
-    node_->log(said.severity == base::Severity::Error ? rcl_interfaces::Log::kError
-                                                      : rcl_interfaces::Log::kWarn,
-               said.message);
+    node_->log(diagnostic.severity == base::Severity::Error ? rcl_interfaces::Log::kError
+                                                            : rcl_interfaces::Log::kWarn,
+               diagnostic.message);
   }
 }
 
-void DdsAgentServer::tellRemarks() {
-  for (const base::Diagnostic& said : manager_.takeRemarks()) {
-    tellOnce(said);
+void DdsAgentServer::reportWarnings() {
+  for (const base::Diagnostic& diagnostic : manager_.takeWarnings()) {
+    reportOnce(diagnostic);
   }
 }
 
@@ -188,13 +189,13 @@ void DdsAgentServer::tellRemarks() {
 
 base::Result<std::unique_ptr<AgentServer>> AgentServer::create(app::Bundle bundle,
                                                                const ServeSettings& settings,
-                                                               Tell tell) {
+                                                               ReportCallback report) {
   base::Result<std::unique_ptr<Participant>> participant = Participant::create(settings.domain);
   if (!participant) {
     return participant.diagnostics();
   }
   auto server = std::make_unique<DdsAgentServer>(std::move(bundle), settings,
-                                                 *std::move(participant), std::move(tell));
+                                                 *std::move(participant), std::move(report));
   base::Diagnostics problems = server->start();
   if (base::hasErrors(problems)) {
     return problems;

@@ -12,27 +12,27 @@ namespace bridge {
 
 struct ServeSettings {
   DomainSettings domain;
-  std::string space = "/";       // namespace of the manager's node
-  bool actsAsLoader = false;     // also hunav_loader: the scenario as parameters
-  bool actsAsGenerator = false;  // also get_agents, which the world generator of a wrapper has
+  std::string nameSpace = "/";   // namespace of the manager node
+  bool actsAsLoader = false;     // also run hunav_loader: the scenario as parameters
+  bool actsAsGenerator = false;  // also serve get_agents, as a wrapper's world generator does
   bool publishesForces = true;
   bool publishesTransforms = true;
 };
 
-/// HuNavSim's nodes `hunav_agent_manager` and `agent_say_node`, in the place of the original, and
-/// `hunav_loader` if wanted. One thread.
+/// Replacement of HuNavSim's nodes `hunav_agent_manager` and `agent_say_node` and, optionally, of
+/// `hunav_loader`. Single-threaded.
 class AgentServer {
  public:
-  using Tell = std::function<void(const base::Diagnostic&)>;
+  using ReportCallback = std::function<void(const base::Diagnostic&)>;
 
-  /// `tell`: each problem as it is met, once.
+  /// `report` is called once for each distinct problem.
   static base::Result<std::unique_ptr<AgentServer>> create(app::Bundle bundle,
                                                            const ServeSettings& settings,
-                                                           Tell tell);
+                                                           ReportCallback report);
   virtual ~AgentServer() = default;
-  /// Answers what has come, or comes within this time.
+  /// Answers pending requests; waits at most `atMost` for the first one.
   virtual void spin(Milliseconds atMost) = 0;
-  virtual std::uint64_t answered() const = 0;  // requests so far
+  virtual std::uint64_t answered() const = 0;  // number of requests answered
 };
 
 }  // namespace bridge

@@ -12,11 +12,11 @@ namespace {
 using Action = nav2_msgs::NavigateToPose;
 using Status = action_msgs::GoalStatus;
 
-constexpr std::chrono::seconds kAgainAfter(1);  // where a goal was refused
+constexpr std::chrono::seconds kAgainAfter(1);  // after a rejected goal
 constexpr const char* kSend = "navigate_to_pose/_action/send_goal";
 constexpr const char* kResult = "navigate_to_pose/_action/get_result";
 
-/// Of no other client: half of it is drawn, the other half counts.
+/// A unique id: the first 8 bytes are random per process, the last 8 bytes are a counter.
 Action::GoalId newId(std::uint64_t count) {
   static const std::uint64_t kOwn = [] {
     std::random_device device;
@@ -34,27 +34,28 @@ Action::GoalId newId(std::uint64_t count) {
 const char* wordOf(std::int8_t status) {
   return status == Status::kStatusCanceled  ? "canceled"
          : status == Status::kStatusAborted ? "aborted"
-                                            : "of unknown end";
+                                            : "unknown status";
 }
 
-/// Status, and what Nav2 says besides: from Iron on a number, from Jazzy on words too.
+/// The status and Nav2's error text: a code from Iron on, also a message from Jazzy on.
 template <class Result, class Words>
 std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Words words) {
-  const auto response = decode<typename Action::GetResult<Result>::Response>(bytes, Rest::Ignored);
+  const auto response =
+      decode<typename Action::GetResult<Result>::Response>(bytes, TrailingBytes::Ignored);
   return response ? std::optional(std::pair(response->status, words(response->result)))
                   : std::nullopt;
 }
 
 std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Distro distro) {
   if (distro == Distro::Humble) {
-    return read<Action::EmptyResult>(bytes, [](const auto&) { return std::string(); });
+    return read<Action::HumbleResult>(bytes, [](const auto&) { return std::string(); });
   }
-  const auto withText = read<Action::TextResult>(bytes, [](const Action::TextResult& result) {
+  const auto withText = read<Action::JazzyResult>(bytes, [](const Action::JazzyResult& result) {
     return " (" + std::to_string(result.errorCode) +
            (result.errorMsg.empty() ? "" : ": " + result.errorMsg) + ")";
   });
   return withText ? withText
-                  : read<Action::CodeResult>(bytes, [](const Action::CodeResult& result) {
+                  : read<Action::IronResult>(bytes, [](const Action::IronResult& result) {
                       return " (" + std::to_string(result.errorCode) + ")";
                     });
 }
@@ -62,21 +63,21 @@ std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Dist
 }  // namespace
 
 base::Result<std::unique_ptr<GoalSender>> GoalSender::create(Participant& participant, int node,
-                                                             Distro distro, Tell tell) {
+                                                             Distro distro, ReportCallback report) {
   auto send = participant.client(node, kSend, Action::SendGoal::kType);
-  auto result = participant.client(node, kResult, Action::GetResult<Action::EmptyResult>::kType);
+  auto result = participant.client(node, kResult, Action::GetResult<Action::HumbleResult>::kType);
   base::Diagnostics problems = send.diagnostics();
   base::append(problems, result.diagnostics());
   if (!send || !result) {
     return problems;
   }
   return std::unique_ptr<GoalSender>(
-      new GoalSender(*std::move(send), *std::move(result), distro, std::move(tell)));
+      new GoalSender(*std::move(send), *std::move(result), distro, std::move(report)));
 }
 
-void GoalSender::follow(const std::optional<geometry_msgs::PoseStamped>& goal) {
+void GoalSender::update(const std::optional<geometry_msgs::PoseStamped>& goal) {
   const bool isNew = goal && (!place_ || encode(goal->pose.position) != encode(*place_));
-  if (isNew && std::chrono::steady_clock::now() >= notBefore_ && isReady()) {
+  if (isNew && std::chrono::steady_clock::now() >= retryAt_ && isReady()) {
     sendGoal(*goal);
   }
   readAnswers();
@@ -98,16 +99,16 @@ void GoalSender::sendGoal(const geometry_msgs::PoseStamped& goal) {
 void GoalSender::readAnswers() {
   while (const auto answer = send_->receive()) {
     if (answer->first != sendNumber_) {
-      continue;  // of a goal before
+      continue;  // response to an earlier goal
     }
     const auto response = decode<Action::SendGoal::Response>(answer->second);
     isAccepted_ = response && response->accepted;
     if (isAccepted_) {
-      askForResult();
+      requestResult();
     } else {
       place_.reset();
-      notBefore_ = std::chrono::steady_clock::now() + kAgainAfter;
-      tell_(base::problem(base::Severity::Warning, "ros2.goal-refused"));
+      retryAt_ = std::chrono::steady_clock::now() + kAgainAfter;
+      report_(base::problem(base::Severity::Warning, "ros2.goal-refused"));
     }
   }
   while (const auto answer = result_->receive()) {
@@ -117,9 +118,9 @@ void GoalSender::readAnswers() {
   }
 }
 
-/// Asked at once: a result is not kept for long.
-void GoalSender::askForResult() {
-  Action::GetResult<Action::EmptyResult>::Request request;
+/// Requested immediately, because Nav2 discards results soon.
+void GoalSender::requestResult() {
+  Action::GetResult<Action::HumbleResult>::Request request;
   request.goalId = id_;
   resultNumber_ = result_->send(encode(request));
 }
@@ -127,8 +128,8 @@ void GoalSender::askForResult() {
 void GoalSender::readResult(const Bytes& bytes) {
   const auto result = read(bytes, distro_);
   if (!result || result->first != Status::kStatusSucceeded) {
-    const std::string end = result ? wordOf(result->first) + result->second : "a bad answer";
-    tell_(base::problem(base::Severity::Warning, "ros2.goal-failed", {end}));
+    const std::string end = result ? wordOf(result->first) + result->second : "invalid response";
+    report_(base::problem(base::Severity::Warning, "ros2.goal-failed", {end}));
   }
 }
 

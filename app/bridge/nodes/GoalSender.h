@@ -11,45 +11,46 @@
 
 namespace bridge {
 
-/// Sends a robot's goals to Nav2 by its action `navigate_to_pose`, one after the other: a new goal
-/// takes the place of the one before, and one that is refused is sent again a second later (Nav2 is
-/// there before it is active). Nothing is canceled. One thread.
+/// Sends a robot's goals to Nav2 through the action `navigate_to_pose`, one at a time. A new goal
+/// replaces the previous one. A rejected goal is resent after 1 s, because Nav2 can be discovered
+/// before it is active. Goals are never canceled. Single-threaded.
 class GoalSender {
  public:
-  using Tell = std::function<void(const base::Diagnostic&)>;
+  using ReportCallback = std::function<void(const base::Diagnostic&)>;
 
-  /// `node`: its number. Error: DDS refuses.
+  /// `node`: index of the node. Errors: DDS cannot create the clients.
   static base::Result<std::unique_ptr<GoalSender>> create(Participant& participant, int node,
-                                                          Distro distro, Tell tell);
+                                                          Distro distro, ReportCallback report);
 
-  /// Nav2 can be reached.
+  /// Whether the action server is available.
   bool isReady() { return send_->isReady() && result_->isReady(); }
-  /// To be called again and again with the goal of the moment: what differs from the one before is
-  /// sent when Nav2 can be reached. Reads the answers.
-  void follow(const std::optional<geometry_msgs::PoseStamped>& goal);
-  /// The newest goal was sent and taken.
+  /// Call repeatedly with the current goal. Sends the goal if it changed and Nav2 is available, and
+  /// reads responses.
+  void update(const std::optional<geometry_msgs::PoseStamped>& goal);
+  /// Whether the newest goal was accepted.
   bool isAccepted() const { return isAccepted_; }
 
  private:
-  GoalSender(std::unique_ptr<Client> send, std::unique_ptr<Client> result, Distro distro, Tell tell)
+  GoalSender(std::unique_ptr<Client> send, std::unique_ptr<Client> result, Distro distro,
+             ReportCallback report)
       : send_(std::move(send)),
         result_(std::move(result)),
         distro_(distro),
-        tell_(std::move(tell)) {}
+        report_(std::move(report)) {}
   void sendGoal(const geometry_msgs::PoseStamped& goal);
   void readAnswers();
   void readResult(const Bytes& bytes);
-  void askForResult();
+  void requestResult();
 
   std::unique_ptr<Client> send_, result_;
   Distro distro_;
-  Tell tell_;
+  ReportCallback report_;
   nav2_msgs::NavigateToPose::GoalId id_;
-  std::uint64_t sent_ = 0;                            // goals
-  std::optional<geometry_msgs::Point> place_;         // of the newest one
-  std::int64_t sendNumber_ = -1, resultNumber_ = -1;  // of the requests for it
+  std::uint64_t sent_ = 0;                            // number of goals sent
+  std::optional<geometry_msgs::Point> place_;         // position of the newest goal
+  std::int64_t sendNumber_ = -1, resultNumber_ = -1;  // request numbers for the newest goal
   bool isAccepted_ = false;
-  std::chrono::steady_clock::time_point notBefore_{};  // of the next goal
+  std::chrono::steady_clock::time_point retryAt_{};  // earliest time to send the next goal
 };
 
 }  // namespace bridge

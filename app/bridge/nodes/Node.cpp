@@ -13,7 +13,7 @@ std::string firstOf(const base::Diagnostics& why) {
   return why.empty() ? std::string() : why.front().message;
 }
 
-/// Those of the wanted that are there; nothing when one is missing, as rclcpp answers.
+/// Applies `make` to each named parameter. Empty if one is missing, as in rclcpp.
 template <class T, class Make>
 std::vector<T> ofAll(const std::vector<std::string>& names, const Node& node, Make make) {
   std::vector<T> found;
@@ -27,7 +27,7 @@ std::vector<T> ofAll(const std::vector<std::string>& names, const Node& node, Ma
   return found;
 }
 
-/// Parts of a name behind a prefix: how deep it lies.
+/// Whether the rest of a parameter name after a prefix is within the depth.
 bool isWithin(const std::string& rest, std::uint64_t depth) {
   const auto dots = static_cast<std::uint64_t>(std::count(rest.begin(), rest.end(), '.'));
   return depth == 0 || dots < depth;
@@ -47,10 +47,12 @@ bool isListed(const std::string& name, const rcl_interfaces::ListParameters::Req
 
 }  // namespace
 
-std::string causeOf(const base::Diagnostic& said) {
-  const bool isOfBytes = said.code == "ros2.other-version" || said.code == "ros2.bad-message";
-  return isOfBytes && !said.values.empty() ? std::string(said.code) + said.values.front().second
-                                           : said.text();
+std::string problemKey(const base::Diagnostic& diagnostic) {
+  const bool isOfBytes =
+      diagnostic.code == "ros2.other-version" || diagnostic.code == "ros2.bad-message";
+  return isOfBytes && !diagnostic.values.empty()
+             ? std::string(diagnostic.code) + diagnostic.values.front().second
+             : diagnostic.text();
 }
 
 builtin_interfaces::Time wallTime() {
@@ -66,19 +68,19 @@ const char* rmwName(Rmw rmw) {
   return rmw == Rmw::FastRtps ? "fastrtps" : "cyclonedds";
 }
 
-const char* implementationName(Rmw rmw) {
+const char* rmwImplementationName(Rmw rmw) {
   return rmw == Rmw::FastRtps ? "rmw_fastrtps_cpp" : "rmw_cyclonedds_cpp";
 }
 
-Node::Node(Participant& participant, const DomainSettings& settings, const std::string& space,
-           const std::string& name, Parameters parameters, Tell tell)
+Node::Node(Participant& participant, const DomainSettings& settings, const std::string& nameSpace,
+           const std::string& name, Parameters parameters, ReportCallback report)
     : participant_(participant),
       rmw_(settings.rmw),
-      fullName_((space == "/" ? "/" : space + "/") + name),
+      fullName_((nameSpace == "/" ? "/" : nameSpace + "/") + name),
       name_(name),
-      node_(participant.addNode(space, name)),
+      node_(participant.addNode(nameSpace, name)),
       parameters_(std::move(parameters)),
-      tell_(std::move(tell)),
+      report_(std::move(report)),
       log_(publisher<rcl_interfaces::Log>("/rosout", Qos::log())),
       events_(publisher<rcl_interfaces::ParameterEvent>("/parameter_events", Qos::parameters())) {
   serveParameters();
@@ -91,7 +93,7 @@ const ParameterValue* Node::parameter(const std::string& name) const {
 }
 
 void Node::serveParameters() {
-  using namespace rcl_interfaces;  // NOLINT: their services alone
+  using namespace rcl_interfaces;  // NOLINT: only their services
   const Qos qos = Qos::parameters();
   serve<GetParameters>("~/get_parameters", qos, [this](const GetParameters::Request& request) {
     return GetParameters::Response{ofAll<ParameterValue>(
@@ -134,10 +136,10 @@ std::string Node::whyNot(const Parameter& wanted) const {
   if (value == nullptr) {
     return "there is no parameter " + wanted.name;
   }
-  return value->type == wanted.value.type ? std::string() : wanted.name + " has another type";
+  return value->type == wanted.value.type ? std::string() : wanted.name + " has a different type";
 }
 
-/// All of them or none.
+/// Sets all parameters or none.
 rcl_interfaces::SetParametersResult Node::set(const Parameters& wanted) {
   rcl_interfaces::SetParametersResult result;
   for (const Parameter& each : wanted) {
@@ -188,19 +190,32 @@ void Node::log(std::uint8_t level, const std::string& text) {
   log_.publish(entry);
 }
 
-void Node::tellBadMessage(const std::string& topic, const base::Diagnostics& why) {
-  tell_(base::problem(base::Severity::Warning, "ros2.bad-message", {topic, firstOf(why)}));
+void Node::reportBadMessage(const std::string& topic, const base::Diagnostics& why) {
+  report_(base::problem(base::Severity::Warning, "ros2.bad-message", {topic, firstOf(why)}));
 }
 
-void Node::tellBadRequest(const std::string& service, const ServiceRequest& asked,
-                          const base::Diagnostics& why) {
-  if (asked.writtenFor != rmw_) {
-    tell_(base::problem(
+void Node::reportBadRequest(const std::string& service, const ServiceRequest& asked,
+                            const base::Diagnostics& why) {
+  if (asked.clientRmw != rmw_) {
+    report_(base::problem(
         base::Severity::Warning, "ros2.other-rmw",
-        {service, rmwName(asked.writtenFor), rmwName(rmw_), implementationName(rmw_)}));
+        {service, rmwName(asked.clientRmw), rmwName(rmw_), rmwImplementationName(rmw_)}));
     return;
   }
-  tell_(base::problem(base::Severity::Warning, "ros2.other-version", {service, firstOf(why)}));
+  report_(base::problem(base::Severity::Warning, "ros2.other-version", {service, firstOf(why)}));
+}
+
+std::optional<base::Diagnostic> NoPeerCheck::check(const Participant& participant) {
+  if (isDone_ || std::chrono::steady_clock::now() < due_) {
+    return std::nullopt;
+  }
+  isDone_ = true;
+  if (participant.hasDiscoveredPeers()) {
+    return std::nullopt;
+  }
+  return base::problem(base::Severity::Warning,
+                       settings_.localhostOnly ? "ros2.no-peer-here" : "ros2.no-peer-on-network",
+                       {settings_.domain, kNoPeerAfter.count()});
 }
 
 }  // namespace bridge

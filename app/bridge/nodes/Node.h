@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,19 +12,21 @@
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/ParameterMessages.h"
 #include "app/bridge/messages/ParameterServices.h"
+#include "sim2d/base/Result.h"
 
 namespace bridge {
 
-/// A publisher of one type.
+/// A publisher of messages of type M.
 template <class M>
-class TopicOf {
+class TypedPublisher {
  public:
-  TopicOf() = default;
-  explicit TopicOf(std::unique_ptr<Publisher> publisher) : publisher_(std::move(publisher)) {}
-  /// Costs nothing where nobody would hear it.
+  TypedPublisher() = default;
+  explicit TypedPublisher(std::unique_ptr<Publisher> publisher)
+      : publisher_(std::move(publisher)) {}
+  /// Does not encode the message if there are no subscribers.
   bool publish(const M& message) const {
     return publisher_ != nullptr &&
-           (!publisher_->isWanted() || publisher_->publish(encode(message)));
+           (!publisher_->hasReceivers() || publisher_->publish(encode(message)));
   }
   int matched() const { return publisher_ == nullptr ? 0 : publisher_->matched(); }
 
@@ -30,16 +34,17 @@ class TopicOf {
   std::unique_ptr<Publisher> publisher_;
 };
 
-/// A node as rclcpp makes them: with `/rosout`, `/parameter_events` and the services of its
-/// parameters. What could not be made, and requests or messages that cannot be read, go to `tell`.
+/// A node like those of rclcpp: with `/rosout`, `/parameter_events` and the parameter services.
+/// Endpoints that could not be created, and requests or messages that cannot be decoded, are
+/// reported to `report`.
 class Node {
  public:
-  using Tell = std::function<void(const base::Diagnostic&)>;
+  using ReportCallback = std::function<void(const base::Diagnostic&)>;
   using Parameters = std::vector<rcl_interfaces::Parameter>;
 
-  /// `parameters`: all that the node has; others can set them to values of the same type.
-  Node(Participant& participant, const DomainSettings& settings, const std::string& space,
-       const std::string& name, Parameters parameters, Tell tell);
+  /// `parameters`: all parameters of the node. Other nodes can set them to values of the same type.
+  Node(Participant& participant, const DomainSettings& settings, const std::string& nameSpace,
+       const std::string& name, Parameters parameters, ReportCallback report);
   ~Node() = default;
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
@@ -47,11 +52,11 @@ class Node {
   Node& operator=(Node&&) = delete;
 
   template <class M>
-  TopicOf<M> publisher(const std::string& topic, const Qos& qos) {
-    return TopicOf<M>(taken(participant_.publisher(node_, topic, M::kType, qos)));
+  TypedPublisher<M> publisher(const std::string& topic, const Qos& qos) {
+    return TypedPublisher<M>(unwrapOrReport(participant_.publisher(node_, topic, M::kType, qos)));
   }
 
-  /// Null: DDS refuses (told).
+  /// Null: DDS cannot create the subscription (reported).
   template <class M>
   const Subscription* subscribe(const std::string& topic, const Qos& qos,
                                 std::function<void(const M&)> handler) {
@@ -60,57 +65,59 @@ class Node {
       if (message) {
         handler(*message);
       } else {
-        tellBadMessage(topic, message.diagnostics());
+        reportBadMessage(topic, message.diagnostics());
       }
     };
-    subscriptions_.push_back(taken(participant_.subscription(node_, topic, M::kType, qos, read)));
+    subscriptions_.push_back(
+        unwrapOrReport(participant_.subscription(node_, topic, M::kType, qos, read)));
     return subscriptions_.back().get();
   }
 
-  /// Messages of a type that this node does not look into. False: DDS refuses (told).
-  bool subscribeBytes(const OthersTopic& topic, const Qos& qos, Participant::Handler handler) {
-    subscriptions_.push_back(
-        taken(participant_.subscription(node_, topic.name, topic.type, qos, std::move(handler))));
+  /// Subscribes without decoding. False: DDS cannot create the subscription (reported).
+  bool subscribeBytes(const RemoteTopic& topic, const Qos& qos, Participant::Handler handler) {
+    subscriptions_.push_back(unwrapOrReport(
+        participant_.subscription(node_, topic.name, topic.type, qos, std::move(handler))));
     return subscriptions_.back() != nullptr;
   }
 
-  /// A request that cannot be read is answered by an empty response: some clients wait for ever.
+  /// A request that cannot be decoded gets an empty response, because some clients wait without a
+  /// timeout.
   template <class S>
   void serve(const std::string& service, const Qos& qos,
              std::function<typename S::Response(const typename S::Request&)> answer) {
     const auto reply = [this, service, answer = std::move(answer)](const ServiceRequest& asked) {
       const base::Result<typename S::Request> request = decode<typename S::Request>(asked.bytes);
       if (!request) {
-        tellBadRequest(service, asked, request.diagnostics());
+        reportBadRequest(service, asked, request.diagnostics());
       }
       return encode(request ? answer(*request) : typename S::Response());
     };
-    servers_.push_back(taken(participant_.server(node_, service, S::kType, qos, reply)));
+    servers_.push_back(unwrapOrReport(participant_.server(node_, service, S::kType, qos, reply)));
   }
 
-  int number() const { return node_; }  // in the participant
+  int number() const { return node_; }  // index in the participant
 
-  /// To /rosout; level as in rcl_interfaces::Log.
+  /// Publishes to /rosout. Levels are those of rcl_interfaces::Log.
   void log(std::uint8_t level, const std::string& text);
 
-  /// Null: the node does not have it.
+  /// Null: unknown parameter.
   const rcl_interfaces::ParameterValue* parameter(const std::string& name) const;
 
  private:
   template <class E>
-  std::unique_ptr<E> taken(base::Result<std::unique_ptr<E>> made) {
+  std::unique_ptr<E> unwrapOrReport(base::Result<std::unique_ptr<E>> made) {
     if (made) {
       return *std::move(made);
     }
     for (const base::Diagnostic& problem : made.diagnostics()) {
-      tell_(problem);
+      report_(problem);
     }
     return nullptr;
   }
   void serveParameters();
-  void tellBadMessage(const std::string& topic, const base::Diagnostics& why);
-  void tellBadRequest(const std::string& service, const ServiceRequest& asked,
-                      const base::Diagnostics& why);
+  void reportBadMessage(const std::string& topic, const base::Diagnostics& why);
+  void reportBadRequest(const std::string& service, const ServiceRequest& asked,
+                        const base::Diagnostics& why);
   rcl_interfaces::SetParametersResult set(const Parameters& wanted);
   std::string whyNot(const rcl_interfaces::Parameter& wanted) const;
   rcl_interfaces::ListParametersResult list(
@@ -121,20 +128,40 @@ class Node {
   std::string fullName_, name_;
   int node_;
   Parameters parameters_;
-  Tell tell_;
-  TopicOf<rcl_interfaces::Log> log_;
-  TopicOf<rcl_interfaces::ParameterEvent> events_;
+  ReportCallback report_;
+  TypedPublisher<rcl_interfaces::Log> log_;
+  TypedPublisher<rcl_interfaces::ParameterEvent> events_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::vector<std::unique_ptr<Server>> servers_;
 };
 
-/// What is told once: the same however the bytes of a message differ.
-std::string causeOf(const base::Diagnostic& said);
+/// The key that identifies a problem for reporting it once. It does not depend on the bytes of the
+/// message.
+std::string problemKey(const base::Diagnostic& diagnostic);
 
-/// Of the wall clock.
+/// The current wall clock time.
 builtin_interfaces::Time wallTime();
-/// "rmw_fastrtps_cpp", as RMW_IMPLEMENTATION has it.
-const char* implementationName(Rmw rmw);
+/// The value of RMW_IMPLEMENTATION: "rmw_fastrtps_cpp".
+const char* rmwImplementationName(Rmw rmw);
 const char* rmwName(Rmw rmw);  // "fastrtps", "cyclonedds"
+
+/// How long to wait for other participants before their absence is reported.
+constexpr std::chrono::seconds kNoPeerAfter(5);
+
+/// Warns if no other participant of the domain is discovered in the first seconds. Otherwise a
+/// program without subscribers looks like a working one.
+class NoPeerCheck {
+ public:
+  explicit NoPeerCheck(const DomainSettings& settings)
+      : settings_(settings), due_(std::chrono::steady_clock::now() + kNoPeerAfter) {}
+
+  /// Returns the warning once, when it is due. Call it repeatedly.
+  std::optional<base::Diagnostic> check(const Participant& participant);
+
+ private:
+  DomainSettings settings_;
+  std::chrono::steady_clock::time_point due_;
+  bool isDone_ = false;
+};
 
 }  // namespace bridge

@@ -7,20 +7,20 @@
 #include <utility>
 #include <vector>
 
-#include "app/bridge/agents/LoaderAnswers.h"
-#include "app/bridge/bag/BagChoice.h"
+#include "app/bridge/agents/LoaderResponses.h"
 #include "app/bridge/bag/McapWriter.h"
+#include "app/bridge/bag/TopicSelection.h"
 #include "app/bridge/messages/BasicMessages.h"
+#include "app/bridge/messages/Definition.h"
 #include "app/bridge/messages/HunavServices.h"
-#include "app/bridge/messages/TypeTable.h"
-#include "app/bridge/nodes/NoPeerCheck.h"
+#include "app/bridge/nodes/Node.h"
 
 namespace bridge {
 namespace {
 
 constexpr std::size_t kMostTopics = 200;
 constexpr std::size_t kMostCauses = 1000;
-constexpr int kDepth = 1000;  // messages of a topic that wait for this thread
+constexpr int kDepth = 1000;  // queued messages per topic
 constexpr std::size_t kMostLatched = 100;
 constexpr std::size_t kMostLatchedBytes = std::size_t{256} << 20U;
 
@@ -30,8 +30,8 @@ std::int64_t nowInNanoseconds() {
   return std::chrono::duration_cast<nanoseconds>(since).count();
 }
 
-/// What is kept for those who begin later: the newest ones.
-class Latched {
+/// The newest messages of a latched topic, kept for recordings that start later.
+class LatchedMessages {
  public:
   void add(const Bytes& bytes) {
     kept_.push_back(bytes);
@@ -48,10 +48,10 @@ class Latched {
   std::size_t size_ = 0;
 };
 
-struct Heard {
-  OthersTopic topic;
-  std::optional<std::uint16_t> channel;  // of the file that is being written
-  Latched latched;
+struct SubscribedTopic {
+  RemoteTopic topic;
+  std::optional<std::uint16_t> channel;  // channel in the current file
+  LatchedMessages latched;
 };
 
 std::optional<base::Vec2> goalOf(const geometry_msgs::PoseStamped& asked) {
@@ -64,25 +64,25 @@ std::optional<base::Vec2> goalOf(const geometry_msgs::PoseStamped& asked) {
 class DdsRecorder final : public Recorder {
  public:
   DdsRecorder(RecorderSettings settings, std::unique_ptr<Participant> participant,
-              Services services, Tell tell)
+              Services services, ReportCallback report)
       : settings_(std::move(settings)),
         noPeer_(settings_.domain),
         participant_(std::move(participant)),
         services_(std::move(services)),
-        tell_(std::move(tell)) {
-    node_ = std::make_unique<Node>(*participant_, settings_.domain, settings_.space,
-                                   "hunav_evaluator_node",
-                                   Node::Parameters{parameter("use_sim_time", false)},
-                                   [this](const base::Diagnostic& said) { tellOnce(said); });
-    offerServices();
-    participant_->announce();
+        report_(std::move(report)) {
+    node_ = std::make_unique<Node>(
+        *participant_, settings_.domain, settings_.nameSpace, "hunav_evaluator_node",
+        Node::Parameters{parameter("use_sim_time", false)},
+        [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); });
+    createServices();
+    participant_->publishGraph();
   }
 
   void spin(Milliseconds atMost) override {
     participant_->spin(atMost);
-    lookForTopics();
-    if (const auto said = noPeer_.look(*participant_)) {
-      tellOnce(*said);
+    subscribeNewTopics();
+    if (const auto diagnostic = noPeer_.check(*participant_)) {
+      reportOnce(*diagnostic);
     }
   }
   void begin(const std::string& path) override;
@@ -95,14 +95,14 @@ class DdsRecorder final : public Recorder {
   std::uint64_t messages() const override { return messages_; }
 
  private:
-  void offerServices();
-  void lookForTopics();
-  void listenTo(const OthersTopic& topic);
-  void take(Heard& from, const Bytes& bytes);
-  void write(Heard& from, const Bytes& bytes);
-  void tellOnce(const base::Diagnostic& said) {
-    if (told_.size() < kMostCauses && told_.insert(causeOf(said)).second) {
-      tell_(said);
+  void createServices();
+  void subscribeNewTopics();
+  void subscribe(const RemoteTopic& topic);
+  void take(SubscribedTopic& from, const Bytes& bytes);
+  void write(SubscribedTopic& from, const Bytes& bytes);
+  void reportOnce(const base::Diagnostic& diagnostic) {
+    if (reported_.size() < kMostCauses && reported_.insert(problemKey(diagnostic)).second) {
+      report_(diagnostic);
     }
   }
 
@@ -110,16 +110,16 @@ class DdsRecorder final : public Recorder {
   NoPeerCheck noPeer_;
   std::unique_ptr<Participant> participant_;
   Services services_;
-  Tell tell_;
-  std::set<std::string> told_;
-  std::vector<std::unique_ptr<Heard>> heard_;
-  std::size_t seen_ = 0;  // topics of others
+  ReportCallback report_;
+  std::set<std::string> reported_;
+  std::vector<std::unique_ptr<SubscribedTopic>> subscribed_;
+  std::size_t processedTopics_ = 0;  // number of remote topics processed
   std::unique_ptr<McapWriter> writer_;
   std::uint64_t messages_ = 0;
-  std::unique_ptr<Node> node_;  // its subscriptions call: gone first
+  std::unique_ptr<Node> node_;  // last member: its subscriptions call this object
 };
 
-void DdsRecorder::offerServices() {
+void DdsRecorder::createServices() {
   const Qos qos = Qos::keepLast(100);
   using Start = hunav_msgs::StartEvaluation;
   node_->serve<Start>("hunav_start_recording", qos, [this](const Start::Request& request) {
@@ -137,33 +137,34 @@ void DdsRecorder::offerServices() {
   });
 }
 
-void DdsRecorder::lookForTopics() {
-  const std::vector<OthersTopic> all = participant_->topicsOfOthers();
-  const bool isAny = seen_ < all.size();
-  for (; seen_ < all.size(); ++seen_) {
-    const OthersTopic& topic = all[seen_];
-    if (heard_.size() < kMostTopics && isOfUse({topic.name, topic.type}, settings_.use)) {
-      listenTo(topic);
+void DdsRecorder::subscribeNewTopics() {
+  const std::vector<RemoteTopic> all = participant_->remoteTopics();
+  const bool isAny = processedTopics_ < all.size();
+  for (; processedTopics_ < all.size(); ++processedTopics_) {
+    const RemoteTopic& topic = all[processedTopics_];
+    if (subscribed_.size() < kMostTopics &&
+        isUsableTopic({topic.name, topic.type}, settings_.use)) {
+      subscribe(topic);
     }
   }
   if (isAny) {
-    participant_->announce();
+    participant_->publishGraph();
   }
 }
 
-void DdsRecorder::listenTo(const OthersTopic& topic) {
-  auto heard = std::make_unique<Heard>();
-  heard->topic = topic;
-  Heard& from = *heard;
-  Qos qos = Qos::input(kDepth);  // other publishers may offer less than the first one
+void DdsRecorder::subscribe(const RemoteTopic& topic) {
+  auto subscribed = std::make_unique<SubscribedTopic>();
+  subscribed->topic = topic;
+  SubscribedTopic& from = *subscribed;
+  Qos qos = Qos::input(kDepth);  // other publishers may offer weaker QoS than the first
   qos.transientLocal = topic.transientLocal;
   if (node_->subscribeBytes(topic, qos, [this, &from](const Bytes& bytes) { take(from, bytes); })) {
-    heard_.push_back(std::move(heard));
-    tellOnce(base::problem(base::Severity::Info, "ros2.hears", {topic.name, topic.type}));
+    subscribed_.push_back(std::move(subscribed));
+    reportOnce(base::problem(base::Severity::Info, "ros2.hears", {topic.name, topic.type}));
   }
 }
 
-void DdsRecorder::take(Heard& from, const Bytes& bytes) {
+void DdsRecorder::take(SubscribedTopic& from, const Bytes& bytes) {
   if (from.topic.transientLocal) {
     from.latched.add(bytes);
   }
@@ -173,7 +174,7 @@ void DdsRecorder::take(Heard& from, const Bytes& bytes) {
   }
 }
 
-void DdsRecorder::write(Heard& from, const Bytes& bytes) {
+void DdsRecorder::write(SubscribedTopic& from, const Bytes& bytes) {
   if (!from.channel) {
     const KnownType* const type = findType(from.topic.type);
     from.channel =
@@ -188,7 +189,7 @@ void DdsRecorder::write(Heard& from, const Bytes& bytes) {
 void DdsRecorder::begin(const std::string& path) {
   writer_ = std::make_unique<McapWriter>(path);
   messages_ = 0;
-  for (const std::unique_ptr<Heard>& from : heard_) {
+  for (const std::unique_ptr<SubscribedTopic>& from : subscribed_) {
     from->channel.reset();
     for (const Bytes& bytes : from->latched.kept()) {
       write(*from, bytes);
@@ -199,13 +200,13 @@ void DdsRecorder::begin(const std::string& path) {
 }  // namespace
 
 base::Result<std::unique_ptr<Recorder>> Recorder::create(const RecorderSettings& settings,
-                                                         Services services, Tell tell) {
+                                                         Services services, ReportCallback report) {
   base::Result<std::unique_ptr<Participant>> participant = Participant::create(settings.domain);
   if (!participant) {
     return participant.diagnostics();
   }
   return std::unique_ptr<Recorder>(std::make_unique<DdsRecorder>(
-      settings, *std::move(participant), std::move(services), std::move(tell)));
+      settings, *std::move(participant), std::move(services), std::move(report)));
 }
 
 }  // namespace bridge

@@ -14,43 +14,43 @@ namespace bridge {
 
 struct RecorderSettings {
   DomainSettings domain;
-  std::string space = "/";  // namespace of the node
-  BagUse use;               // topics by name; the others of types that tell of people or a robot
+  std::string nameSpace = "/";  // namespace of the node
+  BagTopicOptions use;          // topics by name; others by type (people, robot)
 };
 
-/// What hunav_start_recording was called with.
-struct RecordingAsked {
+/// The arguments of a hunav_start_recording request.
+struct RecordingRequest {
   std::string tag;
   int runId = 0;
-  std::optional<base::Vec2> goal;  // none: a pose that nobody filled in [m]
+  std::optional<base::Vec2> goal;  // [m]; none: the pose was not set
 };
 
-/// HuNavSim's node `hunav_evaluator_node`, in the place of the original: it listens to all that
-/// others tell of people, of a robot and of the map, and keeps it as a bag (MCAP) while it is told
-/// to. One thread.
+/// Replacement of HuNavSim's node `hunav_evaluator_node`. It subscribes to all topics about people,
+/// a robot or the map and writes them to a bag (MCAP) between start and stop. Single-threaded.
 class Recorder {
  public:
-  using Tell = std::function<void(const base::Diagnostic&)>;
-  /// What the services do; within their call.
+  using ReportCallback = std::function<void(const base::Diagnostic&)>;
+  /// Callbacks of the services, called while the request is handled.
   struct Services {
-    std::function<bool(const RecordingAsked&)> start;  // false: it cannot begin
+    std::function<bool(const RecordingRequest&)> start;  // false: recording cannot start
     std::function<void()> stop;
   };
 
-  /// `tell`: each problem as it is met, and each topic.
+  /// `report` is called for each distinct problem and each subscribed topic.
   static base::Result<std::unique_ptr<Recorder>> create(const RecorderSettings& settings,
-                                                        Services services, Tell tell);
+                                                        Services services, ReportCallback report);
   virtual ~Recorder() = default;
-  /// Takes what has come, or comes within this time.
+  /// Handles pending messages; waits at most `atMost` for the first one.
   virtual void spin(Milliseconds atMost) = 0;
 
-  /// From now on all goes into this file, first what is latched (the map, fixed transforms).
+  /// Starts recording to this file. Latched messages (the map, static transforms) are written
+  /// first.
   virtual void begin(const std::string& path) = 0;
-  /// Empty = the file is in its place.
+  /// Closes the file. Empty on success.
   virtual base::Diagnostics end() = 0;
   virtual bool isRecording() const = 0;
-  virtual bool hasFailed() const = 0;          // to write; end() tells why
-  virtual std::uint64_t messages() const = 0;  // of this recording, but for what was latched
+  virtual bool hasFailed() const = 0;          // a write failed; end() returns the error
+  virtual std::uint64_t messages() const = 0;  // in this recording, without latched messages
 };
 
 }  // namespace bridge

@@ -8,7 +8,7 @@
 
 #include "app/bridge/messages/GeometryMessages.h"
 #include "app/bridge/nodes/GoalSender.h"
-#include "app/bridge/nodes/NoPeerCheck.h"
+#include "app/bridge/nodes/Node.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/world/WorldState.h"
 
@@ -17,9 +17,9 @@ namespace {
 
 constexpr Milliseconds kLockstepWait(2000);
 constexpr Milliseconds kMeetWait(3000), kFirstCommandWait(20000), kTellAgain(200);
-constexpr std::int64_t kSameStamp = 1000;  // [ns], of times that are multiples of a step
-constexpr int kReadAtMost = 100;           // messages between two steps
-constexpr double kNoTurn = 1e-9;           // length of a quaternion that was not filled
+constexpr std::int64_t kSameStamp = 1000;  // [ns], tolerance for times that are multiples of a step
+constexpr int kReadAtMost = 100;           // messages per step
+constexpr double kNoTurn = 1e-9;           // norm of an unset quaternion
 constexpr int kFirstRobot = -1;            // its id in frames
 constexpr const char* kGoalPose = "/goal_pose";
 constexpr const char* kInitialPose = "/initialpose";
@@ -27,21 +27,22 @@ constexpr const char* kInitialPose = "/initialpose";
 class DdsRunNode final : public RunNode {
  public:
   DdsRunNode(std::unique_ptr<Participant> participant, const sim2d::TraceHeader& header,
-             const RunTopicsOptions& options, const RunNodeSettings& settings, Tell tell)
+             const RunTopicsOptions& options, const RunNodeSettings& settings,
+             ReportCallback report)
       : settings_(settings),
         noPeer_(settings.domain),
         participant_(std::move(participant)),
         topics_(header, options),
-        tell_(std::move(tell)),
+        report_(std::move(report)),
         node_(*participant_, settings.domain, "/", "hunavsim", {},
-              [this](const base::Diagnostic& said) { tellOnce(said); }) {}
+              [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); }) {}
 
   base::Diagnostics start(bool hasRobot);
-  void tell(const sim2d::Frame& frame) override;
+  void publishState(const sim2d::Frame& frame) override;
   sim2d::StepInputs inputs(const sim2d::Frame& frame) override;
-  void tellRefused(const base::Diagnostics& refused) override {
-    for (const base::Diagnostic& said : refused) {
-      tellOnce(said);
+  void reportRejected(const base::Diagnostics& refused) override {
+    for (const base::Diagnostic& diagnostic : refused) {
+      reportOnce(diagnostic);
     }
   }
   std::uint64_t commands() const override { return commands_; }
@@ -50,19 +51,19 @@ class DdsRunNode final : public RunNode {
   void subscribeCommands();
   void readAll();
   void publish(const sim2d::Frame& frame);
-  void followGoal(const sim2d::Frame& frame);
-  void waitForDriver(const sim2d::Frame& frame);
+  void updateGoal(const sim2d::Frame& frame);
+  void waitForCommander(const sim2d::Frame& frame);
   void waitForCommand();
   void takeCommand(const geometry_msgs::Twist& twist);
   void takeStamped(const geometry_msgs::TwistStamped& command);
   void takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
                 const geometry_msgs::Pose& pose);
-  void tellOnce(const base::Diagnostic& said) {
-    if (told_.insert(causeOf(said)).second) {
+  void reportOnce(const base::Diagnostic& diagnostic) {
+    if (reported_.insert(problemKey(diagnostic)).second) {
       if (hasStarted_) {
-        tell_(said);
+        report_(diagnostic);
       } else {
-        startProblems_.push_back(said);
+        startProblems_.push_back(diagnostic);
       }
     }
   }
@@ -71,20 +72,20 @@ class DdsRunNode final : public RunNode {
   NoPeerCheck noPeer_;
   std::unique_ptr<Participant> participant_;
   RunTopics topics_;
-  Tell tell_;
-  std::set<std::string> told_;
+  ReportCallback report_;
+  std::set<std::string> reported_;
   base::Diagnostics startProblems_;
   bool hasStarted_ = false;
   Node node_;
-  std::vector<std::unique_ptr<Publisher>> publishers_;  // by topic
-  std::optional<geometry_msgs::Twist> command_;         // not given to a step yet
-  std::optional<sim2d::Input> moved_, ordered_;         // idem
+  std::vector<std::unique_ptr<Publisher>> publishers_;  // one per topic
+  std::optional<geometry_msgs::Twist> command_;         // not passed to a step yet
+  std::optional<sim2d::Input> moved_, ordered_;         // as command_
   std::uint64_t commands_ = 0;
   const Subscription* driver_ = nullptr;
   std::unique_ptr<GoalSender> goals_;
-  std::int64_t toldTime_ = 0;  // [ns] of the state that was told last
-  bool isDriven_ = false;      // commands come
-  bool hasWaited_ = false;     // for the first one
+  std::int64_t publishedTime_ = 0;  // [ns], time of the last published state
+  bool isDriven_ = false;           // commands are being received
+  bool hasWaited_ = false;          // for the first command
 };
 
 base::Diagnostics DdsRunNode::start(bool hasRobot) {
@@ -106,12 +107,13 @@ base::Diagnostics DdsRunNode::start(bool hasRobot) {
         });
   }
   if (hasRobot && settings_.sendsGoals) {
-    auto made = GoalSender::create(*participant_, node_.number(), settings_.domain.distro,
-                                   [this](const base::Diagnostic& said) { tellOnce(said); });
+    auto made =
+        GoalSender::create(*participant_, node_.number(), settings_.domain.distro,
+                           [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); });
     base::append(startProblems_, made.diagnostics());
     goals_ = made ? *std::move(made) : nullptr;
   }
-  participant_->announce();
+  participant_->publishGraph();
   hasStarted_ = true;
   return startProblems_;
 }
@@ -126,31 +128,31 @@ void DdsRunNode::subscribeCommands() {
                       [this](const geometry_msgs::Twist& command) { takeCommand(command); });
 }
 
-/// In lockstep a command for a state that is over comes too late.
+/// In lockstep a command for an earlier state is too late and is ignored.
 void DdsRunNode::takeStamped(const geometry_msgs::TwistStamped& command) {
   const builtin_interfaces::Time& stamp = command.header.stamp;
   constexpr std::int64_t kSecond = 1000000000;
   const bool isStamped = stamp.sec != 0 || stamp.nanosec != 0;
   if (settings_.lockstep && isStamped &&
-      stamp.sec * kSecond + stamp.nanosec + kSameStamp < toldTime_) {
+      stamp.sec * kSecond + stamp.nanosec + kSameStamp < publishedTime_) {
     return;
   }
   takeCommand(command.twist);
 }
 
 void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
-  // What the world would not take: false of NaN too.
-  const auto isUsable = [](double value) { return std::fabs(value) <= sim2d::kFastest; };
+  // The world rejects larger values. The comparison is false for NaN.
+  const auto isUsable = [](double value) { return std::fabs(value) <= sim2d::kMaxPlausibleSpeed; };
   if (!isUsable(twist.linear.x) || !isUsable(twist.linear.y) || !isUsable(twist.angular.z)) {
-    tellOnce(base::problem(base::Severity::Warning, "ros2.bad-message",
-                           {"/cmd_vel", "a number is not finite or above 1000"}));
+    reportOnce(base::problem(base::Severity::Warning, "ros2.bad-message",
+                             {"/cmd_vel", "a number is not finite or above 1000"}));
     return;
   }
   command_ = twist;
   ++commands_;
 }
 
-/// The newest of a kind is given to the next step.
+/// The newest input of each kind is passed to the next step.
 void DdsRunNode::takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
                           const geometry_msgs::Pose& pose) {
   const std::string& frame = header.frameId;
@@ -159,7 +161,7 @@ void DdsRunNode::takePose(const char* topic, sim2d::InputKind kind, const std_ms
   const bool isUsable =
       std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(length);
   if (!isUsable || (!frame.empty() && frame != kMapFrame)) {
-    tellOnce(
+    reportOnce(
         base::problem(base::Severity::Warning, "ros2.bad-message",
                       {topic, isUsable ? "its frame is not 'map'" : "a number is not finite"}));
     return;
@@ -185,40 +187,40 @@ void DdsRunNode::publish(const sim2d::Frame& frame) {
       publishers_[topic]->publish(bytes);
     }
   };
-  // What is kept for later is sent in any case, but nobody wants to hear an order again: Nav2 would
-  // take it for another one.
+  // Latched messages are always published, except external goals: Nav2 would take a republished
+  // goal for a new one.
   const auto isHeard = [this](std::size_t topic) {
-    if (topics_.topics()[topic].name == kGoalPose && topics_.isOrdered(0)) {
+    if (topics_.topics()[topic].name == kGoalPose && topics_.hasExternalGoal(0)) {
       return false;
     }
-    return publishers_[topic] != nullptr && publishers_[topic]->isWanted();
+    return publishers_[topic] != nullptr && publishers_[topic]->hasReceivers();
   };
-  topics_.tell(frame, send, isHeard);
+  topics_.publish(frame, send, isHeard);
 }
 
-void DdsRunNode::followGoal(const sim2d::Frame& frame) {
+void DdsRunNode::updateGoal(const sim2d::Frame& frame) {
   if (goals_ != nullptr) {
-    const sim2d::TraceGoal* const goal = topics_.isOrdered(0) ? nullptr : topics_.goalOf(0);
-    goals_->follow(goal == nullptr ? std::nullopt
+    const sim2d::TraceGoal* const goal = topics_.hasExternalGoal(0) ? nullptr : topics_.goalOf(0);
+    goals_->update(goal == nullptr ? std::nullopt
                                    : std::optional(bridge::goalOf(goal->position, frame.time)));
   }
 }
 
-void DdsRunNode::tell(const sim2d::Frame& frame) {
-  if (const auto said = noPeer_.look(*participant_)) {
-    tellOnce(*said);
+void DdsRunNode::publishState(const sim2d::Frame& frame) {
+  if (const auto diagnostic = noPeer_.check(*participant_)) {
+    reportOnce(*diagnostic);
   }
-  topics_.note(frame);
+  topics_.track(frame);
   if (settings_.lockstep) {
     readAll();
-    command_.reset();  // it followed on the state before
+    command_.reset();  // it answered the previous state
   }
-  toldTime_ = nanosecondsOf(frame.time);
+  publishedTime_ = nanosecondsOf(frame.time);
   publish(frame);
-  followGoal(frame);
+  updateGoal(frame);
 }
 
-void DdsRunNode::waitForDriver(const sim2d::Frame& frame) {
+void DdsRunNode::waitForCommander(const sim2d::Frame& frame) {
   if (!settings_.lockstep || driver_ == nullptr || std::exchange(hasWaited_, true)) {
     return;
   }
@@ -226,7 +228,7 @@ void DdsRunNode::waitForDriver(const sim2d::Frame& frame) {
   const auto isMet = [this] {
     return driver_->matched() > 0 && (goals_ == nullptr || goals_->isReady());
   };
-  tellOnce(base::problem(base::Severity::Info, "ros2.waits"));
+  reportOnce(base::problem(base::Severity::Info, "ros2.waits"));
   participant_->spinUntil([&] { return isMet() || isStopped(); }, kMeetWait);
   if (!isMet()) {
     return;
@@ -237,28 +239,28 @@ void DdsRunNode::waitForDriver(const sim2d::Frame& frame) {
   };
   while (!isDriven() && !isStopped() && std::chrono::steady_clock::now() < until) {
     publish(frame);
-    followGoal(frame);
+    updateGoal(frame);
     participant_->spinUntil([&] { return isDriven(); }, kTellAgain);
   }
-  // Some of what was told is still being answered: the answer to the last time counts.
+  // Commands that answer earlier publications may still arrive. The answer to the last one counts.
   participant_->spinUntil([] { return false; }, kTellAgain);
   publish(frame);
   participant_->spinUntil([] { return false; }, kTellAgain);
 }
 
-/// Commands may stop, where a goal is reached: the run goes on.
+/// Commands may stop when a goal is reached; the run continues.
 void DdsRunNode::waitForCommand() {
   if (!participant_->spinUntil([this] { return command_.has_value(); }, kLockstepWait)) {
     isDriven_ = false;
-    tellOnce(base::problem(base::Severity::Warning, "ros2.lockstep-late",
-                           {std::to_string(kLockstepWait.count() / 1000)}));
+    reportOnce(base::problem(base::Severity::Warning, "ros2.lockstep-late",
+                             {std::to_string(kLockstepWait.count() / 1000)}));
   }
 }
 
 sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
-  waitForDriver(frame);
+  waitForCommander(frame);
   readAll();
-  followGoal(frame);
+  updateGoal(frame);
   isDriven_ = isDriven_ || command_.has_value();
   if (settings_.lockstep && isDriven_) {
     waitForCommand();
@@ -286,13 +288,14 @@ sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
 
 base::Result<std::unique_ptr<RunNode>> RunNode::create(const sim2d::TraceHeader& header,
                                                        const RunTopicsOptions& options,
-                                                       const RunNodeSettings& settings, Tell tell) {
+                                                       const RunNodeSettings& settings,
+                                                       ReportCallback report) {
   base::Result<std::unique_ptr<Participant>> participant = Participant::create(settings.domain);
   if (!participant) {
     return participant.diagnostics();
   }
   auto node = std::make_unique<DdsRunNode>(*std::move(participant), header, options, settings,
-                                           std::move(tell));
+                                           std::move(report));
   base::Diagnostics problems = node->start(!header.robots.empty());
   if (base::hasErrors(problems)) {
     return problems;

@@ -11,34 +11,35 @@ namespace bridge {
 
 struct RunNodeSettings {
   DomainSettings domain;
-  bool stampedCommands = false;       // /cmd_vel is TwistStamped: the default from Kilted on
-  bool lockstep = false;              // a step waits for the command that follows on its state
-  bool sendsGoals = false;            // of the first robot, to Nav2's action
-  std::function<bool()> wantsStop{};  // asked while it waits for the first command
+  bool stampedCommands = false;       // /cmd_vel is TwistStamped, the default since Kilted
+  bool lockstep = false;              // a step waits for the command that answers its state
+  bool sendsGoals = false;            // sends the first robot's goals to Nav2's action
+  std::function<bool()> wantsStop{};  // polled while waiting for the first command
 };
 
-/// A run as the node `hunavsim`: it publishes what `RunTopics` tells, and for its first robot takes
-/// /cmd_vel, /initialpose (it is put there) and /goal_pose (it drives there). One thread: the one
-/// that runs.
+/// A run as the ROS 2 node `hunavsim`. It publishes the topics of `RunTopics`. For its first robot
+/// it subscribes to /cmd_vel, /initialpose (moves the robot there) and /goal_pose (the robot drives
+/// there). Single-threaded: call from the thread of the run.
 class RunNode {
  public:
-  using Tell = std::function<void(const base::Diagnostic&)>;
+  using ReportCallback = std::function<void(const base::Diagnostic&)>;
 
   static base::Result<std::unique_ptr<RunNode>> create(const sim2d::TraceHeader& header,
                                                        const RunTopicsOptions& options,
-                                                       const RunNodeSettings& settings, Tell tell);
+                                                       const RunNodeSettings& settings,
+                                                       ReportCallback report);
   virtual ~RunNode() = default;
-  /// Each state, before the next step.
-  virtual void tell(const sim2d::Frame& frame) = 0;
-  /// Then: the newest command since the last call, as an input of the step; none: no input. With
-  /// lockstep it waits for one that was sent after the state was told (TwistStamped: that has its
-  /// stamp), 2 s at most, while commands come at all; what is late is told once. Before the first
-  /// step it waits until somebody who drives has been met (3 s at most), then for the first command
-  /// (20 s), and tells the state again and again.
+  /// Publishes a state. Call for each state before the next step.
+  virtual void publishState(const sim2d::Frame& frame) = 0;
+  /// The newest command since the last call, as an input of the step; empty: no command. With
+  /// lockstep it waits up to 2 s for a command sent after the state was published (a TwistStamped
+  /// must carry its stamp), as long as commands arrive at all; a timeout is reported once. Before
+  /// the first step it waits up to 3 s for a publisher of commands, then up to 20 s for the first
+  /// command, and republishes the state meanwhile.
   virtual sim2d::StepInputs inputs(const sim2d::Frame& frame) = 0;
-  /// Inputs that the world did not take (World::refused), each once.
-  virtual void tellRefused(const base::Diagnostics& refused) = 0;
-  virtual std::uint64_t commands() const = 0;  // so far
+  /// Reports inputs that the world rejected (World::refused), each once.
+  virtual void reportRejected(const base::Diagnostics& refused) = 0;
+  virtual std::uint64_t commands() const = 0;  // number of commands received
 };
 
 }  // namespace bridge

@@ -17,13 +17,13 @@ constexpr double kPersonHeight = 1.7, kRobotHeight = 0.5;  // [m]
 constexpr double kTextSize = 0.3, kTextGap = 0.3;          // [m]
 constexpr double kArrowShaft = 0.06, kArrowHead = 0.14;    // [m]
 constexpr double kLineWidth = 0.05;                        // [m]
-constexpr double kSlowest = 0.05;                          // [m/s] that have an arrow
+constexpr double kSlowest = 0.05;                          // [m/s], minimum for an arrow
 
 constexpr std_msgs::ColorRGBA kPersonColor{0.16F, 0.44F, 0.78F, 0.9F};
-constexpr std_msgs::ColorRGBA kActiveColor{0.90F, 0.49F, 0.13F, 0.9F};  // a reaction runs
+constexpr std_msgs::ColorRGBA kActiveColor{0.90F, 0.49F, 0.13F, 0.9F};  // during a reaction
 constexpr std_msgs::ColorRGBA kRobotColor{0.20F, 0.60F, 0.33F, 0.9F};
 constexpr std_msgs::ColorRGBA kArrowColor{0.25F, 0.25F, 0.25F, 0.9F};
-constexpr std_msgs::ColorRGBA kTextColor{0.55F, 0.55F, 0.55F, 1.0F};  // on light and dark ground
+constexpr std_msgs::ColorRGBA kTextColor{0.55F, 0.55F, 0.55F, 1.0F};  // for any background
 constexpr std_msgs::ColorRGBA kWallColor{0.35F, 0.35F, 0.40F, 1.0F};
 constexpr std_msgs::ColorRGBA kDoorColor{0.62F, 0.42F, 0.20F, 1.0F};
 
@@ -35,7 +35,7 @@ struct Kind {  // namespaces of markers
 constexpr Kind kPeople{"people", "people/velocity", "people/name"};
 constexpr Kind kRobots{"robots", "robots/velocity", "robots/name"};
 
-/// The markers of one state, one after the other into the places of those of before.
+/// Writes the markers of one state, reusing the elements of the previous message.
 class Markers {
  public:
   Markers(MarkerArray& to, double seconds) : to_(to), header_(headerOf(seconds)) {}
@@ -45,7 +45,7 @@ class Markers {
   Markers(Markers&&) = delete;
   Markers& operator=(Markers&&) = delete;
 
-  /// Valid until the next one is added.
+  /// The reference is valid until the next call.
   Marker& add(std::string_view kind, int id, int type) {
     if (count_ == to_.markers.size()) {
       to_.markers.emplace_back();
@@ -63,8 +63,8 @@ class Markers {
     made.text.clear();
     return made;
   }
-  /// All of before goes.
-  void addEraser() { add("", 0, Marker::kArrow).action = Marker::kDeleteall; }
+  /// Deletes all previous markers.
+  void addDeleteAll() { add("", 0, Marker::kArrow).action = Marker::kDeleteall; }
 
  private:
   MarkerArray& to_;
@@ -96,7 +96,7 @@ void addBody(Markers& to, const Body& body) {
     Marker& arrow = to.add(body.kind.velocity, body.id, Marker::kArrow);
     const double height = body.height + kArrowHead;
     arrow.points = {pointOf(body.pose.position, height),
-                    pointOf(body.pose.position + body.velocity, height)};  // a second's way
+                    pointOf(body.pose.position + body.velocity, height)};  // distance in 1 s
     arrow.scale = {kArrowShaft, kArrowHead, 0.0};
     arrow.color = kArrowColor;
   }
@@ -159,7 +159,7 @@ void addRobots(Markers& to, const sim2d::TraceHeader& header, const sim2d::Frame
 }
 
 void addObstacles(Markers&& to, const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
-  to.addEraser();
+  to.addDeleteAll();
   std::size_t door = 0;
   for (const sim2d::TraceObstacle& obstacle : header.obstacles) {
     const bool isOpen = obstacle.isDoor &&
@@ -181,7 +181,7 @@ void addObstacles(Markers&& to, const sim2d::TraceHeader& header, const sim2d::F
 void setBodyMarkers(const sim2d::TraceHeader& header, const sim2d::Frame& frame, MarkerArray& to) {
   to.markers.reserve(1 + 3 * frame.humans.size() + 4 * frame.robots.size());
   Markers markers(to, frame.time);
-  markers.addEraser();
+  markers.addDeleteAll();
   addPeople(markers, header, frame);
   addRobots(markers, header, frame);
 }

@@ -3,16 +3,16 @@
 #include "app/bridge/messages/MarkerMessages.h"
 #include "sim2d/trace/Trace.h"
 
-/// A run as RViz and Foxglove draw it. Pure functions; any thread.
+/// Visualization markers of a run for RViz and Foxglove. Pure functions; thread-safe.
 namespace bridge {
 
-/// Everybody: a body, an arrow along the velocity, a name; robots with their footprints. The first
-/// marker takes away those of before, so one message is all there is to see. Into the message of a
-/// state before, whose memory is used again, or into an empty one.
+/// Markers of all people and robots: a body, a velocity arrow, a name; robots also have their
+/// footprint. The first marker deletes the previous ones, so each message is complete. Reuses the
+/// memory of `to`, which is a previous message or empty.
 void setBodyMarkers(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
                     visualization_msgs::MarkerArray& to);
-/// Outlines of what stands beside the map's walls; doors as they are in the frame. `seconds`: its
-/// stamp.
+/// Outlines of the obstacles other than the map's walls, with doors as in the frame. `seconds`:
+/// time stamp.
 visualization_msgs::MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header,
                                                   const sim2d::Frame& frame, double seconds);
 

@@ -11,13 +11,13 @@ namespace bridge {
 namespace {
 
 constexpr std::int64_t kNanoseconds = 1000000000;
-constexpr const char* kTagNames[] = {"id", "group_id", "behavior"};  // of a person
+constexpr const char* kTagNames[] = {"id", "group_id", "behavior"};  // of people_msgs/Person
 
 float floatOf(double value) {
   return static_cast<float>(value);
 }
 
-/// A resolved number of a person; 0 when the record does not have it.
+/// A resolved numeric parameter of a person; 0 if the trace does not contain it.
 double parameterOf(const sim2d::TraceHuman& human, std::string_view key) {
   for (const auto& [name, value] : human.parameters) {
     if (std::string_view(name) == key) {
@@ -33,7 +33,7 @@ std::size_t placeOf(const std::vector<sim2d::TraceGoal>& goals, int current) {
   return static_cast<std::size_t>(found - goals.begin());
 }
 
-/// From the current one on; around when they are walked for ever.
+/// The goals from the current one on; cyclic goals wrap around.
 void setGoals(const std::vector<sim2d::TraceGoal>& goals, int current, bool isCyclic,
               std::vector<geometry_msgs::Pose>& poses) {
   const std::size_t first = placeOf(goals, current);
@@ -63,7 +63,7 @@ hunav_msgs::AgentBehavior behaviorOf(const sim2d::TraceHuman& human, std::uint8_
   behavior.state = state;
   behavior.configuration = static_cast<std::uint8_t>(human.configuration);
   for (const auto& [key, value] : human.parameters) {
-    const std::string_view name = key;  // compares lengths first
+    const std::string_view name = key;  // faster: compares lengths first
     if (name == "duration") {
       behavior.duration = floatOf(value);
     } else if (name == "once") {
@@ -140,7 +140,7 @@ std_msgs::Header headerOf(double seconds, const std::string& frame) {
   return {stampOf(seconds), frame};
 }
 
-geometry_msgs::Quaternion turnOf(double heading) {
+geometry_msgs::Quaternion quaternionFromYaw(double heading) {
   return {0.0, 0.0, std::sin(heading / 2.0), std::cos(heading / 2.0)};
 }
 
@@ -149,7 +149,7 @@ double headingOf(const geometry_msgs::Quaternion& q) {
 }
 
 geometry_msgs::Pose poseOf(const base::Pose2& pose) {
-  return {{pose.position.x(), pose.position.y(), 0.0}, turnOf(pose.heading)};
+  return {{pose.position.x(), pose.position.y(), 0.0}, quaternionFromYaw(pose.heading)};
 }
 
 geometry_msgs::Pose poseOf(const base::Vec2& point) {
@@ -157,7 +157,7 @@ geometry_msgs::Pose poseOf(const base::Vec2& point) {
 }
 
 geometry_msgs::Transform transformOf(const base::Pose2& pose) {
-  return {{pose.position.x(), pose.position.y(), 0.0}, turnOf(pose.heading)};
+  return {{pose.position.x(), pose.position.y(), 0.0}, quaternionFromYaw(pose.heading)};
 }
 
 base::Pose2 poseIn(const sim2d::BodyColumns& bodies, std::size_t at) {
@@ -213,12 +213,12 @@ void setPeople(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
 }
 
 nav_msgs::Odometry odometryOf(const sim2d::Frame& frame, std::size_t robot,
-                              const base::Pose2& believed, const std::string& odometryFrame,
+                              const base::Pose2& estimatedPose, const std::string& odometryFrame,
                               const std::string& robotFrame) {
   nav_msgs::Odometry odometry;
   odometry.header = headerOf(frame.time, odometryFrame);
   odometry.childFrameId = robotFrame;
-  odometry.pose.pose = poseOf(believed);
+  odometry.pose.pose = poseOf(estimatedPose);
   const base::Vec2 ahead = base::directionOf(frame.robots.heading[robot]);
   const base::Vec2 velocity(frame.robots.vx[robot], frame.robots.vy[robot]);
   odometry.twist.twist.linear.x = ahead.dot(velocity);
@@ -227,15 +227,15 @@ nav_msgs::Odometry odometryOf(const sim2d::Frame& frame, std::size_t robot,
   return odometry;
 }
 
-sensor_msgs::LaserScan scanOf(const sim2d::RobotSenses::Scan& scan, double period,
+sensor_msgs::LaserScan scanOf(const sim2d::RobotTelemetry::Scan& scan, double period,
                               const std::string& sensorFrame) {
   sensor_msgs::LaserScan message;
   message.header = headerOf(scan.time, sensorFrame);
   const std::size_t beams = scan.distances.size();
-  const double span = beams > 0 ? static_cast<double>(beams - 1) * scan.perBeam : 0.0;
+  const double span = beams > 0 ? static_cast<double>(beams - 1) * scan.angleIncrement : 0.0;
   message.angleMin = floatOf(scan.angleMin);
   message.angleMax = floatOf(scan.angleMin + span);
-  message.angleIncrement = floatOf(scan.perBeam);
+  message.angleIncrement = floatOf(scan.angleIncrement);
   message.scanTime = floatOf(period);
   message.rangeMin = 0.0F;
   message.rangeMax = floatOf(scan.range);

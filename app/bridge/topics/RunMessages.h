@@ -11,8 +11,8 @@
 #include "app/bridge/messages/NavigationMessages.h"
 #include "sim2d/trace/Trace.h"
 
-/// States of a run as messages. Pure functions of the header of the record and of a frame; any
-/// thread. World frame of ours = frame "map" of theirs, z = 0; stamps are simulation time.
+/// Conversion of run states to messages. Pure functions of the trace header and a frame;
+/// thread-safe. The world frame is the ROS frame "map", z = 0. Stamps are simulation time.
 namespace bridge {
 
 constexpr const char* kMapFrame = "map";
@@ -22,36 +22,36 @@ builtin_interfaces::Time stampOf(double seconds);
 double secondsOf(const builtin_interfaces::Time& stamp);
 std_msgs::Header headerOf(double seconds, const std::string& frame = kMapFrame);
 
-geometry_msgs::Quaternion turnOf(double heading);  // about z, [rad]
-/// Of the record; null: it does not have that one. Mostly they stand there in the same order.
+geometry_msgs::Quaternion quaternionFromYaw(double heading);  // rotation about z [rad]
+/// The header entry of a person; null: none. Usually both are in the same order.
 const sim2d::TraceHuman* humanOf(const sim2d::TraceHeader& header,
                                  const sim2d::HumanColumns& humans, std::size_t at);
-double headingOf(const geometry_msgs::Quaternion& q);  // about z, (-pi, pi]
+double headingOf(const geometry_msgs::Quaternion& q);  // yaw, (-pi, pi]
 geometry_msgs::Pose poseOf(const base::Pose2& pose);
-geometry_msgs::Pose poseOf(const base::Vec2& point);  // not turned
+geometry_msgs::Pose poseOf(const base::Vec2& point);  // identity rotation
 geometry_msgs::Transform transformOf(const base::Pose2& pose);
 
-/// Of one body of a frame.
+/// The pose of one body of a frame.
 base::Pose2 poseIn(const sim2d::BodyColumns& bodies, std::size_t at);
 
-/// The people in the world, with what is known of them; goals from the current one on. What a
-/// record does not have (skin, closest_obs) is empty. Into the message of a state before, whose
-/// memory is used again, or into an empty one.
+/// Fills in the people of a frame; goals start with the current one. Fields that the trace does not
+/// contain (skin, closest_obs) are empty. Reuses the memory of `to`, which is a previous message or
+/// empty.
 void setAgents(const sim2d::TraceHeader& header, const sim2d::Frame& frame, hunav_msgs::Agents& to);
-/// The robot at this place in the frame; type ROBOT, goals from the current one on.
+/// The robot with this index in the frame. Its type is ROBOT; goals start with the current one.
 hunav_msgs::Agent robotOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
                           std::size_t robot);
-/// position.z = heading, velocity = (vx, vy, turning), as HuNavSim fills them. Into a message of
-/// before, or an empty one.
+/// position.z = heading, velocity = (vx, vy, omega), as HuNavSim fills them in. Reuses the memory
+/// of `to`.
 void setPeople(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
                people_msgs::People& to);
 
-/// The pose is `believed` (in the frame "odom"), the twist in the robot's frame.
+/// `estimatedPose`: the pose in the frame "odom". The twist is in the robot's frame.
 nav_msgs::Odometry odometryOf(const sim2d::Frame& frame, std::size_t robot,
-                              const base::Pose2& believed, const std::string& odometryFrame,
+                              const base::Pose2& estimatedPose, const std::string& odometryFrame,
                               const std::string& robotFrame);
-/// Beams without a hit are +inf, as ROS has them.
-sensor_msgs::LaserScan scanOf(const sim2d::RobotSenses::Scan& scan, double period,
+/// Beams without a hit are +inf, as in ROS.
+sensor_msgs::LaserScan scanOf(const sim2d::RobotTelemetry::Scan& scan, double period,
                               const std::string& sensorFrame);
 nav_msgs::OccupancyGrid mapOf(const sim2d::OccupancyGrid& grid);
 nav_msgs::Path pathOf(const std::vector<base::Vec2>& points, double seconds);

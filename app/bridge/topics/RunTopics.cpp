@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/bridge/topics/RunMarkers.h"
 #include "app/bridge/topics/RunMessages.h"
-#include "app/bridge/topics/Telling.h"
 #include "sim2d/nav/FrameTransform.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 
 namespace bridge {
 namespace {
@@ -17,7 +17,7 @@ constexpr const char* kFootprint = "base_footprint";
 constexpr const char* kBase = "base_link";
 constexpr double kTimeSlack = 1e-9;  // [s]
 constexpr int kDepthOfTf = 100;
-constexpr int kDepthOfStates = 1;  // as HuNavSim has them
+constexpr int kDepthOfStates = 1;  // as in HuNavSim
 
 template <class M>
 Topic topic(std::string name, int depth = 10) {
@@ -29,7 +29,7 @@ Topic latchedTopic(std::string name) {
   return {std::move(name), M::kType, true, 1};
 }
 
-/// The goal of that id, or the one that comes next where it is a plain point, which has no id.
+/// The goal with this id. A plain point has no id: then the next goal after the reached ones.
 const sim2d::TraceGoal* goalIn(const std::vector<sim2d::TraceGoal>& goals, int id,
                                std::size_t passed) {
   if (id == sim2d::kNoGoal) {
@@ -68,7 +68,7 @@ RunTopics::RunTopics(sim2d::TraceHeader header, RunTopicsOptions options)
 }
 
 void RunTopics::addTopics() {
-  topics_.resize(CommonCount);
+  topics_.resize(CommonTopicCount);
   topics_[Clock] = topic<rosgraph_msgs::Clock>("/clock");
   topics_[Tf] = topic<tf2_msgs::TFMessage>("/tf", kDepthOfTf);
   topics_[TfStatic] = latchedTopic<tf2_msgs::TFMessage>("/tf_static");
@@ -91,15 +91,15 @@ void RunTopics::addTopics() {
 }
 
 template <class Make>
-void RunTopics::latch(const Telling& telling, std::size_t topic, const Make& make) {
+void RunTopics::latch(const PublishContext& context, std::size_t topic, const Make& make) {
   std::string unstamped = encode(make(0.0));
   if (unstamped == unstamped_[topic]) {
     return;
   }
   unstamped_[topic] = std::move(unstamped);
-  latched_[topic] = encode(make(telling.frame.time));
-  if (telling.isWanted(topic)) {
-    telling.send(topic, latched_[topic]);
+  latched_[topic] = encode(make(context.frame.time));
+  if (context.isWanted(topic)) {
+    context.send(topic, latched_[topic]);
   }
 }
 
@@ -110,29 +110,29 @@ std::optional<base::Pose2> RunTopics::mountOf(std::size_t robot) const {
 void RunTopics::setHeader(sim2d::TraceHeader header) {
   header_ = std::move(header);
   for (Robot& robot : robots_) {
-    robot.goal = nullptr;  // of the next frame
+    robot.goal = nullptr;  // set by the next frame
   }
 }
 
-/// Inputs act first in a step.
-void RunTopics::note(const sim2d::Frame& frame) {
+/// Inputs take effect before events in a step.
+void RunTopics::track(const sim2d::Frame& frame) {
   for (const sim2d::Input& input : frame.inputs) {
-    note(input);
+    track(input);
   }
   for (const sim2d::Event& event : frame.events) {
-    note(event);
+    track(event);
   }
 }
 
-void RunTopics::note(const sim2d::Input& input) {
+void RunTopics::track(const sim2d::Input& input) {
   const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
   if (input.kind == sim2d::InputKind::Goal && input.id < 0 && robot < robots_.size()) {
-    robots_[robot].isOrdered = true;
-    robots_[robot].order.emplace().position = input.pose.position;
+    robots_[robot].hasExternalGoal = true;
+    robots_[robot].externalGoal.emplace().position = input.pose.position;
   }
 }
 
-void RunTopics::note(const sim2d::Event& event) {
+void RunTopics::track(const sim2d::Event& event) {
   const auto robot = static_cast<std::size_t>(-1 - event.id);  // -1, -2 …
   if (event.id >= 0 || robot >= robots_.size()) {
     return;
@@ -140,63 +140,63 @@ void RunTopics::note(const sim2d::Event& event) {
   robots_[robot].passed += event.kind == sim2d::EventKind::Goal ? 1 : 0;
   const bool endsNavigation = event.kind == sim2d::EventKind::NavigationSucceeded ||
                               event.kind == sim2d::EventKind::NavigationFailed;
-  if (endsNavigation) {  // a goal that was given up has no event `goal`
+  if (endsNavigation) {  // an aborted goal has no event `goal`
     robots_[robot].passed = std::max(robots_[robot].passed, std::size_t{1});
   }
   if (event.kind == sim2d::EventKind::Arrived || endsNavigation) {
-    robots_[robot].order.reset();
+    robots_[robot].externalGoal.reset();
     robots_[robot].goal = nullptr;
   }
 }
 
-void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& wants) {
+void RunTopics::publish(const sim2d::Frame& frame, const Send& send, const Filter& filter) {
   const std::size_t robots = std::min(robots_.size(), frame.robots.size());
   for (std::size_t k = 0; k < robots; ++k) {
     Robot& robot = robots_[k];
-    robot.isOrdered = robot.isOrdered && frame.robots.goal[k] == sim2d::kNoGoal;
+    robot.hasExternalGoal = robot.hasExternalGoal && frame.robots.goal[k] == sim2d::kNoGoal;
     const sim2d::TraceRobot& told = header_.robots[k];
     const bool isParked = told.startTime > frame.time + kTimeSlack;  // no goal published yet
-    if (robot.isOrdered) {
-      robot.goal = robot.order ? &*robot.order : nullptr;
+    if (robot.hasExternalGoal) {
+      robot.goal = robot.externalGoal ? &*robot.externalGoal : nullptr;
     } else {
       robot.goal = isParked ? nullptr : goalIn(told.goals, frame.robots.goal[k], robot.passed);
     }
   }
-  const Telling telling{frame, send, wants, lengths_};
+  const PublishContext context{frame, send, filter, lengths_};
   if (options_.clock) {
-    telling.tell(Clock, [&] { return rosgraph_msgs::Clock{stampOf(frame.time)}; });
+    context.publish(Clock, [&] { return rosgraph_msgs::Clock{stampOf(frame.time)}; });
   }
-  tellFixedTransforms(telling);
-  tellTransforms(telling);
-  tellSurroundings(telling);
+  publishStaticTransforms(context);
+  publishTransforms(context);
+  publishSurroundings(context);
   for (std::size_t k = 0; k < robots_.size() && k < frame.robots.size(); ++k) {
-    tellRobot(telling, k);
+    publishRobot(context, k);
   }
-  tellPeople(telling);
+  publishPeople(context);
 }
 
-/// The robot in the frame odom, and that frame in the map: the correction of its localiser, none
-/// before the first one. A robot without a localiser is where it is: odometry is corrected by the
-/// truth, and without senses it is the truth.
-RunTopics::Placed RunTopics::placedBy(const sim2d::Frame& frame, std::size_t robot) {
+/// The robot's pose in odom, and the pose of odom in the map: the localizer's correction, none
+/// before the first one. Without a localizer, odom is chosen so that the robot is at its true pose;
+/// without sensors, odometry is the truth.
+RunTopics::RobotFrames RunTopics::robotFramesOf(const sim2d::Frame& frame, std::size_t robot) {
   const base::Pose2 truth = poseIn(frame.robots, robot);
   if (frame.senses == nullptr || robot >= frame.senses->size()) {
     return {truth, base::Pose2{}};
   }
-  const sim2d::RobotSenses& senses = (*frame.senses)[robot];
+  const sim2d::RobotTelemetry& senses = (*frame.senses)[robot];
   if (!senses.localizer) {
     return {senses.believed, sim2d::frameBetween(truth, senses.believed)};
   }
-  const sim2d::RobotSenses::Localizer& localizer = *senses.localizer;
+  const sim2d::RobotTelemetry::Localizer& localizer = *senses.localizer;
   return {sim2d::toFrame(localizer.mapToOdom, senses.believed),
           localizer.isLocalized ? std::optional(localizer.mapToOdom) : std::nullopt};
 }
 
-void RunTopics::tellFixedTransforms(const Telling& telling) {
+void RunTopics::publishStaticTransforms(const PublishContext& context) {
   if (robots_.empty() || !latched_[TfStatic].empty()) {
     return;
   }
-  latch(telling, TfStatic, [&](double seconds) {
+  latch(context, TfStatic, [&](double seconds) {
     tf2_msgs::TFMessage all;
     for (std::size_t k = 0; k < robots_.size(); ++k) {
       const std::string& frames = robots_[k].frames;
@@ -214,12 +214,12 @@ void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to
   to.transforms.resize(2 * robots + frame.humans.size());
   auto next = to.transforms.begin();
   for (std::size_t k = 0; k < robots; ++k) {
-    const Placed placed = placedBy(frame, k);
+    const RobotFrames robotFrames = robotFramesOf(frame, k);
     const std::string odometry = robots_[k].frames + kOdometry;
-    if (placed.mapToOdom) {
-      *next++ = transformTo(frame.time, kMapFrame, odometry, *placed.mapToOdom);
+    if (robotFrames.mapToOdom) {
+      *next++ = transformTo(frame.time, kMapFrame, odometry, *robotFrames.mapToOdom);
     }
-    *next++ = transformTo(frame.time, odometry, robots_[k].frames + kFootprint, placed.inOdom);
+    *next++ = transformTo(frame.time, odometry, robots_[k].frames + kFootprint, robotFrames.inOdom);
   }
   for (std::size_t k = 0; k < frame.humans.size(); ++k, ++next) {
     const sim2d::TraceHuman* const human = humanOf(header_, frame.humans, k);
@@ -231,55 +231,111 @@ void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to
   to.transforms.erase(next, to.transforms.end());
 }
 
-void RunTopics::tellTransforms(const Telling& telling) {
-  telling.tellReused(Tf, ofPeople_.transforms, [&](auto& to) { setTransforms(telling.frame, to); });
+void RunTopics::publishTransforms(const PublishContext& context) {
+  context.publishReused(Tf, peopleMessages_.transforms,
+                        [&](auto& to) { setTransforms(context.frame, to); });
 }
 
-void RunTopics::tellSurroundings(const Telling& telling) {
+void RunTopics::publishSurroundings(const PublishContext& context) {
   if (latched_[Map].empty() && !header_.map.isEmpty()) {
-    latch(telling, Map, [&](double /*seconds*/) { return mapOf(header_.map); });
+    latch(context, Map, [&](double /*seconds*/) { return mapOf(header_.map); });
   }
-  if (latched_[Obstacles].empty() || doors_ != telling.frame.doorOpen) {
-    doors_ = telling.frame.doorOpen;
-    latch(telling, Obstacles,
-          [&](double seconds) { return obstacleMarkersOf(header_, telling.frame, seconds); });
+  if (latched_[Obstacles].empty() || doors_ != context.frame.doorOpen) {
+    doors_ = context.frame.doorOpen;
+    latch(context, Obstacles,
+          [&](double seconds) { return obstacleMarkersOf(header_, context.frame, seconds); });
   }
 }
 
-void RunTopics::tellPeople(const Telling& telling) {
-  const sim2d::Frame& frame = telling.frame;
-  telling.tellReused(Markers, ofPeople_.markers,
-                     [&](auto& to) { setBodyMarkers(header_, frame, to); });
-  telling.tellReused(HumanStates, ofPeople_.agents,
-                     [&](auto& to) { setAgents(header_, frame, to); });
-  telling.tellReused(People, ofPeople_.people, [&](auto& to) { setPeople(header_, frame, to); });
+void RunTopics::publishPeople(const PublishContext& context) {
+  const sim2d::Frame& frame = context.frame;
+  context.publishReused(Markers, peopleMessages_.markers,
+                        [&](auto& to) { setBodyMarkers(header_, frame, to); });
+  context.publishReused(HumanStates, peopleMessages_.agents,
+                        [&](auto& to) { setAgents(header_, frame, to); });
+  context.publishReused(People, peopleMessages_.people,
+                        [&](auto& to) { setPeople(header_, frame, to); });
 }
 
-void RunTopics::tellRobot(const Telling& telling, std::size_t robot) {
-  const sim2d::Frame& frame = telling.frame;
+void RunTopics::publishRobot(const PublishContext& context, std::size_t robot) {
+  const sim2d::Frame& frame = context.frame;
   const std::string& frames = robots_[robot].frames;
-  telling.tell(topicOf(robot, RobotStates), [&] { return robotOf(header_, frame, robot); });
-  telling.tell(topicOf(robot, Odometry), [&] {
-    return odometryOf(frame, robot, placedBy(frame, robot).inOdom, frames + kOdometry,
+  context.publish(topicOf(robot, RobotStates), [&] { return robotOf(header_, frame, robot); });
+  context.publish(topicOf(robot, Odometry), [&] {
+    return odometryOf(frame, robot, robotFramesOf(frame, robot).inOdom, frames + kOdometry,
                       frames + kFootprint);
   });
-  tellNewScan(telling, robot);
-  tellWay(telling, robot);
+  publishNewScan(context, robot);
+  publishPlan(context, robot);
 }
 
-void RunTopics::tellWay(const Telling& telling, std::size_t robot) {
-  const sim2d::Frame& frame = telling.frame;
+void RunTopics::publishPlan(const PublishContext& context, std::size_t robot) {
+  const sim2d::Frame& frame = context.frame;
   static const std::vector<base::Vec2> kNone;
   const std::vector<base::Vec2>& path =
       robot < frame.robotPaths.size() ? frame.robotPaths[robot] : kNone;
   const std::size_t plan = topicOf(robot, Plan);
   if (!path.empty() || !latched_[plan].empty()) {
-    latch(telling, plan, [&](double seconds) { return pathOf(path, seconds); });
+    latch(context, plan, [&](double seconds) { return pathOf(path, seconds); });
   }
   if (const sim2d::TraceGoal* const goal = robots_[robot].goal; goal != nullptr) {
-    latch(telling, topicOf(robot, GoalPose),
+    latch(context, topicOf(robot, GoalPose),
           [&](double seconds) { return bridge::goalOf(goal->position, seconds); });
   }
+}
+
+namespace {
+
+constexpr double kUsualRate = 10.0;  // [Hz], default lidar rate
+
+}  // namespace
+
+/// The last scan of the robot in this frame: from its sensors, otherwise recorded.
+const sim2d::RobotTelemetry::Scan* RunTopics::scanIn(const sim2d::Frame& frame, std::size_t robot) {
+  if (frame.senses != nullptr && robot < frame.senses->size() && (*frame.senses)[robot].scan) {
+    return &*(*frame.senses)[robot].scan;
+  }
+  const auto found = std::find_if(
+      frame.scans.rbegin(), frame.scans.rend(),
+      [&](const sim2d::RecordedScan& each) { return each.robot == frame.robots.id[robot]; });
+  return found == frame.scans.rend() ? nullptr : &found->scan;
+}
+
+void RunTopics::resendScans() {
+  for (Robot& robot : robots_) {
+    robot.scanned.reset();
+  }
+}
+
+void RunTopics::publishNewScan(const PublishContext& context, std::size_t robot) {
+  const sim2d::Frame& frame = context.frame;
+  const bool hasSenses = frame.senses != nullptr && robot < frame.senses->size();
+  std::optional<double>& told = robots_[robot].scanned;
+  if (hasSenses && (*frame.senses)[robot].deferredScan != nullptr) {
+    const sim2d::RobotTelemetry::DeferredScan& later = *(*frame.senses)[robot].deferredScan;
+    const bool isWanted =
+        context.isWanted(topicOf(robot, Scan)) || (context.isWanted(Tf) && !mountOf(robot));
+    if (std::exchange(told, later.time) != later.time && isWanted) {
+      publishScan(context, robot, later.make());
+    }
+  } else if (const sim2d::RobotTelemetry::Scan* const scan = scanIn(frame, robot)) {
+    if (std::exchange(told, scan->time) != scan->time) {
+      publishScan(context, robot, *scan);
+    }
+  }
+}
+
+void RunTopics::publishScan(const PublishContext& context, std::size_t robot,
+                            const sim2d::RobotTelemetry::Scan& scan) const {
+  const std::string& frames = robots_[robot].frames;
+  if (!mountOf(robot)) {
+    context.publishShort(Tf, [&] {
+      return tf2_msgs::TFMessage{
+          {transformTo(scan.time, frames + kOdometry, frames + kSensor, scan.sensor)}};
+    });
+  }
+  const double rate = robot < options_.lidarRates.size() ? options_.lidarRates[robot] : kUsualRate;
+  context.publish(topicOf(robot, Scan), [&] { return scanOf(scan, 1.0 / rate, frames + kSensor); });
 }
 
 }  // namespace bridge

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/GeometryMessages.h"
 #include "app/bridge/messages/HunavMessages.h"
 #include "app/bridge/messages/MarkerMessages.h"
@@ -24,74 +25,86 @@ namespace bridge {
 
 struct Topic {
   std::string name;        // "/human_states"
-  std::string_view type;   // a name of the table of types: "hunav_msgs/msg/Agents"
-  bool isLatched = false;  // told when it changes; who comes later is told the last again
+  std::string_view type;   // a type of the type table: "hunav_msgs/msg/Agents"
+  bool isLatched = false;  // published on change; late subscribers get the last one
   int depth = 10;
 };
 
 struct RunTopicsOptions {
-  bool clock = true;  // /clock; a bag has none, its player makes it
-  /// Where the lidars of the robots sit in the robots' frames, none: unknown (`lidarMountsOf`).
+  bool clock = true;  // publish /clock; false for bags (the player provides it)
+  /// Lidar poses in the robots' frames; none: unknown (`lidarMountsOf`).
   std::vector<std::optional<base::Pose2>> lidarMounts;
-  std::vector<double> lidarRates;  // [Hz] beside them; missing: 10
+  std::vector<double> lidarRates;  // [Hz], same order; missing: 10
 };
 
-/// Mounts and rates of the lidars of a scenario, in the order of a frame's robots.
+/// Lidar mounts and rates of a scenario, in the order of a frame's robots.
 RunTopicsOptions lidarsOf(const sim2d::Scenario& scenario);
 
-/// A run told on topics, frame by frame, as DDS, MCAP and the live view carry it:
+/// A run as messages on topics, frame by frame, for DDS, MCAP and the live view:
 ///
 ///   /clock  /tf  /tf_static  /map  /obstacles  /markers  /human_states  /people
-/// and of each robot  /robot_states  /odom  /scan  /plan  /goal_pose
+/// and for each robot  /robot_states  /odom  /scan  /plan  /goal_pose
 ///
-/// The second robot and further ones have their names in front: /robot2/odom, frame
-/// robot2/base_link. Frames: map -> odom -> base_footprint -> base_link -> base_scan, map -> name
-/// of each person. Scans come from the senses of a frame (World::tellScans) or from recorded ones;
-/// what robots believe comes from the senses, else it is the truth. One thread at a time.
+/// The topics and frames of the second and further robots are prefixed with the robot's name:
+/// /robot2/odom, frame robot2/base_link. Frames: map -> odom -> base_footprint -> base_link ->
+/// base_scan, map -> name of each person. Scans come from the sensors of a frame
+/// (World::enableScans) or from a recording. Believed poses come from the sensors, otherwise they
+/// are the true poses. Not thread-safe.
 class RunTopics {
  public:
   using Send = std::function<void(std::size_t topic, std::string bytes)>;  // CDR
-  using Wants = std::function<bool(std::size_t topic)>;
+  using Filter = std::function<bool(std::size_t topic)>;
 
   explicit RunTopics(sim2d::TraceHeader header, RunTopicsOptions options = {});
 
-  /// All that there may be, from the beginning; they stay as they are.
+  /// All possible topics. The list does not change.
   const std::vector<Topic>& topics() const { return topics_; }
-  /// Somebody came from a source: the newest header (World::header, Recording::header).
+  /// Call after a source spawned an agent, with the new header (World::header, Recording::header).
   void setHeader(sim2d::TraceHeader header);
 
-  /// Sends what the frame tells, in a fixed order of topics. What `wants` denies is not made;
-  /// empty: all is wanted. The first frame brings what is latched too.
-  void tell(const sim2d::Frame& frame, const Send& send, const Wants& wants = {});
-  /// Scans are sent again with the next frame.
-  void repeatScans();
-  /// Each frame of the run, told or not, before it is told: robots get goals and pass them.
-  void note(const sim2d::Frame& frame);
-  /// One by one: those of a step by the order of note(frame), inputs first.
-  void note(const sim2d::Input& input);
-  void note(const sim2d::Event& event);
-  /// It drives, or has driven, to a place that came from outside.
-  bool isOrdered(std::size_t robot) const { return robots_[robot].isOrdered; }
-  /// Where the robot drives to in the frame that was told last; null: nowhere.
+  /// Publishes a frame in a fixed order of topics. Messages for which `filter` returns false are
+  /// not created; without `filter` all are. The first frame also publishes the latched topics.
+  void publish(const sim2d::Frame& frame, const Send& send, const Filter& filter = {});
+  /// Sends the scans again with the next frame.
+  void resendScans();
+  /// Call for each frame of the run, published or not, before `publish`: tracks the goals that
+  /// robots receive and reach.
+  void track(const sim2d::Frame& frame);
+  /// The same for single inputs and events, in the order of track(frame): inputs first.
+  void track(const sim2d::Input& input);
+  void track(const sim2d::Event& event);
+  /// Whether the robot's current or last goal is external.
+  bool hasExternalGoal(std::size_t robot) const { return robots_[robot].hasExternalGoal; }
+  /// The robot's goal in the last published frame; null: none.
   const sim2d::TraceGoal* goalOf(std::size_t robot) const { return robots_[robot].goal; }
-  /// What this latched topic says now; empty: nothing so far.
+  /// The last message of a latched topic; empty: none yet.
   const std::string& latched(std::size_t topic) const { return latched_[topic]; }
 
  private:
-  enum Common { Clock, Tf, TfStatic, Map, Obstacles, Markers, HumanStates, People, CommonCount };
-  enum OfRobot { RobotStates, Odometry, Scan, Plan, GoalPose, OfRobotCount };
-  struct Robot {
-    std::string prefix;                      // of topics: "" or "/robot2"
-    std::string frames;                      // of frames: "" or "robot2/"
-    std::optional<double> scanned;           // [s], time of the last scan that was told
-    std::size_t passed = 0;                  // goals so far
-    bool isOrdered = false;                  // from outside: it has given up those of the header
-    std::optional<sim2d::TraceGoal> order;   // until it arrives
-    const sim2d::TraceGoal* goal = nullptr;  // of the header, or the order
+  enum CommonTopic {
+    Clock,
+    Tf,
+    TfStatic,
+    Map,
+    Obstacles,
+    Markers,
+    HumanStates,
+    People,
+    CommonTopicCount
   };
-  struct Telling;
-  /// Messages of the last state that grow with its people.
-  struct OfPeople {
+  enum RobotTopic { RobotStates, Odometry, Scan, Plan, GoalPose, RobotTopicCount };
+  struct Robot {
+    std::string prefix;             // topic prefix: "" or "/robot2"
+    std::string frames;             // frame prefix: "" or "robot2/"
+    std::optional<double> scanned;  // [s], time of the last published scan
+    std::size_t passed = 0;         // number of goals reached
+    bool hasExternalGoal = false;   // external goal: the goals of the header are dropped
+    std::optional<sim2d::TraceGoal> externalGoal;  // the external goal, until reached
+    const sim2d::TraceGoal* goal = nullptr;        // of the header or the external one
+  };
+  struct PublishContext;
+  /// Messages of the last state whose size depends on the number of people.
+  struct PeopleMessages {
     tf2_msgs::TFMessage transforms;
     visualization_msgs::MarkerArray markers;
     hunav_msgs::Agents agents;
@@ -99,39 +112,86 @@ class RunTopics {
   };
 
   void addTopics();
-  std::size_t topicOf(std::size_t robot, OfRobot what) const {
-    return CommonCount + robot * OfRobotCount + what;
+  std::size_t topicOf(std::size_t robot, RobotTopic what) const {
+    return CommonTopicCount + robot * RobotTopicCount + what;
   }
-  void tellSurroundings(const Telling& telling);
-  void tellTransforms(const Telling& telling);
+  void publishSurroundings(const PublishContext& context);
+  void publishTransforms(const PublishContext& context);
   void setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to) const;
-  void tellFixedTransforms(const Telling& telling);
-  void tellPeople(const Telling& telling);
-  void tellRobot(const Telling& telling, std::size_t robot);
-  void tellNewScan(const Telling& telling, std::size_t robot);
-  void tellScan(const Telling& telling, std::size_t robot,
-                const sim2d::RobotSenses::Scan& scan) const;
-  void tellWay(const Telling& telling, std::size_t robot);
-  /// `make(seconds)` makes the message; it is sent when it differs from the last but for its stamp.
+  void publishStaticTransforms(const PublishContext& context);
+  void publishPeople(const PublishContext& context);
+  void publishRobot(const PublishContext& context, std::size_t robot);
+  void publishNewScan(const PublishContext& context, std::size_t robot);
+  void publishScan(const PublishContext& context, std::size_t robot,
+                   const sim2d::RobotTelemetry::Scan& scan) const;
+  void publishPlan(const PublishContext& context, std::size_t robot);
+  /// `make(seconds)` creates the message. It is sent if it differs from the last one in more than
+  /// its stamp.
   template <class Make>
-  void latch(const Telling& telling, std::size_t topic, const Make& make);
-  struct Placed {
-    base::Pose2 inOdom;                    // the robot
+  void latch(const PublishContext& context, std::size_t topic, const Make& make);
+  struct RobotFrames {
+    base::Pose2 inOdom;                    // pose of the robot
     std::optional<base::Pose2> mapToOdom;  // none: not published yet
   };
-  static Placed placedBy(const sim2d::Frame& frame, std::size_t robot);
-  static const sim2d::RobotSenses::Scan* scanIn(const sim2d::Frame& frame, std::size_t robot);
+  static RobotFrames robotFramesOf(const sim2d::Frame& frame, std::size_t robot);
+  static const sim2d::RobotTelemetry::Scan* scanIn(const sim2d::Frame& frame, std::size_t robot);
   std::optional<base::Pose2> mountOf(std::size_t robot) const;
 
   sim2d::TraceHeader header_;
   RunTopicsOptions options_;
   std::vector<Topic> topics_;
-  std::vector<std::string> latched_;    // by topic
-  std::vector<std::string> unstamped_;  // the same at the time 0
-  std::vector<std::size_t> lengths_;    // of the last message, by topic
-  OfPeople ofPeople_;                   // its memory is used again
+  std::vector<std::string> latched_;    // by topic, last message
+  std::vector<std::string> unstamped_;  // latched_ with time stamp 0
+  std::vector<std::size_t> lengths_;    // [bytes] of the last message, by topic
+  PeopleMessages peopleMessages_;       // reused between frames
   std::vector<Robot> robots_;
-  std::vector<char> doors_;  // as they were told
+  std::vector<char> doors_;  // as last published
+};
+
+/// Declarations shared by the sources of RunTopics.
+
+constexpr const char* kOdometry = "odom";
+constexpr const char* kSensor = "base_scan";
+
+/// The transform from `parent` to `child` at `seconds` of simulation time.
+geometry_msgs::TransformStamped transformTo(double seconds, const std::string& parent,
+                                            const std::string& child, const base::Pose2& pose);
+
+/// Context for publishing one frame.
+struct RunTopics::PublishContext {
+  const sim2d::Frame& frame;
+  const Send& send;
+  const Filter& filter;
+  std::vector<std::size_t>& lengths;  // [bytes], sizes of the last messages
+
+  bool isWanted(std::size_t topic) const { return !filter || filter(topic); }
+  template <class M>
+  void sendEncoded(std::size_t topic, const M& message) const {
+    std::string bytes = encode(message, lengths[topic]);
+    lengths[topic] = bytes.size();
+    send(topic, std::move(bytes));
+  }
+  template <class Make>
+  void publish(std::size_t topic, const Make& make) const {
+    if (isWanted(topic)) {
+      sendEncoded(topic, make());
+    }
+  }
+  /// Publishes a message that reuses the memory of the last one.
+  template <class M, class Set>
+  void publishReused(std::size_t topic, M& message, const Set& set) const {
+    if (isWanted(topic)) {
+      set(message);
+      sendEncoded(topic, message);
+    }
+  }
+  /// Publishes a message that is much shorter than the others of its topic.
+  template <class Make>
+  void publishShort(std::size_t topic, const Make& make) const {
+    if (isWanted(topic)) {
+      send(topic, encode(make()));
+    }
+  }
 };
 
 }  // namespace bridge

@@ -14,9 +14,9 @@
 #include "app/cli/Console.h"
 #include "app/cli/MapImages.h"
 #include "app/run/BatchFolder.h"
-#include "app/run/ClusterScript.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ExperimentRunner.h"
+#include "app/run/Merge.h"
 #include "app/run/ResultFiles.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -30,29 +30,29 @@ struct BatchOptions {
   std::string output;
   int jobs = 0;  // 0 = number of cores
   bool allowCode = false, resume = false, retryFailed = false, force = false;
-  bool rows = false;       // on standard output
+  bool rows = false;       // print rows to standard output
   std::string shard;       // "K/N"; empty = all runs
   double timeLimit = 0.0;  // [s]; 0 = none
-  std::string script;      // "slurm", "parallel"; empty: the runs are made
+  std::string script;      // "slurm", "parallel"; empty: execute the runs
   std::size_t chunks = 20;
 };
 
 namespace fs = std::filesystem;
 
-/// Nothing: it is none.
+/// nullopt: invalid text.
 std::optional<Shard> shardOf(const std::string& text) {
-  constexpr long long kMost = 1'000'000;
+  constexpr long long kMaxShards = 1'000'000;
   const std::vector<std::string> parts = base::split(text, '/');
   const auto number = base::parseInt(parts.front()), count = base::parseInt(parts.back());
-  const bool isShard =
-      parts.size() == 2 && number && count && *number >= 1 && *number <= *count && *count <= kMost;
+  const bool isShard = parts.size() == 2 && number && count && *number >= 1 && *number <= *count &&
+                       *count <= kMaxShards;
   return isShard ? std::optional(
                        Shard{static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)})
                  : std::nullopt;
 }
 
 std::string shardProblem(const std::string& text) {
-  return shardOf(text) ? std::string() : "K/N is wanted with 1 <= K <= N, not '" + text + "'";
+  return shardOf(text) ? std::string() : "expected K/N with 1 <= K <= N, not '" + text + "'";
 }
 
 std::string progressText(std::size_t finished, std::size_t total, double rate) {
@@ -81,18 +81,18 @@ int printScript(const BatchOptions& options, const Invocation& given) {
   return ExitFine;
 }
 
-/// The runs that are missing in the folder; returns what ended them before their time.
-base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runner,
-                           BatchFolder& folder, const BatchOptions& options, bool quiet) {
+/// Executes the missing runs of the folder; returns errors that ended them early.
+base::Diagnostics executeRuns(const Experiment& experiment, ExperimentRunner& runner,
+                              BatchFolder& folder, const BatchOptions& options, bool quiet) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const ResultStore& store = folder.store();
-  const std::size_t total = store.study().shard.runsOf(store.study().runs);
+  const std::size_t total = store.study().shard.runCount(store.study().runs);
   const std::size_t before = store.finished();
   const auto start = std::chrono::steady_clock::now();
   Progress progress(quiet);
   const auto printRow = [&](const StoredRun& run) { print(rowJson(store.study(), run) + "\n"); };
   if (options.rows) {
-    print(beginJson(store) + "\n");
+    print(headerJson(store) + "\n");
     base::Diagnostics unreadable = store.forEach(printRow);
     if (!unreadable.empty()) {
       return unreadable;
@@ -109,8 +109,10 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
   job.jobs = options.jobs > 0 ? options.jobs : cores;
   const double limit = store.study().timeLimit;
   job.timeLimit = limit > 0.0 ? limit : job.timeLimit;
-  job.make = [&](std::size_t run, const BatchJob::Met& met) { return runner.run(run, met); };
-  job.take = [&](std::size_t run, const ResultRow& row) {
+  job.execute = [&](std::size_t run, const BatchJob::ReportInputs& reportInputs) {
+    return runner.run(run, reportInputs);
+  };
+  job.storeRow = [&](std::size_t run, const ResultRow& row) {
     const Experiment::Run values = experiment.run(run);
     const StoredRun stored{run, experiment.scenarios[values.scenario], values.seed, values.values,
                            row};
@@ -138,60 +140,66 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
       studyOf(*experiment, runner.inputs(), shardOf(options.shard).value_or(Shard()));
   requireFine(study.diagnostics());
   study->timeLimit = options.timeLimit;
-  const Earlier earlier = options.retryFailed ? Earlier::Retry
-                          : options.resume    ? Earlier::Resume
-                          : options.force     ? Earlier::Replace
-                                              : Earlier::Refuse;
+  const ExistingBatch earlier = options.retryFailed ? ExistingBatch::Retry
+                                : options.resume    ? ExistingBatch::Resume
+                                : options.force     ? ExistingBatch::Replace
+                                                    : ExistingBatch::Refuse;
   base::Result<std::unique_ptr<BatchFolder>> folder =
       BatchFolder::open(options.output, *study, earlier);
   requireFine(folder.diagnostics());
   catchInterrupts();
-  base::Diagnostics troubles = makeRuns(*experiment, runner, **folder, options, given.quiet);
-  base::append(troubles, (*folder)->finish());
-  Invocation said = given;
-  said.quiet = given.quiet || options.rows;
-  said.json = given.json && !options.rows;
-  return reportBatch(**folder, troubles, said);
+  base::Diagnostics problems = executeRuns(*experiment, runner, **folder, options, given.quiet);
+  base::append(problems, (*folder)->finish());
+  Invocation shown = given;
+  shown.quiet = given.quiet || options.rows;
+  shown.json = given.json && !options.rows;
+  return reportBatch(**folder, problems, shown);
 }
 
 }  // namespace
 
 void addBatch(CommandRegistry& commands) {
-  const auto [command, options] =
-      commands.add("batch", "Many runs: scenarios x values x seeds", batchCommand);
+  const auto [command, options] = commands.add(
+      "batch", "Run an experiment: scenarios x parameter values x seeds", batchCommand);
   command.add_option("experiment", options.experiment, "Experiment file")->required();
-  addOutputFolder(command, options.output, "Folder for the results").required();
-  command.add_option("--jobs", options.jobs, "Processes at a time (number of cores)")
+  addOutputFolder(command, options.output, "Output folder").required();
+  command
+      .add_option("--jobs", options.jobs, "Number of parallel processes (default: number of cores)")
       ->check(CLI::Range(1, 1024));
   addAllowCode(command, options.allowCode);
-  CLI::Option* const resume =
-      command.add_flag("--resume", options.resume,
-                       "Go on with a batch that was interrupted; begin it if there is none");
+  CLI::Option* const resume = command.add_flag(
+      "--resume", options.resume, "Continue an interrupted batch, or start it if there is none");
   CLI::Option* const retry = command.add_flag(
       "--retry-failed", options.retryFailed,
-      "As --resume, and repeat all failed runs (--resume alone repeats those that were killed or "
+      "Like --resume, and repeat all failed runs (--resume alone repeats runs that were killed or "
       "ran out of memory)");
   CLI::Option* const force =
       command
           .add_flag("--force", options.force,
-                    "Begin anew where a batch was interrupted; replace files of others")
+                    "Restart an interrupted batch from the beginning; overwrite files that "
+                    "hunavsim did not create")
           ->excludes(resume, retry);
   CLI::Option* const rows =
       command.add_flag("--rows", options.rows,
-                       "Print how many runs there are, then each finished one, as lines of JSON");
+                       "Print the number of runs, then each finished run, as one JSON object per "
+                       "line");
   CLI::Option* const shard =
-      command.add_option("--shard", options.shard, "K/N: part K of N of the runs; see merge")
+      command
+          .add_option("--shard", options.shard,
+                      "K/N: execute part K of N of the runs; join the parts with merge")
           ->check(shardProblem);
   command
       .add_option("--time-limit", options.timeLimit,
-                  "Seconds of wall time after which a run has failed (--resume: as before)")
+                  "Wall time after which a run counts as failed [s] (default with --resume: "
+                  "unchanged)")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--script", options.script,
-                  "Run nothing: print a script that splits the study by slurm or parallel")
+                  "Print a script that distributes the runs with slurm or parallel; execute "
+                  "nothing")
       ->check(oneOf({"slurm", "parallel"}))
-      ->excludes(resume, force, rows, shard);  // the script has its own
-  command.add_option("--chunks", options.chunks, "Shards that the script makes (20)")
+      ->excludes(resume, force, rows, shard);  // the script sets them itself
+  command.add_option("--chunks", options.chunks, "Number of shards in the script (default: 20)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
 }
 

@@ -33,15 +33,15 @@ struct BenchOptions {
   bool quick = false;  // small crowds, short
   int threads = 1;
   std::string format = "text";  // text, csv
-  std::string picture;          // file to draw it into, or empty
+  std::string picture;          // picture file, or empty
 };
 
 constexpr int kBeams = 360;
 constexpr int kRounds = 5;
-constexpr int kLargestPlain = 10000;  // people; beyond it the plain sum is scaled with N²
+constexpr int kMaxPlainPeople = 10000;  // people; beyond it the plain sum is scaled with N²
 
-/// The value of the first line "<key> : <value>" of a file of the kernel; empty when absent.
-std::string valueIn(const char* file, const std::string& key) {
+/// The value of the first line "<key> : <value>" in a /proc file; empty if missing.
+std::string procFileValue(const char* file, const std::string& key) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
     const std::size_t colon = line.find(':');
@@ -52,15 +52,15 @@ std::string valueIn(const char* file, const std::string& key) {
   return {};
 }
 
-/// A size of this process, "VmRSS" or "VmHWM" [kB]; 0 when the system does not tell.
+/// A memory size of this process, "VmRSS" or "VmHWM" [kB]; 0 if unavailable.
 double memoryOf(const char* key) {
-  const std::string text = valueIn("/proc/self/status", key);
+  const std::string text = procFileValue("/proc/self/status", key);
   return base::parseDouble(text.substr(0, text.find(' '))).value_or(0.0);
 }
 
-/// From now on "VmHWM" is the largest memory since now.
-void forgetPeak() {
-  malloc_trim(0);  // what smaller scenes have left behind would be counted as nothing
+/// Resets "VmHWM", the peak of resident memory.
+void resetPeakMemory() {
+  malloc_trim(0);  // otherwise memory freed by smaller scenes would be reused without being counted
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 
@@ -68,14 +68,14 @@ struct Row {
   BenchScene scene;
   sim2d::StepTimes times;
   double sensing = 0.0;    // a scan of the robot [s]
-  double recording = 0.0;  // of a step [s]
+  double recording = 0.0;  // per step [s]
   double plain = 0.0;      // a step of the plain forces [s]; 0: not measured
-  bool isScaled = false;   // `plain` is
-  double perPerson = 0.0;  // what a person adds to the largest memory [kB]
+  bool isScaled = false;   // `plain` is extrapolated
+  double perPerson = 0.0;  // peak memory per person [kB]
   double peak = 0.0;       // of the process during this scene [MB]
 
   double perStep(double seconds) const { return seconds / static_cast<double>(times.steps); }
-  /// Step, scan and record [s].
+  /// Step, scan and recording [s].
   double whole() const { return perStep(times.sum()) + sensing + recording; }
   double realTimeFactor() const { return 0.05 / whole(); }
   double forces() const {
@@ -101,13 +101,13 @@ double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroun
   parameters.legs = false;
   sim2d::Lidar lidar(parameters, 1, -1);
   const base::Pose2 pose = world.view().robotPose(0);
-  lidar.update({pose, pose, surroundings.obstacles, bodies, 0.0});  // gathers the walls
-  const double begin = sim2d::secondsBy(clock);
+  lidar.update({pose, pose, surroundings.obstacles, bodies, 0.0});  // caches the walls
+  const double begin = sim2d::clockSeconds(clock);
   lidar.update({pose, pose, surroundings.obstacles, bodies, 1.0 / parameters.rate});
-  return sim2d::secondsBy(clock) - begin;
+  return sim2d::clockSeconds(clock) - begin;
 }
 
-/// A world in which people have come up to speed.
+/// Creates a world and steps it until people have reached their speed.
 base::Result<std::unique_ptr<sim2d::World>> makeWarmWorld(const BenchScene& scene) {
   constexpr int kWarmUp = 10;
   base::Result<std::unique_ptr<sim2d::World>> made = makeBenchWorld(scene);
@@ -117,34 +117,34 @@ base::Result<std::unique_ptr<sim2d::World>> makeWarmWorld(const BenchScene& scen
   return made;
 }
 
-/// What the square of a scene needs at most with one person [kB].
-double peakOfOne(BenchScene scene) {
-  scene.lonely = true;
-  forgetPeak();
+/// Peak memory of a scene with one person [kB].
+double peakMemoryOfOnePerson(BenchScene scene) {
+  scene.singlePerson = true;
+  resetPeakMemory();
   const double before = memoryOf("VmRSS");
   const base::Result<std::unique_ptr<sim2d::World>> made = makeWarmWorld(scene);
   return memoryOf("VmHWM") - before;
 }
 
-/// Times of some steps; false when the run has failed.
+/// Measures some steps; false if the run failed.
 bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
                   double atLeastSeconds, Row& row) {
-  constexpr int kFewestSteps = 2;
+  constexpr int kMinSteps = 2;
   const int lastStep = crossingSteps(row.scene);
   const sim2d::StepClock clock = row.times.clock;
   world.measure(&row.times);
   sim2d::Recording recorded;
   double recording = 0.0;
-  const double end = sim2d::secondsBy(clock) + atLeastSeconds;
-  while (row.times.steps < kFewestSteps ||
-         (world.stepIndex() < lastStep && sim2d::secondsBy(clock) < end)) {
+  const double end = sim2d::clockSeconds(clock) + atLeastSeconds;
+  while (row.times.steps < kMinSteps ||
+         (world.stepIndex() < lastStep && sim2d::clockSeconds(clock) < end)) {
     if (!world.step()) {
       return false;
     }
     row.sensing += scanSeconds(world, surroundings, clock);
-    const double record = sim2d::secondsBy(clock);
+    const double record = sim2d::clockSeconds(clock);
     recorded.append(world.frame());
-    recording += sim2d::secondsBy(clock) - record;
+    recording += sim2d::clockSeconds(clock) - record;
   }
   world.measure(nullptr);
   row.sensing = row.perStep(row.sensing);
@@ -152,13 +152,13 @@ bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
   return true;
 }
 
-/// The fastest of some rounds: other work on the machine only ever slows one down.
+/// The fastest of several rounds, because other processes only slow a round down.
 base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   Row row;
   row.scene = scene;
   row.times.clock = scene.threads == 1 ? sim2d::StepClock::Thread : sim2d::StepClock::Wall;
-  const double ofOne = peakOfOne(scene);
-  forgetPeak();
+  const double ofOne = peakMemoryOfOnePerson(scene);
+  resetPeakMemory();
   const double before = memoryOf("VmRSS");
   base::Result<std::unique_ptr<sim2d::World>> made = makeWarmWorld(scene);
   if (!made) {
@@ -170,7 +170,7 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   Row best = row;
   for (int round = 0; round < kRounds; ++round) {
     if ((*made)->stepIndex() > crossingSteps(scene) / 2) {
-      made->reset();  // two worlds at once would count as peak memory
+      made->reset();  // two worlds at a time would increase the peak memory
       made = makeWarmWorld(scene);
     }
     if (!made) {
@@ -235,12 +235,12 @@ std::string csvLine(const std::vector<std::string>& cells, const std::string& ma
 }
 
 std::string machineName() {
-  const std::string processor = valueIn("/proc/cpuinfo", "model name");
+  const std::string processor = procFileValue("/proc/cpuinfo", "model name");
   return (processor.empty() ? std::string("unknown processor") : processor) + ", " +
-         sim2d::vectorPathName(sim2d::fastestVectorPath());
+         sim2d::simdLevelName(sim2d::fastestSimdLevel());
 }
 
-/// A row as JSON; cells that hold a number are numbers.
+/// A row as JSON; numeric cells are numbers.
 Json jsonOf(const std::vector<std::string>& cells) {
   const std::vector<std::string> keys = headline();
   Json row;
@@ -253,7 +253,7 @@ Json jsonOf(const std::vector<std::string>& cells) {
 
 using ShowCells = std::function<void(const std::vector<std::string>&)>;
 
-/// Measures all sizes, without and with walls. Nothing is returned when a run has failed.
+/// Measures all sizes, without and with walls; nullopt if a run failed.
 std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
                                                     const std::string& tree,
                                                     const ShowCells& show) {
@@ -261,12 +261,13 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
                                                : std::vector<int>{10, 100, 1000, 10000, 100000};
   const double atLeast = options.quick ? 0.3 : 2.0;
   double plain = 0.0;
-  peakOfOne({sizes.front(), true, tree, options.threads});  // program code comes into memory once
+  peakMemoryOfOnePerson(
+      {sizes.front(), true, tree, options.threads});  // loads program code into memory first
   std::vector<BenchPoint> points;
   for (const int people : sizes) {
     BenchScene scene{people, false, tree, options.threads};
-    const bool isScaled = people > kLargestPlain;
-    plain = isScaled ? plain * std::pow(static_cast<double>(people) / kLargestPlain, 2.0)
+    const bool isScaled = people > kMaxPlainPeople;
+    plain = isScaled ? plain * std::pow(static_cast<double>(people) / kMaxPlainPeople, 2.0)
                      : plainStepSeconds(makeBenchScenario(scene), atLeast / 4.0);
     for (const bool walls : {false, true}) {
       scene.walls = walls;
@@ -287,7 +288,7 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
 }
 
 int benchCommand(const BenchOptions& options, const Invocation& given) {
-  // What is freed goes back to the system: scenes before leave no holes to be filled for nothing.
+  // Returns freed memory to the system, so that earlier scenes leave no reusable memory.
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   QTemporaryDir folder;
   const std::string tree = folder.filePath(QStringLiteral("walker.xml")).toStdString();
@@ -320,11 +321,11 @@ int benchCommand(const BenchOptions& options, const Invocation& given) {
           "\n");
   } else if (!isCsv && !given.quiet) {
     printLine(
-        "Phases in ms per step of 0.05 s, in the fastest of 5 rounds; with one thread in time of "
-        "the processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in "
-        "double precision, one thread; * scaled with the square. Measured while the streams cross: "
-        "people have walked a seventh of the square at most. kB/person: by how much people raise "
-        "the largest memory, from the making of the scenario to the tenth step.");
+        "Phases: ms per step of 0.05 s, fastest of 5 rounds; with one thread, CPU time. sensing: a "
+        "scan of 360 beams. plain: the same forces as a naive sum over all pairs in double "
+        "precision, one thread; * extrapolated quadratically. Measured while the streams cross, "
+        "after people have walked at most a seventh of the square. kB/person: increase of peak "
+        "memory per person, from the creation of the scenario to the tenth step.");
   }
   const QString picture = QString::fromStdString(options.picture);
   if (!picture.isEmpty() && !drawBench(*points, QString::fromStdString(machineName()), picture)) {
@@ -338,26 +339,28 @@ Drawing drawingOf(const BenchOptions& options) {
   return options.picture.empty() ? Drawing::None : Drawing::Widgets;
 }
 
-/// Nothing = fine; otherwise what is wrong.
-std::string isPictureFile(const std::string& path) {
+/// Returns an error text, empty if the file name is valid.
+std::string pictureFileError(const std::string& path) {
   const QFileInfo file(QString::fromStdString(path));
   const QStringList endings = {QStringLiteral("png"), QStringLiteral("svg"), QStringLiteral("pdf")};
   if (!endings.contains(file.suffix())) {
-    return "'" + path + "' ends neither in .png nor in .svg nor in .pdf";
+    return "'" + path + "' does not end in .png, .svg or .pdf";
   }
-  return file.absoluteDir().exists() ? std::string() : "there is no folder for '" + path + "'";
+  return file.absoluteDir().exists() ? std::string() : "the folder does not exist: '" + path + "'";
 }
 
 }  // namespace
 
 void addBench(CommandRegistry& commands) {
-  const auto [command, options] =
-      commands.add("bench", "How fast this machine steps crowds", benchCommand, drawingOf);
-  command.add_flag("--quick", options.quick, "Up to 1000 people, in a few seconds");
+  const auto [command, options] = commands.add(
+      "bench", "Measure the simulation speed of this machine", benchCommand, drawingOf);
+  command.add_flag("--quick", options.quick,
+                   "Measure only up to 1000 people, within a few seconds");
   command.add_option("--threads", options.threads, "Number of threads")->check(CLI::Range(1, 256));
-  command.add_option("--format", options.format, "text or csv")->check(oneOf({"text", "csv"}));
-  command.add_option("--picture", options.picture, "Draws the table: FILE.png, .svg or .pdf")
-      ->check(isPictureFile);
+  command.add_option("--format", options.format, "Output format: text or csv")
+      ->check(oneOf({"text", "csv"}));
+  command.add_option("--picture", options.picture, "Draw the results to FILE.png, .svg or .pdf")
+      ->check(pictureFileError);
 }
 
 }  // namespace app

@@ -5,7 +5,7 @@
 #include "app/cli/MapImages.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "app/run/Echoes.h"
+#include "app/run/DiagnosticDedup.h"
 #include "app/run/Experiment.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/Export.h"
@@ -26,14 +26,13 @@ namespace {
 
 struct CheckOptions {
   std::vector<std::string> files;
-  RunOptions scenario;  // map, trees
-  std::string distro;   // of Nav2's files; empty = as they tell
-  bool strict = false;  // substitutions are errors
+  RunSpec scenario;    // map, trees, nav2Params, strict
+  std::string distro;  // of Nav2's files; empty = guessed from them
 };
 
 enum class FileKind { Scenario, Tree, NavigatorTree, Map, Experiment, Nav2 };
 
-/// By what stands in the file, not by its name.
+/// By content, not by file name.
 FileKind kindOf(const std::string& text) {
   const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   if (first != std::string::npos && text[first] == '<') {
@@ -50,22 +49,24 @@ FileKind kindOf(const std::string& text) {
 }
 
 base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
-  RunOptions run = options.scenario;
+  RunSpec run = options.scenario;
+  run.strict = false;  // applied to all files together
   run.scenario = path;
   if (!run.nav2Params.empty()) {
     run.planner = sim2d::kNav2Planner;
   }
   const Bundle bundle = readBundle(run, {}, loadMapImage);
   Verdict verdict = check(bundle);
-  base::append(verdict.problems, verdict.wrongWords);
+  base::append(verdict.problems, verdict.wrongOptions);
   base::append(verdict.problems, verdict.worldRemarks);
   if (bundle.hasScenario()) {
-    base::append(verdict.problems, notYetTold(verdict.problems, notesOnTrees(bundle)));
+    base::append(verdict.problems,
+                 newDiagnostics(verdict.problems, treeCompatibilityNotes(bundle)));
   }
   return verdict.problems;
 }
 
-/// A tree by itself: its nodes, ports and references, and whether the engine takes it.
+/// Checks a tree file: nodes, ports, references and compilation.
 base::Diagnostics checkTree(const std::string& path) {
   const base::Result<bt::TreeTable> table = bt::loadTrees(path);
   base::Diagnostics found = table.diagnostics();
@@ -73,11 +74,11 @@ base::Diagnostics checkTree(const std::string& path) {
     return found;
   }
   const bt::NodeLibrary library = bt::humanNodes();
-  base::append(found, bt::diagnosticsOf(bt::checkTable(*table, library.catalogue())));
-  if (!base::hasErrors(found)) {  // the compiler checks once more on its own
+  base::append(found, bt::diagnosticsOf(bt::checkForImport(*table, library.catalogue())));
+  if (!base::hasErrors(found)) {  // the compiler repeats these checks
     bt::CompileOptions options;
-    options.notesOnOriginal = true;
-    base::append(found, notYetTold(found, bt::compile(*table, library, options).diagnostics()));
+    options.differencesFromBtCpp = true;
+    base::append(found, newDiagnostics(found, bt::compile(*table, library, options).diagnostics()));
   }
   return found;
 }
@@ -89,7 +90,7 @@ base::Diagnostics checkExperiment(const std::string& path) {
   base::Diagnostics found = experiment.diagnostics();
   if (experiment) {
     ExperimentRunner runner(*experiment, {}, loadMapImage);
-    base::append(found, notYetTold(found, runner.check(base::Severity::Warning)));
+    base::append(found, newDiagnostics(found, runner.check(base::Severity::Warning)));
   }
   return found;
 }
@@ -103,7 +104,7 @@ base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& o
   if (!text) {
     return text.diagnostics();
   }
-  const Nav2Branch branch = sim2d::nav2::distroNamed(options.distro);
+  const Nav2Branch branch = sim2d::nav2::distroFromName(options.distro);
   switch (kindOf(*text)) {
     case FileKind::Tree:
       return checkTree(path);
@@ -139,15 +140,16 @@ std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {
 int checkCommand(const CheckOptions& options, const Invocation& given) {
   base::Diagnostics all;
   const auto show = [&](base::Diagnostics found) {
-    found = options.strict ? base::withStrictSubstitutions(std::move(found)) : std::move(found);
+    found = options.scenario.strict ? base::withStrictSubstitutions(std::move(found))
+                                    : std::move(found);
     if (!given.json) {
       printDiagnostics(found);
     }
     base::append(all, found);
   };
   const std::vector<std::string>& params = options.scenario.nav2Params;
-  if (options.files.empty()) {  // as one
-    show(checkNav2Files(params, sim2d::nav2::distroNamed(options.distro)));
+  if (options.files.empty()) {  // all parameter files as one
+    show(checkNav2Files(params, sim2d::nav2::distroFromName(options.distro)));
   }
   for (const std::string& file : options.files) {
     show(checkFile(file, options));
@@ -164,17 +166,19 @@ int checkCommand(const CheckOptions& options, const Invocation& given) {
 
 void addCheck(CommandRegistry& commands) {
   const auto [command, options] = commands.add(
-      "check", "Validate scenarios, trees, maps, experiments, nav2_params.yaml", checkCommand);
-  command.add_option("files", options.files, "Files, or names of shipped scenarios");
-  command.add_option("--map", options.scenario.map, "Map of the scenarios");
-  command.add_option("--trees", options.scenario.trees, "Folder with their trees");
+      "check", "Validate scenarios, trees, maps, experiments and nav2_params.yaml files",
+      checkCommand);
+  command.add_option("files", options.files, "Files, or names from list scenarios");
+  command.add_option("--map", options.scenario.map,
+                     "Map to use instead of the scenario's; none = open plane");
+  command.add_option("--trees", options.scenario.trees, "Folder with the behaviour trees");
   command
       .add_option("--nav2-distro", options.distro,
-                  "Branch of Nav2 files: humble, jazzy, kilted, lyrical or main (default: "
+                  "Nav2 version of the files: humble, jazzy, kilted, lyrical or main (default: "
                   "guessed from the file)")
-      ->check(oneOf(sim2d::fieldOf<sim2d::Robot>("nav2_distro")->spec.choices));
-  addNav2Params(command, options.scenario.nav2Params);
-  addStrict(command, options.strict);
+      ->check(oneOf(knownDistros()));
+  addRunOption(command, "nav2-params", options.scenario);
+  addRunOption(command, "strict", options.scenario);
   command.callback([&checked = options] {
     if (checked.files.empty() && checked.scenario.nav2Params.empty()) {
       throw CLI::RequiredError("files");

@@ -5,7 +5,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/MapImages.h"
 #include "app/run/DataPaths.h"
-#include "app/run/Echoes.h"
+#include "app/run/DiagnosticDedup.h"
 #include "app/run/Export.h"
 #include "app/run/OutputFolder.h"
 #include "sim2d/base/JsonText.h"
@@ -15,17 +15,17 @@ namespace app {
 namespace {
 
 struct ConvertOptions {
-  RunOptions source;                // scenario, map, trees
+  RunSpec source;                   // scenario, map, trees
   std::string output;               // folder
   std::string target;               // name of exportTargets()
-  std::string dialect;              // B, C; empty: the target's
-  std::string style = "corrected";  // of trees that are made: corrected, hunav2
-  bool force = false;               // files of others in the output folder may be replaced
+  std::string dialect;              // B, C; empty: that of the target
+  std::string style = "corrected";  // of generated trees: corrected, hunav2
+  bool force = false;               // overwrite files not created by hunavsim
 };
 
 using Json = nlohmann::ordered_json;
 
-Json reportJson(const base::Diagnostics& report) {
+Json diagnosticsJson(const base::Diagnostics& report) {
   Json all = Json::array();
   for (const base::Diagnostic& problem : report) {
     all.push_back({{"severity", base::severityName(problem.severity)},
@@ -41,11 +41,11 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
   if (given.json) {
     Json files = Json::array();
     for (const ExportPlan::File& file : plan.files) {
-      files.push_back({{"file", file.content.path}, {"state", stateName(file.state)}});
+      files.push_back({{"file", file.content.path}, {"state", fileStateName(file.state)}});
     }
     const Json json = {{"target", options.target},
                        {"files", files},
-                       {"report", reportJson(report)},
+                       {"report", diagnosticsJson(report)},
                        {"start", plan.startCommand.empty() ? Json() : Json(plan.startCommand)}};
     print(base::jsonText(json) + "\n");
     return;
@@ -54,7 +54,7 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
     return;
   }
   for (const ExportPlan::File& file : plan.files) {
-    const std::string state = stateName(file.state);
+    const std::string state = fileStateName(file.state);
     printLine(state + std::string(10 - state.size(), ' ') + file.content.path);
   }
   if (!plan.startCommand.empty()) {
@@ -74,7 +74,7 @@ int convertCommand(const ConvertOptions& options, const Invocation& given) {
     request.dialect = options.dialect == "B" ? sim2d::Dialect::B : sim2d::Dialect::C;
   }
   ExportPlan plan = planExport(*source, request);
-  plan.report = notYetTold(source.diagnostics(), plan.report);
+  plan.report = newDiagnostics(source.diagnostics(), plan.report);
   requireFine(plan.report, ExitBadInput,
               given.quiet ? base::Severity::Warning : base::Severity::Info);
   std::vector<base::FileContent> files;
@@ -82,7 +82,7 @@ int convertCommand(const ConvertOptions& options, const Invocation& given) {
   for (const ExportPlan::File& file : plan.files) {
     files.push_back({file.name, file.content.content});
   }
-  requireFine(writeIntoOthers(options.output, files, "convert", options.force));
+  requireFine(writeIntoForeignFolder(options.output, files, "convert", options.force));
   base::Diagnostics report = source.diagnostics();
   base::append(report, plan.report);
   printPlan(plan, report, options, given);
@@ -93,25 +93,28 @@ int convertCommand(const ConvertOptions& options, const Invocation& given) {
 
 void addConvert(CommandRegistry& commands) {
   const auto [command, options] = commands.add(
-      "convert", "Write scenario, trees and map for another simulator", convertCommand);
+      "convert", "Export a scenario with trees and map for another simulator", convertCommand);
   std::vector<std::string> targets;
   for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
     targets.push_back(target.name);
   }
-  command.add_option("scenario", options.source.scenario, "Scenario file, of any dialect")
+  command.add_option("scenario", options.source.scenario, "Scenario file in any dialect")
       ->required()
       ->transform(scenarioFile);
-  addOutputFolder(command, options.output, "Folder for scenarios, behavior_trees, maps").required();
-  command.add_option("--target", options.target, "Simulator that is to read it")
+  addOutputFolder(command, options.output, "Output folder for scenarios, behavior_trees and maps")
+      .required();
+  command.add_option("--target", options.target, "Target simulator")
       ->required()
       ->check(oneOf(targets));
-  command.add_option("--dialect", options.dialect, "B or C instead of what the target reads")
+  command
+      .add_option("--dialect", options.dialect,
+                  "Scenario dialect: B or C (default: that of the target)")
       ->check(oneOf({"B", "C"}));
-  command.add_option("--style", options.style, "Of trees that are missing: corrected or hunav2")
+  command.add_option("--style", options.style, "Style of generated trees: corrected or hunav2")
       ->check(oneOf({"corrected", "hunav2"}));
   command.add_option("--map", options.source.map, "Map to use instead of the scenario's");
   addForce(command, options.force);
-  command.add_option("--trees", options.source.trees, "Folder with the behaviour trees");
+  addRunOption(command, "trees", options.source);
 }
 
 }  // namespace app

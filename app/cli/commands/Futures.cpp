@@ -15,8 +15,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/MapImages.h"
-#include "app/cli/RunWords.h"
-#include "app/run/RunAgain.h"
+#include "app/run/RunReplay.h"
 #include "app/run/Session.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -37,8 +36,8 @@ constexpr const char* kQuestion = "-";
 base::Diagnostics checkFuturesWords(const FuturesWords& words) {
   base::Diagnostics wrong;
   const FuturesOptions& futures = words.futures;
-  if (futures.count < 1 || futures.count > kMostFutures) {
-    wrong.push_back(base::error("futures.count", {kMostFutures, futures.count}));
+  if (futures.count < 1 || futures.count > kMaxFutures) {
+    wrong.push_back(base::error("futures.count", {kMaxFutures, futures.count}));
   }
   if (!(futures.horizon >= 0.1 && futures.horizon <= kLongestFuture)) {
     wrong.push_back(base::error("futures.horizon", {kLongestFuture, futures.horizon}));
@@ -55,14 +54,14 @@ base::Diagnostics checkFuturesWords(const FuturesWords& words) {
 /// The window asks: a line per future as it comes.
 int answerQuestion() {
   catchInterrupts();
-  constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of a question
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;  // of a question
   std::string bytes;
   std::array<char, 65536> part;
-  while (bytes.size() <= kMostBytes &&
+  while (bytes.size() <= kMaxBytes &&
          (std::cin.read(part.data(), part.size()), std::cin.gcount()) > 0) {
     bytes.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
   }
-  if (bytes.size() > kMostBytes) {
+  if (bytes.size() > kMaxBytes) {
     bytes.clear();  // no question is so long
   }
   const base::Result<FuturesQuestion> question = questionOf(bytes);
@@ -75,13 +74,13 @@ int answerQuestion() {
   return wasInterrupted() ? ExitRunFailed : ExitFine;
 }
 
-std::vector<Future> futuresOf(RunAgain& again, std::int64_t at, const FuturesWords& words,
+std::vector<Future> futuresOf(RunReplay& replay, std::int64_t at, const FuturesWords& words,
                               const Invocation& given) {
   std::vector<Future> futures;
   base::Diagnostics problems;
   Progress progress(given.quiet);
   Session session({at + 1, false});
-  sim2d::World& world = *again.verdict().world;
+  sim2d::World& world = *replay.verdict().world;
   const auto tell = [&](const Future& future) {
     futures.push_back(future);
     progress.show(std::to_string(futures.size()) + " / " + std::to_string(words.futures.count) +
@@ -89,16 +88,16 @@ std::vector<Future> futuresOf(RunAgain& again, std::int64_t at, const FuturesWor
   };
   bool isThere = false;
   const sim2d::RunResult result = session.run(world, nullptr, [&](const sim2d::Frame& frame) {
-    again.look(frame, world, session);
+    replay.observe(frame, world, session);
     if (wasInterrupted()) {
       session.stop();
     } else if (frame.step == at) {
       isThere = true;
-      problems = simulateFutures(world, again.bundle(), words.futures, tell, wasInterrupted);
+      problems = simulateFutures(world, replay.bundle(), words.futures, tell, wasInterrupted);
       session.stop();
     }
   });
-  base::Diagnostics trouble = isThere ? base::Diagnostics() : again.trouble(result);
+  base::Diagnostics trouble = isThere ? base::Diagnostics() : replay.problems(result);
   base::append(problems, trouble);
   requireFine(problems);
   std::sort(futures.begin(), futures.end(),
@@ -112,7 +111,7 @@ std::string percentText(double share) {
 
 /// Once a second.
 void showChances(const std::vector<Future>& futures, double from, double horizon) {
-  std::vector<std::vector<std::string>> rows = {{"time", "contacts", "chance", "95 % interval"}};
+  std::vector<std::vector<std::string>> rows = {{"time", "contacts", "probability", "95 % CI"}};
   for (const ContactChance& each : contactChances(futures, from, horizon, 1.0)) {
     rows.push_back({base::formatDecimals(each.time, 1) + " s",
                     std::to_string(each.contacts) + " / " + std::to_string(each.futures),
@@ -121,7 +120,7 @@ void showChances(const std::vector<Future>& futures, double from, double horizon
   }
   printTable(rows);
   if (const std::optional<double> moment = decisiveMoment(futures)) {
-    printLine("half of the contacts have happened by " + base::formatDecimals(*moment, 1) + " s");
+    printLine("median time of contacts: " + base::formatDecimals(*moment, 1) + " s");
   }
 }
 
@@ -138,24 +137,24 @@ int futuresCommand(const FuturesWords& words, const Invocation& given) {
     return answerQuestion();
   }
   requireFine(checkFuturesWords(words), ExitWrongCommandLine);
-  RunOptions options;
-  options.from = words.moment;
-  options.set = words.set;
+  RunSpec spec;
+  spec.from = words.moment;
+  spec.set = words.set;
   if (!words.planner.empty()) {
-    options.planner = words.planner;
+    spec.planner = words.planner;
   }
-  base::Result<std::unique_ptr<RunAgain>> again =
-      RunAgain::prepare(options, readRunWords, loadMapImage, interruptStop());
-  requireFine(again.diagnostics());
-  requireFine((*again)->verdict().wrongWords, ExitWrongCommandLine);
-  requireFine((*again)->verdict().problems, ExitBadInput, base::Severity::Warning);
+  base::Result<std::unique_ptr<RunReplay>> replay =
+      RunReplay::prepare(spec, loadMapImage, interruptStop());
+  requireFine(replay.diagnostics());
+  requireFine((*replay)->verdict().wrongOptions, ExitWrongCommandLine);
+  requireFine((*replay)->verdict().problems, ExitBadInput, base::Severity::Warning);
   catchInterrupts();
-  const RunBefore before = (*again)->before();
-  const std::vector<Future> futures = futuresOf(**again, before.step, words, given);
+  const RunOrigin origin = (*replay)->origin();
+  const std::vector<Future> futures = futuresOf(**replay, origin.step, words, given);
   if (given.json) {
     printFutures(futures);
   } else if (!given.quiet) {
-    const double from = static_cast<double>(before.step) * (*again)->header().dt;
+    const double from = static_cast<double>(origin.step) * (*replay)->header().dt;
     showChances(futures, from, words.futures.horizon);
   }
   if (wasInterrupted()) {
@@ -168,22 +167,28 @@ int futuresCommand(const FuturesWords& words, const Invocation& given) {
 
 void addFutures(CommandRegistry& commands) {
   const auto added = commands.add(
-      "futures", "The chance of a contact after a moment of a recorded run", futuresCommand);
+      "futures", "Estimate the probability of a contact after a moment of a recorded run",
+      futuresCommand);
   CLI::App& command = added.first;
   FuturesWords& words = added.second;
   words.futures.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  command.add_option("moment", words.moment, "RUN@SECONDS: a recorded run, and a time in it")
+  command.add_option("moment", words.moment, "RUN@SECONDS: a recorded run and a time in it")
       ->required();
-  command.add_option("--seeds", words.futures.count, "How many futures are simulated (20)");
-  command.add_option("--seed", words.futures.seed, "Seed of the first; the others follow (1)");
-  command.add_option("--horizon", words.futures.horizon, "How far they go [s] (10)");
+  command.add_option("--seeds", words.futures.count, "Number of simulated futures (default: 20)");
+  command.add_option("--seed", words.futures.seed,
+                     "Seed of the first future, increased by 1 for each next one (default: 1)");
+  command.add_option("--horizon", words.futures.horizon,
+                     "Duration of each future [s] (default: 10)");
   command.add_option(
       "--spread", words.futures.spread,
-      "What nobody knows of people's velocities: sd of a push per second [m/s] (0.2)");
-  command.add_option("--planner", words.planner, "Planner of the first robot from there on");
-  command.add_option("--set", words.set, "PATH=VALUE from there on, as with run --from")
+      "Velocity uncertainty: standard deviation of a random velocity added to each walking person "
+      "once per second, per axis [m/s] (default: 0.2)");
+  command.add_option("--planner", words.planner, "Planner of the first robot after that time");
+  command.add_option("--set", words.set, "PATH=VALUE: value after that time, as in run --from")
       ->allow_extra_args(false);
-  command.add_option("-j,--jobs", words.futures.jobs, "Processes at a time (cores)")
+  command
+      .add_option("-j,--jobs", words.futures.jobs,
+                  "Number of parallel processes (default: number of cores)")
       ->check(CLI::Range(1, 256));
 }
 

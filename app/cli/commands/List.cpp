@@ -35,7 +35,7 @@ struct ListOptions {
 
 using Json = nlohmann::ordered_json;
 
-/// What `list` knows of one thing: its name and further columns.
+/// One row of a list: name, columns and JSON details.
 struct Entry {
   std::string name;
   std::vector<std::string> columns;
@@ -82,7 +82,7 @@ std::vector<Entry> registeredEntries(const base::Registry<Maker>& registry) {
   return entries;
 }
 
-/// "0.35 m" of a disc, "0.51 x 0.43 m" of what is no disc.
+/// "r 0.35 m" for a disc, otherwise "0.51 x 0.43 m".
 std::string robotSizeText(const sim2d::Footprint& footprint) {
   if (footprint.isDisc()) {
     return "r " + base::formatDouble(footprint.radius) + " m";
@@ -106,7 +106,7 @@ Json cornersJson(const sim2d::Footprint& footprint) {
   return corners;
 }
 
-/// By the keys of a scenario; null without one.
+/// By the keys of a scenario; null without a lidar.
 Json lidarJson(const sim2d::RobotType& type) {
   if (!type.lidar) {
     return {};
@@ -132,7 +132,7 @@ std::vector<Entry> robotEntries() {
                         base::formatDouble(limits.maxVel) + " m/s", type.title},
                        {{"title", type.title},
                         {"kinematics", kinematics},
-                        {"radius", sim2d::reachOf(type.body.footprint)},
+                        {"radius", sim2d::circumscribedRadius(type.body.footprint)},
                         {"footprint", cornersJson(type.body.footprint)},
                         {"height", type.height},
                         {"mass", type.body.mass},
@@ -160,7 +160,7 @@ Json portJson(const bt::PortSpec& port) {
           {"description", port.help}};
 }
 
-/// Of people's trees, then those that only navigator trees of robots may have.
+/// Nodes of agents' trees, then those that only navigator trees of robots may use.
 std::vector<std::pair<bt::NodeManifest, const char*>> allNodes() {
   const bt::NodeLibrary people = bt::humanNodes();
   const bt::NodeLibrary robots = bt::robotNodes();
@@ -242,14 +242,14 @@ std::vector<Entry> scenarioEntries() {
   return entries;
 }
 
-/// What can be listed, by its name on the command line.
+/// The lists by their names on the command line.
 std::map<std::string, std::function<std::vector<Entry>()>> lists() {
   return {{"nodes", nodeEntries},
           {"metrics", metricEntries},
           {"keys", keyEntries},
-          {"models", [] { return registeredEntries(programRegistries().models); }},
+          {"models", [] { return registeredEntries(builtinRegistries().models); }},
           {"robots", robotEntries},
-          {"planners", [] { return registeredEntries(programRegistries().planners); }},
+          {"planners", [] { return registeredEntries(builtinRegistries().planners); }},
           {"scenarios", scenarioEntries}};
 }
 
@@ -284,14 +284,14 @@ void printJson(const std::vector<Entry>& entries) {
 
 std::string plannersPage() {
   return parameterPage("Planners", "planner_parameters",
-                       pageSections(programRegistries().planners));
+                       pageSections(builtinRegistries().planners));
 }
 
 std::string modelsPage() {
-  return parameterPage("Models", "model_parameters", pageSections(programRegistries().models));
+  return parameterPage("Models", "model_parameters", pageSections(builtinRegistries().models));
 }
 
-/// What can be written as a page, by its name on the command line.
+/// The lists that have a Markdown page, by their names on the command line.
 std::map<std::string, std::function<std::string()>> pages() {
   return {{"metrics", [] { return metrics::metricsMarkdown(metrics::standardRegistry()); }},
           {"keys", [] { return sim2d::keysMarkdown(); }},
@@ -332,14 +332,16 @@ int listCommand(const ListOptions& options, const Invocation& given) {
 }  // namespace
 
 void addList(CommandRegistry& commands) {
-  const auto [command, options] = commands.add("list", "What there is to use", listCommand);
+  const auto [command, options] =
+      commands.add("list", "List available scenarios, metrics, nodes, …", listCommand);
   const std::vector<std::string> names = namesOf(lists());
   command.add_option("what", options.what, base::join(names, ", "))
       ->required()
       ->check(oneOf(names));
   command
       .add_option("--format", options.format,
-                  "text or json; xml for nodes, markdown for " + base::join(namesOf(pages()), ", "))
+                  "Output format: text or json; xml for nodes, markdown for " +
+                      base::join(namesOf(pages()), ", "))
       ->check(oneOf({"text", "json", "xml", "markdown"}));
 }
 

@@ -16,8 +16,9 @@ struct MergeOptions {
 };
 
 int mergeCommand(const MergeOptions& options, const Invocation& given) {
-  const base::Result<std::unique_ptr<BatchFolder>> folder = mergeShards(
-      options.output, options.shards, options.force ? Earlier::Replace : Earlier::Refuse);
+  const base::Result<std::unique_ptr<BatchFolder>> folder =
+      mergeShards(options.output, options.shards,
+                  options.force ? ExistingBatch::Replace : ExistingBatch::Refuse);
   requireFine(folder.diagnostics());
   return reportBatch(**folder, {}, given);
 }
@@ -26,12 +27,12 @@ int mergeCommand(const MergeOptions& options, const Invocation& given) {
 
 void addMerge(CommandRegistry& commands) {
   const auto [command, options] =
-      commands.add("merge", "Join the results of all shards of a batch", mergeCommand);
-  command.add_option("shard", options.shards, "Folders that batch --shard K/N has written")
-      ->required();
-  addOutputFolder(command, options.output, "Folder for the results").required();
+      commands.add("merge", "Merge the results of all shards of a batch", mergeCommand);
+  command.add_option("shard", options.shards, "Folders written by batch --shard K/N")->required();
+  addOutputFolder(command, options.output, "Output folder").required();
   command.add_flag("--force", options.force,
-                   "Begin anew where a batch was interrupted; replace files of others");
+                   "Restart an interrupted merge from the beginning; overwrite files that hunavsim "
+                   "did not create");
 }
 
 }  // namespace app

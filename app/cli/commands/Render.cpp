@@ -12,14 +12,12 @@
 
 #include <QImage>
 
-#include "app/bridge/bag/RunBag.h"
+#include "app/bridge/bag/RunBagWriter.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/MetricPlot.h"
-#include "app/cli/Movie.h"
 #include "app/cli/PictureFiles.h"
 #include "app/cli/RunPicture.h"
-#include "app/cli/RunStrip.h"
 #include "app/report/PlayerPage.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/OutputFolder.h"
@@ -39,7 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All but what no record holds.
+/// All overlays except those that a recording does not contain.
 std::vector<std::string> recordedOverlayNames() {
   std::vector<std::string> names = figureOverlayNames();
   names.erase(std::remove(names.begin(), names.end(), "forces"), names.end());
@@ -47,27 +45,27 @@ std::vector<std::string> recordedOverlayNames() {
 }
 
 struct RenderOptions {
-  std::string run;              // folder of a run
+  std::string run;              // run folder
   std::string output;           // picture, film or page
   std::optional<double> at;     // [s]
-  std::optional<double> width;  // [mm] of vectors, else [px]
+  std::optional<double> width;  // [mm] of vector formats, otherwise [px]
   std::optional<double> fps;    // of a film, frames per second
-  std::optional<double> speed;  // of a film, in real time
+  std::optional<double> speed;  // of a film, relative to real time
   std::vector<std::string> overlays;
   std::optional<double> timeMarks;  // [s] between two
   std::string strip;                // a number of instants, or their times
   std::string plot;                 // keys of metrics
-  bool force = false;               // third-party files may be replaced
+  bool force = false;               // overwrite files not created by hunavsim
 };
 
 enum class Kind { Picture, Vectors, Film, Page, Bag, Trajnet, Socnav3 };
 
 constexpr double kPixelsPerMm = 96.0 / 25.4;
 constexpr double kVectorWidth = 170.0;     // [mm] of two columns
-constexpr double kPictureHeight = 1000.0;  // [px] of the usual picture
+constexpr double kPictureHeight = 1000.0;  // [px] by default
 constexpr double kFilmWidth = 1280.0;      // [px]
-constexpr double kMostGifRate = 50.0;      // frames per second that viewers show
-constexpr double kFilmRate = 20.0;         // frames per second
+constexpr double kMaxGifRate = 50.0;       // maximum frame rate of GIF viewers [1/s]
+constexpr double kFilmRate = 20.0;         // [1/s]
 
 std::optional<Kind> pictureKindOf(const std::string& ending) {
   if (ending == ".png") {
@@ -88,46 +86,46 @@ std::optional<Kind> pictureKindOf(const std::string& ending) {
   if (ending == ".json") {
     return Kind::Socnav3;
   }
-  return Movie::isName(ending) ? std::optional(Kind::Film) : std::nullopt;
+  return Movie::isSupported(ending) ? std::optional(Kind::Film) : std::nullopt;
 }
 
 std::string endingOf(const RenderOptions& options) {
-  return base::lowered(fs::path(options.output).extension().string());
+  return base::toLower(fs::path(options.output).extension().string());
 }
 
-/// Options that do nothing for such a file, and numbers that are none.
+/// Errors for options that do not apply to this file, and for non-finite numbers.
 base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
   base::Diagnostics problems;
   const bool isPicture = kind == Kind::Picture || kind == Kind::Vectors;
-  const auto tell = [&](bool isGiven, bool isUseful, const char* option) {
+  const auto checkApplies = [&](bool isGiven, bool isUseful, const char* option) {
     if (isGiven && !isUseful) {
       problems.push_back(base::error("option.not-of-this-file", {option}, options.output));
     }
   };
-  tell(options.at.has_value(), isPicture, "--at");
+  checkApplies(options.at.has_value(), isPicture, "--at");
   const bool isDrawn = isPicture || kind == Kind::Film;
-  tell(options.width.has_value(), isDrawn, "--width");
+  checkApplies(options.width.has_value(), isDrawn, "--width");
   const bool isSampled = kind == Kind::Film || kind == Kind::Trajnet || kind == Kind::Socnav3;
-  tell(options.fps.has_value(), isSampled, "--fps");
-  tell(options.speed.has_value(), kind == Kind::Film, "--speed");
+  checkApplies(options.fps.has_value(), isSampled, "--fps");
+  checkApplies(options.speed.has_value(), kind == Kind::Film, "--speed");
   const bool isPlot = !options.plot.empty();
-  tell(!options.overlays.empty(), isDrawn && !isPlot, "--overlay");
-  tell(options.timeMarks.has_value(), isDrawn && !isPlot, "--time-marks");
-  tell(!options.strip.empty(), isPicture && !isPlot && !options.at, "--strip");
-  tell(isPlot, isPicture, "--plot");
-  const auto tellNumber = [&](const std::optional<double>& number, const char* option) {
+  checkApplies(!options.overlays.empty(), isDrawn && !isPlot, "--overlay");
+  checkApplies(options.timeMarks.has_value(), isDrawn && !isPlot, "--time-marks");
+  checkApplies(!options.strip.empty(), isPicture && !isPlot && !options.at, "--strip");
+  checkApplies(isPlot, isPicture, "--plot");
+  const auto checkFinite = [&](const std::optional<double>& number, const char* option) {
     if (number && !std::isfinite(*number)) {
       problems.push_back(base::error("option.not-positive", {option}));
     }
   };
-  tellNumber(options.width, "--width");
-  tellNumber(options.fps, "--fps");
-  tellNumber(options.speed, "--speed");
-  tellNumber(options.timeMarks, "--time-marks");
+  checkFinite(options.width, "--width");
+  checkFinite(options.fps, "--fps");
+  checkFinite(options.speed, "--speed");
+  checkFinite(options.timeMarks, "--time-marks");
   if (options.at && !(*options.at >= 0.0 && std::isfinite(*options.at))) {
     problems.push_back(base::error("option.at"));
   }
-  if (endingOf(options) == ".gif" && options.fps.value_or(kFilmRate) > kMostGifRate) {
+  if (endingOf(options) == ".gif" && options.fps.value_or(kFilmRate) > kMaxGifRate) {
     problems.push_back(base::error("option.gif-rate", {}, options.output));
   }
   return problems;
@@ -154,9 +152,9 @@ PictureLayout layoutOf(const RenderOptions& options, Kind kind) {
   return layout;
 }
 
-/// "5": so many at equal distances; "0,2.5,8": these [s].
+/// "5": number of equidistant instants; "0,2.5,8": times [s].
 std::vector<double> stripTimes(const std::string& words, const sim2d::Trace& trace) {
-  constexpr int kMostInstants = 24;
+  constexpr int kMaxInstants = 24;
   std::vector<double> times;
   bool isFine = true;
   for (std::size_t from = 0; from <= words.size();) {
@@ -168,21 +166,21 @@ std::vector<double> stripTimes(const std::string& words, const sim2d::Trace& tra
   }
   const bool isCount = times.size() == 1;
   const bool isWhole = isCount && times.front() == std::floor(times.front());
-  if (!isFine || times.size() > kMostInstants ||
-      (isCount && !(isWhole && times.front() >= 1.0 && times.front() <= kMostInstants))) {
+  if (!isFine || times.size() > kMaxInstants ||
+      (isCount && !(isWhole && times.front() >= 1.0 && times.front() <= kMaxInstants))) {
     requireFine({base::error("option.strip", {words})}, ExitWrongCommandLine);
   }
-  return isCount ? evenTimes(trace, static_cast<int>(times.front())) : times;
+  return isCount ? equidistantTimes(trace, static_cast<int>(times.front())) : times;
 }
 
-/// The series of these metrics over the run, by the settings of its scenario.
+/// The series of these metrics over the run, with the settings of its scenario.
 std::vector<PlotCurve> plotCurves(const std::string& keys, const sim2d::Trace& trace) {
   MetricsSetup setup;
   base::Diagnostics wrong;
   base::Diagnostics problems = readMetricsSetup(trace.header, setup);
-  MetricsWords words;
+  MetricsOptions words;
   words.metrics = keys;
-  base::append(problems, chooseMetrics(words, setup, wrong));
+  base::append(problems, applyMetricsOptions(words, setup, wrong));
   requireFine(wrong, ExitWrongCommandLine);
   requireFine(problems);
   setup.selection.behaviors = false;
@@ -203,7 +201,7 @@ std::vector<PlotCurve> plotCurves(const std::string& keys, const sim2d::Trace& t
   return curves;
 }
 
-/// Of a figure of that size.
+/// The file content of a figure of this size.
 std::string fileOf(const RenderOptions& options, const sim2d::Trace& trace, const QSizeF& size,
                    const Paint& paint) {
   const std::string ending = endingOf(options);
@@ -232,7 +230,7 @@ std::string bytesOf(const RenderOptions& options, const sim2d::Trace& trace,
                 [&](QPainter& painter) { picture.paint(painter, options.at); });
 }
 
-/// Of even sides, as encoders want them.
+/// With even sides, as encoders require.
 QImage frameAt(double time, RunPicture& picture) {
   const auto even = [](double side) { return 2 * static_cast<int>(std::ceil(0.5 * side)); };
   QImage image = editor::blankImage({even(picture.size().width()), even(picture.size().height())},
@@ -244,7 +242,7 @@ QImage frameAt(double time, RunPicture& picture) {
   return image;
 }
 
-/// False: it was interrupted.
+/// False: interrupted.
 bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPicture& picture,
               bool quiet) {
   catchInterrupts();
@@ -274,11 +272,11 @@ base::Diagnostics writeBag(const std::string& path, const std::string& run) {
     return recorded.diagnostics();
   }
   const std::string file = (fs::path(run) / "scans.csv").string();
-  std::error_code none;  // mostly nobody records a lidar
+  std::error_code none;  // most runs have no recorded scans
   if (!fs::exists(file, none)) {
     return bridge::writeRunBag(path, *recorded->recording);
   }
-  const base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
+  const base::Result<std::string> text = base::readTextFile(file, base::kMaxRecord);
   if (!text) {
     return text.diagnostics();
   }
@@ -286,7 +284,7 @@ base::Diagnostics writeBag(const std::string& path, const std::string& run) {
   return scans ? bridge::writeRunBag(path, *recorded->recording, *scans) : scans.diagnostics();
 }
 
-/// Writes the run as a file of another program.
+/// Writes the run in a third-party format.
 void writeTracks(const RenderOptions& options, Kind kind, const sim2d::Trace& trace, bool quiet) {
   const double rate = options.fps.value_or(0.0);
   const base::Result<std::string> text =
@@ -299,13 +297,13 @@ void writeTracks(const RenderOptions& options, Kind kind, const sim2d::Trace& tr
 std::string pageOf(const sim2d::Trace& trace) {
   MetricsSetup setup;
   requireFine(readMetricsSetup(trace.header, setup));
-  return report::playerPage(trace, metrics::contactsOf(trace, setup.selection, setup.parameters),
+  return report::playerPage(trace, metrics::robotContacts(trace, setup.selection, setup.parameters),
                             trace.header.scenario);
 }
 
 void drawRun(const RenderOptions& options, Kind kind, bool quiet) {
   if (kind == Kind::Bag) {
-    requireFine(otherFileInTheWay(options.output, options.force));
+    requireFine(checkOverwrite(options.output, options.force));
     requireFine(writeBag(options.output, options.run));
     return;
   }
@@ -324,7 +322,7 @@ void drawRun(const RenderOptions& options, Kind kind, bool quiet) {
     requireFine(writeFile(options.output, bytesOf(options, *trace, layout), options.force));
     return;
   }
-  requireFine(otherFileInTheWay(options.output, options.force));
+  requireFine(checkOverwrite(options.output, options.force));
   RunPicture picture(*trace, layout);
   if (!makeFilm(options, *trace, picture, quiet)) {
     requireFine({base::error("movie.interrupted", {}, options.output)}, ExitRunFailed);
@@ -339,7 +337,7 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
   }
   requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
   drawRun(options, *kind, given.quiet);
-  requireFine(noteFile(options.output, "render"));
+  requireFine(recordOutputFile(options.output, "render"));
   if (given.json) {
     print(base::jsonText(nlohmann::ordered_json{{"written", {options.output}}}) + "\n");
   } else if (!given.quiet) {
@@ -355,40 +353,46 @@ Drawing drawingOf(const RenderOptions& /*options*/) {
 }  // namespace
 
 void addRender(CommandRegistry& commands) {
-  const auto [command, options] =
-      commands.add("render", "Draw a recorded run", renderCommand, drawingOf);
+  const auto [command, options] = commands.add(
+      "render", "Render a recorded run as a picture, video, web page, bag or trajectory file",
+      renderCommand, drawingOf);
   command.add_option("run", options.run, "Folder of the run")->required();
   command
-      .add_option("-o,--output", options.output,
-                  "Picture (.png, .svg, .pdf), film (.gif; .mp4, .webm and .webp with ffmpeg), a "
-                  "page that plays the run (.html), a bag for ROS 2 and Foxglove (.mcap, .db3), or "
-                  "trajectories for TrajNet++ (.ndjson) or SocNav3 (.json)")
+      .add_option(
+          "-o,--output", options.output,
+          "Output file: picture (.png, .svg, .pdf), video (.gif; .mp4, .webm and .webp with "
+          "ffmpeg), web page that plays the run (.html), bag for ROS 2 and Foxglove "
+          "(.mcap, .db3), or trajectories for TrajNet++ (.ndjson) or SocNav3 (.json)")
       ->required();
-  command.add_option("--at", options.at, "The run up to this time alone [s]");
+  command.add_option("--at", options.at, "Render only up to this time [s]");
   command
       .add_option("--width", options.width,
-                  "Of .svg and .pdf in mm (170; a column has 85), else in pixels")
+                  "Width in mm for .svg and .pdf (default: 170; one column: 85), otherwise in "
+                  "pixels")
       ->check(CLI::Range(50.0, 8000.0));
   command
       .add_option(
           "--overlay", options.overlays,
-          "What lies over the map: density, zones, gaussian, velocities, contacts; several with "
-          "commas (forces are not recorded: the window has them while a run goes on)")
+          "Overlays on the map, comma-separated: density, zones, gaussian, velocities, contacts "
+          "(forces are not recorded; the window shows them during a run)")
       ->delimiter(',')
       ->check(oneOf(recordedOverlayNames()));
-  command.add_option("--time-marks", options.timeMarks, "A dot on the ways every so many seconds")
+  command
+      .add_option("--time-marks", options.timeMarks,
+                  "Draw a dot on each trajectory at this interval [s]")
       ->check(CLI::Range(0.01, 1e6));
   command.add_option("--strip", options.strip,
-                     "Instants side by side: how many, or their times with commas [s]");
+                     "Draw several instants side by side: their number, or their comma-separated "
+                     "times [s]");
   command.add_option("--plot", options.plot,
-                     "Instead of the map: metrics over time, their keys with commas");
+                     "Draw metrics over time instead of the map: comma-separated keys");
   addForce(command, options.force);
   command
       .add_option("--fps", options.fps,
-                  "Frames per second of a film (20), samples per second of .ndjson (2.5) and .json "
-                  "(all states)")
+                  "Frames per second of a video (default: 20); samples per second of .ndjson "
+                  "(default: 2.5) and .json (default: all states)")
       ->check(CLI::Range(1.0, 60.0));
-  command.add_option("--speed", options.speed, "Of a film, times as fast as the run was (1)")
+  command.add_option("--speed", options.speed, "Playback speed of a video (default: 1)")
       ->check(CLI::Range(0.05, 100.0));
 }
 

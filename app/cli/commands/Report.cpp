@@ -11,7 +11,7 @@
 #include "app/cli/PictureFiles.h"
 #include "app/report/Page.h"
 #include "app/run/BatchFolder.h"
-#include "app/run/ListedFiles.h"
+#include "app/run/ManifestFiles.h"
 #include "app/run/OutputFolder.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
@@ -24,22 +24,22 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportOptions {
-  report::Wishes wishes;
-  std::string metrics, pareto, weights;  // words with commas
+  report::StudyOptions studyOptions;
+  std::string metrics, pareto, weights;  // comma-separated
   bool noPdf = false;
   bool force = false;
 };
 
-/// A batch that has not written its table yet: it runs, or it was killed. Nothing: there is a
-/// table, or no batch.
-base::Diagnostics batchWithoutEnd(const std::string& folder) {
+/// Error if the batch has no results.csv yet because it is running or was killed. Empty if
+/// results.csv exists or there is no batch.
+base::Diagnostics checkBatchFinished(const std::string& folder) {
   std::error_code ignored;
   const fs::path place(folder);
   if (fs::exists(fs::symlink_status(place / "results.csv", ignored)) ||
-      !ResultStore::isStore((place / "results.sqlite").string())) {
+      !ResultStore::isResultDatabase((place / "results.sqlite").string())) {
     return {};
   }
-  const base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  const base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder);
   if (!lock) {
     const bool isRunning = lock.diagnostics().front().code == "batch.locked";
     return isRunning ? base::Diagnostics{base::error("report.batch-runs", {}, folder)}
@@ -63,10 +63,10 @@ base::Diagnostics batchWithoutEnd(const std::string& folder) {
   }
   return {base::error(
       "report.batch-cut",
-      {(*store)->finished(), study.shard.runsOf(study.runs), report::shellText(words)}, folder)};
+      {(*store)->finished(), study.shard.runCount(study.runs), report::shellText(words)}, folder)};
 }
 
-/// "path_length=2,success=1". What is no number above 0 is told.
+/// "path_length=2,success=1". Reports values that are not numbers >= 0.
 base::Diagnostics readWeights(const std::string& words,
                               std::vector<std::pair<std::string, double>>& weights) {
   base::Diagnostics problems;
@@ -83,11 +83,12 @@ base::Diagnostics readWeights(const std::string& words,
   return problems;
 }
 
-base::Diagnostics readWords(const ReportOptions& options, report::Wishes& wishes) {
+base::Diagnostics parseReportOptions(const ReportOptions& options,
+                                     report::StudyOptions& studyOptions) {
   base::Diagnostics problems;
   if (!options.metrics.empty()) {
     for (const std::string& key : base::split(options.metrics, ',')) {
-      wishes.metrics.push_back(base::trimmed(key));
+      studyOptions.metrics.push_back(base::trimmed(key));
     }
   }
   if (!options.pareto.empty()) {
@@ -95,12 +96,12 @@ base::Diagnostics readWords(const ReportOptions& options, report::Wishes& wishes
     if (keys.size() != 2) {
       problems.push_back(base::error("report.pareto", {options.pareto}));
     } else {
-      wishes.paretoX = base::trimmed(keys[0]);
-      wishes.paretoY = base::trimmed(keys[1]);
+      studyOptions.paretoX = base::trimmed(keys[0]);
+      studyOptions.paretoY = base::trimmed(keys[1]);
     }
   }
   if (!options.weights.empty()) {
-    base::append(problems, readWeights(options.weights, wishes.weights));
+    base::append(problems, readWeights(options.weights, studyOptions.weights));
   }
   return problems;
 }
@@ -112,7 +113,7 @@ std::string pdfOfFigure(const std::string& svg) {
   return pdfOf(size, [&](QPainter& painter) { renderer.render(&painter, {QPointF(), size}); });
 }
 
-/// All files of a report, named in its folder.
+/// All files of a report, relative to its folder.
 std::vector<base::FileContent> filesOf(const report::Report& report, bool withPdf) {
   std::vector<base::FileContent> files = {{"report.html", report.html}};
   for (const report::Figure& figure : report.figures) {
@@ -132,9 +133,9 @@ std::vector<base::FileContent> filesOf(const report::Report& report, bool withPd
   return files;
 }
 
-/// Figures and tables of an earlier report, which may hold other metrics.
+/// Figures and tables of an earlier report, which may contain other metrics.
 base::Result<std::vector<std::string>> earlierFiles(const std::string& folder) {
-  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
+  const base::Result<FileHashes> listed = manifestFiles(folder, OutputFolder::kHiddenManifest);
   if (!listed) {
     return listed.diagnostics();
   }
@@ -148,33 +149,35 @@ base::Result<std::vector<std::string>> earlierFiles(const std::string& folder) {
 }
 
 int reportCommand(const ReportOptions& options, const Invocation& given) {
-  report::Wishes wishes = options.wishes;
-  requireFine(readWords(options, wishes), ExitWrongCommandLine);
-  requireFine(batchWithoutEnd(wishes.folder));
+  report::StudyOptions studyOptions = options.studyOptions;
+  requireFine(parseReportOptions(options, studyOptions), ExitWrongCommandLine);
+  requireFine(checkBatchFinished(studyOptions.folder));
   Progress progress(given.quiet || given.json);
-  progress.show("reading the results");
-  const base::Result<report::Study> study = report::readStudy(wishes);
+  progress.show("reading results");
+  const base::Result<report::Study> study = report::readStudy(studyOptions);
   requireFine(study.diagnostics());
   std::vector<std::string> words = given.words();
   words.front() = "hunavsim";
-  const report::Report report = report::makeReport(
-      *study, wishes.weights, words, [&progress](const std::string& what) { progress.show(what); });
+  const report::Report report =
+      report::makeReport(*study, studyOptions.weights, words,
+                         [&progress](const std::string& what) { progress.show(what); });
   requireFine(report.problems);
   const std::vector<base::FileContent> files = filesOf(report, !options.noPdf);
-  const base::Result<std::vector<std::string>> earlier = earlierFiles(options.wishes.folder);
+  const base::Result<std::vector<std::string>> earlier = earlierFiles(options.studyOptions.folder);
   requireFine(earlier.diagnostics());
-  requireFine(writeIntoOthers(options.wishes.folder, files, "report", options.force, *earlier));
+  requireFine(writeIntoForeignFolder(options.studyOptions.folder, files, "report", options.force,
+                                     *earlier));
   if (given.json) {
     nlohmann::ordered_json written = nlohmann::ordered_json::array();
     for (const base::FileContent& file : files) {
-      written.push_back((fs::path(options.wishes.folder) / file.path).string());
+      written.push_back((fs::path(options.studyOptions.folder) / file.path).string());
     }
     print(base::jsonText(nlohmann::ordered_json{{"written", written}}) + "\n");
   } else if (!given.quiet) {
-    printLine((fs::path(options.wishes.folder) / "report.html").string());
+    printLine((fs::path(options.studyOptions.folder) / "report.html").string());
   }
-  // else it lacks what is there
-  return report.problems.empty() && !study->lacksFile ? ExitFine : ExitRunFailed;
+  // otherwise the report is incomplete
+  return report.problems.empty() && !study->isExperimentUnreadable ? ExitFine : ExitRunFailed;
 }
 
 Drawing drawingOfReport(const ReportOptions& /*options*/) {
@@ -185,22 +188,27 @@ Drawing drawingOfReport(const ReportOptions& /*options*/) {
 
 void addReport(CommandRegistry& commands) {
   const auto [command, options] =
-      commands.add("report", "Tables, statistics and pictures of a batch as one page",
+      commands.add("report", "Write tables, statistics and figures of a batch as one HTML page",
                    reportCommand, drawingOfReport);
-  command.add_option("folder", options.wishes.folder, "Folder of a batch")->required();
+  command.add_option("folder", options.studyOptions.folder, "Folder of a batch")->required();
   command.add_option("--metrics", options.metrics,
-                     "Keys to show, with commas (a choice; all are in tables/all_metrics.csv)");
-  command.add_option("--compare", options.wishes.compare,
-                     "Value path to compare, or \"scenario\" (the planner, else the first varied)");
+                     "Metrics to show, comma-separated keys (default: a selection; "
+                     "tables/all_metrics.csv contains all)");
+  command.add_option("--compare", options.studyOptions.compare,
+                     "Path of the values to compare, or \"scenario\" (default: the planner, "
+                     "otherwise the first varied path)");
   command.add_option("--pareto", options.pareto,
-                     "Two keys to weigh against each other "
-                     "(time_to_reach_goal,minimum_distance_to_people)");
-  command.add_option("--weights", options.weights, "KEY=WEIGHT,… of a composite (none)");
-  command.add_option("--level", options.wishes.level, "Of intervals (0.95)")
+                     "Two keys for the trade-off plot (default: "
+                     "time_to_reach_goal,minimum_distance_to_people)");
+  command.add_option("--weights", options.weights,
+                     "Weights of a composite score: KEY=WEIGHT,… (default: none)");
+  command.add_option("--level", options.studyOptions.level, "Confidence level (default: 0.95)")
       ->check(CLI::Range(0.5, 0.999));
-  command.add_option("--resamples", options.wishes.resamples, "Of the bootstrap (2000)")
+  command
+      .add_option("--resamples", options.studyOptions.resamples,
+                  "Bootstrap resamples (default: 2000)")
       ->check(CLI::Range(100, 100000));
-  command.add_flag("--no-pdf", options.noPdf, "Figures as SVG alone");
+  command.add_flag("--no-pdf", options.noPdf, "Write figures as SVG only");
   addForce(command, options.force);
 }
 

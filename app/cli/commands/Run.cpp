@@ -5,21 +5,20 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/bridge/bag/RunBagFolder.h"
+#include "app/bridge/bag/RunBagWriter.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/LiveWords.h"
+#include "app/cli/LiveView.h"
 #include "app/cli/MapImages.h"
-#include "app/cli/RunOnRos2.h"
-#include "app/cli/RunWords.h"
+#include "app/cli/RunObservers.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "app/run/RunAgain.h"
 #include "app/run/RunFolder.h"
+#include "app/run/RunReplay.h"
 #include "app/run/Session.h"
 #include "app/run/Simulation.h"
-#include "metrics/Counterfactual.h"
 #include "metrics/ReportFiles.h"
+#include "metrics/RunResults.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -30,12 +29,21 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
+struct RunCommandOptions : RunSpec {
+  std::string output;   // folder; empty: nothing is written
+  bool force = false;   // files not created by hunavsim may be overwritten
+  std::string record;   // "mcap": also a rosbag2 folder; empty: none
+  bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
+  LiveOptions live;
+  RunOnRos2Options onRos2;
+};
+
 /// Observers of each state of a run; all but the last may be null.
 struct Watchers {
-  RunAgain* again = nullptr;
+  RunReplay* replay = nullptr;
   RunOnRos2* ros2 = nullptr;
-  live::LiveRun* live = nullptr;
-  groot::GrootRun* groot = nullptr;
+  live::FoxglovePublisher* live = nullptr;
+  groot::GrootPublisher* groot = nullptr;
   NoViewerCheck* noViewer = nullptr;
 };
 
@@ -48,7 +56,7 @@ FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::Wo
       progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
     }
     if (watchers.ros2 != nullptr) {
-      watchers.ros2->tell(frame);
+      watchers.ros2->publishState(frame);
     }
     if (watchers.live != nullptr) {
       watchers.live->show(frame);
@@ -56,9 +64,9 @@ FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::Wo
     if (watchers.groot != nullptr) {
       watchers.groot->show(frame);
     }
-    watchers.noViewer->look();
-    if (watchers.again != nullptr) {
-      watchers.again->look(frame, world, session);
+    watchers.noViewer->update();
+    if (watchers.replay != nullptr) {
+      watchers.replay->observe(frame, world, session);
     }
     return wasInterrupted();
   });
@@ -78,13 +86,13 @@ base::Result<sim2d::Trace> simulateWithoutRobots(Bundle bundle, std::int64_t ste
     robot.listed = false;
   }
   bundle.scenario = scenario;
-  bundle.left = std::make_shared<const base::StopFlag>();  // Ctrl-C is looked at between steps
+  bundle.stopOfRun = std::make_shared<const base::StopFlag>();  // Ctrl-C: between steps
   const Verdict verdict = check(bundle);
   if (!verdict.world) {
     return verdict.problems;
   }
   Session session({steps, false});
-  session.keepHistory(scenario->desktop.recordEvery.value_or(1));
+  session.enableHistory(scenario->desktop.recordEvery.value_or(1));
   const sim2d::RunResult result = session.run(*verdict.world, nullptr, [&](const sim2d::Frame&) {
     if (wasInterrupted()) {
       session.stop();
@@ -127,8 +135,8 @@ base::Diagnostics compareWithoutRobots(const Bundle& bundle, const Session& sess
 /// (208), 3.4 m from the goal)".
 std::string goalEndsText(const sim2d::RobotResult& robot) {
   std::string text;
-  for (const sim2d::GoalEnd& end : robot.goalEnds) {
-    text += (text.empty() ? " (" : "; ") + sim2d::goalEndText(end);
+  for (const sim2d::GoalResult& end : robot.goalResults) {
+    text += (text.empty() ? " (" : "; ") + sim2d::goalResultText(end);
   }
   return text.empty() ? text : text + ")";
 }
@@ -138,8 +146,9 @@ std::string waysText(const sim2d::RunResult& result) {
   std::string text;
   for (const sim2d::RobotResult& robot : result.robots) {
     if (robot.result) {
-      text += (text.empty() ? "; " : ", ") + robot.name + " " + sim2d::wayEndName(*robot.result) +
-              " at " + oneDecimal(robot.time) + " s" + goalEndsText(robot);
+      text += (text.empty() ? "; " : ", ") + robot.name + " " +
+              sim2d::navigationOutcomeName(*robot.result) + " at " + oneDecimal(robot.time) + " s" +
+              goalEndsText(robot);
     }
   }
   return text;
@@ -147,7 +156,7 @@ std::string waysText(const sim2d::RunResult& result) {
 
 std::string lastLine(const FinishedRun& run) {
   const double simulated = static_cast<double>(run.result.steps) * run.header.dt;
-  const double wall = run.result.steppingSeconds;
+  const double wall = run.result.stepSeconds;
   const std::string factor =
       wall > 0.0 ? base::formatDecimals(std::round(simulated / wall), 0) + "x real time" : "-";
   return factor + " (" + oneDecimal(simulated) + " s simulated in " +
@@ -170,7 +179,7 @@ void show(const FinishedRun& run, const Invocation& given) {
     print(metrics::toJson(*run.evaluation));
   } else if (!given.quiet && !given.json) {
     if (run.evaluation) {
-      print(base::visible(metrics::tableText(withPlanningTime(run)), "\n"));
+      print(base::escapedControls(metrics::tableText(withPlanningTime(run)), "\n"));
     }
     printLine(lastLine(run));
   }
@@ -180,34 +189,35 @@ std::string simulatedText(const FinishedRun& run) {
   return oneDecimal(static_cast<double>(run.result.steps) * run.header.dt) + " s";
 }
 
-int exitCodeOf(const FinishedRun& run, const RunOptions& options) {
+int exitCodeOf(const FinishedRun& run, const RunCommandOptions& options) {
   const std::string place = options.output.empty() ? std::string() : " in " + options.output;
   if (run.result.status == sim2d::RunStatus::Failed) {
     printDiagnostics({base::error("run.ended", {run.result.reason}, options.scenario)});
     if (!place.empty()) {
-      printError("failed after " + simulatedText(run) + ": the part so far is kept" + place);
+      printError("failed after " + simulatedText(run) + ": partial results are kept" + place);
     }
   } else if (run.result.status == sim2d::RunStatus::Interrupted) {
-    printError("interrupted after " + simulatedText(run) + ": the part so far is kept" + place);
+    printError("interrupted after " + simulatedText(run) + ": partial results are kept" + place);
   }
   return run.result.status == sim2d::RunStatus::Finished ? ExitFine : ExitRunFailed;
 }
 
 /// Files and table of a run; returns the exit code.
-int conclude(const RunOptions& options, const Invocation& given, const Bundle& bundle,
+int conclude(const RunCommandOptions& options, const Invocation& given, const Bundle& bundle,
              RunWriter& writer, const FinishedRun& run, OutputFolder* output) {
   const bool isWritten = output == nullptr || printDiagnostics(writeRunFolder(
                                                   *output, run, writer, bundle, given.words()));
   show(run, given);
   if (!isWritten) {
-    printError("after " + simulatedText(run) + " of the run: its files could not be written");
+    printError("after " + simulatedText(run) +
+               " of simulation: the files of the run could not be written");
     return ExitBadInput;
   }
   return exitCodeOf(run, options);
 }
 
 /// Null when it cannot be written to, or would lose something: told in the verdict.
-std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& verdict) {
+std::unique_ptr<OutputFolder> openOutput(const RunCommandOptions& options, Verdict& verdict) {
   base::Result<std::unique_ptr<OutputFolder>> opened =
       OutputFolder::open(options.output, options.force);
   if (!opened) {
@@ -219,7 +229,7 @@ std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& ver
   if (!options.record.empty()) {
     names.insert(names.end(), std::begin(bridge::kBagFiles), std::end(bridge::kBagFiles));
   }
-  const base::Diagnostics lost = (*opened)->inTheWay(names);
+  const base::Diagnostics lost = (*opened)->conflictingFiles(names);
   base::append(verdict.problems, lost);
   return lost.empty() ? *std::move(opened) : nullptr;
 }
@@ -228,36 +238,36 @@ std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& ver
 struct Prepared {
   Bundle bundle;
   Verdict verdict;
-  std::unique_ptr<RunAgain> again;  // null: a run from the beginning
+  std::unique_ptr<RunReplay> replay;  // null: a run from the beginning
 };
 
-Prepared prepareAgain(const RunOptions& options) {
-  base::Result<std::unique_ptr<RunAgain>> again =
-      RunAgain::prepare(options, readRunWords, loadMapImage, interruptStop());
-  requireFine(again.diagnostics());
-  for (const std::string& folder : (*again)->folders()) {
+Prepared prepareReplay(const RunCommandOptions& options) {
+  base::Result<std::unique_ptr<RunReplay>> replay =
+      RunReplay::prepare(options, loadMapImage, interruptStop());
+  requireFine(replay.diagnostics());
+  for (const std::string& folder : (*replay)->folders()) {
     std::error_code none;
     if (!options.output.empty() && std::filesystem::equivalent(options.output, folder, none)) {
       requireFine({base::error("again.itself", {}, options.output)});
     }
   }
-  return {(*again)->bundle(), std::move((*again)->verdict()), *std::move(again)};
+  return {(*replay)->bundle(), std::move((*replay)->verdict()), *std::move(replay)};
 }
 
-Prepared prepare(const RunOptions& options) {
+Prepared prepare(const RunCommandOptions& options) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
-  base::Diagnostics wrong = checkFromWords(options);
+  base::Diagnostics wrong = checkBranchOptions(options);
   if (!options.record.empty() && (options.output.empty() || options.totals)) {
     wrong.push_back(base::error(options.totals ? "option.record-totals" : "option.record-folder"));
   }
   base::append(wrong, settings.diagnostics());
   requireFine(wrong, ExitWrongCommandLine);
   if (!options.from.empty()) {
-    return prepareAgain(options);
+    return prepareReplay(options);
   }
   Prepared run;
   run.bundle = readBundle(options, *settings, loadMapImage);
-  run.bundle.left = interruptStop();
+  run.bundle.stopOfRun = interruptStop();
   run.verdict = check(run.bundle);
   return run;
 }
@@ -271,25 +281,22 @@ void tellTroubles(sim2d::World& world, const FinishedRun& run) {
   }
 }
 
-struct RunCommandOptions : RunOptions {
-  RunOnRos2Words onRos2;
-};
-
 /// Null: none is asked for. Robots then tell what they see.
-std::unique_ptr<bridge::RunBagFolder> bagOf(const RunOptions& options, const Bundle& bundle,
-                                            sim2d::World& world, const OutputFolder* output) {
+std::unique_ptr<bridge::BagFolderWriter> bagOf(const RunCommandOptions& options,
+                                               const Bundle& bundle, sim2d::World& world,
+                                               const OutputFolder* output) {
   if (options.record.empty()) {
     return nullptr;
   }
-  world.tellScans(true);
-  return std::make_unique<bridge::RunBagFolder>(output->staging(), *bundle.scenario, world);
+  world.enableScans(true);
+  return std::make_unique<bridge::BagFolderWriter>(output->staging(), *bundle.scenario, world);
 }
 
 int runCommand(const RunCommandOptions& options, const Invocation& given) {
   Prepared prepared = prepare(options);
   const Bundle& bundle = prepared.bundle;
   Verdict& verdict = prepared.verdict;
-  requireFine(verdict.wrongWords, ExitWrongCommandLine);
+  requireFine(verdict.wrongOptions, ExitWrongCommandLine);
   std::unique_ptr<OutputFolder> output;
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
     output = openOutput(options, verdict);
@@ -299,32 +306,34 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
   sim2d::World& world = *verdict.world;
   catchInterrupts();
   const bool hasFiles = !options.totals && !options.output.empty();
-  wantNoMore(hasFiles, hasFiles || (given.json && !options.totals), verdict.metrics.selection);
+  skipUnwrittenMetrics(hasFiles, hasFiles || (given.json && !options.totals),
+                       verdict.metrics.selection);
   RunWriter writer(hasFiles ? output->staging() : std::string(), world,
-                   prepared.again ? prepared.again->header() : world.header(),
+                   prepared.replay ? prepared.replay->header() : world.header(),
                    verdict.metrics.selection, verdict.metrics.parameters);
-  const std::unique_ptr<bridge::RunBagFolder> bag = bagOf(options, bundle, world, output.get());
-  writer.setCompanion(bag.get());
+  const std::unique_ptr<bridge::BagFolderWriter> bag = bagOf(options, bundle, world, output.get());
+  writer.setAdditionalWriter(bag.get());
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
-    session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
+    session.enableHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
   const std::unique_ptr<RunOnRos2> ros2 =
       RunOnRos2::open(options.onRos2, *bundle.scenario, world, session);
-  const std::unique_ptr<live::LiveRun> live =
-      openLive(options, bundle, verdict.metrics, ros2 == nullptr, session, world);
-  const std::unique_ptr<groot::GrootRun> groot = openGroot(options, bundle, world);
-  NoViewerCheck noViewer(options, live.get(), groot.get());
+  const std::unique_ptr<live::FoxglovePublisher> live =
+      openLive(options.live, bundle, verdict.metrics, ros2 == nullptr && prepared.replay == nullptr,
+               session, world);
+  const std::unique_ptr<groot::GrootPublisher> groot = openGroot(options.live, bundle, world);
+  NoViewerCheck noViewer(options.live, live.get(), groot.get());
   FinishedRun run =
       simulateShown(session, verdict.scenarioMetrics, world, writer,
-                    {prepared.again.get(), ros2.get(), live.get(), groot.get(), &noViewer}, given);
+                    {prepared.replay.get(), ros2.get(), live.get(), groot.get(), &noViewer}, given);
   if (live) {
-    live->finish(world.frame(), "the run is over: " + run.result.reason);
+    live->finish(world.frame(), "the run has ended: " + run.result.reason);
   }
   run.totalsOnly = options.totals;
-  if (prepared.again) {
-    requireFine(prepared.again->trouble(run.result));
-    run.before = prepared.again->before();
+  if (prepared.replay) {
+    requireFine(prepared.replay->problems(run.result));
+    run.origin = prepared.replay->origin();
   }
   tellTroubles(world, run);
   bool isCompared = true;
@@ -340,9 +349,19 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
 void addRun(CommandRegistry& commands) {
   const auto added = commands.add("run", "Simulate one scenario without a window", runCommand);
   RunCommandOptions& options = added.second;
-  addRunWords(added.first, options);
-  addRunOnRos2Options(added.first, options.onRos2);
-  added.first.callback([&options] {
+  CLI::App& command = added.first;
+  addOutputFolder(command, options.output, "Output folder (default: write no files)");
+  addRunArguments(command, options);
+  command
+      .add_option("--record", options.record,
+                  "mcap: also write a folder bag/ for ROS 2, Foxglove and PlotJuggler")
+      ->check(oneOf({"mcap"}));
+  addForce(command, options.force);
+  addLiveOptions(command, options.live);
+  command.add_flag("--totals", options.totals,
+                   "Write only manifest.json and the totals of metrics.json, for many long runs");
+  addRunOnRos2Options(command, options.onRos2);
+  command.callback([&options] {
     if (options.scenario.empty() && options.from.empty()) {
       throw CLI::RequiredError("scenario");
     }

@@ -9,7 +9,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/MapImages.h"
-#include "app/cli/Ros2Words.h"
+#include "app/cli/Ros2Options.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "sim2d/base/JsonText.h"
@@ -23,14 +23,14 @@ namespace app {
 namespace {
 
 struct ServeOptions {
-  RunOptions run;
-  Ros2Words ros2;
+  RunSpec run;
+  Ros2Options ros2;
   std::string space = "/";
   std::vector<std::string> also;  // loader, generator
 };
 
 #ifdef HUNAV_ROS2
-constexpr std::chrono::milliseconds kLookEvery(100);  // for Ctrl-C
+constexpr std::chrono::milliseconds kPollInterval(100);  // for Ctrl-C
 
 bridge::ServeSettings settingsOf(const ServeOptions& options,
                                  const bridge::DomainSettings& domain) {
@@ -39,20 +39,20 @@ bridge::ServeSettings settingsOf(const ServeOptions& options,
   };
   bridge::ServeSettings settings;
   settings.domain = domain;
-  settings.space = options.space;
+  settings.nameSpace = options.space;
   settings.actsAsLoader = has("loader");
   settings.actsAsGenerator = has("generator");
   return settings;
 }
 
-void tell(const base::Diagnostic& said) {
-  printDiagnostics({said});
+void printDiagnostic(const base::Diagnostic& diagnostic) {
+  printDiagnostics({diagnostic});
 }
 
 int serveAgents(const ServeOptions& options, const bridge::DomainSettings& domain,
                 const Bundle& bundle, const Invocation& given) {
   base::Result<std::unique_ptr<bridge::AgentServer>> server =
-      bridge::AgentServer::create(bundle, settingsOf(options, domain), tell);
+      bridge::AgentServer::create(bundle, settingsOf(options, domain), printDiagnostic);
   requireFine(server.diagnostics(), ExitBadInput, base::Severity::Warning);
   catchInterrupts();
   if (given.json) {
@@ -62,10 +62,11 @@ int serveAgents(const ServeOptions& options, const bridge::DomainSettings& domai
                              -1));
   } else if (!given.quiet) {
     printLine("serving " + options.run.scenario + " in domain " + std::to_string(domain.domain) +
-              (domain.localhostOnly ? " on this machine" : " on the network") + "; Ctrl-C ends it");
+              (domain.localhostOnly ? " on this machine" : " on the network") +
+              "; press Ctrl-C to stop");
   }
   while (!wasInterrupted()) {
-    (*server)->spin(kLookEvery);
+    (*server)->spin(kPollInterval);
   }
   if (given.json) {
     printLine(base::jsonText(nlohmann::ordered_json{{"answered", (*server)->answered()}}, -1));
@@ -77,7 +78,7 @@ int serveAgents(const ServeOptions& options, const bridge::DomainSettings& domai
 #else
 int serveAgents(const ServeOptions& /*options*/, const bridge::DomainSettings& /*domain*/,
                 const Bundle& /*bundle*/, const Invocation& /*given*/) {
-  return ExitBadInput;  // told before
+  return ExitBadInput;  // reported by domainSettingsOf
 }
 #endif
 
@@ -87,7 +88,7 @@ int serveCommand(const ServeOptions& options, const Invocation& given) {
   requireFine(settings.diagnostics(), ExitWrongCommandLine);
   requireFine(domain.diagnostics());
   const Bundle bundle = readBundle(options.run, *settings, loadMapImage);
-  requireFine(bundle.wrongWords, ExitWrongCommandLine);
+  requireFine(bundle.wrongOptions, ExitWrongCommandLine);
   return serveAgents(options, *domain, bundle, given);
 }
 
@@ -95,34 +96,28 @@ int serveCommand(const ServeOptions& options, const Invocation& given) {
 
 void addServe(CommandRegistry& commands) {
   const auto added = commands.add(
-      "serve", "Move the people of another simulator, in the place of HuNavSim's agent manager",
+      "serve",
+      "Control the agents of another simulator as a replacement for HuNavSim's agent manager",
       serveCommand);
   CLI::App& command = added.first;
   ServeOptions& options = added.second;
   command
-      .add_option("scenario", options.run.scenario, "Scenario: a file, or a name of list scenarios")
+      .add_option("scenario", options.run.scenario, "Scenario file, or a name from list scenarios")
       ->required()
       ->transform(scenarioFile);
-  addRos2Options(command, options.ros2, "Offer the services of HuNavSim's nodes in ROS 2");
+  addRos2Options(command, options.ros2, "Provide the services of HuNavSim's nodes in ROS 2");
   command.get_option("--ros2")->required();
-  command.add_option("--namespace", options.space, "Namespace of the nodes, such as /lab")
+  command.add_option("--namespace", options.space, "Namespace of the nodes, for example /lab")
       ->check(namespaceName());
   command
       .add_option("--also", options.also,
-                  "loader: the scenario as hunav_loader tells it; generator: get_agents as the "
-                  "world generator of a wrapper answers it")
+                  "Also act as loader (parameters of the scenario, like hunav_loader) or generator "
+                  "(service get_agents, like the world generator of a wrapper)")
       ->check(oneOf({"loader", "generator"}))
       ->allow_extra_args(false);
-  command.add_option("--map", options.run.map,
-                     "Map to use instead of the scenario's; none = open plane");
-  command.add_option("--trees", options.run.trees, "Folder with the behaviour trees");
-  command.add_option("--seed", options.run.seed, "Seed of all random numbers");
-  command.add_option("--model", options.run.model, "How people walk: see list models");
-  command.add_option("--set", options.run.set, "PATH=VALUE: any value of the scenario")
-      ->allow_extra_args(false);
-  command.add_option("--threads", options.run.threads, "Number of threads; results stay the same");
-  command.add_option("--compat", options.run.compat,
-                     "hunav2, or quirks of the original: Q-13,Q-20");
+  for (const char* name : {"map", "trees", "seed", "model", "set", "threads", "compat"}) {
+    addRunOption(command, name, options.run);
+  }
 }
 
 }  // namespace app

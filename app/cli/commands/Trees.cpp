@@ -15,7 +15,7 @@
 #include "app/run/OutputFolder.h"
 #include "app/run/TreePlay.h"
 #include "bt/human/HumanNodes.h"
-#include "bt/human/Templates.h"
+#include "bt/human/TreeGenerator.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -26,32 +26,32 @@ namespace app {
 namespace {
 
 struct TreesOptions {
-  std::string scenario;             // whose trees are made, or empty
-  std::string output;               // -o; empty: printed
+  std::string scenario;             // scenario for generated trees, or empty
+  std::string output;               // -o; empty: standard output
   std::string style = "corrected";  // corrected, hunav2
   std::string play;                 // tree file to play, or empty
-  std::string script;               // what its leaves answer; empty: SUCCESS
+  std::string script;               // results of its leaves; empty: SUCCESS
   int ticks = 10;
   double dt = 0.05;  // [s]
   long long seed = 1;
   std::string compat;  // quirks of the original while playing
-  bool force = false;  // files of others in the output folder may be replaced
+  bool force = false;  // overwrite files not created by hunavsim
 };
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A tree file that was made: of a person, or the one that all include.
-struct MadeFile {
+/// A generated tree file: of an agent, or the one that all include.
+struct GeneratedFile {
   std::string name;
   std::optional<int> agent;
   std::string text;
 };
 
-std::vector<MadeFile> makeFiles(const sim2d::Scenario& scenario, const std::string& base,
-                                bt::TreeStyle style) {
+std::vector<GeneratedFile> makeFiles(const sim2d::Scenario& scenario, const std::string& base,
+                                     bt::TreeStyle style) {
   const bt::NodeLibrary library = bt::humanNodes();
-  std::vector<MadeFile> files;
+  std::vector<GeneratedFile> files;
   for (const sim2d::Human& human : scenario.humans) {
     if (human.listed) {
       files.push_back({bt::treeFileName(base, human.id), human.id,
@@ -62,15 +62,15 @@ std::vector<MadeFile> makeFiles(const sim2d::Scenario& scenario, const std::stri
   return files;
 }
 
-/// File names are made of the base name and the ids: they must not lead out of the folder or meet.
-base::Diagnostics checkNames(const std::string& base, const std::vector<MadeFile>& files,
+/// File names consist of the base name and the ids: they must stay inside the folder and be unique.
+base::Diagnostics checkNames(const std::string& base, const std::vector<GeneratedFile>& files,
                              const std::string& scenario) {
   if (base.empty() || base.find('/') != std::string::npos || base.find('\0') != std::string::npos) {
     return {base::error("option.bad-base-name", {base}, scenario)};
   }
   base::Diagnostics problems;
   std::set<std::string> seen;
-  for (const MadeFile& file : files) {
+  for (const GeneratedFile& file : files) {
     if (!seen.insert(file.name).second) {
       problems.push_back(base::error("option.id-twice", {file.agent.value_or(0)}, scenario));
     }
@@ -78,17 +78,18 @@ base::Diagnostics checkNames(const std::string& base, const std::vector<MadeFile
   return problems;
 }
 
-Json agentJson(const MadeFile& file) {
+Json agentJson(const GeneratedFile& file) {
   return file.agent ? Json(*file.agent) : Json();
 }
 
-void printFiles(const std::vector<MadeFile>& files, const Invocation& given) {
+void printFiles(const std::vector<GeneratedFile>& files, const Invocation& given) {
   Json all = Json::array();
-  for (const MadeFile& file : files) {
+  for (const GeneratedFile& file : files) {
     if (given.json) {
       all.push_back({{"file", file.name}, {"agent", agentJson(file)}, {"text", file.text}});
     } else {
-      print("==> " + base::visible(file.name) + " <==\n" + file.text + (file.agent ? "\n" : ""));
+      print("==> " + base::escapedControls(file.name) + " <==\n" + file.text +
+            (file.agent ? "\n" : ""));
     }
   }
   if (given.json) {
@@ -96,18 +97,18 @@ void printFiles(const std::vector<MadeFile>& files, const Invocation& given) {
   }
 }
 
-/// All of them or none; says for each what became of it.
-int writeFiles(const std::vector<MadeFile>& files, const TreesOptions& options,
+/// Writes all files or none; prints the state of each.
+int writeFiles(const std::vector<GeneratedFile>& files, const TreesOptions& options,
                const Invocation& given) {
   Json all = Json::array();
   std::vector<base::FileContent> contents;
-  for (const MadeFile& file : files) {
+  for (const GeneratedFile& file : files) {
     const std::string path = (fs::path(options.output) / file.name).string();
-    const std::string state = stateName(stateOf(path, file.text));
+    const std::string state = fileStateName(fileStateOf(path, file.text));
     contents.push_back({file.name, file.text});
     all.push_back({{"file", path}, {"agent", agentJson(file)}, {"state", state}});
   }
-  requireFine(writeIntoOthers(options.output, contents, "trees", options.force));
+  requireFine(writeIntoForeignFolder(options.output, contents, "trees", options.force));
   for (const Json& file : given.json || given.quiet ? Json::array() : all) {
     std::string line = file["state"].get<std::string>();
     line.resize(10, ' ');
@@ -128,7 +129,7 @@ int generate(const TreesOptions& options, const Invocation& given) {
   const std::string base = sim2d::baseName(reading.scenario, options.scenario);
   const bt::TreeStyle style =
       options.style == "hunav2" ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
-  const std::vector<MadeFile> files = makeFiles(reading.scenario, base, style);
+  const std::vector<GeneratedFile> files = makeFiles(reading.scenario, base, style);
   requireFine(checkNames(base, files, options.scenario));
   if (options.output.empty()) {
     printFiles(files, given);
@@ -169,7 +170,8 @@ std::string leavesText(const TreePlay& play) {
   return base::join(leaves, ", ");
 }
 
-/// Ticks it and shows each tick, as a table or, at the end, as JSON; returns what stopped it.
+/// Ticks the tree and prints each tick, as a table or, at the end, as JSON; returns the error that
+/// stopped it.
 base::Diagnostics tickAll(TreePlay& tree, const TreesOptions& options, const Invocation& given) {
   const bool isTable = !given.json && !given.quiet;
   const std::size_t width = std::max<std::size_t>(4, std::to_string(options.ticks).size());
@@ -230,26 +232,30 @@ int treesCommand(const TreesOptions& options, const Invocation& given) {
 
 void addTrees(CommandRegistry& commands) {
   const auto [command, options] =
-      commands.add("trees", "Make people's behaviour trees, or play one", treesCommand);
+      commands.add("trees", "Generate the behaviour trees of agents, or tick a tree", treesCommand);
   CLI::Option* scenario =
       command.add_option("scenario", options.scenario, "Scenario file")->transform(scenarioFile);
   CLI::Option* output =
-      &addOutputFolder(command, options.output, "Folder for the trees; none: print them");
+      &addOutputFolder(command, options.output, "Output folder (default: print the trees)");
   addForce(command, options.force);
-  CLI::Option* style = command.add_option("--style", options.style, "corrected or hunav2");
+  CLI::Option* style =
+      command.add_option("--style", options.style, "Tree style: corrected or hunav2");
   style->check(oneOf({"corrected", "hunav2"}));
-  CLI::Option* play = command.add_option("--play", options.play, "Tree file to tick by itself");
+  CLI::Option* play =
+      command.add_option("--play", options.play, "Tree file to tick with scripted leaves");
   play->excludes(scenario)->excludes(output)->excludes(style);
-  command.add_option("--script", options.script, "YAML: leaf -> statuses of its calls")
+  command.add_option("--script", options.script, "YAML file: leaf -> statuses of its calls")
       ->needs(play);
-  command.add_option("--ticks", options.ticks, "Number of ticks (10)")
+  command.add_option("--ticks", options.ticks, "Number of ticks (default: 10)")
       ->needs(play)
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--dt", options.dt, "Time step [s] (0.05)")->needs(play);
-  command.add_option("--seed", options.seed, "Seed of the tree's draws (1)")
+  command.add_option("--dt", options.dt, "Time step [s] (default: 0.05)")->needs(play);
+  command.add_option("--seed", options.seed, "Seed of random numbers in the tree (default: 1)")
       ->needs(play)
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--compat", options.compat, "hunav2, or quirks of the original: Q-20")
+  command
+      .add_option("--compat", options.compat,
+                  "Reproduce quirks of HuNavSim 2.0: hunav2 (all), or a list: Q-20")
       ->needs(play);
 }
 

@@ -24,8 +24,8 @@ struct ValidateOptions {
   std::vector<std::string> names;  // of realism tests; empty: all
   std::vector<std::string> models = {"sfm", "das"};
   std::string output;  // folder, or empty
-  int seeds = 10;      // 1 to this, where draws count
-  bool force = false;  // files of others may be replaced
+  int seeds = 10;      // seeds 1 to this number, for tests with random draws
+  bool force = false;  // overwrite files not created by hunavsim
 };
 
 constexpr const char* kTableFile = "validation.csv";
@@ -114,9 +114,9 @@ void printRows(const std::vector<Row>& rows) {
   printTable(table);
 }
 
-/// The tests that are meant; with unknown names of tests or models the command ends.
+/// The selected tests; throws CommandEnd for unknown names of tests or models.
 std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
-  const std::vector<std::string> known = programRegistries().models.names();
+  const std::vector<std::string> known = builtinRegistries().models.names();
   base::Diagnostics wrong;
   for (const std::string& model : options.models) {
     if (std::find(known.begin(), known.end(), model) == known.end()) {
@@ -144,9 +144,9 @@ std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
   return tests;
 }
 
-/// Tells how far it is. False: it was interrupted.
-bool play(const std::vector<const RealismTest*>& tests, const ValidateOptions& options, bool quiet,
-          std::vector<Row>& rows) {
+/// Runs the tests and shows the progress. False: interrupted.
+bool runTests(const std::vector<const RealismTest*>& tests, const ValidateOptions& options,
+              bool quiet, std::vector<Row>& rows) {
   const auto seedsOf = [&options](const RealismTest& test) {
     return test.isSeeded ? options.seeds : 1;
   };
@@ -156,18 +156,18 @@ bool play(const std::vector<const RealismTest*>& tests, const ValidateOptions& o
   }
   Progress progress(quiet);
   const auto begin = std::chrono::steady_clock::now();
-  const auto tell = [&](const std::string& next) {
+  const auto showProgress = [&](const std::string& next) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
     progress.show(std::to_string(done) + "/" + std::to_string(all) + " " + next +
                   (done > 0 ? ", " + durationText(left) + " left" : ""));
   };
-  // False: it was interrupted.
-  const auto playOne = [&](const RealismTest& test, const std::string& model) {
+  // False: interrupted.
+  const auto runTest = [&](const RealismTest& test, const std::string& model) {
     std::vector<std::vector<double>> values(test.quantities.size());
     std::string problem;
     for (int seed = 1; seed <= seedsOf(test) && problem.empty(); ++seed) {
-      tell(test.name + ", " + model + ", seed " + std::to_string(seed));
+      showProgress(test.name + ", " + model + ", seed " + std::to_string(seed));
       const base::Result<std::vector<double>> measured =
           test.measure({model, seed, wasInterrupted});
       if (wasInterrupted()) {
@@ -190,11 +190,11 @@ bool play(const std::vector<const RealismTest*>& tests, const ValidateOptions& o
   };
   return std::all_of(tests.begin(), tests.end(), [&](const RealismTest* test) {
     return std::all_of(options.models.begin(), options.models.end(),
-                       [&](const std::string& model) { return playOne(*test, model); });
+                       [&](const std::string& model) { return runTest(*test, model); });
   });
 }
 
-/// Where the results will go, looked at before minutes of work; null: nowhere.
+/// Opens the output folder before the tests, so that errors appear early; null: no output.
 std::unique_ptr<OutputFolder> openOutput(const ValidateOptions& options) {
   if (options.output.empty()) {
     return nullptr;
@@ -202,7 +202,7 @@ std::unique_ptr<OutputFolder> openOutput(const ValidateOptions& options) {
   base::Result<std::unique_ptr<OutputFolder>> output =
       OutputFolder::open(options.output, options.force, OutputFolder::kHiddenManifest);
   requireFine(output.diagnostics());
-  requireFine((*output)->inTheWay({kTableFile, kJsonFile}));
+  requireFine((*output)->conflictingFiles({kTableFile, kJsonFile}));
   return *std::move(output);
 }
 
@@ -211,7 +211,7 @@ base::Diagnostics writeRows(const std::vector<Row>& rows, OutputFolder& output) 
   base::append(problems, output.write(kJsonFile, jsonOf(rows) + "\n"));
   return base::hasErrors(problems) ? problems
                                    : output.commit(base::jsonText(Json{{"kind", "validation"}}),
-                                                   OutputFolder::Earlier::Kept);
+                                                   OutputFolder::EarlierFiles::Kept);
 }
 
 int validateCommand(const ValidateOptions& options, const Invocation& given) {
@@ -219,7 +219,7 @@ int validateCommand(const ValidateOptions& options, const Invocation& given) {
   catchInterrupts();
   const std::unique_ptr<OutputFolder> output = openOutput(options);
   std::vector<Row> rows;
-  const bool isComplete = play(tests, options, given.quiet, rows);
+  const bool isComplete = runTests(tests, options, given.quiet, rows);
   if (given.json) {
     print(jsonOf(rows) + "\n");
   } else if (!given.quiet) {
@@ -244,13 +244,13 @@ int validateCommand(const ValidateOptions& options, const Invocation& given) {
 
 void addValidate(CommandRegistry& commands) {
   const auto [command, options] = commands.add(
-      "validate", "Realism tests: people of the models against real ones", validateCommand);
-  command.add_option("names", options.names, "Realism tests (all)");
-  addOutputFolder(command, options.output, "Folder for the results");
+      "validate", "Run realism tests: compare pedestrian models with real people", validateCommand);
+  command.add_option("names", options.names, "Realism tests to run (default: all)");
+  addOutputFolder(command, options.output, "Output folder (default: write no files)");
   addForce(command, options.force);
-  command.add_option("--seeds", options.seeds, "Runs with seeds 1 to N (10)")
+  command.add_option("--seeds", options.seeds, "Use seeds 1 to N (default: 10)")
       ->check(CLI::Range(1, 10000));
-  command.add_option("--model", options.models, "Models to test (sfm and das)")
+  command.add_option("--model", options.models, "Models to test (default: sfm and das)")
       ->allow_extra_args(false);
 }
 

@@ -9,65 +9,66 @@ constexpr double kSpotRadius = 0.1;        // [m]
 constexpr double kFacingTolerance = 0.01;  // [rad]
 
 struct Memory {
-  std::int64_t startStep;  // of the conversation
-  bool isTalking;          // everybody was in place in the last step
+  std::int64_t startStep;  // start of the conversation
+  bool isTalking;          // all members were in place in the last step
   double duration;         // [s]
 };
 
 NodeStatus start(LeafContext& leaf, const Members& members, const sim2d::GoalItem& place,
                  double duration) {
   HumanContext& context = humanOf(leaf);
-  Notes& notes = context.notes(leaf);
-  notes.centre = place.position;
-  notes.spots = circleSpots(context.view(), members, place.position);
+  GroupNodeState& groupNodeState = context.groupNodeState(leaf);
+  groupNodeState.centre = place.position;
+  groupNodeState.spots = assignCirclePositions(context.view(), members, place.position);
   Memory& memory = leaf.memory<Memory>();
   memory.duration = duration;
-  if (!context.isOriginal(15)) {
+  if (!context.hasQuirk(15)) {
     memory.isTalking = false;
   }
-  notes.saved.clear();
-  for (const Spot& spot : notes.spots) {
+  groupNodeState.saved.clear();
+  for (const FormationSpot& spot : groupNodeState.spots) {
     context.setActive(spot.human);
-    if (context.isOriginal(14)) {
-      notes.saved.push_back(savePerson(context, spot.human));
+    if (context.hasQuirk(14)) {
+      groupNodeState.saved.push_back(saveAgent(context, spot.human));
       context.control(spot.human).goals.push_back({0, spot.position, kSpotRadius});
     }
   }
   return NodeStatus::Running;
 }
 
-/// Q-14: the spot waits behind the member's other goals; the front one is walked to.
-std::optional<Spot> spotInList(HumanContext& context, int human) {
+/// Q-14: the spot is appended to the member's goals, and the front goal is walked to.
+std::optional<FormationSpot> spotInList(HumanContext& context, int human) {
   const std::vector<sim2d::GoalItem>& goals = context.control(human).goals;
-  return goals.empty() ? std::nullopt : std::optional<Spot>({human, goals.front().position});
+  return goals.empty() ? std::nullopt
+                       : std::optional<FormationSpot>({human, goals.front().position});
 }
 
-/// One step of one member; whether they stand in place and look to the centre.
-bool moveMember(HumanContext& context, const Spot& spot, const base::Vec2& centre) {
+/// One step of one member; returns whether they are in place and face the centre.
+bool moveMember(HumanContext& context, const FormationSpot& spot, const base::Vec2& centre) {
   const base::Vec2 position = context.view().pose(spot.human).position;
   if ((spot.position - position).norm() > kSpotRadius) {
     sim2d::Intent intent = walkTo(context, spot.human, {0, spot.position, kSpotRadius});
-    intent.targetIsGoal = context.isOriginal(14);
+    intent.targetIsGoal = context.hasQuirk(14);
     intent.active = true;
-    context.move(spot.human, intent, Mover::Group);
+    context.move(spot.human, intent, MotionOwner::Group);
     return false;
   }
-  const Plan plan = turnTo(context, spot.human, centre, kFacingTolerance);
-  context.move(spot.human, plan.intent, Mover::Group);
-  return plan.isThere;
+  const MotionPlan plan = turnTo(context, spot.human, centre, kFacingTolerance);
+  context.move(spot.human, plan.intent, MotionOwner::Group);
+  return plan.isReached;
 }
 
 NodeStatus run(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
-  const Notes& notes = context.notes(leaf);
+  const GroupNodeState& groupNodeState = context.groupNodeState(leaf);
   bool isReady = true;
-  for (const Spot& own : notes.spots) {
+  for (const FormationSpot& own : groupNodeState.spots) {
     if (!context.view().isPresent(own.human)) {
       continue;
     }
-    const std::optional<Spot> spot =
-        context.isOriginal(14) ? spotInList(context, own.human) : std::optional<Spot>(own);
-    isReady = spot && moveMember(context, *spot, notes.centre) && isReady;
+    const std::optional<FormationSpot> spot =
+        context.hasQuirk(14) ? spotInList(context, own.human) : std::optional<FormationSpot>(own);
+    isReady = spot && moveMember(context, *spot, groupNodeState.centre) && isReady;
   }
   Memory& memory = leaf.memory<Memory>();
   if (!isReady) {
@@ -86,12 +87,12 @@ NodeStatus run(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-Action ConversationFormation|Groups|Brings people together in a circle around a goal, facing its centre, and keeps them there for the conversation. The members obey this node, not their own trees.
+Action ConversationFormation|Groups|Gathers people in a circle around a goal, facing its centre, and keeps them there for the conversation. This node controls the members instead of their own trees.
 main_agent_id int needed suggest {id}|Id of the person who gathers the others.
 goal_id int unless center_x center_y suggest 1|Id of the global goal that is the centre.
-center_x metres|x of a point, when no goal_id is given.
-center_y metres|y of a point, when no goal_id is given.
-conversation_duration duration default 10.0|Time together once all are in place.
+center_x metres|x of a point, if no goal_id is given.
+center_y metres|y of a point, if no goal_id is given.
+conversation_duration duration default 10.0|Duration after all members are in place.
 non_main_agent_ids time_step
 )";
 

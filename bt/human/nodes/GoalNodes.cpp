@@ -1,14 +1,14 @@
 #include "bt/human/Goals.h"
 #include "bt/human/Motions.h"
 
-/// Nodes about the goals of a person, and walking to them.
+/// Nodes about a person's goals and about walking to them.
 namespace bt {
 
 using sim2d::GoalItem;
 
 namespace {
 
-constexpr double kRadius = 0.1;  // of the goal that takes the place of the others [m]
+constexpr double kRadius = 0.1;  // of the goal that temporarily replaces the others [m]
 
 struct Memory {
   int human;
@@ -21,12 +21,12 @@ GoalItem goalOf(const Memory& memory) {
   return {memory.goalId, base::Vec2(memory.x, memory.y), kRadius};
 }
 
-NodeStatus start(LeafContext& leaf, Person human, const GoalItem& place, double tolerance) {
+NodeStatus start(LeafContext& leaf, AgentIndex human, const GoalItem& place, double tolerance) {
   HumanContext& context = humanOf(leaf);
-  const double asked = context.isOriginal(12) ? kRadius : tolerance;
+  const double asked = context.hasQuirk(12) ? kRadius : tolerance;
   const Memory memory = {human, place.id, place.position.x(), place.position.y(),
                          asked + kGoalTolerance};
-  context.notes(leaf).saved = {savePerson(context, human)};
+  context.groupNodeState(leaf).saved = {saveAgent(context, human)};
   context.control(human).goals = {goalOf(memory)};
   return begin(leaf, memory);
 }
@@ -48,32 +48,33 @@ NodeStatus run(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
-void regularNav(HumanContext& context, Person human) {
+void regularNav(HumanContext& context, AgentIndex human) {
   context.move(human, regularWalk(context, human));
 }
 
-bool isAtPosition(HumanContext& context, Person human, const GoalItem& place, double tolerance) {
+bool isAtPosition(HumanContext& context, AgentIndex human, const GoalItem& place,
+                  double tolerance) {
   return (context.view().pose(human).position - place.position).norm() <= tolerance;
 }
 
 constexpr const char* kNodes = R"(
-Action GoTo|Walking|Walks to a global goal; the person's other goals wait meanwhile.
+Action GoTo|Walking|Walks to a global goal; the person's other goals are suspended.
 agent_id goal_id target_x target_y time_step
-tolerance length default 0.1|Reached within this plus 0.1 m.
+tolerance length default 0.1|The goal is reached within this distance plus 0.1 m.
 temporary bool|Accepted for existing files; has no effect.
 stop_duration seconds|Accepted for existing files; has no effect.
-Action UpdateGoal|Goals|Takes the current goal off the list; cyclic people get it back at the end. Fails without goals.
+Action UpdateGoal|Goals|Removes the current goal from the list; with cyclic goals it is appended at the end. Fails without goals.
 agent_id
-Action SetGoal|Goals|Puts a global goal at the end of the person's list; those set in the first tick replace the goals of the scenario.
+Action SetGoal|Goals|Appends a global goal to the person's list; goals set in the first tick replace those of the scenario.
 agent_id goal_id target_x target_y
-Action RegularNav|Walking|One step towards the current goal; without one the person comes to rest.
+Action RegularNav|Walking|One time step towards the current goal; without a goal the person comes to rest.
 agent_id time_step
 Condition IsGoalReached|Goals|The person is within the radius of the current goal, plus 0.1 m; never without a goal.
 agent_id
-Condition IsAtPosition|Goals|The person stands at a global goal.
-agent_id int needed suggest {id}|Id of the person; may be any.
+Condition IsAtPosition|Goals|The person is at a global goal.
+agent_id int needed suggest {id}|Id of any person.
 goal_id target_x target_y
-tolerance length default 0.1|At most so far from the goal.
+tolerance length default 0.1|Maximum distance to the goal.
 )";
 
 }  // namespace

@@ -14,10 +14,10 @@ struct Memory {
 NodeStatus start(LeafContext& leaf, const Members& members, double duration) {
   HumanContext& context = humanOf(leaf);
   const int main = members.front();
-  Notes& notes = context.notes(leaf);
-  notes.saved.clear();
+  GroupNodeState& groupNodeState = context.groupNodeState(leaf);
+  groupNodeState.saved.clear();
   for (const int member : members) {
-    notes.saved.push_back(savePerson(context, member));
+    groupNodeState.saved.push_back(saveAgent(context, member));
     setGroup(context, member, context.idOf(main));
     if (member != main) {
       context.control(member).goals = context.control(main).goals;
@@ -30,16 +30,16 @@ NodeStatus start(LeafContext& leaf, const Members& members, double duration) {
 void disband(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const int main = leaf.memory<Memory>().main;
-  for (const SavedPerson& saved : context.notes(leaf).saved) {
+  for (const SavedAgent& saved : context.groupNodeState(leaf).saved) {
     if (!isStillThere(context, saved)) {
       continue;
     }
-    setGroup(context, saved.human, context.isOriginal(17) ? -1 : saved.group);
+    setGroup(context, saved.human, context.hasQuirk(17) ? -1 : saved.group);
     if (saved.human != main) {
       restoreGoals(context, saved);
     }
   }
-  context.dropNotes(leaf);
+  context.dropGroupNodeState(leaf);
 }
 
 NodeStatus run(LeafContext& leaf) {
@@ -51,11 +51,11 @@ NodeStatus run(LeafContext& leaf) {
   }
   sim2d::Intent intent = regularWalk(context, memory.main);
   intent.active = true;
-  context.move(memory.main, intent, Mover::Group);
+  context.move(memory.main, intent, MotionOwner::Group);
   if (isGoalReached(context, memory.main)) {
     advanceGoal(context, memory.main);
   }
-  const NodeStatus status = byDuration(leaf, memory.startStep, memory.duration);
+  const NodeStatus status = successAfter(leaf, memory.startStep, memory.duration);
   if (status == NodeStatus::Success) {
     disband(leaf);
   }
@@ -65,8 +65,8 @@ NodeStatus run(LeafContext& leaf) {
 constexpr const char* kNodes = R"(
 Action SetGroupId|Groups|Puts the person into a group.
 agent_id
-group_id int needed suggest 5|Number of the group, -1 = alone.
-Action SetGroupWalk|Groups|Makes people a group with the goals of the main person, who is led by this node; the others walk by their own trees. Groups and goals come back at the end.
+group_id int needed suggest 5|Number of the group; -1: no group.
+Action SetGroupWalk|Groups|Forms a group with the goals of the main person, whom this node controls; the others follow their own trees. Groups and goals are restored at the end.
 main_agent_id int needed suggest {id}|Id of the person who leads.
 non_main_agent_ids time_step duration
 )";

@@ -1,8 +1,8 @@
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
-#include "bt/human/Ports.h"
 
-/// Seeing the robot, turning to somebody, being looked at.
+/// Nodes for seeing the robot, looking at another person and being looked at.
 namespace bt {
 
 using base::Vec2;
@@ -11,8 +11,8 @@ namespace {
 
 struct Look {
   int human;
-  int target;        // person, or none
-  double x, y;       // the point
+  int target;        // person; -1: none
+  double x, y;       // point
   double tolerance;  // [rad]
 };
 
@@ -21,24 +21,24 @@ NodeStatus beginLook(LeafContext& leaf, const Look& memory) {
   return begin(leaf, memory);
 }
 
-NodeStatus startAtPoint(LeafContext& leaf, Person human, const sim2d::GoalItem& place,
+NodeStatus startAtPoint(LeafContext& leaf, AgentIndex human, const sim2d::GoalItem& place,
                         double tolerance) {
   return beginLook(leaf, {human, -1, place.position.x(), place.position.y(), tolerance});
 }
 
-NodeStatus startAtPerson(LeafContext& leaf, Person human, Person target, double tolerance) {
+NodeStatus startAtPerson(LeafContext& leaf, AgentIndex human, AgentIndex target, double tolerance) {
   return beginLook(leaf, {human, target, 0.0, 0.0, tolerance});
 }
 
-NodeStatus startAtRobot(LeafContext& leaf, Person human, double tolerance) {
+NodeStatus startAtRobot(LeafContext& leaf, AgentIndex human, double tolerance) {
   return humanOf(leaf).view().nearestRobot(human) < 0
              ? NodeStatus::Failure
              : beginLook(leaf, {human, -1, 0.0, 0.0, tolerance});
 }
 
-NodeStatus turn(HumanContext& context, int human, const Plan& plan) {
+NodeStatus turn(HumanContext& context, int human, const MotionPlan& plan) {
   context.move(human, plan.intent);
-  return plan.isThere ? NodeStatus::Success : NodeStatus::Running;
+  return plan.isReached ? NodeStatus::Success : NodeStatus::Running;
 }
 
 NodeStatus lookAtPoint(LeafContext&, HumanContext& context, Look& memory) {
@@ -66,14 +66,14 @@ NodeStatus lookAtRobot(LeafContext&, HumanContext& context, Look& memory) {
 struct Watch {
   std::int64_t startStep;
   int human;
-  int target;       // -1 = anyone
+  int target;       // -1: anyone
   double distance;  // [m]
   double angle;     // [rad]
   double duration;  // [s]
 };
 
-NodeStatus startWatch(LeafContext& leaf, Person target, Person human, double distance, double angle,
-                      double duration) {
+NodeStatus startWatch(LeafContext& leaf, AgentIndex target, AgentIndex human, double distance,
+                      double angle, double duration) {
   return begin(leaf, Watch{leaf.step(), human, target, distance, angle, duration});
 }
 
@@ -83,43 +83,43 @@ NodeStatus watchAnyone(LeafContext& leaf) {
   std::vector<int> candidates;
   view.near(memory.human, memory.distance, candidates);
   for (const int other : candidates) {
-    if (isPersonVisible(view, other, memory.human, memory.distance, memory.angle)) {
+    if (isAgentVisible(view, other, memory.human, memory.distance, memory.angle)) {
       leaf.set(5, view.constants(other).id);
       return NodeStatus::Success;
     }
   }
-  return untilDuration(leaf, memory.startStep, memory.duration);
+  return failureAfter(leaf, memory.startStep, memory.duration);
 }
 
 NodeStatus watchOne(LeafContext& leaf) {
   const sim2d::WorldView& view = humanOf(leaf).view();
   const Watch& memory = leaf.memory<Watch>();
   if (view.isPresent(memory.target) &&
-      isPersonVisible(view, memory.target, memory.human, memory.distance, memory.angle)) {
+      isAgentVisible(view, memory.target, memory.human, memory.distance, memory.angle)) {
     return NodeStatus::Success;
   }
-  return untilDuration(leaf, memory.startStep, memory.duration);
+  return failureAfter(leaf, memory.startStep, memory.duration);
 }
 
 constexpr const char* kNodes = R"(
-Condition IsRobotVisible|Perception|The robot is near enough, not behind the back (100 degrees to each side) and no wall hides it.
+Condition IsRobotVisible|Perception|The robot is within the distance and within 100 degrees to each side, and no wall hides it.
 agent_id
-distance length needed suggest 5.0|The robot is seen up to here.
-Action LookAtPoint|Looking|Turns on the spot to a global goal.
+distance length needed suggest 5.0|Maximum distance at which the robot is visible.
+Action LookAtPoint|Looking|Turns in place to a global goal.
 agent_id goal_id target_x target_y
-yaw_tolerance angle default 0.01|Ends when the heading is as near as this.
-Action LookAtAgent|Looking|Turns on the spot to another person.
+yaw_tolerance angle default 0.01|Heading error at which the node ends.
+Action LookAtAgent|Looking|Turns in place to another person.
 observer_id int needed suggest {id}|Id of the person who turns.
 target_id int needed suggest 2|Id of the person to look at.
 yaw_tolerance
-Action LookAtRobot|Looking|Turns on the spot to the robot.
+Action LookAtRobot|Looking|Turns in place to the robot.
 agent_id yaw_tolerance
-Condition IsAnyoneLookingAtMe|Looking|Waits until somebody looks at the person; of several the nearest.
+Condition IsAnyoneLookingAtMe|Looking|Waits until another person looks at the person; selects the nearest of several.
 agent_id time_step
-distance_threshold length default 5.0|The other person is at most so far away.
-angle_threshold angle default 0.2|The other person's heading is as near to the line as this.
-duration duration default 5.0|Waits so long before it fails.
-observer_id int output suggest {observer_id}|Takes the id of who looks.
+distance_threshold length default 5.0|Maximum distance of the other person.
+angle_threshold angle default 0.2|Maximum angle between the other person's heading and the line to the person.
+duration duration default 5.0|Maximum wait; then the node fails.
+observer_id int output suggest {observer_id}|Id of the person who looks.
 Condition IsLookingAtMe|Looking|Waits until a certain person looks at this one.
 agent_id time_step distance_threshold angle_threshold duration
 target_id int needed suggest 2|Id of the person who should look.
@@ -131,13 +131,13 @@ void addLooking(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
   to.addCondition(*nodes.find("IsRobotVisible"), withPorts<isRobotVisible, 0, 1>);
   to.addStateful<Look>(*nodes.find("LookAtPoint"),
-                       {withPorts<startAtPoint, 0, 1, 4>, whilePresent<Look, lookAtPoint>});
+                       {withPorts<startAtPoint, 0, 1, 4>, ifPresentThen<Look, lookAtPoint>});
   to.addStateful<Look>(*nodes.find("LookAtAgent"),
-                       {withPorts<startAtPerson, 0, 1, 2>, whilePresent<Look, lookAtPerson>});
+                       {withPorts<startAtPerson, 0, 1, 2>, ifPresentThen<Look, lookAtPerson>});
   to.addStateful<Look>(*nodes.find("LookAtRobot"),
-                       {withPorts<startAtRobot, 0, 1>, whilePresent<Look, lookAtRobot>});
+                       {withPorts<startAtRobot, 0, 1>, ifPresentThen<Look, lookAtRobot>});
   to.addStateful<Watch>(*nodes.find("IsAnyoneLookingAtMe"),
-                        {withPorts<startWatch, kAnybody, 0, 2, 3, 4>, watchAnyone});
+                        {withPorts<startWatch, kAnyAgent, 0, 2, 3, 4>, watchAnyone});
   to.addStateful<Watch>(*nodes.find("IsLookingAtMe"),
                         {withPorts<startWatch, 5, 0, 2, 3, 4>, watchOne});
 }

@@ -1,5 +1,5 @@
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Ports.h"
 
 namespace bt {
 
@@ -27,13 +27,13 @@ namespace {
 
 struct Memory {
   int human;
-  double side;       // +1 = the person's left, -1 = right
+  double side;       // +1: the person's left, -1: right
   double distance;   // [m]
   double clearance;  // [m]
 };
 
-/// Where the person is going: to the front goal, without one straight on. Unit length.
-Vec2 wayOf(HumanContext& context, int human) {
+/// Walking direction as a unit vector: to the front goal, or straight ahead without goals.
+Vec2 walkingDirection(HumanContext& context, int human) {
   const base::Pose2 pose = context.view().pose(human);
   const std::vector<sim2d::GoalItem>& goals = context.control(human).goals;
   if (!goals.empty()) {
@@ -52,10 +52,12 @@ bool isRobotAhead(HumanContext& context, const Memory& memory) {
     return false;
   }
   const Vec2 toRobot = robot->pose.position - context.view().pose(memory.human).position;
-  return toRobot.norm() <= memory.distance && toRobot.dot(wayOf(context, memory.human)) > 0.0;
+  return toRobot.norm() <= memory.distance &&
+         toRobot.dot(walkingDirection(context, memory.human)) > 0.0;
 }
 
-NodeStatus start(LeafContext& leaf, Person human, Side side, double distance, double clearance) {
+NodeStatus start(LeafContext& leaf, AgentIndex human, Side side, double distance,
+                 double clearance) {
   HumanContext& context = humanOf(leaf);
   const Memory memory = {human, side.sign, distance, clearance};
   if (!isRobotAhead(context, memory)) {
@@ -65,9 +67,9 @@ NodeStatus start(LeafContext& leaf, Person human, Side side, double distance, do
   return begin(leaf, memory);
 }
 
-/// Beside the robot and a little past it, so that it falls behind on the way there.
+/// A point beside the robot and slightly past it, so that the robot falls behind on the way.
 Vec2 pointBeside(HumanContext& context, const Memory& memory, const Vec2& robot) {
-  const Vec2 way = wayOf(context, memory.human);
+  const Vec2 way = walkingDirection(context, memory.human);
   const Vec2 left = Vec2(-way.y(), way.x());
   return robot + memory.clearance * (memory.side * left + way);
 }
@@ -85,18 +87,18 @@ NodeStatus step(LeafContext&, HumanContext& context, Memory& memory) {
 }
 
 constexpr const char* kNodes = R"(
-Action PassOnSide own|Reactions|Passes the robot ahead at the person's own left or right; fails when none is ahead.
+Action PassOnSide own|Reactions|Passes the robot ahead on the person's left or right; fails if there is none ahead.
 agent_id
-side text default right|left or right, as the person walks.
-distance length default 4.0|Begins within this distance.
-clearance length default 1.0|Distance beside the robot.
+side text default right|left or right, seen by the person.
+distance length default 4.0|Distance to the robot at which the node starts.
+clearance length default 1.0|Lateral distance to the robot.
 )";
 
 }  // namespace
 
 void addPassOnSide(NodeLibrary& to) {
   to.addStateful<Memory>(*humanManifests(kNodes).find("PassOnSide"),
-                         {withPorts<start, 0, 1, 2, 3>, whilePresent<Memory, step>});
+                         {withPorts<start, 0, 1, 2, 3>, ifPresentThen<Memory, step>});
 }
 
 }  // namespace bt

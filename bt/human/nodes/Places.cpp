@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Ports.h"
 #include "sim2d/base/Rng.h"
 
-/// Nodes that walk to areas and objects; the original does not have them.
+/// Nodes that walk to areas and objects; they do not exist in HuNavSim.
 namespace bt {
 
 using base::Vec2;
@@ -13,9 +13,9 @@ using base::Vec2;
 namespace {
 
 constexpr double kReached = 0.3;  // [m]
-constexpr int kTries = 32;        // points drawn before a wanderer gives up for this step
+constexpr int kTries = 32;        // random points per step
 
-/// Where the horizontal line at `y` crosses the outline, ascending.
+/// Sorted x coordinates where the horizontal line at `y` crosses the outline.
 std::vector<double> crossingsAt(const std::vector<Vec2>& polygon, double y) {
   std::vector<double> crossings;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -36,8 +36,8 @@ bool isInside(const std::vector<Vec2>& polygon, const Vec2& point) {
   return std::count_if(crossings.begin(), crossings.end(), isRight) % 2 == 1;
 }
 
-/// The mean of the corners; where that is outside, the middle of the widest part at its height.
-Vec2 middleOf(const std::vector<Vec2>& polygon) {
+/// The mean of the corners; if it is outside, the middle of the widest part at its height.
+Vec2 interiorPoint(const std::vector<Vec2>& polygon) {
   Vec2 mean = Vec2::Zero();
   for (const Vec2& corner : polygon) {
     mean += corner;
@@ -61,13 +61,13 @@ struct Memory {
   std::int64_t startStep;
   int human;
   int goalId;
-  double x, y;  // walked to
+  double x, y;  // target
   bool hasTarget;
   bool isThere;
   double duration;  // [s]
 };
 
-/// A point of the area that the person can reach.
+/// A random point of the area that the person can reach.
 std::optional<Vec2> drawPoint(LeafContext& leaf, int human, const sim2d::Area& area) {
   const sim2d::WorldView& view = humanOf(leaf).view();
   Vec2 low = area.points.front();
@@ -80,8 +80,10 @@ std::optional<Vec2> drawPoint(LeafContext& leaf, int human, const sim2d::Area& a
                               static_cast<std::uint64_t>(view.step()));
   const auto first = static_cast<std::uint32_t>(leaf.node()) * (2 * kTries);
   for (std::uint32_t i = 0; i < kTries; ++i) {
-    const double x = random.uniform(low.x(), high.x(), base::Draw::GoalChoice, first + 2 * i);
-    const double y = random.uniform(low.y(), high.y(), base::Draw::GoalChoice, first + 2 * i + 1);
+    const double x =
+        random.uniform(low.x(), high.x(), base::DrawPurpose::GoalChoice, first + 2 * i);
+    const double y =
+        random.uniform(low.y(), high.y(), base::DrawPurpose::GoalChoice, first + 2 * i + 1);
     if (isInside(area.points, Vec2(x, y)) && view.isReachable(human, Vec2(x, y))) {
       return Vec2(x, y);
     }
@@ -89,7 +91,7 @@ std::optional<Vec2> drawPoint(LeafContext& leaf, int human, const sim2d::Area& a
   return std::nullopt;
 }
 
-/// The area named by a port; nothing and one warning when there is none.
+/// The area named by a port; nullptr, with one warning, if there is none.
 const sim2d::Area* areaOf(LeafContext& leaf, int port) {
   HumanContext& context = humanOf(leaf);
   const std::string name(leaf.require<std::string_view>(port));
@@ -105,7 +107,7 @@ bool isAt(const HumanContext& context, const Memory& memory) {
   return (context.view().pose(memory.human).position - Vec2(memory.x, memory.y)).norm() <= kReached;
 }
 
-void walkOn(HumanContext& context, const Memory& memory) {
+void walkToTarget(HumanContext& context, const Memory& memory) {
   context.move(memory.human,
                walkTo(context, memory.human, {memory.goalId, Vec2(memory.x, memory.y), 0.1}));
 }
@@ -136,12 +138,12 @@ NodeStatus runWander(LeafContext& leaf) {
     }
   }
   if (memory.hasTarget) {
-    walkOn(context, memory);
+    walkToTarget(context, memory);
   }
-  return byDuration(leaf, memory.startStep, memory.duration);
+  return successAfter(leaf, memory.startStep, memory.duration);
 }
 
-NodeStatus startExit(LeafContext& leaf, Person human) {
+NodeStatus startExit(LeafContext& leaf, AgentIndex human) {
   const sim2d::WorldView& view = humanOf(leaf).view();
   double shortest = std::numeric_limits<double>::infinity();
   Vec2 nearest = Vec2::Zero();
@@ -149,8 +151,8 @@ NodeStatus startExit(LeafContext& leaf, Person human) {
     if (area.kind != sim2d::AreaKind::Exit || !area.listed || area.points.size() < 3) {
       continue;
     }
-    const Vec2 middle = middleOf(area.points);
-    const std::optional<double> length = view.wayLength(human, middle);
+    const Vec2 middle = interiorPoint(area.points);
+    const std::optional<double> length = view.pathLength(human, middle);
     if (length && *length < shortest) {
       shortest = *length;
       nearest = middle;
@@ -166,11 +168,11 @@ NodeStatus goToExit(LeafContext&, HumanContext& context, Memory& memory) {
   if (isAt(context, memory)) {
     return NodeStatus::Success;
   }
-  walkOn(context, memory);
+  walkToTarget(context, memory);
   return NodeStatus::Running;
 }
 
-NodeStatus startUse(LeafContext& leaf, Person human, const sim2d::GoalItem& place,
+NodeStatus startUse(LeafContext& leaf, AgentIndex human, const sim2d::GoalItem& place,
                     double duration) {
   return begin(leaf, Memory{leaf.step(), human, place.id, place.position.x(), place.position.y(),
                             true, false, duration});
@@ -182,7 +184,7 @@ NodeStatus use(LeafContext& leaf, HumanContext& context, Memory& memory) {
     memory.startStep = leaf.step();
   }
   if (!memory.isThere) {
-    walkOn(context, memory);
+    walkToTarget(context, memory);
     return NodeStatus::Running;
   }
   context.setActive(memory.human);
@@ -191,11 +193,11 @@ NodeStatus use(LeafContext& leaf, HumanContext& context, Memory& memory) {
 }
 
 constexpr const char* kNodes = R"(
-Action WanderInArea own|Walking|Walks from one random point of an area to the next.
+Action WanderInArea own|Walking|Walks between random points of an area.
 agent_id
 area text needed suggest area1|Name of the area.
-duration duration atMost 36000 default 0.0|Ends after this time; 0 = goes on.
-Action GoToNearestExit own|Walking|Walks into the area of kind exit that is nearest by the way there; fails without one.
+duration duration atMost 36000 default 0.0|Ends after this time; 0: unlimited.
+Action GoToNearestExit own|Walking|Walks into the area of kind exit with the shortest path; fails without one.
 agent_id
 Action UseObject own|Walking|Walks to a global goal and stays there for some time.
 agent_id
@@ -210,9 +212,9 @@ void addPlaces(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
   to.addStateful<Memory>(*nodes.find("WanderInArea"), {startWander, runWander});
   to.addStateful<Memory>(*nodes.find("GoToNearestExit"),
-                         {withPorts<startExit, 0>, whilePresent<Memory, goToExit>});
+                         {withPorts<startExit, 0>, ifPresentThen<Memory, goToExit>});
   to.addStateful<Memory>(*nodes.find("UseObject"),
-                         {withPorts<startUse, 0, 1, 4>, whilePresent<Memory, use>});
+                         {withPorts<startUse, 0, 1, 4>, ifPresentThen<Memory, use>});
 }
 
 }  // namespace bt

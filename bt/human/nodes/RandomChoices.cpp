@@ -1,29 +1,29 @@
-#include "bt/human/Ports.h"
+#include "bt/human/HumanContext.h"
 #include "sim2d/base/Rng.h"
 
-/// Drawing by chance: a control (ours) and a condition.
+/// Random nodes: the control ProbabilityChoice (not in HuNavSim) and a condition.
 namespace bt {
 
 namespace {
 
-constexpr std::uint32_t kNodeBits = 18;  // of kMaxProgramNodes
+constexpr std::uint32_t kNodeBits = 18;  // bits of kMaxProgramNodes
 
-/// In [0, 1), the same for the same person, step and `number`.
+/// Uniform in [0, 1); identical for the same person, step and `number`.
 double drawn(LeafContext& leaf, std::uint32_t number) {
   const HumanContext& context = humanOf(leaf);
   const sim2d::WorldView& view = context.view();
   const base::AgentRng random(view.seed(), context.idOf(context.self()),
                               static_cast<std::uint64_t>(view.step()));
-  return random.uniform01(base::Draw::NodeChance, number);
+  return random.uniform01(base::DrawPurpose::NodeChance, number);
 }
 
 struct Memory {
-  std::int64_t drawStep;  // of the last draw
-  std::uint32_t draws;    // in that step, the last one not counted
-  std::int32_t chosen;    // child + 1; 0 = none
+  std::int64_t drawStep;  // step of the last draw
+  std::uint32_t draws;    // draws in that step before the last one
+  std::int32_t chosen;    // child + 1; 0: none
 };
 
-/// Without the port all children weigh the same. Empty = they are wrong, the tree is faulty.
+/// Without the port all weights are equal. Empty: the weights are invalid, the tree is faulty.
 std::vector<double> weightsOf(ParentContext& leaf) {
   const auto count = static_cast<std::size_t>(leaf.childCount());
   const std::optional<std::string> text = leaf.text(0);
@@ -33,13 +33,13 @@ std::vector<double> weightsOf(ParentContext& leaf) {
   std::optional<std::vector<double>> weights = parseWeights(*text);
   if (!weights || weights->size() != count) {
     leaf.fault("input 'weights' is '" + *text +
-               "' (one number per child with ';' between, none below 0, one above 0)");
+               "' (one number per child, separated by ';', none below 0, one above 0)");
     return {};
   }
   return *std::move(weights);
 }
 
-/// New in every step, and for every start within one.
+/// A new value in every step and for every start within a step.
 double draw(ParentContext& leaf) {
   Memory& memory = leaf.memory<Memory>();
   memory.draws = memory.drawStep == leaf.step() ? memory.draws + 1 : 0;
@@ -56,7 +56,7 @@ int choose(const std::vector<double>& weights, double random) {
   int chosen = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (weights[i] > 0.0) {
-      chosen = static_cast<int>(i);  // the last one stands in for what rounding leaves
+      chosen = static_cast<int>(i);  // the last one covers rounding errors
       if (left < weights[i]) {
         break;
       }
@@ -86,16 +86,16 @@ void halt(ParentContext& leaf) {
   leaf.memory<Memory>().chosen = 0;
 }
 
-NodeStatus isLucky(LeafContext& leaf) {
+NodeStatus drawChance(LeafContext& leaf) {
   const double draw = drawn(leaf, static_cast<std::uint32_t>(leaf.node()));
   return successIf(draw < leaf.require<double>(0));
 }
 
 constexpr const char* kNodes = R"(
-Control ProbabilityChoice own|Timing|Draws one of its children when it is reached and runs that one to its end.
-weights queue suggest 3;1|One number per child, how often it is drawn; left out: all alike.
-Condition RandomChanceCondition|Timing|Holds with the given probability; drawn anew in every tick that reaches it, so over n ticks the chance is 1 - (1 - p)^n.
-probability number range 0 1 default 0.3|Chance per tick.
+Control ProbabilityChoice own|Timing|Selects a random child when it is started and runs it to completion.
+weights queue suggest 3;1|Relative probability of each child; absent: all equal.
+Condition RandomChanceCondition|Timing|Succeeds with the given probability, drawn again in every tick, so that the probability over n ticks is 1 - (1 - p)^n.
+probability number range 0 1 default 0.3|Probability per tick.
 agent_id int|Accepted for existing files; has no effect.
 )";
 
@@ -104,7 +104,7 @@ agent_id int|Accepted for existing files; has no effect.
 void addRandomChoices(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
   to.addControl<Memory>(*nodes.find("ProbabilityChoice"), {tick, halt});
-  to.addCondition(*nodes.find("RandomChanceCondition"), isLucky);
+  to.addCondition(*nodes.find("RandomChanceCondition"), drawChance);
 }
 
 }  // namespace bt

@@ -1,11 +1,11 @@
-#include "bt/human/Ports.h"
+#include "bt/human/HumanContext.h"
 
 namespace bt {
 
 namespace {
 
 template <bool frozen>
-void setFrozen(HumanContext& context, Person human) {
+void setFrozen(HumanContext& context, AgentIndex human) {
   context.control(human).frozen = frozen;
 }
 
@@ -16,10 +16,10 @@ struct Memory {
   double duration;  // [s]
 };
 
-NodeStatus start(LeafContext& leaf, Person human, double duration) {
+NodeStatus start(LeafContext& leaf, AgentIndex human, double duration) {
   HumanContext& context = humanOf(leaf);
   bool& frozen = context.control(human).frozen;
-  const bool wasFrozen = frozen && !context.isOriginal(11);
+  const bool wasFrozen = frozen && !context.hasQuirk(11);
   frozen = true;
   return begin(leaf, Memory{leaf.step(), human, wasFrozen, duration});
 }
@@ -35,20 +35,20 @@ NodeStatus run(LeafContext& leaf) {
 
 void halt(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
-  if (!context.isOriginal(11)) {
+  if (!context.hasQuirk(11)) {
     const Memory& memory = leaf.memory<Memory>();
     context.control(memory.human).frozen = memory.wasFrozen;
   }
 }
 
 constexpr const char* kNodes = R"(
-Action StopMovement|Walking|The person stops walking to goals until resumed; reactions still move.
+Action StopMovement|Walking|The person stops walking to goals until ResumeMovement; reactions still move the person.
 agent_id
-Action ResumeMovement|Walking|Ends what StopMovement began.
+Action ResumeMovement|Walking|Ends the effect of StopMovement.
 agent_id
 Action StopAndWaitTimerAction|Timing|Stands still for some time.
 agent_id
-wait_duration duration default 5.0|Time to stand.
+wait_duration duration default 5.0|Duration.
 )";
 
 }  // namespace

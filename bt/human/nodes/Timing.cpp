@@ -1,6 +1,6 @@
-#include "bt/human/Ports.h"
+#include "bt/human/HumanContext.h"
 
-/// Decorators and conditions about time; the original does not have Cooldown and IsTimeBetween.
+/// Decorators and conditions about time; Cooldown and IsTimeBetween do not exist in HuNavSim.
 namespace bt {
 
 namespace {
@@ -24,18 +24,18 @@ NodeStatus tickDelay(ParentContext& leaf) {
     return NodeStatus::Failure;
   }
   const NodeStatus status = leaf.tickChild();
-  if (isDone(status) && !humanOf(leaf).isOriginal(20)) {
+  if (isDone(status) && !humanOf(leaf).hasQuirk(20)) {
     pause.isOn = false;
   }
   return status;
 }
 
-void disarm(ParentContext& leaf) {
+void resetPause(ParentContext& leaf) {
   leaf.memory<Pause>().isOn = false;
 }
 
 NodeStatus isExpired(LeafContext& leaf) {
-  double& elapsed = leaf.memory<double>();  // [s] over the ticks in which the node was reached
+  double& elapsed = leaf.memory<double>();  // [s] sum over the ticks of this node
   const double limit = leaf.require<double>(0);
   elapsed += leaf.require<double>(1);
   if (elapsed < limit - kTimeTolerance) {
@@ -66,24 +66,24 @@ NodeStatus isTimeBetween(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-Decorator TimeDelay|Timing|Fails until the delay is over, then runs its child; the next round waits again.
+Decorator TimeDelay|Timing|Fails until the delay is over, then runs the child; the delay restarts after each run of the child.
 delay duration default 1.0|Time before the child is run.
-Condition TimeExpiredCondition|Timing|Adds `ts` each time it is asked and holds when the sum has come to `seconds`; then it starts anew, or with only_once holds from then on.
+Condition TimeExpiredCondition|Timing|Adds `ts` in each tick and succeeds when the sum has reached `seconds`; then it restarts, or with only_once succeeds from then on.
 seconds duration default 1.0|Length of the timer.
 ts duration default 0.01 suggest {dt}|Added per tick; usually {dt}.
-only_once bool default false|Stay expired.
-Decorator Cooldown own|Timing|Runs its child; once that is done the node fails until the time has passed.
+only_once bool default false|The timer stays expired.
+Decorator Cooldown own|Timing|Runs the child; after its completion the node fails until the time has passed.
 duration duration default 10.0|Pause after each run of the child.
 Condition IsTimeBetween own|Timing|The simulated time lies in [from, until).
-from duration default 0.0|Begin.
-until duration needed suggest 60.0|End.
+from duration default 0.0|Start of the interval.
+until duration needed suggest 60.0|End of the interval.
 )";
 
 }  // namespace
 
 void addTiming(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addDecorator<Pause>(*nodes.find("TimeDelay"), {tickDelay, disarm});
+  to.addDecorator<Pause>(*nodes.find("TimeDelay"), {tickDelay, resetPause});
   to.addCondition<double>(*nodes.find("TimeExpiredCondition"), isExpired);
   to.addDecorator<Pause>(*nodes.find("Cooldown"), {tickCooldown});
   to.addCondition(*nodes.find("IsTimeBetween"), isTimeBetween);

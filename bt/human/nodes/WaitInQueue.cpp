@@ -1,7 +1,7 @@
 #include <tuple>
 
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Ports.h"
 
 namespace bt {
 
@@ -14,23 +14,24 @@ constexpr double kReachedSpot = 0.2;  // [m]
 
 struct Memory {
   std::int64_t startStep;
-  std::int64_t servedStep;  // 0 = not yet at the head
+  std::int64_t servedStep;  // 0: not yet at the head
   double spacing;           // [m]
   double duration;          // [s]
   double patience;          // [s]
 };
 
-/// Earlier in line; of people who join in the same step the smaller id.
+/// Order in the queue; of people who join in the same step the smaller id is first.
 bool isBefore(const HumanContext& context, const QueuePlace& a, const QueuePlace& b) {
   return std::make_tuple(a.number, context.idOf(a.human)) <
          std::make_tuple(b.number, context.idOf(b.human));
 }
 
-/// The person right before this one, for a newcomer the last in line; nullptr = nobody.
+/// The person directly in front; for a person who has not joined, the last in the queue. nullptr:
+/// none.
 const QueuePlace* predecessor(const HumanContext& context, const QueuePlace& own) {
   const QueuePlace* last = nullptr;
   for (int i = 0; i < context.view().humanCount(); ++i) {
-    const QueuePlace* const other = context.mindOf(i).queue.get();
+    const QueuePlace* const other = context.agentStateOf(i).queue.get();
     if (!other || other->human == own.human || other->number == 0 || other->head != own.head ||
         !context.view().isPresent(other->human)) {
       continue;
@@ -43,7 +44,7 @@ const QueuePlace* predecessor(const HumanContext& context, const QueuePlace& own
   return last;
 }
 
-/// The line leads away from its head through the person before.
+/// The queue extends from its head through the person in front.
 Vec2 spotBehind(const HumanContext& context, const QueuePlace& own, const QueuePlace& before,
                 double spacing) {
   const Vec2 there = context.view().pose(before.human).position;
@@ -55,22 +56,22 @@ Vec2 spotBehind(const HumanContext& context, const QueuePlace& own, const QueueP
   return length > 0.0 ? Vec2(there + spacing / length * direction) : there;
 }
 
-NodeStatus start(LeafContext& leaf, Person human, const sim2d::GoalItem& place, double spacing,
+NodeStatus start(LeafContext& leaf, AgentIndex human, const sim2d::GoalItem& place, double spacing,
                  double duration, double patience) {
-  humanOf(leaf).mind().queue =
+  humanOf(leaf).agentState().queue =
       std::make_unique<QueuePlace>(QueuePlace{human, place.position, 0, leaf.node()});
   return begin(leaf, Memory{leaf.step(), 0, spacing, duration, patience});
 }
 
-/// This node's place; not that of another WaitInQueue of the same tree.
+/// The place held by this node, not by another WaitInQueue of the same tree.
 QueuePlace* ownPlace(LeafContext& leaf) {
-  QueuePlace* const place = humanOf(leaf).mind().queue.get();
+  QueuePlace* const place = humanOf(leaf).agentState().queue.get();
   return place != nullptr && place->node == leaf.node() ? place : nullptr;
 }
 
 void halt(LeafContext& leaf) {
   if (ownPlace(leaf)) {
-    humanOf(leaf).mind().queue.reset();
+    humanOf(leaf).agentState().queue.reset();
   }
 }
 
@@ -127,13 +128,13 @@ NodeStatus run(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-Action WaitInQueue own|Walking|Joins the line at a global goal, moves up in it and is served at its head.
+Action WaitInQueue own|Walking|Joins the queue at a global goal, moves up in it and is served at its head.
 agent_id
-goal_id int unless target_x target_y suggest 1|Id of the global goal where the line begins.
+goal_id int unless target_x target_y suggest 1|Id of the global goal at the head of the queue.
 target_x target_y
-spacing length default 0.8|Distance to the person before.
-duration duration default 5.0|Time at the head of the line.
-patience duration atMost 36000 default 0.0|Fails when it is not served by then; 0 = waits on.
+spacing length default 0.8|Distance to the person in front.
+duration duration default 5.0|Time at the head of the queue.
+patience duration atMost 36000 default 0.0|Maximum wait until service; then the node fails; 0: unlimited.
 )";
 
 }  // namespace

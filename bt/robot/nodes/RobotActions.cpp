@@ -5,8 +5,8 @@
 
 #include "bt/robot/RobotNodes.h"
 
-/// Actions of Nav2 that ask a server and last (nav2_behavior_tree/plugins/action), and the services
-/// that clear costmaps.
+/// Long-running actions of Nav2 that use a server (nav2_behavior_tree/plugins/action), and the
+/// services that clear costmaps.
 namespace bt {
 namespace {
 
@@ -22,13 +22,13 @@ void setPath(LeafContext& leaf, int port, PathId path) {
   leaf.set<int>(port, static_cast<int>(path));
 }
 
-/// What was asked for last, as far as FollowPath must know when it changes.
+/// The last request, for detecting changes in FollowPath.
 struct ActionMemory {
   PathId path;
-  std::uint64_t names;  // of the servers that were chosen, as a hash
+  std::uint64_t names;  // hash of the chosen servers' names
 };
 
-/// A server is asked when the node begins; the node is done when it is. Cancelled is a success.
+/// A node requests its server on start and ends with it. Cancelled counts as success.
 NodeStatus statusOf(const RobotOutcome& outcome) {
   if (outcome.state == State::Running) {
     return NodeStatus::Running;
@@ -41,9 +41,9 @@ void cancelAction(LeafContext& leaf) {
   robotOf(leaf).cancel(action);
 }
 
-// ComputePathToPose and ComputePathThroughPoses. Ports 0: goal or goals, 1: start, 2: planner,
-// 3: use_start, or of several goals the last one that was reached (out), 4: path (out), 5: error
-// code (out), 8: error text (out), 9: poses on the way to one goal.
+// ComputePathToPose and ComputePathThroughPoses. Ports 0: goal or goals, 1: start, 2: planner, 3:
+// use_start or, for several goals, index of the last one reached (out), 4: path (out), 5: error
+// code (out), 8: error text (out), 9: intermediate poses for one goal.
 
 template <RobotAction action>
 NodeStatus beginPlan(LeafContext& leaf) {
@@ -63,13 +63,13 @@ NodeStatus beginPlan(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
-/// What of a result every node writes: its code and the reason in words.
+/// Writes the outputs common to all nodes: error code and text.
 void setError(LeafContext& leaf, const RobotOutcome& outcome, int codePort, int textPort) {
   leaf.set<int>(codePort, outcome.errorCode);
   leaf.set<std::string_view>(textPort, outcome.errorText);
 }
 
-/// A path that failed is an empty one: what follows it must not go on with the last.
+/// A failed plan writes an empty path, so that later nodes do not continue with the previous one.
 template <RobotAction action>
 NodeStatus awaitPlan(LeafContext& leaf) {
   const RobotOutcome outcome = robotOf(leaf).outcome(action);
@@ -115,7 +115,7 @@ NodeStatus beginFollow(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
-/// While it runs another path, which is not empty, or another controller is a new request.
+/// A different, non-empty path or another controller while running is a new request.
 NodeStatus awaitFollow(LeafContext& leaf) {
   NavigatorHost& robot = robotOf(leaf);
   const RobotOutcome outcome = robot.outcome(RobotAction::FollowPath);
@@ -138,8 +138,8 @@ NodeStatus awaitFollow(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
-// SmoothPath. Ports 0: path, 1: smoother, 2: longest time [s], 3: checks collisions; out 4: path,
-// 5: time [s], 6: completed, 7: error code, 10: error text.
+// SmoothPath. Ports 0: path, 1: smoother, 2: time limit [s], 3: checks collisions; out 4: path, 5:
+// time [s], 6: completed, 7: error code, 10: error text.
 
 NodeStatus beginSmooth(LeafContext& leaf) {
   RobotRequest request;
@@ -165,8 +165,8 @@ NodeStatus awaitSmooth(LeafContext& leaf) {
   return statusOf(outcome);
 }
 
-// Behaviours. Ports 0: amount, then what each has; out: error code and, three further, its text.
-// The last one, since Kilted: no look at the costmap.
+// Behaviours. Ports 0: amount, then specific ports; out: error code and, three ports later, its
+// text. The last port (since Kilted) disables collision checks.
 
 constexpr int kUncheckedPort = 7;
 
@@ -180,7 +180,7 @@ NodeStatus beginBehavior(LeafContext& leaf) {
     if (leaf.getOr<bool>(2, true)) {
       robot.countRecovery();
     }
-  } else if constexpr (action == RobotAction::BackUp) {  // both may have either sign
+  } else if constexpr (action == RobotAction::BackUp) {  // both accept either sign
     request.amount = std::fabs(request.amount);
     request.speed = std::fabs(leaf.require<double>(1));
     request.timeAllowance = leaf.require<double>(2);
@@ -189,7 +189,7 @@ NodeStatus beginBehavior(LeafContext& leaf) {
     request.speed = leaf.require<double>(1);
     request.timeAllowance = leaf.require<double>(2);
   } else {
-    if (robot.distro() == Distro::Humble) {  // whole seconds there
+    if (robot.distro() == Distro::Humble) {  // Humble uses whole seconds
       request.amount = std::trunc(request.amount);
     }
     robot.countRecovery();
@@ -215,7 +215,7 @@ NodeStatus awaitBehavior(LeafContext& leaf) {
   return statusOf(outcome);
 }
 
-// Cancelling, and clearing of costmaps.
+// Cancelling actions and clearing costmaps
 
 template <RobotAction action>
 NodeStatus cancelNow(LeafContext& leaf) {
@@ -223,7 +223,7 @@ NodeStatus cancelNow(LeafContext& leaf) {
   return NodeStatus::Success;
 }
 
-/// Ports 0: service, 1: plugins, then distance [m], pose. The name of the service says which map.
+/// Ports 0: service, 1: plugins, then distance [m], pose. The service name selects the costmap.
 template <ClearRequest::Extent extent>
 NodeStatus clearCostmap(LeafContext& leaf) {
   NavigatorHost& robot = robotOf(leaf);
@@ -247,80 +247,80 @@ NodeStatus clearCostmap(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-server_name text|No servers by name here.
-server_timeout int default 20|No servers to wait for here.
-error_code_id int output suggest {error_code}|Why it failed, 0: it did not.
-error_msg text output suggest {error_msg}|Why it failed, in words (since Kilted).
+server_name text|No effect: this program has no servers with names.
+server_timeout int default 20|No effect: servers respond immediately.
+error_code_id int output suggest {error_code}|Error code; 0: no error.
+error_msg text output suggest {error_msg}|Error message (since Kilted).
 Action ComputePathToPose|Navigation|Plans a path to the goal.
-goal any needed suggest {goal}|Where to.
-start any|Where from; the robot's place when it is absent.
-planner_id text default|Which planner; one alone needs no name.
-use_start bool|Whether start counts.
-path any output suggest {path}|The path; empty when it failed.
+goal any needed suggest {goal}|Goal pose.
+start any|Start pose; absent: the robot's pose.
+planner_id text default|Name of the planner; not needed if there is only one.
+use_start bool|Whether start is used.
+path any output suggest {path}|Path; empty after a failure.
 error_code_id server_name server_timeout error_msg
-viapoints any|Poses that the path leads through on its way to the goal (since Lyrical).
+viapoints any|Poses through which the path leads to the goal (since Lyrical).
 Action ComputePathThroughPoses|Navigation|Plans a path through several goals.
-goals any needed suggest {goals}|Where to, in order.
+goals any needed suggest {goals}|Goal poses, in order.
 start planner_id
-last_reached_index int output|Number of the last goal that the path leads to, from 0 (since Lyrical).
+last_reached_index int output|Index of the last goal that the path reaches, from 0 (since Lyrical).
 path error_code_id server_name server_timeout error_msg
 Action FollowPath|Navigation|Drives along the path to its end.
-path any needed suggest {path}|The path; another one takes its place while it drives.
-controller_id text default|Which controller; one alone needs no name.
-goal_checker_id text default|Which goal checker.
-progress_checker_id text default|Which progress checker.
-path_handler_id text default|Which path handler (since Lyrical).
+path any needed suggest {path}|Path; can be replaced by a new one while the robot drives.
+controller_id text default|Name of the controller; not needed if there is only one.
+goal_checker_id text default|Name of the goal checker.
+progress_checker_id text default|Name of the progress checker.
+path_handler_id text default|Name of the path handler (since Lyrical).
 error_code_id server_name server_timeout error_msg
-tracking_feedback any output suggest {tracking_feedback}|How far the robot is off the path, for IsWithinPathTrackingBounds (since Lyrical).
+tracking_feedback any output suggest {tracking_feedback}|Deviation of the robot from the path, for IsWithinPathTrackingBounds (since Lyrical).
 Action SmoothPath|Navigation|Smooths a path.
-unsmoothed_path any needed suggest {path}|The path.
-smoother_id text default|Which smoother; one alone needs no name.
-max_smoothing_duration number default 3.0 unit s|Longest time.
-check_for_collisions bool default false|Fails when the result hits something.
-smoothed_path any output suggest {path}|The result.
-smoothing_duration number output|How long it took.
-was_completed bool output|All of it was smoothed.
+unsmoothed_path any needed suggest {path}|Path.
+smoother_id text default|Name of the smoother; not needed if there is only one.
+max_smoothing_duration number default 3.0 unit s|Maximum duration.
+check_for_collisions bool default false|Fails if the result collides with an obstacle.
+smoothed_path any output suggest {path}|Smoothed path.
+smoothing_duration number output|Duration.
+was_completed bool output|Whether the whole path was smoothed.
 error_code_id server_name server_timeout error_msg
-Action Spin|Navigation|Turns on the spot.
-spin_dist number default 1.57 unit rad|How far, to the left.
-time_allowance number default 10.0 unit s|Longest time.
-is_recovery bool default true|Counts as a recovery.
+Action Spin|Navigation|Rotates in place.
+spin_dist number default 1.57 unit rad|Angle, to the left.
+time_allowance number default 10.0 unit s|Maximum duration.
+is_recovery bool default true|Is counted as a recovery.
 error_code_id server_name server_timeout error_msg
-disable_collision_checks bool default false|Does not look for collisions (since Kilted).
-Action BackUp|Navigation|Drives back.
-backup_dist number default 0.15 unit m|How far.
-backup_speed number default 0.025 unit m/s|How fast.
+disable_collision_checks bool default false|Disables collision checks (since Kilted).
+Action BackUp|Navigation|Drives backwards.
+backup_dist number default 0.15 unit m|Distance.
+backup_speed number default 0.025 unit m/s|Speed.
 time_allowance error_code_id server_name server_timeout error_msg disable_collision_checks
 Action DriveOnHeading|Navigation|Drives straight.
-dist_to_travel number default 0.15 unit m|How far.
-speed number default 0.025 unit m/s|How fast.
+dist_to_travel number default 0.15 unit m|Distance.
+speed number default 0.025 unit m/s|Speed.
 time_allowance error_code_id server_name server_timeout error_msg disable_collision_checks
 Action Wait|Navigation|Stands still.
-wait_duration number default 1.0 unit s|How long; whole seconds in Humble.
+wait_duration number default 1.0 unit s|Duration; whole seconds in Humble.
 error_code_id server_name server_timeout error_msg
-Action ClearEntireCostmap|Navigation|Forgets a costmap at once.
-service_name text needed suggest local_costmap/clear_entirely_local_costmap|Says which one.
-plugins text default|Layers, all when it is empty (since Lyrical).
+Action ClearEntireCostmap|Navigation|Clears a costmap.
+service_name text needed suggest local_costmap/clear_entirely_local_costmap|Service that determines the costmap.
+plugins text default|Layers; empty: all (since Lyrical).
 server_timeout
-Action ClearCostmapAroundRobot|Navigation|Forgets what lies within a square round the robot.
+Action ClearCostmapAroundRobot|Navigation|Clears a costmap within a square around the robot.
 service_name plugins
-reset_distance number default 1.0 unit m|Side of the square.
+reset_distance number default 1.0 unit m|Side length of the square.
 server_timeout
-Action ClearCostmapExceptRegion|Navigation|Forgets what lies outside of a square round the robot.
+Action ClearCostmapExceptRegion|Navigation|Clears a costmap outside a square around the robot.
 service_name plugins reset_distance server_timeout
-Action ClearCostmapAroundPose|Navigation|Forgets what lies within a square round a pose.
+Action ClearCostmapAroundPose|Navigation|Clears a costmap within a square around a pose.
 service_name plugins reset_distance
-pose any needed suggest {goal}|The pose.
+pose any needed suggest {goal}|Pose.
 server_timeout
-Action CancelControl|Navigation|Ends FollowPath.
+Action CancelControl|Navigation|Cancels FollowPath.
 server_name server_timeout
-Action CancelSpin|Navigation|Ends Spin.
+Action CancelSpin|Navigation|Cancels Spin.
 server_name server_timeout
-Action CancelBackUp|Navigation|Ends BackUp.
+Action CancelBackUp|Navigation|Cancels BackUp.
 server_name server_timeout
-Action CancelDriveOnHeading|Navigation|Ends DriveOnHeading.
+Action CancelDriveOnHeading|Navigation|Cancels DriveOnHeading.
 server_name server_timeout
-Action CancelWait|Navigation|Ends Wait.
+Action CancelWait|Navigation|Cancels Wait.
 server_name server_timeout
 )";
 
@@ -351,7 +351,7 @@ void addLasting(NodeLibrary& to, const NodeCatalogue& nodes) {
 
 void addRobotActions(NodeLibrary& to);
 void addRobotActions(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   using Extent = ClearRequest::Extent;
   addLasting(to, nodes);

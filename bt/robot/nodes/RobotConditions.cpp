@@ -46,7 +46,7 @@ NodeStatus goalUpdated(LeafContext& leaf) {
   return whether(isNew && !isStarting(leaf));
 }
 
-/// Once it has looked it remembers for ever; the first time it says yes.
+/// Keeps its memory over halts; the first call succeeds.
 NodeStatus globalUpdatedGoal(LeafContext& leaf) {
   auto& memory = leaf.memory<GoalMemory>();
   const bool isFirst = !memory.hasLooked;
@@ -70,7 +70,7 @@ NodeStatus timeExpired(LeafContext& leaf) {
   return whether(isOver);
 }
 
-/// Ports 0: time [s], 1: path. It looks once for the first time, whatever is halted.
+/// Ports 0: time [s], 1: path. The first call is detected only once, regardless of halts.
 NodeStatus pathExpiringTimer(LeafContext& leaf) {
   auto& memory = leaf.memory<ClockMemory>();
   const PathId path = pathOf(leaf, 1);
@@ -100,7 +100,7 @@ NodeStatus distanceTraveled(LeafContext& leaf) {
   return whether(isFar);
 }
 
-/// The last pose of a path; none: it is empty.
+/// The last pose of a path; empty: the path is empty.
 std::optional<Pose2> endOf(const LeafContext& leaf, int port) {
   const sim2d::nav2::Path& path = robotOf(leaf).paths().get(pathOf(leaf, port));
   return path.empty() ? std::nullopt : std::optional<Pose2>(path.back());
@@ -114,7 +114,7 @@ NodeStatus goalReached(LeafContext& leaf) {
                  (goal->position - robot.pose().position).norm() <= robot.goalReachedTolerance());
 }
 
-/// It brakes by more than 10 m/s2, as who bumps into something does.
+/// Detects a deceleration above 10 m/s², as in a collision.
 NodeStatus isStuck(LeafContext& leaf) {
   constexpr double kHardest = -10.0;  // [m/s2]
   return whether(robotOf(leaf).acceleration() < kHardest);
@@ -140,7 +140,7 @@ NodeStatus errorCodesPresent(LeafContext& leaf) {
   return whether(isAmong(leaf.getOr<int>(0, 0), numbersOf(leaf.text(1).value_or(""))));
 }
 
-// Codes of Nav2's actions that trying once more may mend: unknown, patience exceeded, no progress,
+// Codes of Nav2's actions for which a recovery may help: unknown, patience exceeded, no progress,
 // no valid control; unknown, timeout, no valid path (to a pose, through poses); unknown, timeout,
 // in collision, failed; unknown, no valid route, timeout.
 constexpr std::array<int, 4> kOfController = {100, 104, 105, 106};
@@ -160,8 +160,8 @@ NodeStatus posesNear(LeafContext& leaf) {
   return whether(from && to && (from->position - to->position).norm() <= leaf.require<double>(2));
 }
 
-/// Length of a path from the pose nearest to the robot on [m]; the robot is looked for on the first
-/// `search` metres of the path, below 0 on all of it.
+/// Length of a path from the pose nearest to the robot [m]. The nearest pose is searched on the
+/// first `search` metres of the path; < 0: on all of it.
 double restOf(const sim2d::nav2::Path& path, const Vec2& robot, double search) {
   std::size_t nearest = 0;
   double way = 0.0;
@@ -178,7 +178,7 @@ double restOf(const sim2d::nav2::Path& path, const Vec2& robot, double search) {
   return lengthOf(sim2d::nav2::Path(first, path.end()));
 }
 
-/// Ports 0: path, 1: distance [m], 2: how far along the path the robot is looked for [m].
+/// Ports 0: path, 1: distance [m], 2: length of the path on which the robot is searched [m].
 NodeStatus goalNearby(LeafContext& leaf) {
   const NavigatorHost& robot = robotOf(leaf);
   const sim2d::nav2::Path& path = robot.paths().get(pathOf(leaf, 0));
@@ -188,45 +188,45 @@ NodeStatus goalNearby(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-Condition GoalUpdated|Navigation|There is a new goal since it was first asked.
-goal any default {goal}|The goal.
-goals any default {goals}|Several of them.
-Condition GlobalUpdatedGoal|Navigation|There is a new goal since it was asked before; the first time, yes.
+Condition GoalUpdated|Navigation|The goal has changed since the first tick.
+goal any default {goal}|Goal.
+goals any default {goals}|Several goals.
+Condition GlobalUpdatedGoal|Navigation|The goal has changed since the last tick; succeeds in the first tick.
 goal goals
-Condition TimeExpired|Navigation|So much time has passed since it last said so.
-seconds number default 1.0 unit s|How long.
-Condition PathExpiringTimer|Navigation|So much time has passed since it last said so or the path changed.
+Condition TimeExpired|Navigation|This time has passed since the last success.
+seconds number default 1.0 unit s|Duration.
+Condition PathExpiringTimer|Navigation|This time has passed since the last success or change of the path.
 seconds
-path any needed suggest {path}|The path.
-Condition DistanceTraveled|Navigation|The robot has come this far since it last said so.
-distance length default 1.0|How far, straight.
-global_frame text default map|No frames here.
-robot_base_frame text default base_link|No frames here.
+path any needed suggest {path}|Path.
+Condition DistanceTraveled|Navigation|The robot has travelled this distance since the last success.
+distance length default 1.0|Straight-line distance.
+global_frame text default map|No effect: TF is not used.
+robot_base_frame text default base_link|No effect: TF is not used.
 Condition GoalReached|Navigation|The robot is at the goal (goal_reached_tol).
-goal any needed suggest {goal}|The goal.
+goal any needed suggest {goal}|Goal.
 robot_base_frame global_frame
-Condition IsStuck|Navigation|The robot was stopped at once by something.
-Condition AreErrorCodesPresent|Navigation|The code is one of these.
-error_code int default {error_code}|The code.
-error_codes_to_check text needed suggest 0|The codes, with ';' between them.
-Condition WouldAControllerRecoveryHelp|Navigation|The controller failed for a reason that may pass.
+Condition IsStuck|Navigation|The robot was stopped abruptly.
+Condition AreErrorCodesPresent|Navigation|The error code is in the list.
+error_code int default {error_code}|Error code.
+error_codes_to_check text needed suggest 0|Error codes, separated by ';'.
+Condition WouldAControllerRecoveryHelp|Navigation|The controller failed with an error for which a recovery can help.
 error_code
-error_codes_to_check text|Ignored, as in Nav2: the codes are fixed.
-Condition WouldAPlannerRecoveryHelp|Navigation|The planner failed for a reason that may pass.
+error_codes_to_check text|No effect, as in Nav2: the codes are fixed.
+Condition WouldAPlannerRecoveryHelp|Navigation|The planner failed with an error for which a recovery can help.
 error_code error_codes_to_check
-Condition WouldASmootherRecoveryHelp|Navigation|The smoother failed for a reason that may pass.
+Condition WouldASmootherRecoveryHelp|Navigation|The smoother failed with an error for which a recovery can help.
 error_code error_codes_to_check
-Condition WouldARouteRecoveryHelp|Navigation|The route server failed for a reason that may pass (since Kilted).
+Condition WouldARouteRecoveryHelp|Navigation|The route server failed with an error for which a recovery can help (since Kilted).
 error_code error_codes_to_check
 Condition ArePosesNear|Navigation|Two poses are near each other.
-ref_pose any needed suggest {goal}|One.
-target_pose any needed suggest {goal}|The other one.
-tolerance length default 0.5|This near.
+ref_pose any needed suggest {goal}|First pose.
+target_pose any needed suggest {goal}|Second pose.
+tolerance length default 0.5|Maximum distance.
 global_frame
-Condition IsGoalNearby|Navigation|The rest of the path is short.
+Condition IsGoalNearby|Navigation|The remaining path is short.
 path
-proximity_threshold length default 3.0|Shorter than this.
-max_robot_pose_search_dist number default -1.0 unit m|How far along the path the robot is looked for; below 0 on all of it.
+proximity_threshold length default 3.0|Length of the remaining path below which the goal is nearby.
+max_robot_pose_search_dist number default -1.0 unit m|Length of the path that is searched for the robot; below 0: the whole path.
 global_frame robot_base_frame
 )";
 
@@ -234,13 +234,13 @@ global_frame robot_base_frame
 
 void addRobotConditions(NodeLibrary& to);
 void addRobotConditions(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
-  to.addRemembering<GoalMemory>(manifest("GoalUpdated"), goalUpdated);
-  to.addRemembering<GoalMemory>(manifest("GlobalUpdatedGoal"), globalUpdatedGoal);
-  to.addRemembering<ClockMemory>(manifest("TimeExpired"), timeExpired);
-  to.addRemembering<ClockMemory>(manifest("PathExpiringTimer"), pathExpiringTimer);
-  to.addRemembering<PlaceMemory>(manifest("DistanceTraveled"), distanceTraveled);
+  to.addSynchronousWithStatus<GoalMemory>(manifest("GoalUpdated"), goalUpdated);
+  to.addSynchronousWithStatus<GoalMemory>(manifest("GlobalUpdatedGoal"), globalUpdatedGoal);
+  to.addSynchronousWithStatus<ClockMemory>(manifest("TimeExpired"), timeExpired);
+  to.addSynchronousWithStatus<ClockMemory>(manifest("PathExpiringTimer"), pathExpiringTimer);
+  to.addSynchronousWithStatus<PlaceMemory>(manifest("DistanceTraveled"), distanceTraveled);
   to.addCondition(manifest("GoalReached"), goalReached);
   to.addCondition(manifest("IsStuck"), isStuck);
   to.addCondition(manifest("AreErrorCodesPresent"), errorCodesPresent);

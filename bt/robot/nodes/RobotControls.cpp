@@ -8,11 +8,10 @@ using base::NodeStatus;
 using sim2d::nav2::Distro;
 
 struct PipelineMemory {
-  int farthest;  // child that was RUNNING last
+  int farthest;  // last running child
 };
 
-/// Ticks all children from the first on each time: those before the running one do their work
-/// again.
+/// Ticks all children from the first one in every tick; children before the running one run again.
 NodeStatus pipeline(ParentContext& node) {
   int& farthest = node.memory<PipelineMemory>().farthest;
   int skipped = 0;
@@ -37,16 +36,16 @@ NodeStatus pipeline(ParentContext& node) {
 
 struct RecoveryMemory {
   int retries;
-  bool recovers;  // the second child is at work
+  bool recovers;  // the second child is running
 };
 
-/// What ends the node: its counts begin anew.
+/// Ends the node and resets its counts.
 NodeStatus endRecovery(RecoveryMemory& memory, NodeStatus status) {
   memory = {};
   return status;
 }
 
-/// One child once: the status that the node returns, or IDLE when it goes on with the other child.
+/// Ticks one child: returns the node's status, or IDLE if it continues with the other child.
 NodeStatus recoveryStep(ParentContext& node, RecoveryMemory& memory, int most) {
   const NodeStatus status = node.tickChild(memory.recovers ? 1 : 0);
   if (status == NodeStatus::Running) {
@@ -69,7 +68,7 @@ NodeStatus recoveryStep(ParentContext& node, RecoveryMemory& memory, int most) {
   return NodeStatus::Idle;
 }
 
-/// The first child; when it fails the second, then the first again, all in one tick.
+/// Runs the first child; on failure the second, then the first again, all within one tick.
 NodeStatus recovery(ParentContext& node) {
   auto& memory = node.memory<RecoveryMemory>();
   const int most = node.getOr<int>(0, 1);
@@ -85,7 +84,8 @@ struct RoundMemory {
   int failed;  // in a row
 };
 
-/// The next child each time. Main begins anew after the last one only when it is told to.
+/// Ticks the next child each time. Since Lyrical it restarts after the last child only if
+/// configured.
 NodeStatus roundRobin(ParentContext& node) {
   auto& memory = node.memory<RoundMemory>();
   const int children = node.childCount();
@@ -111,7 +111,7 @@ NodeStatus roundRobin(ParentContext& node) {
   return skipped == children ? NodeStatus::Skipped : NodeStatus::Failure;
 }
 
-/// All children in every tick, whether those before them are done or not.
+/// Ticks all children in every tick, regardless of preceding statuses.
 NodeStatus nonblocking(ParentContext& node) {
   int succeeded = 0, skipped = 0;
   for (int child = 0; child < node.childCount(); ++child) {
@@ -128,10 +128,10 @@ NodeStatus nonblocking(ParentContext& node) {
   return succeeded + skipped == node.childCount() ? NodeStatus::Success : NodeStatus::Running;
 }
 
-/// ReactiveSequence (`stop` = FAILURE) and ReactiveFallback (SUCCESS). Unlike BehaviorTree.CPP 4,
-/// which resets every other child when one runs, those before it keep their status, as in version
-/// 3: Nav2's conditions and PathLongerOnApproach would else look for the first time in each tick
-/// and never see a change.
+/// ReactiveSequence (`stop` = FAILURE) and ReactiveFallback (SUCCESS). BehaviorTree.CPP 4 resets
+/// every other child while one is running. Here children before it keep their status, as in version
+/// 3; otherwise Nav2's conditions and PathLongerOnApproach would restart in each tick and never
+/// detect a change.
 template <NodeStatus stop>
 NodeStatus reactive(ParentContext& node) {
   int skipped = 0;
@@ -154,29 +154,29 @@ NodeStatus reactive(ParentContext& node) {
 }
 
 template <class Memory>
-void forgetMemory(ParentContext& node) {
+void resetMemory(ParentContext& node) {
   node.memory<Memory>() = {};
 }
 
 constexpr const char* kNodes = R"(
-Control PipelineSequence|Navigation|Ticks all children from the first on until the farthest one that runs: those before it do their work again.
-Control RecoveryNode children 2 2|Navigation|Runs the first child; when it fails the second, and then the first again.
-number_of_retries int default 1|How often.
-Control RoundRobin|Navigation|Each time the next child; fails when all have failed in a row.
-wrap_around bool default false|Begins anew after the last child (Main; before, always).
-Control NonblockingSequence|Navigation|Ticks all children in every step until one fails or all have succeeded.
+Control PipelineSequence|Navigation|Ticks all children from the first one to the running one; the children before it are executed again.
+Control RecoveryNode children 2 2|Navigation|Runs the first child; if it fails, runs the second child and then the first one again.
+number_of_retries int default 1|Maximum number of retries.
+Control RoundRobin|Navigation|Runs the next child each time; fails if all have failed in sequence.
+wrap_around bool default false|Restarts at the first child after the last one (Main; earlier branches always do).
+Control NonblockingSequence|Navigation|Ticks all children in every time step until one fails or all have succeeded.
 )";
 
 }  // namespace
 
 void addRobotControls(NodeLibrary& to);
 void addRobotControls(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   to.addControl<PipelineMemory>(*nodes.find("PipelineSequence"),
-                                {pipeline, forgetMemory<PipelineMemory>});
+                                {pipeline, resetMemory<PipelineMemory>});
   to.addControl<RecoveryMemory>(*nodes.find("RecoveryNode"),
-                                {recovery, forgetMemory<RecoveryMemory>});
-  to.addControl<RoundMemory>(*nodes.find("RoundRobin"), {roundRobin, forgetMemory<RoundMemory>});
+                                {recovery, resetMemory<RecoveryMemory>});
+  to.addControl<RoundMemory>(*nodes.find("RoundRobin"), {roundRobin, resetMemory<RoundMemory>});
   to.addControl(*nodes.find("NonblockingSequence"), {nonblocking, nullptr});
   to.addControl(*to.catalogue().find("ReactiveSequence"), {reactive<NodeStatus::Failure>, nullptr});
   to.addControl(*to.catalogue().find("ReactiveFallback"), {reactive<NodeStatus::Success>, nullptr});

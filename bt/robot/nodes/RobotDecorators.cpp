@@ -19,15 +19,14 @@ bool isStarting(const LeafContext& node) {
   return node.before() == NodeStatus::Idle;
 }
 
-/// The memory of the nodes that tick their child the first time, while it runs, and when something
-/// is due.
+/// Memory of decorators that tick their child at first, while it runs, and when it is due.
 struct GateMemory {
   std::int64_t since;  // step
   double x, y;         // [m], where the child last succeeded
   double period;       // [s]
   PathId goal, goals;
   bool isFirst;    // the child has not been ticked yet
-  bool childRuns;  // it returned RUNNING last
+  bool childRuns;  // it last returned RUNNING
 };
 
 NodeStatus tickGated(ParentContext& node, GateMemory& memory) {
@@ -37,7 +36,7 @@ NodeStatus tickGated(ParentContext& node, GateMemory& memory) {
   return status;
 }
 
-/// Halted while RUNNING: its child does not run any more.
+/// Called on a halt while RUNNING: the child no longer runs.
 void closeGate(ParentContext& node) {
   node.memory<GateMemory>().childRuns = false;
 }
@@ -87,7 +86,7 @@ NodeStatus distanceController(ParentContext& node) {
   return status;
 }
 
-/// The goals of the blackboard are others than those that were noted; they are noted now.
+/// Whether the goals of the blackboard differ from the stored ones; stores them.
 template <class Memory>
 bool takeNewGoal(const LeafContext& node, Memory& memory, int goalPort) {
   const PathId goal = pathOf(node, goalPort), goals = pathOf(node, goalPort + 1);
@@ -97,8 +96,8 @@ bool takeNewGoal(const LeafContext& node, Memory& memory, int goalPort) {
   return isNew;
 }
 
-/// Ports 0 to 3: lowest and highest rate [Hz] and speed [m/s]; 4, 5: goal, goals. The child is
-/// ticked the more often the faster the robot drives.
+/// Ports 0 to 3: minimum and maximum rate [Hz] and speed [m/s]; 4, 5: goal, goals. The child is
+/// ticked more often at higher speed.
 double speedPeriod(ParentContext& node) {
   const double leastRate = node.require<double>(0), mostRate = node.require<double>(1);
   const double leastSpeed = node.require<double>(2), mostSpeed = node.require<double>(3);
@@ -144,11 +143,11 @@ NodeStatus goalUpdatedController(ParentContext& node) {
 
 struct UpdaterMemory {
   PathId goal, goals;       // inputs
-  double since;             // of the goals [s]
-  PathId newest, newestOf;  // written last, for goal and goals
+  double since;             // time of the goals [s]
+  PathId newest, newestOf;  // last outputs for goal and goals
 };
 
-/// "x y", or "x y heading" [m], [rad]; several with ',' between. Empty: it is neither.
+/// "x y" or "x y heading" [m], [rad]; several separated by ','. Empty: invalid.
 sim2d::nav2::Path posesOf(const std::string& text) {
   sim2d::nav2::Path poses;
   for (const std::string& one : base::split(text, ',')) {
@@ -170,7 +169,7 @@ sim2d::nav2::Path posesOf(const std::string& text) {
   return poses;
 }
 
-/// What a topic has published since the goals were given; else what the node is given.
+/// The message of a topic published since the goals were given, otherwise the given goals.
 PathId updatedBy(const ParentContext& node, const std::string& topic, double since, PathId given,
                  PathId& last) {
   const TopicMessage message = robotOf(node).lastMessage(topic);
@@ -185,9 +184,9 @@ PathId updatedBy(const ParentContext& node, const std::string& topic, double sin
   return last;
 }
 
-/// Ports 0: goal, 1: goal to use, 2: goals, 3: goals to use. The newest ones count: those of the
-/// topics goal_update and goals_update when they are newer than the goals that were given, as in
-/// Nav2, and the robot's own goal, which may move.
+/// Ports 0: goal, 1: goal to use, 2: goals, 3: goals to use. The newest goals apply: messages of
+/// the topics goal_update and goals_update that are newer than the given goals, as in Nav2, and the
+/// robot's own goal, which may move.
 NodeStatus goalUpdater(ParentContext& node) {
   auto& memory = node.memory<UpdaterMemory>();
   const NavigatorHost& robot = robotOf(node);
@@ -213,7 +212,7 @@ bool hasSameEnd(const sim2d::nav2::Path& a, const sim2d::nav2::Path& b) {
          a.back().heading == b.back().heading;
 }
 
-/// Ports 0: path, 1: length of the old path [m] below which it looks, 2: factor.
+/// Ports 0: path, 1: length of the old path [m] below which it checks, 2: factor.
 NodeStatus pathLongerOnApproach(ParentContext& node) {
   auto& memory = node.memory<OnApproachMemory>();
   const PathStore& paths = robotOf(node).paths();
@@ -253,30 +252,30 @@ NodeStatus singleTrigger(ParentContext& node) {
 }
 
 constexpr const char* kNodes = R"(
-Decorator RateController|Navigation|Ticks the child at most this often, and while it runs.
-hz number default 10.0 unit Hz|How often.
-Decorator DistanceController|Navigation|Ticks the child whenever the robot has come this far, and while it runs.
-distance length default 1.0|Straight, from where the child last succeeded.
-global_frame text default map|No frames here.
-robot_base_frame text default base_link|No frames here.
-Decorator SpeedController|Navigation|Ticks the child the more often the faster the robot drives.
-min_rate number default 0.1 unit Hz|At the lowest speed.
-max_rate number default 1.0 unit Hz|At the highest speed.
-min_speed number default 0.0 unit m/s|Lowest speed.
-max_speed number default 0.5 unit m/s|Highest speed.
-goal any default {goal}|Goal; a new one begins with the highest rate.
-goals any default {goals}|Several of them.
-Decorator GoalUpdatedController|Navigation|Ticks the child at first and whenever there is a new goal.
+Decorator RateController|Navigation|Ticks the child at this maximum rate, and in each tick while it is running.
+hz number default 10.0 unit Hz|Rate.
+Decorator DistanceController|Navigation|Ticks the child each time the robot has travelled this distance, and in each tick while it is running.
+distance length default 1.0|Straight-line distance from the position of the child's last success.
+global_frame text default map|No effect: TF is not used.
+robot_base_frame text default base_link|No effect: TF is not used.
+Decorator SpeedController|Navigation|Ticks the child at a rate that increases with the robot's speed.
+min_rate number default 0.1 unit Hz|Rate at the minimum speed.
+max_rate number default 1.0 unit Hz|Rate at the maximum speed.
+min_speed number default 0.0 unit m/s|Minimum speed.
+max_speed number default 0.5 unit m/s|Maximum speed.
+goal any default {goal}|Goal; after a change the maximum rate is used first.
+goals any default {goals}|Several goals.
+Decorator GoalUpdatedController|Navigation|Ticks the child first and whenever the goal changes.
 goal goals
-Decorator GoalUpdater|Navigation|Hands the newest goal to the child: that of the topics goal_update and goals_update (nav2_topics of the robot).
-input_goal any needed suggest {goal}|Goal that was given.
-output_goal any output suggest {updated_goal}|Newest goal.
-input_goals any|Several of them (since Kilted).
-output_goals any output|Newest goals (since Kilted).
-Decorator PathLongerOnApproach|Navigation|Ticks the child when a new path to the same goal is much longer, close to the goal.
-path any needed suggest {path}|The path.
-prox_len length default 3.0|Looks where the old path is shorter than this.
-length_factor number default 2.0|So many times longer is much longer.
+Decorator GoalUpdater|Navigation|Passes the latest goal of the topics goal_update and goals_update (nav2_topics of the robot) to the child.
+input_goal any needed suggest {goal}|Given goal.
+output_goal any output suggest {updated_goal}|Latest goal.
+input_goals any|Several goals (since Kilted).
+output_goals any output|Latest goals (since Kilted).
+Decorator PathLongerOnApproach|Navigation|Near the goal, ticks the child if a new path to the same goal is much longer.
+path any needed suggest {path}|Path.
+prox_len length default 3.0|Length of the old path below which paths are compared.
+length_factor number default 2.0|Ratio of the path lengths above which the new path is much longer.
 Decorator SingleTrigger|Navigation|Runs the child once, then fails until it is halted.
 )";
 
@@ -284,7 +283,7 @@ Decorator SingleTrigger|Navigation|Runs the child once, then fails until it is h
 
 void addRobotDecorators(NodeLibrary& to);
 void addRobotDecorators(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   to.addDecorator<GateMemory>(*nodes.find("RateController"), {rateController, closeGate});
   to.addDecorator<GateMemory>(*nodes.find("DistanceController"), {distanceController, closeGate});
   to.addDecorator<GateMemory>(*nodes.find("SpeedController"), {speedController, closeGate});

@@ -3,7 +3,7 @@
 #include "bt/robot/RobotNodes.h"
 
 /// Nodes for docking, following and assisted teleoperation (opennav_docking_bt,
-/// opennav_following_bt, nav2_behavior_tree), and the conditions of the battery.
+/// opennav_following_bt, nav2_behavior_tree), and battery conditions.
 namespace bt {
 namespace {
 
@@ -25,7 +25,7 @@ NodeStatus cancelNow(LeafContext& leaf) {
   return NodeStatus::Success;
 }
 
-/// Ports from `first` on: error code, message. Cancelled is a success, as of all actions of Nav2.
+/// Ports from `first`: error code, message. Cancelled counts as success, as in all Nav2 actions.
 NodeStatus statusOf(LeafContext& leaf, const RobotOutcome& outcome, int first) {
   if (outcome.state == State::Running) {
     return NodeStatus::Running;
@@ -49,7 +49,7 @@ NodeStatus beginDocking(LeafContext& leaf) {
   request.dock.navigatesToStaging = leaf.getOr<bool>(5, true);
   if (!request.dock.usesDockId && robot.paths().get(request.path).empty()) {
     leaf.set<bool>(8, false);
-    return NodeStatus::Failure;  // there is no pose
+    return NodeStatus::Failure;  // no pose given
   }
   robot.begin(RobotAction::DockRobot, request);
   return NodeStatus::Running;
@@ -120,7 +120,7 @@ NodeStatus awaitTeleop(LeafContext& leaf) {
   return statusOf(leaf, robotOf(leaf).outcome(RobotAction::AssistedTeleop), 2);
 }
 
-// Batteries. A robot without one publishes nothing: both conditions are false then.
+// Battery conditions. A robot without a battery publishes nothing: both are false.
 
 /// Ports 0: min_battery, 1: is_voltage.
 NodeStatus isBatteryLow(LeafContext& leaf) {
@@ -137,44 +137,44 @@ NodeStatus isBatteryCharging(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-server_name text|There is one server of a kind here.
-server_timeout int default 20|Servers answer at once here.
-error_code_id int output suggest {error_code}|Why it failed; 0 without an error.
-error_msg text output|The same as a sentence.
-success bool output|Whether it succeeded.
+server_name text|No effect: there is a single server of each kind.
+server_timeout int default 20|No effect: servers respond immediately.
+error_code_id int output suggest {error_code}|Error code; 0: no error.
+error_msg text output|Error message.
+success bool output|Whether the action succeeded.
 Action DockRobot|Navigation|Drives into a dock.
-use_dock_id bool default true|Whether dock_id counts, else dock_pose and dock_type.
+use_dock_id bool default true|Whether dock_id is used, else dock_pose and dock_type.
 dock_id text suggest dock1|Name of a dock of the docking server or of the scenario.
 dock_pose any|Pose of the docked robot.
-dock_type text|Class of the dock; one alone needs no name.
-max_staging_time number default 1000.0 unit s|Longest drive to the staging pose.
+dock_type text|Class of the dock; not needed if there is only one.
+max_staging_time number default 1000.0 unit s|Maximum duration of the drive to the staging pose.
 navigate_to_staging_pose bool default true|Drives to the staging pose first.
 error_code_id error_msg success
-num_retries int output|How often the approach was repeated.
+num_retries int output|Number of repetitions of the approach.
 server_name server_timeout
 Action UndockRobot|Navigation|Drives out of a dock to its staging pose.
-dock_type text|Class of the dock; that of the last docking when it is empty.
-max_undocking_time number default 30.0 unit s|Longest time.
+dock_type text|Class of the dock; empty: that of the last docking.
+max_undocking_time number default 30.0 unit s|Maximum duration.
 error_code_id error_msg success server_name server_timeout
-Action FollowObject|Navigation|Keeps a distance to a person or robot that moves.
-pose_topic text default dynamic_pose|A person or robot of this name; the nearest person for any other text.
+Action FollowObject|Navigation|Follows a moving person or robot at a distance.
+pose_topic text default dynamic_pose|Name of a person or robot; for any other text the nearest person.
 tracked_frame text|A person or robot by name or id, instead of pose_topic.
-max_duration number default 0.0 unit s|How long; 0: until it is cancelled.
+max_duration number default 0.0 unit s|Maximum duration; 0: until it is cancelled.
 error_code_id error_msg
-total_elapsed_time number output unit s|How long it took.
+total_elapsed_time number output unit s|Duration.
 server_name server_timeout
-Action CancelFollowObject|Navigation|Ends FollowObject.
+Action CancelFollowObject|Navigation|Cancels FollowObject.
 server_name server_timeout
-Action AssistedTeleop|Navigation|A person drives, and is slowed down before obstacles.
-time_allowance number default 10.0 unit s|Longest time.
-is_recovery bool default true|Counts as a recovery.
+Action AssistedTeleop|Navigation|Manual drive that slows down in front of obstacles.
+time_allowance number default 10.0 unit s|Maximum duration.
+is_recovery bool default true|Is counted as a recovery.
 error_code_id error_msg server_name server_timeout
-Action CancelAssistedTeleop|Navigation|Ends AssistedTeleop.
+Action CancelAssistedTeleop|Navigation|Cancels AssistedTeleop.
 server_name server_timeout
 Condition IsBatteryLow|Navigation|The battery of the robot is low.
-min_battery number default 0.0|Charge from 0 to 1, or voltage, at which it is low.
+min_battery number default 0.0|State of charge from 0 to 1, or voltage, at which the battery is low.
 is_voltage bool default false|min_battery is a voltage.
-battery_topic text default /battery_status|The battery of the scenario's robot counts.
+battery_topic text default /battery_status|No effect: the battery of the robot in the scenario is used.
 Condition IsBatteryCharging|Navigation|The battery of the robot is being charged.
 battery_topic
 )";
@@ -183,7 +183,7 @@ battery_topic
 
 void addRobotDocking(NodeLibrary& to);
 void addRobotDocking(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   to.addStateful(manifest("DockRobot"),
                  {beginDocking, awaitDocking, cancelAction<RobotAction::DockRobot>});

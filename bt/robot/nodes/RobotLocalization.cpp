@@ -2,7 +2,7 @@
 
 #include "bt/robot/RobotNodes.h"
 
-/// Nodes of Nav2 that ask for the localiser or for TF (nav2_behavior_tree/plugins).
+/// Nodes of Nav2 that query the localiser or TF (nav2_behavior_tree/plugins).
 namespace bt {
 namespace {
 
@@ -16,7 +16,7 @@ struct FoundMemory {
   bool wasFound;
 };
 
-/// Ports 0: parent, 1: child. A transform that was there once is not asked for again.
+/// Ports 0: parent, 1: child. A transform that was found once is not queried again.
 NodeStatus transformAvailable(LeafContext& leaf) {
   auto& memory = leaf.memory<FoundMemory>();
   if (!memory.wasFound) {
@@ -31,24 +31,24 @@ NodeStatus reinitializeGlobalLocalization(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-Condition InitialPoseReceived|Navigation|The robot has a pose in the map: its localiser has corrected once.
-initial_pose_received any|Not looked at.
+Condition InitialPoseReceived|Navigation|The robot has a pose in the map: the localization has made its first correction.
+initial_pose_received any|No effect.
 Condition TransformAvailable|Navigation|A transform between two frames of the parameter file exists.
-parent text needed suggest odom|One frame.
-child text needed suggest base_link|The other one.
-Action ReinitializeGlobalLocalization|Navigation|The localiser begins a global localisation; fails without one (`localization` of the robot).
-service_name text|No services by name here.
-server_timeout int default 20|No servers to wait for here.
+parent text needed suggest odom|Parent frame.
+child text needed suggest base_link|Child frame.
+Action ReinitializeGlobalLocalization|Navigation|Starts a global localization; fails for a robot without `localization`.
+service_name text|No effect: this program has no services with names.
+server_timeout int default 20|No effect: servers respond immediately.
 )";
 
 }  // namespace
 
 void addRobotLocalization(NodeLibrary& to);
 void addRobotLocalization(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   to.addCondition(manifest("InitialPoseReceived"), initialPoseReceived);
-  to.addRemembering<FoundMemory>(manifest("TransformAvailable"), transformAvailable);
+  to.addSynchronousWithStatus<FoundMemory>(manifest("TransformAvailable"), transformAvailable);
   to.addAction(manifest("ReinitializeGlobalLocalization"), reinitializeGlobalLocalization);
 }
 

@@ -3,7 +3,7 @@
 
 #include "bt/robot/RobotNodes.h"
 
-/// Actions of Nav2 that ask a navigator: another tree, on the same servers
+/// Actions of Nav2 that start a navigator: another tree on the same servers
 /// (nav2_behavior_tree/plugins/action/navigate_*_action.cpp).
 namespace bt {
 namespace {
@@ -38,15 +38,15 @@ void end(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
-Action NavigateToPose|Navigation|Drives to a pose by another tree.
-goal any needed suggest {goal}|Where to.
+Action NavigateToPose|Navigation|Drives to a pose with another tree.
+goal any needed suggest {goal}|Goal pose.
 behavior_tree text default|File of the tree; empty: default_nav_to_pose_bt_xml, or Nav2's own.
-error_code_id int output suggest {error_code}|Why it failed, 0: it did not (since Jazzy).
-error_msg text output suggest {error_msg}|Why it failed, in words (since Kilted).
-server_name text|Accepted; there is one such server.
-server_timeout int default 20|Accepted; servers answer immediately here.
-Action NavigateThroughPoses|Navigation|Drives through several poses by another tree.
-goals any needed suggest {goals}|Where to, in order.
+error_code_id int output suggest {error_code}|Error code; 0: no error (since Jazzy).
+error_msg text output suggest {error_msg}|Error message (since Kilted).
+server_name text|No effect: there is a single server.
+server_timeout int default 20|No effect: servers respond immediately.
+Action NavigateThroughPoses|Navigation|Drives through several poses with another tree.
+goals any needed suggest {goals}|Goal poses, in order.
 behavior_tree text default|File of the tree; empty: default_nav_through_poses_bt_xml, or Nav2's own.
 error_code_id error_msg server_name server_timeout
 )";
@@ -60,7 +60,7 @@ void add(NodeLibrary& to, const NodeManifest& manifest) {
 
 void addRobotNavigators(NodeLibrary& to);
 void addRobotNavigators(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   add<RobotAction::NavigateToPose>(to, *nodes.find("NavigateToPose"));
   add<RobotAction::NavigateThroughPoses>(to, *nodes.find("NavigateThroughPoses"));
 }

@@ -8,7 +8,7 @@
 #include "bt/robot/RobotNodes.h"
 #include "sim2d/base/Math.h"
 
-/// Actions of Nav2 that cut paths.
+/// Actions of Nav2 that truncate paths.
 namespace bt {
 namespace {
 
@@ -18,23 +18,23 @@ using base::Vec2;
 using sim2d::nav2::Path;
 
 struct OutputMemory {
-  PathId last;  // that the node wrote
+  PathId last;  // last output
 };
 
-/// An output that does not change keeps its number: who follows it has nothing new.
-NodeStatus put(LeafContext& leaf, int port, Path path) {
+/// Writes an output. An unchanged path keeps its number, so that its users see no new path.
+NodeStatus setPathOutput(LeafContext& leaf, int port, Path path) {
   PathId& last = leaf.memory<OutputMemory>().last;
   last = robotOf(leaf).paths().addUnlessEqual(std::move(path), last);
   leaf.set<int>(port, static_cast<int>(last));
   return NodeStatus::Success;
 }
 
-/// Ports 0: distance [m], 1: path, 2: result. What lies within the distance (straight) of the end
-/// is cut off; the new end looks at the old one.
+/// Ports 0: distance [m], 1: path, 2: result. Removes poses within the straight-line distance of
+/// the end; the new end faces the old one.
 NodeStatus truncatePath(LeafContext& leaf) {
   Path path = robotOf(leaf).paths().get(pathOf(leaf, 1));
   if (path.empty()) {
-    return put(leaf, 2, {});
+    return setPathOutput(leaf, 2, {});
   }
   const double distance = leaf.require<double>(0);
   const Vec2 end = path.back().position;
@@ -43,12 +43,12 @@ NodeStatus truncatePath(LeafContext& leaf) {
   }
   const Vec2 towards = end - path.back().position;
   path.back().heading = base::atan2(towards.y(), towards.x());
-  return put(leaf, 2, std::move(path));
+  return setPathOutput(leaf, 2, std::move(path));
 }
 
 /// Ports 0: path, 1: result, 2, 3: length kept ahead and behind [m], 4: pose, 5: weight of angles,
-/// 6: how far along the path the robot is looked for [m].
-Path stretchRound(LeafContext& leaf, const Path& path, const Pose2& pose) {
+/// 6: length of the path on which the robot is searched [m].
+Path sectionAround(LeafContext& leaf, const Path& path, const Pose2& pose) {
   const double ahead = leaf.getOr<double>(2, 8.0), behind = leaf.getOr<double>(3, 4.0);
   const double weight = leaf.getOr<double>(5, 0.0);
   const double search = leaf.getOr<double>(6, std::numeric_limits<double>::infinity());
@@ -57,7 +57,7 @@ Path stretchRound(LeafContext& leaf, const Path& path, const Pose2& pose) {
     return std::sqrt((at.position - pose.position).squaredNorm() + turn * turn);
   };
   std::size_t nearest = 0;
-  double way = 0.0;  // [m] from the beginning
+  double way = 0.0;  // [m] from the start
   for (std::size_t i = 1; i < path.size(); ++i) {
     way += (path[i].position - path[i - 1].position).norm();
     if (way > search) {
@@ -90,32 +90,32 @@ NodeStatus truncatePathLocal(LeafContext& leaf) {
   }
   const Path& given = robot.paths().get(pathOf(leaf, 4));
   const Pose2 pose = given.empty() ? robot.pose() : given.front();
-  return put(leaf, 1, stretchRound(leaf, path, pose));
+  return setPathOutput(leaf, 1, sectionAround(leaf, path, pose));
 }
 
 constexpr const char* kNodes = R"(
-Action TruncatePath|Navigation|Cuts off the end of a path.
-distance length default 1.0|How near to the end, straight.
-input_path any needed suggest {path}|The path.
-output_path any output suggest {truncated_path}|What is left.
-Action TruncatePathLocal|Navigation|Keeps the stretch of a path round the robot.
-input_path any needed suggest {path}|The path.
-output_path any output suggest {truncated_path}|What is left.
+Action TruncatePath|Navigation|Removes the end of a path.
+distance length default 1.0|Straight-line distance to the end.
+input_path any needed suggest {path}|Path.
+output_path any output suggest {truncated_path}|Truncated path.
+Action TruncatePathLocal|Navigation|Keeps the part of a path around the robot.
+input_path any needed suggest {path}|Path.
+output_path any output suggest {truncated_path}|Truncated path.
 distance_forward number default 8.0 unit m|Length kept ahead.
 distance_backward number default 4.0 unit m|Length kept behind.
-pose any|Instead of the robot's.
-angular_distance_weight number default 0.0|Weight of a difference of headings against one of places.
-max_robot_pose_search_dist number unit m|How far along the path the robot is looked for; all of it when absent.
-transform_tolerance number default 0.2|Accepted; the pose is up to date.
-robot_frame text default base_link|Accepted (until Kilted).
-robot_base_frame text default base_link|Accepted (since Lyrical).
+pose any|Pose that replaces the robot's pose.
+angular_distance_weight number default 0.0|Weight of heading differences relative to distances.
+max_robot_pose_search_dist number unit m|Length of the path that is searched for the robot; absent: the whole path.
+transform_tolerance number default 0.2|No effect: the pose is always current.
+robot_frame text default base_link|No effect (until Kilted).
+robot_base_frame text default base_link|No effect (since Lyrical).
 )";
 
 }  // namespace
 
 void addRobotPaths(NodeLibrary& to);
 void addRobotPaths(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   to.addAction<OutputMemory>(manifest("TruncatePath"), truncatePath);
   to.addAction<OutputMemory>(manifest("TruncatePathLocal"), truncatePathLocal);

@@ -3,19 +3,19 @@
 
 #include "bt/robot/RobotNodes.h"
 
-/// Actions of Nav2 that ask the route server, since Jazzy (nav2_behavior_tree/plugins/action).
+/// Actions of Nav2 that use the route server, since Jazzy (nav2_behavior_tree/plugins/action).
 namespace bt {
 namespace {
 
 using base::NodeStatus;
 using State = RobotOutcome::State;
 
-// ComputeRoute and ComputeAndTrackRoute. Ports 0: goal, 1: start, 2: goal's node, 3: start's node,
-// 4: poses count, 5: the start counts; out 6: path, 7: route, 8: time [s], 9: error code, 10: error
-// text. ComputeAndTrackRoute, out too: 11, 12: last and next node, 13: edge, 14: found anew, 15:
-// time [s] as Kilted names it.
+// ComputeRoute and ComputeAndTrackRoute. Ports 0: goal, 1: start, 2: goal node, 3: start node, 4:
+// use poses, 5: use start; out 6: path, 7: route, 8: time [s], 9: error code, 10: error text.
+// Further outputs of ComputeAndTrackRoute: 11, 12: last and next node, 13: edge, 14: rerouted, 15:
+// time [s] under its name in Kilted.
 
-/// What was asked for, and which feedback has been written.
+/// The last request and the number of the last written feedback.
 struct RouteMemory {
   PathId goal, start;
   int goalId, startId;
@@ -69,7 +69,7 @@ NodeStatus beginTrack(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
-/// While it runs, another goal or start is a new request.
+/// Another goal or start while running is a new request.
 NodeStatus awaitTrack(LeafContext& leaf) {
   NavigatorHost& robot = robotOf(leaf);
   auto& memory = leaf.memory<RouteMemory>();
@@ -113,48 +113,48 @@ NodeStatus extractNodes(LeafContext& leaf) {
   if (robotOf(leaf).paths().get(route).empty()) {
     return NodeStatus::Failure;
   }
-  leaf.set<int>(1, static_cast<int>(route));  // a route is held as the poses of its nodes
+  leaf.set<int>(1, static_cast<int>(route));  // a route is stored as the poses of its nodes
   return NodeStatus::Success;
 }
 
 constexpr const char* kNodes = R"(
-server_name text|Accepted; there is one such server.
-server_timeout int default 20|Accepted; servers answer immediately here.
-Action ComputeRoute|Navigation|Finds a route through the graph of the route server (since Jazzy).
-goal any suggest {goal}|Where to; the nearest node that can be reached counts.
-start any|Where from, when use_start is true; else from where the robot is.
-goal_id int|Node where to, when use_poses is false.
-start_id int|Node where from, when use_poses is false.
-use_poses bool|Poses count, not nodes; absent: unless goal_id is given.
-use_start bool default false|Whether start counts.
-path any output suggest {path}|The route as a path; empty when it failed.
-route any output suggest {route}|The nodes of the route.
-planning_time number output|0: the answer is immediate here.
-error_code_id int output suggest {error_code}|Why it failed, 0: it did not.
-error_msg text output suggest {error_msg}|Why it failed, in words (since Kilted).
+server_name text|No effect: there is a single server.
+server_timeout int default 20|No effect: servers respond immediately.
+Action ComputeRoute|Navigation|Computes a route through the graph of the route server (since Jazzy).
+goal any suggest {goal}|Goal pose; the nearest reachable node is used.
+start any|Start pose if use_start is true; else the robot's pose.
+goal_id int|Goal node if use_poses is false.
+start_id int|Start node if use_poses is false.
+use_poses bool|Whether poses are used instead of nodes; absent: unless goal_id is given.
+use_start bool default false|Whether start is used.
+path any output suggest {path}|Route as a path; empty after a failure.
+route any output suggest {route}|Nodes of the route.
+planning_time number output|Always 0: the server responds immediately.
+error_code_id int output suggest {error_code}|Error code; 0: no error.
+error_msg text output suggest {error_msg}|Error message (since Kilted).
 server_name server_timeout
-Action ComputeAndTrackRoute|Navigation|Finds a route and runs until the robot has come to its end; a route that is blocked is found anew (since Jazzy).
+Action ComputeAndTrackRoute|Navigation|Computes a route and runs until the robot has reached its end; a blocked route is computed again (since Jazzy).
 goal start goal_id start_id use_poses use_start path route
-execution_duration number output unit s|How long it has run.
+execution_duration number output unit s|Duration so far.
 error_code_id error_msg
-last_node_id int output suggest {last_node_id}|Node that was reached last.
-next_node_id int output suggest {next_node_id}|Node that is next.
-current_edge_id int output suggest {current_edge_id}|Edge that is followed.
-rerouted bool output suggest {rerouted}|The route has just been found anew.
-execution_time number output unit s|How long it has run (Kilted).
+last_node_id int output suggest {last_node_id}|Last reached node.
+next_node_id int output suggest {next_node_id}|Next node.
+current_edge_id int output suggest {current_edge_id}|Current edge.
+rerouted bool output suggest {rerouted}|The route was computed again in this tick.
+execution_time number output unit s|Duration so far (Kilted).
 server_name server_timeout
-Action CancelComputeAndTrackRoute|Navigation|Ends ComputeAndTrackRoute (since Jazzy).
+Action CancelComputeAndTrackRoute|Navigation|Cancels ComputeAndTrackRoute (since Jazzy).
 server_name server_timeout
-Action ExtractRouteNodesAsGoals|Navigation|Takes the nodes of a route as goals (since Kilted).
-route any needed suggest {route}|The route.
-goals any output suggest {goals}|Its nodes, each looking to the next one.
+Action ExtractRouteNodesAsGoals|Navigation|Gets the nodes of a route as goals (since Kilted).
+route any needed suggest {route}|Route.
+goals any output suggest {goals}|Nodes of the route, each with the heading to the next one.
 )";
 
 }  // namespace
 
 void addRobotRoutes(NodeLibrary& to);
 void addRobotRoutes(NodeLibrary& to) {
-  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   to.addStateful(manifest("ComputeRoute"),
                  {beginRoute, awaitRoute, cancelRoute<RobotAction::ComputeRoute>});

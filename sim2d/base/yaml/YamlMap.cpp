@@ -10,8 +10,7 @@
 namespace base {
 namespace {
 
-/// Integers in the way of ROS 2's parser (C's strtol with base 0): a leading 0 means octal, 0x
-/// hexadecimal.
+/// Integers with a prefix as in ROS 2's parser (strtol with base 0): 0 is octal, 0x hexadecimal.
 std::optional<long long> prefixedInteger(const std::string& text) {
   const bool negative = text[0] == '-';
   const std::size_t start = negative || text[0] == '+' ? 1 : 0;
@@ -26,7 +25,7 @@ std::optional<long long> prefixedInteger(const std::string& text) {
   if (digits.size() > 15 || read.ec != std::errc() || read.ptr != end) {
     return std::nullopt;
   }
-  const auto size = static_cast<long long>(value);  // of 60 bits at most
+  const auto size = static_cast<long long>(value);  // of at most 60 bits
   return negative ? -size : size;
 }
 
@@ -35,13 +34,13 @@ const YamlNode& emptyMap() {
   return kEmpty;
 }
 
-/// Names, words and paths contain no line ends, zero bytes or other control characters.
+/// Names, choices and paths must not contain line ends, zero bytes or other control characters.
 bool hasControlCharacter(const std::string& text) {
   return std::any_of(text.begin(), text.end(),
                      [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; });
 }
 
-/// For messages: "a list", "'text'".
+/// A description for messages: "a list", "'text'".
 std::string described(const YamlNode& node) {
   switch (node.kind) {
     case YamlNode::Kind::Map:
@@ -72,7 +71,7 @@ YamlMap::YamlMap(const YamlNode* node, std::string path, EntityId entity, ReadRe
       entity_(entity),
       report_(report) {
   if (node != nullptr && !node->isMap() && !node->isNull()) {
-    report.add(*node, within(path_, base::error("yaml.no-map", {described(*node)})), entity);
+    report.add(*node, withContext(path_, base::error("yaml.no-map", {described(*node)})), entity);
   }
 }
 
@@ -80,7 +79,7 @@ std::string YamlMap::pathOf(const std::string& key) const {
   return path_.empty() ? key : path_ + "." + key;
 }
 
-void YamlMap::know(const std::string& key) {
+void YamlMap::markKnown(const std::string& key) {
   known_.insert(key);
   report_.knownPaths.insert(pathOf(key));
 }
@@ -91,7 +90,7 @@ const YamlNode& YamlMap::place(const std::string& key) const {
 }
 
 const YamlNode* YamlMap::find(const std::string& key) {
-  know(key);
+  markKnown(key);
   const YamlNode* found = node_->find(key);
   if (found != nullptr && found->isNull()) {
     warning(key, "yaml.no-value");
@@ -180,7 +179,7 @@ std::optional<bool> YamlMap::boolean(const std::string& key) {
   static const std::map<std::string, bool> kWords = {
       {"true", true},   {"yes", true}, {"on", true},   {"y", true},  {"1", true},
       {"false", false}, {"no", false}, {"off", false}, {"n", false}, {"0", false}};
-  const auto word = kWords.find(found->isScalar() ? lowered(found->text) : std::string());
+  const auto word = kWords.find(found->isScalar() ? toLower(found->text) : std::string());
   if (word != kWords.end()) {
     return word->second;
   }
@@ -198,7 +197,7 @@ std::optional<std::string> YamlMap::text(const std::string& key) {
     return std::nullopt;
   }
   if (hasControlCharacter(found->text)) {
-    error(key, "yaml.control-character", {visible(found->text)});
+    error(key, "yaml.control-character", {escapedControls(found->text)});
     return std::nullopt;
   }
   return found->text;
@@ -242,7 +241,7 @@ std::vector<std::string> YamlMap::names(const std::string& key) {
     if (!item.isScalar() || item.text.empty()) {
       add(item, key, base::error("yaml.not-name", {described(item)}));
     } else if (hasControlCharacter(item.text)) {
-      add(item, key, base::error("yaml.control-character", {visible(item.text)}));
+      add(item, key, base::error("yaml.control-character", {escapedControls(item.text)}));
     } else if (!seen.insert(item.text).second) {
       add(item, key, base::error("yaml.listed-twice", {item.text}));
     } else {
@@ -262,22 +261,22 @@ std::optional<std::string> YamlMap::choice(const std::string& key,
   return std::nullopt;
 }
 
-bool YamlMap::demand(const std::string& key) {
+bool YamlMap::requireKey(const std::string& key) {
   const YamlNode* found = node_->find(key);
   if (found != nullptr && !found->isNull()) {
     return true;
   }
-  know(key);
+  markKnown(key);
   error(key, "yaml.missing");
   return false;
 }
 
 double YamlMap::required(const std::string& key, Range range) {
-  return demand(key) ? number(key, range).value_or(0.0) : 0.0;
+  return requireKey(key) ? number(key, range).value_or(0.0) : 0.0;
 }
 
 void YamlMap::add(const YamlNode& at, const std::string& key, Diagnostic problem) {
-  report_.add(at, within(pathOf(key), std::move(problem)), entity_);
+  report_.add(at, withContext(pathOf(key), std::move(problem)), entity_);
 }
 
 void YamlMap::error(const std::string& key, std::string_view code, ProblemValues values) {
@@ -292,7 +291,7 @@ UnknownKey unknownKey(const YamlNode& value) {
   return {value.key, emitYaml(value)};
 }
 
-UnknownKeys YamlMap::takeUnknown() {
+UnknownKeys YamlMap::takeUnknownKeys() {
   UnknownKeys unknown;
   for (const YamlNode& item : node_->items) {
     if (isKnown(item.key)) {

@@ -13,28 +13,28 @@
 #include "sim2d/base/Types.h"
 #include "sim2d/base/yaml/YamlTree.h"
 
-/// Typed reading of maps of a YAML tree; every problem is reported with its place. The one layer
-/// for all YAML files of the program.
+/// Typed access to maps of a YAML tree. Problems are reported with line and column. All YAML
+/// readers of the program use it.
 namespace base {
 
-/// What one reading gathers beside the values.
+/// Diagnostics and other results of reading a file.
 struct ReadReport {
   std::string file;
   Diagnostics diagnostics;
   std::set<std::string> knownPaths;  // dotted, below ros__parameters
   std::map<EntityId, int> lines;
 
-  /// The problem of a value, with its place in the file.
+  /// Adds a problem at the place of a value.
   void add(const YamlNode& at, Diagnostic problem, EntityId entity = {});
 };
 
-/// A map of which each key is asked for once by type; what nobody asked for is unknown.
+/// A map whose keys are read by type. Keys that are never read are reported as unknown.
 class YamlMap {
  public:
-  /// `node` null or absent counts as an empty map; neither map nor null is an error.
+  /// `node` null or a null value counts as an empty map; a value that is not a map is an error.
   YamlMap(const YamlNode* node, std::string path, EntityId entity, ReadReport& report);
 
-  /// The value, and the key is known from now on. Null counts as absent, with a warning.
+  /// The value; the key becomes known. Null counts as absent, with a warning.
   const YamlNode* find(const std::string& key);
   const YamlNode& node() const { return *node_; }
   const std::string& path() const { return path_; }
@@ -50,24 +50,24 @@ class YamlMap {
   std::vector<double> numbers(const std::string& key, Range range = kAnyNumber);
   std::vector<int> integers(const std::string& key);
   std::vector<std::string> names(const std::string& key);
-  /// One of `words`; another one is an error with the nearest.
+  /// The value if it is one of `words`; else an error with the nearest one.
   std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& words);
-  /// Whether the key has a value; an error otherwise.
-  bool demand(const std::string& key);
-  /// As above; an error where the key or its value is missing.
+  /// Whether the key has a value; adds an error if not.
+  bool requireKey(const std::string& key);
+  /// As number(); a missing key or value is an error.
   double required(const std::string& key, Range range = kAnyNumber);
-  /// An item of a list under that key.
+  /// Converts an item of the list under that key.
   std::optional<long long> integerOf(const YamlNode& value, const std::string& key);
 
-  /// About a value under that key, at its place.
+  /// Adds a problem at a value under that key.
   void add(const YamlNode& at, const std::string& key, Diagnostic problem);
   void error(const std::string& key, std::string_view code, ProblemValues values = {});
   void warning(const std::string& key, std::string_view code, ProblemValues values = {});
-  /// Asked for: not reported and not kept by takeUnknown.
-  void know(const std::string& key);
+  /// Marks a key as known: takeUnknownKeys does not return it.
+  void markKnown(const std::string& key);
   bool isKnown(const std::string& key) const { return known_.count(key) != 0; }
-  /// Keys nobody asked for, with a warning each, in the order found.
-  UnknownKeys takeUnknown();
+  /// Keys that were never read, in file order, each with a warning.
+  UnknownKeys takeUnknownKeys();
 
  private:
   static constexpr long long kNoEnd = std::numeric_limits<long long>::max();
@@ -79,7 +79,7 @@ class YamlMap {
   const YamlNode& place(const std::string& key) const;
   NumberText parse(const YamlNode& value, const std::string& key);
   std::optional<double> numberOf(const YamlNode& value, const std::string& key, Range range);
-  const std::vector<YamlNode>& items(const std::string& key);  // none: nothing, or no list
+  const std::vector<YamlNode>& items(const std::string& key);  // empty if missing or not a list
 
   const YamlNode* node_;
   std::string path_;
@@ -88,7 +88,7 @@ class YamlMap {
   std::set<std::string> known_;
 };
 
-/// The keys of a map as text, without a word about them.
+/// A key and its value as text, without a warning.
 UnknownKey unknownKey(const YamlNode& value);
 
 }  // namespace base

@@ -5,28 +5,28 @@
 #include <map>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlAliases.h"
-#include "sim2d/base/yaml/YamlText.h"
+#include "sim2d/base/yaml/YamlEmitter.h"
 
 namespace base {
 namespace {
 
-/// Bytes of a character of UTF-8 that begins so; 0 = none does.
+/// Length [bytes] of a UTF-8 character with this first byte; 0: invalid.
 std::size_t sequenceLength(unsigned char lead) {
   const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
   return (lead >= 0x80 && lead < 0xC2) || lead > 0xF4 ? 0 : length;
 }
 
-// YAML finds a key of up to 1024 characters; escapes make four of one when it is written.
+// YAML limits keys to 1024 characters, and escaping may use four characters for one.
 constexpr std::size_t kLongestKey = 200;
 
-// In a map: a block for each person, as many switched off, and what else there is.
-constexpr std::size_t kMostKeys = 5 * kMostPeople / 2;
+// Keys of a map: a block per listed agent, as many unlisted ones, and other keys.
+constexpr std::size_t kMaxKeys = 5 * kMaxPeople / 2;
 
 constexpr const char* kAgents = "agents";
 constexpr std::string_view kYamlTags = "tag:yaml.org,2002:";
@@ -36,13 +36,13 @@ std::string shortTag(const std::string& tag) {
                                                           : tag;
 }
 
-/// Ends the parsing after a problem that was told.
-struct Stop {};
+/// Ends parsing after a reported error.
+struct ParsingAborted {};
 
 /// Builds the tree from the parser's events.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& file, const YamlRules& rules, Diagnostics& diagnostics)
+  TreeBuilder(const std::string& file, const YamlSyntax& rules, Diagnostics& diagnostics)
       : file_(file), rules_(rules), diagnostics_(diagnostics) {}
 
   YamlNode root;
@@ -51,7 +51,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { add(nodeAt(mark), anchor); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    if (rules_.isOfRos) {
+    if (rules_.isRosFile) {
       add(aliases_.copyOf(anchor, nodeAt(mark), file_, diagnostics_));
       return;
     }
@@ -83,12 +83,12 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode key;
     bool hasKey = false;
     bool isAgents = false;
-    YAML::anchor_t anchor = 0;  // 0: it has none
+    YAML::anchor_t anchor = 0;  // 0: none
     std::map<std::string, int> keyLines;
   };
 
   static YamlNode nodeAt(const YAML::Mark& mark, YamlNode node = {}) {
-    node.line = mark.line + 1;  // the library counts from 0
+    node.line = mark.line + 1;  // yaml-cpp counts from 0
     node.column = mark.column + 1;
     return node;
   }
@@ -115,13 +115,13 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode node = std::move(open_.back().node);
     const YAML::anchor_t anchor = open_.back().anchor;
     open_.pop_back();
-    if (rules_.isOfRos && node.isMap()) {
+    if (rules_.isRosFile && node.isMap()) {
       replaceMergeKeys(node, file_, diagnostics_);
     }
     add(std::move(node), anchor);
   }
   void add(YamlNode node, YAML::anchor_t anchor = 0) {
-    if (rules_.isOfRos && anchor != 0) {
+    if (rules_.isRosFile && anchor != 0) {
       aliases_.keep(anchor, node);
     }
     if (open_.empty()) {
@@ -129,11 +129,11 @@ class TreeBuilder : public YAML::EventHandler {
       return;
     }
     Open& parent = open_.back();
-    refuseMasses(parent, node);
+    checkCounts(parent, node);
     if (!parent.node.isMap()) {
       parent.node.items.push_back(std::move(node));
     } else if (!parent.hasKey) {
-      takeKey(parent, std::move(node));
+      setKey(parent, std::move(node));
     } else {
       node.key = parent.key.text;
       node.keyIsPlain = parent.key.isScalar() && !parent.key.quoted;
@@ -143,24 +143,24 @@ class TreeBuilder : public YAML::EventHandler {
       parent.hasKey = false;
     }
   }
-  /// Before a file of gigabytes has filled the memory.
-  void refuseMasses(const Open& parent, const YamlNode& next) {
+  /// Limits counts while parsing, before a huge file fills the memory.
+  void checkCounts(const Open& parent, const YamlNode& next) {
     const std::size_t count = parent.node.items.size();
-    if (parent.isAgents && count == kMostPeople) {
-      report(next.line, next.column, "yaml.too-many-people", {kMostPeople});
-      throw Stop();
+    if (parent.isAgents && count == kMaxPeople) {
+      report(next.line, next.column, "yaml.too-many-people", {kMaxPeople});
+      throw ParsingAborted();
     }
-    if (parent.node.isMap() && count == kMostKeys) {
-      report(next.line, next.column, "yaml.too-many-keys", {kMostKeys, kMostPeople});
-      throw Stop();
+    if (parent.node.isMap() && count == kMaxKeys) {
+      report(next.line, next.column, "yaml.too-many-keys", {kMaxKeys, kMaxPeople});
+      throw ParsingAborted();
     }
   }
-  void takeKey(Open& parent, YamlNode key) {
+  void setKey(Open& parent, YamlNode key) {
     if (key.isMap() || key.isList()) {
       report(key.line, key.column, "yaml.key-no-word");
     } else if (key.text.size() > kLongestKey) {
       report(key.line, key.column, "yaml.key-too-long", {key.text.size()});
-    } else if (!rules_.keepsRepeats) {
+    } else if (!rules_.keepsDuplicates) {
       const auto found = parent.keyLines.emplace(key.text, key.line);
       if (!found.second) {
         report(key.line, key.column, "yaml.key-twice", {key.text, found.first->second});
@@ -171,18 +171,18 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   const std::string& file_;
-  const YamlRules& rules_;
+  const YamlSyntax& rules_;
   Diagnostics& diagnostics_;
   std::vector<Open> open_;
   YamlAliases aliases_;
 };
 
-/// A document after the first: put after it where both are maps, as parameter files of ROS 2 are
-/// read; else an error.
-void takeDocument(YamlNode next, const std::string& file, const YamlRules& rules, YamlNode& root,
-                  Diagnostics& diagnostics) {
+/// Appends a further document to the first if both are maps, as ROS 2 parameter files are read;
+/// otherwise adds an error.
+void appendDocument(YamlNode next, const std::string& file, const YamlSyntax& rules, YamlNode& root,
+                    Diagnostics& diagnostics) {
   const bool isMerged =
-      rules.isOfRos && (root.isMap() || root.isNull()) && (next.isMap() || next.isNull());
+      rules.isRosFile && (root.isMap() || root.isNull()) && (next.isMap() || next.isNull());
   diagnostics.push_back(problem(isMerged ? Severity::Warning : Severity::Error,
                                 isMerged ? "yaml.documents-merged" : "yaml.second-document", {},
                                 file, next.line, next.column));
@@ -194,7 +194,7 @@ void takeDocument(YamlNode next, const std::string& file, const YamlRules& rules
 }
 
 void parseInto(TreeBuilder& builder, const std::string& text, const std::string& file,
-               const YamlRules& rules, Diagnostics& diagnostics) {
+               const YamlSyntax& rules, Diagnostics& diagnostics) {
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
@@ -202,23 +202,23 @@ void parseInto(TreeBuilder& builder, const std::string& text, const std::string&
     YamlNode first = std::move(builder.root);
     builder.root = {};
     while (parser.HandleNextDocument(builder)) {
-      takeDocument(std::exchange(builder.root, {}), file, rules, first, diagnostics);
-      if (!rules.isOfRos) {
+      appendDocument(std::exchange(builder.root, {}), file, rules, first, diagnostics);
+      if (!rules.isRosFile) {
         break;
       }
     }
     builder.root = std::move(first);
-  } catch (const Stop&) {
+  } catch (const ParsingAborted&) {
     builder.root = {};
   } catch (const YAML::Exception& problem) {
-    // the library's word for lists in lists beyond its depth
+    // yaml-cpp's message for lists nested too deeply
     const bool deep = problem.msg == "bad file";
     diagnostics.push_back(error("yaml.not-valid", {deep ? "nested too deeply" : problem.msg}, file,
                                 problem.mark.line + 1, problem.mark.column + 1));
   }
 }
 
-int lineOfBinary(std::string_view text) {
+int firstBinaryLine(std::string_view text) {
   int line = 1;
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
@@ -249,7 +249,7 @@ void findTabs(std::string_view text, const std::string& file, Diagnostics& diagn
   }
 }
 
-std::string normalised(std::string_view text) {
+std::string withUnixLineEnds(std::string_view text) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") {
     text.remove_prefix(3);
   }
@@ -310,13 +310,13 @@ YamlNode stringNode(const std::string& text) {
 
 namespace {
 
-/// Tabs are looked for before the parser, which has less to tell of them; in files of ROS only
-/// where it has failed, as tabs within brackets are valid.
-YamlNode parsedText(const std::string& clean, const std::string& file, const YamlRules& rules,
+/// Checks for tabs before parsing, because the parser's message is less specific. In ROS files only
+/// after a parse error, as tabs inside brackets are valid.
+YamlNode parsedText(const std::string& clean, const std::string& file, const YamlSyntax& rules,
                     Diagnostics& diagnostics) {
   Diagnostics tabs, found;
   findTabs(clean, file, tabs);
-  if (!tabs.empty() && !rules.isOfRos) {
+  if (!tabs.empty() && !rules.isRosFile) {
     append(diagnostics, tabs);
     return {};
   }
@@ -328,10 +328,10 @@ YamlNode parsedText(const std::string& clean, const std::string& file, const Yam
 
 }  // namespace
 
-YamlNode parseYaml(std::string_view text, const std::string& file, const YamlRules& rules,
+YamlNode parseYaml(std::string_view text, const std::string& file, const YamlSyntax& rules,
                    Diagnostics& diagnostics) {
-  const std::string clean = normalised(text);
-  if (const int line = lineOfBinary(clean); line > 0) {
+  const std::string clean = withUnixLineEnds(text);
+  if (const int line = firstBinaryLine(clean); line > 0) {
     diagnostics.push_back(error("yaml.not-text", {}, file, line));
     return {};
   }
@@ -339,13 +339,92 @@ YamlNode parseYaml(std::string_view text, const std::string& file, const YamlRul
 }
 
 YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
-  return parseYaml(text, file, YamlRules(), diagnostics);
+  return parseYaml(text, file, YamlSyntax(), diagnostics);
 }
 
 std::string scalarText(const std::string& yaml) {
   Diagnostics problems;
   const YamlNode node = parseYaml(yaml, {}, problems);
   return node.isScalar() && !hasErrors(problems) ? node.text : yaml;
+}
+
+namespace {
+
+constexpr std::size_t kMaxCopied = 100000;  // values per file; nested aliases multiply
+constexpr const char* kMergeKey = "<<";
+
+std::size_t sizeOf(const YamlNode& node) {
+  std::size_t size = 1;
+  for (const YamlNode& item : node.items) {
+    size += sizeOf(item);
+  }
+  return size;
+}
+
+bool isMergeKey(const YamlNode& value) {
+  return value.key == kMergeKey && value.keyIsPlain;
+}
+
+/// The maps that a merge key inserts; empty with an error if its value is invalid.
+std::vector<YamlNode> mapsToMerge(YamlNode value, const std::string& file,
+                                  Diagnostics& diagnostics) {
+  std::vector<YamlNode> maps;
+  const bool isListOfMaps =
+      value.isList() && std::all_of(value.items.begin(), value.items.end(),
+                                    [](const YamlNode& item) { return item.isMap(); });
+  if (isListOfMaps) {
+    maps = std::move(value.items);
+  } else if (value.isMap()) {
+    maps.push_back(std::move(value));
+  } else if (!value.isNull()) {
+    diagnostics.push_back(error("yaml.merge-no-map", {}, file, value.keyLine, value.keyColumn));
+  }
+  return maps;
+}
+
+}  // namespace
+
+YamlNode YamlAliases::copyOf(Anchor anchor, YamlNode at, const std::string& file,
+                             Diagnostics& diagnostics) {
+  const auto found = nodes_.find(anchor);
+  if (found == nodes_.end()) {
+    diagnostics.push_back(error("yaml.alias-without-value", {}, file, at.line, at.column));
+    return at;
+  }
+  if (!std::exchange(isReported_, true)) {
+    diagnostics.push_back(warning("yaml.alias-replaced", {}, file, at.line, at.column));
+  }
+  const std::size_t before = copied_;
+  copied_ += sizeOf(found->second);
+  if (copied_ > kMaxCopied) {
+    if (before <= kMaxCopied) {
+      diagnostics.push_back(error("yaml.too-many-aliases", {kMaxCopied}, file, at.line, at.column));
+    }
+    return at;
+  }
+  return found->second;
+}
+
+void replaceMergeKeys(YamlNode& map, const std::string& file, Diagnostics& diagnostics) {
+  if (std::none_of(map.items.begin(), map.items.end(), isMergeKey)) {
+    return;
+  }
+  std::vector<YamlNode> own, merged;
+  for (YamlNode& item : map.items) {
+    if (!isMergeKey(item)) {
+      own.push_back(std::move(item));
+      continue;
+    }
+    for (YamlNode& from : mapsToMerge(std::move(item), file, diagnostics)) {
+      std::move(from.items.begin(), from.items.end(), std::back_inserter(merged));
+    }
+  }
+  map.items = std::move(own);
+  for (YamlNode& item : merged) {
+    if (map.find(item.key) == nullptr) {
+      map.items.push_back(std::move(item));
+    }
+  }
 }
 
 }  // namespace base

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -7,9 +9,8 @@
 
 #include "sim2d/base/Result.h"
 
-/// YAML as a plain tree that keeps what the scenario files need and a YAML library throws away:
-/// order and repetition of keys, places, the text of numbers, quotes. For the readers of the
-/// program.
+/// YAML as a tree that keeps what YAML libraries drop: order and repetition of keys, lines and
+/// columns, the text of numbers, quotes.
 namespace base {
 
 struct YamlNode {
@@ -20,14 +21,14 @@ struct YamlNode {
 
   Kind kind = Kind::Null;
   std::string text;             // of a scalar, without quotes
-  bool quoted = false;          // not a plain scalar: a string whatever it looks like
+  bool quoted = false;          // quoted, so always a string
   std::string tag;              // explicit tag, "!!str"; empty = none
-  int line = 0, column = 0;     // from 1; 0 = made by the program
+  int line = 0, column = 0;     // from 1; 0: created by the program
   std::vector<YamlNode> items;  // of a list, or the values of a map
 
-  // as a value of a map:
+  // for values of a map:
   std::string key;
-  bool keyIsPlain = false;  // was written without quotes
+  bool keyIsPlain = false;  // written without quotes
   int keyLine = 0, keyColumn = 0;
 
   bool isMap() const { return kind == Kind::Map; }
@@ -36,11 +37,11 @@ struct YamlNode {
   bool isNull() const { return kind == Kind::Null; }
   const YamlNode* find(std::string_view name) const;
   YamlNode* find(std::string_view name);
-  /// The value of `name`, made as null at the end when it is not there. Turns null into a map.
+  /// The value of `name`; appends a null value if it is missing. Turns null into a map.
   YamlNode& child(const std::string& name);
 };
 
-/// A key that we do not know, kept as YAML text (block style, not indented), in the order found.
+/// An unknown key, kept as YAML text (block style, not indented), in file order.
 struct UnknownKey {
   std::string key;
   std::string yaml;
@@ -51,28 +52,50 @@ struct UnknownKey {
 };
 using UnknownKeys = std::vector<UnknownKey>;
 
-/// The key of a value of a map, as a node at its place.
+/// The key of a map value as a node with its line and column.
 YamlNode keyNode(const YamlNode& value);
-YamlNode scalarNode(std::string text);         // plain text as it stands (numbers, true, false)
-YamlNode stringNode(const std::string& text);  // quoted where YAML 1.1 would read something else
+YamlNode scalarNode(std::string text);         // unquoted (numbers, true, false)
+YamlNode stringNode(const std::string& text);  // quoted if YAML 1.1 would read another type
 
-/// People that the list `agents` of a file may name; what is longer is not read to its end.
-constexpr std::size_t kMostPeople = 100000;
+/// Largest number of agents in the list `agents` of a file; reading stops beyond it.
+constexpr std::size_t kMaxPeople = 100000;
 
-/// The only document of a text. Problems (syntax, tabs, repeated keys, aliases, not UTF-8, too many
-/// people) go to `diagnostics`; with errors the tree must not be used.
+/// Parses a text with one document. Problems (syntax, tabs, repeated keys, aliases, not UTF-8, too
+/// many agents) are added to `diagnostics`; with errors the tree must not be used.
 YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics);
 
 /// Block style, two spaces per level, lists indented under their key; no newline at the end.
 std::string emitYaml(const YamlNode& node);
 
-/// What a scalar in this text says, without its quotes; the text itself when it is none.
+/// The value of a scalar text without its quotes; the text itself if it is not a scalar.
 std::string scalarText(const std::string& yaml);
 
-/// The text would be something else than a string, or no plain scalar at all.
+/// Whether YAML would not read the plain text as this string.
 bool needsQuotes(std::string_view text);
 
-/// Number of comments, those inside quotes and block scalars not counted.
+/// Number of comments, excluding '#' in quotes and block scalars.
 int countComments(std::string_view text);
+
+/// Resolves YAML anchors, aliases and merge keys while a file is read. Private to this folder.
+
+/// Stores values with an anchor (`&name`) and copies them for aliases (`*name`).
+class YamlAliases {
+ public:
+  using Anchor = std::size_t;  // numbers assigned by yaml-cpp
+
+  void keep(Anchor anchor, YamlNode node) { nodes_[anchor] = std::move(node); }
+  /// The value for the alias at `at`; it keeps its own line and column. Warns once per file.
+  /// Errors: unknown anchor (also an alias inside its own value), or too many copied values.
+  YamlNode copyOf(Anchor anchor, YamlNode at, const std::string& file, Diagnostics& diagnostics);
+
+ private:
+  std::map<Anchor, YamlNode> nodes_;
+  std::size_t copied_ = 0;  // values
+  bool isReported_ = false;
+};
+
+/// Replaces the merge keys of a map (`<<: *defaults`, `<<: [*a, *b]`) by the keys of the merged
+/// maps. Keys of the map itself and of earlier maps take precedence.
+void replaceMergeKeys(YamlNode& map, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace base

@@ -2,20 +2,20 @@
 
 namespace sim2d {
 
-/// Planners that run code of others.
+/// Planners that run external code.
 constexpr const char* kExternalPlanner = "external";
 constexpr const char* kLibraryPlanner = "library";
 
-/// A scenario file alone never runs code: whoever starts the run must have said so (--allow-code,
-/// or a question in the window).
+/// A scenario file alone never runs code: the user must allow it (--allow-code, or a prompt in the
+/// window).
 struct CodePermission {
   bool allowed = false;
 };
 
-/// What becomes of programs and libraries that a scenario names.
-enum class CodeUse {
+/// How programs and libraries that a scenario names are handled.
+enum class ExternalCodePolicy {
   Refused,  // an error
-  LeftOut,  // nothing is started, the robot stands: for those who only look whether all is well
+  Skipped,  // nothing is started and the robot stands still, for validation only
   Allowed
 };
 

@@ -2,36 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dlfcn.h>
 #include <utility>
 #include <vector>
 
-#include "sim2d/nav/external/PlannerLibrary.h"
-#include "sim2d/nav/external/PlannerProtocol.h"
-#include "sim2d/nav/external/ShownText.h"
+#include "sim2d/nav/external/ExternalPlanner.h"
+#include "sim2d/nav/external/PrintableText.h"
 
 namespace sim2d {
 namespace {
 
-constexpr std::size_t kMostPathPoints = 100000;
+constexpr std::size_t kMaxPathPoints = 100000;
 
-hunavsim_point plainPoint(const Vec2& point) {
+hunavsim_point toAbiPoint(const Vec2& point) {
   return {point.x(), point.y()};
 }
 
-hunavsim_pose plainPose(const Pose2& pose) {
+hunavsim_pose toAbiPose(const Pose2& pose) {
   return {pose.position.x(), pose.position.y(), pose.heading};
 }
 
-std::vector<hunavsim_point> plainPoints(const std::vector<Vec2>& points) {
+std::vector<hunavsim_point> toAbiPoints(const std::vector<Vec2>& points) {
   std::vector<hunavsim_point> all;
   all.reserve(points.size());
   for (const Vec2& point : points) {
-    all.push_back(plainPoint(point));
+    all.push_back(toAbiPoint(point));
   }
   return all;
 }
 
-int32_t plainKinematics(Kinematics kinematics) {
+int32_t toAbiKinematics(Kinematics kinematics) {
   switch (kinematics) {
     case Kinematics::Omnidirectional:
       return HUNAVSIM_OMNIDIRECTIONAL;
@@ -42,25 +42,25 @@ int32_t plainKinematics(Kinematics kinematics) {
   }
 }
 
-hunavsim_body plainBody(const TrackedBody& body) {
+hunavsim_body toAbiBody(const TrackedBody& body) {
   return {body.id,
           body.kind == BodyKind::Person ? HUNAVSIM_PERSON : HUNAVSIM_ROBOT,
-          plainPoint(body.position),
-          plainPoint(body.velocity),
+          toAbiPoint(body.position),
+          toAbiPoint(body.velocity),
           body.heading,
           body.radius};
 }
 
-hunavsim_scan plainScan(const LaserScan& scan) {
-  return {plainPose(scan.sensor), scan.time,  scan.angleMin,
-          scan.perBeam,           scan.range, scan.distances.data(),
+hunavsim_scan toAbiScan(const LaserScan& scan) {
+  return {toAbiPose(scan.sensor), scan.time,  scan.angleMin,
+          scan.angleIncrement,    scan.range, scan.distances.data(),
           scan.distances.size()};
 }
 
-/// The walls as the library sees them, worked out anew when doors have moved.
-class PlainWalls {
+/// Walls in the types of the C interface, rebuilt when a door has moved.
+class AbiWalls {
  public:
-  /// True: they are others than before.
+  /// Returns true if they changed.
   bool update(const Observation& observation) {
     if (observation.navigation->version() == version_) {
       return false;
@@ -68,8 +68,8 @@ class PlainWalls {
     version_ = observation.navigation->version();
     points_.clear();
     outlines_.clear();
-    for (const Outline* outline : standingOutlines(*observation.obstacles)) {
-      points_.push_back(plainPoints(outline->points));
+    for (const Outline* outline : enabledOutlines(*observation.obstacles)) {
+      points_.push_back(toAbiPoints(outline->points));
     }
     outlines_.reserve(points_.size());
     for (const std::vector<hunavsim_point>& points : points_) {
@@ -85,8 +85,8 @@ class PlainWalls {
   std::vector<hunavsim_outline> outlines_;
 };
 
-std::string libraryWords(const char* text) {
-  return text == nullptr ? std::string() : shownText(text);
+std::string libraryMessage(const char* text) {
+  return text == nullptr ? std::string() : printableText(text);
 }
 
 class LibraryPlanner : public Planner {
@@ -102,18 +102,18 @@ class LibraryPlanner : public Planner {
 
   base::Result<BodyTwist> command(const Observation& observation) override {
     const bool haveWallsChanged = walls_.update(observation);
-    hunavsim_observation plain = plainOf(observation);
+    hunavsim_observation plain = toAbiObservation(observation);
     plain.walls_changed = haveWallsChanged ? 1 : 0;
     hunavsim_scan scan = {};
     if (observation.scan != nullptr) {
-      scan = plainScan(*observation.scan);
+      scan = toAbiScan(*observation.scan);
       plain.scan = &scan;
     }
     hunavsim_twist twist = {0.0, 0.0, 0.0};
     const int32_t code = library_->command(planner_, &plain, &twist);
     if (code != 0) {
-      return ofRobot(base::error(
-          "library.failed", {library_->file(), code, libraryWords(library_->error(planner_))}));
+      return withRobotName(base::error(
+          "library.failed", {library_->file(), code, libraryMessage(library_->error(planner_))}));
     }
     return checked(twist);
   }
@@ -123,7 +123,7 @@ class LibraryPlanner : public Planner {
       return {};
     }
     std::vector<hunavsim_point> points(library_->path(planner_, nullptr, 0));
-    points.resize(std::min(points.size(), kMostPathPoints));
+    points.resize(std::min(points.size(), kMaxPathPoints));
     const std::size_t count = library_->path(planner_, points.data(), points.size());
     points.resize(std::min(points.size(), count));
     std::vector<Vec2> path;
@@ -137,24 +137,24 @@ class LibraryPlanner : public Planner {
   }
 
  private:
-  base::Diagnostic ofRobot(base::Diagnostic problem) const {
-    return base::within("robot '" + robot_ + "'", std::move(problem));
+  base::Diagnostic withRobotName(base::Diagnostic problem) const {
+    return base::withContext("robot '" + robot_ + "'", std::move(problem));
   }
 
-  /// But for scan and walls_changed.
-  hunavsim_observation plainOf(const Observation& observation) {
+  /// Without scan and walls_changed.
+  hunavsim_observation toAbiObservation(const Observation& observation) {
     bodies_.clear();
     bodies_.reserve(observation.bodies.size());
     for (const TrackedBody& body : observation.bodies) {
-      bodies_.push_back(plainBody(body));
+      bodies_.push_back(toAbiBody(body));
     }
     hunavsim_observation plain = {};
     plain.time = observation.time;
     plain.dt = observation.dt;
-    plain.pose = plainPose(observation.pose);
+    plain.pose = toAbiPose(observation.pose);
     plain.motion = {observation.motion.linear, observation.motion.angular,
                     observation.motion.lateral};
-    plain.goal = plainPoint(observation.goal);
+    plain.goal = toAbiPoint(observation.goal);
     plain.goal_radius = observation.goalRadius;
     plain.bodies = bodies_.data();
     plain.body_count = bodies_.size();
@@ -168,7 +168,7 @@ class LibraryPlanner : public Planner {
         {"linear", twist.linear}, {"angular", twist.angular}, {"lateral", twist.lateral}};
     for (const auto& [key, value] : parts) {
       if (!std::isfinite(value)) {
-        return ofRobot(base::error("library.no-number", {key, library_->file()}));
+        return withRobotName(base::error("library.no-number", {key, library_->file()}));
       }
     }
     return BodyTwist{twist.linear, twist.angular, twist.lateral};
@@ -177,7 +177,7 @@ class LibraryPlanner : public Planner {
   const std::string robot_;
   const std::shared_ptr<const PlannerLibrary> library_;
   hunavsim_planner* const planner_;
-  PlainWalls walls_;
+  AbiWalls walls_;
   std::vector<hunavsim_body> bodies_;
 };
 
@@ -195,12 +195,12 @@ base::Result<std::shared_ptr<Planner>> loadLibraryPlanner(const PlannerSetup& se
     return library.diagnostics();
   }
   const RobotBody& body = setup.body;
-  const std::vector<hunavsim_point> corners = plainPoints(body.footprint.corners);
+  const std::vector<hunavsim_point> corners = toAbiPoints(body.footprint.corners);
   const DriveLimits& limits = body.limits;
   const hunavsim_robot robot = {setup.robot.c_str(),
                                 setup.robotId,
-                                plainKinematics(body.kinematics),
-                                reachOf(body.footprint),
+                                toAbiKinematics(body.kinematics),
+                                circumscribedRadius(body.footprint),
                                 corners.empty() ? nullptr : corners.data(),
                                 corners.size(),
                                 body.mass,
@@ -212,7 +212,7 @@ base::Result<std::shared_ptr<Planner>> loadLibraryPlanner(const PlannerSetup& se
                                 limits.turningRadius};
   hunavsim_planner* const planner = (*library)->create(&robot, setup.seed);
   if (planner == nullptr) {
-    return base::error("library.refused", {file, libraryWords((*library)->error(nullptr))});
+    return base::error("library.refused", {file, libraryMessage((*library)->error(nullptr))});
   }
   return std::shared_ptr<Planner>(
       std::make_shared<LibraryPlanner>(setup.robot, *std::move(library), planner));
@@ -229,7 +229,58 @@ base::Result<std::shared_ptr<Planner>> makeLibraryPlanner(const PlannerSetup& se
   }
   base::Diagnostics problems;
   for (const base::Diagnostic& problem : planner.diagnostics()) {
-    problems.push_back(base::within("robot '" + setup.robot + "'", problem));
+    problems.push_back(base::withContext("robot '" + setup.robot + "'", problem));
+  }
+  return problems;
+}
+
+namespace {
+
+template <class Function>
+void findSymbol(void* handle, const char* name, Function& to) {
+  to = reinterpret_cast<Function>(::dlsym(handle, name));
+}
+
+}  // namespace
+
+PlannerLibrary::PlannerLibrary(std::string file, void* handle)
+    : file_(std::move(file)), handle_(handle) {}
+
+PlannerLibrary::~PlannerLibrary() {
+  ::dlclose(handle_);
+}
+
+base::Result<std::shared_ptr<const PlannerLibrary>> PlannerLibrary::load(const std::string& file) {
+  void* const handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const char* why = ::dlerror();  // thread-local
+    return base::error("library.not-loaded", {why == nullptr ? file : std::string(why)});
+  }
+  const std::shared_ptr<PlannerLibrary> library(new PlannerLibrary(file, handle));
+  const base::Diagnostics problems = library->check();
+  if (!problems.empty()) {
+    return problems;
+  }
+  return std::shared_ptr<const PlannerLibrary>(library);
+}
+
+base::Diagnostics PlannerLibrary::check() {
+  base::Diagnostics problems;
+  const auto need = [this, &problems](const char* name, auto& to) {
+    findSymbol(handle_, name, to);
+    if (to == nullptr) {
+      problems.push_back(base::error("library.no-symbol", {file_, name}));
+    }
+  };
+  decltype(&hunavsim_planner_abi) abi = nullptr;
+  need("hunavsim_planner_abi", abi);
+  need("hunavsim_planner_create", create);
+  need("hunavsim_planner_command", command);
+  need("hunavsim_planner_error", error);
+  need("hunavsim_planner_destroy", destroy);
+  findSymbol(handle_, "hunavsim_planner_path", path);
+  if (abi != nullptr && abi() != HUNAVSIM_PLANNER_ABI) {
+    problems = {base::error("library.other-version", {file_, abi(), HUNAVSIM_PLANNER_ABI})};
   }
   return problems;
 }

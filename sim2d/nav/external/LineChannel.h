@@ -6,45 +6,46 @@
 #include <string>
 #include <string_view>
 
-#include "sim2d/base/Stop.h"
+#include "sim2d/base/StopFlag.h"
 
 namespace sim2d {
 
-/// Lines to and from another process, in lock-step: one out, one in. Whatever that process does, no
-/// call lasts longer than its deadline. Thread: one at a time.
+/// Exchange of lines with another process in lock-step: one out, one in. No call exceeds its
+/// deadline. Not thread-safe.
 class LineChannel {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kLongestLine = std::size_t{1} << 20U;  // [B], of what comes in
-  static constexpr std::size_t kTail = 4096;                          // [B]
+  static constexpr std::size_t kMaxLineLength = std::size_t{1} << 20U;  // [B], of an incoming line
+  static constexpr std::size_t kErrorTailSize = 4096;                   // [B]
 
-  /// Descriptors that do not block; they stay those of the caller. `errors` -1: there are none.
+  /// Non-blocking descriptors, owned by the caller. `errors` -1: none.
   struct Ends {
     int to = -1, from = -1, errors = -1;
   };
   enum class Outcome {
     Done,
-    TimeUp,        // the line was taken, no answer came
-    NotRead,       // the line was not even taken
-    InputClosed,   // nobody reads any more
-    OutputClosed,  // nobody writes any more
-    Ended,         // the process has ended, though somebody holds its output open
-    TooLong,       // more than `kLongestLine` without an end
-    Unasked,       // more than one line, or one before ours was taken
+    Timeout,         // the line was accepted, but no answer came
+    NotRead,         // the line was not accepted completely
+    InputClosed,     // the peer does not read any more
+    OutputClosed,    // the peer does not write any more
+    Ended,           // the process has ended, but its output is held open
+    TooLong,         // more than `kMaxLineLength` without a line ending
+    UnexpectedLine,  // more than one line, or a line before ours was sent
   };
 
-  /// `hasEnded`: of the other process; `stop` ends every wait at once, by `base::Stopped`.
+  /// `hasEnded`: whether the other process has ended; `stop` interrupts every wait with
+  /// `base::Stopped`.
   LineChannel(const Ends& ends, std::function<bool()> hasEnded, base::StopFlagPtr stop)
       : ends_(ends), hasEnded_(std::move(hasEnded)), stop_(std::move(stop)) {}
 
-  /// Sends the line (without its end), waits for one and puts it into `answer` without its end (LF
-  /// or CR LF).
+  /// Sends the line (without line ending), waits for one line and stores it in `answer` without its
+  /// ending (LF or CR LF).
   Outcome exchange(std::string_view line, Clock::time_point deadline, std::string& answer);
-  /// Sends a last line, to which there is no answer.
+  /// Sends a last line that has no answer.
   Outcome send(std::string_view line, Clock::time_point deadline);
-  /// What has come and was not taken as an answer.
-  const std::string& received() const { return in_; }
-  /// The last `kTail` bytes that came from `errors`, as far as they have been read.
+  /// Received data that was not consumed as an answer.
+  const std::string& received() const { return received_; }
+  /// The last `kErrorTailSize` bytes read from `errors`.
   const std::string& errorTail();
 
  private:
@@ -53,18 +54,18 @@ class LineChannel {
   void writeSome();
   void readSome();
   bool readErrors();
-  bool isSent() const { return sent_ == out_.size(); }
+  bool isSent() const { return sent_ == outgoing_.size(); }
   Outcome outcome(bool hasEnded) const;
 
   Ends ends_;
   std::function<bool()> hasEnded_;
   base::StopFlagPtr stop_;
-  std::string out_;         // the line that is sent
-  std::size_t sent_ = 0;    // so much of it
-  std::string in_;          // read, not taken yet
-  std::string tail_;        // of the errors
-  bool isRefused_ = false;  // nobody reads
-  bool isAtEnd_ = false;    // nobody writes
+  std::string outgoing_;         // line being sent
+  std::size_t sent_ = 0;         // bytes sent
+  std::string received_;         // received, not consumed yet
+  std::string errorTail_;        // of the error stream
+  bool isInputClosed_ = false;   // the peer does not read
+  bool isOutputClosed_ = false;  // the peer does not write
 };
 
 }  // namespace sim2d

@@ -1,13 +1,13 @@
 /* A robot's planner in a shared library. C99 and C++.
  *
- * The library defines the functions below; HuNavSim Desktop loads it, makes one planner for each
- * robot that names it, and asks it once per step while the robot has a goal. World frame, SI,
+ * The library defines the functions below; HuNavSim Desktop loads it, creates one planner for each
+ * robot that names it, and calls it once per step while the robot has a goal. World frame, SI,
  * radians: x right, y up, headings counter-clockwise from +x in (-pi, pi].
  *
- * Two planners of one library may be asked from two threads at the same time, one planner never.
- * Pointers that are handed over are valid during the call only. The same observations in the same
- * order must give the same commands: otherwise a run cannot be repeated. The library runs inside of
- * the simulator: no exception may leave it, and when it crashes, all does.
+ * Two planners of one library may be called from two threads at the same time, one planner never.
+ * Pointer arguments are valid during the call only. The same observations in the same order must
+ * give the same commands: otherwise a run cannot be repeated. The library runs inside the
+ * simulator: no exception may leave it, and its crash crashes the simulator.
  */
 #ifndef HUNAVSIM_PLANNER_H
 #define HUNAVSIM_PLANNER_H
@@ -15,9 +15,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* NOLINTBEGIN(readability-identifier-naming): names of C */
+/* NOLINTBEGIN(readability-identifier-naming): C names */
 
-/* Raised when libraries made before cannot be used any more. */
+/* Incremented by incompatible changes. */
 #define HUNAVSIM_PLANNER_ABI 1
 
 #if defined(_WIN32)
@@ -42,32 +42,32 @@ typedef struct hunavsim_pose {
   double heading; /* [rad] */
 } hunavsim_pose;
 
-/* Motion in the robot's own frame, or the wish for one. */
+/* Velocity in the robot's own frame, or a commanded one. */
 typedef struct hunavsim_twist {
-  double linear;  /* [m/s], ahead */
+  double linear;  /* [m/s], forward */
   double angular; /* [rad/s], counter-clockwise */
   double lateral; /* [m/s], to the left; omnidirectional robots only */
 } hunavsim_twist;
 
 typedef struct hunavsim_robot {
   const char* name;              /* UTF-8 */
-  int32_t id;                    /* tells robots of one run apart; with the seed: whose draws */
+  int32_t id;                    /* unique per run; random draws depend on it and the seed */
   int32_t kinematics;            /* HUNAVSIM_DIFFERENTIAL ... */
-  double radius;                 /* [m], of the smallest circle about the robot that holds it */
+  double radius;                 /* [m], smallest circle about the origin that encloses the robot */
   const hunavsim_point* corners; /* [m], robot frame, counter-clockwise; NULL: a disc */
   size_t corner_count;
   double mass;           /* [kg] */
-  double max_vel;        /* [m/s], ahead */
-  double max_reverse;    /* [m/s], backwards, >= 0 */
-  double max_acc;        /* [m/s^2], speeding up and slowing down */
+  double max_vel;        /* [m/s], forward */
+  double max_reverse;    /* [m/s], backward, >= 0 */
+  double max_acc;        /* [m/s^2], acceleration and deceleration */
   double max_omega;      /* [rad/s] */
   double max_alpha;      /* [rad/s^2] */
-  double turning_radius; /* [m], Ackermann: the least */
+  double turning_radius; /* [m], Ackermann: the minimum */
 } hunavsim_robot;
 
-/* Somebody the robot knows of. */
+/* A body that the robot perceives. */
 typedef struct hunavsim_body {
-  int32_t id;              /* of the track; a detector may swap them */
+  int32_t id;              /* track id; a detector may swap ids */
   int32_t kind;            /* HUNAVSIM_PERSON or HUNAVSIM_ROBOT */
   hunavsim_point position; /* [m] */
   hunavsim_point velocity; /* [m/s] */
@@ -75,63 +75,63 @@ typedef struct hunavsim_body {
   double radius;           /* [m] */
 } hunavsim_body;
 
-/* One turn of a lidar: distances counter-clockwise from angle_min, in the sensor's frame. */
+/* One lidar scan: distances counter-clockwise from angle_min, in the sensor frame. */
 typedef struct hunavsim_scan {
-  hunavsim_pose sensor;    /* where the robot takes its sensor to be */
+  hunavsim_pose sensor;    /* pose as estimated by the robot */
   double time;             /* [s] */
   double angle_min;        /* [rad], of the first beam */
   double per_beam;         /* [rad], between neighbours */
-  double range;            /* [m]; beams without a hit have it */
+  double range;            /* [m]; the distance of beams without a hit */
   const double* distances; /* [m] */
   size_t count;
 } hunavsim_scan;
 
-/* A closed border of something solid, which lies on the left of each edge; the last point joins the
+/* A closed boundary of a solid, which lies on the left of each edge; the last point joins the
  * first. */
 typedef struct hunavsim_outline {
   const hunavsim_point* points; /* [m] */
   size_t count;
 } hunavsim_outline;
 
-/* The world as the step began, as far as the robot's sensors tell. */
+/* Perception of the robot at the start of the step. */
 typedef struct hunavsim_observation {
   double time, dt;             /* [s] */
-  hunavsim_pose pose;          /* in the map, as the robot estimates it */
-  hunavsim_twist motion;       /* own, by odometry */
+  hunavsim_pose pose;          /* in the map, as estimated by the robot */
+  hunavsim_twist motion;       /* own velocity, from odometry */
   hunavsim_point goal;         /* [m] */
-  double goal_radius;          /* [m]; arrived: the robot's centre is inside */
-  const hunavsim_body* bodies; /* people, then other robots, by id */
+  double goal_radius;          /* [m]; reached when the robot's centre is inside */
+  const hunavsim_body* bodies; /* people, then other robots, sorted by id */
   size_t body_count;
-  const hunavsim_scan* scan;     /* the last one; NULL: no lidar, or not turned yet */
-  const hunavsim_outline* walls; /* of the known map, those that stand now */
+  const hunavsim_scan* scan;     /* the last one; NULL: no lidar, or no scan yet */
+  const hunavsim_outline* walls; /* current walls of the known map */
   size_t wall_count;
-  int32_t walls_changed; /* not 0: others than in the call before (doors), or this is the first */
+  int32_t walls_changed; /* nonzero: changed since the previous call (doors), or first call */
 } hunavsim_observation;
 
-/* The library's own; the simulator only hands it back. */
+/* Defined by the library; opaque to the simulator. */
 typedef struct hunavsim_planner hunavsim_planner;
 
 /* Returns HUNAVSIM_PLANNER_ABI. */
 HUNAVSIM_PLANNER_EXPORT int32_t hunavsim_planner_abi(void);
 
-/* A planner for this robot, or NULL; then hunavsim_planner_error(NULL) may tell why. */
+/* Creates a planner for this robot; NULL on failure, described by hunavsim_planner_error(NULL). */
 HUNAVSIM_PLANNER_EXPORT hunavsim_planner* hunavsim_planner_create(const hunavsim_robot* robot,
                                                                   uint64_t seed);
 
-/* Sets the command, which is all zeros before. Returns 0, or an error code of the library's own:
- * that ends the run. The simulator limits the command to what the drive can do. */
+/* Sets the command, initially zero. Returns 0, or a library-specific error code, which ends the
+ * run. The simulator limits the command to what the drive can do. */
 HUNAVSIM_PLANNER_EXPORT int32_t hunavsim_planner_command(hunavsim_planner* planner,
                                                          const hunavsim_observation* observation,
                                                          hunavsim_twist* command);
 
-/* What went wrong in the last call, UTF-8, for people; may be NULL. Valid until the next call. */
+/* Message of the last failure, UTF-8; may be NULL. Valid until the next call. */
 HUNAVSIM_PLANNER_EXPORT const char* hunavsim_planner_error(const hunavsim_planner* planner);
 
-/* The end of a planner that was made. */
+/* Destroys a planner. */
 HUNAVSIM_PLANNER_EXPORT void hunavsim_planner_destroy(hunavsim_planner* planner);
 
-/* May be left out. What the planner follows now, for display: writes up to `most` points [m] and
- * returns how many there are. */
+/* Optional. The path that the planner follows, for display: writes up to `most` points [m] and
+ * returns their total number. */
 HUNAVSIM_PLANNER_EXPORT size_t hunavsim_planner_path(const hunavsim_planner* planner,
                                                      hunavsim_point* points, size_t most);
 

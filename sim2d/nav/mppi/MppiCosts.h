@@ -3,15 +3,14 @@
 #include "sim2d/nav/mppi/MppiKernel.h"
 #include "sim2d/nav/mppi/MppiLanes.h"
 
-/// What a register of samples costs at one step. To be included once in the file of each
-/// instruction set.
+/// Cost of one register of samples at one step. Include exactly once per instruction-set file.
 namespace sim2d {
 namespace {
 
-constexpr int kComfortStride = 2;  // what people feel is looked at each second step
+constexpr int kComfortStride = 2;  // comfort costs are evaluated at every second step
 
 struct GridValue {
-  Lanes value, slopeX, slopeY;  // the slopes per metre
+  Lanes value, slopeX, slopeY;  // slopes per metre
 };
 
 inline GridValue valueAt(const MppiGrid& grid, Lanes x, Lanes y) {
@@ -36,20 +35,20 @@ inline GridValue valueAt(const MppiGrid& grid, Lanes x, Lanes y) {
   return {low + shareY * (high - low), slopeX * perMetre, (high - low) * perMetre};
 }
 
-/// Where the samples are and how they move.
+/// Poses and velocities of the samples.
 struct RolloutState {
   Lanes x, y, cosine, sine;
   Lanes linear, angular, lateral;
 };
 
-/// Over the steps.
+/// Accumulated over the steps.
 struct RolloutSums {
   Lanes cost = fill(0.0F);
   Lanes hits = fill(0.0F);
-  Lanes toGo = fill(0.0F);  // of the last step
+  Lanes toGo = fill(0.0F);  // at the last step
 };
 
-inline void addWay(const MppiProblem& problem, const RolloutState& at, RolloutSums& sums) {
+inline void addPathCosts(const MppiProblem& problem, const RolloutState& at, RolloutSums& sums) {
   const MppiCosts& costs = problem.costs;
   const Lanes none = fill(0.0F);
   const Lanes one = fill(1.0F);
@@ -57,26 +56,27 @@ inline void addWay(const MppiProblem& problem, const RolloutState& at, RolloutSu
   const Lanes steep2 = toGo.slopeX * toGo.slopeX + toGo.slopeY * toGo.slopeY;
   sums.toGo = toGo.value;
   const Lanes uphill = (at.cosine * toGo.slopeX + at.sine * toGo.slopeY) / sqrt(max(one, steep2));
-  const Lanes isFar = min(one, fill(2.0F) * toGo.value);  // at the goal every heading is good
+  const Lanes isFar = min(one, fill(2.0F) * toGo.value);  // at the goal the heading does not count
   const Lanes away = fill(0.5F * costs.heading) * (one + uphill) * isFar;
   const Lanes speed2 = at.linear * at.linear + at.lateral * at.lateral;
   const Lanes moving = select(toGo.value < fill(costs.goalRadius), speed2, none);
   sums.cost = sums.cost + fill(costs.goal) * toGo.value + away +
-              fill(costs.reverse) * orZero(none - at.linear) + fill(costs.stop) * moving;
+              fill(costs.reverse) * positivePart(none - at.linear) + fill(costs.stop) * moving;
 }
 
-inline void addWalls(const MppiProblem& problem, const MppiDisc& disc, Lanes x, Lanes y,
-                     RolloutSums& sums) {
+inline void addWallCosts(const MppiProblem& problem, const MppiDisc& disc, Lanes x, Lanes y,
+                         RolloutSums& sums) {
   const Lanes none = fill(0.0F);
   const Lanes one = fill(1.0F);
   const Lanes gap = valueAt(problem.clearance, x, y).value - fill(disc.radius);
-  const Lanes near = orZero(one - gap * fill(problem.costs.perWallRange));
+  const Lanes near = positivePart(one - gap * fill(problem.costs.perWallRange));
   const Lanes depth = fill(problem.costs.wallMargin) - gap;
   sums.cost = sums.cost + fill(problem.costs.wall) * (near * near);
   sums.hits = sums.hits + select(none < depth, one + fill(10.0F) * depth, none);
 }
 
-inline void addPeople(const MppiProblem& problem, int step, Lanes x, Lanes y, RolloutSums& sums) {
+inline void addPeopleCosts(const MppiProblem& problem, int step, Lanes x, Lanes y,
+                           RolloutSums& sums) {
   const Lanes none = fill(0.0F);
   const Lanes one = fill(1.0F);
   Lanes closeness = none;
@@ -84,27 +84,27 @@ inline void addPeople(const MppiProblem& problem, int step, Lanes x, Lanes y, Ro
     const MppiPerson& person = problem.people[i];
     const Lanes dx = x - fill(person.x);
     const Lanes dy = y - fill(person.y);
-    const Lanes near =  // 1 at touch
-        orZero((fill(person.far2) - (dx * dx + dy * dy)) * fill(person.perBand));
+    const Lanes near =  // 1 at contact
+        positivePart((fill(person.far2) - (dx * dx + dy * dy)) * fill(person.perBand));
     closeness = closeness + near * near;
     sums.hits = sums.hits + select(one < near, fill(10.0F) * near - fill(9.0F), none);
   }
   sums.cost = sums.cost + fill(problem.costs.person) * closeness;
 }
 
-inline void addZones(const MppiProblem& problem, const RolloutState& at, RolloutSums& sums) {
+inline void addZoneCosts(const MppiProblem& problem, const RolloutState& at, RolloutSums& sums) {
   for (int i = 0; i < problem.zoneCount; ++i) {
     const MppiZone& zone = problem.zones[i];
     const Lanes dx = at.x - fill(zone.x);
     const Lanes dy = at.y - fill(zone.y);
-    const Lanes inside = orZero(fill(1.0F) - (dx * dx + dy * dy) * fill(zone.perRadius2));
+    const Lanes inside = positivePart(fill(1.0F) - (dx * dx + dy * dy) * fill(zone.perRadius2));
     sums.cost = sums.cost + fill(zone.weight) * inside;
   }
 }
 
-/// The comfort of one person; the terms are told in SocialMppi's table.
-inline Lanes discomfortOf(const MppiSocial& social, const MppiPerson& person,
-                          const RolloutState& at, Lanes vx, Lanes vy, Lanes early) {
+/// Discomfort of one person; the terms are documented in SocialMppi's parameter table.
+inline Lanes discomfortCost(const MppiSocial& social, const MppiPerson& person,
+                            const RolloutState& at, Lanes vx, Lanes vy, Lanes early) {
   const Lanes none = fill(0.0F);
   const Lanes one = fill(1.0F);
   const Lanes dx = at.x - fill(person.x);
@@ -113,24 +113,26 @@ inline Lanes discomfortOf(const MppiSocial& social, const MppiPerson& person,
   const Lanes wy = vy - fill(person.vy);
   const Lanes d = sqrt(max(dx * dx + dy * dy, fill(1e-6F)));
   const Lanes gap = d - fill(person.touch);
-  const Lanes intimate = orZero(one - gap * fill(social.perIntimate));
-  const Lanes personal = orZero(one - gap * fill(social.perPersonal));
+  const Lanes intimate = positivePart(one - gap * fill(social.perIntimate));
+  const Lanes personal = positivePart(one - gap * fill(social.perPersonal));
 
   const Lanes ahead = dx * fill(person.hx) + dy * fill(person.hy);  // in the person's frame
   const Lanes left = dy * fill(person.hx) - dx * fill(person.hy);
   const Lanes along = select(none < ahead, fill(person.front), fill(person.rear));
   const Lanes space = powerOfTwo(none - (ahead * ahead * along + left * left * fill(person.side)));
-  const Lanes onStrip = select(none < ahead, orZero(one - ahead * fill(person.perStrip)), none) *
-                        orZero(one - abs(left) * fill(social.perStripWidth));
+  const Lanes onStrip =
+      select(none < ahead, positivePart(one - ahead * fill(person.perStrip)), none) *
+      positivePart(one - abs(left) * fill(social.perStripWidth));
 
   const Lanes w2 = wx * wx + wy * wy;
-  const Lanes closing = orZero(none - (dx * wx + dy * wy));  // times d
-  const Lanes hurry = min(
-      fill(2.0F), orZero(fill(social.fromTouchTime) * closing / (d * max(gap, fill(0.1F))) - one));
+  const Lanes closing = positivePart(none - (dx * wx + dy * wy));  // multiplied by d
+  const Lanes hurry =
+      min(fill(2.0F),
+          positivePart(fill(social.fromTouchTime) * closing / (d * max(gap, fill(0.1F))) - one));
   const Lanes cross = dx * wy - dy * wx;
-  const Lanes miss = abs(cross) / sqrt(max(w2, fill(0.04F)));  // [m], both going on like this
-  const Lanes unclear = orZero(one - (miss - fill(person.touch)) * fill(social.perPass));
-  const Lanes matters = orZero(one - gap * fill(social.perLegible));
+  const Lanes miss = abs(cross) / sqrt(max(w2, fill(0.04F)));  // [m], closest approach
+  const Lanes unclear = positivePart(one - (miss - fill(person.touch)) * fill(social.perPass));
+  const Lanes matters = positivePart(one - gap * fill(social.perLegible));
   const Lanes illegible =
       select(none < closing, min(one, unclear) * matters * early, none) * fill(person.walks);
 
@@ -140,8 +142,8 @@ inline Lanes discomfortOf(const MppiSocial& social, const MppiPerson& person,
          fill(social.relativeSpeed) * w2 * personal + fill(social.legible) * illegible;
 }
 
-inline void addComfort(const MppiProblem& problem, int step, const RolloutState& at,
-                       RolloutSums& sums) {
+inline void addComfortCosts(const MppiProblem& problem, int step, const RolloutState& at,
+                            RolloutSums& sums) {
   const Lanes vx = at.linear * at.cosine - at.lateral * at.sine;
   const Lanes vy = at.linear * at.sine + at.lateral * at.cosine;
   const Lanes early =
@@ -149,7 +151,7 @@ inline void addComfort(const MppiProblem& problem, int step, const RolloutState&
   Lanes sum = fill(0.0F);
   for (int i = problem.firstPerson[step]; i < problem.firstPerson[step + 1]; ++i) {
     const MppiPerson& person = problem.people[i];
-    const Lanes discomfort = discomfortOf(problem.social, person, at, vx, vy, early);
+    const Lanes discomfort = discomfortCost(problem.social, person, at, vx, vy, early);
     sum = sum + fill(person.comfort * kComfortStride) * discomfort;
   }
   sums.cost = sums.cost + sum;

@@ -8,24 +8,24 @@
 namespace sim2d {
 namespace {
 
-constexpr double kWindowJump = 0.5;         // [m]
+constexpr double kWindowStep = 0.5;         // [m]
 constexpr double kClearanceSpacing = 0.05;  // [m]
-constexpr double kToGoSpacing = 0.1;        // [m]
+constexpr double kCostToGoSpacing = 0.1;    // [m]
 constexpr double kSeedSpacing = 0.05;       // [m], along the route
 constexpr float kUnreached = 1e5F;          // [m]
-constexpr double kSlowInWalls = 20.0;
-constexpr double kSlowBesideWalls = 0.2;  // [m]; nearer, the slowness grows to 2
-constexpr double kSlowByPeople = 5.0;
-constexpr double kExactAboutGoal = 1.0;  // [m]
-constexpr float kSettled = 1e-3F;        // [m]
-constexpr int kMostSweeps = 24;
+constexpr double kWallSlowness = 20.0;
+constexpr double kWallSlowdownDistance = 0.2;  // [m]; nearer to walls the slowness grows to 2
+constexpr double kPersonSlowness = 5.0;
+constexpr double kExactGoalRadius = 1.0;  // [m]
+constexpr float kConvergence = 1e-3F;     // [m]
+constexpr int kMaxSweeps = 24;
 
 double clearanceOf(const Observation& observation, const Vec2& node) {
   if (observation.navigation->isOpenPlane() ||
-      observation.navigation->clearance(node) >= ClearanceGrid::kMost) {
-    return ClearanceGrid::kMost;
+      observation.navigation->clearance(node) >= ClearanceGrid::kMaxClearance) {
+    return ClearanceGrid::kMaxClearance;
   }
-  return observation.obstacles->clearance(node, ClearanceGrid::kMost);
+  return observation.obstacles->clearance(node, ClearanceGrid::kMaxClearance);
 }
 
 }  // namespace
@@ -42,19 +42,19 @@ MppiGrid NodeWindow::view(const std::vector<float>& values, const Vec2& origin) 
   return grid;
 }
 
-NodeWindow windowAbout(const Vec2& place, double half, double spacing) {
-  const long long perJump = std::llround(kWindowJump / spacing);
+NodeWindow windowAround(const Vec2& place, double half, double spacing) {
+  const long long perJump = std::llround(kWindowStep / spacing);
   NodeWindow window;
   window.spacing = spacing;
-  window.column = static_cast<long long>(std::floor((place.x() - half) / kWindowJump)) * perJump;
-  window.row = static_cast<long long>(std::floor((place.y() - half) / kWindowJump)) * perJump;
-  window.columns = static_cast<int>(std::ceil((2.0 * half + kWindowJump) / spacing)) + 2;
+  window.column = static_cast<long long>(std::floor((place.x() - half) / kWindowStep)) * perJump;
+  window.row = static_cast<long long>(std::floor((place.y() - half) / kWindowStep)) * perJump;
+  window.columns = static_cast<int>(std::ceil((2.0 * half + kWindowStep) / spacing)) + 2;
   window.rows = window.columns;
   return window;
 }
 
 void ClearanceGrid::update(const Observation& observation, double half) {
-  const NodeWindow window = windowAbout(observation.pose.position, half, kClearanceSpacing);
+  const NodeWindow window = windowAround(observation.pose.position, half, kClearanceSpacing);
   const bool isSameWorld = version_ == observation.navigation->version();
   if (isSameWorld && window == window_) {
     return;
@@ -81,7 +81,7 @@ double ClearanceGrid::at(const Vec2& place) const {
   const double column = std::floor(local.x());
   const double row = std::floor(local.y());
   if (column < 0.0 || row < 0.0 || column >= window_.columns - 1 || row >= window_.rows - 1) {
-    return kMost;
+    return kMaxClearance;
   }
   const auto i = static_cast<int>(column);
   const auto j = static_cast<int>(row);
@@ -101,10 +101,10 @@ Vec2 ClearanceGrid::slopeAt(const Vec2& place) const {
          (2.0 * h);
 }
 
-void ToGoGrid::update(const Observation& observation, const std::vector<Vec2>& route, double half,
-                      double radius, const ClearanceGrid& clearance,
-                      const std::vector<SlowDisc>& discs) {
-  const NodeWindow window = windowAbout(observation.pose.position, half, kToGoSpacing);
+void CostToGoGrid::update(const Observation& observation, const std::vector<Vec2>& route,
+                          double half, double radius, const ClearanceGrid& clearance,
+                          const std::vector<SlowDisc>& discs) {
+  const NodeWindow window = windowAround(observation.pose.position, half, kCostToGoSpacing);
   if (version_ == observation.navigation->version() && window == window_ && route == route_ &&
       discs == discs_) {
     return;
@@ -117,30 +117,30 @@ void ToGoGrid::update(const Observation& observation, const std::vector<Vec2>& r
   solve(*observation.obstacles);
 }
 
-void ToGoGrid::setSlowness(double radius, const ClearanceGrid& clearance) {
+void CostToGoGrid::setSlowness(double radius, const ClearanceGrid& clearance) {
   slowness_.assign(
       static_cast<std::size_t>(window_.columns) * static_cast<std::size_t>(window_.rows), 1.0F);
   for (int j = 0; j < window_.rows; ++j) {
     for (int i = 0; i < window_.columns; ++i) {
       const Vec2 node = window_.nodeAt(i, j);
       const double room = clearance.at(node) - radius;
-      double slowness = 1.0 + std::max(0.0, 1.0 - room / kSlowBesideWalls);
+      double slowness = 1.0 + std::max(0.0, 1.0 - room / kWallSlowdownDistance);
       for (const SlowDisc& disc : discs_) {
         if ((node - disc.centre).squaredNorm() < disc.radius * disc.radius) {
-          slowness = std::max(slowness, kSlowByPeople);
+          slowness = std::max(slowness, kPersonSlowness);
         }
       }
-      slowness_[window_.indexOf(i, j)] = static_cast<float>(room < 0.0 ? kSlowInWalls : slowness);
+      slowness_[window_.indexOf(i, j)] = static_cast<float>(room < 0.0 ? kWallSlowness : slowness);
     }
   }
 }
 
-void ToGoGrid::solve(const Obstacles& obstacles) {
+void CostToGoGrid::solve(const Obstacles& obstacles) {
   values_.assign(slowness_.size(), kUnreached);
   seedRoute();
   seedGoal(obstacles);
   bool isSettled = false;
-  for (int round = 0; round < kMostSweeps && !isSettled; round += 4) {
+  for (int round = 0; round < kMaxSweeps && !isSettled; round += 4) {
     const bool first = sweep(1, 1);
     const bool second = sweep(-1, 1);
     const bool third = sweep(-1, -1);
@@ -149,8 +149,8 @@ void ToGoGrid::solve(const Obstacles& obstacles) {
   }
 }
 
-/// The four nodes about the place know that they lie so far from it.
-void ToGoGrid::lower(const Vec2& place, double rest) {
+/// Lowers the four nodes about the place to their distance through it.
+void CostToGoGrid::lowerValues(const Vec2& place, double rest) {
   const Vec2 local = (place - window_.nodeAt(0, 0)) / window_.spacing;
   const auto column = static_cast<long long>(std::floor(local.x()));
   const auto row = static_cast<long long>(std::floor(local.y()));
@@ -167,12 +167,12 @@ void ToGoGrid::lower(const Vec2& place, double rest) {
   }
 }
 
-/// The route's end, and each place where it leaves the window, knows its rest.
-void ToGoGrid::seedRoute() {
+/// Seeds the route's end and each place where it leaves the window with the remaining length.
+void CostToGoGrid::seedRoute() {
   double rest = 0.0;
-  bool wasInside = holds(route_.back());
+  bool wasInside = contains(route_.back());
   if (wasInside) {
-    lower(route_.back(), 0.0);
+    lowerValues(route_.back(), 0.0);
   }
   for (std::size_t i = route_.size(); i-- > 1;) {
     const Vec2 back = route_[i - 1] - route_[i];
@@ -181,9 +181,9 @@ void ToGoGrid::seedRoute() {
     for (int part = 1; part <= parts; ++part) {
       const double share = static_cast<double>(part) / parts;
       const Vec2 place = route_[i] + share * back;
-      const bool isInside = holds(place);
+      const bool isInside = contains(place);
       if (isInside && !wasInside) {
-        lower(place, rest + share * length);
+        lowerValues(place, rest + share * length);
       }
       wasInside = isInside;
     }
@@ -191,15 +191,15 @@ void ToGoGrid::seedRoute() {
   }
 }
 
-bool ToGoGrid::holds(const Vec2& place) const {
+bool CostToGoGrid::contains(const Vec2& place) const {
   const Vec2 local = (place - window_.nodeAt(0, 0)) / window_.spacing;
   return local.minCoeff() >= 0.0 && local.x() < window_.columns - 1 && local.y() < window_.rows - 1;
 }
 
-/// Nothing stands nearer to the goal than the nearest wall: the way there is straight.
-void ToGoGrid::seedGoal(const Obstacles& obstacles) {
+/// Within the clearance of the goal the path is straight, so the distance is exact.
+void CostToGoGrid::seedGoal(const Obstacles& obstacles) {
   const Vec2 goal = route_.back();
-  const double room = std::min(kExactAboutGoal, obstacles.clearance(goal, kExactAboutGoal));
+  const double room = std::min(kExactGoalRadius, obstacles.clearance(goal, kExactGoalRadius));
   for (int j = 0; j < window_.rows; ++j) {
     for (int i = 0; i < window_.columns; ++i) {
       const double distance = (window_.nodeAt(i, j) - goal).norm();
@@ -210,8 +210,8 @@ void ToGoGrid::seedGoal(const Obstacles& obstacles) {
   }
 }
 
-/// Once over all nodes in one order; true when nothing has changed by more than a millimetre.
-bool ToGoGrid::sweep(int stepX, int stepY) {
+/// One sweep over all nodes; returns true if no value changed by more than a millimetre.
+bool CostToGoGrid::sweep(int stepX, int stepY) {
   const int columns = window_.columns;
   const int rows = window_.rows;
   const auto valueAt = [&](int i, int j) {
@@ -236,7 +236,7 @@ bool ToGoGrid::sweep(int stepX, int stepY) {
       }
     }
   }
-  return most < kSettled;
+  return most < kConvergence;
 }
 
 }  // namespace sim2d

@@ -5,10 +5,10 @@
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/mppi/MppiKernel.h"
 
-/// What MPPI looks up of the walls round the robot, kept from call to call. World frame, [m].
+/// Grids of distances about the robot, reused between calls. World frame, [m].
 namespace sim2d {
 
-/// Nodes of a lattice through the world's origin.
+/// A window of a lattice through the world's origin.
 struct NodeWindow {
   double spacing = 0.1;           // [m]
   long long column = 0, row = 0;  // of the first node
@@ -31,18 +31,18 @@ struct NodeWindow {
   }
   friend bool operator!=(const NodeWindow& a, const NodeWindow& b) { return !(a == b); }
 };
-/// It holds all within `half` of the place, and moves in jumps.
-NodeWindow windowAbout(const Vec2& place, double half, double spacing);
+/// Contains all places within `half` of `place`; moves in discrete jumps.
+NodeWindow windowAround(const Vec2& place, double half, double spacing);
 
-/// Distance to the nearest wall, negative inside of one; exact at the nodes, 5 cm apart, where it
-/// is below kMost.
+/// Signed distance to the nearest wall, negative inside; exact at the nodes, which are 5 cm apart,
+/// below kMaxClearance.
 class ClearanceGrid {
  public:
-  static constexpr double kMost = 1.5;  // [m]; larger distances are told as this
+  static constexpr double kMaxClearance = 1.5;  // [m]; larger distances are clamped
 
   void update(const Observation& observation, double half);
   MppiGrid view(const Vec2& origin) const { return window_.view(values_, origin); }
-  /// Between the nodes; kMost outside of the window.
+  /// Interpolated; kMaxClearance outside the window.
   double at(const Vec2& place) const;
   Vec2 slopeAt(const Vec2& place) const;
 
@@ -52,7 +52,7 @@ class ClearanceGrid {
   int version_ = -1;  // of the navigation map
 };
 
-/// A disc where somebody stands: ways lead round it if they can.
+/// A disc around a standing person, which paths avoid if possible.
 struct SlowDisc {
   Vec2 centre = Vec2::Zero();
   double radius = 0.0;  // [m]
@@ -62,11 +62,11 @@ struct SlowDisc {
   }
 };
 
-/// Length of the shortest way to the goal round the walls, for the middle of a body with `radius`:
-/// the solution of |grad D| = slowness (fast sweeping, Zhao 2005) from where the route leaves the
-/// window. Within walls the slowness is so large that ways lead round them, beside them a little
-/// above one.
-class ToGoGrid {
+/// Shortest path length to the goal around the walls, for the centre of a body with `radius`: the
+/// solution of |grad D| = slowness (fast sweeping, Zhao 2005), seeded where the route leaves the
+/// window. The slowness is large inside walls, so that paths avoid them, and slightly above one
+/// next to them.
+class CostToGoGrid {
  public:
   void update(const Observation& observation, const std::vector<Vec2>& route, double half,
               double radius, const ClearanceGrid& clearance, const std::vector<SlowDisc>& discs);
@@ -77,8 +77,8 @@ class ToGoGrid {
   void solve(const Obstacles& obstacles);
   void seedRoute();
   void seedGoal(const Obstacles& obstacles);
-  bool holds(const Vec2& place) const;
-  void lower(const Vec2& place, double rest);
+  bool contains(const Vec2& place) const;
+  void lowerValues(const Vec2& place, double rest);
   bool sweep(int stepX, int stepY);
 
   NodeWindow window_;

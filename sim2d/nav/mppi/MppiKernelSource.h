@@ -7,25 +7,25 @@
 #include "sim2d/nav/mppi/MppiLanes.h"
 #include "sim2d/nav/mppi/MppiNoise.h"
 
-/// Rollouts of a register of samples at a time: noise, controls that the drive can follow, the way
-/// they lead, its cost. To be included once in the file of each instruction set.
+/// Rollouts of one register of samples at a time: noise, feasible controls, trajectories, costs.
+/// Include exactly once per instruction-set file.
 namespace sim2d {
 namespace {
 
-/// Noise with the correlation of MppiNoise, one column of kLaneCount per step, unit deviation.
+/// White noise of unit deviation, one column of kLaneCount per step.
 struct NoiseColumns {
-  float fresh[3][kMostMppiSteps * kLaneCount];
-  float spare[kMostMppiSteps * kLaneCount];
+  float fresh[3][kMaxMppiSteps * kLaneCount];
+  float spare[kMaxMppiSteps * kLaneCount];
 };
 
-inline void drawAll(const MppiProblem& problem, int sample, NoiseColumns& noise) {
+inline void drawNoise(const MppiProblem& problem, int sample, NoiseColumns& noise) {
   drawNormals(problem.noise, sample, 0, problem.steps, noise.fresh[0], noise.fresh[1]);
   if (problem.drive.isOmnidirectional) {
     drawNormals(problem.noise, sample, 1, problem.steps, noise.fresh[2], noise.spare);
   }
 }
 
-/// The way of a register of samples, step by step.
+/// Trajectory of one register of samples, step by step.
 class Rollout {
  public:
   explicit Rollout(const MppiProblem& problem) : problem_(problem) {
@@ -34,7 +34,7 @@ class Rollout {
            fill(start.linear), fill(start.angular), fill(start.lateral)};
   }
 
-  /// Takes the wish, made feasible, for one step.
+  /// Applies a control, made feasible, for one step.
   void advance(Lanes linear, Lanes angular, Lanes lateral) {
     const MppiDrive& drive = problem_.drive;
     const Lanes before[3] = {at_.linear, at_.angular, at_.lateral};
@@ -53,31 +53,31 @@ class Rollout {
     move();
   }
 
-  /// Adds what the place of this step costs.
+  /// Adds the cost of the pose at this step.
   void weigh(int step) {
-    addWay(problem_, at_, sums_);
+    addPathCosts(problem_, at_, sums_);
     for (int i = 0; i < problem_.discCount; ++i) {
       const MppiDisc& disc = problem_.discs[i];
       const Lanes x = at_.x + at_.cosine * fill(disc.x) - at_.sine * fill(disc.y);
       const Lanes y = at_.y + at_.sine * fill(disc.x) + at_.cosine * fill(disc.y);
-      addWalls(problem_, disc, x, y, sums_);
-      addPeople(problem_, step, x, y, sums_);
+      addWallCosts(problem_, disc, x, y, sums_);
+      addPeopleCosts(problem_, step, x, y, sums_);
     }
     if (problem_.zoneCount > 0) {
-      addZones(problem_, at_, sums_);
+      addZoneCosts(problem_, at_, sums_);
     }
     if (problem_.isSocial && step % kComfortStride == 0) {
-      addComfort(problem_, step, at_, sums_);
+      addComfortCosts(problem_, step, at_, sums_);
     }
   }
 
-  /// `pulled`: the part of the cost that the update asks for.
-  void finish(Lanes pulled, float* cost, float* hits) const {
+  /// `controlCost`: control cost of the noise.
+  void finish(Lanes controlCost, float* cost, float* hits) const {
     const Lanes perStep = fill(1.0F / static_cast<float>(problem_.steps));
     const MppiCosts& costs = problem_.costs;
     const Lanes share = sums_.hits * perStep;
-    store(cost,
-          sums_.cost * perStep + fill(costs.end) * sums_.toGo + fill(costs.hit) * share + pulled);
+    store(cost, sums_.cost * perStep + fill(costs.end) * sums_.toGo + fill(costs.hit) * share +
+                    controlCost);
     store(hits, share);
   }
 
@@ -98,7 +98,7 @@ class Rollout {
                  fill(costs.changeLateral) * (lateral * lateral);
   }
 
-  /// Half the turn, the way, the other half (error of the way: third order of the turn).
+  /// Half the rotation, the translation, the other half (error: third order in the rotation).
   void move() {
     const Lanes half = at_.angular * fill(0.5F * problem_.dt);
     const Lanes half2 = half * half;
@@ -137,13 +137,13 @@ inline void storeControls(const MppiSamples& samples, const RolloutState& at, in
 
 inline void drawRegister(const MppiProblem& problem, const MppiSamples& samples, int first,
                          NoiseColumns& noise) {
-  drawAll(problem, first, noise);
+  drawNoise(problem, first, noise);
   Rollout rollout(problem);
   const float deviation[3] = {problem.noise.linear, problem.noise.angular, problem.noise.lateral};
   const int axes = problem.drive.isOmnidirectional ? 3 : 2;
   Lanes drift[3] = {fill(0.0F), fill(0.0F), fill(0.0F)};
   Lanes wanted[3] = {fill(0.0F), fill(0.0F), fill(0.0F)};
-  Lanes pulled = fill(0.0F);
+  Lanes controlCost = fill(0.0F);
   for (int step = 0; step < problem.steps; ++step) {
     const Lanes keep = fill(step == 0 ? 0.0F : problem.noise.keep);
     const Lanes share = fill(step == 0 ? 1.0F : problem.noise.fresh);
@@ -151,13 +151,13 @@ inline void drawRegister(const MppiProblem& problem, const MppiSamples& samples,
       const Lanes fresh = load(noise.fresh[axis] + static_cast<std::ptrdiff_t>(step) * kLaneCount);
       drift[axis] = keep * drift[axis] + share * fresh;
       wanted[axis] = fill(problem.mean[axis][step]) + fill(deviation[axis]) * drift[axis];
-      pulled = pulled + fill(problem.pull[axis][step]) * fresh;
+      controlCost = controlCost + fill(problem.pull[axis][step]) * fresh;
     }
     rollout.advance(wanted[0], wanted[1], wanted[2]);
     storeControls(samples, rollout.state(), step * samples.stride + first, axes == 3);
     rollout.weigh(step);
   }
-  rollout.finish(pulled, samples.costs + first, samples.hits + first);
+  rollout.finish(controlCost, samples.costs + first, samples.hits + first);
 }
 
 inline void weighRegister(const MppiProblem& problem, const MppiSamples& samples, int first) {
@@ -188,7 +188,7 @@ inline void weighSamples(const MppiProblem& problem, const MppiSamples& samples,
   }
 }
 
-/// In columns, then always in the same order.
+/// Accumulates in columns, then always adds them in the same order.
 inline float weightedSum(const float* weights, const float* values, int count) {
   float columns[kMppiColumns];
   for (int lane = 0; lane < kMppiColumns; lane += kLaneCount) {

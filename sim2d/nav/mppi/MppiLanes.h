@@ -4,10 +4,10 @@
 
 #include <xsimd/xsimd.hpp>
 
-/// One register of floats of the instruction set that this file is compiled for. Only operations
-/// that IEEE 754 rounds correctly: no fused, no estimated ones, so every set gives the same bits.
-/// What is not of xsimd, whose types carry the instruction set in their names, has internal
-/// linkage, so that no other file can be given code it must not run.
+/// One register of floats of the instruction set for which this file is compiled. Only operations
+/// that IEEE 754 rounds correctly are used, neither fused nor approximate ones, so that every set
+/// gives identical bits. Everything except xsimd, whose types carry the instruction set in their
+/// names, has internal linkage, so that no other file can link code it must not run.
 namespace sim2d {
 namespace {
 
@@ -35,18 +35,18 @@ inline void store(float* to, Lanes a) {
   a.store_unaligned(to);
 }
 inline Lanes clamped(Lanes a, Lanes low, Lanes high) {
-  return max(low, min(high, a));  // `low` where the two cross
+  return max(low, min(high, a));  // `low` if the bounds cross
 }
-inline Lanes orZero(Lanes a) {
+inline Lanes positivePart(Lanes a) {
   return max(a, fill(0.0F));
 }
 
-/// Both halves of the products of 32-bit words with one word.
+/// High and low halves of the products of 32-bit words with one word.
 struct Products {
   LaneWords high, low;
 };
 
-/// Lane by lane: compilers make one vector instruction for even and one for odd words of it.
+/// Lane by lane; compilers vectorise it as one instruction for even and one for odd words.
 inline Products productsOf(LaneWords a, std::uint32_t by) {
   std::uint32_t words[kLaneCount];
   std::uint32_t high[kLaneCount];
@@ -60,14 +60,14 @@ inline Products productsOf(LaneWords a, std::uint32_t by) {
   return {LaneWords::load_unaligned(high), LaneWords::load_unaligned(low)};
 }
 
-/// 2^x for x <= 0, nothing normal below 2^-126. Relative error 2e-7 for x above -2, else |x| *
-/// 1e-7.
+/// 2^x for x <= 0, no subnormal results (clamped at 2^-126). Relative error 2e-7 for x above -2,
+/// else |x| * 1e-7.
 inline Lanes powerOfTwo(Lanes x) {
-  const Lanes whole = fill(12582912.0F);  // 1.5 * 2^23: adding it rounds to a whole number
+  const Lanes whole = fill(12582912.0F);  // 1.5 * 2^23: adding it rounds to an integer
   const Lanes limited = max(x, fill(-126.0F));
   const Lanes power = limited + whole;
   const Lanes r = limited - (power - whole);
-  const Lanes r2 = r * r;  // own fit on [-1/2, 1/2]
+  const Lanes r2 = r * r;  // polynomial fitted on [-1/2, 1/2]
   const Lanes low = fill(1.00000012F) + fill(0.693146944F) * r;
   const Lanes middle = fill(0.240221202F) + fill(0.0555071309F) * r;
   const Lanes high = fill(0.00967554096F) + fill(0.00132764725F) * r;

@@ -5,9 +5,9 @@
 #include "sim2d/nav/mppi/MppiKernel.h"
 #include "sim2d/nav/mppi/MppiLanes.h"
 
-/// Normal random numbers by counter for a register of samples: Philox4x32-10 (Salmon et al. 2011)
-/// and the transform of Box and Muller (1958) in single precision. To be included once in the file
-/// of each instruction set.
+/// Counter-based normal random numbers for a register of samples: Philox4x32-10 (Salmon et al.
+/// 2011) and the Box-Muller transform (1958) in single precision. Include exactly once per
+/// instruction-set file.
 namespace sim2d {
 namespace {
 
@@ -15,7 +15,7 @@ struct NoiseBlock {
   LaneWords words[4];
 };
 
-/// The same words as base::philox4x32.
+/// Same words as base::philox4x32.
 inline NoiseBlock philoxOf(NoiseBlock counter, std::uint32_t key0, std::uint32_t key1) {
   for (int round = 0; round < 10; ++round) {
     const Products first = productsOf(counter.words[0], 0xD2511F53U);
@@ -43,7 +43,7 @@ inline Lanes logOf(Lanes u) {
   const Lanes x = select(isHigh, fill(0.5F) * mantissa, mantissa) - fill(1.0F);
   constexpr float kLog[9] = {0.999999974F,  -0.499999964F, 0.333341934F,
                              -0.250013526F, 0.199559294F,  -0.165779791F,
-                             0.149774292F,  -0.142693813F, 0.0853339577F};  // own fit, error 4e-8
+                             0.149774292F,  -0.142693813F, 0.0853339577F};  // fitted, error 4e-8
   Lanes sum = fill(kLog[8]);
   for (int i = 7; i >= 0; --i) {
     sum = fill(kLog[i]) + x * sum;
@@ -54,7 +54,7 @@ inline Lanes logOf(Lanes u) {
 
 /// sin(2 pi a), |a| <= 1/4 [turns]; error 1e-7.
 inline Lanes sineOfTurn(Lanes a) {
-  const Lanes z = a * a;  // own fit
+  const Lanes z = a * a;  // fitted polynomial
   return a * (fill(6.28318528F) +
               z * (fill(-41.3416806F) +
                    z * (fill(81.6024764F) + z * (fill(-76.5811726F) + z * fill(39.7598271F)))));
@@ -68,15 +68,15 @@ struct NormalPair {
 inline NormalPair normalsOf(LaneWords forRadius, LaneWords forTurn) {
   const Lanes u = fill(2.0F) - fromOneToTwo(forRadius);   // (0, 1]
   const Lanes turn = fromOneToTwo(forTurn) - fill(1.5F);  // [-1/2, 1/2)
-  const Lanes radius = sqrt(orZero(fill(-2.0F) * logOf(u)));
+  const Lanes radius = sqrt(positivePart(fill(-2.0F) * logOf(u)));
   const Lanes folded = abs(turn) - fill(0.25F);              // [-1/4, 1/4]
   const Lanes sine = sineOfTurn(fill(0.25F) - abs(folded));  // of |turn|
   const Lanes sign = turn & fill(-0.0F);
   return {radius * sineOfTurn(fill(0.0F) - folded), radius * (sine | sign)};
 }
 
-/// Normal numbers of one register of samples for all steps: pairs of steps 2 k and 2 k + 1 from
-/// block k. `first`, `second`: kLaneCount per step, with room for an even number of steps.
+/// Normal numbers of one register of samples for all steps: steps 2 k and 2 k + 1 come from block
+/// k. `first`, `second`: kLaneCount per step, with room for an even number of steps.
 inline void drawNormals(const MppiNoise& noise, int firstSample, int series, int steps,
                         float* first, float* second) {
   std::uint32_t samples[kLaneCount];

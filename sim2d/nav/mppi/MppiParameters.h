@@ -2,7 +2,7 @@
 
 #include "sim2d/base/Registry.h"
 
-/// What can be set of the planners `mppi` and `social_mppi`; units and sources stand in the tables.
+/// Parameters of the planners `mppi` and `social_mppi`; units and sources are in the tables.
 namespace sim2d {
 
 struct MppiParameters {
@@ -31,7 +31,7 @@ struct MppiParameters {
 
 base::ParameterTable<MppiParameters> mppiTable();
 
-/// Weights of what people feel.
+/// Weights of the comfort costs.
 struct SocialMppiParameters {
   MppiParameters mppi;
   double prediction = 1.0;

@@ -13,11 +13,11 @@
 namespace sim2d {
 namespace {
 
-// Lanes of the finalists; the rest brakes too.
+// Lanes of the finalists; the remaining lanes also brake.
 constexpr int kSmoothLane = 0, kMeanLane = 1, kBestLane = 2, kLastPlanLane = 3, kBrakeLane = 4;
-static_assert(kMppiDraw == static_cast<std::uint32_t>(base::Draw::Mppi) << 24U);
+static_assert(kMppiDraw == static_cast<std::uint32_t>(base::DrawPurpose::Mppi) << 24U);
 constexpr int kShownSamples = 40;
-constexpr int kShownStride = 4;  // steps between points of a shown way
+constexpr int kShownStride = 4;  // steps between displayed points of a trajectory
 
 }  // namespace
 
@@ -42,15 +42,15 @@ MppiSamples MppiPlanner::Columns::view() {
 }
 
 MppiPlanner::MppiPlanner(const PlannerSetup& setup, const MppiParameters& parameters,
-                         std::optional<SocialMppiParameters> social, MppiPath path)
+                         std::optional<SocialMppiParameters> social, MppiSimdLevel path)
     : body_(setup.body),
       parameters_(parameters),
       social_(social),
-      reach_(reachOf(setup.body.footprint)),
-      discs_(coverOf(setup.body.footprint)),
-      kernel_(mppiKernelOf(path)) {
+      reach_(circumscribedRadius(setup.body.footprint)),
+      discs_(discsCovering(setup.body.footprint)),
+      kernel_(mppiKernelFor(path)) {
   problem_.steps = static_cast<int>(
-      std::clamp(std::round(parameters_.steps), 2.0, static_cast<double>(kMostMppiSteps)));
+      std::clamp(std::round(parameters_.steps), 2.0, static_cast<double>(kMaxMppiSteps)));
   problem_.dt = static_cast<float>(parameters_.modelDt);
   setNoise(setup.seed);
   problem_.noise.robot = static_cast<std::uint32_t>(setup.robotId);
@@ -78,14 +78,14 @@ void MppiPlanner::reseed(std::uint64_t seed) {
 void MppiPlanner::reset() {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     plan_[axis].assign(stepCount(), 0.0F);
-    sent_[axis].fill(0.0F);
+    lastCommands_[axis].fill(0.0F);
   }
-  waitsSince_ = -1.0;
+  waitingSince_ = -1.0;
 }
 
 base::Result<BodyTwist> MppiPlanner::command(const Observation& observation) {
   start_ = observation.pose;
-  // A long robot goes through where its discs do: it turns into line before.
+  // A long robot fits where its discs fit, because it aligns with the route first.
   route_.update(observation, static_cast<double>(discs_.front().radius), 1.0);
   if (route_.isEmpty()) {
     reset();
@@ -95,13 +95,13 @@ base::Result<BodyTwist> MppiPlanner::command(const Observation& observation) {
   for (std::vector<float>& axis : plan_) {
     axis = shifted(axis, observation.dt / parameters_.modelDt);
   }
-  lookAround(observation);
+  updateSurroundings(observation);
   setProblem(observation);
   fillProposals();
   sample();
   update();
   ++problem_.noise.call;
-  return keepPlan(take(finalists_, chosen_));
+  return storePlan(take(finalists_, chosen_));
 }
 
 void MppiPlanner::setProblem(const Observation& observation) {
@@ -124,15 +124,15 @@ void MppiPlanner::setProblem(const Observation& observation) {
                                                 static_cast<double>(problem_.noise.angular),
                                                 static_cast<double>(problem_.noise.lateral)};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    mppiPull(plan_[axis], parameters_.gamma, deviations[axis],
-             static_cast<double>(problem_.noise.keep), pull_[axis]);
+    mppiControlCost(plan_[axis], parameters_.gamma, deviations[axis],
+                    static_cast<double>(problem_.noise.keep), controlCosts_[axis]);
     problem_.mean[axis] = plan_[axis].data();
-    problem_.pull[axis] = pull_[axis].data();
+    problem_.pull[axis] = controlCosts_[axis].data();
   }
 }
 
-/// The first register of samples: the last plan, braking, and constant commands, arcs for those
-/// that turn to drive and directions for those that need not.
+/// Fills the first register of samples: the last plan, braking, and constant commands (arcs; for
+/// omnidirectional robots directions).
 void MppiPlanner::fillProposals() {
   put(plan_, 0, samples_);
   putConstant({0.0F, 0.0F, 0.0F}, 1, samples_);
@@ -148,7 +148,7 @@ void MppiPlanner::fillProposals() {
     }
     return;
   }
-  // Who stands can turn, unless it has wheels like a car: that can go back.
+  // A standing robot can turn in place; a car reverses instead.
   const float slowest = problem_.drive.isAckermann ? 0.5F * problem_.drive.lowLinear : 0.0F;
   for (const float speed : {slowest, 0.5F * fastest, fastest}) {
     for (const float share : {-1.0F, -0.5F, 0.0F, 0.5F, 1.0F}) {
@@ -180,12 +180,12 @@ void MppiPlanner::update() {
   }
   Sequence smooth;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    smooth[axis] = savitzkyGolay(mean[axis], sent_[axis]);
+    smooth[axis] = savitzkyGolay(mean[axis], lastCommands_[axis]);
   }
   choose(mean, smooth);
 }
 
-/// The smooth mean, unless something else is cheaper by more than the temperature.
+/// The smoothed mean, unless another finalist is cheaper by more than the temperature.
 void MppiPlanner::choose(const Sequence& mean, const Sequence& smooth) {
   const auto least = std::min_element(samples_.costs.begin(), samples_.costs.end());
   const auto best = static_cast<int>(least - samples_.costs.begin());
@@ -239,17 +239,18 @@ MppiPlanner::Sequence MppiPlanner::take(const Columns& columns, int lane) const 
   return sequence;
 }
 
-BodyTwist MppiPlanner::keepPlan(const Sequence& plan) {
+BodyTwist MppiPlanner::storePlan(const Sequence& plan) {
   plan_ = plan;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    std::rotate(sent_[axis].begin(), sent_[axis].begin() + 1, sent_[axis].end());
-    sent_[axis].back() = plan[axis].front();
+    std::rotate(lastCommands_[axis].begin(), lastCommands_[axis].begin() + 1,
+                lastCommands_[axis].end());
+    lastCommands_[axis].back() = plan[axis].front();
   }
   return {static_cast<double>(plan[0].front()), static_cast<double>(plan[1].front()),
           static_cast<double>(plan[2].front())};
 }
 
-std::vector<Vec2> MppiPlanner::wayOf(const Columns& columns, int lane) const {
+std::vector<Vec2> MppiPlanner::trajectoryPoints(const Columns& columns, int lane) const {
   const Sequence sequence = take(columns, lane);
   Pose2 pose = start_;
   std::vector<Vec2> points;
@@ -270,7 +271,7 @@ std::vector<Vec2> MppiPlanner::wayOf(const Columns& columns, int lane) const {
 }
 
 std::vector<Vec2> MppiPlanner::path() const {
-  return route_.isEmpty() ? std::vector<Vec2>{} : wayOf(finalists_, chosen_);
+  return route_.isEmpty() ? std::vector<Vec2>{} : trajectoryPoints(finalists_, chosen_);
 }
 
 std::vector<Candidate> MppiPlanner::candidates() const {
@@ -282,7 +283,7 @@ std::vector<Candidate> MppiPlanner::candidates() const {
     const auto at = static_cast<std::size_t>(lane);
     const double cost = columns.hits[at] > 0.0F ? std::numeric_limits<double>::infinity()
                                                 : static_cast<double>(columns.costs[at]);
-    shown.push_back({wayOf(columns, lane), cost, isChosen});
+    shown.push_back({trajectoryPoints(columns, lane), cost, isChosen});
   };
   shown.reserve(kShownSamples + 1);
   const int stride = std::max(1, samples_.count / kShownSamples);

@@ -15,15 +15,16 @@
 namespace sim2d {
 
 /// Model predictive path integral control. Each call shifts the last plan, adds noise to it many
-/// times and some plain plans (constant commands; Trevisan & Alonso-Mora 2024), makes all feasible
-/// for the drive, weighs where they lead, and takes the mean by MppiUpdate.h. The feasible controls
-/// are averaged, not the raw ones: what a differential or omnidirectional drive can do is a convex
-/// set, so the mean is feasible as well. The mean of ways to both sides of somebody may lead
-/// through the middle: then the best of all is taken instead.
+/// times and some constant commands (Trevisan & Alonso-Mora 2024), makes all of them feasible for
+/// the drive, evaluates the resulting trajectories, and averages them by MppiUpdate.h. The feasible
+/// controls are averaged, not the raw ones: the feasible set of a differential or omnidirectional
+/// drive is convex, so the mean is feasible as well. The mean of trajectories on both sides of a
+/// person may lead through the middle; then the best sample is used instead.
 class MppiPlanner : public Planner {
  public:
   MppiPlanner(const PlannerSetup& setup, const MppiParameters& parameters,
-              std::optional<SocialMppiParameters> social, MppiPath path = fastestMppiPath());
+              std::optional<SocialMppiParameters> social,
+              MppiSimdLevel path = fastestMppiSimdLevel());
 
   bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override;
@@ -36,7 +37,7 @@ class MppiPlanner : public Planner {
   static constexpr std::size_t kAxes = 3;  // linear, angular, lateral
   using Sequence = std::array<std::vector<float>, kAxes>;
 
-  /// Controls of `count` samples, their costs and hits.
+  /// Controls of `count` samples, their costs and contacts.
   struct Columns {
     void resize(int samples, int steps);
     MppiSamples view();
@@ -50,10 +51,10 @@ class MppiPlanner : public Planner {
   void setCosts();
   void setSocial();
   void reset();
-  void lookAround(const Observation& observation);
+  void updateSurroundings(const Observation& observation);
   std::vector<PredictedBody> predictedBodies(const Observation& observation) const;
-  PredictedBody ownPlan(const Observation& observation) const;
-  void addPatience(const Observation& observation, const std::vector<PredictedBody>& bodies);
+  PredictedBody predictedRobot(const Observation& observation) const;
+  void addWaitingZone(const Observation& observation, const std::vector<PredictedBody>& bodies);
   void setProblem(const Observation& observation);
   void fillProposals();
   void sample();
@@ -62,8 +63,8 @@ class MppiPlanner : public Planner {
   void put(const Sequence& sequence, int lane, Columns& columns) const;
   void putConstant(const std::array<float, kAxes>& control, int lane, Columns& columns) const;
   Sequence take(const Columns& columns, int lane) const;
-  BodyTwist keepPlan(const Sequence& plan);
-  std::vector<Vec2> wayOf(const Columns& columns, int lane) const;
+  BodyTwist storePlan(const Sequence& plan);
+  std::vector<Vec2> trajectoryPoints(const Columns& columns, int lane) const;
   std::size_t stepCount() const { return static_cast<std::size_t>(problem_.steps); }
 
   const RobotBody body_;
@@ -75,16 +76,16 @@ class MppiPlanner : public Planner {
 
   RobotRoute route_;
   ClearanceGrid clearance_;
-  ToGoGrid toGo_;
+  CostToGoGrid toGo_;
   MppiScene scene_;
   MppiProblem problem_;
-  Sequence plan_, pull_;
-  std::array<std::array<float, 4>, kAxes> sent_{};  // last commands, latest last
+  Sequence plan_, controlCosts_;
+  std::array<std::array<float, 4>, kAxes> lastCommands_{};  // last commands, oldest first
   Columns samples_, finalists_;
   std::vector<float> weights_;
-  int chosen_ = 0;            // lane of the finalists
-  Pose2 start_;               // of the last call
-  double waitsSince_ = -1.0;  // [s]; < 0: does not wait
+  int chosen_ = 0;              // lane of the chosen finalist
+  Pose2 start_;                 // at the last call
+  double waitingSince_ = -1.0;  // [s]; < 0: not waiting
 };
 
 }  // namespace sim2d

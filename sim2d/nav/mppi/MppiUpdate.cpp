@@ -27,8 +27,8 @@ void mppiWeights(const float* costs, int count, double temperature, float* weigh
   }
 }
 
-void mppiPull(const std::vector<float>& mean, double gamma, double deviation, double keep,
-              std::vector<float>& pull) {
+void mppiControlCost(const std::vector<float>& mean, double gamma, double deviation, double keep,
+                     std::vector<float>& pull) {
   const double fresh = std::sqrt(1.0 - keep * keep);
   pull.resize(mean.size());
   double before = 0.0;

@@ -11,21 +11,22 @@
 #include "sim2d/base/Types.h"
 #include "sim2d/map/OccupancyGrid.h"
 
-/// Costs of cells as Nav2 has them (nav2_costmap_2d): what planners and controllers read.
+/// Costs of cells with the values of nav2_costmap_2d. Planners and controllers read them.
 namespace sim2d::nav2 {
 
 using base::Pose2;
 using base::Vec2;
 
 constexpr std::uint8_t kFreeSpace = 0;
-constexpr std::uint8_t kInscribed = 253;      // the centre of a round robot here collides
+constexpr std::uint8_t kInscribed = 253;      // the centre of a round robot in this cell collides
 constexpr std::uint8_t kLethal = 254;         // an obstacle
 constexpr std::uint8_t kNoInformation = 255;  // unknown
 
-/// Where the robot shall be, one after the other. World frame [m], [rad].
+/// Poses that the robot passes in this order. World frame [m], [rad].
 using Path = std::vector<Pose2>;
 
-/// A grid whose axes are those of the world. Row-major from the lower left. A plain value.
+/// A grid of costs aligned with the axes of the world frame. Row-major from the lower left. A value
+/// type.
 class Costmap {
  public:
   Costmap() = default;
@@ -44,14 +45,14 @@ class Costmap {
   int height() const { return height_; }  // cells
   double resolution() const { return resolution_; }
   const Vec2& origin() const { return origin_; }
-  void setOrigin(const Vec2& origin) { origin_ = origin; }  // the costs stay where they are
+  void setOrigin(const Vec2& origin) { origin_ = origin; }  // does not move the costs
   std::vector<std::uint8_t>& costs() { return costs_; }
   const std::vector<std::uint8_t>& costs() const { return costs_; }
 
   bool contains(Cell cell) const {
     return cell.column >= 0 && cell.row >= 0 && cell.column < width_ && cell.row < height_;
   }
-  std::size_t indexOf(Cell cell) const {  // the cell must lie inside
+  std::size_t indexOf(Cell cell) const {  // precondition: contains(cell)
     assert(contains(cell));
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(cell.column);
@@ -59,7 +60,8 @@ class Costmap {
   std::uint8_t at(Cell cell) const { return costs_[indexOf(cell)]; }
   void set(Cell cell, std::uint8_t cost) { costs_[indexOf(cell)] = cost; }
 
-  /// The cell of a place: floor((p - origin) / resolution). None outside, as for NaN.
+  /// Returns the cell at a position: floor((p - origin) / resolution), or nullopt outside the grid
+  /// and for NaN.
   std::optional<Cell> worldToCell(const Vec2& place) const {
     const double column = std::floor((place.x() - origin_.x()) / resolution_);
     const double row = std::floor((place.y() - origin_.y()) / resolution_);
@@ -68,13 +70,13 @@ class Costmap {
     }
     return Cell{static_cast<int>(column), static_cast<int>(row)};
   }
-  Vec2 cellToWorld(Cell cell) const {  // centre
+  Vec2 cellToWorld(Cell cell) const {  // centre of the cell
     return origin_ + resolution_ * Vec2(cell.column + 0.5, cell.row + 0.5);
   }
-  /// Cells that a distance spans: ceil(d / resolution), at least 0.
+  /// Returns the number of cells that a distance spans: ceil(d / resolution), at least 0.
   int cellDistance(double distance) const {
-    constexpr double kMost = 1e9;  // more than any map has
-    return static_cast<int>(std::fmin(std::fmax(0.0, std::ceil(distance / resolution_)), kMost));
+    constexpr double kMax = 1e9;  // larger than any map
+    return static_cast<int>(std::fmin(std::fmax(0.0, std::ceil(distance / resolution_)), kMax));
   }
 
  private:

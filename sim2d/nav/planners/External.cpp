@@ -3,7 +3,7 @@
 
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/external/ExternalPlanner.h"
-#include "sim2d/nav/external/StandIn.h"
+#include "sim2d/nav/external/IdlePlanner.h"
 
 namespace sim2d {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 base::ParameterTable<ExternalCommand> externalTable() {
   base::ParameterTable<ExternalCommand> table;
   table.add(&ExternalCommand::timeout, "timeout", "s", {0.0, 3600.0, true},
-            "Longest time that the program of the robot's `command` may take for an answer.");
+            "Maximum response time of the program in the robot's `command`.");
   return table;
 }
 
@@ -19,14 +19,15 @@ base::Result<std::shared_ptr<Planner>> makeExternal(const PlannerSetup& setup) {
   ExternalCommand command;
   externalTable().set(command, setup.parameters);
   command.command = setup.command;
-  if (setup.code != CodeUse::LeftOut) {
-    return makeExternalPlanner(setup, command, {setup.code == CodeUse::Allowed}, setup.stop);
+  if (setup.code != ExternalCodePolicy::Skipped) {
+    return makeExternalPlanner(setup, command, {setup.code == ExternalCodePolicy::Allowed},
+                               setup.stop);
   }
   const base::Diagnostics problems = checkExternalCommand(setup, command);
   if (!problems.empty()) {
     return problems;
   }
-  return std::shared_ptr<Planner>(std::make_shared<StandIn>());
+  return std::shared_ptr<Planner>(std::make_shared<IdlePlanner>());
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ base::Result<std::shared_ptr<Planner>> makeExternal(const PlannerSetup& setup) {
 void addExternal(PlannerRegistry& to);
 void addExternal(PlannerRegistry& to) {
   to.add(kExternalPlanner, externalTable().specs(), makeExternal,
-         "A planner of your own: a program that is asked in every step.");
+         "An external planner: a program that is called in every time step.");
 }
 
 }  // namespace sim2d

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sim2d/nav/Planner.h"
+#include "sim2d/nav/external/IdlePlanner.h"
 #include "sim2d/nav/external/LibraryPlanner.h"
-#include "sim2d/nav/external/StandIn.h"
 
 namespace sim2d {
 namespace {
@@ -18,38 +18,38 @@ std::vector<base::ParameterSpec> librarySpecs() {
   file.type = base::ParameterType::Text;
   file.fallback = std::string();
   file.help =
-      "Shared library that plans (hunavsim_planner.h), relative to the scenario; needs permission "
-      "to run code.";
+      "Shared library of the planner (hunavsim_planner.h), relative to the scenario; needs "
+      "permission to run code.";
   return {file};
 }
 
-/// What can be told without loading it.
-base::Result<std::shared_ptr<Planner>> makeStandIn(const PlannerSetup& setup,
-                                                   const std::string& file) {
+/// Checks that do not require loading the library.
+base::Result<std::shared_ptr<Planner>> makeIdlePlanner(const PlannerSetup& setup,
+                                                       const std::string& file) {
   std::error_code ignored;
   if (file.empty() || !std::filesystem::exists(file, ignored)) {
-    return base::within(
+    return base::withContext(
         "robot '" + setup.robot + "'",
         file.empty() ? base::error("library.no-file") : base::error("library.not-there", {file}));
   }
-  return std::shared_ptr<Planner>(std::make_shared<StandIn>());
+  return std::shared_ptr<Planner>(std::make_shared<IdlePlanner>());
 }
 
 base::Result<std::shared_ptr<Planner>> makeLibrary(const PlannerSetup& setup) {
-  const std::string file = fileOf(setup, kLibraryFile);
-  if (setup.code == CodeUse::LeftOut) {
-    return makeStandIn(setup, file);
+  const std::string file = fileParameter(setup, kLibraryFile);
+  if (setup.code == ExternalCodePolicy::Skipped) {
+    return makeIdlePlanner(setup, file);
   }
-  const bool isPlain = !file.empty() && file.find('/') == std::string::npos;  // not the system's
-  return makeLibraryPlanner(setup, isPlain ? "./" + file : file, {setup.code == CodeUse::Allowed});
+  const bool isPlain = !file.empty() && file.find('/') == std::string::npos;  // not a system path
+  return makeLibraryPlanner(setup, isPlain ? "./" + file : file,
+                            {setup.code == ExternalCodePolicy::Allowed});
 }
 
 }  // namespace
 
 void addLibrary(PlannerRegistry& to);
 void addLibrary(PlannerRegistry& to) {
-  to.add(kLibraryPlanner, librarySpecs(), makeLibrary,
-         "A planner of your own, in a shared library.");
+  to.add(kLibraryPlanner, librarySpecs(), makeLibrary, "An external planner in a shared library.");
 }
 
 }  // namespace sim2d

@@ -19,7 +19,8 @@ base::Result<std::shared_ptr<Planner>> makeMppi(const PlannerSetup& setup) {
 void addMppi(PlannerRegistry& to);
 void addMppi(PlannerRegistry& to) {
   to.add("mppi", mppiTable().specs(), makeMppi,
-         "Model predictive path integral control (Williams et al. 2017): weighs many noisy plans.");
+         "Model predictive path integral control (Williams et al. 2017): the weighted mean of many "
+         "noisy trajectories.");
 }
 
 }  // namespace sim2d

@@ -6,28 +6,27 @@
 #include <vector>
 
 #include "sim2d/base/Ranges.h"
-#include "sim2d/nav/DriveGear.h"
 #include "sim2d/nav/NonholonomicTracking.h"
 #include "sim2d/nav/PassiveSafety.h"
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/RouteVelocity.h"
-#include "sim2d/nav/VelocityPlanes.h"
+#include "sim2d/nav/RobotRoute.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kPartingTime = 0.5;  // [s] in which bodies that touch part
-constexpr double kLeastError = 0.1;   // of epsilon that is left beside a person or a wall
-constexpr double kEqualWorth = 1e-6;  // [m/s]
-constexpr double kStopMargin = 0.02;  // [m] that is left when the robot has to stop
+constexpr double kSeparationTime = 0.5;  // [s] within which bodies in contact separate
+constexpr double kMinErrorRatio =
+    0.1;  // fraction of epsilon that remains next to a person or a wall
+constexpr double kEqualVelocity = 1e-6;  // [m/s]
+constexpr double kStopMargin = 0.02;     // [m], margin when the robot has to stop
 
 struct OrcaPlannerParameters {
   double horizon = 3.0;         // tau [s]
   double wallHorizon = 1.0;     // [s]
   double trackingError = 0.1;   // epsilon [m]
   double turnTime = 0.5;        // T [s]
-  double share = 1.0;           // of avoiding people
-  double robotShare = 0.5;      // of avoiding robots
+  double share = 1.0;           // fraction of avoiding people
+  double robotShare = 0.5;      // fraction of avoiding robots
   double margin = 0.05;         // [m]
   double range = 8.0;           // [m]
   double lookahead = 0.8;       // [m]
@@ -42,59 +41,61 @@ base::ParameterTable<OrcaPlannerParameters> orcaPlannerTable() {
   base::ParameterTable<P> table;
   table
       .add(&P::horizon, "horizon", "s", base::kTimeSpan,
-           "tau: the chosen velocity keeps the robot apart from people and robots for so long.",
+           "tau: time for which the selected velocity is free of collisions with people and "
+           "robots.",
            reciprocal)
-      .add(&P::wallHorizon, "wall_horizon", "s", base::kTimeSpan, "The same for walls.", reciprocal)
+      .add(&P::wallHorizon, "wall_horizon", "s", base::kTimeSpan,
+           "Time for which the selected velocity is free of collisions with walls.", reciprocal)
       .add(&P::trackingError, "tracking_error", "m", base::kLength,
-           "epsilon: how far the robot may be from where the chosen velocity leads; less beside "
-           "people and walls. It counts as that much larger. Not for omnidirectional robots.",
+           "epsilon: maximum distance of the robot from the position that results from the "
+           "selected velocity; less beside people and walls. Its radius is enlarged by this. Not "
+           "for omnidirectional robots.",
            nonholonomic)
       .add(&P::turnTime, "turn_time", "s", base::kTimeSpan,
-           "T: in which the robot turns into the direction of the chosen velocity, unless its "
-           "angular acceleration takes longer.",
+           "T: time in which the robot turns into the direction of the selected velocity, unless "
+           "its angular acceleration takes longer.",
            nonholonomic)
       .add(&P::share, "share", "", share,
-           "Part of avoiding a person that the robot takes: 0.5 = people take the other half, 1 = "
-           "they do nothing.",
+           "Share of the avoidance of a person that the robot takes: 0.5: people take the other "
+           "half, 1: people do not avoid.",
            reciprocal)
-      .add(&P::robotShare, "robot_share", "", share, "The same for other robots.", reciprocal)
+      .add(&P::robotShare, "robot_share", "", share,
+           "Share of the avoidance of another robot that the robot takes.", reciprocal)
       .add(&P::margin, "margin", "m", base::kDistance,
-           "Room to people and robots in addition to both radii.")
-      .add(&P::range, "range", "m", base::kLength, "People and robots farther away do not count.")
+           "Distance to people and robots in addition to both radii.")
+      .add(&P::range, "range", "m", base::kLength, "People and robots farther away are ignored.")
       .add(&P::lookahead, "lookahead", "m", base::kLength,
-           "Distance along the route to the point to which the robot would like to go; at least "
-           "1.5 turning radii.")
+           "Distance along the route to the target point; at least 1.5 turning radii.")
       .add(&P::sidePreference, "side_preference", "rad", base::kAngleWidth,
-           "Turn of the wanted velocity to the right where people are in its way.");
+           "Rotation of the desired velocity to the right if people are in its way.");
   return table;
 }
 
-/// What can be tracked, in the world's frame, and walls, which both hold as far as they can; then
-/// bodies.
-std::vector<HalfPlane> planesWithin(const std::vector<HalfPlane>& piece, double heading,
-                                    const std::vector<HalfPlane>& walls,
-                                    const std::vector<HalfPlane>& bodies) {
+/// Trackable velocities, in the world frame, and walls, which have priority; then bodies.
+std::vector<HalfPlane> combinedPlanes(const std::vector<HalfPlane>& piece, double heading,
+                                      const std::vector<HalfPlane>& walls,
+                                      const std::vector<HalfPlane>& bodies) {
   std::vector<HalfPlane> planes;
   planes.reserve(piece.size() + walls.size() + bodies.size());
   for (const HalfPlane& edge : piece) {
-    planes.push_back(turnedBy(edge, heading));
+    planes.push_back(rotated(edge, heading));
   }
   planes.insert(planes.end(), walls.begin(), walls.end());
   planes.insert(planes.end(), bodies.begin(), bodies.end());
   return planes;
 }
 
-/// NH-ORCA: of the holonomic velocities that keep the robot apart from everybody and that it can
-/// track within epsilon, the one nearest to the wanted. A stop where only that helps.
+/// NH-ORCA: of the holonomic velocities that avoid all bodies and that the robot can track within
+/// epsilon, the one nearest to the wanted velocity. The robot stops if only that is safe.
 class OrcaPlanner : public Planner {
  public:
   OrcaPlanner(const RobotBody& body, const OrcaPlannerParameters& parameters)
       : body_(body),
         parameters_(parameters),
-        reach_(reachOf(body.footprint)),
+        reach_(circumscribedRadius(body.footprint)),
         side_(parameters.sidePreference),
-        gear_(body, parameters.turnTime) {
-    parameters_.lookahead = std::max(parameters.lookahead, gear_.leastLookahead());
+        gearSelector_(body, parameters.turnTime) {
+    parameters_.lookahead = std::max(parameters.lookahead, gearSelector_.minLookahead());
   }
 
   bool readsScan() const override { return false; }
@@ -104,14 +105,15 @@ class OrcaPlanner : public Planner {
     if (route_.isEmpty()) {
       return BodyTwist{};
     }
-    side_.update(observation, route_.restLength(position));
-    const Vec2 along = velocityAlong(route_, observation, parameters_.lookahead,
+    side_.update(observation, route_.remainingLength(position));
+    const Vec2 along = routeVelocity(route_, observation, parameters_.lookahead,
                                      body_.limits.maxVel, body_.limits.maxAcc);
-    const Vec2 wanted = turnedBy(along, side_.detour());
+    const Vec2 wanted = rotated(along, side_.detour());
     const Vec2 target = route_.pointAhead(position, parameters_.lookahead);
-    const DriveAim aim = gear_.choose(observation, target, wanted, parameters_.trackingError);
-    const BodyTwist twist = aim.commandOf(track(aim.model, bestVelocity(observation, aim)));
-    return passivelySafe(body_, observation, twist, kStopMargin);
+    const DriveReference aim =
+        gearSelector_.choose(observation, target, wanted, parameters_.trackingError);
+    const BodyTwist twist = aim.toRobotCommand(track(aim.model, bestVelocity(observation, aim)));
+    return nearestSafeTwist(body_, observation, twist, kStopMargin);
   }
 
   std::vector<Vec2> path() const override { return route_.points(); }
@@ -121,37 +123,38 @@ class OrcaPlanner : public Planner {
   }
 
  private:
-  /// In the frame that the robot drives ahead in.
-  Vec2 bestVelocity(const Observation& observation, const DriveAim& aim) const {
+  /// In the frame in which the robot drives forward.
+  Vec2 bestVelocity(const Observation& observation, const DriveReference& aim) const {
     const std::vector<TrackedBody> others = visibleBodies(observation, parameters_.range);
-    const double error = errorBeside(observation, others);
+    const double error = trackingErrorNear(observation, others);
     const std::vector<HalfPlane> walls =
         wallPlanes(observation, reach_ + error, aim.model.maxVel, parameters_.wallHorizon);
-    const std::vector<HalfPlane> bodies = planesOf(observation, others, error);
+    const std::vector<HalfPlane> bodies = bodyPlanes(observation, others, error);
     const bool isFree = worstViolation(bodies, 0, aim.wanted) <= 0.0;
-    const Vec2 wanted = isFree ? aim.wanted : turnedBy(aim.wanted, side_.turn());
+    const Vec2 wanted = isFree ? aim.wanted : rotated(aim.wanted, side_.turn());
     Vec2 best = Vec2::Zero();
     double leastViolation = std::numeric_limits<double>::infinity();
     double leastChange = std::numeric_limits<double>::infinity();
-    for (const std::vector<HalfPlane>& piece : trackedVelocities(aim.model, error)) {
-      const std::vector<HalfPlane> planes = planesWithin(piece, aim.heading, walls, bodies);
+    for (const std::vector<HalfPlane>& piece : trackableVelocities(aim.model, error)) {
+      const std::vector<HalfPlane> planes = combinedPlanes(piece, aim.heading, walls, bodies);
       const std::size_t fixed = planes.size() - bodies.size();
-      const Vec2 found = nearestAllowed(planes, fixed, wanted, aim.model.maxVel);
+      const Vec2 found = nearestFeasibleVelocity(planes, fixed, wanted, aim.model.maxVel);
       const double violation = worstViolation(planes, fixed, found);
       const double change = (found - wanted).norm();
-      if (violation < leastViolation - kEqualWorth ||
-          (violation < leastViolation + kEqualWorth && change < leastChange)) {
+      if (violation < leastViolation - kEqualVelocity ||
+          (violation < leastViolation + kEqualVelocity && change < leastChange)) {
         best = found;
         leastViolation = violation;
         leastChange = change;
       }
     }
-    return turnedBy(best, -aim.heading);
+    return rotated(best, -aim.heading);
   }
 
-  /// Epsilon, or half of the room to whatever is next: so the enlarged robot touches nothing that
-  /// the robot does not touch (the paper's variable tracking error).
-  double errorBeside(const Observation& observation, const std::vector<TrackedBody>& others) const {
+  /// Epsilon, or half of the clearance to the nearest body or wall, so that the enlarged robot
+  /// touches nothing that the robot does not touch (variable tracking error of the paper).
+  double trackingErrorNear(const Observation& observation,
+                           const std::vector<TrackedBody>& others) const {
     if (body_.kinematics == Kinematics::Omnidirectional) {
       return 0.0;
     }
@@ -162,18 +165,18 @@ class OrcaPlanner : public Planner {
     for (const TrackedBody& other : others) {
       room = std::min(room, (other.position - position).norm() - other.radius - reach_);
     }
-    return std::clamp(0.5 * room, kLeastError * most, most);
+    return std::clamp(0.5 * room, kMinErrorRatio * most, most);
   }
 
-  std::vector<HalfPlane> planesOf(const Observation& observation,
-                                  const std::vector<TrackedBody>& others, double error) const {
+  std::vector<HalfPlane> bodyPlanes(const Observation& observation,
+                                    const std::vector<TrackedBody>& others, double error) const {
     const Vec2& position = observation.pose.position;
     const BodyTwist& motion = observation.motion;
-    const Vec2 velocity = turnedBy(Vec2(motion.linear, motion.lateral), observation.pose.heading);
+    const Vec2 velocity = rotated(Vec2(motion.linear, motion.lateral), observation.pose.heading);
     std::vector<HalfPlane> planes;
     planes.reserve(others.size());
     for (const TrackedBody& other : others) {
-      // Within the margin: no nearer; only who touches has to part.
+      // Within the margin: do not come nearer; separation is required on contact only.
       const double distance = (other.position - position).norm();
       const double touching = reach_ + other.radius;
       const double apart =
@@ -181,8 +184,8 @@ class OrcaPlanner : public Planner {
       const Walker self(-1, position, velocity, apart - other.radius);
       const double share =
           other.kind == BodyKind::Robot ? parameters_.robotShare : parameters_.share;
-      planes.push_back(avoidBody(self, {other.id, other.position, other.velocity, other.radius},
-                                 parameters_.horizon, kPartingTime, share));
+      planes.push_back(bodyHalfPlane(self, {other.id, other.position, other.velocity, other.radius},
+                                     parameters_.horizon, kSeparationTime, share));
     }
     return planes;
   }
@@ -192,7 +195,7 @@ class OrcaPlanner : public Planner {
   double reach_;  // [m]
   RobotRoute route_;
   PassingSide side_;
-  DriveGear gear_;
+  GearSelector gearSelector_;
 };
 
 base::Result<std::shared_ptr<Planner>> makeOrcaPlanner(const PlannerSetup& setup) {
@@ -206,7 +209,8 @@ base::Result<std::shared_ptr<Planner>> makeOrcaPlanner(const PlannerSetup& setup
 void addOrcaPlanner(PlannerRegistry& to);
 void addOrcaPlanner(PlannerRegistry& to) {
   to.add("orca", orcaPlannerTable().specs(), makeOrcaPlanner,
-         "Reciprocal avoidance (ORCA) with the wheels that a robot has (NH-ORCA).");
+         "Optimal reciprocal collision avoidance (ORCA) for the kinematics of the robot "
+         "(NH-ORCA).");
 }
 
 }  // namespace sim2d

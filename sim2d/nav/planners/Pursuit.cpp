@@ -3,19 +3,19 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Ranges.h"
+#include "sim2d/nav/Observation.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/RobotRoute.h"
-#include "sim2d/nav/Sight.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kHalfAhead = base::kPi / 3.0;  // people within this of the heading count
-constexpr double kTurnOnSpot = 1.0;             // [rad]; above it the robot turns before it drives
+constexpr double kAheadHalfAngle = base::kPi / 3.0;  // half angle of the area ahead
+constexpr double kPursuitTurnInPlaceAngle = 1.0;     // [rad]; above this the robot turns in place
 
 struct PursuitParameters {
   double lookahead = 0.6;     // [m]
-  double slowDistance = 1.5;  // [m], gap to whoever is ahead
+  double slowDistance = 1.5;  // [m], gap to the nearest person ahead
   double stopDistance = 0.5;  // [m]
 };
 
@@ -23,7 +23,7 @@ base::ParameterTable<PursuitParameters> pursuitTable() {
   base::ParameterTable<PursuitParameters> table;
   table
       .add(&PursuitParameters::lookahead, "lookahead", "m", base::kLength,
-           "Distance along the path to the point that the robot steers to.", "Coulter 1992")
+           "Distance along the path to the target point.", "Coulter 1992")
       .add(&PursuitParameters::slowDistance, "slow_distance", "m", base::kDistance,
            "Gap to a person ahead below which the robot slows down.")
       .add(&PursuitParameters::stopDistance, "stop_distance", "m", base::kDistance,
@@ -31,13 +31,13 @@ base::ParameterTable<PursuitParameters> pursuitTable() {
   return table;
 }
 
-/// A* path, pure pursuit (Coulter 1992), slower for people ahead.
+/// A* path and pure pursuit (Coulter 1992); slows down for people ahead.
 class Pursuit : public Planner {
  public:
   Pursuit(const RobotBody& body, const PursuitParameters& parameters)
       : parameters_(parameters),
         limits_(body.limits),
-        reach_(reachOf(body.footprint)),
+        reach_(circumscribedRadius(body.footprint)),
         turningRadius_(body.kinematics == Kinematics::Ackermann ? body.limits.turningRadius : 0.0) {
   }
 
@@ -50,12 +50,12 @@ class Pursuit : public Planner {
     }
     const Vec2 local = observation.pose.toLocal(route_.pointAhead(position, parameters_.lookahead));
     const double bearing = base::headingOf(local);
-    if (std::fabs(bearing) > kTurnOnSpot && turningRadius_ == 0.0) {
+    if (std::fabs(bearing) > kPursuitTurnInPlaceAngle && turningRadius_ == 0.0) {
       return BodyTwist{0.0, turnRate(bearing)};
     }
     const double curvature = curvatureTo(bearing, std::max(local.norm(), 1e-6));
-    double speed = limits_.maxVel * freedom(observation);
-    speed = std::min(speed, std::sqrt(1.6 * limits_.maxAcc * route_.restLength(position)));
+    double speed = limits_.maxVel * allowedSpeedRatio(observation);
+    speed = std::min(speed, std::sqrt(1.6 * limits_.maxAcc * route_.remainingLength(position)));
     speed = std::min(speed, limits_.maxOmega / std::max(std::fabs(curvature), 1e-9));
     return BodyTwist{speed, std::clamp(speed * curvature, -limits_.maxOmega, limits_.maxOmega)};
   }
@@ -64,8 +64,8 @@ class Pursuit : public Planner {
   bool takeReplanned() override { return route_.takeReplanned(); }
 
  private:
-  /// Of the arc through the point [1/m], no tighter than the steering allows; the tightest for
-  /// what lies behind.
+  /// Curvature of the arc through the point [1/m], limited by the steering; the maximum for points
+  /// behind the robot.
   double curvatureTo(double bearing, double distance) const {
     const double curvature = 2.0 * base::sin(bearing) / distance;
     if (turningRadius_ == 0.0) {
@@ -76,22 +76,22 @@ class Pursuit : public Planner {
                                                 : std::clamp(curvature, -tightest, tightest);
   }
 
-  /// Fast enough to get round, slow enough to stop there.
+  /// Turn rate that allows stopping at the bearing.
   double turnRate(double bearing) const {
     const double rate =
         std::min(limits_.maxOmega, std::sqrt(1.6 * limits_.maxAlpha * std::fabs(bearing)));
     return bearing > 0.0 ? rate : -rate;
   }
 
-  /// Share of the full speed that people ahead leave: 1 beyond the slow distance, 0 inside the stop
-  /// distance.
-  double freedom(const Observation& observation) const {
+  /// Fraction of the full speed allowed by people ahead: 1 beyond the slow distance, 0 within the
+  /// stop distance.
+  double allowedSpeedRatio(const Observation& observation) const {
     double share = 1.0;
     for (const TrackedBody& body : observation.bodies) {
       const double distance = (body.position - observation.pose.position).norm();
       const double gap = distance - body.radius - reach_;
       if (gap < parameters_.slowDistance &&
-          isInView(observation.pose, body.position, distance + 1.0, kHalfAhead,
+          isInView(observation.pose, body.position, distance + 1.0, kAheadHalfAngle,
                    *observation.obstacles)) {
         const double width = std::max(parameters_.slowDistance - parameters_.stopDistance, 1e-9);
         share = std::min(share, std::clamp((gap - parameters_.stopDistance) / width, 0.0, 1.0));
@@ -103,7 +103,7 @@ class Pursuit : public Planner {
   PursuitParameters parameters_;
   DriveLimits limits_;
   double reach_;          // [m]
-  double turningRadius_;  // [m]; 0: turns on the spot
+  double turningRadius_;  // [m]; 0: can turn in place
   RobotRoute route_;
 };
 
@@ -112,7 +112,7 @@ base::Result<std::shared_ptr<Planner>> makePursuit(const PlannerSetup& setup) {
   pursuitTable().set(parameters, setup.parameters);
   if (parameters.lookahead <= 0.0 || parameters.stopDistance < 0.0 ||
       parameters.slowDistance < parameters.stopDistance) {
-    return base::within("robot '" + setup.robot + "'", base::error("world.bad-pursuit"));
+    return base::withContext("robot '" + setup.robot + "'", base::error("world.bad-pursuit"));
   }
   return std::shared_ptr<Planner>(std::make_shared<Pursuit>(setup.body, parameters));
 }
@@ -122,7 +122,7 @@ base::Result<std::shared_ptr<Planner>> makePursuit(const PlannerSetup& setup) {
 void addPursuit(PlannerRegistry& to);
 void addPursuit(PlannerRegistry& to) {
   to.add("pursuit", pursuitTable().specs(), makePursuit,
-         "Follows its route by pure pursuit (Coulter 1992) and slows down for people ahead.");
+         "Pure pursuit of the route (Coulter 1992); slows down for people ahead.");
 }
 
 }  // namespace sim2d

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/nav/CommandFile.h"
 #include "sim2d/nav/Planner.h"
+#include "sim2d/nav/VelocityRecording.h"
 
 namespace sim2d {
 namespace {
@@ -16,7 +16,7 @@ struct ReplayParameters {
 base::ParameterTable<ReplayParameters> replayTable() {
   base::ParameterTable<ReplayParameters> table;
   table.addCount(&ReplayParameters::robot, "robot", {-1e6, 1e6},
-                 "Whose velocities are taken from a trajectory.csv: its id.");
+                 "Id of the robot whose velocities are read from a trajectory.csv.");
   return table;
 }
 
@@ -26,9 +26,8 @@ std::vector<base::ParameterSpec> replaySpecs() {
   file.type = base::ParameterType::Text;
   file.fallback = std::string();
   file.help =
-      "CSV with time,linear,angular and perhaps lateral, or the trajectory.csv of a run; relative "
-      "to "
-      "the scenario.";
+      "CSV with time,linear,angular and optionally lateral, or the trajectory.csv of a run; "
+      "relative to the scenario.";
   std::vector<base::ParameterSpec> specs{file};
   for (const base::ParameterSpec& spec : replayTable().specs()) {
     specs.push_back(spec);
@@ -36,10 +35,10 @@ std::vector<base::ParameterSpec> replaySpecs() {
   return specs;
 }
 
-/// Drives recorded velocities again, whatever is in the way.
+/// Drives recorded velocities without regard to obstacles.
 class Replay : public Planner {
  public:
-  explicit Replay(CommandRecord record) : record_(std::move(record)) {}
+  explicit Replay(VelocityRecording record) : record_(std::move(record)) {}
 
   bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override {
@@ -48,17 +47,17 @@ class Replay : public Planner {
   bool needsGoal() const override { return false; }
 
  private:
-  CommandRecord record_;
+  VelocityRecording record_;
 };
 
 base::Result<std::shared_ptr<Planner>> makeReplay(const PlannerSetup& setup) {
   ReplayParameters parameters;
   replayTable().set(parameters, setup.parameters);
-  const std::string path = fileOf(setup, "file");
+  const std::string path = fileParameter(setup, "file");
   if (path.empty()) {
-    return base::within("robot '" + setup.robot + "'", base::error("replay.no-file"));
+    return base::withContext("robot '" + setup.robot + "'", base::error("replay.no-file"));
   }
-  base::Result<CommandRecord> record = readCommands(path, static_cast<int>(parameters.robot));
+  base::Result<VelocityRecording> record = readVelocities(path, static_cast<int>(parameters.robot));
   if (!record) {
     return record.diagnostics();
   }
@@ -69,8 +68,7 @@ base::Result<std::shared_ptr<Planner>> makeReplay(const PlannerSetup& setup) {
 
 void addReplay(PlannerRegistry& to);
 void addReplay(PlannerRegistry& to) {
-  to.add("replay", replaySpecs(), makeReplay,
-         "Drives recorded velocities again, whatever is in the way.");
+  to.add("replay", replaySpecs(), makeReplay, "Replays recorded velocities and ignores obstacles.");
 }
 
 }  // namespace sim2d

@@ -4,21 +4,19 @@
 #include <vector>
 
 #include "sim2d/base/Ranges.h"
-#include "sim2d/nav/DriveGear.h"
 #include "sim2d/nav/NonholonomicTracking.h"
 #include "sim2d/nav/PassiveSafety.h"
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/RouteVelocity.h"
+#include "sim2d/nav/RobotRoute.h"
 #include "sim2d/nav/SocialForce.h"
-#include "sim2d/nav/VelocityPlanes.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kForceRange = 8.0;   // [m]; people farther away do not count
-constexpr double kWallHorizon = 0.5;  // [s]
-constexpr double kCarError = 0.1;     // [m] of tracking, which limits how far a car steers
-constexpr double kLastMargin = 0.02;  // [m] that is left when the robot has to stop
+constexpr double kForceRange = 8.0;              // [m]; people farther away do not count
+constexpr double kWallHorizon = 0.5;             // [s]
+constexpr double kAckermannTrackingError = 0.1;  // [m], tracking error; limits the steering
+constexpr double kEmergencyMargin = 0.02;        // [m], margin when the robot has to stop
 
 struct SocialForcePlannerParameters {
   ForceParameters forces;
@@ -29,8 +27,9 @@ struct SocialForcePlannerParameters {
   double lookahead = 0.8;       // [m]
   double sidePreference = 0.1;  // [rad]
 
-  /// Of people but for three: walls act less far, or no robot would go through a door; others act
-  /// more, since a robot turns aside later than a person and people may not give way to it.
+  /// The defaults of people except for three values: a shorter range of walls, so that the robot
+  /// can pass doors; stronger and longer social forces, because a robot evades later than a person
+  /// and people may not give way to it.
   SocialForcePlannerParameters() {
     forces.obstacleRange = 0.1;
     forces.socialFactor = 12.0;
@@ -38,7 +37,7 @@ struct SocialForcePlannerParameters {
   }
 };
 
-/// What forces of people and robots share, without groups; texts as for people.
+/// Parameters shared by the forces of people and robots, without groups; same texts as for people.
 base::ParameterTable<ForceParameters> robotForceTable() {
   using F = ForceParameters;
   const std::vector<base::ParameterSpec> known = forceTable().specs();
@@ -50,15 +49,15 @@ base::ParameterTable<ForceParameters> robotForceTable() {
       }
     }
   };
-  table.add(&F::goalFactor, "goal_factor", "", base::kWeightAboveZero,
-            "k_g: weight of the pull along the route.", "Helbing & Molnár 1995");
+  table.add(&F::goalFactor, "goal_factor", "", base::kPositiveWeight,
+            "k_g: weight of the attractive force along the route.", "Helbing & Molnár 1995");
   add(&F::relaxationTime, "relaxation_time");
   table.add(&F::obstacleFactor, "obstacle_factor", "m/s²", base::kWeight,
-            "k_o: force of a wall that the robot touches. It turns the robot aside, never back.",
+            "k_o: force of a wall in contact with the robot. It turns the robot aside, never back.",
             "Helbing & Molnár 1995");
   add(&F::obstacleRange, "obstacle_range");
   table.add(&F::socialFactor, "social_factor", "m/s²", base::kWeight,
-            "k_s: weight of people and robots.", "Moussaïd et al. 2009");
+            "k_s: weight of the forces of people and robots.", "Moussaïd et al. 2009");
   add(&F::lambda, "lambda");
   add(&F::gamma, "gamma");
   add(&F::n, "n");
@@ -71,38 +70,38 @@ base::ParameterTable<SocialForcePlannerParameters> socialForcePlannerTable() {
   using P = SocialForcePlannerParameters;
   base::ParameterTable<P> table;
   table.include(&P::forces, robotForceTable())
-      .add(&P::desiredSpeed, "desired_speed", "m/s", base::kSpeedOfMotion,
-           "v_0: with which the robot likes to go, if its drive can.", "Helbing & Molnár 1995")
+      .add(&P::desiredSpeed, "desired_speed", "m/s", base::kPositiveSpeed,
+           "v_0: desired speed, limited by the drive.", "Helbing & Molnár 1995")
       .add(&P::turnTime, "turn_time", "s", base::kTimeSpan,
-           "T: in which the robot turns into the direction of the velocity that it wants, unless "
+           "T: time in which the robot turns into the direction of the desired velocity, unless "
            "its angular acceleration takes longer.",
            "Alonso-Mora et al. 2013")
       .add(&P::stopDistance, "stop_distance", "m", base::kDistance,
            "Gap to a person below which the robot does not approach.")
       .add(&P::slowTime, "slow_time", "s", base::kTimeSpan,
-           "The robot approaches people so slowly that it needs so long for the gap beyond the "
-           "stop distance.")
+           "The approach speed to a person is at most the gap beyond the stop distance divided by "
+           "this time.")
       .add(&P::lookahead, "lookahead", "m", base::kLength,
-           "Distance along the route to the point that pulls; at least 1.5 turning radii.")
+           "Distance along the route to the attracting point; at least 1.5 turning radii.")
       .add(&P::sidePreference, "side_preference", "rad", base::kAngleWidth,
-           "Turn of the wanted velocity to the right where people are in its way.");
+           "Rotation of the desired velocity to the right if people are in its way.");
   return table;
 }
 
-/// The robot as a person of the social force model. The velocity that the forces lead to when
-/// nothing changes, v_0 e + (f_people + f_walls) tau / k_g, is tracked as the drive can (as by
-/// Ferrer, Garrell & Sanfeliu 2013 the part across the heading turns the robot). It is limited
-/// towards people and walls.
+/// The robot as a pedestrian of the social force model. The stationary velocity under the current
+/// forces, v_0 e + (f_people + f_walls) tau / k_g, is tracked by the drive (as in Ferrer, Garrell &
+/// Sanfeliu 2013, the part across the heading turns the robot). It is limited towards people and
+/// walls.
 class SocialForcePlanner : public Planner {
  public:
   SocialForcePlanner(const RobotBody& body, const SocialForcePlannerParameters& parameters)
       : body_(body),
         parameters_(parameters),
-        reach_(reachOf(body.footprint)),
+        reach_(circumscribedRadius(body.footprint)),
         speed_(std::min(parameters.desiredSpeed, body.limits.maxVel)),
         side_(parameters.sidePreference),
-        gear_(body, parameters.turnTime) {
-    parameters_.lookahead = std::max(parameters.lookahead, gear_.leastLookahead());
+        gearSelector_(body, parameters.turnTime) {
+    parameters_.lookahead = std::max(parameters.lookahead, gearSelector_.minLookahead());
   }
 
   bool readsScan() const override { return false; }
@@ -112,20 +111,21 @@ class SocialForcePlanner : public Planner {
     if (route_.isEmpty()) {
       return BodyTwist{};
     }
-    side_.update(observation, route_.restLength(position));
+    side_.update(observation, route_.remainingLength(position));
     const Vec2 onRoute =
-        velocityAlong(route_, observation, parameters_.lookahead, speed_, body_.limits.maxAcc);
+        routeVelocity(route_, observation, parameters_.lookahead, speed_, body_.limits.maxAcc);
     if (onRoute.isZero(0.0)) {
       return BodyTwist{};
     }
-    const Vec2 along = turnedBy(onRoute, side_.detour());
+    const Vec2 along = rotated(onRoute, side_.detour());
     const std::vector<TrackedBody> others = visibleBodies(observation, kForceRange);
-    const Vec2 wanted = velocityOfForces(observation, others, along);
+    const Vec2 wanted = equilibriumVelocity(observation, others, along);
     const Vec2 target = route_.pointAhead(position, parameters_.lookahead);
-    const DriveAim aim = gear_.choose(observation, target, wanted, kCarError);
+    const DriveReference aim =
+        gearSelector_.choose(observation, target, wanted, kAckermannTrackingError);
     const Vec2 allowed = limited(observation, others, aim);
-    const BodyTwist twist = aim.commandOf(track(aim.model, turnedBy(allowed, -aim.heading)));
-    return passivelySafe(body_, observation, twist, kLastMargin);
+    const BodyTwist twist = aim.toRobotCommand(track(aim.model, rotated(allowed, -aim.heading)));
+    return nearestSafeTwist(body_, observation, twist, kEmergencyMargin);
   }
 
   std::vector<Vec2> path() const override { return route_.points(); }
@@ -135,11 +135,11 @@ class SocialForcePlanner : public Planner {
   }
 
  private:
-  Vec2 velocityOfForces(const Observation& observation, const std::vector<TrackedBody>& others,
-                        const Vec2& along) const {
+  Vec2 equilibriumVelocity(const Observation& observation, const std::vector<TrackedBody>& others,
+                           const Vec2& along) const {
     const ForceParameters& forces = parameters_.forces;
     const BodyTwist& motion = observation.motion;
-    const Vec2 velocity = turnedBy(Vec2(motion.linear, motion.lateral), observation.pose.heading);
+    const Vec2 velocity = rotated(Vec2(motion.linear, motion.lateral), observation.pose.heading);
     const Walker self(-1, observation.pose.position, velocity, reach_);
     Vec2 sum = Vec2::Zero();
     for (const TrackedBody& other : others) {
@@ -149,14 +149,15 @@ class SocialForcePlanner : public Planner {
     observation.obstacles->boundaryPoints(self.position, points);
     const Vec2 way = along.normalized();
     Vec2 walls = obstacleForce(forces, self, points);
-    walls -= std::min(0.0, walls.dot(way)) * way;  // the route leads round them
+    walls -= std::min(0.0, walls.dot(way)) * way;  // the route leads around them
     const double relaxation = forces.relaxationTime / forces.goalFactor;
     return along + relaxation * (sum + walls);
   }
 
-  /// Towards people with what brings it near them in the slow time at least, into walls not at all.
+  /// Limits the velocity so that the robot needs at least the slow time to reach people, and never
+  /// drives into walls.
   Vec2 limited(const Observation& observation, const std::vector<TrackedBody>& others,
-               const DriveAim& aim) const {
+               const DriveReference& aim) const {
     const double fastest = std::min(speed_, aim.model.maxVel);
     std::vector<HalfPlane> planes = wallPlanes(observation, reach_, fastest, kWallHorizon);
     const std::size_t fixed = planes.size();
@@ -173,8 +174,8 @@ class SocialForcePlanner : public Planner {
       planes.push_back({std::max(closing, 0.0) * towards, Vec2(-towards.y(), towards.x())});
     }
     const bool isFree = worstViolation(planes, fixed, aim.wanted) <= 0.0;
-    return nearestAllowed(planes, fixed, isFree ? aim.wanted : turnedBy(aim.wanted, side_.turn()),
-                          fastest);
+    return nearestFeasibleVelocity(
+        planes, fixed, isFree ? aim.wanted : rotated(aim.wanted, side_.turn()), fastest);
   }
 
   RobotBody body_;
@@ -183,7 +184,7 @@ class SocialForcePlanner : public Planner {
   double speed_;  // [m/s]
   RobotRoute route_;
   PassingSide side_;
-  DriveGear gear_;
+  GearSelector gearSelector_;
 };
 
 base::Result<std::shared_ptr<Planner>> makeSocialForcePlanner(const PlannerSetup& setup) {
@@ -197,7 +198,7 @@ base::Result<std::shared_ptr<Planner>> makeSocialForcePlanner(const PlannerSetup
 void addSocialForcePlanner(PlannerRegistry& to);
 void addSocialForcePlanner(PlannerRegistry& to) {
   to.add("social_force", socialForcePlannerTable().specs(), makeSocialForcePlanner,
-         "Moves as a person of the social force model would.");
+         "Moves like a person of the social force model.");
 }
 
 }  // namespace sim2d

@@ -19,7 +19,7 @@ base::Result<std::shared_ptr<Planner>> makeSocialMppi(const PlannerSetup& setup)
 void addSocialMppi(PlannerRegistry& to);
 void addSocialMppi(PlannerRegistry& to) {
   to.add("social_mppi", socialMppiTable().specs(), makeSocialMppi,
-         "MPPI that predicts people and keeps out of their way and of groups.");
+         "MPPI that predicts people, yields to them and avoids groups.");
 }
 
 }  // namespace sim2d

@@ -7,17 +7,17 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Ranges.h"
-#include "sim2d/nav/Motion.h"
+#include "sim2d/nav/DriveKinematics.h"
 #include "sim2d/nav/Planner.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kTurnFirst = 1.0;         // [rad]; above it the robot turns before it drives
-constexpr double kTeleopTick = 1e-9;       // [s], for sums of steps
-constexpr double kTeleopThere = 0.05;      // [m] from the point; nearer it stands
-constexpr double kTeleopBrakeShare = 0.8;  // of the way or turn on which it brakes
-constexpr double kCircleShare = 1.02;      // of the turning circle: a point inside of it is passed
+constexpr double kTurnInPlaceAngle = 1.0;     // [rad]; above this the robot turns in place
+constexpr double kTeleopTimeRounding = 1e-9;  // [s], rounding of accumulated steps
+constexpr double kArrivalDistance = 0.05;  // [m]; within this distance of the point it stands still
+constexpr double kBrakingFraction = 0.8;   // fraction of the maximum deceleration used
+constexpr double kTurningRadiusFactor = 1.02;  // factor on the turning radius
 
 struct TeleopParameters {
   double speedShare = 1.0;
@@ -28,14 +28,14 @@ base::ParameterTable<TeleopParameters> teleopTable() {
   base::ParameterTable<TeleopParameters> table;
   table
       .add(&TeleopParameters::speedShare, "speed_share", "", {0.0, 1.0, true},
-           "Share of its full speed and turn rate that the robot uses at most.")
+           "Share of the maximum speed and turn rate that the robot uses at most.")
       .add(&TeleopParameters::timeout, "timeout", "s", base::kTime,
-           "So long after the last word the robot stands; 0 = it goes on.");
+           "Time after the last command after which the robot stops; 0: it continues.");
   return table;
 }
 
-/// Drives as it is told: by velocities, which the drive's limits alone cut, or towards a point, by
-/// an arc as in pure pursuit (Coulter 1992) and slow enough to stop there. Looks at nobody.
+/// Follows external commands: velocities, limited by the drive only, or a target point, approached
+/// on an arc as in pure pursuit (Coulter 1992) and slow enough to stop there. Ignores people.
 class Teleop : public TeleopPlanner {
  public:
   Teleop(const RobotBody& body, const TeleopParameters& parameters)
@@ -51,20 +51,20 @@ class Teleop : public TeleopPlanner {
   bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override {
     path_.clear();
-    const TeleopInput::Wish wish = input_->newest();
-    if (wish.number != heardNumber_) {
-      heardNumber_ = wish.number;
-      heardAt_ = observation.time;
+    const TeleopInput::Command wish = input_->latest();
+    if (wish.number != lastNumber_) {
+      lastNumber_ = wish.number;
+      lastCommandTime_ = observation.time;
     }
-    if (timeout_ > 0.0 && observation.time - heardAt_ > timeout_ + kTeleopTick) {
+    if (timeout_ > 0.0 && observation.time - lastCommandTime_ > timeout_ + kTeleopTimeRounding) {
       return BodyTwist{};
     }
     if (wish.kind == TeleopInput::Kind::Drive) {
-      return feasible(body_, wish.twist);
+      return clampedToLimits(body_, wish.twist);
     }
-    if (wish.kind == TeleopInput::Kind::HeadFor) {
+    if (wish.kind == TeleopInput::Kind::DriveTo) {
       path_ = {observation.pose.position, wish.point};
-      return feasible(body_, towards(observation.pose.toLocal(wish.point)));
+      return clampedToLimits(body_, towards(observation.pose.toLocal(wish.point)));
     }
     return BodyTwist{};
   }
@@ -73,30 +73,30 @@ class Teleop : public TeleopPlanner {
   std::vector<Vec2> path() const override { return path_; }
 
  private:
-  /// To a point in robot frame.
+  /// Command towards a point in robot frame.
   BodyTwist towards(const Vec2& point) const {
     const DriveLimits& limits = body_.limits;
     const double distance = point.norm();
-    if (distance < kTeleopThere) {
+    if (distance < kArrivalDistance) {
       return {};
     }
     const double bearing = base::headingOf(point);
     const double speed =
-        std::min(limits.maxVel, std::sqrt(2.0 * kTeleopBrakeShare * limits.maxAcc * distance));
+        std::min(limits.maxVel, std::sqrt(2.0 * kBrakingFraction * limits.maxAcc * distance));
     if (body_.kinematics == Kinematics::Ackermann) {
-      return steered(point, speed);
+      return carCommand(point, speed);
     }
-    if (std::fabs(bearing) > kTurnFirst) {
-      const double rate = std::sqrt(2.0 * kTeleopBrakeShare * limits.maxAlpha * std::fabs(bearing));
+    if (std::fabs(bearing) > kTurnInPlaceAngle) {
+      const double rate = std::sqrt(2.0 * kBrakingFraction * limits.maxAlpha * std::fabs(bearing));
       return {0.0, std::copysign(std::min(limits.maxOmega, rate), bearing)};
     }
     return onArc(speed, 2.0 * base::sin(bearing) / distance);
   }
 
-  /// A car: at full lock where the point lies behind, and backwards where it lies inside of the
-  /// turning circle.
-  BodyTwist steered(const Vec2& point, double speed) const {
-    const double radius = std::max(body_.limits.turningRadius, 1e-9) * kCircleShare;
+  /// Command of a car: full lock if the point lies behind, backward if it lies inside the turning
+  /// circle.
+  BodyTwist carCommand(const Vec2& point, double speed) const {
+    const double radius = std::max(body_.limits.turningRadius, 1e-9) * kTurningRadiusFactor;
     const Vec2 centre(0.0, std::copysign(radius, point.y()));
     if ((point - centre).norm() < body_.limits.turningRadius) {
       return {-std::min(speed, body_.limits.maxReverse), 0.0};
@@ -113,11 +113,11 @@ class Teleop : public TeleopPlanner {
     return {slowed, slowed * curvature};
   }
 
-  RobotBody body_;  // with the limits that may be used
+  RobotBody body_;  // with the limits to be used
   double timeout_;  // [s]
   std::shared_ptr<TeleopInput> input_ = std::make_shared<TeleopInput>();
-  std::uint64_t heardNumber_ = 0;
-  double heardAt_ = 0.0;  // [s]
+  std::uint64_t lastNumber_ = 0;
+  double lastCommandTime_ = 0.0;  // [s]
   std::vector<Vec2> path_;
 };
 
@@ -134,13 +134,13 @@ void addTeleop(PlannerRegistry& to) {
   to.add(
       "teleop", teleopTable().specs(),
       [](const PlannerSetup& setup) { return makeTeleop(setup, {}); },
-      "Stands until somebody drives it by hand. Looks at nobody.");
-  TeleopParameters ofRos2;
-  ofRos2.timeout = 1.0;  // as a driver of Nav2 waits for /cmd_vel
+      "Manual drive: stands until the user drives it. Ignores people.");
+  TeleopParameters ros2Parameters;
+  ros2Parameters.timeout = 1.0;  // same timeout as Nav2 drivers of /cmd_vel
   to.add(
-      "ros2", teleopTable().specs(ofRos2),
-      [ofRos2](const PlannerSetup& setup) { return makeTeleop(setup, ofRos2); },
-      "Driven by /cmd_vel of ROS 2, with run --ros2; else it stands.");
+      "ros2", teleopTable().specs(ros2Parameters),
+      [ros2Parameters](const PlannerSetup& setup) { return makeTeleop(setup, ros2Parameters); },
+      "Driven by the ROS 2 topic /cmd_vel with run --ros2; otherwise it stands.");
 }
 
 }  // namespace sim2d

@@ -1,8 +1,8 @@
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Days of the ATC shopping centre (Brscic et al. 2013): time [s], id, x, y, z [mm], speed [mm/s],
-/// direction of motion and of the body [rad].
+/// ATC shopping centre (Brscic et al. 2013), one file per day: time [s], id, x, y, z [mm], speed
+/// [mm/s], direction of motion and heading [rad].
 namespace sim2d {
 
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double kMillimetre = 1e-3;  // [m]
 constexpr double kUnixTime = 1e8;     // [s]
 
-TrackFile readDay(const ForeignInput& input) {
+TrackFile readDay(const TrackInput& input) {
   std::map<int, Track> tracks;
   double begin = 0.0;
   forEachRow(input, 8, "time id x y z speed direction facing",
@@ -27,7 +27,7 @@ TrackFile readDay(const ForeignInput& input) {
                }
                begin = tracks.empty() ? *time : begin;
                TrackPoint point;
-               point.time = *time - begin;  // Unix times lose digits
+               point.time = *time - begin;  // Unix times exceed the precision
                point.position = kMillimetre * Vec2(*x, *y);
                point.velocity = kMillimetre * *speed * base::directionOf(*way);
                point.heading = *facing;
@@ -45,16 +45,16 @@ TrackFile readDay(const ForeignInput& input) {
   return file;
 }
 
-Claim claim(const FirstLook& look) {
-  const bool isDay = look.isNumbers && look.row.size() == 8 && look.endsWith(".csv") &&
-                     base::parseDouble(look.row.front().text).value_or(0.0) > kUnixTime;
-  return isDay ? Claim::ByContent : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  const bool isDay = preview.isNumbers && preview.row.size() == 8 && preview.endsWith(".csv") &&
+                     base::parseDouble(preview.row.front().text).value_or(0.0) > kUnixTime;
+  return isDay ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addAtc(TrackFormats& to) {
-  to.add({"atc", 8, claim, readDay});
+  to.add({"atc", 8, matchFormat, readDay});
 }
 
 }  // namespace sim2d

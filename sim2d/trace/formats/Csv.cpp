@@ -21,12 +21,12 @@ bool isNumberLine(std::string_view line) {
   return base::parseDouble(base::trimmed(line.substr(0, line.find_first_of(",;\t")))).has_value();
 }
 
-TrackFile readCsv(const ForeignInput& input) {
+TrackFile readCsv(const TrackInput& input) {
   TableLayout layout;
   layout.names = ownColumnNames();
   const std::string_view text = input.text;
   std::size_t begin = 0;
-  std::string_view last;  // comment
+  std::string_view last;  // last comment line
   for (; begin < text.size() && text[begin] == kComment; ++layout.firstLine) {
     last = lineAt(text, begin);
     begin += last.size() + 1;
@@ -45,23 +45,23 @@ TrackFile readCsv(const ForeignInput& input) {
   return readTrackTable(input, layout);
 }
 
-/// Columns may have any names: a table with ours is one for certain.
-Claim claim(const FirstLook& look) {
-  const auto holds = [&look](std::string_view name) {
-    return std::any_of(look.row.begin(), look.row.end(),
+/// Column names are arbitrary; a table with the default names is recognised with certainty.
+FormatMatch matchFormat(const FilePreview& preview) {
+  const auto holds = [&preview](std::string_view name) {
+    return std::any_of(preview.row.begin(), preview.row.end(),
                        [name](const Word& word) { return word.text == name; });
   };
   const bool isOurs = (holds("time") || holds("frame")) && holds("id") && holds("x") && holds("y");
-  const bool isOther = look.text.substr(0, 4096).find('\0') != std::string_view::npos ||
-                       (!look.row.empty() && (look.row.front().text.front() == '{' ||
-                                              look.row.front().text.front() == '['));
-  return isOurs ? Claim::ByContent : isOther ? Claim::None : Claim::Fallback;
+  const bool isOther = preview.text.substr(0, 4096).find('\0') != std::string_view::npos ||
+                       (!preview.row.empty() && (preview.row.front().text.front() == '{' ||
+                                                 preview.row.front().text.front() == '['));
+  return isOurs ? FormatMatch::ByContent : isOther ? FormatMatch::None : FormatMatch::Fallback;
 }
 
 }  // namespace
 
 void addCsv(TrackFormats& to) {
-  to.add({"csv", 0, claim, readCsv, true, true});
+  to.add({"csv", 0, matchFormat, readCsv, true, true});
 }
 
 }  // namespace sim2d

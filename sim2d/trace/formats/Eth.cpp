@@ -1,11 +1,11 @@
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Rows of the obsmat files of ETH and UCY.
+/// ETH and UCY data sets: obsmat files.
 namespace sim2d {
 
 namespace {
 
-TrackFile readObsmat(const ForeignInput& input) {
+TrackFile readObsmat(const TrackInput& input) {
   FrameTracks tracks;
   forEachRow(input, 8, "frame id x z y vx vz vy",
              [&](WordReader& words, const std::vector<Word>& row) {
@@ -19,19 +19,20 @@ TrackFile readObsmat(const ForeignInput& input) {
   const double given = input.options.framesPerSecond;
   TrackFile file =
       tracks.finish(input.path, given > 0.0 ? given : statedRate(leadingComments(input.text)));
-  readGroupsBeside(input, file);
+  readGroupsFile(input, file);
   return file;
 }
 
-Claim claim(const FirstLook& look) {
-  return look.isNumbers && look.row.size() == 8 && !look.endsWith(".csv") ? Claim::ByContent
-                                                                          : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  return preview.isNumbers && preview.row.size() == 8 && !preview.endsWith(".csv")
+             ? FormatMatch::ByContent
+             : FormatMatch::None;
 }
 
 }  // namespace
 
 void addEth(TrackFormats& to) {
-  to.add({"eth", 1, claim, readObsmat});
+  to.add({"eth", 1, matchFormat, readObsmat});
 }
 
 }  // namespace sim2d

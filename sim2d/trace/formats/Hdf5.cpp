@@ -4,18 +4,17 @@
 #include <limits>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 #include "sim2d/trace/WalkableArea.h"
 
-/// HDF5 files of PeTrack and of the Pedestrian Dynamics Data Archive: a table "trajectory" with id,
-/// frame, x, y [m]. The attribute "fps" of the file or of the table has the rate, the attributes of
-/// the table named as its columns may have their unit, "wkt_geometry" of the file the walkable
-/// area.
+/// HDF5 files of PeTrack and the Pedestrian Dynamics Data Archive: table "trajectory" with id,
+/// frame, x, y [m]. Attribute "fps" of the file or table: frame rate; attributes of the table named
+/// as its columns: their unit; "wkt_geometry" of the file: walkable area.
 namespace sim2d {
 
 namespace {
 
-/// Closes what it holds.
+/// Closes an HDF5 identifier.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -42,9 +41,9 @@ struct Row {
   double x = 0.0, y = 0.0;
 };
 
-constexpr hsize_t kBlock = 65536;  // rows that are read together, if no piece is larger
+constexpr hsize_t kBlock = 65536;  // rows per read, unless a chunk is larger
 
-/// Nothing: it is no column of rows.
+/// None: not a one-dimensional table.
 std::optional<hsize_t> countRows(hid_t table) {
   const Handle space(H5Dget_space(table), H5Sclose);
   hsize_t count = 0;
@@ -53,7 +52,7 @@ std::optional<hsize_t> countRows(hid_t table) {
   return isColumn ? std::optional(count) : std::nullopt;
 }
 
-/// Rows in a piece that is packed as one; 1: they are stored as they are.
+/// Rows per compressed chunk; 1: not chunked.
 hsize_t rowsOfChunk(hid_t table) {
   const Handle creation(H5Dget_create_plist(table), H5Pclose);
   hsize_t rows = 1;
@@ -62,7 +61,7 @@ hsize_t rowsOfChunk(hid_t table) {
   return isChunked ? std::max<hsize_t>(rows, 1) : 1;
 }
 
-/// Whether its rows are in this file and not in external ones.
+/// Whether the rows are stored in this file and not in external files.
 bool isInFile(hid_t table) {
   const Handle creation(H5Dget_create_plist(table), H5Pclose);
   return creation.isGood() && H5Pget_external_count(creation) == 0 &&
@@ -70,8 +69,8 @@ bool isInFile(hid_t table) {
 }
 
 /// A table may declare rows that the file does not contain.
-void checkDeclaredSize(hid_t table, hid_t type, hsize_t count, const ForeignInput& input) {
-  const auto most = static_cast<hsize_t>(mostUnpacked(input.text.size()));
+void checkDeclaredSize(hid_t table, hid_t type, hsize_t count, const TrackInput& input) {
+  const auto most = static_cast<hsize_t>(maxUnpackedSize(input.text.size()));
   const hsize_t mostRows = most / std::max<hsize_t>(H5Tget_size(type), 1);
   const hsize_t declared = std::max(count, rowsOfChunk(table));
   if (declared > mostRows) {
@@ -79,22 +78,22 @@ void checkDeclaredSize(hid_t table, hid_t type, hsize_t count, const ForeignInpu
   }
 }
 
-/// The member of that name, ignoring case; empty: there is none.
+/// The member of that name, ignoring case; empty: none.
 std::string memberNamed(hid_t type, const std::string& name) {
   const int count = H5Tget_class(type) == H5T_COMPOUND ? H5Tget_nmembers(type) : 0;
   for (int k = 0; k < count; ++k) {
     char* const text = H5Tget_member_name(type, static_cast<unsigned>(k));
     std::string found = text == nullptr ? std::string() : text;
     H5free_memory(text);
-    if (base::lowered(found) == name) {
+    if (base::toLower(found) == name) {
       return found;
     }
   }
   return {};
 }
 
-/// The type of the rows in memory: the library finds the members by name and converts their
-/// numbers. Invalid: a member is missing.
+/// The in-memory type of the rows: HDF5 finds members by name and converts numbers. Invalid: a
+/// member is missing.
 hid_t rowType(hid_t type) {
   const Handle wanted(H5Tcreate(H5T_COMPOUND, sizeof(Row)), H5Tclose);
   const std::pair<const char*, std::pair<std::size_t, hid_t>> members[] = {
@@ -103,15 +102,16 @@ hid_t rowType(hid_t type) {
       {"x", {HOFFSET(Row, x), H5T_NATIVE_DOUBLE}},
       {"y", {HOFFSET(Row, y), H5T_NATIVE_DOUBLE}}};
   for (const auto& [name, member] : members) {
-    const std::string theirs = memberNamed(type, name);
-    if (theirs.empty() || H5Tinsert(wanted, theirs.c_str(), member.first, member.second) < 0) {
+    const std::string memberName = memberNamed(type, name);
+    if (memberName.empty() ||
+        H5Tinsert(wanted, memberName.c_str(), member.first, member.second) < 0) {
       return H5I_INVALID_HID;
     }
   }
   return H5Tcopy(wanted);
 }
 
-/// Text of an attribute; empty: it is absent or not text.
+/// Text of an attribute; empty: missing or not a text.
 std::string attributeText(hid_t of, const char* name) {
   const Handle attribute(H5Aexists(of, name) > 0 ? H5Aopen(of, name, H5P_DEFAULT) : -1, H5Aclose);
   const Handle type(attribute.isGood() ? H5Aget_type(attribute) : -1, H5Tclose);
@@ -132,7 +132,7 @@ std::string attributeText(hid_t of, const char* name) {
   return copy;
 }
 
-/// A number, or a text of one: "25 fps". 0: there is none.
+/// A number, or a text such as "25 fps"; 0: missing.
 double attributeNumber(hid_t of, const char* name) {
   const Handle attribute(H5Aexists(of, name) > 0 ? H5Aopen(of, name, H5P_DEFAULT) : -1, H5Aclose);
   const Handle space(attribute.isGood() ? H5Aget_space(attribute) : -1, H5Sclose);
@@ -147,10 +147,9 @@ double attributeNumber(hid_t of, const char* name) {
   return H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0 ? value : 0.0;
 }
 
-/// The frame rate of the file or of its table; 0: neither states it. If they differ, the user must
-/// give it.
-double statedRate(hid_t file, hid_t table, const ForeignInput& input) {
-  constexpr double kSameRate = 1e-4;  // relative: one of them may be written in single precision
+/// The frame rate stated by the file or table; 0: none. If both differ, the user must give it.
+double statedRate(hid_t file, hid_t table, const TrackInput& input) {
+  constexpr double kSameRate = 1e-4;  // relative tolerance: one may be in single precision
   double rate = 0.0;
   for (const hid_t of : {file, table}) {
     for (const char* name : {"fps", "framerate", "frame_rate", "frameRate"}) {
@@ -165,10 +164,10 @@ double statedRate(hid_t file, hid_t table, const ForeignInput& input) {
   return rate;
 }
 
-/// [m] of positions: metres unless an attribute of the column states another unit.
+/// [m] per unit of the positions: metres unless an attribute states another unit.
 double statedUnit(hid_t table) {
   for (const char* name : {"x", "y", "unit", "units"}) {
-    const std::string text = base::lowered(attributeText(table, name));
+    const std::string text = base::toLower(attributeText(table, name));
     if (const std::optional<double> unit = lengthUnitIn(text)) {
       return *unit;
     }
@@ -178,10 +177,10 @@ double statedUnit(hid_t table) {
 
 class TableReader {
  public:
-  TableReader(const ForeignInput& input, hid_t table, double unit)
+  TableReader(const TrackInput& input, hid_t table, double unit)
       : input_(input), table_(table), unit_(unit) {}
 
-  /// Notes problems of the columns and of the number of rows.
+  /// Reports problems with the columns and the number of rows.
   void check(hsize_t count) {
     const Handle type(H5Dget_type(table_), H5Tclose);
     const Handle row(rowType(type), H5Tclose);
@@ -192,13 +191,13 @@ class TableReader {
     }
   }
 
-  /// False: a problem was noted.
+  /// False: a problem was reported.
   bool read(hsize_t count) {
     const Handle type(H5Dget_type(table_), H5Tclose);
     const Handle row(rowType(type), H5Tclose);
     const Handle space(H5Dget_space(table_), H5Sclose);
     std::vector<Row> rows;
-    const hsize_t piece = rowsOfChunk(table_);  // read in parts it would be unpacked for each
+    const hsize_t piece = rowsOfChunk(table_);  // avoids unpacking a chunk repeatedly
     const hsize_t most = piece * std::max<hsize_t>(kBlock / piece, 1);
     for (hsize_t from = 0; from < count && tracks_.isUsable(); from += most) {
       const hsize_t block = std::min(most, count - from);
@@ -230,18 +229,18 @@ class TableReader {
     return true;
   }
 
-  const ForeignInput& input_;
+  const TrackInput& input_;
   hid_t table_;
   double unit_;
   FrameTracks tracks_;
 };
 
-TrackFile readHdf5(const ForeignInput& input) {
+TrackFile readHdf5(const TrackInput& input) {
   if (input.path == "-") {
     input.problems.push_back(base::error("tracks.needs-file", {"HDF5"}, input.path));
     return {};
   }
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are reported here
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported as diagnostics
   const Handle file(H5Fopen(input.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   const Handle table(file.isGood() ? H5Dopen2(file, "trajectory", H5P_DEFAULT) : -1, H5Dclose);
   const auto count = table.isGood() && isInFile(table) ? countRows(table) : std::nullopt;
@@ -262,14 +261,14 @@ TrackFile readHdf5(const ForeignInput& input) {
   return tracks;
 }
 
-Claim claim(const FirstLook& look) {
-  return look.text.substr(0, 4) == "\x89HDF" ? Claim::ByContent : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  return preview.text.substr(0, 4) == "\x89HDF" ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addHdf5(TrackFormats& to) {
-  to.add({"hdf5", 11, claim, readHdf5});
+  to.add({"hdf5", 11, matchFormat, readHdf5});
 }
 
 }  // namespace sim2d

@@ -7,7 +7,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/JsonInput.h"
 
-/// Boxes of JRDB (labels_3d): people around a robot that stays at the origin, 15 frames per second.
+/// JRDB labels_3d: people around a robot at the origin, 15 frames per second.
 namespace sim2d {
 
 namespace {
@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 constexpr double kRate = 15.0;
 
-/// The digits at the end of "pedestrian:12", or before the dot of "000012.pcd".
+/// The number at the end of "pedestrian:12", or before the extension of "000012.pcd".
 std::optional<long long> numberIn(const std::string& text) {
   const std::size_t end = text.find_last_of("0123456789");
   if (end == std::string::npos) {
@@ -29,7 +29,7 @@ std::optional<long long> numberIn(const std::string& text) {
 
 class JrdbReader {
  public:
-  explicit JrdbReader(const ForeignInput& input) : input_(input) {}
+  explicit JrdbReader(const TrackInput& input) : input_(input) {}
 
   TrackFile read() {
     const std::optional<Json> parsed = parseJsonInput(input_);
@@ -38,7 +38,7 @@ class JrdbReader {
     }
     try {
       const Json& root = *parsed;
-      std::multimap<long long, const Json*> frames;  // "10" comes after "9"
+      std::multimap<long long, const Json*> frames;  // sorted numerically
       for (const auto& [name, boxes] : root.at("labels").items()) {
         if (const std::optional<long long> frame = numberIn(name)) {
           frames.emplace(*frame, &boxes);
@@ -53,14 +53,14 @@ class JrdbReader {
       }
     } catch (const Json::exception& problem) {
       input_.problems.push_back(
-          base::error("tracks.bad-json", {base::jsonReason(problem.what())}, input_.path));
+          base::error("tracks.bad-json", {base::jsonErrorMessage(problem.what())}, input_.path));
       return {};
     }
-    tell();
+    reportSkipped();
     const double given = input_.options.framesPerSecond;
     TrackFile file = tracks_.finish(input_.path, given > 0.0 ? given : kRate);
     for (Track& track : file.tracks) {
-      track.name = names_[track.id];  // the number in it is the id
+      track.name = names_[track.id];  // contains the id
     }
     return file;
   }
@@ -70,7 +70,7 @@ class JrdbReader {
     input_.problems.push_back(base::error("tracks.bad-json", {reason}, input_.path));
   }
 
-  void tell() {
+  void reportSkipped() {
     if (!left_.empty()) {
       const std::vector<std::string> names(others_.begin(), others_.end());
       input_.problems.push_back(
@@ -88,7 +88,7 @@ class JrdbReader {
     }
     const std::optional<long long> id = numberIn(name);
     if (!id || *id > std::numeric_limits<int>::max()) {
-      wrong("no number that fits in '" + name + "'");
+      wrong("no valid number in '" + name + "'");
       return;
     }
     const Json& box = label.at("box");
@@ -100,21 +100,22 @@ class JrdbReader {
     }
   }
 
-  const ForeignInput& input_;
+  const TrackInput& input_;
   FrameTracks tracks_;
   std::map<int, std::string> names_;     // by id
-  std::set<std::string> left_, others_;  // who is no person, and what they are
+  std::set<std::string> left_, others_;  // ids of other objects, and their kinds
 };
 
-Claim claim(const FirstLook& look) {
-  const bool isBoxes = look.mentions("\"labels\"") && look.mentions("label_id");
-  return isBoxes ? Claim::ByContent : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  const bool isBoxes = preview.mentions("\"labels\"") && preview.mentions("label_id");
+  return isBoxes ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addJrdb(TrackFormats& to) {
-  to.add({"jrdb", 10, claim, [](const ForeignInput& input) { return JrdbReader(input).read(); }});
+  to.add(
+      {"jrdb", 10, matchFormat, [](const TrackInput& input) { return JrdbReader(input).read(); }});
 }
 
 }  // namespace sim2d

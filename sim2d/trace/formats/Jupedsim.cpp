@@ -6,21 +6,20 @@
 #include <sqlite3.h>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
-#include "sim2d/trace/SqliteHandles.h"
-#include "sim2d/trace/SqliteLimits.h"
+#include "sim2d/trace/Sqlite.h"
+#include "sim2d/trace/TrackFormats.h"
 #include "sim2d/trace/WalkableArea.h"
 
-/// SQLite trajectories of JuPedSim: table trajectory_data (frame, id, pos_x, pos_y, ori_x, ori_y),
-/// table metadata (key, value) with "fps", tables geometry (hash, wkt) and frame_data (frame,
-/// geometry_hash). Metres.
+/// JuPedSim SQLite trajectories: tables trajectory_data (frame, id, pos_x, pos_y, ori_x, ori_y),
+/// metadata (key, value) with "fps", geometry (hash, wkt) and frame_data (frame, geometry_hash).
+/// Metres.
 namespace sim2d {
 
 namespace {
 
 class JupedsimReader {
  public:
-  explicit JupedsimReader(const ForeignInput& input) : input_(input) {}
+  explicit JupedsimReader(const TrackInput& input) : input_(input) {}
 
   TrackFile read() {
     if (!open() || !checkTable()) {
@@ -80,7 +79,7 @@ class JupedsimReader {
   bool checkTable() {
     const SqliteStatement any = prepared("SELECT count(*) FROM sqlite_master");
     if (!any || sqlite3_step(any.get()) != SQLITE_ROW) {
-      return fail();  // it is not a database, or it is damaged
+      return fail();  // not a database, or damaged
     }
     for (const char* column : {"frame", "id", "pos_x", "pos_y"}) {
       if (!hasColumn("trajectory_data", column)) {
@@ -91,7 +90,7 @@ class JupedsimReader {
     return true;
   }
 
-  /// The first row's first value as text; empty: there is none.
+  /// The first value of the first row as text; empty: none.
   std::string textOf(const char* sql) const {
     const SqliteStatement statement = prepared(sql);
     if (!statement || sqlite3_step(statement.get()) != SQLITE_ROW) {
@@ -101,7 +100,7 @@ class JupedsimReader {
     return text == nullptr ? std::string() : reinterpret_cast<const char*>(text);
   }
 
-  /// 0: the file states none.
+  /// 0: not stated.
   double statedRate() const {
     const std::string text = textOf("SELECT value FROM metadata WHERE lower(key) = 'fps'");
     const double rate = base::parseDouble(base::trimmed(text)).value_or(0.0);
@@ -117,13 +116,13 @@ class JupedsimReader {
     if (!rows) {
       return fail();
     }
-    constexpr std::size_t kMostProblems = 1000;  // of the rows
+    constexpr std::size_t kMaxProblems = 1000;  // of the rows
     const std::size_t before = input_.problems.size();
-    constexpr std::size_t kSmallestRow = 5;  // [B]: its place in the page, size, key, one column
+    constexpr std::size_t kSmallestRow = 5;  // [B]: page entry, size, key and one column
     const auto mostRows = static_cast<long long>(databaseSize(input_.path) / kSmallestRow);
     long long row = 1;
     int code = sqlite3_step(rows.get());
-    for (; code == SQLITE_ROW && input_.problems.size() - before < kMostProblems; ++row) {
+    for (; code == SQLITE_ROW && input_.problems.size() - before < kMaxProblems; ++row) {
       if (row > mostRows) {
         error("tracks.more-rows", {mostRows});
         return false;
@@ -138,7 +137,7 @@ class JupedsimReader {
     return code == SQLITE_DONE || code == SQLITE_ROW ? !base::hasErrors(input_.problems) : fail();
   }
 
-  /// None: it is not a finite number, which is noted.
+  /// None: not a finite number, which is reported.
   std::optional<double> number(sqlite3_stmt* rows, int column, long long row) {
     const int type = sqlite3_column_type(rows, column);
     const double value = sqlite3_column_double(rows, column);
@@ -175,7 +174,7 @@ class JupedsimReader {
     }
   }
 
-  /// Rows of a database have no order.
+  /// SQL rows are unordered.
   void sortByTime() {
     for (auto& [id, track] : tracks_) {
       std::stable_sort(track.points.begin(), track.points.end(),
@@ -198,21 +197,22 @@ class JupedsimReader {
     addWalkableArea(wkt, 1.0, input_, file);
   }
 
-  const ForeignInput& input_;
-  std::int64_t budget_ = 0;  // outlives the connection
+  const TrackInput& input_;
+  std::int64_t budget_ = 0;  // must outlive the connection
   SqliteConnection connection_;
   std::map<int, Track> tracks_;
 };
 
-Claim claim(const FirstLook& look) {
-  return look.text.substr(0, 15) == "SQLite format 3" ? Claim::ByContent : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  return preview.text.substr(0, 15) == "SQLite format 3" ? FormatMatch::ByContent
+                                                         : FormatMatch::None;
 }
 
 }  // namespace
 
 void addJupedsim(TrackFormats& to) {
-  to.add({"jupedsim", 12, claim,
-          [](const ForeignInput& input) { return JupedsimReader(input).read(); }});
+  to.add({"jupedsim", 12, matchFormat,
+          [](const TrackInput& input) { return JupedsimReader(input).read(); }});
 }
 
 }  // namespace sim2d

@@ -3,9 +3,8 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TableColumns.h"
 
-/// Occupants of Pathfinder as CSV: a line of column names (t, id or name, x, y …), a line of their
-/// units (s, m …), then a row per occupant and time. Rows of occupants that are not active (column
-/// `active` is 0) are left out.
+/// Pathfinder occupants as CSV: a line of column names (t, id or name, x, y …), a line of units (s,
+/// m …), then a row per occupant and time. Rows with `active` 0 are skipped.
 namespace sim2d {
 
 namespace {
@@ -22,23 +21,23 @@ TableLayout layoutOf(std::string_view text) {
   return layout;
 }
 
-TrackFile readPathfinder(const ForeignInput& input) {
+TrackFile readPathfinder(const TrackInput& input) {
   return readTrackTable(input, layoutOf(input.text));
 }
 
-Claim claim(const FirstLook& look) {
+FormatMatch matchFormat(const FilePreview& preview) {
   constexpr std::size_t kTwoLines = 65536;  // [B] at most
-  const std::string_view beginning = look.text.substr(0, kTwoLines);
+  const std::string_view beginning = preview.text.substr(0, kTwoLines);
   const TableLayout layout = layoutOf(beginning);
   CsvReader reader(beginning, layout.separator);
   CsvRow names;
   CsvRow units;
   if (!reader.next(names) || !reader.next(units) || names.size() != units.size()) {
-    return Claim::None;
+    return FormatMatch::None;
   }
   const auto unitBelow = [&](const char* name) -> std::optional<std::string> {
     const auto at = std::find_if(names.begin(), names.end(), [name](const CsvField& field) {
-      return base::lowered(withoutBlanks(field.text)) == name;
+      return base::toLower(withoutBlanks(field.text)) == name;
     });
     if (at == names.end()) {
       return std::nullopt;
@@ -50,13 +49,13 @@ Claim claim(const FirstLook& look) {
   };
   const auto time = unitBelow("t") ? unitBelow("t") : unitBelow("time");
   const bool isTime = time && (time->empty() || timeUnitOf(*time));  // seconds without a unit
-  return isTime && isLength("x") && isLength("y") ? Claim::ByContent : Claim::None;
+  return isTime && isLength("x") && isLength("y") ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addPathfinder(TrackFormats& to) {
-  to.add({"pathfinder", 13, claim, readPathfinder, false, true});
+  to.add({"pathfinder", 13, matchFormat, readPathfinder, false, true});
 }
 
 }  // namespace sim2d

@@ -1,18 +1,18 @@
 #include <algorithm>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Text of PeTrack, of JuPedSim and of the Pedestrian Dynamics Data Archive: id, frame, x, y and
-/// perhaps more; a comment that names the columns may state another order. The rate is in a
-/// comment "framerate: 25", the unit in that of the columns.
+/// Text files of PeTrack, JuPedSim and the Pedestrian Dynamics Data Archive: id, frame, x, y and
+/// optional columns; a comment with the column names may state another order and the unit. A
+/// comment "framerate: 25" states the frame rate.
 namespace sim2d {
 
 namespace {
 
 const std::vector<const char*> kNames = {"id", "frame", "x", "y"};
 
-/// Of letters and digits.
+/// The words of letters and digits.
 std::vector<std::string> wordsOf(std::string line) {
   std::replace_if(
       line.begin(), line.end(),
@@ -26,7 +26,7 @@ std::vector<std::string> wordsOf(std::string line) {
   return words;
 }
 
-/// The quantity that a word in the comment of the columns means, as an index of kNames.
+/// The quantity of a column name in the comment, as an index of kNames.
 std::optional<std::size_t> quantityOf(const std::string& word) {
   static const std::vector<std::vector<std::string>> kWords = {
       {"id", "persid", "personid", "pedid", "agentid", "trackid", "number"},
@@ -41,7 +41,7 @@ std::optional<std::size_t> quantityOf(const std::string& word) {
   return std::nullopt;
 }
 
-/// Positions of id, frame, x and y in the comment of the columns; none unless it has each once.
+/// Positions of id, frame, x and y in the comment; none unless each occurs once.
 std::optional<std::vector<std::size_t>> orderIn(const std::string& line) {
   std::vector<std::size_t> order(kNames.size());
   std::vector<bool> isFound(kNames.size(), false);
@@ -63,7 +63,7 @@ std::optional<std::vector<std::size_t>> orderIn(const std::string& line) {
   return isWhole ? std::optional(order) : std::nullopt;
 }
 
-/// [m] of the unit in the last line that names the columns, else in a line "unit: cm" or "in cm".
+/// [m] per unit: from the last comment with the column names, else from "unit: cm" or "in cm".
 std::optional<double> statedUnit(const std::vector<std::string>& comments) {
   std::optional<double> ofColumns;
   std::optional<double> ofLine;
@@ -81,10 +81,10 @@ std::optional<double> statedUnit(const std::vector<std::string>& comments) {
   return ofColumns ? ofColumns : ofLine;
 }
 
-std::vector<std::size_t> orderOf(const ForeignInput& input,
+std::vector<std::size_t> orderOf(const TrackInput& input,
                                  const std::vector<std::string>& comments) {
-  constexpr std::size_t kMostColumns = 100;
-  std::vector<std::size_t> order = numberedColumns(input, kNames, kMostColumns);
+  constexpr std::size_t kMaxColumns = 100;
+  std::vector<std::size_t> order = numberedColumns(input, kNames, kMaxColumns);
   for (const std::string& line : comments) {
     const auto stated = input.options.columns.empty() ? orderIn(line) : std::nullopt;
     order = stated ? *stated : order;
@@ -92,7 +92,7 @@ std::vector<std::size_t> orderOf(const ForeignInput& input,
   return order;
 }
 
-TrackFile readPetrack(const ForeignInput& input) {
+TrackFile readPetrack(const TrackInput& input) {
   const std::vector<std::string> comments = leadingComments(input.text);
   const std::optional<double> unit = statedUnit(comments);
   const bool isUnknown = !unit && !(input.options.lengthUnit > 0.0);
@@ -127,21 +127,23 @@ TrackFile readPetrack(const ForeignInput& input) {
   return file;
 }
 
-Claim claim(const FirstLook& look) {
-  constexpr std::size_t kMost = 7;  // columns of rows without a comment
-  if (!look.isNumbers || look.row.size() < kNames.size()) {
-    return Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  constexpr std::size_t kMost = 7;  // columns of files without comments
+  if (!preview.isNumbers || preview.row.size() < kNames.size()) {
+    return FormatMatch::None;
   }
-  const bool isStated = look.mentions("PeTrack") || look.mentions("jpscore") ||
-                        look.mentions("JuPedSim") || statedRate(leadingComments(look.text)) > 0.0;
-  const bool isBare = look.row.size() <= kMost && !look.endsWith(".csv") && beginWithIds(look.text);
-  return isStated || isBare ? Claim::ByContent : Claim::None;
+  const bool isStated = preview.mentions("PeTrack") || preview.mentions("jpscore") ||
+                        preview.mentions("JuPedSim") ||
+                        statedRate(leadingComments(preview.text)) > 0.0;
+  const bool isBare =
+      preview.row.size() <= kMost && !preview.endsWith(".csv") && hasIdsFirst(preview.text);
+  return isStated || isBare ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addPetrack(TrackFormats& to) {
-  to.add({"petrack", 5, claim, readPetrack, false, true});
+  to.add({"petrack", 5, matchFormat, readPetrack, false, true});
 }
 
 }  // namespace sim2d

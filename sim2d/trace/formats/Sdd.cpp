@@ -1,9 +1,9 @@
 #include <set>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// annotations.txt of the Stanford Drone Dataset: boxes in pixels, 30 frames per second.
+/// Stanford Drone Dataset, annotations.txt: boxes in pixels, 30 frames per second.
 namespace sim2d {
 
 namespace {
@@ -20,7 +20,7 @@ bool isPerson(std::string_view label) {
   return label == "Pedestrian" || label == "Biker" || label == "Skater";
 }
 
-/// The centre of a box, y up.
+/// Adds the centre of a box, y upwards.
 void addBox(const std::vector<Word>& row, double unit, WordReader& words, FrameTracks& to) {
   double corners[4] = {};
   bool isWhole = true;
@@ -37,7 +37,7 @@ void addBox(const std::vector<Word>& row, double unit, WordReader& words, FrameT
   }
 }
 
-TrackFile readAnnotations(const ForeignInput& input) {
+TrackFile readAnnotations(const TrackInput& input) {
   const double unit = input.options.lengthUnit;
   if (!(unit > 0.0)) {
     input.problems.push_back(base::error("tracks.no-scale", {}, input.path));
@@ -52,7 +52,7 @@ TrackFile readAnnotations(const ForeignInput& input) {
                if (!isPerson(label)) {
                  others.insert(std::string(label));
                  left.insert(row[0].text);
-               } else if (row[6].text != "1") {  // else out of the picture
+               } else if (row[6].text != "1") {  // 1: outside the image
                  addBox(row, unit, words, tracks);
                }
              });
@@ -67,15 +67,15 @@ TrackFile readAnnotations(const ForeignInput& input) {
   return file;
 }
 
-Claim claim(const FirstLook& look) {
-  const bool isBox = look.row.size() == kWidth && look.row.back().text.front() == '"';
-  return isBox ? Claim::ByContent : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  const bool isBox = preview.row.size() == kWidth && preview.row.back().text.front() == '"';
+  return isBox ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addSdd(TrackFormats& to) {
-  to.add({"sdd", 7, claim, readAnnotations});
+  to.add({"sdd", 7, matchFormat, readAnnotations});
 }
 
 }  // namespace sim2d

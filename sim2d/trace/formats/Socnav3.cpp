@@ -4,12 +4,11 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/trace/JsonInput.h"
-#include "sim2d/trace/JsonPlaces.h"
 #include "sim2d/trace/Socnav3Surroundings.h"
 
-/// SocNav3 and SocNavData: a JSON object whose list "sequence" has, per instant, "timestamp" [s],
-/// "robot" {x, y, angle}, "people" [{id, x, y, angle}], "goal" {x, y, pos_threshold}; walls,
-/// objects and the grid of obstacles in the instants or beside the list. Metres and radians.
+/// SocNav3 and SocNavData: a JSON object with a list "sequence" of instants, each with "timestamp"
+/// [s], "robot" {x, y, angle}, "people" [{id, x, y, angle}] and "goal" {x, y, pos_threshold};
+/// walls, objects and obstacle grid in the instants or next to the list. Metres and radians.
 namespace sim2d {
 
 namespace {
@@ -18,7 +17,7 @@ using Json = nlohmann::json;
 
 class Socnav3Reader {
  public:
-  explicit Socnav3Reader(const ForeignInput& input) : input_(input) {}
+  explicit Socnav3Reader(const TrackInput& input) : input_(input) {}
 
   TrackFile read() {
     const std::optional<Json> root = parseJsonInput(input_);
@@ -47,7 +46,7 @@ class Socnav3Reader {
   }
 
  private:
-  /// `path` within the list, as "[3].robot".
+  /// `path`: within the list, "[3].robot".
   void problem(const std::string& path, std::string_view code, base::ProblemValues values = {}) {
     if (!places_) {
       places_.emplace(input_.text);
@@ -56,7 +55,7 @@ class Socnav3Reader {
         base::error(code, std::move(values), input_.path, places_->lineOf(list_ + path)));
   }
 
-  /// None: it is missing or not finite, which is noted.
+  /// None: missing or not finite, which is reported.
   std::optional<double> number(const Json& of, std::initializer_list<const char*> names,
                                const std::string& path) {
     const std::optional<double> value = jsonNumber(of, names);
@@ -83,7 +82,7 @@ class Socnav3Reader {
       problem(path, "tracks.no-member", {"timestamp", path});
       return;
     }
-    time = *time - begin_;  // Unix times lose digits
+    time = *time - begin_;  // Unix times exceed the precision
     if (const Json* const robot = jsonMember(instant, {"robot"}); robot != nullptr) {
       takeBody(*robot, *time, path + ".robot", robot_);
     }
@@ -108,7 +107,7 @@ class Socnav3Reader {
     track.radius = track.radius ? track.radius : socnav3Radius(body);
   }
 
-  /// A list, or an object by the ids.
+  /// A list, or an object with ids as keys.
   void takePeople(const Json& people, double time, const std::string& path) {
     if (!people.is_array() && !people.is_object()) {
       problem(path, "tracks.no-member", {"id", path});
@@ -130,8 +129,7 @@ class Socnav3Reader {
     }
   }
 
-  /// The last goal of a list is at its end; a goal without a position means that a person is
-  /// followed.
+  /// Of a list the last goal is used; a goal without a position means following a person.
   void takeGoal(const Json& goal) {
     if (goal.is_array() && !goal.empty() && goal.back().is_object()) {
       takeGoal(goal.back());
@@ -142,18 +140,18 @@ class Socnav3Reader {
     if (!x || !y) {
       return;
     }
-    constexpr double kUsualRadius = 0.2;  // [m]
+    constexpr double kDefaultRadius = 0.2;  // [m]
     const double radius =
-        jsonNumber(goal, {"pos_threshold", "radius", "threshold"}).value_or(kUsualRadius);
+        jsonNumber(goal, {"pos_threshold", "radius", "threshold"}).value_or(kDefaultRadius);
     const Vec2 place(*x, *y);
     if (goal_ && (goal_->position - place).norm() > goal_->radius && !isGoalMoving_) {
       isGoalMoving_ = true;
       input_.problems.push_back(base::warning("tracks.goal-changes", {}, input_.path));
     }
-    goal_ = TraceGoal{0, place, radius > 0.0 ? radius : kUsualRadius};
+    goal_ = TraceGoal{0, place, radius > 0.0 ? radius : kDefaultRadius};
   }
 
-  /// Ids that are words, or numbers that are not valid ids, get numbers.
+  /// Numbers ids that are texts or out of range.
   TrackFile finish() {
     TrackFile file;
     constexpr long long kLargestId = 2000000000;  // the robot gets the next one
@@ -173,7 +171,7 @@ class Socnav3Reader {
       for (const Track& track : file.tracks) {
         numbered.push_back(&track);
       }
-      tellNumbers(input_, numbered);
+      reportAssignedIds(input_, numbered);
     }
     if (!robot_.points.empty()) {
       robot_.id = next;
@@ -187,8 +185,8 @@ class Socnav3Reader {
     return file;
   }
 
-  const ForeignInput& input_;
-  std::optional<JsonPlaces> places_;
+  const TrackInput& input_;
+  std::optional<JsonLineIndex> places_;
   std::string list_;  // name of the list of instants
   bool hasTimes_ = true, isGoalMoving_ = false;
   double begin_ = 0.0;  // [s]
@@ -197,22 +195,22 @@ class Socnav3Reader {
   std::optional<TraceGoal> goal_;
 };
 
-Claim claim(const FirstLook& look) {
-  const char first = look.row.empty() ? ' ' : look.row.front().text.front();
-  const auto holds = [&look](std::string_view word) {
-    return look.text.find(word) != std::string_view::npos;
+FormatMatch matchFormat(const FilePreview& preview) {
+  const char first = preview.row.empty() ? ' ' : preview.row.front().text.front();
+  const auto holds = [&preview](std::string_view word) {
+    return preview.text.find(word) != std::string_view::npos;
   };
   const bool isList = first == '[' && holds("\"robot\"") && holds("\"timestamp\"");
   const bool isObject =
       first == '{' && holds("\"sequence\"") && (holds("\"robot\"") || holds("\"people\""));
-  return isList || isObject ? Claim::ByContent : Claim::None;
+  return isList || isObject ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addSocnav3(TrackFormats& to) {
-  to.add({"socnav3", 15, claim,
-          [](const ForeignInput& input) { return Socnav3Reader(input).read(); }});
+  to.add({"socnav3", 15, matchFormat,
+          [](const TrackInput& input) { return Socnav3Reader(input).read(); }});
 }
 
 }  // namespace sim2d

@@ -1,12 +1,12 @@
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Four lines: frames, ids, x, y.
+/// SocNavBench: four lines with frames, ids, x and y.
 namespace sim2d {
 
 namespace {
 
-TrackFile readSocnavbench(const ForeignInput& input) {
-  constexpr double kUsualRate = 25.0;  // [1/s] of the films
+TrackFile readSocnavbench(const TrackInput& input) {
+  constexpr double kDefaultRate = 25.0;  // [1/s] of the source videos
   WordReader words(input.path, input.problems);
   TextRows reader(input.text);
   std::vector<std::vector<Word>> rows;
@@ -26,20 +26,20 @@ TrackFile readSocnavbench(const ForeignInput& input) {
     tracks.add(words, rows[order[0]][k], rows[order[1]][k], rows[order[2]][k], rows[order[3]][k]);
   }
   const double rate = input.options.framesPerSecond;
-  return tracks.finish(input.path, rate > 0.0 ? rate : kUsualRate);
+  return tracks.finish(input.path, rate > 0.0 ? rate : kDefaultRate);
 }
 
-Claim claim(const FirstLook& look) {
-  constexpr std::size_t kMostColumns = 12;  // of a table with a header
-  return look.isNumbers && look.row.size() > kMostColumns && look.endsWith(".csv")
-             ? Claim::ByContent
-             : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  constexpr std::size_t kMaxColumns = 12;  // of a table with a header
+  return preview.isNumbers && preview.row.size() > kMaxColumns && preview.endsWith(".csv")
+             ? FormatMatch::ByContent
+             : FormatMatch::None;
 }
 
 }  // namespace
 
 void addSocnavbench(TrackFormats& to) {
-  to.add({"socnavbench", 4, claim, readSocnavbench, false, true});
+  to.add({"socnavbench", 4, matchFormat, readSocnavbench, false, true});
 }
 
 }  // namespace sim2d

@@ -4,11 +4,11 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Recordings of THÖR-MAGNI: lines about the recording, then a table with the columns Frame, Time
-/// and, per body, "Helmet_1 Centroid_X" … in millimetres; empty where a body is not seen. People
-/// wear the helmets; of the other bodies robots are taken.
+/// THÖR-MAGNI recordings: header lines, then a table with the columns Frame, Time and, per body,
+/// "Helmet_1 Centroid_X" … in millimetres; empty if a body is not visible. Helmets are people; of
+/// other bodies only robots are read.
 namespace sim2d {
 
 namespace {
@@ -23,7 +23,7 @@ struct BodyPlace {
   std::size_t x = 0, y = 0;
 };
 
-/// "Helmet_10" -> 10.
+/// "Helmet_10": 10.
 std::optional<int> numberOf(const std::string& name) {
   const std::size_t line = name.rfind('_');
   const std::optional<long long> number =
@@ -38,7 +38,7 @@ bool isRobotName(const std::string& name) {
 
 class ThorReader {
  public:
-  explicit ThorReader(const ForeignInput& input)
+  explicit ThorReader(const TrackInput& input)
       : input_(input), words_(input.path, input.problems), rows_(input.text) {}
 
   TrackFile read() {
@@ -59,7 +59,7 @@ class ThorReader {
       input_.problems.push_back(base::warning(
           "tracks.not-people", {others_.size(), base::join(others_, ", ")}, input_.path));
     }
-    numberTheRest();
+    assignMissingIds();
     TrackFile file;
     file.lengthUnit = kMillimetre;
     for (Track& track : tracks_) {
@@ -74,7 +74,7 @@ class ThorReader {
   }
 
  private:
-  /// The lines before it may state the rate, which counts where the table has no times.
+  /// Header lines may state the frame rate, which is used if the table has no times.
   bool findTable() {
     while (rows_.next(row_)) {
       std::vector<std::string> names;
@@ -102,7 +102,7 @@ class ThorReader {
   }
 
   void noteRate(const std::vector<std::string>& fields) {
-    const std::string name = base::lowered(fields.front());
+    const std::string name = base::toLower(fields.front());
     const bool isRate = name == "frequency" || name == "frame_rate" || name == "framerate" ||
                         name == "camera_frequency" || name == "fps";
     if (isRate && fields.size() > 1) {
@@ -133,8 +133,8 @@ class ThorReader {
     tracks_.push_back(std::move(track));
   }
 
-  /// Robots, and helmets without a number, get one that no helmet has. Those are told.
-  void numberTheRest() {
+  /// Assigns unused numbers to robots and to helmets without one, and reports them.
+  void assignMissingIds() {
     std::set<int> taken;
     for (const Track& track : tracks_) {
       taken.insert(track.id);
@@ -150,7 +150,7 @@ class ThorReader {
         numbered.push_back(&track);
       }
     }
-    tellNumbers(input_, numbered);
+    reportAssignedIds(input_, numbered);
   }
   Word wordOf(std::size_t column) const {
     const CsvField& field = row_[column];
@@ -162,7 +162,7 @@ class ThorReader {
         words_.finite(wordOf(time_), hasTimes_ ? "the time" : "the frame");
     for (std::size_t k = 0; time && k < bodies_.size(); ++k) {
       if (base::trimmed(row_[bodies_[k].x].text).empty()) {
-        continue;  // not seen
+        continue;  // not visible
       }
       const std::optional<double> x = words_.finite(wordOf(bodies_[k].x), "x");
       const std::optional<double> y = words_.finite(wordOf(bodies_[k].y), "y");
@@ -177,26 +177,27 @@ class ThorReader {
     }
   }
 
-  const ForeignInput& input_;
+  const TrackInput& input_;
   WordReader words_;
   CsvReader rows_;
   CsvRow row_;
-  std::size_t time_ = 0, width_ = 0;  // of times, else of frames; of the table
+  std::size_t time_ = 0, width_ = 0;  // column of times or frames; number of columns
   bool hasTimes_ = true;
-  double rate_ = 0.0;  // frames per second that the file states
+  double rate_ = 0.0;  // frame rate stated in the file [1/s]
   std::vector<BodyPlace> bodies_;
-  std::vector<Track> tracks_;        // beside bodies_
-  std::vector<std::string> others_;  // bodies that are no people
+  std::vector<Track> tracks_;        // parallel to bodies_
+  std::vector<std::string> others_;  // ignored bodies
 };
 
-Claim claim(const FirstLook& look) {
-  return look.mentions(kEnd) ? Claim::ByContent : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  return preview.mentions(kEnd) ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addThor(TrackFormats& to) {
-  to.add({"thor", 9, claim, [](const ForeignInput& input) { return ThorReader(input).read(); }});
+  to.add(
+      {"thor", 9, matchFormat, [](const TrackInput& input) { return ThorReader(input).read(); }});
 }
 
 }  // namespace sim2d

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// TrajNet++: rows of numbers, or one JSON object per line, scenes and observations.
+/// TrajNet++: rows of numbers, or JSON lines with scenes and tracks.
 namespace sim2d {
 
 namespace {
@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 class TrajnetReader {
  public:
-  explicit TrajnetReader(const ForeignInput& input) : input_(input) {}
+  explicit TrajnetReader(const TrackInput& input) : input_(input) {}
 
   TrackFile read() {
     std::size_t begin = 0;
@@ -84,7 +84,7 @@ class TrajnetReader {
       return;
     }
     if (track.contains("prediction_number") && !track["prediction_number"].is_null()) {
-      return;  // what a model guessed
+      return;  // a predicted position
     }
     if (track["p"].get<long long>() < 0) {
       error(line, 1, "tracks.negative-id");
@@ -104,12 +104,12 @@ class TrajnetReader {
            std::isfinite(object[key].get<double>());
   }
 
-  const ForeignInput& input_;
+  const TrackInput& input_;
   FrameTracks tracks_;
   double sceneRate_ = 0.0;
 };
 
-TrackFile readTrajnetRows(const ForeignInput& input) {
+TrackFile readTrajnetRows(const TrackInput& input) {
   constexpr std::size_t kWidth = 4;
   const std::vector<std::size_t> order = numberedColumns(input, {"frame", "id", "x", "y"}, kWidth);
   FrameTracks tracks;
@@ -120,7 +120,7 @@ TrackFile readTrajnetRows(const ForeignInput& input) {
   return tracks.finish(input.path, given > 0.0 ? given : statedRate(leadingComments(input.text)));
 }
 
-TrackFile readTrajnet(const ForeignInput& input) {
+TrackFile readTrajnet(const TrackInput& input) {
   const std::size_t first = input.text.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string::npos && input.text[first] == '{';
   if (isJson && !input.options.columns.empty()) {
@@ -131,21 +131,21 @@ TrackFile readTrajnet(const ForeignInput& input) {
   return isJson ? TrajnetReader(input).read() : readTrajnetRows(input);
 }
 
-Claim claim(const FirstLook& look) {
-  if (look.endsWith(".ndjson")) {
-    return Claim::ByName;
+FormatMatch matchFormat(const FilePreview& preview) {
+  if (preview.endsWith(".ndjson")) {
+    return FormatMatch::ByName;
   }
-  const bool isJson = !look.row.empty() && look.row.front().text.front() == '{' &&
-                      (look.mentions("\"scene\"") || look.mentions("\"track\""));
-  return (isJson || (look.isNumbers && look.row.size() == 4)) && !look.endsWith(".csv")
-             ? Claim::ByContent
-             : Claim::None;
+  const bool isJson = !preview.row.empty() && preview.row.front().text.front() == '{' &&
+                      (preview.mentions("\"scene\"") || preview.mentions("\"track\""));
+  return (isJson || (preview.isNumbers && preview.row.size() == 4)) && !preview.endsWith(".csv")
+             ? FormatMatch::ByContent
+             : FormatMatch::None;
 }
 
 }  // namespace
 
 void addTrajnet(TrackFormats& to) {
-  to.add({"trajnet", 3, claim, readTrajnet, false, true});
+  to.add({"trajnet", 3, matchFormat, readTrajnet, false, true});
 }
 
 }  // namespace sim2d

@@ -5,21 +5,21 @@
 #include <nlohmann/json.hpp>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Output of Vadere: positions by time step ("timeStep pedestrianId x y"), or footsteps
-/// ("pedestrianId simTime endTime startX startY endX endY"). Names may end with "-PID1". The length
-/// of a time step is in the scenario that Vadere writes beside its output.
+/// Vadere output: positions per time step ("timeStep pedestrianId x y") or footsteps ("pedestrianId
+/// simTime endTime startX startY endX endY"). Column names may end with "-PID1". The length of a
+/// time step is in the scenario file next to the output.
 namespace sim2d {
 
 namespace {
 
-constexpr double kUsualStep = 0.4;  // [s] of a time step of Vadere
-constexpr double kSameTime = 1e-6;  // [s] a footstep begins when the one before ends
+constexpr double kDefaultStep = 0.4;  // [s], default length of a time step
+constexpr double kSameTime = 1e-6;    // [s]; a footstep begins at the end of the previous one
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// [s] of "simTimeStepLength" in the only *.scenario of the folder; 0: there is none.
-double stepBeside(const std::string& path) {
+/// [s], "simTimeStepLength" of the only *.scenario file in the folder; 0: none.
+double scenarioTimeStep(const std::string& path) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(path).parent_path();
   std::error_code error;
@@ -48,11 +48,11 @@ double stepBeside(const std::string& path) {
 
 class VadereReader {
  public:
-  explicit VadereReader(const ForeignInput& input)
+  explicit VadereReader(const TrackInput& input)
       : input_(input), words_(input.path, input.problems), rows_(input.text) {
     const double rate = input.options.framesPerSecond;
-    const double stated = rate > 0.0 ? 0.0 : stepBeside(input.path);
-    step_ = rate > 0.0 ? 1.0 / rate : stated > 0.0 ? stated : kUsualStep;
+    const double stated = rate > 0.0 ? 0.0 : scenarioTimeStep(input.path);
+    step_ = rate > 0.0 ? 1.0 / rate : stated > 0.0 ? stated : kDefaultStep;
   }
 
   TrackFile read() {
@@ -126,8 +126,8 @@ class VadereReader {
 
   TrackFile finish(bool isStepwise) {
     TrackFile file;
-    file.step = isStepwise ? step_ : kUsualStep;
-    file.isByFrames = isStepwise;
+    file.step = isStepwise ? step_ : kDefaultStep;
+    file.hasFrameTimes = isStepwise;
     file.isSparse = !isStepwise;
     for (auto& [id, track] : tracks_) {
       file.tracks.push_back(std::move(track));
@@ -135,26 +135,26 @@ class VadereReader {
     return file;
   }
 
-  const ForeignInput& input_;
+  const TrackInput& input_;
   WordReader words_;
   TextRows rows_;
   std::vector<Word> header_;
   std::map<int, Track> tracks_;
-  double step_ = kUsualStep;  // [s] of a time step
+  double step_ = kDefaultStep;  // [s] per time step
 };
 
-Claim claim(const FirstLook& look) {
-  const bool isNamed = std::any_of(look.row.begin(), look.row.end(), [](const Word& word) {
+FormatMatch matchFormat(const FilePreview& preview) {
+  const bool isNamed = std::any_of(preview.row.begin(), preview.row.end(), [](const Word& word) {
     return word.text.substr(0, 12) == "pedestrianId";
   });
-  return isNamed ? Claim::ByContent : Claim::None;
+  return isNamed ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addVadere(TrackFormats& to) {
-  to.add(
-      {"vadere", 6, claim, [](const ForeignInput& input) { return VadereReader(input).read(); }});
+  to.add({"vadere", 6, matchFormat,
+          [](const TrackInput& input) { return VadereReader(input).read(); }});
 }
 
 }  // namespace sim2d

@@ -3,15 +3,15 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackTable.h"
 
-/// Pedestrian record of PTV Viswalk (.pp): a block of comments with a line "* NAME: … [unit]" per
-/// attribute, the attributes after "$PEDESTRIAN:", then rows; fields are separated by semicolons.
+/// PTV Viswalk pedestrian records (.pp): comments with a line "* NAME: … [unit]" per attribute, the
+/// attribute names after "$PEDESTRIAN:", then rows; fields are separated by semicolons.
 namespace sim2d {
 
 namespace {
 
 constexpr std::string_view kTable = "$PEDESTRIAN:";
 
-/// Position of the line of the attributes; npos: there is none.
+/// Position of the line of attribute names; npos: none.
 std::size_t tableIn(std::string_view text) {
   std::size_t at = text.find(kTable);
   while (at != std::string_view::npos && at > 0 && text[at - 1] != '\n') {
@@ -20,8 +20,8 @@ std::size_t tableIn(std::string_view text) {
   return at;
 }
 
-/// Of "* COORDCENTX: CoordCentX, Coordinate of the centre (x) [m]": the unit by the name in lower
-/// case.
+/// Units by attribute name in lower case, from "* COORDCENTX: CoordCentX, Coordinate of the centre
+/// (x) [m]".
 std::map<std::string, std::string> unitsIn(std::string_view comments) {
   std::map<std::string, std::string> units;
   for (const std::string& line : leadingComments(comments, '*')) {
@@ -36,7 +36,7 @@ std::map<std::string, std::string> unitsIn(std::string_view comments) {
   return units;
 }
 
-TrackFile readRecord(const ForeignInput& input) {
+TrackFile readRecord(const TrackInput& input) {
   const std::string_view text = input.text;
   const std::size_t begin = tableIn(text);
   if (begin == std::string_view::npos) {
@@ -60,16 +60,16 @@ TrackFile readRecord(const ForeignInput& input) {
   return readTrackTable(input, layout);
 }
 
-Claim claim(const FirstLook& look) {
-  constexpr std::size_t kLooked = 65536;  // of comments before the table
-  const bool isTable = tableIn(look.text.substr(0, kLooked)) != std::string_view::npos;
-  return isTable ? Claim::ByContent : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  constexpr std::size_t kPreviewSize = 65536;  // searched before the table
+  const bool isTable = tableIn(preview.text.substr(0, kPreviewSize)) != std::string_view::npos;
+  return isTable ? FormatMatch::ByContent : FormatMatch::None;
 }
 
 }  // namespace
 
 void addViswalk(TrackFormats& to) {
-  to.add({"viswalk", 14, claim, readRecord, false, true});
+  to.add({"viswalk", 14, matchFormat, readRecord, false, true});
 }
 
 }  // namespace sim2d

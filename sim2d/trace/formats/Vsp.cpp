@@ -1,22 +1,22 @@
 #include <array>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackFormats.h"
 
-/// Splines of the UCY crowds, in pixels of the film.
+/// UCY crowds: splines in pixels of the video.
 namespace sim2d {
 
 namespace {
 
-constexpr double kUsualRate = 25.0;                        // [1/s]
-constexpr double kHalfWidth = 360.0, kHalfHeight = 288.0;  // [pixel] of the films of this set
+constexpr double kDefaultRate = 25.0;                      // [1/s]
+constexpr double kHalfWidth = 360.0, kHalfHeight = 288.0;  // [pixel], video size of this data set
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
-/// The homography in H.txt beside the file; without it, the user gives the size of a pixel.
-std::optional<Matrix3> readHomography(const ForeignInput& input, bool& isOfPixels) {
-  const std::string path = besideFile(input.path, "H.txt");
-  const base::Result<std::string> text = base::readTextFile(path, base::kMostRecord);
+/// The homography in H.txt next to the file; without it the user gives the size of a pixel.
+std::optional<Matrix3> readHomography(const TrackInput& input, bool& isOfPixels) {
+  const std::string path = siblingPath(input.path, "H.txt");
+  const base::Result<std::string> text = base::readTextFile(path, base::kMaxRecord);
   if (const double unit = input.options.lengthUnit; !text && unit > 0.0) {
     isOfPixels = true;
     return Matrix3{
@@ -48,7 +48,8 @@ std::optional<Matrix3> readHomography(const ForeignInput& input, bool& isOfPixel
   return matrix;
 }
 
-/// Pixels from the centre, y up, to the world by row and column of the film.
+/// Converts pixels from the image centre, y upwards, to the world; the homography takes row and
+/// column.
 Vec2 toWorld(const Matrix3& matrix, double x, double y) {
   const std::array<double, 3> pixel = {kHalfHeight - y, x + kHalfWidth, 1.0};
   std::array<double, 3> world{};
@@ -62,16 +63,16 @@ Vec2 toWorld(const Matrix3& matrix, double x, double y) {
 
 class VspReader {
  public:
-  VspReader(const ForeignInput& input, const Matrix3& matrix)
+  VspReader(const TrackInput& input, const Matrix3& matrix)
       : input_(input), matrix_(matrix), words_(input.path, input.problems), rows_(input.text, '-') {
     const double rate = input.options.framesPerSecond;
-    rate_ = rate > 0.0 ? rate : kUsualRate;
+    rate_ = rate > 0.0 ? rate : kDefaultRate;
   }
 
   TrackFile read() {
     TrackFile file;
     file.step = kAnnotationStep;
-    file.isByFrames = true;
+    file.hasFrameTimes = true;
     file.isSparse = true;
     const std::optional<long long> count = readCount("the number of splines");
     for (long long k = 1; count && k <= *count; ++k) {
@@ -85,7 +86,7 @@ class VspReader {
         break;
       }
     }
-    readGroupsBeside(input_, file);
+    readGroupsFile(input_, file);
     return file;
   }
 
@@ -144,15 +145,15 @@ class VspReader {
     track.points.push_back(point);
   }
 
-  const ForeignInput& input_;
+  const TrackInput& input_;
   const Matrix3& matrix_;
   WordReader words_;
   TextRows rows_;
   std::vector<Word> row_;
-  double rate_ = kUsualRate;
+  double rate_ = kDefaultRate;
 };
 
-TrackFile readVsp(const ForeignInput& input) {
+TrackFile readVsp(const TrackInput& input) {
   bool isOfPixels = false;
   const std::optional<Matrix3> matrix = readHomography(input, isOfPixels);
   TrackFile file = matrix ? VspReader(input, *matrix).read() : TrackFile();
@@ -160,14 +161,14 @@ TrackFile readVsp(const ForeignInput& input) {
   return file;
 }
 
-Claim claim(const FirstLook& look) {
-  return look.endsWith(".vsp") ? Claim::ByName : Claim::None;
+FormatMatch matchFormat(const FilePreview& preview) {
+  return preview.endsWith(".vsp") ? FormatMatch::ByName : FormatMatch::None;
 }
 
 }  // namespace
 
 void addVsp(TrackFormats& to) {
-  to.add({"vsp", 2, claim, readVsp});
+  to.add({"vsp", 2, matchFormat, readVsp});
 }
 
 }  // namespace sim2d

@@ -11,15 +11,15 @@
 namespace sim2d {
 namespace {
 
-// Cells are narrow, so that a row of candidates ends where it should, and high, so that there are
-// few rows.
+// Cells are narrow, so that a row of candidates ends near the disc, and high, so that there are few
+// rows.
 constexpr double kCellWidth = 1.0;   // [m]
 constexpr double kCellHeight = 5.0;  // [m]
 
 using Rows = xsimd::batch<float, xsimd::sse2>;
 constexpr int kRowsAtOnce = Rows::size;
 
-constexpr std::size_t kSlice = 512;  // people a thread sorts before it asks for more
+constexpr std::size_t kSlice = 512;  // people per work slice
 
 int cellsIn(double length, double cell) {
   return static_cast<int>(length / cell) + 1;
@@ -43,7 +43,7 @@ void CrowdCells::Extent::add(const Extent& other) {
 CrowdCells::Extent CrowdCells::extentOf(const std::vector<Walker>& walkers,
                                         const std::vector<char>& present, WorkerPool& workers) {
   extents_.assign(workers.threadCount(), Extent{});
-  workers.forSlices(
+  workers.parallelFor(
       walkers.size(), kSlice, [&](std::size_t thread, std::size_t begin, std::size_t end) {
         Extent extent = extents_[thread];
         for (std::size_t i = begin; i < end; ++i) {
@@ -65,7 +65,7 @@ void CrowdCells::placeGrid(const Extent& all, std::size_t people) {
   fastest_ = std::sqrt(all.squaredFastest);
   const Vec2 size = all.high - all.low;
   const double mostCells = 4096.0 + 4.0 * static_cast<double>(people);
-  const Vec2 wanted = Vec2(size.x() / kCellWidth, size.y() / kCellHeight);  // cells
+  const Vec2 wanted = Vec2(size.x() / kCellWidth, size.y() / kCellHeight);  // in cells
   const double coarser = std::max(
       {1.0, std::sqrt(wanted.x() * wanted.y() / mostCells), wanted.maxCoeff() / mostCells});
   cell_ = coarser * Vec2(kCellWidth, kCellHeight);
@@ -82,12 +82,12 @@ void CrowdCells::rebuild(const std::vector<Walker>& walkers, const std::vector<c
                          const std::vector<double>& room, WorkerPool& workers) {
   placeGrid(extentOf(walkers, present, workers), walkers.size());
   cellOf_.resize(walkers.size());
-  workers.forSlices(walkers.size(), kSlice,
-                    [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
-                      for (std::size_t i = begin; i < end; ++i) {
-                        cellOf_[i] = present[i] != 0 ? cellAt(walkers[i].position) : -1;
-                      }
-                    });
+  workers.parallelFor(walkers.size(), kSlice,
+                      [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          cellOf_[i] = present[i] != 0 ? cellAt(walkers[i].position) : -1;
+                        }
+                      });
   sortByCell(cellOf_, static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), start_,
              next_, order_);
   fillColumns(walkers, room, workers);
@@ -103,20 +103,20 @@ void CrowdCells::fillColumns(const std::vector<Walker>& walkers, const std::vect
   for (std::vector<float>* column : {&x_, &y_, &vx_, &vy_, &room_}) {
     column->resize(order_.size() + static_cast<std::size_t>(kCrowdLanes));
   }
-  workers.forSlices(order_.size(), kSlice,
-                    [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
-                      for (std::size_t slot = begin; slot < end; ++slot) {
-                        const Walker& walker = walkers[personIn(slot)];
-                        x_[slot] = static_cast<float>(walker.position.x() - middle_.x());
-                        y_[slot] = static_cast<float>(walker.position.y() - middle_.y());
-                        vx_[slot] = static_cast<float>(walker.velocity.x());
-                        vy_[slot] = static_cast<float>(walker.velocity.y());
-                        writeNew(room_[slot], static_cast<float>(room[personIn(slot)]));
-                      }
-                    });
+  workers.parallelFor(order_.size(), kSlice,
+                      [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
+                        for (std::size_t slot = begin; slot < end; ++slot) {
+                          const Walker& walker = walkers[personIn(slot)];
+                          x_[slot] = static_cast<float>(walker.position.x() - middle_.x());
+                          y_[slot] = static_cast<float>(walker.position.y() - middle_.y());
+                          vx_[slot] = static_cast<float>(walker.velocity.x());
+                          vy_[slot] = static_cast<float>(walker.velocity.y());
+                          assignIfChanged(room_[slot], static_cast<float>(room[personIn(slot)]));
+                        }
+                      });
 }
 
-/// Four rows at a time.
+/// Processes four rows at a time.
 CrowdSpan* CrowdCells::writeSpans(float x, float y, float radius, CrowdSpan* to, int& slots) const {
   const float right = x - originX_;
   const float up = y - originY_;
@@ -131,7 +131,7 @@ CrowdSpan* CrowdCells::writeSpans(float x, float y, float radius, CrowdSpan* to,
   const Rows steps = Rows{0.0F, 1.0F, 2.0F, 3.0F} * Rows(height);
   const CrowdSpan* const begin = to;
   for (int row = bottom; row <= top; row += kRowsAtOnce) {
-    // From the disc's middle to the lower edge of the row, and to the row.
+    // Distances from the disc's centre to the lower edge of the row, and to the row.
     const Rows low = Rows(static_cast<float>(row) * height - up) + steps;
     const Rows gap = xsimd::max(xsimd::max(zero, low), zero - low - Rows(height));
     const Rows half2 = Rows(reach * reach) - gap * gap;

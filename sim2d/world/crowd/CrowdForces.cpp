@@ -10,42 +10,42 @@
 namespace sim2d {
 namespace {
 
-constexpr double kLeftOut = 5e-5;                // of k_s
+constexpr double kForceCutOff = 5e-5;            // of k_s; forces below are ignored
 constexpr std::size_t kBatch = 16;               // people
-constexpr std::size_t kForceSlice = 2 * kBatch;  // people a thread takes before it asks for more
+constexpr std::size_t kForceSlice = 2 * kBatch;  // people per work slice
 constexpr std::size_t kLookSlice = 256;          // people
-constexpr std::size_t kMostCandidates = 8192;    // of a batch, but of one person more
+constexpr std::size_t kMostCandidates = 8192;    // per batch, except batches of one person
 
-// A reach:
-constexpr int kDirections = 12;   // steps from straight ahead to straight back
-constexpr int kVelocities = 8;    // steps along each half axis of the others' velocities
-constexpr int kMiddles = 24;      // places tried for the middle of a disc
-constexpr double kMargin = 0.25;  // [m]; what lies between the steps
+// Discretisation of a reach:
+constexpr int kDirections = 12;        // steps from straight ahead to straight back
+constexpr int kVelocities = 8;         // steps along each half axis of the other's velocity
+constexpr int kCentreSteps = 24;       // tested positions of the disc centre
+constexpr double kReachMargin = 0.25;  // [m]; covers the discretisation error
 
-// A bound of the speed:
-constexpr double kSpare = 0.25;         // [m/s] above the fastest while that may still grow
-constexpr double kSteadySpare = 0.03;   // [m/s] later
-constexpr double kTooWide = 0.08;       // [m/s] above the fastest
-constexpr std::size_t kWasted = 50000;  // people who felt too far; as long as a table takes
+// Parameters of the speed bound:
+constexpr double kSpeedSpare = 0.25;              // [m/s] above the maximum while it may still grow
+constexpr double kSteadySpare = 0.03;             // [m/s], afterwards
+constexpr double kMaxSpeedSpare = 0.08;           // [m/s] above the maximum
+constexpr std::size_t kRebuildThreshold = 50000;  // people computed with a too wide bound
 
-/// Numbers too small for a normal float count as zero, so that they cost no time.
-class ZeroForTiny {
+/// Treats subnormal floats as zero, because they are slow.
+class FlushDenormals {
  public:
-  ZeroForTiny() : before_(_mm_getcsr()) {
+  FlushDenormals() : before_(_mm_getcsr()) {
     _mm_setcsr(before_ | 0x8040U);  // flush to zero, denormals are zero
   }
-  ~ZeroForTiny() { _mm_setcsr(before_); }
-  ZeroForTiny(const ZeroForTiny&) = delete;
-  ZeroForTiny& operator=(const ZeroForTiny&) = delete;
-  ZeroForTiny(ZeroForTiny&&) = delete;
-  ZeroForTiny& operator=(ZeroForTiny&&) = delete;
+  ~FlushDenormals() { _mm_setcsr(before_); }
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+  FlushDenormals(FlushDenormals&&) = delete;
+  FlushDenormals& operator=(FlushDenormals&&) = delete;
 
  private:
   unsigned before_;
 };
 
-/// Equal in all that the force depends on, but for its factor.
-bool haveOneShape(const ForceParameters& a, const ForceParameters& b) {
+/// True if the parameters are equal except for the force factor.
+bool haveSameShape(const ForceParameters& a, const ForceParameters& b) {
   return a.lambda == b.lambda && a.gamma == b.gamma && a.n == b.n && a.nPrime == b.nPrime &&
          a.epsilon == b.epsilon;
 }
@@ -55,16 +55,16 @@ bool haveOneShape(const ForceParameters& a, const ForceParameters& b) {
 bool SpeedBound::update(double fastest, std::size_t people) {
   const double before = value_;
   if (fastest > value_) {
-    value_ = fastest + kSpare;
-    wasted_ = 0;
-  } else if (fastest + kTooWide > value_) {
-    wasted_ = 0;
+    value_ = fastest + kSpeedSpare;
+    excessCount_ = 0;
+  } else if (fastest + kMaxSpeedSpare > value_) {
+    excessCount_ = 0;
   } else {
-    largest_ = wasted_ == 0 ? fastest : std::max(largest_, fastest);
-    wasted_ += people;
-    if (wasted_ > kWasted) {
+    largest_ = excessCount_ == 0 ? fastest : std::max(largest_, fastest);
+    excessCount_ += people;
+    if (excessCount_ > kRebuildThreshold) {
       value_ = largest_ + kSteadySpare;
-      wasted_ = 0;
+      excessCount_ = 0;
     }
   }
   return value_ != before;
@@ -74,7 +74,7 @@ CrowdReach::CrowdReach(const ForceParameters& parameters, double cutOff, double 
     : parameters_(parameters), cutOff_(cutOff), fastest_(fastest) {
   for (std::size_t i = 0; i < kDiscs; ++i) {
     const double step = fastest_ / static_cast<double>(kDiscs);
-    discs_[i] = discOver(step * static_cast<double>(i), step * static_cast<double>(i + 1));
+    discs_[i] = discFor(step * static_cast<double>(i), step * static_cast<double>(i + 1));
   }
 }
 
@@ -83,9 +83,9 @@ const CrowdReach::Disc& CrowdReach::discOf(double speed) const {
   return discs_[std::min(static_cast<std::size_t>(place), kDiscs - 1)];
 }
 
-/// Distance from which on `isNegligible` holds for an interaction vector with these parts along
-/// and across the line to the other; for angles above a quarter turn a sharper bound [m].
-double CrowdReach::boundOf(double along, double across) const {
+/// Distance from which on `isNegligible` holds for an interaction vector with these components
+/// along and across the line to the other; a sharper bound for angles above a quarter turn [m].
+double CrowdReach::interactionBound(double along, double across) const {
   const double side = std::min(parameters_.n, parameters_.nPrime) * parameters_.gamma;
   const double length2 = along * along + across * across;
   const double turned = along < 0.0 ? side * side * base::kPi * base::kPi / 4.0 * length2
@@ -93,7 +93,7 @@ double CrowdReach::boundOf(double along, double across) const {
   return parameters_.gamma * std::sqrt(length2) * std::max(0.0, cutOff_ - turned);
 }
 
-/// Over all velocities of the other, in one direction from a person who walks along x.
+/// Maximum over all velocities of the other, in one direction from a person who walks along x.
 double CrowdReach::farthestAt(double cosine, double sine, double speed) const {
   double farthest = 0.0;
   for (int i = -kVelocities; i <= kVelocities; ++i) {
@@ -101,15 +101,16 @@ double CrowdReach::farthestAt(double cosine, double sine, double speed) const {
     const double most = std::sqrt(std::max(0.0, fastest_ * fastest_ - along * along));
     for (int k = -kVelocities; k <= kVelocities; ++k) {
       const double across = most * k / kVelocities;
-      farthest = std::max(farthest, boundOf(parameters_.lambda * (speed * cosine - along) + 1.0,
-                                            parameters_.lambda * (speed * sine - across)));
+      farthest =
+          std::max(farthest, interactionBound(parameters_.lambda * (speed * cosine - along) + 1.0,
+                                              parameters_.lambda * (speed * sine - across)));
     }
   }
   return farthest;
 }
 
-/// The smallest one, of some, that holds everybody for all speeds in between.
-CrowdReach::Disc CrowdReach::discOver(double low, double high) const {
+/// The smallest tested disc that contains all relevant people, for all speeds in between.
+CrowdReach::Disc CrowdReach::discFor(double low, double high) const {
   std::array<Vec2, kDirections + 1> border;
   double ahead = 0.0;
   for (int i = 0; i <= kDirections; ++i) {
@@ -122,15 +123,15 @@ CrowdReach::Disc CrowdReach::discOver(double low, double high) const {
     ahead = std::max(ahead, farthest);
   }
   Disc best{0.0, ahead};
-  for (int i = 1; i <= kMiddles; ++i) {
-    const Vec2 middle(ahead / 2.0 * i / kMiddles, 0.0);
+  for (int i = 1; i <= kCentreSteps; ++i) {
+    const Vec2 middle(ahead / 2.0 * i / kCentreSteps, 0.0);
     double radius = 0.0;
     for (const Vec2& point : border) {
       radius = std::max(radius, (point - middle).norm());
     }
     best = radius < best.radius ? Disc{middle.x(), radius} : best;
   }
-  best.radius += kMargin;
+  best.radius += kReachMargin;
   return best;
 }
 
@@ -157,7 +158,8 @@ CrowdPairs CrowdForces::Scratch::pairs() {
           slot.get(), fx.get(),     fy.get(), touching.get(), doubtful.get()};
 }
 
-CrowdForces::CrowdForces(VectorPath path) : kernel_(kernelOf(path)), cutOff_(cutOff(kLeftOut)) {}
+CrowdForces::CrowdForces(SimdLevel path)
+    : kernel_(crowdKernelFor(path)), cutOff_(cutOff(kForceCutOff)) {}
 
 void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   forces_.resize(crowd.walkers.size(), Vec2::Zero());
@@ -166,65 +168,65 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   if (cells_.count() == 0) {
     return;
   }
-  if (hasNewLaws(crowd, workers)) {
+  if (updateForceModels(crowd, workers)) {
     sortShapes(crowd);
   }
   prepareReach();
   scratches_.resize(workers.threadCount());
-  workers.forSlices(cells_.count(), kForceSlice,
-                    [&](std::size_t thread, std::size_t begin, std::size_t end) {
-                      computeSlots(crowd, begin, end, scratches_[thread]);
-                    });
+  workers.parallelFor(cells_.count(), kForceSlice,
+                      [&](std::size_t thread, std::size_t begin, std::size_t end) {
+                        computeSlots(crowd, begin, end, scratches_[thread]);
+                      });
 }
 
 void CrowdForces::computeSlots(const CrowdState& crowd, std::size_t begin, std::size_t end,
                                Scratch& scratch) {
-  const ZeroForTiny mode;
+  const FlushDenormals mode;
   scratch.resize(kMostCandidates, cells_.rowCount());
   for (std::size_t slot = begin; slot < end; ++slot) {
-    if (crowd.laws[cells_.personIn(slot)].parameters != nullptr) {
+    if (crowd.forceModels[cells_.personIn(slot)].parameters != nullptr) {
       addToBatch(crowd, slot, scratch);
     }
   }
   computeBatch(crowd, scratch);
 }
 
-/// Also sets the forces of those who feel none.
-bool CrowdForces::hasNewLaws(const CrowdState& crowd, WorkerPool& workers) {
+/// Also zeroes the forces of people who feel none.
+bool CrowdForces::updateForceModels(const CrowdState& crowd, WorkerPool& workers) {
   std::atomic<bool> hasNew{false};
-  workers.forSlices(known_.size(), kLookSlice,
-                    [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
-                      bool isNew = false;
-                      for (std::size_t i = begin; i < end; ++i) {
-                        const ForceParameters* const parameters = crowd.laws[i].parameters;
-                        isNew = isNew || known_[i].parameters != parameters;
-                        if (parameters == nullptr || crowd.present[i] == 0) {
-                          writeNew(forces_[i], Vec2(Vec2::Zero()));
+  workers.parallelFor(known_.size(), kLookSlice,
+                      [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
+                        bool isNew = false;
+                        for (std::size_t i = begin; i < end; ++i) {
+                          const ForceParameters* const parameters = crowd.forceModels[i].parameters;
+                          isNew = isNew || known_[i].parameters != parameters;
+                          if (parameters == nullptr || crowd.present[i] == 0) {
+                            assignIfChanged(forces_[i], Vec2(Vec2::Zero()));
+                          }
                         }
-                      }
-                      if (isNew) {
-                        hasNew = true;
-                      }
-                    });
+                        if (isNew) {
+                          hasNew = true;
+                        }
+                      });
   return hasNew;
 }
 
 void CrowdForces::sortShapes(const CrowdState& crowd) {
   for (std::size_t i = 0; i < known_.size(); ++i) {
-    const ForceParameters* const parameters = crowd.laws[i].parameters;
+    const ForceParameters* const parameters = crowd.forceModels[i].parameters;
     if (known_[i].parameters == parameters) {
       continue;
     }
-    known_[i] = parameters == nullptr
-                    ? KnownLaw{}
-                    : KnownLaw{parameters, findShape(*parameters), parameters->socialFactor};
+    known_[i] = parameters == nullptr ? CachedForceModel{}
+                                      : CachedForceModel{parameters, findShape(*parameters),
+                                                         parameters->socialFactor};
   }
 }
 
 std::size_t CrowdForces::findShape(const ForceParameters& parameters) {
   const auto found =
       std::find_if(shapes_.begin(), shapes_.end(),
-                   [&](const ForceParameters& shape) { return haveOneShape(shape, parameters); });
+                   [&](const ForceParameters& shape) { return haveSameShape(shape, parameters); });
   const auto place = static_cast<std::size_t>(found - shapes_.begin());
   if (found == shapes_.end()) {
     shapes_.push_back(parameters);
@@ -241,16 +243,17 @@ void CrowdForces::prepareReach() {
   }
 }
 
-CrowdLaw CrowdForces::lawOf(const ForceParameters& parameters, bool looksForWalls) const {
+CrowdForceParameters CrowdForces::crowdForceParameters(const ForceParameters& parameters,
+                                                       bool testsWalls) const {
   return {static_cast<float>(parameters.lambda),  static_cast<float>(parameters.gamma),
           static_cast<float>(parameters.n),       static_cast<float>(parameters.nPrime),
           static_cast<float>(parameters.epsilon), static_cast<float>(cutOff_),
-          static_cast<float>(kLeftOut),           looksForWalls};
+          static_cast<float>(kForceCutOff),       testsWalls};
 }
 
 void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch) {
   const std::size_t person = cells_.personIn(slot);
-  const SocialLaw& law = crowd.laws[person];
+  const CrowdForceModel& law = crowd.forceModels[person];
   const CrowdColumns columns = cells_.columns();
   const float vx = columns.vx[slot];
   const float vy = columns.vy[slot];
@@ -260,7 +263,7 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   const bool looks = !law.goesThroughWalls && crowd.room[person] < disc.ahead + disc.radius;
   Batch& batch = scratch.batch;
   const bool fits =
-      batch.slots.size() < kBatch && looks == batch.law.looksForWalls && shape == batch.shape;
+      batch.slots.size() < kBatch && looks == batch.law.testsWalls && shape == batch.shape;
   if (!fits && !batch.slots.empty()) {
     computeBatch(crowd, scratch);
   }
@@ -285,7 +288,7 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
     scratch.resize(static_cast<std::size_t>(candidates), cells_.rowCount());
   }
   if (batch.slots.empty()) {
-    batch.law = lawOf(shapes_[shape], looks);
+    batch.law = crowdForceParameters(shapes_[shape], looks);
     batch.shape = shape;
   }
   batch.spanCount = receiver.lastSpan;
@@ -308,7 +311,7 @@ void CrowdForces::computeBatch(const CrowdState& crowd, Scratch& scratch) {
   batch.spanCount = batch.candidates = 0;
 }
 
-/// What needs to know the walls or the ids of people.
+/// Applies what requires walls or ids of people.
 void CrowdForces::finish(const CrowdState& crowd, std::size_t receiver, Scratch& scratch) {
   const CrowdPairs pairs = scratch.pairs();
   const std::size_t slot = scratch.batch.slots[receiver];
@@ -327,16 +330,16 @@ void CrowdForces::finish(const CrowdState& crowd, std::size_t receiver, Scratch&
   force = known_[person].socialFactor *
           Vec2(static_cast<double>(result.x), static_cast<double>(result.y));
   if (result.touching > 1) {
-    force += forceOfTouching(crowd, slot, scratch.batch, scratch.batch.receivers[receiver]);
+    force += coincidentForce(crowd, slot, scratch.batch, scratch.batch.receivers[receiver]);
   }
 }
 
-/// Of those in the same place, whom the kernel leaves out.
-Vec2 CrowdForces::forceOfTouching(const CrowdState& crowd, std::size_t slot, const Batch& batch,
+/// Force of people at the same position, which the kernel skips.
+Vec2 CrowdForces::coincidentForce(const CrowdState& crowd, std::size_t slot, const Batch& batch,
                                   const CrowdReceiver& receiver) const {
   Vec2 force = Vec2::Zero();
   const std::size_t person = cells_.personIn(slot);
-  const SocialLaw& law = crowd.laws[person];
+  const CrowdForceModel& law = crowd.forceModels[person];
   const CrowdColumns columns = cells_.columns();
   for (int k = receiver.firstSpan; k < receiver.lastSpan; ++k) {
     const CrowdSpan span = batch.spans[static_cast<std::size_t>(k)];
@@ -345,7 +348,7 @@ Vec2 CrowdForces::forceOfTouching(const CrowdState& crowd, std::size_t slot, con
       const float dx = columns.x[at] - columns.x[slot];
       const float dy = columns.y[at] - columns.y[slot];
       const std::size_t other = cells_.personIn(at);
-      if (other == person || !(dx * dx + dy * dy <= kCrowdTouching * kCrowdTouching)) {
+      if (other == person || !(dx * dx + dy * dy <= kCoincidentDistance * kCoincidentDistance)) {
         continue;
       }
       if (law.goesThroughWalls || crowd.isVisible(person, other)) {

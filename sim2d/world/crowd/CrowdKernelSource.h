@@ -3,17 +3,17 @@
 #include "sim2d/world/crowd/CrowdKernel.h"
 #include "sim2d/world/crowd/CrowdMath.h"
 
-/// The social forces on a batch of people: first the candidates of each are picked whose force can
-/// be above the cut-off, then the forces of all are computed. To be included once in the file of
-/// each instruction set.
+/// Social forces on a batch of people: first the candidates with a force above the cut-off are
+/// selected for each person, then the forces of all are computed. Include exactly once per
+/// instruction-set file.
 namespace sim2d {
 namespace {
 
-/// The bound of SocialForce.h in the frame of the line between two people, where the interaction
-/// vector is (along, across). For pairs that it points away from the angle is at least a quarter
-/// turn. With a root of 0.2 % the bound is as much off.
+/// The bound of SocialForce.h in the frame of the line between two people, in which the interaction
+/// vector is (along, across). If it points away from the other, the angle is at least a quarter
+/// turn. The relative error of the root, 0.2 %, is also that of the bound.
 struct Bound {
-  explicit Bound(const CrowdLaw& law) {
+  explicit Bound(const CrowdForceParameters& law) {
     const float least = law.n < law.nPrime ? law.n : law.nPrime;
     const float side = least * law.gamma;
     const float quarter = side * 1.5707F;
@@ -24,12 +24,12 @@ struct Bound {
     reach = fill(law.cutOff * law.gamma);
   }
 
-  /// Of all pairs that touch, those above the bound and some more.
+  /// Selects all touching pairs, those above the bound, and a few more.
   Mask isAbove(Lanes dx, Lanes dy, Lanes dvx, Lanes dvy) const {
     const Lanes none = fill(0.0F);
     const Lanes apart2 = dx * dx + dy * dy;
-    const Lanes d2 = max(fill(kCrowdTouching * kCrowdTouching), apart2);
-    const Lanes guess = guessInverseRoot(d2);
+    const Lanes d2 = max(fill(kCoincidentDistance * kCoincidentDistance), apart2);
+    const Lanes guess = approximateInverseRoot(d2);
     const Lanes scale = guess * (moreLambda - halfLambda * d2 * guess * guess);  // lambda / d
     const Lanes along = (dvx * dx + dvy * dy) * scale + fill(1.0F);
     const Lanes across = (dvx * dy - dvy * dx) * scale;
@@ -43,17 +43,17 @@ struct Bound {
   Lanes halfLambda, moreLambda, sideways, behind, reach;
 };
 
-/// The receiver in every lane.
+/// The receiver, broadcast to all lanes.
 struct Place {
   explicit Place(const CrowdReceiver& receiver)
       : x(fill(receiver.x)), y(fill(receiver.y)), vx(fill(receiver.vx)), vy(fill(receiver.vy)) {}
   Lanes x, y, vx, vy;
 };
 
-/// Notes the candidates whose force may be above the cut-off, a word per register. Apart from the
-/// packing, so that no jump has to wait for it. Returns the number of words.
-inline int markStrong(const CrowdColumns& crowd, const Bound& bound, const Place& self,
-                      const CrowdSpan* span, const CrowdSpan* last, const CrowdPairs& pairs) {
+/// Lists the candidates whose force may be above the cut-off, one mask per register. Separate from
+/// packing to avoid dependent branches. Returns the number of masks.
+inline int selectCandidates(const CrowdColumns& crowd, const Bound& bound, const Place& self,
+                            const CrowdSpan* span, const CrowdSpan* last, const CrowdPairs& pairs) {
   int words = 0;
   for (; span != last; ++span) {
     for (int i = span->first; i < span->last; i += kWidth) {
@@ -71,8 +71,8 @@ inline int markStrong(const CrowdColumns& crowd, const Bound& bound, const Place
   return words;
 }
 
-/// Pairs too far apart to feel anything.
-inline void fillUp(const CrowdPairs& pairs, int first) {
+/// Pads with pairs that are too far apart to interact.
+inline void padPairs(const CrowdPairs& pairs, int first) {
   for (int i = first; i < first + kCrowdLanes; i += kWidth) {
     store(pairs.x + i, fill(1e6F));
     store(pairs.y + i, fill(0.0F));
@@ -81,8 +81,8 @@ inline void fillUp(const CrowdPairs& pairs, int first) {
   }
 }
 
-/// Packs the chosen candidates, as seen from the receiver, one after the other from `first` on, and
-/// fills up the last register. Returns the end of the chosen.
+/// Packs the selected candidates, relative to the receiver, contiguously from `first` on, and pads
+/// the last register. Returns the end of the selection.
 template <bool kWithSlots>
 inline int pack(const CrowdColumns& crowd, const Place& self, int words, int first,
                 const CrowdPairs& pairs) {
@@ -100,13 +100,13 @@ inline int pack(const CrowdColumns& crowd, const Place& self, int words, int fir
     }
     end += countOf(bits);
   }
-  fillUp(pairs, end);
+  padPairs(pairs, end);
   return end;
 }
 
 /// socialForce() in units of k_s.
 struct Law {
-  explicit Law(const CrowdLaw& law)
+  explicit Law(const CrowdForceParameters& law)
       : lambda(fill(law.lambda)),
         gamma(fill(law.gamma)),
         fading(fill(-kPerLn / law.gamma)),
@@ -118,7 +118,8 @@ struct Law {
     Group x, y;
     GroupMask touching;
   };
-  /// Roots and the one division are the slowest here: lengths stay unscaled as long as possible.
+  /// Roots and the single division are the slowest operations, so lengths stay unscaled as long as
+  /// possible.
   Force of(Group dx, Group dy, Group dvx, Group dvy) const {
     const Group d2 = dx * dx + dy * dy;
     const Group d = sqrt(d2);
@@ -137,12 +138,12 @@ struct Law {
     const Group turn2 = turn * turn;
     const Group fade = fading * (d2 * perLength);
     const Group slowing = powerOfTwo(fade + forSpeed * turn2);
-    const Group turning = sided(powerOfTwo(fade + forTurn * turn2), turn);
-    const Group away = slowing * cosine + turning * sine;  // from the other, and to its left
+    const Group turning = withSignOf(powerOfTwo(fade + forTurn * turn2), turn);
+    const Group away = slowing * cosine + turning * sine;  // away from the other, and to its left
     const Group left = slowing * sine - turning * cosine;
-    const GroupMask isTouching = d2 <= fill(kCrowdTouching * kCrowdTouching);
+    const GroupMask isTouching = d2 <= fill(kCoincidentDistance * kCoincidentDistance);
     const GroupMask acts =
-        (fill(kCrowdTouching * kCrowdTouching) < d2) & (d2 * fill(1e-12F) <= length2);
+        (fill(kCoincidentDistance * kCoincidentDistance) < d2) & (d2 * fill(1e-12F) <= length2);
     const Group none = fill(0.0F);
     return {select(acts, none - (away * dx + left * dy) * perDistance, none),
             select(acts, (left * dx - away * dy) * perDistance, none), isTouching};
@@ -154,16 +155,16 @@ struct Law {
     const Group lower = select(pi < angle, angle - turn, angle);
     return select(lower < fill(-3.14159265F), lower + turn, lower);
   }
-  /// `amount` with the sign of `side`; zero without one.
-  static Group sided(Group amount, Group side) {
+  /// `amount` with the sign of `side`; zero if `side` is zero.
+  static Group withSignOf(Group amount, Group side) {
     return select(abs(side) <= fill(0.0F), fill(0.0F), withSign(amount, side));
   }
 
-  static constexpr float kPerLn = 1.44269504F;  // to powers of two
+  static constexpr float kPerLn = 1.44269504F;  // converts to powers of two
   Lanes lambda, gamma, fading, forTurn, forSpeed, epsilon;
 };
 
-/// The columns to one number, always in the same order.
+/// Sums the columns in a fixed order.
 inline float sumOf(const float* columns) {
   float part[kCrowdLanes / 2];
   for (int i = 0; i < 8; ++i) {
@@ -177,7 +178,7 @@ inline float sumOf(const float* columns) {
   return part[0];
 }
 
-/// The columns stand in as many registers as they need.
+/// Accumulates the columns in as many registers as they need.
 inline void sumPairs(const CrowdPairs& pairs, CrowdResult& result) {
   constexpr int kParts = kCrowdLanes / kWidth;
   Lanes x[kParts];
@@ -200,19 +201,19 @@ inline void sumPairs(const CrowdPairs& pairs, CrowdResult& result) {
   result.y = sumOf(columns[1]);
 }
 
-/// Whether a wall may stand between two people: the free discs round them do not meet.
-inline bool isDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver,
-                       const CrowdPairs& pairs, int pair) {
+/// True if a wall may stand between two people: their free discs do not overlap.
+inline bool needsWallTest(const CrowdColumns& crowd, const CrowdReceiver& receiver,
+                          const CrowdPairs& pairs, int pair) {
   const float dx = pairs.x[pair];
   const float dy = pairs.y[pair];
   const float reach = receiver.room + crowd.room[pairs.slot[pair]];
   return reach * reach <= dx * dx + dy * dy;
 }
 
-/// Appends the doubtful pairs of one receiver; returns their end. Forces below the cut-off are
-/// dropped instead of being looked at.
-inline int findDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver,
-                        const CrowdResult& result, float leastLooked, const CrowdPairs& pairs) {
+/// Appends the pairs of one receiver that need a wall test; returns their end. Forces below the
+/// cut-off are set to zero instead.
+inline int findWallTests(const CrowdColumns& crowd, const CrowdReceiver& receiver,
+                         const CrowdResult& result, float minTestedForce, const CrowdPairs& pairs) {
   const Lanes free2 = fill(receiver.room * receiver.room);
   int end = result.firstDoubtful;
   for (int first = result.first; first < result.last; first += kWidth) {
@@ -220,11 +221,11 @@ inline int findDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver
     const Lanes dy = load(pairs.y + first);
     Bits beyond = bitsOf(free2 <= dx * dx + dy * dy);
     for (int i = first; i < result.last && beyond != 0; ++i, beyond >>= 1U) {
-      if ((beyond & 1U) == 0 || !isDoubtful(crowd, receiver, pairs, i)) {
+      if ((beyond & 1U) == 0 || !needsWallTest(crowd, receiver, pairs, i)) {
         continue;
       }
       const float size2 = pairs.fx[i] * pairs.fx[i] + pairs.fy[i] * pairs.fy[i];
-      if (size2 < leastLooked * leastLooked) {
+      if (size2 < minTestedForce * minTestedForce) {
         pairs.fx[i] = pairs.fy[i] = 0.0F;
       } else {
         pairs.doubtful[end] = i;
@@ -235,7 +236,7 @@ inline int findDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver
   return end;
 }
 
-/// Returns the end of the pairs of all.
+/// Returns the end of all pairs.
 template <bool kWithSlots>
 inline int pickPairs(const CrowdColumns& crowd, const CrowdBatch& batch, const CrowdPairs& pairs) {
   const Bound bound(batch.law);
@@ -243,20 +244,21 @@ inline int pickPairs(const CrowdColumns& crowd, const CrowdBatch& batch, const C
   for (int k = 0; k < batch.count; ++k) {
     const CrowdReceiver& receiver = batch.receivers[k];
     const Place self(receiver);
-    const int words = markStrong(crowd, bound, self, batch.spans + receiver.firstSpan,
-                                 batch.spans + receiver.lastSpan, pairs);
+    const int words = selectCandidates(crowd, bound, self, batch.spans + receiver.firstSpan,
+                                       batch.spans + receiver.lastSpan, pairs);
     CrowdResult& result = batch.results[k];
     result.first = next;
     result.last = pack<kWithSlots>(crowd, self, words, next, pairs);
     next = (result.last + kCrowdLanes - 1) / kCrowdLanes * kCrowdLanes;
   }
   for (int i = next; i < next + kGroupWidth; i += kCrowdLanes) {
-    fillUp(pairs, i);
+    padPairs(pairs, i);
   }
   return next;
 }
 
-inline void computePairs(const CrowdLaw& parameters, int count, const CrowdPairs& pairs) {
+inline void computePairs(const CrowdForceParameters& parameters, int count,
+                         const CrowdPairs& pairs) {
   const Law law(parameters);
   for (int i = 0; i < count; i += kGroupWidth) {
     const Law::Force force = law.of(loadGroup(pairs.x + i), loadGroup(pairs.y + i),
@@ -268,15 +270,15 @@ inline void computePairs(const CrowdLaw& parameters, int count, const CrowdPairs
 }
 
 inline void forcesOf(const CrowdColumns& crowd, const CrowdBatch& batch, const CrowdPairs& pairs) {
-  const int count = batch.law.looksForWalls ? pickPairs<true>(crowd, batch, pairs)
-                                            : pickPairs<false>(crowd, batch, pairs);
+  const int count = batch.law.testsWalls ? pickPairs<true>(crowd, batch, pairs)
+                                         : pickPairs<false>(crowd, batch, pairs);
   computePairs(batch.law, count, pairs);
   int doubtful = 0;
   for (int k = 0; k < batch.count; ++k) {
     CrowdResult& result = batch.results[k];
     result.firstDoubtful = doubtful;
-    if (batch.law.looksForWalls) {
-      doubtful = findDoubtful(crowd, batch.receivers[k], result, batch.law.leastLooked, pairs);
+    if (batch.law.testsWalls) {
+      doubtful = findWallTests(crowd, batch.receivers[k], result, batch.law.minTestedForce, pairs);
     }
     result.lastDoubtful = doubtful;
     result.touching = 0;

@@ -5,15 +5,15 @@
 
 #include <xsimd/xsimd.hpp>
 
-/// One register of floats of the instruction set that this file is compiled for. Only operations
-/// that IEEE 754 rounds correctly: no fused, no estimated ones. What is not of xsimd, whose types
-/// carry the instruction set in their names, has internal linkage, so that no other file can be
-/// given code it must not run.
+/// One register of floats of the instruction set for which this file is compiled. Only operations
+/// that IEEE 754 rounds correctly are used, neither fused nor approximate ones. Everything except
+/// xsimd, whose types carry the instruction set in their names, has internal linkage, so that no
+/// other file can link code it must not run.
 namespace sim2d {
 namespace {
 
-constexpr float kWhole = 12582912.0F;  // 1.5 * 2^23: adding it rounds to a whole number
-constexpr int kRootBits = 0x5f375a86;  // makes the guess of a root about equally wrong both ways
+constexpr float kRoundToInt = 12582912.0F;  // 1.5 * 2^23: adding it rounds to an integer
+constexpr int kRootBits = 0x5f375a86;       // balances the error of the root estimate
 
 #if defined(__AVX512F__)
 using InstructionSet = xsimd::avx512f;
@@ -42,13 +42,13 @@ inline void store(float* to, Lanes a) {
 inline Lanes withSign(Lanes a, Lanes sign) {
   return a | (sign & fill(-0.0F));
 }
-/// `a` times 2^power, the result a normal number. `power` is whole and has `kWhole` added.
+/// `a` times 2^power; the result must be a normal number. `power` is an integer plus `kRoundToInt`.
 inline Lanes scaled(Lanes a, Lanes power) {
   return xsimd::bitwise_cast<Lanes>(xsimd::bitwise_cast<LaneBits>(a) +
                                     (xsimd::bitwise_cast<LaneBits>(power) << 23));
 }
-/// About 1 / sqrt(a), a > 0, to 3.5 %: half the exponent by a shift of the bits.
-inline Lanes guessInverseRoot(Lanes a) {
+/// Estimate of 1 / sqrt(a), a > 0, within 3.5 %: halves the exponent by a bit shift.
+inline Lanes approximateInverseRoot(Lanes a) {
   return xsimd::bitwise_cast<Lanes>(LaneBits(kRootBits) - (xsimd::bitwise_cast<LaneBits>(a) >> 1));
 }
 
@@ -57,7 +57,7 @@ inline Lanes guessInverseRoot(Lanes a) {
 inline Bits bitsOf(Mask mask) {
   return static_cast<__mmask16>(mask);
 }
-/// Moves the chosen lanes together, in order.
+/// Moves the selected lanes together, in order.
 struct Packing {
   explicit Packing(Bits bits) : mask(static_cast<__mmask16>(bits)) {}
   void put(float* to, Lanes a) const { _mm512_storeu_ps(to, _mm512_maskz_compress_ps(mask, a)); }
@@ -75,7 +75,7 @@ inline Bits bitsOf(Mask mask) {
   return static_cast<Bits>(_mm256_movemask_ps(mask));
 }
 
-/// For each set of lanes the lanes of it one after the other.
+/// For each lane mask, the indices of its lanes in order.
 struct PackingTable {
   constexpr PackingTable() {
     for (int bits = 0; bits < 256; ++bits) {
@@ -92,7 +92,7 @@ struct PackingTable {
 };
 constexpr PackingTable kPackings;
 
-/// Moves the chosen lanes together, in order.
+/// Moves the selected lanes together, in order.
 struct Packing {
   explicit Packing(Bits bits)
       : lanes(_mm256_load_si256(reinterpret_cast<const __m256i*>(kPackings.lanes[bits]))) {}
@@ -109,7 +109,7 @@ struct Packing {
 inline Bits bitsOf(Mask mask) {
   return static_cast<Bits>(_mm_movemask_ps(mask));
 }
-/// Moves the chosen lanes together, in order.
+/// Moves the selected lanes together, in order.
 struct Packing {
   explicit Packing(Bits chosen) : bits(chosen) {}
   void put(float* to, Lanes a) const {

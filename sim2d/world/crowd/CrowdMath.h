@@ -2,9 +2,9 @@
 
 #include "sim2d/world/crowd/CrowdLanes.h"
 
-/// Three registers that go through the same formula side by side: the pairs' formula is a long
-/// chain in which each operation waits for the one before, and the processor looks ahead over less
-/// than two such chains. Then powers and angles of a register, or of three.
+/// Three registers that are processed in parallel: the formula of a pair is a long dependency
+/// chain, and the out-of-order window of the processor covers less than two of them. Also powers
+/// and angles of one register or of three.
 namespace sim2d {
 namespace {
 
@@ -27,7 +27,7 @@ struct TripleMask {
 };
 
 struct Triple {
-  Triple(Lanes all) : a(all), b(all), c(all) {}  // constants stand beside triples in formulae
+  Triple(Lanes all) : a(all), b(all), c(all) {}  // implicit, for constants in formulas
   Triple(Lanes first, Lanes second, Lanes third) : a(first), b(second), c(third) {}
 
   friend Triple operator+(Triple x, Triple y) { return {x.a + y.a, x.b + y.b, x.c + y.c}; }
@@ -53,7 +53,7 @@ struct Triple {
   Lanes a, b, c;
 };
 
-/// What goes through the formula of the pairs at once. SSE2 has too few registers for three.
+/// The unit of processing of the pair formula. SSE2 has too few registers for three.
 #if defined(__AVX2__)
 using Group = Triple;
 using GroupMask = TripleMask;
@@ -67,7 +67,7 @@ inline void storeGroup(float* to, Group x) {
   store(to + kWidth, x.b);
   store(to + kWidth + kWidth, x.c);
 }
-/// The number of chosen lanes of each register.
+/// Number of selected lanes per register.
 inline void storeCounts(int* to, GroupMask mask) {
   to[0] = countOf(bitsOf(mask.a));
   to[1] = countOf(bitsOf(mask.b));
@@ -89,7 +89,7 @@ inline void storeCounts(int* to, GroupMask mask) {
 }
 #endif
 
-using Quintic = float[6];  // coefficients, of the lowest power first
+using Quintic = float[6];  // coefficients, lowest power first
 
 template <class T>
 inline T polynomial(T x, const Quintic& c) {
@@ -100,15 +100,15 @@ inline T polynomial(T x, const Quintic& c) {
   return low + x2 * (middle + x2 * high);
 }
 
-/// 2^x for x <= 0, nothing normal below 2^-126. Relative error 2e-7 for x above -2, else |x| *
-/// 1e-7.
+/// 2^x for x <= 0, no subnormal results (clamped at 2^-126). Relative error 2e-7 for x above -2,
+/// else |x| * 1e-7.
 template <class T>
 inline T powerOfTwo(T x) {
   constexpr Quintic kPower = {1.00000012F,   0.693146944F,   0.240221202F,
-                              0.0555071309F, 0.00967554096F, 0.00132764725F};  // own fit
+                              0.0555071309F, 0.00967554096F, 0.00132764725F};  // fitted
   const T limited = max(x, fill(-127.0F));
-  const T power = limited + fill(kWhole);
-  const T rest = limited - (power - fill(kWhole));
+  const T power = limited + fill(kRoundToInt);
+  const T rest = limited - (power - fill(kRoundToInt));
   return scaled(polynomial(rest, kPower), power);
 }
 
@@ -116,7 +116,7 @@ inline T powerOfTwo(T x) {
 template <class T>
 inline T angleOf(T y, T x) {
   constexpr Quintic kArcSine = {0.166641086F,  0.0757668838F,  0.0366140120F,
-                                0.0692970380F, -0.0696123019F, 0.110461451F};  // own fit
+                                0.0692970380F, -0.0696123019F, 0.110461451F};  // fitted
   const T ax = abs(x);
   const T ay = abs(y);
   const T sine = min(ax, ay);  // of the angle to the nearest axis

@@ -5,8 +5,8 @@
 namespace sim2d {
 namespace {
 
-constexpr double kBodyRadius = 0.20;  // [m]; people in dense crowds turn their shoulders
-constexpr double kGuardRange = 2.0;   // [m]; bodies farther away cannot be touched in a step
+constexpr double kBodyRadius = 0.20;   // [m]; in dense crowds people turn their shoulders
+constexpr double kContactRange = 2.0;  // [m]; bodies farther away cannot be reached in a step
 
 DensityParameters defaultParameters() {
   DensityParameters parameters;
@@ -25,16 +25,16 @@ DensityParameters parametersOf(const ResolvedHuman& person) {
   return parameters;
 }
 
-/// The density-aware social force model.
+/// The density-dependent social force model.
 class Das : public PedestrianModel {
  public:
   explicit Das(const ResolvedHuman& person) : parameters_(parametersOf(person)) {}
 
   ForceTerms forces(const Situation& situation) const override {
     const Pedestrian self{situation.self, situation.desired};
-    situation.seen = seenBy(situation);
+    situation.seen = visibleNeighbors(situation);
     const DensityForce force =
-        densityForce(parameters_, self, neighborsOf(situation, kDensityRange));
+        densityForce(parameters_, self, neighborsWithin(situation, kDensityRange));
     ForceTerms terms;
     terms.social = force.social + force.lane;
     terms.obstacle = limitedObstacleForce(parameters_, self, situation.obstacles, force.activation);
@@ -43,21 +43,22 @@ class Das : public PedestrianModel {
             .sum();
     terms.goal =
         meanGoalForce(parameters_.social, situation.self.velocity, situation.desired.direction,
-                      force.speedCap, terms.sum(), situation.pushTime);
+                      force.speedCap, terms.sum(), situation.forceTime);
     return terms;
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    const Vec2 wanted = velocityAfter(situation, forces, situation.pushTime, kStandingSpeed);
-    return guardContacts(parameters_, {situation.self, situation.desired},
-                         neighborsOf(situation, kGuardRange), situation.obstacles, wanted,
+    const Vec2 wanted =
+        velocityAfterForces(situation, forces, situation.forceTime, kStandstillSpeed);
+    return avoidContacts(parameters_, {situation.self, situation.desired},
+                         neighborsWithin(situation, kContactRange), situation.obstacles, wanted,
                          situation.dt);
   }
 
-  bool looksAtDesires() const override { return true; }
+  bool usesDesiredMotions() const override { return true; }
   bool spreadsAtCorners() const override { return true; }
 
-  std::optional<double> ownBodyRadius(const ResolvedHuman& person) const override {
+  std::optional<double> bodyRadiusOverride(const ResolvedHuman& person) const override {
     return person.kind == PersonKind::Wheelchair ? std::nullopt : std::optional(kBodyRadius);
   }
 
@@ -68,8 +69,8 @@ class Das : public PedestrianModel {
     return (other.position - situation.self.position).squaredNorm() < range * range;
   }
 
-  /// Who counts at all: within the longest range and not behind a wall, by id.
-  static std::vector<std::size_t> seenBy(const Situation& situation) {
+  /// Relevant people: within the maximum range and not behind a wall, sorted by id.
+  static std::vector<std::size_t> visibleNeighbors(const Situation& situation) {
     const std::vector<Walker>& others = situation.others;
     std::vector<std::size_t> seen;
     seen.reserve(others.size());
@@ -85,17 +86,17 @@ class Das : public PedestrianModel {
   }
 
   /// Valid until the next call.
-  static const std::vector<Pedestrian>& neighborsOf(const Situation& situation, double range) {
-    static_assert(kGuardRange <= kDensityRange);
+  static const std::vector<Pedestrian>& neighborsWithin(const Situation& situation, double range) {
+    static_assert(kContactRange <= kDensityRange);
     if (!situation.seen) {
-      situation.seen = seenBy(situation);
+      situation.seen = visibleNeighbors(situation);
     }
     thread_local std::vector<Pedestrian> found;
     found.clear();
     found.reserve(situation.seen->size());
     for (const std::size_t i : *situation.seen) {
       if (isWithin(situation, situation.others[i], range)) {
-        found.push_back({situation.others[i], situation.desires[i]});
+        found.push_back({situation.others[i], situation.desiredMotions[i]});
       }
     }
     return found;
@@ -111,8 +112,8 @@ void addDas(ModelRegistry& to) {
   to.add(
       "das", densityTable().specs(defaultParameters()),
       [](const ResolvedHuman& person) { return std::make_unique<Das>(person); },
-      "Our model for crowds: social forces whose density, flow and lanes come near those "
-      "measured.");
+      "Crowd model of this program: social forces whose density, flow and lanes are close to "
+      "measurements.");
 }
 
 }  // namespace sim2d

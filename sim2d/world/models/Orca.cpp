@@ -8,8 +8,8 @@
 namespace sim2d {
 namespace {
 
-constexpr std::size_t kMostNeighbors = 12;  // nearest ones that count
-constexpr double kRobotShare = 1.0;         // robots do not give way by this rule
+constexpr std::size_t kMaxNeighbors = 12;  // number of nearest neighbours considered
+constexpr double kRobotShare = 1.0;        // robots do not follow this rule
 constexpr double kPersonShare = 0.5;
 
 struct OrcaParameters {
@@ -26,30 +26,31 @@ base::ParameterTable<OrcaParameters> orcaTable() {
   base::ParameterTable<OrcaParameters> table;
   table
       .add(&P::horizon, "horizon", "s", base::kTimeSpan,
-           "tau: velocities keep people apart for so long.", source)
-      .add(&P::obstacleHorizon, "obstacle_horizon", "s", base::kTimeSpan, "The same for walls.",
-           source)
-      .add(&P::range, "range", "m", base::kLength, "People farther away do not count.", source)
+           "tau: time for which velocities are free of collisions with people.", source)
+      .add(&P::obstacleHorizon, "obstacle_horizon", "s", base::kTimeSpan,
+           "Time for which velocities are free of collisions with walls.", source)
+      .add(&P::range, "range", "m", base::kLength, "People farther away are ignored.", source)
       .add(&P::brakingTime, "braking_time", "s", base::kTimeSpan,
-           "In which people without a goal come to a stand.")
+           "Time in which people without a goal come to a stop.")
       .add(&P::sidePreference, "side_preference", "rad", base::kHeading,
-           "Turn of the wanted velocity to the right where the way is not free.");
+           "Rotation of the desired velocity to the right if the path is not free.");
   return table;
 }
 
-/// Optimal reciprocal collision avoidance: of the velocities that keep everybody apart the one
-/// nearest to the wanted. Walls come in as their boundary points. There are no group forces.
+/// Optimal reciprocal collision avoidance: of the velocities that avoid all others, the one nearest
+/// to the desired velocity. Walls are represented by their boundary points. There are no group
+/// forces.
 class Orca : public PedestrianModel {
  public:
   explicit Orca(const ResolvedHuman& person) {
     static const base::ParameterTable<OrcaParameters> kTable = orcaTable();
     kTable.set(parameters_, person.modelParameters);
-    parameters_.horizon /= person.reactionTime;  // who is slow gives way late
+    parameters_.horizon /= person.reactionTime;  // slow reactions shorten the horizon
     parameters_.obstacleHorizon /= person.reactionTime;
     parameters_.brakingTime *= person.reactionTime;
   }
 
-  /// Accelerations that lead to the chosen velocity: `social` is what avoiding changes.
+  /// Accelerations that lead to the chosen velocity: `social` is the change by avoidance.
   ForceTerms forces(const Situation& situation) const override {
     const Vec2 wanted = wantedVelocity(situation);
     ForceTerms terms;
@@ -59,10 +60,10 @@ class Orca : public PedestrianModel {
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    return velocityAfter(situation, forces, situation.dt);
+    return velocityAfterForces(situation, forces, situation.dt);
   }
 
-  bool looksAtDesires() const override { return true; }
+  bool usesDesiredMotions() const override { return true; }
   double range(double /*fastest*/, double /*ownSpeed*/) const override { return parameters_.range; }
 
  private:
@@ -87,7 +88,7 @@ class Orca : public PedestrianModel {
     const double sine = base::sin(parameters_.sidePreference);
     const Vec2 aside(cosine * wanted.x() + sine * wanted.y(),
                      cosine * wanted.y() - sine * wanted.x());
-    return nearestAllowed(planes, fixed, aside, situation.desired.desiredSpeed);
+    return nearestFeasibleVelocity(planes, fixed, aside, situation.desired.desiredSpeed);
   }
 
   std::vector<HalfPlane> planesOfWalls(const Situation& situation) const {
@@ -97,7 +98,7 @@ class Orca : public PedestrianModel {
     for (const Obstacles::Point& point : situation.obstacles) {
       if (point.inside || point.distance <= near) {
         planes.push_back(
-            avoidPoint(situation.self, point, parameters_.obstacleHorizon, situation.dt));
+            pointHalfPlane(situation.self, point, parameters_.obstacleHorizon, situation.dt));
       }
     }
     return planes;
@@ -122,13 +123,13 @@ class Orca : public PedestrianModel {
     std::size_t count = 0;
     for (const std::size_t i : near) {
       const Walker& other = situation.others[i];
-      if (count == kMostNeighbors) {
+      if (count == kMaxNeighbors) {
         break;
       }
       if ((*situation.isVisible)(place, other.position)) {
-        const double share = situation.desires[i].isRobot ? kRobotShare : kPersonShare;
+        const double share = situation.desiredMotions[i].isRobot ? kRobotShare : kPersonShare;
         planes.push_back(
-            avoidBody(situation.self, other, parameters_.horizon, situation.dt, share));
+            bodyHalfPlane(situation.self, other, parameters_.horizon, situation.dt, share));
         ++count;
       }
     }
@@ -144,8 +145,8 @@ void addOrca(ModelRegistry& to) {
   to.add(
       "orca", orcaTable().specs(),
       [](const ResolvedHuman& person) { return std::make_unique<Orca>(person); },
-      "Optimal reciprocal collision avoidance (van den Berg et al. 2011): of the velocities that "
-      "lead to no collision the one next to the wanted.");
+      "Optimal reciprocal collision avoidance (van den Berg et al. 2011): the collision-free "
+      "velocity closest to the desired one.");
 }
 
 }  // namespace sim2d

@@ -7,33 +7,33 @@
 #include <vector>
 
 #include "sim2d/base/Registry.h"
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/world/DensityForce.h"
 
 namespace sim2d {
 
-/// One person with all that a model may react to; positions and velocities as they were when the
-/// step began.
+/// Input of a model for one person; positions and velocities are those at the start of the step.
 struct Situation {
   Walker self;
-  DesiredMotion desired;  // of the person; no direction: brake
+  DesiredMotion desired;  // of the person; zero direction: brake
   double dt = 0.05;       // [s]
-  /// Over which forces act in this step. Half of dt when somebody sets off or begins to brake:
-  /// velocities belong to the middle of steps, so places do not depend on dt [s].
-  double pushTime = 0.05;
-  std::vector<Walker> others;  // people and robots, without those that act as obstacles
-  /// The social force of all people, when it was computed for the whole crowd at once: then only
-  /// robots are in `others` [m/s²].
-  std::optional<Vec2> ofCrowd;
-  std::vector<DesiredMotion> desires;  // beside `others`, filled when `looksAtDesires`
-  bool looksAtDesires = false;
-  std::vector<Walker> group;  // the other members of the person's group
+  /// Time over which forces act in this step [s]. Half of dt when a person starts or begins to
+  /// brake: velocities belong to the middle of steps, so that positions do not depend on dt.
+  double forceTime = 0.05;
+  std::vector<Walker> others;  // people and robots, without those treated as obstacles
+  /// Social force of all people, if it was computed for the whole crowd; then `others` contains
+  /// robots only [m/s²].
+  std::optional<Vec2> crowdForce;
+  std::vector<DesiredMotion>
+      desiredMotions;  // parallel to `others`, filled if `usesDesiredMotions`
+  bool usesDesiredMotions = false;
+  std::vector<Walker> group;  // other members of the person's group
   std::vector<Obstacles::Point> obstacles;
-  /// Nothing solid between two points.
+  /// True if no obstacle is between two points.
   const std::function<bool(const Vec2&, const Vec2&)>* isVisible = nullptr;
-  bool exact = false;  // no term is left out for being small
-  /// What a model may keep from `forces` to `velocity` of the step, which need the same: whom of
-  /// `others` the person sees, by number. None at the begin.
+  bool exact = false;  // small terms must not be skipped
+  /// Cache between `forces` and `velocity` of one step: indices of visible `others`. Initially
+  /// none.
   mutable std::optional<std::vector<std::size_t>> seen;
 };
 
@@ -43,12 +43,12 @@ struct ForceTerms {
   Vec2 sum() const { return goal + social + obstacle + group; }
 };
 
-constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands, by most models
+constexpr double kStandstillSpeed = 1e-3;  // [m/s]; slower people who brake stand still
 
-/// After the forces have acted for `time` [s]: not above the desired speed; zero for who brakes
-/// below `standing` [m/s].
-inline Vec2 velocityAfter(const Situation& situation, const ForceTerms& forces, double time,
-                          double standing = 0.0) {
+/// Velocity after the forces have acted for `time` [s], clamped to the desired speed; zero for
+/// people who brake below `standing` [m/s].
+inline Vec2 velocityAfterForces(const Situation& situation, const ForceTerms& forces, double time,
+                                double standing = 0.0) {
   const Vec2 velocity = situation.self.velocity + forces.sum() * time;
   const double speed = velocity.norm();
   if (speed > situation.desired.desiredSpeed) {
@@ -58,32 +58,36 @@ inline Vec2 velocityAfter(const Situation& situation, const ForceTerms& forces, 
   return stands ? Vec2(Vec2::Zero()) : velocity;
 }
 
-/// How people move. One instance serves all people with the same kind and the same factors of
-/// forces, so it is made of these alone; both functions are const and may run in parallel for
-/// different people.
+/// A pedestrian model. One instance serves all people with the same kind and force factors, so it
+/// must depend on these only; both functions are const and may run in parallel for different
+/// people.
 class PedestrianModel {
  public:
   virtual ~PedestrianModel() = default;
   virtual ForceTerms forces(const Situation& situation) const = 0;
-  /// Velocity wanted at the end of the step [m/s].
+  /// Desired velocity at the end of the step [m/s].
   virtual Vec2 velocity(const Situation& situation, const ForceTerms& forces) const = 0;
-  /// A model whose social force is the sum of `socialForce` over the others names its law here; in
-  /// large crowds it then gets the sum as `ofCrowd`. The parameters live as long as the model.
-  virtual SocialLaw socialLaw() const { return {}; }
-  /// The model wants to know where others are heading.
-  virtual bool looksAtDesires() const { return false; }
-  /// Such people walk round robots and stop before them (`GivingWay`).
-  virtual bool givesWayToRobots() const { return true; }
-  /// In a crowd such people use the whole width of a way round a corner.
+  /// A model whose social force is the sum of `socialForce` over the others returns its law here;
+  /// in large crowds the sum is then provided as `crowdForce`. The parameters must live as long as
+  /// the model.
+  virtual CrowdForceModel crowdForceModel() const { return {}; }
+  /// The model uses the desired motion of others.
+  virtual bool usesDesiredMotions() const { return false; }
+  /// People walk around robots and stop in front of them (`YieldModel`).
+  virtual bool yieldsToRobots() const { return true; }
+  /// In a crowd people use the full width of a path around a corner.
   virtual bool spreadsAtCorners() const { return false; }
-  /// Radius that counts for this person instead of the one of the scenario [m]; none: that counts.
-  virtual std::optional<double> ownBodyRadius(const ResolvedHuman& /*person*/) const { return {}; }
-  /// Others farther away than this never count [m].
+  /// Radius that replaces the scenario's for this person [m]; none: not replaced.
+  virtual std::optional<double> bodyRadiusOverride(const ResolvedHuman& /*person*/) const {
+    return {};
+  }
+  /// Interaction range [m].
   virtual double range(double fastest, double ownSpeed) const = 0;
 };
 
-/// Makes the model of people like this one. A file in this folder registers its own in `add<File>`.
-using ModelMaker = std::function<std::unique_ptr<PedestrianModel>(const ResolvedHuman& person)>;
-using ModelRegistry = base::Registry<ModelMaker>;
+/// Creates the model for people like this one. Each file in this folder registers its model in
+/// `add<File>`.
+using ModelFactory = std::function<std::unique_ptr<PedestrianModel>(const ResolvedHuman& person)>;
+using ModelRegistry = base::Registry<ModelFactory>;
 
 }  // namespace sim2d

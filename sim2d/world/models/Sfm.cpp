@@ -3,10 +3,10 @@
 namespace sim2d {
 namespace {
 
-constexpr double kNegligible = 1e-4;     // of k_s: smaller terms of a crowd are left out
-constexpr double kUnfelt = 1e-6;         // [m/s²]; smaller forces of one body never count
-constexpr std::size_t kSmallCrowd = 64;  // up to here every pair is summed
-constexpr double kMateTurnWidth = 0.1;   // [rad]; mates in step do not circle round each other
+constexpr double kNegligible = 1e-4;     // of k_s; smaller terms are skipped in a crowd
+constexpr double kMinForce = 1e-6;       // [m/s²]; smaller forces of one body are always ignored
+constexpr std::size_t kSmallCrowd = 64;  // crowds up to this size sum all pairs
+constexpr double kGroupTurnWidth = 0.1;  // [rad]; prevents members side by side from circling
 
 ForceParameters parametersOf(const ResolvedHuman& person, bool isOriginal) {
   ForceParameters parameters;
@@ -20,8 +20,8 @@ ForceParameters parametersOf(const ResolvedHuman& person, bool isOriginal) {
   return parameters;
 }
 
-/// The social force model of HuNavSim, with its numerical faults mended or as it was: no side
-/// preference, forces through walls, one explicit step, and who brakes never quite stands.
+/// The social force model of HuNavSim, with corrected numerics or as in the original: no side
+/// preference, forces through walls, one explicit step, and braking that never reaches zero.
 class Sfm : public PedestrianModel {
  public:
   Sfm(const ResolvedHuman& person, bool isOriginal)
@@ -29,7 +29,7 @@ class Sfm : public PedestrianModel {
 
   ForceTerms forces(const Situation& situation) const override {
     ForceTerms terms;
-    terms.social = socialTerm(situation) + changeByMates(situation);
+    terms.social = socialTerm(situation) + groupTurnChange(situation);
     terms.obstacle = obstacleForce(parameters_, situation.self, situation.obstacles);
     terms.group =
         groupForce(parameters_, situation.self, situation.desired.direction, situation.group).sum();
@@ -38,18 +38,18 @@ class Sfm : public PedestrianModel {
             ? goalForce(parameters_, situation.self.velocity, situation.desired.direction,
                         situation.desired.desiredSpeed)
             : meanGoalForce(parameters_, situation.self.velocity, situation.desired.direction,
-                            situation.desired.desiredSpeed, terms.sum(), situation.pushTime);
+                            situation.desired.desiredSpeed, terms.sum(), situation.forceTime);
     return terms;
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    return velocityAfter(situation, forces, isOriginal_ ? situation.dt : situation.pushTime,
-                         isOriginal_ ? 0.0 : kStandingSpeed);
+    return velocityAfterForces(situation, forces, isOriginal_ ? situation.dt : situation.forceTime,
+                               isOriginal_ ? 0.0 : kStandstillSpeed);
   }
 
-  SocialLaw socialLaw() const override { return {&parameters_, isOriginal_}; }
+  CrowdForceModel crowdForceModel() const override { return {&parameters_, isOriginal_}; }
 
-  bool givesWayToRobots() const override { return !isOriginal_; }
+  bool yieldsToRobots() const override { return !isOriginal_; }
 
   double range(double fastest, double ownSpeed) const override {
     return socialRange(parameters_, ownSpeed, fastest, cutOff_);
@@ -58,15 +58,15 @@ class Sfm : public PedestrianModel {
  private:
   Vec2 socialTerm(const Situation& situation) const {
     const bool sumsAll =
-        situation.exact || (!situation.ofCrowd && situation.others.size() <= kSmallCrowd);
-    Vec2 sum = situation.ofCrowd.value_or(Vec2::Zero());
+        situation.exact || (!situation.crowdForce && situation.others.size() <= kSmallCrowd);
+    Vec2 sum = situation.crowdForce.value_or(Vec2::Zero());
     for (const Walker& other : situation.others) {
       if (!sumsAll && isNegligible(parameters_, situation.self, other, cutOff_)) {
         continue;
       }
       const Vec2 force = socialForce(parameters_, situation.self, other);
-      if (!situation.exact && force.norm() < kUnfelt) {
-        continue;  // not worth a look for walls
+      if (!situation.exact && force.norm() < kMinForce) {
+        continue;  // too small for a wall test
       }
       if (!force.isZero(0.0) &&
           (isOriginal_ || (*situation.isVisible)(situation.self.position, other.position))) {
@@ -76,17 +76,17 @@ class Sfm : public PedestrianModel {
     return sum;
   }
 
-  /// Mates in step are right at the jump of the turning force, which would throw them from side to
-  /// side: for them it is a ramp.
-  Vec2 changeByMates(const Situation& situation) const {
+  /// Members side by side are at the discontinuity of the turning force, which would make them
+  /// oscillate: for them it is a ramp.
+  Vec2 groupTurnChange(const Situation& situation) const {
     Vec2 change = Vec2::Zero();
     if (situation.group.empty()) {
       return change;
     }
-    ForceParameters forMates = parameters_;
-    forMates.turnWidth = isOriginal_ ? 0.0 : kMateTurnWidth;
+    ForceParameters forGroup = parameters_;
+    forGroup.turnWidth = isOriginal_ ? 0.0 : kGroupTurnWidth;
     for (const Walker& mate : situation.group) {
-      const Vec2 turnsLess = socialForce(forMates, situation.self, mate) -
+      const Vec2 turnsLess = socialForce(forGroup, situation.self, mate) -
                              socialForce(parameters_, situation.self, mate);
       if (!turnsLess.isZero(0.0) &&
           (*situation.isVisible)(situation.self.position, mate.position)) {
@@ -110,11 +110,11 @@ void addSfm(ModelRegistry& to) {
   to.add(
       "sfm", forceTable().specs(),
       [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, false); },
-      "The social forces of HuNavSim (Moussaïd et al. 2009, 2010) without its mistakes.");
+      "The social force model of HuNavSim (Moussaïd et al. 2009, 2010) with its errors corrected.");
   to.add(
       "sfm-hunav2", forceTable().specs(original),
       [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, true); },
-      "The social forces of HuNavSim 2.0 as they are, to compare with its numbers.");
+      "The social force model of HuNavSim 2.0 unchanged, for comparison with its results.");
 }
 
 }  // namespace sim2d

@@ -19,9 +19,9 @@ struct Sums {
   double order = 0.0, ordered = 0.0;
 };
 
-/// What one person sees of the others: bodies too near, companions in the own lane.
+/// Adds one person's overlaps with others and the walking directions in the same lane.
 void addPerson(const HumanColumns& people, const TestScene& stage, std::size_t self, Sums& sums) {
-  const Ring ring{0.0, kRingLength};
+  const PeriodicCorridor ring{0.0, kRingLength};
   const Vec2 place(people.x[self], people.y[self]);
   const bool goesLeft = stage.actors()[self].heading != 0.0;
   bool overlaps = false;
@@ -69,7 +69,7 @@ int peopleIn(const CorridorFlow& setting) {
   return static_cast<int>(std::lround(setting.density * kRingLength * setting.width));
 }
 
-/// Fewer people than wanted when they do not fit.
+/// Contains fewer people than requested if they do not fit.
 TestScene corridorOf(const RealismRun& run, const CorridorFlow& setting) {
   TestScene stage(run, setting.dt);
   stage.addRing(setting.width);
@@ -142,8 +142,8 @@ TestScene singleFileOf(const RealismRun& run, int count) {
   return stage;
 }
 
-/// Relative error of the headway law 0.36 m + 1.06 s · v (Seyfried et al. 2005), worst of all
-/// densities whose speed lies between 0.1 and 1 m/s; NaN when there is none.
+/// Largest relative error of the headway law 0.36 m + 1.06 s · v (Seyfried et al. 2005) over all
+/// densities with a speed between 0.1 and 1 m/s; NaN if there is none.
 std::vector<double> singleFile(const RealismRun& run) {
   double worst = std::numeric_limits<double>::quiet_NaN();
   double least = 1e9;
@@ -185,7 +185,7 @@ double weidmannSpeed(double density) {
 Flow corridorFlow(const RealismRun& run, const CorridorFlow& setting) {
   const TestScene stage = corridorOf(run, setting);
   if (static_cast<int>(stage.actors().size()) < peopleIn(setting)) {
-    throw NotPlayed{base::error("run.corridor-too-small")};
+    throw SceneFailed{base::error("run.corridor-too-small")};
   }
   return playCorridor(stage, setting.seconds);
 }
@@ -193,27 +193,27 @@ Flow corridorFlow(const RealismRun& run, const CorridorFlow& setting) {
 void addCorridorTests(std::vector<RealismTest>& tests);
 void addCorridorTests(std::vector<RealismTest>& tests) {
   const Quantities ofDiagram = {{"distance to Weidmann", "m/s", Summary::Mean, 0.0, 0.07},
-                                {"bodies overlap", "", Summary::Largest, 0.0, 0.001},
+                                {"body overlap", "", Summary::Largest, 0.0, 0.001},
                                 {"largest specific flow", "1/(m s)", Summary::Mean, 1.0, 1.5}};
   tests.push_back({"fd-one-way", "speed against density, 0.5 to 3 people per m², corridor 26 x 4 m",
                    ofDiagram, [](const RealismRun& run) { return oneWayWith(run, 0.05); },
                    [](const RealismRun& run) { return corridorOf(run, {}); }});
-  tests.push_back({"fd-long-steps", "the same with steps of 0.1 s", ofDiagram,
+  tests.push_back({"fd-long-steps", "the same with time steps of 0.1 s", ofDiagram,
                    [](const RealismRun& run) { return oneWayWith(run, 0.1); },
                    [](const RealismRun& run) { return corridorOf(run, withSteps(0.1)); }});
   tests.push_back({"fd-single-file", "headway against speed, ring of 26 m, no overtaking",
-                   Quantities{{"error of headway", "", Summary::Largest, 0.0, 0.15},
-                              {"speed when densest", "m/s", Summary::Mean, 0.0, 0.3}},
+                   Quantities{{"headway error", "", Summary::Largest, 0.0, 0.15},
+                              {"speed at maximum density", "m/s", Summary::Mean, 0.0, 0.3}},
                    singleFile, [](const RealismRun& run) { return singleFileOf(run, 30); }});
-  tests.push_back({"lanes", "two-way flow, half and half, corridor 26 x 4 m",
-                   Quantities{{"order at 1 per m²", "", Summary::Mean, 0.9, 1.0},
+  tests.push_back({"lanes", "two-way flow, half in each direction, corridor 26 x 4 m",
+                   Quantities{{"lane order at 1 per m²", "", Summary::Mean, 0.9, 1.0},
                               {"speed at 1 per m²", "m/s", Summary::Mean, 0.5},
-                              {"order at 2 per m²", "", Summary::Mean, 0.9, 1.0},
+                              {"lane order at 2 per m²", "", Summary::Mean, 0.9, 1.0},
                               {"speed at 2 per m²", "m/s", Summary::Mean, 0.2}},
                    lanes, [](const RealismRun& run) { return corridorOf(run, twoWay(1.0)); }});
-  tests.push_back({"rimea-4", "RiMEA 4: speed falls with density, corridor 26 x 2 m",
+  tests.push_back({"rimea-4", "RiMEA 4: speed decreases with density, corridor 26 x 2 m",
                    Quantities{{"distance to Weidmann", "m/s", Summary::Mean, 0.0, 0.10},
-                              {"largest rise of speed", "m/s", Summary::Largest,
+                              {"largest increase of speed", "m/s", Summary::Largest,
                                -std::numeric_limits<double>::infinity(), 0.0}},
                    rimea4,
                    [](const RealismRun& run) { return corridorOf(run, corridorOfRimea4()); }});

@@ -7,11 +7,11 @@ namespace sim2d {
 namespace {
 
 constexpr double kArrived = 0.3;   // [m] from the goal
-constexpr double kStarted = 2.0;   // [s]; speeds count from here on
-constexpr double kPatience = 6.0;  // times the time of a straight walk
+constexpr double kStarted = 2.0;   // [s]; speeds are measured from here on
+constexpr double kPatience = 6.0;  // times the duration of a straight walk
 
 TestScene::Actor walker(const Vec2& start, const Vec2& goal, double speed) {
-  TestScene::Actor actor{start, speed, always(goal)};
+  TestScene::Actor actor{start, speed, constantTarget(goal)};
   actor.heading = base::headingOf(goal - start);
   actor.isDone = [goal](const Vec2& place) { return (place - goal).norm() < kArrived; };
   return actor;
@@ -29,7 +29,7 @@ void look(const HumanColumns& people, double time, Meeting& meeting) {
   }
 }
 
-/// All walk the same length; who never arrives makes the ratio NaN.
+/// All people walk the same distance; if one never arrives, the ratio is NaN.
 Meeting meet(const TestScene& stage, double length, double speed) {
   Meeting meeting;
   meeting.leastDistance = meeting.slowest = 1e9;
@@ -46,20 +46,21 @@ Meeting meet(const TestScene& stage, double length, double speed) {
   return meeting;
 }
 
-/// What does not depend on the step of time, if all is well.
-struct Walked {
-  std::vector<Vec2> places;     // at the end
-  std::vector<double> numbers;  // length of each way, least distance between two [m]
+/// Results that should not depend on the time step.
+struct WalkResult {
+  std::vector<Vec2> places;     // final positions
+  std::vector<double> numbers;  // length of each path, minimum distance between two people [m]
 };
 
-/// Least distance between two who moved straight on from `before` to `after`, both relative.
+/// Minimum distance of two people who moved straight from `before` to `after`, both relative
+/// positions.
 double nearestBetween(const Vec2& before, const Vec2& after) {
   const Vec2 moved = after - before;
   const double share = -before.dot(moved) / std::max(moved.squaredNorm(), 1e-12);
   return (before + std::clamp(share, 0.0, 1.0) * moved).norm();
 }
 
-void addStep(const std::vector<Vec2>& places, Walked& walked) {
+void addStep(const std::vector<Vec2>& places, WalkResult& walked) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     walked.numbers[i] += (places[i] - walked.places[i]).norm();
     for (std::size_t k = i + 1; k < places.size(); ++k) {
@@ -71,8 +72,8 @@ void addStep(const std::vector<Vec2>& places, Walked& walked) {
   walked.places = places;
 }
 
-/// Three people whose ways cross.
-TestScene threeWays(const RealismRun& run, double dt) {
+/// Three people with crossing paths.
+TestScene threeCrossingPaths(const RealismRun& run, double dt) {
   TestScene stage(run, dt);
   stage.add(walker(Vec2(-6.0, 0.0), Vec2(40.0, 0.0), 1.3));
   stage.add(walker(Vec2(0.5, -5.0), Vec2(0.5, 40.0), 1.2));
@@ -80,10 +81,10 @@ TestScene threeWays(const RealismRun& run, double dt) {
   return stage;
 }
 
-/// For 10 s, with a step of `dt`.
-Walked walkedWithStep(const RealismRun& run, double dt) {
-  const TestScene stage = threeWays(run, dt);
-  Walked walked;
+/// Walks for 10 s with a time step of `dt`.
+WalkResult walkWithStep(const RealismRun& run, double dt) {
+  const TestScene stage = threeCrossingPaths(run, dt);
+  WalkResult walked;
   for (const TestScene::Actor& actor : stage.actors()) {
     walked.places.push_back(actor.start);
   }
@@ -102,11 +103,11 @@ Walked walkedWithStep(const RealismRun& run, double dt) {
 }
 
 std::vector<double> timeStep(const RealismRun& run) {
-  const Walked finest = walkedWithStep(run, 0.01);
+  const WalkResult finest = walkWithStep(run, 0.01);
   std::vector<double> values;
   double change = 0.0;
   for (const double dt : {0.1, 0.05, 0.02}) {
-    const Walked walked = walkedWithStep(run, dt);
+    const WalkResult walked = walkWithStep(run, dt);
     double worst = 0.0;
     for (std::size_t i = 0; i < walked.places.size(); ++i) {
       worst = std::max(worst, (walked.places[i] - finest.places[i]).norm());
@@ -154,7 +155,7 @@ std::vector<double> headOnValues(const RealismRun& run) {
   return {meeting.leastDistance, meeting.slowest};
 }
 
-/// Two people whose ways cross at a right angle.
+/// Two people with paths that cross at a right angle.
 std::vector<double> crossingValues(const RealismRun& run) {
   const Meeting meeting = meet(crossingScene(run), 10.0, 1.3);
   return {meeting.leastDistance, 1.0 - meeting.slowest / 1.3};
@@ -172,27 +173,29 @@ Meeting headOn(const RealismRun& run) {
 
 void addMeetingTests(std::vector<RealismTest>& tests);
 void addMeetingTests(std::vector<RealismTest>& tests) {
-  tests.push_back({"circle", "8 and 16 people who change places across a circle of 4 and 5 m",
-                   Quantities{{"least distance, 8", "m", Summary::Smallest, 0.4},
-                              {"time over free time, 8", "", Summary::Largest, 1.0, 2.0},
-                              {"least distance, 16", "m", Summary::Smallest, 0.4},
-                              {"time over free time, 16", "", Summary::Largest, 1.0, 2.5}},
+  tests.push_back({"circle", "8 and 16 people who swap positions across a circle of 4 and 5 m",
+                   Quantities{{"minimum distance, 8", "m", Summary::Smallest, 0.4},
+                              {"time / free time, 8", "", Summary::Largest, 1.0, 2.0},
+                              {"minimum distance, 16", "m", Summary::Smallest, 0.4},
+                              {"time / free time, 16", "", Summary::Largest, 1.0, 2.5}},
                    circles, [](const RealismRun& run) { return circleOf(run, 16, 5.0); }, false});
-  tests.push_back({"head-on", "two people exactly towards each other at 1.29 m/s",
-                   Quantities{{"least distance", "m", Summary::Smallest, 0.44},
-                              {"slowest", "m/s", Summary::Smallest, 1.0}},
+  tests.push_back({"head-on", "two people exactly head-on at 1.29 m/s",
+                   Quantities{{"minimum distance", "m", Summary::Smallest, 0.44},
+                              {"minimum speed", "m/s", Summary::Smallest, 1.0}},
                    headOnValues, headOnScene, false});
-  tests.push_back({"crossing", "two people whose ways cross at 90 degrees",
-                   Quantities{{"least distance", "m", Summary::Smallest, 0.4},
+  tests.push_back({"crossing", "two people whose paths cross at 90 degrees",
+                   Quantities{{"minimum distance", "m", Summary::Smallest, 0.4},
                               {"loss of speed", "", Summary::Largest, 0.0, 0.4}},
                    crossingValues, crossingScene, false});
   tests.push_back(
-      {"time-step", "places after 10 s with steps of 0.1, 0.05 and 0.02 s against 0.01 s",
+      {"time-step",
+       "positions after 10 s with time steps of 0.1, 0.05 and 0.02 s compared with "
+       "0.01 s",
        Quantities{{"distance, 0.1 s", "m", Summary::Largest, 0.0, 0.05},
                   {"distance, 0.05 s", "m", Summary::Largest, 0.0, 0.05},
                   {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05},
-                  {"change of ways and least distance", "", Summary::Largest, 0.0, 0.02}},
-       timeStep, [](const RealismRun& run) { return threeWays(run, 0.05); }, false});
+                  {"change of paths and minimum distance", "", Summary::Largest, 0.0, 0.02}},
+       timeStep, [](const RealismRun& run) { return threeCrossingPaths(run, 0.05); }, false});
 }
 
 }  // namespace sim2d

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/world/WorldState.h"
 #include "sim2d/world/realism/RealismTest.h"
 
@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kLength = 40.0;  // [m]
 
-/// A corridor of 2 m about y = `middle` with one person.
+/// Adds a corridor of 2 m width about y = `middle` with one person.
 void addCorridor(TestScene& stage, double middle, double desiredSpeed, double radius) {
   stage.addWall({Vec2(-2.0, middle - 1.1), Vec2(kLength + 4.0, middle - 1.1)});
   stage.addWall({Vec2(-2.0, middle + 1.1), Vec2(kLength + 4.0, middle + 1.1)});
-  TestScene::Actor actor{Vec2(0.0, middle), desiredSpeed, endlessly(Vec2(1.0, 0.0)),
+  TestScene::Actor actor{Vec2(0.0, middle), desiredSpeed, endlessTarget(Vec2(1.0, 0.0)),
                          Vec2(kLength, middle)};
   actor.radius = radius;
   stage.add(actor);
@@ -46,7 +46,7 @@ constexpr std::array<PersonKind, 5> kKinds = {PersonKind::Adult, PersonKind::Chi
                                               PersonKind::Elderly, PersonKind::Wheelchair,
                                               PersonKind::Luggage};
 
-/// One of each kind, side by side.
+/// One person of each kind in parallel corridors.
 TestScene rimea7Scene(const RealismRun& run) {
   TestScene stage(run);
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
@@ -56,8 +56,8 @@ TestScene rimea7Scene(const RealismRun& run) {
   return stage;
 }
 
-/// Fifty people of each kind, alone: how far outside the speeds of their kind the farthest is, and
-/// how far their mean lies from the kind's.
+/// Fifty people of each kind, each alone: largest deviation outside the speed range of the kind,
+/// and largest relative deviation of the mean.
 std::vector<double> rimea7(const RealismRun& run) {
   double outside = 0.0;
   double off = 0.0;
@@ -77,13 +77,13 @@ std::vector<double> rimea7(const RealismRun& run) {
 
 struct Shape {
   double speed = 0.0;     // [m/s]
-  double distance = 0.0;  // mean between neighbours of the row [m]
-  double abreast = 0.0;   // share of it across the way
+  double distance = 0.0;  // mean between neighbours in the row [m]
+  double abreast = 0.0;   // fraction of it perpendicular to the path
 };
 
 void addGroup(TestScene& stage, int group, int count, double side) {
   for (int i = 0; i < count; ++i) {
-    TestScene::Actor actor{Vec2(0.1 * i, side + 0.9 * i), 1.3, endlessly(Vec2(1.0, 0.0)),
+    TestScene::Actor actor{Vec2(0.1 * i, side + 0.9 * i), 1.3, endlessTarget(Vec2(1.0, 0.0)),
                            Vec2(40.0, side), 3.0};
     actor.group = group;
     stage.add(actor);
@@ -97,7 +97,7 @@ TestScene groupsScene(const RealismRun& run) {
   return stage;
 }
 
-/// A group of `count` on 30 m of open ground, the second half of it.
+/// A group of `count` on 30 m of open ground, measured in the second half.
 Shape walkTogether(const RealismRun& run, int count) {
   TestScene stage(run);
   addGroup(stage, 1, count, 0.0);
@@ -129,16 +129,16 @@ std::vector<double> groups(const RealismRun& run) {
     const Shape three = walkTogether(run, 3);
     return {pair.distance, pair.abreast, three.abreast, pair.speed / alone.speed,
             three.speed / alone.speed};
-  } catch (const NotPlayed&) {
-    throw NotPlayed{base::error("run.groups-not-played")};
+  } catch (const SceneFailed&) {
+    throw SceneFailed{base::error("run.groups-not-played")};
   }
 }
 
-constexpr int kThrees = 8;         // groups in it
-constexpr double kTogether = 2.0;  // [m] along the way; farther apart a group has no shape
+constexpr int kGroupsOfThree = 8;  // number of groups
+constexpr double kTogether = 2.0;  // [m] along the path; a group farther apart has no shape
 
-/// The places of `count` groups of three neighbours, then all others.
-std::vector<Vec2> placesByThrees(std::vector<Vec2> places, int count) {
+/// Sorts places so that `count` groups of three neighbours come first.
+std::vector<Vec2> groupPlacesByThree(std::vector<Vec2> places, int count) {
   for (int group = 0; group < count; ++group) {
     const auto first = places.begin() + std::ptrdiff_t{3} * group;
     const Vec2 middle = *first;
@@ -149,10 +149,10 @@ std::vector<Vec2> placesByThrees(std::vector<Vec2> places, int count) {
   return places;
 }
 
-/// How far the middle one of three walks behind the outer two [m]; not a number when they are not
+/// Distance by which the middle one of three walks behind the outer two [m]; NaN if they are not
 /// together.
-double depthOfV(const HumanColumns& people, std::size_t first) {
-  const Ring ring{0.0, kRingLength};
+double vShapeDepth(const HumanColumns& people, std::size_t first) {
+  const PeriodicCorridor ring{0.0, kRingLength};
   std::array<Vec2, 3> places;
   const Vec2 origin(people.x[first], people.y[first]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -174,11 +174,12 @@ TestScene groupsInCrowdScene(const RealismRun& run) {
   constexpr int kPeople = 104;
   TestScene stage(run);
   stage.addRing(4.0);
-  const std::vector<Vec2> places = placesByThrees(
-      randomPlaces(run, kPeople, {Vec2(0.0, 0.2), Vec2(kRingLength, 3.8)}, 0.4, true), kThrees);
+  const std::vector<Vec2> places = groupPlacesByThree(
+      randomPlaces(run, kPeople, {Vec2(0.0, 0.2), Vec2(kRingLength, 3.8)}, 0.4, true),
+      kGroupsOfThree);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto person = static_cast<int>(i);
-    const bool isInGroup = person < 3 * kThrees;
+    const bool isInGroup = person < 3 * kGroupsOfThree;
     TestScene::Actor actor = ringWalker(places[i], isInGroup ? 1.3 : freeSpeed(run, person));
     actor.group = isInGroup ? 1 + person / 3 : -1;
     stage.add(actor);
@@ -186,14 +187,14 @@ TestScene groupsInCrowdScene(const RealismRun& run) {
   return stage;
 }
 
-/// Depth of the V, share of the time in which a group is together.
+/// Depth of the V, and fraction of the time in which a group is together.
 std::vector<double> groupsInCrowd(const RealismRun& run) {
   double depth = 0.0;
   double together = 0.0;
   double samples = 0.0;
   groupsInCrowdScene(run).play(60.0, [&](const World& world) {
-    for (std::size_t group = 0; world.time() > 30.0 && group < kThrees; ++group) {
-      const double found = depthOfV(world.frame().humans, 3 * group);
+    for (std::size_t group = 0; world.time() > 30.0 && group < kGroupsOfThree; ++group) {
+      const double found = vShapeDepth(world.frame().humans, 3 * group);
       depth += std::isnan(found) ? 0.0 : found;
       together += std::isnan(found) ? 0.0 : 1.0;
       samples += 1.0;
@@ -207,22 +208,23 @@ std::vector<double> groupsInCrowd(const RealismRun& run) {
 
 void addWalkTests(std::vector<RealismTest>& tests);
 void addWalkTests(std::vector<RealismTest>& tests) {
-  tests.push_back({"rimea-1", "RiMEA 1: 40 m of corridor alone at 1.33 m/s",
+  tests.push_back({"rimea-1", "RiMEA 1: one person in a corridor of 40 m at 1.33 m/s",
                    Quantities{{"time", "s", Summary::Mean, 26.0, 34.0}}, rimea1,
                    [](const RealismRun& run) { return corridorAlone(run, 1.33, 0.2); }, false});
-  tests.push_back({"rimea-7", "RiMEA 7: 50 people of each kind, alone",
-                   Quantities{{"outside the kind's speeds", "m/s", Summary::Largest, 0.0, 0.0},
-                              {"mean off the kind's", "", Summary::Mean, 0.0, 0.06}},
-                   rimea7, rimea7Scene, true, 70.0});
+  tests.push_back(
+      {"rimea-7", "RiMEA 7: 50 people of each kind, alone",
+       Quantities{{"deviation from the kind's speed range", "m/s", Summary::Largest, 0.0, 0.0},
+                  {"deviation from the kind's mean", "", Summary::Mean, 0.0, 0.06}},
+       rimea7, rimea7Scene, true, 70.0});
   tests.push_back({"groups", "groups of two and three on 30 m of open ground",
                    Quantities{{"distance in a pair", "m", Summary::Mean, 0.4, 1.2},
-                              {"pair abreast", "", Summary::Mean, 0.7, 1.0},
-                              {"three abreast", "", Summary::Mean, 0.7, 1.0},
-                              {"speed of a pair over alone", "", Summary::Mean, 0.85, 1.001},
-                              {"speed of three over alone", "", Summary::Mean, 0.8, 1.001}},
+                              {"pair side by side", "", Summary::Mean, 0.7, 1.0},
+                              {"three side by side", "", Summary::Mean, 0.7, 1.0},
+                              {"speed of a pair / alone", "", Summary::Mean, 0.85, 1.001},
+                              {"speed of three / alone", "", Summary::Mean, 0.8, 1.001}},
                    groups, groupsScene, false});
   tests.push_back({"groups-in-crowd", "groups of three among others, 1 person per m²",
-                   Quantities{{"middle one behind the outer two", "m", Summary::Mean, 0.0},
+                   Quantities{{"middle member behind the outer two", "m", Summary::Mean, 0.0},
                               {"share of time together", "", Summary::Mean, 0.8, 1.0}},
                    groupsInCrowd, groupsInCrowdScene});
 }

@@ -9,25 +9,25 @@
 
 namespace sim2d::nav2 {
 
-const char* controlCodeName(ControlCode code) {
+const char* controllerErrorName(ControllerError code) {
   switch (code) {
-    case ControlCode::None:
+    case ControllerError::None:
       return "NONE";
-    case ControlCode::Unknown:
+    case ControllerError::Unknown:
       return "UNKNOWN";
-    case ControlCode::InvalidController:
+    case ControllerError::InvalidController:
       return "INVALID_CONTROLLER";
-    case ControlCode::TfError:
+    case ControllerError::TfError:
       return "TF_ERROR";
-    case ControlCode::InvalidPath:
+    case ControllerError::InvalidPath:
       return "INVALID_PATH";
-    case ControlCode::PatienceExceeded:
+    case ControllerError::PatienceExceeded:
       return "PATIENCE_EXCEEDED";
-    case ControlCode::FailedToMakeProgress:
+    case ControllerError::FailedToMakeProgress:
       return "FAILED_TO_MAKE_PROGRESS";
-    case ControlCode::NoValidControl:
+    case ControllerError::NoValidControl:
       return "NO_VALID_CONTROL";
-    case ControlCode::ControllerTimedOut:
+    case ControllerError::ControllerTimedOut:
       return "CONTROLLER_TIMED_OUT";
   }
   return "UNKNOWN";
@@ -39,13 +39,13 @@ base::Diagnostic unknownPlugin(const std::string& found, const std::vector<std::
     all += (all.empty() ? "" : ", ") + name;
   }
   return base::error("nav2.unknown-plugin",
-                     {found, base::nearestName(pluginName(found), known), all});
+                     {found, base::nearestName(normalizedPluginClass(found), known), all});
 }
 
 const ControllerType* ControllerRegistry::find(const std::string& plugin, Distro distro) const {
-  const std::string name = pluginName(plugin);
+  const std::string name = normalizedPluginClass(plugin);
   const auto found = std::find_if(types_.begin(), types_.end(), [&](const ControllerType& type) {
-    return type.plugin == name && isIn(type.distros, distro);
+    return type.plugin == name && includesDistro(type.distros, distro);
   });
   return found == types_.end() ? nullptr : &*found;
 }
@@ -53,7 +53,7 @@ const ControllerType* ControllerRegistry::find(const std::string& plugin, Distro
 std::vector<std::string> ControllerRegistry::plugins(Distro distro) const {
   std::vector<std::string> names;
   for (const ControllerType& type : types_) {
-    if (isIn(type.distros, distro)) {
+    if (includesDistro(type.distros, distro)) {
       names.push_back(type.plugin);
     }
   }

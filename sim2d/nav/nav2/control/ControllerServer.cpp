@@ -8,9 +8,9 @@
 namespace sim2d::nav2 {
 namespace {
 
-/// The one with that name; without a name the only one. Null: none.
+/// The plugin of that name; without a name the only one. Null: none.
 template <class T>
-T* namedOne(const ControllerServer::Named<T>& all, const std::string& name) {
+T* findPlugin(const ControllerServer::Named<T>& all, const std::string& name) {
   if (name.empty() && all.size() == 1) {
     return all.begin()->second.get();
   }
@@ -48,7 +48,7 @@ FollowFeedback ControllerServer::update(const ControlCycle& cycle) {
     status_ = FollowStatus::Running;
     waitsSince_.reset();
     const FollowPathGoal goal = *std::exchange(pending_, std::nullopt);
-    if (!accept(goal, true, cycle.time, feedback)) {
+    if (!acceptGoal(goal, true, cycle.time, feedback)) {
       return feedback;
     }
   }
@@ -63,7 +63,7 @@ FollowFeedback ControllerServer::update(const ControlCycle& cycle) {
   }
   if (pending_) {
     const FollowPathGoal goal = *std::exchange(pending_, std::nullopt);
-    if (!accept(goal, false, cycle.time, feedback)) {
+    if (!acceptGoal(goal, false, cycle.time, feedback)) {
       return feedback;
     }
   }
@@ -71,25 +71,27 @@ FollowFeedback ControllerServer::update(const ControlCycle& cycle) {
   return feedback;
 }
 
-/// Takes a goal's path and plugins. False: it has failed.
-bool ControllerServer::accept(const FollowPathGoal& goal, bool isFirst, double time,
-                              FollowFeedback& feedback) {
-  Controller* controller = namedOne(controllers_, goal.controller);
-  GoalChecker* goalChecker = namedOne(goalCheckers_, goal.goalChecker);
-  ProgressChecker* progressChecker = namedOne(progressCheckers_, goal.progressChecker);
-  PathHandler* handler = namedOne(pathHandlers_, goal.pathHandler);
+/// Takes over a goal's path and plugins. Returns false on failure.
+bool ControllerServer::acceptGoal(const FollowPathGoal& goal, bool isFirst, double time,
+                                  FollowFeedback& feedback) {
+  Controller* controller = findPlugin(controllers_, goal.controller);
+  GoalChecker* goalChecker = findPlugin(goalCheckers_, goal.goalChecker);
+  ProgressChecker* progressChecker = findPlugin(progressCheckers_, goal.progressChecker);
+  PathHandler* handler = findPlugin(pathHandlers_, goal.pathHandler);
   if (controller == nullptr) {
-    fail(ControlCode::InvalidController, "Failed to find controller name: " + goal.controller,
+    fail(ControllerError::InvalidController, "Failed to find controller name: " + goal.controller,
          feedback);
   } else if (goalChecker == nullptr) {
-    fail(ControlCode::Unknown, "Failed to find goal checker name: " + goal.goalChecker, feedback);
+    fail(ControllerError::Unknown, "Failed to find goal checker name: " + goal.goalChecker,
+         feedback);
   } else if (progressChecker == nullptr) {
-    fail(ControlCode::Unknown, "Failed to find progress checker name: " + goal.progressChecker,
+    fail(ControllerError::Unknown, "Failed to find progress checker name: " + goal.progressChecker,
          feedback);
   } else if (distro_ >= Distro::Lyrical && handler == nullptr) {
-    fail(ControlCode::Unknown, "Failed to find path handler name: " + goal.pathHandler, feedback);
+    fail(ControllerError::Unknown, "Failed to find path handler name: " + goal.pathHandler,
+         feedback);
   } else if (goal.path.empty()) {
-    fail(ControlCode::InvalidPath, "Path is empty.", feedback);
+    fail(ControllerError::InvalidPath, "Path is empty.", feedback);
   } else {
     const bool isOtherChecker = progressChecker != progressChecker_;
     controller_ = controller;
@@ -111,7 +113,7 @@ bool ControllerServer::accept(const FollowPathGoal& goal, bool isFirst, double t
   return false;
 }
 
-/// After a clear nothing is computed until the next update. True: the cycle is over.
+/// After a clear, no command is computed until the next update. Returns true if the cycle ends.
 bool ControllerServer::waitsForCostmap(const ControlCycle& cycle, FollowFeedback& feedback) {
   if (cycle.isCostmapCurrent) {
     waitsSince_.reset();
@@ -119,7 +121,7 @@ bool ControllerServer::waitsForCostmap(const ControlCycle& cycle, FollowFeedback
   }
   waitsSince_ = waitsSince_.value_or(cycle.time);
   if (distro_ != Distro::Humble && cycle.time - *waitsSince_ > parameters_.costmapUpdateTimeout) {
-    fail(ControlCode::ControllerTimedOut, "Costmap timed out waiting for update", feedback);
+    fail(ControllerError::ControllerTimedOut, "Costmap timed out waiting for update", feedback);
   }
   return true;
 }
@@ -132,7 +134,7 @@ void ControllerServer::advance(const ControlCycle& cycle, FollowFeedback& feedba
   if (distro_ >= Distro::Lyrical) {
     local = pathHandler_->localPlan(cycle.robot, cycle.costmap, cycle.planFrame);
     if (local.problem != nullptr) {
-      fail(ControlCode::InvalidPath, local.problem, feedback);
+      fail(ControllerError::InvalidPath, local.problem, feedback);
       return;
     }
     cut = &local.poses;
@@ -143,7 +145,7 @@ void ControllerServer::advance(const ControlCycle& cycle, FollowFeedback& feedba
     return;
   }
   if (!progressChecker_->check(cycle.robot, cycle.time)) {
-    fail(ControlCode::FailedToMakeProgress, "Failed to make progress", feedback);
+    fail(ControllerError::FailedToMakeProgress, "Failed to make progress", feedback);
     return;
   }
   command(cycle, speed, cut, feedback);
@@ -163,33 +165,34 @@ void ControllerServer::command(const ControlCycle& cycle, const BodyTwist& speed
                                FollowFeedback& feedback) {
   const ControlInput input{cycle.robot,   speed,      cycle.costmap, cycle.shape,
                            *goalChecker_, cycle.time, local,         cycle.planFrame};
-  Control control = controller_->computeVelocityCommands(input);
+  ControlResult control = controller_->computeVelocityCommands(input);
   if (control) {
     lastValid_ = cycle.time;
     feedback.command = control.twist;
     return;
   }
-  bear(std::move(control), cycle.time, feedback);
+  handleFailure(std::move(control), cycle.time, feedback);
 }
 
-/// Patience: zero is sent until a valid command has been missing for too long. Since Jazzy other
-/// failures than NoValidControl end the goal at once; Humble knows one kind alone.
-void ControllerServer::bear(Control control, double time, FollowFeedback& feedback) {
+/// Patience: sends zero until valid commands have been missing for too long. Since Jazzy, failures
+/// other than NoValidControl end the goal immediately; Humble does not distinguish failures.
+void ControllerServer::handleFailure(ControlResult control, double time, FollowFeedback& feedback) {
   const double tolerance = parameters_.failureTolerance;
-  const bool isBearable = distro_ == Distro::Humble || control.code == ControlCode::NoValidControl;
+  const bool isBearable =
+      distro_ == Distro::Humble || control.code == ControllerError::NoValidControl;
   const bool isForEver = tolerance == -1.0;
   if (!isBearable || !(tolerance > 0.0 || isForEver)) {
     fail(control.code, std::move(control.words), feedback);
   } else if (!isForEver && time - lastValid_ > tolerance) {
-    fail(ControlCode::PatienceExceeded, "Controller patience exceeded", feedback);
+    fail(ControllerError::PatienceExceeded, "Controller patience exceeded", feedback);
   } else {
     feedback.command = BodyTwist();
     feedback.words = std::move(control.words);
-    feedback.isPatient = true;
+    feedback.isFailureTolerated = true;
   }
 }
 
-void ControllerServer::fail(ControlCode code, std::string words, FollowFeedback& feedback) {
+void ControllerServer::fail(ControllerError code, std::string words, FollowFeedback& feedback) {
   end(FollowStatus::Failed, feedback);
   feedback.code = code;
   feedback.words = std::move(words);

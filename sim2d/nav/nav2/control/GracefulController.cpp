@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
-#include "sim2d/nav/nav2/control/PoseCollision.h"
-#include "sim2d/nav/nav2/control/PursuitRules.h"
-#include "sim2d/nav/nav2/control/SmoothControlLaw.h"
+#include "sim2d/nav/nav2/control/ControllerUtils.h"
+#include "sim2d/nav/nav2/control/GracefulParameters.h"
+#include "sim2d/nav/nav2/control/RegulationFunctions.h"
 
 namespace sim2d::nav2 {
 namespace {
 
 constexpr char kGracefulCollision[] = "Collision detected in trajectory";
 
-/// Planners without headings give all the same one: then poses point at the next.
+/// Planners without headings assign equal ones: then each pose is oriented towards the next.
 void addHeadings(Path& path) {
   constexpr double kSame = 1e-6;  // [rad]
   if (path.size() < 3) {
@@ -34,29 +34,29 @@ void addHeadings(Path& path) {
   }
 }
 
-/// Along the path to each of its poses [m], from the robot on.
-std::vector<double> waysTo(const Path& plan) {
-  std::vector<double> ways;
+/// Path length from the robot to each pose [m].
+std::vector<double> pathDistances(const Path& plan) {
+  std::vector<double> distances;
   double way = plan.front().position.norm();
   for (std::size_t i = 0; i < plan.size(); ++i) {
     way += i > 0 ? (plan[i].position - plan[i - 1].position).norm() : 0.0;
-    ways.push_back(way);
+    distances.push_back(way);
   }
-  return ways;
+  return distances;
 }
 
-PathHandling gracefulHandling(const GracefulParameters& parameters, Distro distro) {
-  PathHandling handling;
-  handling.rule = PathHandling::Rule::Pursuit;
-  handling.searchDistance = parameters.searchDistance;
-  handling.keepsTwo = distro != Distro::Humble;
-  return handling;
+PathPruning gracefulPruning(const GracefulParameters& parameters, Distro distro) {
+  PathPruning pruning;
+  pruning.rule = PathPruning::Rule::Pursuit;
+  pruning.searchDistance = parameters.searchDistance;
+  pruning.keepsLastTwo = distro != Distro::Humble;
+  return pruning;
 }
 
 base::Result<std::unique_ptr<Controller>> makeGraceful(const ControllerSetup& setup) {
   base::Diagnostics problems;
-  const auto parameters =
-      filled(gracefulDefaults(setup.distro), gracefulKeys(), setup.block, setup.distro, problems);
+  const auto parameters = applyBlock(gracefulDefaults(setup.distro), gracefulKeys(), setup.block,
+                                     setup.distro, problems);
   const std::pair<const char*, double> positive[] = {
       {"slowdown_radius", parameters.slowdownRadius},
       {"v_linear_max", parameters.maxLinear},
@@ -79,13 +79,13 @@ GracefulController::GracefulController(const GracefulParameters& parameters, Dis
     : parameters_(parameters),
       fullParameters_(parameters),
       distro_(distro),
-      handler_(gracefulHandling(parameters, distro)) {}
+      handler_(gracefulPruning(parameters, distro)) {}
 
 void GracefulController::setPlan(const Path& plan) {
   handler_.setPlan(plan);
   goal_ = plan.empty() ? Pose2() : plan.back();
   isGoalReached_ = false;
-  turnsFirst_ = true;
+  isInitialRotation_ = true;
 }
 
 void GracefulController::setSpeedLimit(double limit, bool isPercentage) {
@@ -100,11 +100,11 @@ void GracefulController::setSpeedLimit(double limit, bool isPercentage) {
   parameters_.maxAngular = full.maxAngular * ratio;
 }
 
-Control GracefulController::computeVelocityCommands(const ControlInput& input) {
+ControlResult GracefulController::computeVelocityCommands(const ControlInput& input) {
   LocalPlan local = handler_.localPlan(input);
   view_ = {};
   if (local.problem != nullptr) {
-    return {ControlCode::InvalidPath, local.problem};
+    return {ControllerError::InvalidPath, local.problem};
   }
   view_.localPlan = local.poses;
   const RobotFrame frame(input.robot);
@@ -118,8 +118,8 @@ Control GracefulController::computeVelocityCommands(const ControlInput& input) {
     return followOneTarget(scene);
   }
   const double goalTurn = scene.plan.back().heading;
-  if (isGoalTurn(scene) && turnIsFree(input, goalTurn)) {
-    return BodyTwist{0.0, turnCommand(goalTurn)};
+  if (isGoalTurn(scene) && isRotationFree(input, goalTurn)) {
+    return BodyTwist{0.0, rotationCommand(goalTurn)};
   }
   return distro_ >= Distro::Lyrical ? followInterpolated(scene) : followFarthest(scene);
 }
@@ -134,8 +134,8 @@ bool GracefulController::isGoalTurn(const Scene& scene) {
   return isGoalReached_;
 }
 
-/// Humble: one target, at a fixed distance.
-Control GracefulController::followOneTarget(const Scene& scene) {
+/// Humble: a single target at a fixed distance.
+ControlResult GracefulController::followOneTarget(const Scene& scene) {
   const ControlInput& input = scene.input;
   const auto far = std::find_if(scene.plan.begin(), scene.plan.end(), [&](const Pose2& pose) {
     return pose.position.norm() >= parameters_.targetDistance;
@@ -146,42 +146,43 @@ Control GracefulController::followOneTarget(const Scene& scene) {
     target.heading = base::wrapToPi(target.heading + base::kPi);
   }
   view_.lookahead = {input.robot.toWorld(target.position)};
-  turnsFirst_ = false;  // here it turns whenever the target lies aside
+  isInitialRotation_ = false;  // Humble turns whenever the target is to the side
   BodyTwist command;
   if (collides(input, {}, 1.0) ||
       !simulate(input, {target, isBackward, parameters_.maxLinear}, command)) {
-    return {ControlCode::NoValidControl, kGracefulCollision};
+    return {ControllerError::NoValidControl, kGracefulCollision};
   }
   const double toTarget = base::headingOf(target.position);
   if (parameters_.prefersFinalRotation &&
       scene.plan.back().position.norm() < input.goalChecker.xyTolerance()) {
-    command = {0.0, turnCommand(scene.plan.back().heading)};
-  } else if (parameters_.rotatesFirst && std::abs(toTarget) > parameters_.firstRotationTolerance) {
-    command = {0.0, turnCommand(toTarget)};
+    command = {0.0, rotationCommand(scene.plan.back().heading)};
+  } else if (parameters_.initialRotation &&
+             std::abs(toTarget) > parameters_.initialRotationTolerance) {
+    command = {0.0, rotationCommand(toTarget)};
   }
   return command;
 }
 
-/// Jazzy: the farthest pose that can be reached.
-Control GracefulController::followFarthest(const Scene& scene) {
-  const std::vector<double> ways = waysTo(scene.plan);
+/// Jazzy: the farthest reachable pose.
+ControlResult GracefulController::followFarthest(const Scene& scene) {
+  const std::vector<double> distances = pathDistances(scene.plan);
   BodyTwist command;
   for (std::size_t i = scene.plan.size(); i-- > 0;) {
-    if (ways[i] > parameters_.maxLookahead) {
+    if (distances[i] > parameters_.maxLookahead) {
       continue;
     }
-    if (scene.length >= parameters_.maxLookahead && ways[i] < parameters_.minLookahead) {
+    if (scene.length >= parameters_.maxLookahead && distances[i] < parameters_.minLookahead) {
       break;
     }
     if (drive(scene, scene.plan[i], command)) {
       return command;
     }
   }
-  return {ControlCode::NoValidControl, kGracefulCollision};
+  return {ControllerError::NoValidControl, kGracefulCollision};
 }
 
-/// Main: the point at the lookahead, then the poses before it.
-Control GracefulController::followInterpolated(const Scene& scene) {
+/// Main: the interpolated point at the lookahead distance, then the poses before it.
+ControlResult GracefulController::followInterpolated(const Scene& scene) {
   const Path& plan = scene.plan;
   const double most = parameters_.maxLookahead;
   std::size_t next = 0;
@@ -200,26 +201,26 @@ Control GracefulController::followInterpolated(const Scene& scene) {
   if (drive(scene, first, command)) {
     return command;
   }
-  const std::vector<double> ways = waysTo(plan);
+  const std::vector<double> distances = pathDistances(plan);
   for (std::size_t i = plan.size() - 1; i-- > 0;) {
-    if (ways[i] <= most && drive(scene, plan[i], command)) {
+    if (distances[i] <= most && drive(scene, plan[i], command)) {
       return command;
     }
   }
-  return {ControlCode::NoValidControl, kGracefulCollision};
+  return {ControllerError::NoValidControl, kGracefulCollision};
 }
 
-/// Tries a target, in main also more slowly; the footprint grows with the speed there.
+/// Tries a target; main also retries at lower speeds, and scales the footprint with the speed.
 bool GracefulController::drive(const Scene& scene, Pose2 target, BodyTwist& command) {
   if (scene.length < parameters_.maxLookahead && parameters_.prefersFinalRotation) {
-    target.heading = base::headingOf(target.position);  // no sweeping turn at the end
+    target.heading = base::headingOf(target.position);  // avoids a wide turn at the end
   }
   const bool isBackward = parameters_.allowsBackward && target.position.x() < 0.0;
   if (isBackward) {
     target.heading = base::wrapToPi(target.heading + base::kPi);
   }
   view_.lookahead = {scene.input.robot.toWorld(target.position)};
-  constexpr int kMostAttempts = 100;  // a step may be 0
+  constexpr int kMaxAttempts = 100;  // the step may be 0
   Attempt attempt{target, isBackward, parameters_.maxLinear};
   int attempts = 0;
   do {
@@ -227,20 +228,20 @@ bool GracefulController::drive(const Scene& scene, Pose2 target, BodyTwist& comm
       return true;
     }
     attempt.maxLinear -= parameters_.footprintScalingStep;
-  } while (distro_ >= Distro::Lyrical && attempt.maxLinear > 0.0 && ++attempts < kMostAttempts &&
+  } while (distro_ >= Distro::Lyrical && attempt.maxLinear > 0.0 && ++attempts < kMaxAttempts &&
            attempt.maxLinear >= parameters_.footprintScalingVelocity);
   return false;
 }
 
-/// Whether the first turn on the spot is over, or none is wanted.
-bool GracefulController::isAhead(const Pose2& target) {
-  if (std::abs(base::headingOf(target.position)) < parameters_.firstRotationTolerance) {
-    turnsFirst_ = false;
+/// Whether the initial rotation is complete or disabled.
+bool GracefulController::isInitialRotationDone(const Pose2& target) {
+  if (std::abs(base::headingOf(target.position)) < parameters_.initialRotationTolerance) {
+    isInitialRotation_ = false;
   }
-  return !turnsFirst_ || !parameters_.rotatesFirst;
+  return !isInitialRotation_ || !parameters_.initialRotation;
 }
 
-/// Follows the law to the target; `command` is the first one. False: it would collide.
+/// Simulates the control law up to the target; `command` is the first command. False: collision.
 bool GracefulController::simulate(const ControlInput& input, const Attempt& attempt,
                                   BodyTwist& command) {
   GracefulParameters law = parameters_;
@@ -248,7 +249,7 @@ bool GracefulController::simulate(const ControlInput& input, const Attempt& atte
   const double resolution = input.costmap.resolution();
   const double dt = resolution / law.maxLinear;
   const double toTarget = base::headingOf(attempt.target.position);
-  bool isTurning = !isAhead(attempt.target);
+  bool isTurning = !isInitialRotationDone(attempt.target);
   double scale = 1.0;
   const double full = parameters_.maxLinear - parameters_.footprintScalingVelocity;
   if (distro_ >= Distro::Lyrical && full > 0.0) {
@@ -262,8 +263,8 @@ bool GracefulController::simulate(const ControlInput& input, const Attempt& atte
     BodyTwist twist;
     if (isTurning) {
       const double left = toTarget - pose.heading;
-      twist = way.empty() ? BodyTwist{0.0, turnCommand(left)} : command;
-      isTurning = std::abs(left) >= law.firstRotationTolerance;
+      twist = way.empty() ? BodyTwist{0.0, rotationCommand(left)} : command;
+      isTurning = std::abs(left) >= law.initialRotationTolerance;
     } else {
       twist = gracefulCommand(law, distro_, attempt.target, pose, attempt.isBackward);
       pose.position += dt * twist.linear * pose.direction();
@@ -280,10 +281,10 @@ bool GracefulController::simulate(const ControlInput& input, const Attempt& atte
   return true;
 }
 
-bool GracefulController::turnIsFree(const ControlInput& input, double angle) const {
-  constexpr double kMostSteps = 1000.0;
+bool GracefulController::isRotationFree(const ControlInput& input, double angle) const {
+  constexpr double kMaxSteps = 1000.0;
   const double wanted = std::abs(angle) / parameters_.inPlaceResolution;
-  const int steps = static_cast<int>(std::min(std::max(wanted, 1.0), kMostSteps));
+  const int steps = static_cast<int>(std::min(std::max(wanted, 1.0), kMaxSteps));
   for (int i = 1; i <= steps; ++i) {
     if (collides(input, {Vec2::Zero(), static_cast<double>(i) / steps * angle}, 1.0)) {
       return false;
@@ -294,7 +295,7 @@ bool GracefulController::turnIsFree(const ControlInput& input, double angle) con
 
 bool GracefulController::collides(const ControlInput& input, const Pose2& local,
                                   double scale) const {
-  if (distro_ >= Distro::Kilted && !parameters_.detectsCollisions) {
+  if (distro_ >= Distro::Kilted && !parameters_.usesCollisionDetection) {
     return false;
   }
   const Pose2 pose{input.robot.toWorld(local.position), input.robot.heading + local.heading};
@@ -302,7 +303,7 @@ bool GracefulController::collides(const ControlInput& input, const Pose2& local,
   if (!cell) {
     return false;
   }
-  const ControlledShape& shape = input.shape;
+  const RobotFootprint& shape = input.shape;
   if (shape.isRadius) {
     return isCentreCollision(input.costmap.at(*cell), shape.tracksUnknown);
   }
@@ -316,7 +317,7 @@ bool GracefulController::collides(const ControlInput& input, const Pose2& local,
   return isEdgeCollision(footprintCost(input.costmap, corners, pose), shape.tracksUnknown);
 }
 
-double GracefulController::turnCommand(double angle) const {
+double GracefulController::rotationCommand(double angle) const {
   const double w = parameters_.rotationScaling * angle * parameters_.maxAngular;
   const double least = distro_ == Distro::Humble ? 0.0 : parameters_.minAngularInPlace;
   return std::copysign(std::max(std::abs(w), least), w);
@@ -325,11 +326,11 @@ double GracefulController::turnCommand(double angle) const {
 void addGraceful(ControllerRegistry& registry) {
   ControllerType type;
   type.plugin = "nav2_graceful_controller::GracefulController";
-  type.help = "Drives smooth curves to targets on the path.";
-  type.keys = [](const Nav2Block&, Distro distro) {
-    Nav2Keys keys;
-    addRows(keys, gracefulKeys(), gracefulDefaults(distro));
-    addIdle(keys, gracefulIdleKeys());
+  type.help = "Drives smooth curves to target points on the path.";
+  type.keys = [](const Nav2ParameterBlock&, Distro distro) {
+    Nav2KeyTable keys;
+    addKeyRows(keys, gracefulKeys(), gracefulDefaults(distro));
+    addIgnoredKeys(keys, ignoredGracefulKeys());
     return keys;
   };
   type.make = makeGraceful;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim2d/nav/nav2/control/Controller.h"
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -28,8 +28,8 @@ void eraseBefore(Path& path, std::size_t begin) {
   path.erase(path.begin(), std::next(path.begin(), offsetOf(begin)));
 }
 
-/// From `begin` to before the first pose farther than `most` [m] from the robot.
-Path untilFar(const Path& path, std::size_t begin, const Vec2& robot, double most) {
+/// Poses from `begin` to before the first one farther than `most` [m] from the robot.
+Path posesWithin(const Path& path, std::size_t begin, const Vec2& robot, double most) {
   std::size_t end = begin;
   while (end < path.size() && !((path[end].position - robot).norm() > most)) {
     ++end;
@@ -37,7 +37,8 @@ Path untilFar(const Path& path, std::size_t begin, const Vec2& robot, double mos
   return {std::next(path.begin(), offsetOf(begin)), std::next(path.begin(), offsetOf(end))};
 }
 
-/// The first pose after the first turn on the spot by at least `angle` [rad]; its size: none.
+/// Index of the first pose after the first turn in place by at least `angle` [rad]; the path's size
+/// if there is none.
 std::size_t firstAfterTurn(const Path& path, double angle) {
   constexpr double kSpot = 1e-4;  // [m]
   for (std::size_t begin = 0; begin + 1 < path.size(); ++begin) {
@@ -93,50 +94,50 @@ double halfExtent(const Costmap& costmap) {
 }
 
 void PathHandler::setPlan(const Path& plan) {
-  rest_ = plan;
-  cutAtConstraint();
+  remainingPlan_ = plan;
+  truncateAtConstraint();
 }
 
-void PathHandler::cutAtConstraint() {
-  plan_ = rest_;
-  std::size_t end = rest_.size();
-  if (handling_.enforcesInversion) {
-    end = firstAfterInversion(rest_);
+void PathHandler::truncateAtConstraint() {
+  plan_ = remainingPlan_;
+  std::size_t end = remainingPlan_.size();
+  if (pruning_.enforcesInversion) {
+    end = firstAfterInversion(remainingPlan_);
   }
-  if (handling_.enforcesRotation) {
-    end = std::min(end, firstAfterTurn(rest_, handling_.minimumRotation));
+  if (pruning_.enforcesRotation) {
+    end = std::min(end, firstAfterTurn(remainingPlan_, pruning_.minimumRotation));
   }
-  constraint_ = end < rest_.size() ? end : 0;
+  constraint_ = end < remainingPlan_.size() ? end : 0;
   plan_.resize(end);
 }
 
 bool PathHandler::isAtConstraint(const Pose2& robot) const {
   const Pose2& end = plan_.back();
-  return (robot.position - end.position).norm() <= handling_.inversionXyTolerance &&
-         std::abs(base::angleDiff(robot.heading, end.heading)) <= handling_.inversionYawTolerance;
+  return (robot.position - end.position).norm() <= pruning_.inversionXyTolerance &&
+         std::abs(base::angleDiff(robot.heading, end.heading)) <= pruning_.inversionYawTolerance;
 }
 
-/// As in Nav2 the robot's pose is transformed into the frame of the plan, and what is cut of the
-/// plan into that of the costmap.
+/// As in Nav2 the robot's pose is transformed into the frame of the plan, and the pruned plan into
+/// that of the costmap.
 LocalPlan PathHandler::localPlan(const Pose2& robotInCostmap, const Costmap& costmap,
                                  const Pose2& planFrame) {
   if (plan_.empty()) {
     return {{}, kNoPlan};
   }
-  if (handling_.rejectsUnitPath && plan_.size() == 1) {
+  if (pruning_.rejectsUnitPath && plan_.size() == 1) {
     return {{}, kUnitPlan};
   }
   const Pose2 robot = toFrame(planFrame, robotInCostmap);
   LocalPlan local;
-  switch (handling_.rule) {
-    case PathHandling::Rule::Pursuit:
+  switch (pruning_.rule) {
+    case PathPruning::Rule::Pursuit:
       local = pursuitPlan(robot, costmap);
       break;
-    case PathHandling::Rule::Dwb:
+    case PathPruning::Rule::Dwb:
       local = dwbPlan(robot, costmap);
       break;
-    case PathHandling::Rule::Way:
-      local = wayPlan(robot, costmap, planFrame);
+    case PathPruning::Rule::AlongPath:
+      local = alongPathPlan(robot, costmap, planFrame);
       break;
   }
   if (local.poses.empty()) {
@@ -154,7 +155,7 @@ LocalPlan PathHandler::localPlan(const ControlInput& input) {
 }
 
 std::size_t PathHandler::nearest(const Pose2& robot, const Costmap& costmap) const {
-  double within = handling_.searchDistance;
+  double within = pruning_.searchDistance;
   if (within < 0.0) {
     within = std::numeric_limits<double>::infinity();
   } else if (within == 0.0) {
@@ -165,50 +166,51 @@ std::size_t PathHandler::nearest(const Pose2& robot, const Costmap& costmap) con
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < end; ++i) {
     const double distance = (plan_[i].position - robot.position).norm();
-    if (distance <= least) {  // of equal ones the last
+    if (distance <= least) {  // the last of equal distances
       least = distance;
       best = i;
     }
   }
   const bool isLast = best + 1 == end;
-  return handling_.keepsTwo && isLast && best > 0 ? best - 1 : best;
+  return pruning_.keepsLastTwo && isLast && best > 0 ? best - 1 : best;
 }
 
 LocalPlan PathHandler::pursuitPlan(const Pose2& robot, const Costmap& costmap) {
   const std::size_t begin = nearest(robot, costmap);
-  LocalPlan local{untilFar(plan_, begin, robot.position, halfExtent(costmap))};
+  LocalPlan local{posesWithin(plan_, begin, robot.position, halfExtent(costmap))};
   eraseBefore(plan_, begin);
   return local;
 }
 
 LocalPlan PathHandler::dwbPlan(const Pose2& robot, const Costmap& costmap) {
   const double half = std::max(costmap.width(), costmap.height()) * costmap.resolution() / 2.0;
-  const double near = handling_.prunesPlan ? std::min(half, handling_.pruneDistance) : half;
-  const double far = handling_.shortensPlan ? std::min(half, handling_.forwardPruneDistance) : half;
-  const std::size_t last = firstAfterDistance(plan_, 0, handling_.forwardPruneDistance);
+  const double near = pruning_.prunesPlan ? std::min(half, pruning_.pruneDistance) : half;
+  const double far = pruning_.shortensPlan ? std::min(half, pruning_.forwardPruneDistance) : half;
+  const std::size_t last = firstAfterDistance(plan_, 0, pruning_.forwardPruneDistance);
   std::size_t begin = 0;
   while (begin < last && !((plan_[begin].position - robot.position).norm() < near)) {
     ++begin;
   }
-  LocalPlan local{untilFar(plan_, begin, robot.position, far)};
-  if (handling_.prunesPlan) {
+  LocalPlan local{posesWithin(plan_, begin, robot.position, far)};
+  if (pruning_.prunesPlan) {
     eraseBefore(plan_, begin);
   }
   return local;
 }
 
-LocalPlan PathHandler::wayPlan(const Pose2& robot, const Costmap& costmap, const Pose2& planFrame) {
+LocalPlan PathHandler::alongPathPlan(const Pose2& robot, const Costmap& costmap,
+                                     const Pose2& planFrame) {
   const std::size_t begin = nearest(robot, costmap);
   std::size_t end = begin;
-  for (const std::size_t last = firstAfterDistance(plan_, begin, handling_.pruneDistance);
+  for (const std::size_t last = firstAfterDistance(plan_, begin, pruning_.pruneDistance);
        end < last && costmap.worldToCell(toParent(planFrame, plan_[end]).position); ++end) {
   }
   LocalPlan local{
       {std::next(plan_.begin(), offsetOf(begin)), std::next(plan_.begin(), offsetOf(end))}};
   eraseBefore(plan_, begin);
   if (constraint_ != 0 && isAtConstraint(robot)) {
-    eraseBefore(rest_, constraint_);
-    cutAtConstraint();
+    eraseBefore(remainingPlan_, constraint_);
+    truncateAtConstraint();
   }
   return local;
 }
@@ -217,35 +219,38 @@ const std::vector<Nav2Key<FeasiblePathHandlerParameters>>& feasiblePathHandlerKe
   using P = FeasiblePathHandlerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "length of path searched for the robot; 0: half the costmap, negative: all", kSinceLyrical},
-      {"prune_distance", &P::pruneDistance, "m", "length of path that is used", kSinceLyrical},
+       "length of the path that is searched for the robot; 0: half the costmap, negative: all",
+       kSinceLyrical},
+      {"prune_distance", &P::pruneDistance, "m", "length of the path that is used", kSinceLyrical},
       {"enforce_path_inversion", &P::enforcesInversion, "",
-       "the path ends at its first cusp until the robot is there", kSinceLyrical},
+       "the path is cut at its first cusp until the robot reaches it", kSinceLyrical},
       {"enforce_path_rotation", &P::enforcesRotation, "",
-       "the path ends at its first turn on the spot until the robot has made it", kSinceLyrical},
-      {"minimum_rotation_angle", &P::minimumRotation, "rad", "least angle of a turn on the spot",
+       "the path is cut at its first rotation in place until the robot has completed it",
        kSinceLyrical},
-      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "tolerance at the cusp",
+      {"minimum_rotation_angle", &P::minimumRotation, "rad", "minimum angle of a rotation in place",
        kSinceLyrical},
-      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kSinceLyrical},
-      {"reject_unit_path", &P::rejectsUnitPath, "", "refuse a path of one pose", kSinceLyrical},
+      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "position tolerance at the cusp",
+       kSinceLyrical},
+      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "heading tolerance at the cusp",
+       kSinceLyrical},
+      {"reject_unit_path", &P::rejectsUnitPath, "", "rejects a path of one pose", kSinceLyrical},
   };
   return kKeys;
 }
 
-PathHandling handlingOf(const FeasiblePathHandlerParameters& parameters) {
-  PathHandling handling;
-  handling.rule = PathHandling::Rule::Way;
-  handling.searchDistance = parameters.searchDistance;
-  handling.pruneDistance = parameters.pruneDistance;
-  handling.keepsTwo = true;
-  handling.enforcesInversion = parameters.enforcesInversion;
-  handling.enforcesRotation = parameters.enforcesRotation;
-  handling.minimumRotation = parameters.minimumRotation;
-  handling.inversionXyTolerance = parameters.inversionXyTolerance;
-  handling.inversionYawTolerance = parameters.inversionYawTolerance;
-  handling.rejectsUnitPath = parameters.rejectsUnitPath;
-  return handling;
+PathPruning pruningOf(const FeasiblePathHandlerParameters& parameters) {
+  PathPruning pruning;
+  pruning.rule = PathPruning::Rule::AlongPath;
+  pruning.searchDistance = parameters.searchDistance;
+  pruning.pruneDistance = parameters.pruneDistance;
+  pruning.keepsLastTwo = true;
+  pruning.enforcesInversion = parameters.enforcesInversion;
+  pruning.enforcesRotation = parameters.enforcesRotation;
+  pruning.minimumRotation = parameters.minimumRotation;
+  pruning.inversionXyTolerance = parameters.inversionXyTolerance;
+  pruning.inversionYawTolerance = parameters.inversionYawTolerance;
+  pruning.rejectsUnitPath = parameters.rejectsUnitPath;
+  return pruning;
 }
 
 }  // namespace sim2d::nav2

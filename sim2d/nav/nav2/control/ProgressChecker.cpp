@@ -17,8 +17,8 @@ struct ProgressCheckerType {
   unsigned distros;
 };
 constexpr ProgressCheckerType kProgressCheckers[] = {
-    {"nav2_controller::SimpleProgressChecker", ProgressChecker::Kind::Simple, kEveryDistro},
-    {"nav2_controller::PoseProgressChecker", ProgressChecker::Kind::Pose, kEveryDistro},
+    {"nav2_controller::SimpleProgressChecker", ProgressChecker::Kind::Simple, kAllDistros},
+    {"nav2_controller::PoseProgressChecker", ProgressChecker::Kind::Pose, kAllDistros},
 };
 
 }  // namespace
@@ -43,11 +43,12 @@ bool ProgressChecker::hasMoved(const Pose2& robot) const {
 const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys() {
   using P = ProgressCheckerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"required_movement_radius", &P::movementRadius, "m", "who leaves this circle gets on"},
+      {"required_movement_radius", &P::movementRadius, "m",
+       "radius that the robot must leave to make progress"},
       {"required_movement_angle", &P::movementAngle, "rad",
-       "who turns more gets on too (PoseProgressChecker)"},
+       "a rotation by more than this is progress too (PoseProgressChecker)"},
       {"movement_time_allowance", &P::movementTimeAllowance, "s",
-       "longer without getting on is a failure"},
+       "maximum time without progress; longer is a failure"},
   };
   return kKeys;
 }
@@ -55,23 +56,22 @@ const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys() {
 std::vector<std::string> progressCheckerPlugins(Distro distro) {
   std::vector<std::string> names;
   for (const ProgressCheckerType& type : kProgressCheckers) {
-    if (isIn(type.distros, distro)) {
+    if (includesDistro(type.distros, distro)) {
       names.emplace_back(type.plugin);
     }
   }
   return names;
 }
 
-base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(const std::string& plugin,
-                                                                   Distro distro,
-                                                                   const Nav2Block& block) {
+base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(
+    const std::string& plugin, Distro distro, const Nav2ParameterBlock& block) {
   for (const ProgressCheckerType& type : kProgressCheckers) {
-    if (pluginName(plugin) != type.plugin || !isIn(type.distros, distro)) {
+    if (normalizedPluginClass(plugin) != type.plugin || !includesDistro(type.distros, distro)) {
       continue;
     }
     base::Diagnostics problems;
     const auto parameters =
-        filled(ProgressCheckerParameters(), progressCheckerKeys(), block, distro, problems);
+        applyBlock(ProgressCheckerParameters(), progressCheckerKeys(), block, distro, problems);
     if (base::hasErrors(problems)) {
       return problems;
     }

@@ -7,7 +7,7 @@
 
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/Nav2Block.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
 namespace sim2d::nav2 {
 
@@ -18,8 +18,8 @@ struct ProgressCheckerParameters {
 };
 const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys();
 
-/// Whether the robot gets on: nav2_controller::SimpleProgressChecker, and PoseProgressChecker, for
-/// which turning counts too.
+/// Checks whether the robot makes progress: nav2_controller::SimpleProgressChecker, and
+/// PoseProgressChecker, for which rotation counts as well.
 class ProgressChecker {
  public:
   enum class Kind { Simple, Pose };
@@ -27,7 +27,7 @@ class ProgressChecker {
       : kind_(kind), parameters_(parameters) {}
 
   void reset() { baseline_.reset(); }
-  /// False when it has been where it was for longer than allowed. `time` [s].
+  /// False if the robot has stayed within the movement radius longer than allowed. `time` [s].
   bool check(const Pose2& robot, double time);
 
  private:
@@ -41,7 +41,7 @@ class ProgressChecker {
 
 base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(const std::string& plugin,
                                                                    Distro distro,
-                                                                   const Nav2Block& block);
+                                                                   const Nav2ParameterBlock& block);
 std::vector<std::string> progressCheckerPlugins(Distro distro);
 
 }  // namespace sim2d::nav2

@@ -8,7 +8,7 @@
 namespace sim2d::nav2 {
 namespace {
 
-/// The nearest point of a segment, as a share of its length.
+/// The nearest point of a segment as a fraction of its length.
 double shareOf(const Vec2& from, const Vec2& along, const Vec2& place) {
   const double length = along.squaredNorm();
   return length > 0.0 ? std::clamp((place - from).dot(along) / length, 0.0, 1.0) : 0.0;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -30,7 +30,7 @@ void KeepoutFilter::updateBounds(const Observation& observation, const Costmap& 
     const std::uint8_t cost = maskCost(pointInMap(frame_, observation.pose.position));
     isOverridden_ = cost == kInscribed || cost == kLethal;
   }
-  if (isNew_ || isOverridden_ != wasOverridden_) {  // the mask counts anew everywhere
+  if (isNew_ || isOverridden_ != wasOverridden_) {  // the whole mask must be applied again
     isNew_ = false;
     for (const double column : {0.0, static_cast<double>(mask_.width())}) {
       for (const double row : {0.0, static_cast<double>(mask_.height())}) {
@@ -120,7 +120,7 @@ void SpeedFilter::updateBounds(const Observation& observation, const Costmap& /*
   limit_ = limit;
 }
 
-std::optional<SpeedLimit> SpeedFilter::takeChange() {
+std::optional<SpeedLimit> SpeedFilter::takeNewLimit() {
   const bool isChanged = std::exchange(isChanged_, false);
   return isChanged ? std::optional<SpeedLimit>(limit_) : std::nullopt;
 }

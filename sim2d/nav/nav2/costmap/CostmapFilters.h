@@ -6,10 +6,11 @@
 #include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "sim2d/nav/nav2/costmap/CostmapParameters.h"
 
-/// Filters: what masks say of places, put over the merged costs.
+/// Costmap filters, which apply masks to the merged costs.
 namespace sim2d::nav2 {
 
-/// The mask raises costs (nav2_costmap_2d::KeepoutFilter): 100 is 254, unknown cells say nothing.
+/// The mask raises costs (nav2_costmap_2d::KeepoutFilter): 100 becomes 254, unknown cells have no
+/// effect.
 class KeepoutFilter final : public CostmapLayer {
  public:
   KeepoutFilter(std::string name, const CostmapContext& context,
@@ -25,14 +26,14 @@ class KeepoutFilter final : public CostmapLayer {
 
   KeepoutFilterParameters parameters_;
   OccupancyGrid mask_;
-  Pose2 frame_;  // of the costmap, in the map
+  Pose2 frame_;  // of the costmap, in the map frame
   bool isNew_ = true;
   bool isOverridden_ = false, wasOverridden_ = false;  // the robot is in a zone and may leave it
 };
 
 /// The mask under the robot is a switch (nav2_costmap_2d::BinaryFilter): the state is
-/// `default_state`, and the other one where base + multiplier * value is above `flip_threshold`. It
-/// returns to the default off the mask, and stays as it is over unknown cells. It changes no costs.
+/// `default_state`, and the opposite where base + multiplier * value > `flip_threshold`. Off the
+/// mask it returns to the default, over unknown cells it is kept. Does not change costs.
 class BinaryFilter final : public CostmapLayer {
  public:
   BinaryFilter(std::string name, const CostmapContext& context,
@@ -44,7 +45,7 @@ class BinaryFilter final : public CostmapLayer {
   void reset(double /*time*/) override { state_ = parameters_.defaultState; }
 
   bool state() const { return state_; }
-  int changes() const { return changes_; }  // of the state so far
+  int changes() const { return changes_; }  // number of state changes so far
 
  private:
   BinaryFilterParameters parameters_;
@@ -53,8 +54,8 @@ class BinaryFilter final : public CostmapLayer {
   int changes_ = 0;
 };
 
-/// The mask under the robot sets a limit of speed (nav2_costmap_2d::SpeedFilter): base + multiplier
-/// * value; 0 is no limit, unknown cells and places off the mask leave it as it is.
+/// The mask under the robot sets a speed limit (nav2_costmap_2d::SpeedFilter): base + multiplier *
+/// value. 0 means no limit; unknown cells and positions off the mask keep the previous limit.
 class SpeedFilter final : public CostmapLayer {
  public:
   SpeedFilter(std::string name, const CostmapContext& context,
@@ -64,8 +65,8 @@ class SpeedFilter final : public CostmapLayer {
                     CostmapBounds& bounds) override;
   void updateCosts(Costmap& /*master*/, const CellWindow& /*window*/) override {}
 
-  /// The limit, if it has changed since the last call.
-  std::optional<SpeedLimit> takeChange();
+  /// Returns the limit if it has changed since the last call.
+  std::optional<SpeedLimit> takeNewLimit();
 
  private:
   SpeedFilterParameters parameters_;

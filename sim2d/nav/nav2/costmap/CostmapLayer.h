@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
@@ -9,13 +10,13 @@
 #include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
-/// What layers of a costmap are to it.
+/// The interface of costmap layers and the types that they share.
 namespace sim2d::nav2 {
 
-/// Places that an update has to look at [m]; empty at first.
+/// The area that an update affects [m]; initially empty.
 struct CostmapBounds {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
   Vec2 high = Vec2::Constant(std::numeric_limits<double>::lowest());
@@ -34,21 +35,21 @@ inline CostmapBounds unboundedBounds() {
   return {none.high, none.low};
 }
 
-/// Cells from (left, bottom) up to, not with, (right, top).
+/// Cells from (left, bottom) inclusive to (right, top) exclusive.
 struct CellWindow {
   int left = 0, bottom = 0, right = 0, top = 0;
 };
 
 /// The mask of a filter (nav2 CostmapFilterInfo): occupancy -> base + multiplier * value.
 struct FilterMask {
-  OccupancyGrid grid;  // of which 100 is most, -1 nothing
+  OccupancyGrid grid;  // 0 to 100; -1 is unknown
   double base = 0.0, multiplier = 1.0;
-  bool isPercentage = true;  // of a speed: percent of the full one, else [m/s]
+  bool isPercentage = true;  // speeds are percentages of the maximum, else [m/s]
 };
 
-using FilterMasks = std::map<std::string, FilterMask>;  // by the names of filters
+using FilterMasks = std::map<std::string, FilterMask>;  // keys are filter names
 
-/// What Nav2 sends to controllers: 0 = none.
+/// A speed limit as Nav2 sends it to controllers; 0 = none.
 struct SpeedLimit {
   double value = 0.0;  // [%] or [m/s]
   bool isPercentage = true;
@@ -57,22 +58,22 @@ struct SpeedLimit {
   }
 };
 
-/// What all layers of one costmap share; lives as long as they do.
+/// Data shared by all layers of one costmap; outlives them.
 struct CostmapContext {
   Distro distro = Distro::Humble;
   CostmapFootprint footprint;
   bool isRolling = false, tracksUnknown = false;
   double lidarHeight = 0.2;  // [m]
-  std::uint8_t freshCost() const { return tracksUnknown ? kNoInformation : kFreeSpace; }
+  std::uint8_t defaultCost() const { return tracksUnknown ? kNoInformation : kFreeSpace; }
 };
 
-/// A point of a costmap in the map, where `frame` is the costmap's frame in the map.
+/// Transforms a point of a costmap into the map frame; `frame` is the costmap's frame in the map.
 inline Vec2 pointInMap(const Pose2& frame, const Vec2& point) {
   return isIdentity(frame) ? point : frame.toWorld(point);
 }
 
-/// A plugin of a costmap. Called in this order: `observe` at each step; at an update `updateBounds`
-/// of all, then `updateCosts` of all in the window that comes of the bounds.
+/// A plugin of a costmap. Call order: `observe` at each step; at an update `updateBounds` of all
+/// layers, then `updateCosts` of all layers in the window that results from the bounds.
 class CostmapLayer {
  public:
   CostmapLayer(std::string name, const CostmapContext& context)
@@ -87,17 +88,17 @@ class CostmapLayer {
   virtual void updateBounds(const Observation& observation, const Costmap& master,
                             CostmapBounds& bounds) = 0;
   virtual void updateCosts(Costmap& master, const CellWindow& window) = 0;
-  /// As after its making, at a time [s].
+  /// Restores the initial state at a time [s].
   virtual void reset(double /*time*/) {}
-  /// Whether what it says is fresh.
+  /// Whether the layer's data are up to date.
   virtual bool isCurrent() const { return true; }
-  /// Whether `clearArea` forgets something.
+  /// Whether `clearArea` has an effect.
   virtual bool isClearable() const { return false; }
-  /// Forgets the cells strictly between two corners, or with `isInverted` all others.
+  /// Clears the cells strictly between two corners, or all others if `isInverted`.
   virtual void clearArea(const Vec2& /*low*/, const Vec2& /*high*/, bool /*isInverted*/) {}
-  /// The path that the robot follows, whenever there is a new one.
+  /// Called with each new path that the robot follows.
   virtual void setPlan(const Path& /*plan*/) {}
-  /// Its own grid, for display; null: none.
+  /// The layer's own grid, for display; may be null.
   virtual const Costmap* grid() const { return nullptr; }
 
   const std::string& name() const { return name_; }
@@ -109,5 +110,29 @@ class CostmapLayer {
   std::string name_;
   const CostmapContext& context_;
 };
+
+/// Grid operations shared by the layers (nav2_costmap_2d, costmap_2d.cpp, costmap_layer.cpp).
+
+/// Width and height as computed by Nav2: (cells - 1/2) * resolution [m].
+Vec2 nav2SizeOf(const Costmap& costmap);
+/// Moves the lower left corner towards `origin` by whole cells, rounded towards 0. Cells that stay
+/// inside keep their costs, the others become `defaultCost`.
+void moveOrigin(Costmap& costmap, const Vec2& origin, std::uint8_t defaultCost);
+/// Returns the cell at a position, or the nearest border cell along each axis.
+Cell nearestCell(const Costmap& costmap, const Vec2& place);
+/// Returns the cells in the bounds; empty when there are none.
+CellWindow windowOf(const Costmap& costmap, const CostmapBounds& bounds);
+inline CellWindow wholeWindow(const Costmap& costmap) {
+  return {0, 0, costmap.width(), costmap.height()};
+}
+
+void fillWindow(Costmap& costmap, const CellWindow& window, std::uint8_t cost);
+/// Methods to merge a grid into one of equal size (combination_method 0, 1, 2, and an exact copy).
+enum class CombinationMethod : std::uint8_t { Overwrite, Maximum, MaximumOfKnown, Copy };
+void mergeWindow(const Costmap& from, const CellWindow& window, CombinationMethod way,
+                 Costmap& into);
+
+/// Fills a convex polygon in world frame including its edges. No effect if a corner is off the map.
+void fillPolygon(Costmap& costmap, const Polygon& polygon, std::uint8_t cost);
 
 }  // namespace sim2d::nav2

@@ -25,27 +25,29 @@ const std::vector<LayerType>& knownLayerTypes() {
       {"nav2_costmap_2d::AsymmetricInflationLayer", AsymmetricInflationLayerParameters{}},
       {"nav2_costmap_2d::DenoiseLayer", DenoiseLayerParameters{}},
       {"nav2_costmap_2d::RangeSensorLayer", RangeSensorLayerParameters{}},
-      {"spatio_temporal_voxel_layer::SpatioTemporalVoxelLayer", DecayLayerParameters{}},
-      {"nav2_costmap_2d::PluginContainerLayer", ContainerLayerParameters{}},
+      {"spatio_temporal_voxel_layer::SpatioTemporalVoxelLayer",
+       SpatioTemporalVoxelLayerParameters{}},
+      {"nav2_costmap_2d::PluginContainerLayer", PluginContainerLayerParameters{}},
       {"nav2_costmap_2d::BinaryFilter", BinaryFilterParameters{}},
   };
   return kTypes;
 }
 
-/// Of obstacle and voxel layers.
+/// Keys shared by obstacle and voxel layers.
 template <class Layer>
 std::vector<Nav2Key<Layer>> obstacleRows() {
   return {
-      {"enabled", &Layer::enabled, "", "Whether the layer takes part."},
+      {"enabled", &Layer::enabled, "", "Whether the layer is enabled."},
       {"footprint_clearing_enabled", &Layer::footprintClearingEnabled, "",
-       "Whether the cells under the robot are free."},
+       "Whether the cells under the robot are set free."},
       {"min_obstacle_height", &Layer::minObstacleHeight, "m", "Lower points are not marked.",
        kSinceJazzy},
       {"max_obstacle_height", &Layer::maxObstacleHeight, "m", "Higher points are not marked."},
       {"combination_method", &Layer::combinationMethod, "",
-       "0: overwrites what lies below; 1: the higher cost; 2: the same where costs are known."},
+       "0: overwrites the costs of the layers below; 1: maximum of both costs; 2: maximum where "
+       "the costs are known."},
       {"observation_sources", &Layer::observationSources, "",
-       "Names of the sources, with blanks between them."},
+       "Names of the sources, separated by blanks."},
   };
 }
 
@@ -86,32 +88,32 @@ const std::vector<Nav2Key<CostmapParameters>>& costmapKeys() {
       {"update_frequency", &P::updateFrequency, "Hz", "Updates per second."},
       {"publish_frequency", &P::publishFrequency, "Hz",
        "Copies per second for behaviours and smoothers."},
-      {"width", &P::width, "m", "Width; a costmap of a map has the map's."},
-      {"height", &P::height, "m", "Height; a costmap of a map has the map's."},
-      {"resolution", &P::resolution, "m", "Side of a cell; a costmap of a map has the map's."},
+      {"width", &P::width, "m", "Width; a costmap with a map has that of the map."},
+      {"height", &P::height, "m", "Height; a costmap with a map has that of the map."},
+      {"resolution", &P::resolution, "m",
+       "Side length of a cell; a costmap with a map has that of the map."},
       {"origin_x", &P::originX, "m", "Lower left corner of a costmap without a map."},
       {"origin_y", &P::originY, "m", "Lower left corner of a costmap without a map."},
       {"rolling_window", &P::rollingWindow, "", "Whether the costmap moves with the robot."},
       {"global_frame", &P::globalFrame, "",
-       "Frame of the costmap. The local one moves with the odometry when it has another frame than "
-       "the "
-       "global one."},
+       "Frame of the costmap. The local costmap uses the odometry frame if its frame differs from "
+       "that of the global one."},
       {"track_unknown_space", &P::trackUnknownSpace, "",
-       "Whether cells that nothing is known of are unknown, else free."},
+       "Whether cells without data are unknown, else free."},
       {"robot_radius", &P::robotRadius, "m", "Radius of a robot without a footprint."},
-      {"footprint", &P::footprint, "m", "Corners of the robot: \"[[x, y], …]\"."},
+      {"footprint", &P::footprint, "m", "Corners of the robot's footprint: \"[[x, y], …]\"."},
       {"footprint_padding", &P::footprintPadding, "m", "Added to the corners on each axis."},
       {"plugins", &P::plugins, "", "Names of the layers, in the order of the update."},
       {"filters", &P::filters, "", "Names of the filters, applied after the layers."},
       {"unknown_cost_value", &P::unknownCostValue, "", "Occupancy that means unknown."},
       {"lethal_cost_threshold", &P::lethalCostThreshold, "",
-       "Occupancy from which on a cell is an obstacle."},
+       "Occupancy from which a cell is an obstacle."},
       {"trinary_costmap", &P::trinaryCostmap, "",
-       "Whether lower occupancies are free, else in proportion."},
+       "Whether lower occupancies are free, else their costs are proportional."},
       {"inscribed_obstacle_cost_value", &P::inscribedObstacleCostValue, "",
-       "Occupancy that means a cell beside an obstacle.", kSinceLyrical},
+       "Occupancy of a cell within the inscribed radius of an obstacle.", kSinceLyrical},
       {"use_maximum", &P::useMaximum, "",
-       "Whether the map only raises what lies below, else it overwrites."},
+       "Whether the map only raises the costs of the layers below, else it overwrites them."},
   };
   return kKeys;
 }
@@ -119,11 +121,11 @@ const std::vector<Nav2Key<CostmapParameters>>& costmapKeys() {
 const std::vector<Nav2Key<StaticLayerParameters>>& staticLayerKeys() {
   using P = StaticLayerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the layer takes part."},
+      {"enabled", &P::enabled, "", "Whether the layer is enabled."},
       {"footprint_clearing_enabled", &P::footprintClearingEnabled, "",
-       "Whether the cells under the robot are free."},
+       "Whether the cells under the robot are set free."},
       {"restore_cleared_footprint", &P::restoreClearedFootprint, "",
-       "Whether they are as before once the robot has left.", kSinceKilted},
+       "Whether these cells are restored after the robot has left them.", kSinceKilted},
   };
   return kKeys;
 }
@@ -134,19 +136,21 @@ const std::vector<Nav2Key<ObservationSource>>& observationSourceKeys() {
       {"topic", &P::topic, "", "Topic of the scans: here always the robot's lidar."},
       {"data_type", &P::dataType, "", "LaserScan or PointCloud2: here always the lidar's scan."},
       {"observation_persistence", &P::observationPersistence, "s",
-       "For how long a scan counts; 0: until the next one."},
+       "Time for which a scan is used; 0: until the next one."},
       {"expected_update_rate", &P::expectedUpdateRate, "s",
-       "The costmap is stale when a scan is older; 0: never."},
-      {"min_obstacle_height", &P::minObstacleHeight, "m", "Lower points are dropped."},
-      {"max_obstacle_height", &P::maxObstacleHeight, "m", "Higher points are dropped."},
+       "Age of a scan from which the costmap is stale; 0: never."},
+      {"min_obstacle_height", &P::minObstacleHeight, "m", "Lower points are ignored."},
+      {"max_obstacle_height", &P::maxObstacleHeight, "m", "Higher points are ignored."},
       {"inf_is_valid", &P::infIsValid, "",
-       "Whether beams that meet nothing clear, else they are dropped."},
+       "Whether beams without a hit clear cells, else they are ignored."},
       {"marking", &P::marking, "", "Whether points become obstacles."},
-      {"clearing", &P::clearing, "", "Whether beams free what they pass."},
+      {"clearing", &P::clearing, "", "Whether beams clear the cells that they pass."},
       {"obstacle_max_range", &P::obstacleMaxRange, "m", "Farther points do not mark."},
       {"obstacle_min_range", &P::obstacleMinRange, "m", "Nearer points do not mark."},
-      {"raytrace_max_range", &P::raytraceMaxRange, "m", "Nothing is cleared beyond it."},
-      {"raytrace_min_range", &P::raytraceMinRange, "m", "Nothing is cleared before it."},
+      {"raytrace_max_range", &P::raytraceMaxRange, "m",
+       "No cells are cleared beyond this distance."},
+      {"raytrace_min_range", &P::raytraceMinRange, "m",
+       "No cells are cleared within this distance."},
   };
   return kKeys;
 }
@@ -163,9 +167,10 @@ const std::vector<Nav2Key<VoxelLayerParameters>>& voxelLayerKeys() {
     std::vector<Nav2Key<P>> keys = obstacleRows<P>();
     keys.push_back({"origin_z", &P::originZ, "m", "Height of the lowest voxel."});
     keys.push_back({"z_resolution", &P::zResolution, "m", "Height of a voxel."});
-    keys.push_back({"z_voxels", &P::zVoxels, "", "Voxels above each other, 16 at most."});
+    keys.push_back({"z_voxels", &P::zVoxels, "", "Number of voxels per column, at most 16."});
     keys.push_back({"mark_threshold", &P::markThreshold, "",
-                    "A column with more marked voxels is an obstacle: from 1 on none here."});
+                    "A column with more marked voxels is an obstacle; from 1 no column is one in "
+                    "this program."});
     return keys;
   }();
   return kKeys;
@@ -174,14 +179,16 @@ const std::vector<Nav2Key<VoxelLayerParameters>>& voxelLayerKeys() {
 const std::vector<Nav2Key<InflationLayerParameters>>& inflationLayerKeys() {
   using P = InflationLayerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the layer takes part."},
-      {"inflation_radius", &P::inflationRadius, "m", "Range of costs round obstacles."},
-      {"cost_scaling_factor", &P::costScalingFactor, "1/m", "How fast they fall off."},
-      {"inflate_unknown", &P::inflateUnknown, "", "Whether costs go into unknown cells."},
+      {"enabled", &P::enabled, "", "Whether the layer is enabled."},
+      {"inflation_radius", &P::inflationRadius, "m", "Radius of the inflation around obstacles."},
+      {"cost_scaling_factor", &P::costScalingFactor, "1/m",
+       "Rate of the exponential decay of the costs."},
+      {"inflate_unknown", &P::inflateUnknown, "", "Whether unknown cells are inflated."},
       {"inflate_around_unknown", &P::inflateAroundUnknown, "",
        "Whether unknown cells count as obstacles."},
       {"custom_inscribed_radius", &P::customInscribedRadius, "m",
-       "Radius of certain collision; below 0: that of the footprint.", kSinceLyrical},
+       "Inscribed radius, within which a collision is certain; below 0: that of the footprint.",
+       kSinceLyrical},
   };
   return kKeys;
 }
@@ -189,13 +196,16 @@ const std::vector<Nav2Key<InflationLayerParameters>>& inflationLayerKeys() {
 const std::vector<Nav2Key<SocialLayerParameters>>& socialLayerKeys() {
   using P = SocialLayerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the layer takes part."},
+      {"enabled", &P::enabled, "", "Whether the layer is enabled."},
       {"amplitude", &P::amplitude, "", "Cost at a person's centre, 0 to 254."},
-      {"sigma_per_speed", &P::sigmaPerSpeed, "s", "Deviation ahead of a person per speed."},
-      {"sigma_min", &P::sigmaMin, "m", "Deviation ahead of a person, at least."},
-      {"side_ratio", &P::sideRatio, "", "Deviation to the sides / ahead."},
-      {"rear_ratio", &P::rearRatio, "", "Deviation behind / ahead."},
-      {"cutoff", &P::cutoff, "", "Lower costs are left out, 1 to 254."},
+      {"sigma_per_speed", &P::sigmaPerSpeed, "s",
+       "Standard deviation in front of a person per speed."},
+      {"sigma_min", &P::sigmaMin, "m", "Minimum standard deviation in front of a person."},
+      {"side_ratio", &P::sideRatio, "",
+       "Ratio of the standard deviations to the sides and in "
+       "front."},
+      {"rear_ratio", &P::rearRatio, "", "Ratio of the standard deviations behind and in front."},
+      {"cutoff", &P::cutoff, "", "Lower costs are omitted, 1 to 254."},
   };
   return kKeys;
 }
@@ -203,15 +213,15 @@ const std::vector<Nav2Key<SocialLayerParameters>>& socialLayerKeys() {
 const std::vector<Nav2Key<KeepoutFilterParameters>>& keepoutFilterKeys() {
   using P = KeepoutFilterParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the filter takes part."},
+      {"enabled", &P::enabled, "", "Whether the filter is enabled."},
       {"override_lethal_cost", &P::overrideLethalCost, "",
        "Whether a robot in a keep-out zone may drive out of it.", kSinceJazzy},
-      {"lethal_override_cost", &P::lethalOverrideCost, "", "Cost of the zone while it does.",
-       kSinceJazzy},
+      {"lethal_override_cost", &P::lethalOverrideCost, "",
+       "Cost of the zone while the robot drives out.", kSinceJazzy},
       {"filter_info_topic", &P::filterInfoTopic, "",
-       "Topic of the costmap_filter_info_server whose mask counts."},
+       "Topic of the costmap_filter_info_server whose mask is used."},
       {"mask_file", &P::maskFile, "",
-       "The mask, a map's YAML beside this file. A key of this program, instead of the topic."},
+       "Mask: YAML file of a map beside this file. Key of this program that replaces the topic."},
   };
   return kKeys;
 }
@@ -219,67 +229,67 @@ const std::vector<Nav2Key<KeepoutFilterParameters>>& keepoutFilterKeys() {
 const std::vector<Nav2Key<SpeedFilterParameters>>& speedFilterKeys() {
   using P = SpeedFilterParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the filter takes part."},
+      {"enabled", &P::enabled, "", "Whether the filter is enabled."},
       {"filter_info_topic", &P::filterInfoTopic, "",
-       "Topic of the costmap_filter_info_server whose mask counts."},
+       "Topic of the costmap_filter_info_server whose mask is used."},
       {"mask_file", &P::maskFile, "",
-       "The mask, a map's YAML beside this file. A key of this program, instead of the topic."},
+       "Mask: YAML file of a map beside this file. Key of this program that replaces the topic."},
       {"mask_base", &P::maskBase, "",
-       "Limit where the mask is 0 to 100: base + multiplier * value. A key of this program."},
-      {"mask_multiplier", &P::maskMultiplier, "", "See mask_base. A key of this program."},
+       "Limit for mask values from 0 to 100: base + multiplier * value. Key of this program."},
+      {"mask_multiplier", &P::maskMultiplier, "", "See mask_base. Key of this program."},
       {"mask_is_percentage", &P::maskIsPercentage, "",
-       "Whether the limit is in percent of the full speed, else m/s. A key of this program."},
+       "Whether the limit is in percent of the maximum speed, else in m/s. Key of this program."},
   };
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleCostmapKeys() {
-  static const std::vector<IdleKey> kKeys = {
-      {"robot_base_frame", "the base frames of a robot coincide here"},
-      {"transform_tolerance", "no TF here"},
-      {"initial_transform_timeout", "no TF here", kSinceJazzy},
-      {"always_send_full_costmap", "a published costmap is whole here"},
+const std::vector<IgnoredKey>& ignoredCostmapKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"robot_base_frame", "all base frames of a robot are identical"},
+      {"transform_tolerance", "TF is not used"},
+      {"initial_transform_timeout", "TF is not used", kSinceJazzy},
+      {"always_send_full_costmap", "published costmaps are always complete"},
       {"map_topic", "the map is the scenario's", kUntilJazzy},
-      {"map_vis_z", "for displays of ROS", kSinceJazzy},
-      {"observation_sources", "those of the layers count", kUntilKilted},
-      {"use_sim_time", "time is simulated here"},
-      {"introspection_mode", "no services of ROS here"},
-      {"subscribe_to_stamped_footprint", "the footprint does not change here", kSinceLyrical},
+      {"map_vis_z", "only used by ROS displays", kSinceJazzy},
+      {"observation_sources", "those of the layers are used", kUntilKilted},
+      {"use_sim_time", "time is always simulated"},
+      {"introspection_mode", "ROS services are not used"},
+      {"subscribe_to_stamped_footprint", "the footprint is constant", kSinceLyrical},
   };
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleLayerKeys() {
-  static const std::vector<IdleKey> kKeys = {
-      {"plugin", "is the type"},
+const std::vector<IgnoredKey>& ignoredLayerKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"plugin", "it is the type of the layer"},
       {"map_subscribe_transient_local", "the map is the scenario's"},
-      {"subscribe_to_updates", "the map does not change here"},
+      {"subscribe_to_updates", "the map is constant"},
       {"map_topic", "the map is the scenario's"},
-      {"transform_tolerance", "no TF here"},
-      {"tf_filter_tolerance", "no TF here", kSinceKilted},
-      {"transport_type", "no topics here", kSinceLyrical},
-      {"unknown_threshold", "no voxels here: it counts as 15"},
-      {"publish_voxel_map", "for displays of ROS"},
+      {"transform_tolerance", "TF is not used"},
+      {"tf_filter_tolerance", "TF is not used", kSinceKilted},
+      {"transport_type", "ROS topics are not used", kSinceLyrical},
+      {"unknown_threshold", "voxels are not used: treated as 15"},
+      {"publish_voxel_map", "only used by ROS displays"},
       {"num_threads", "costs do not depend on it", kSinceLyrical},
       {"mask_topic", "filter_info_topic determines the mask"},
-      {"speed_limit_topic", "the costmap passes its limit on"},
-      {"enable_path_lookahead", "not re-implemented: only the cell of the robot counts",
+      {"speed_limit_topic", "the costmap passes its limit directly"},
+      {"enable_path_lookahead", "not re-implemented: only the cell of the robot is used",
        kSinceLyrical},
-      {"max_decel", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
-      {"max_lookahead", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
-      {"min_lookahead", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
-      {"binary_state_topic", "no topics here: the manifest has the state"},
-      {"plan_topic", "the path is handed over", kSinceLyrical},
-      {"odom_topic", "no topics here", kSinceLyrical},
-      {"path_topic", "no topics here", kSinceLyrical},
+      {"max_decel", "not re-implemented: only the cell of the robot is used", kSinceLyrical},
+      {"max_lookahead", "not re-implemented: only the cell of the robot is used", kSinceLyrical},
+      {"min_lookahead", "not re-implemented: only the cell of the robot is used", kSinceLyrical},
+      {"binary_state_topic", "ROS topics are not used: the manifest contains the state"},
+      {"plan_topic", "the path is passed directly", kSinceLyrical},
+      {"odom_topic", "ROS topics are not used", kSinceLyrical},
+      {"path_topic", "ROS topics are not used", kSinceLyrical},
   };
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleSourceKeys() {
-  static const std::vector<IdleKey> kKeys = {
-      {"sensor_frame", "the lidar knows where it is"},
-      {"transport_type", "no topics here", kSinceLyrical},
+const std::vector<IgnoredKey>& ignoredSourceKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"sensor_frame", "the robot's lidar determines the sensor pose"},
+      {"transport_type", "ROS topics are not used", kSinceLyrical},
   };
   return kKeys;
 }

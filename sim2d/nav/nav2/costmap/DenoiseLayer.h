@@ -10,9 +10,9 @@
 namespace sim2d::nav2 {
 
 /// Frees small groups of obstacle cells in the merged costs (nav2_costmap_2d::DenoiseLayer). As in
-/// Nav2 an obstacle is a cell of cost 254 or 253, and an unknown one in a costmap that does not
-/// track unknown space; groups are looked for in the updated window alone, so one at its border may
-/// be cut.
+/// Nav2 an obstacle is a cell of cost 254 or 253, or an unknown one in a costmap that does not
+/// track unknown space. Groups are searched only in the updated window, so one at its border may be
+/// cut.
 class DenoiseLayer final : public CostmapLayer {
  public:
   DenoiseLayer(std::string name, const CostmapContext& context,
@@ -31,8 +31,8 @@ class DenoiseLayer final : public CostmapLayer {
   void findGroup(const Costmap& master, const CellWindow& window, Cell from);
 
   DenoiseLayerParameters parameters_;
-  std::vector<char> seen_;   // of the window, row by row
-  std::vector<Cell> group_;  // the one that was found last
+  std::vector<char> seen_;   // cells of the window, row-major
+  std::vector<Cell> group_;  // the last group found
 };
 
 }  // namespace sim2d::nav2

@@ -13,37 +13,37 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr std::size_t kMostCorners = 1000;
-constexpr double kFarthestCorner = 100000.0;  // [m]
+constexpr std::size_t kMaxCorners = 1000;
+constexpr double kMaxCornerDistance = 100000.0;  // [m]
 
-/// Reads "[[x, y], …]" as Nav2 does: commas may be missing or too many.
-class PolygonText {
+/// Parses "[[x, y], …]" like Nav2: commas may be missing or repeated.
+class PolygonParser {
  public:
-  explicit PolygonText(std::string_view text) : rest_(text) {}
+  explicit PolygonParser(std::string_view text) : rest_(text) {}
 
   std::optional<Polygon> read() {
     Polygon polygon;
-    bool isRight = takeSign('[');
-    while (isRight && takeSign('[')) {
+    bool isValid = consume('[');
+    while (isValid && consume('[')) {
       Vec2 corner = Vec2::Zero();
-      isRight = takeNumber(corner.x()) && takeNumber(corner.y()) && takeSign(']');
+      isValid = parseNumber(corner.x()) && parseNumber(corner.y()) && consume(']');
       polygon.push_back(corner);
     }
-    isRight = isRight && takeSign(']') && base::trimmed(rest_).empty();
-    return isRight ? std::optional<Polygon>(std::move(polygon)) : std::nullopt;
+    isValid = isValid && consume(']') && base::trimmed(rest_).empty();
+    return isValid ? std::optional<Polygon>(std::move(polygon)) : std::nullopt;
   }
 
  private:
   void skipSeparators() {
     rest_.remove_prefix(std::min(rest_.find_first_not_of(", \t\r\n"), rest_.size()));
   }
-  bool takeSign(char sign) {
+  bool consume(char sign) {
     skipSeparators();
     const bool isThere = !rest_.empty() && rest_.front() == sign;
     rest_.remove_prefix(isThere ? 1 : 0);
     return isThere;
   }
-  bool takeNumber(double& number) {
+  bool parseNumber(double& number) {
     skipSeparators();
     const std::string_view token = rest_.substr(0, rest_.find_first_of("[], \t\r\n"));
     const std::optional<double> value = base::parseDouble(token);
@@ -73,7 +73,7 @@ Polygon circlePolygon(double radius) {
   Polygon polygon;
   polygon.reserve(kCorners);
   for (int i = 0; i < kCorners; ++i) {
-    // In doubles the cosine of a right angle is not quite 0: Nav2 pads it, and so do we.
+    // In doubles the cosine of a right angle is not exactly 0. Nav2 pads it, and so does this code.
     const base::SinCos angle = base::sinCos(i * 2.0 * base::kPi / kCorners);
     polygon.emplace_back(radius * angle.cos, radius * angle.sin);
   }
@@ -88,7 +88,7 @@ Polygon padded(const Polygon& polygon, double padding) {
   return wide;
 }
 
-Polygon placed(const Polygon& polygon, const Pose2& pose) {
+Polygon transformed(const Polygon& polygon, const Pose2& pose) {
   const Vec2 ahead = pose.direction();
   Polygon world = polygon;
   for (Vec2& corner : world) {
@@ -99,7 +99,7 @@ Polygon placed(const Polygon& polygon, const Pose2& pose) {
 }
 
 base::Result<Polygon> readPolygon(std::string_view text) {
-  std::optional<Polygon> polygon = PolygonText(text).read();
+  std::optional<Polygon> polygon = PolygonParser(text).read();
   if (!polygon) {
     return base::error("nav2.polygon-unreadable", {text});
   }
@@ -107,10 +107,10 @@ base::Result<Polygon> readPolygon(std::string_view text) {
     return base::error("nav2.polygon-too-small", {text});
   }
   const auto isFar = [](const Vec2& corner) {
-    return !(corner.array().abs() <= kFarthestCorner).all();
+    return !(corner.array().abs() <= kMaxCornerDistance).all();
   };
-  if (polygon->size() > kMostCorners || std::any_of(polygon->begin(), polygon->end(), isFar)) {
-    return base::error("nav2.polygon-too-large", {kMostCorners, kFarthestCorner});
+  if (polygon->size() > kMaxCorners || std::any_of(polygon->begin(), polygon->end(), isFar)) {
+    return base::error("nav2.polygon-too-large", {kMaxCorners, kMaxCornerDistance});
   }
   return *std::move(polygon);
 }
@@ -150,6 +150,53 @@ CostmapFootprint costmapFootprint(double radius, const Polygon& corners, double 
   footprint.inscribed = inscribedRadius(footprint.corners);
   footprint.circumscribed = circumscribedRadius(footprint.corners);
   return footprint;
+}
+
+std::uint8_t pointCost(const Costmap& costmap, const Vec2& place) {
+  const std::optional<Cell> cell = costmap.worldToCell(place);
+  return cell ? costmap.at(*cell) : kLethal;
+}
+
+std::uint8_t lineCost(const Costmap& costmap, Cell from, Cell to) {
+  std::uint8_t most = kFreeSpace;
+  visitLine(from, to, [&costmap, &most](Cell cell) {
+    const std::uint8_t cost = costmap.at(cell);
+    most = cost == kLethal ? kLethal : std::max(most, cost);
+    return cost != kLethal;
+  });
+  return most;
+}
+
+std::uint8_t polygonCost(const Costmap& costmap, const Polygon& polygon) {
+  if (polygon.empty()) {
+    return kFreeSpace;
+  }
+  std::optional<Cell> first = costmap.worldToCell(polygon.front());
+  if (!first) {
+    return kLethal;
+  }
+  Cell from = *first;
+  std::uint8_t most = kFreeSpace;
+  for (std::size_t i = 1; i < polygon.size() && most != kLethal; ++i) {
+    const std::optional<Cell> to = costmap.worldToCell(polygon[i]);
+    if (!to) {
+      return kLethal;
+    }
+    most = std::max(most, lineCost(costmap, from, *to));
+    from = *to;
+  }
+  return most == kLethal ? kLethal : std::max(most, lineCost(costmap, *first, from));
+}
+
+std::uint8_t footprintCost(const Costmap& costmap, const Polygon& corners, const Pose2& pose) {
+  return polygonCost(costmap, transformed(corners, pose));
+}
+
+bool isInCollision(const Costmap& costmap, const CostmapFootprint& footprint, const Pose2& pose,
+                   bool isUnknownFree) {
+  return footprint.isRadius
+             ? isCentreCollision(pointCost(costmap, pose.position), isUnknownFree)
+             : isEdgeCollision(footprintCost(costmap, footprint.corners, pose), isUnknownFree);
 }
 
 }  // namespace sim2d::nav2

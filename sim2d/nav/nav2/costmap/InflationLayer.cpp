@@ -3,37 +3,57 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/base/Math.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 
 namespace sim2d::nav2 {
+
+std::uint8_t InflationCostFunction::cost(double distance) const {
+  if (distance <= 0.0) {
+    return kLethal;
+  }
+  if (distance <= inscribed) {
+    return kInscribed;
+  }
+  constexpr double kMax = kInscribed - 1;
+  const double cost = kMax * base::exp(-scaling * (distance - inscribed));
+  return static_cast<std::uint8_t>(std::fmin(cost, kMax));  // a negative scaling makes costs rise
+}
+
+double InflationCostFunction::distance(std::uint8_t cost) const {
+  return inscribed - base::log(static_cast<double>(cost) / kInscribed) / scaling;
+}
+
 namespace {
 
-constexpr double kTableSteps = 100.0;  // per cell, of Nav2 main
+constexpr double kTableSteps = 100.0;  // per cell, as in Nav2 main
 
-InflationLaw lawOf(const InflationLayerParameters& parameters, const CostmapContext& context) {
+InflationCostFunction costFunctionOf(const InflationLayerParameters& parameters,
+                                     const CostmapContext& context) {
   const bool isCustom =
       context.distro >= Distro::Lyrical && parameters.customInscribedRadius >= 0.0;
   return {parameters.inflationRadius, parameters.costScalingFactor,
           isCustom ? parameters.customInscribedRadius : context.footprint.inscribed};
 }
 
-constexpr int kBlock = 8;           // columns worked at in one go
-constexpr int kMostRadius16 = 127;  // [cells]; (r + 1)² + r² fits 16 bits
+constexpr int kBlock = 8;          // columns processed together
+constexpr int kMaxRadius16 = 127;  // [cells]; (r + 1)² + r² fits 16 bits
 
 bool isInside(const CellWindow& window, Cell cell) {
   return cell.column >= window.left && cell.column < window.right && cell.row >= window.bottom &&
          cell.row < window.top;
 }
 
-int blocksFor(const CellWindow& window) {
+int blockCount(const CellWindow& window) {
   return (window.right - window.left + kBlock - 1) / kBlock;
 }
 
-/// `squares` lowered to those of `line` plus `more`; of a fixed length, so that it is vectorised.
+/// Lowers `squares` to `line` plus `more`; the fixed length allows vectorization.
 template <class Square>
-void lowerBlock(std::array<Square, kBlock>& squares, const Square* line, Square more) {
+void minimizeBlock(std::array<Square, kBlock>& squares, const Square* line, Square more) {
   for (std::size_t i = 0; i < squares.size(); ++i) {
     squares[i] = std::min(squares[i], static_cast<Square>(line[i] + more));
   }
@@ -45,7 +65,7 @@ InflationLayer::InflationLayer(std::string name, const CostmapContext& context,
                                const InflationLayerParameters& parameters, double resolution)
     : CostmapLayer(std::move(name), context),
       parameters_(parameters),
-      law_(lawOf(parameters, context)),
+      costFunction_(costFunctionOf(parameters, context)),
       radius_(Costmap(0, 0, resolution, Vec2::Zero()).cellDistance(parameters.inflationRadius)) {
   const int most = radius_ * radius_;
   costs_.reserve(static_cast<std::size_t>(most) + 1);
@@ -54,7 +74,7 @@ InflationLayer::InflationLayer(std::string name, const CostmapContext& context,
     if (context.distro >= Distro::Lyrical) {
       cells = std::round(cells * kTableSteps) / kTableSteps;
     }
-    costs_.push_back(law_.cost(cells * resolution));
+    costs_.push_back(costFunction_.cost(cells * resolution));
   }
   bins_.resize(costs_.size());
 }
@@ -62,13 +82,13 @@ InflationLayer::InflationLayer(std::string name, const CostmapContext& context,
 void InflationLayer::updateBounds(const Observation& /*observation*/, const Costmap& /*master*/,
                                   CostmapBounds& bounds) {
   const CostmapBounds now = bounds;
-  if (isWhole_) {
+  if (needsFullUpdate_) {
     bounds = unboundedBounds();
-    isWhole_ = false;
+    needsFullUpdate_ = false;
   } else {
-    bounds.touch(last_);  // so that what is no longer there deflates
-    bounds.low -= Vec2::Constant(law_.radius);
-    bounds.high += Vec2::Constant(law_.radius);
+    bounds.touch(last_);  // so that removed obstacles deflate
+    bounds.low -= Vec2::Constant(costFunction_.radius);
+    bounds.high += Vec2::Constant(costFunction_.radius);
   }
   last_ = now;
 }
@@ -78,21 +98,21 @@ void InflationLayer::updateCosts(Costmap& master, const CellWindow& window) {
   if (!parameters_.enabled || radius_ == 0) {
     return;
   }
-  // Obstacles outside the window reach into it.
+  // Obstacles outside the window affect costs inside.
   const CellWindow wide{std::max(0, window.left - radius_), std::max(0, window.bottom - radius_),
                         std::min(master.width(), window.right + radius_),
                         std::min(master.height(), window.top + radius_)};
   if (context().distro < Distro::Lyrical) {
     inflateBySpreading(master, window, wide);
-  } else if (radius_ <= kMostRadius16) {
-    inflateExactly(master, window, wide, across_);
+  } else if (radius_ <= kMaxRadius16) {
+    inflateExactly(master, window, wide, rowDistances_);
   } else {
-    inflateExactly(master, window, wide, acrossFar_);
+    inflateExactly(master, window, wide, rowDistancesLarge_);
   }
 }
 
 void InflationLayer::reset(double /*time*/) {
-  isWhole_ = true;
+  needsFullUpdate_ = true;
   isCurrent_ = false;
 }
 
@@ -100,7 +120,7 @@ bool InflationLayer::isSource(std::uint8_t cost) const {
   return cost == kLethal || (cost == kNoInformation && parameters_.inflateAroundUnknown);
 }
 
-std::uint8_t InflationLayer::raised(std::uint8_t old, std::uint8_t cost) const {
+std::uint8_t InflationLayer::raisedCost(std::uint8_t old, std::uint8_t cost) const {
   if (old == kNoInformation) {
     const std::uint8_t least = parameters_.inflateUnknown ? std::uint8_t{1} : kInscribed;
     return cost >= least ? cost : old;
@@ -117,10 +137,10 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
       }
     }
   }
-  beginSeen(master);
+  resetSeen(master);
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
-    for (std::size_t i = 0; i < bins_[bin].size(); ++i) {  // may grow meanwhile
-      const Spread spread = bins_[bin][i];
+    for (std::size_t i = 0; i < bins_[bin].size(); ++i) {  // may grow during the loop
+      const InflationCell spread = bins_[bin][i];
       const Cell cell = spread.cell;
       char& isSeen = seen_[seenIndex(cell)];
       if (isSeen != 0) {
@@ -128,7 +148,7 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
       }
       isSeen = 1;
       if (isInside(window, cell)) {
-        master.set(cell, raised(master.at(cell), costs_[bin]));
+        master.set(cell, raisedCost(master.at(cell), costs_[bin]));
       }
       enqueue({{cell.column - 1, cell.row}, spread.source}, bin);
       enqueue({{cell.column, cell.row - 1}, spread.source}, bin);
@@ -139,8 +159,8 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
   }
 }
 
-/// Nothing is seen but a border about the map.
-void InflationLayer::beginSeen(const Costmap& master) {
+/// Marks only a border around the map as seen.
+void InflationLayer::resetSeen(const Costmap& master) {
   seenWidth_ = static_cast<std::size_t>(master.width()) + 2;
   seen_.assign(seenWidth_ * (static_cast<std::size_t>(master.height()) + 2), 1);
   for (int row = 0; row < master.height(); ++row) {
@@ -149,8 +169,8 @@ void InflationLayer::beginSeen(const Costmap& master) {
   }
 }
 
-/// Bins before `bin` are done.
-void InflationLayer::enqueue(const Spread& spread, std::size_t bin) {
+/// Bins before `bin` are complete.
+void InflationLayer::enqueue(const InflationCell& spread, std::size_t bin) {
   if (seen_[seenIndex(spread.cell)] != 0) {
     return;
   }
@@ -163,12 +183,12 @@ void InflationLayer::enqueue(const Spread& spread, std::size_t bin) {
   }
 }
 
-/// Squared distance to the nearest source in the same row, in `across`: rows of `wide`, columns of
-/// `window`, filled up to whole blocks.
+/// Writes the squared distance to the nearest source in the same row into `across`: rows of `wide`,
+/// columns of `window`, padded to whole blocks.
 template <class Square>
 void InflationLayer::findRowDistances(const Costmap& master, const CellWindow& window,
                                       const CellWindow& wide, std::vector<Square>& across) const {
-  const int stride = blocksFor(window) * kBlock;
+  const int stride = blockCount(window) * kBlock;
   const int far = radius_ + 1;
   across.assign(static_cast<std::size_t>(stride) * static_cast<std::size_t>(wide.top - wide.bottom),
                 static_cast<Square>(far * far));
@@ -193,12 +213,12 @@ void InflationLayer::findRowDistances(const Costmap& master, const CellWindow& w
   }
 }
 
-/// The squares of the rows around plus that of the way up or down: the least of them.
+/// Minimizes row distance² + vertical distance² over the rows within the radius.
 template <class Square>
 void InflationLayer::inflateExactly(Costmap& master, const CellWindow& window,
                                     const CellWindow& wide, std::vector<Square>& across) {
   findRowDistances(master, window, wide, across);
-  const int blocks = blocksFor(window), width = window.right - window.left;
+  const int blocks = blockCount(window), width = window.right - window.left;
   const int most = radius_ * radius_;
   for (int row = window.bottom; row < window.top; ++row) {
     const int from = std::max(wide.bottom, row - radius_) - wide.bottom;
@@ -210,18 +230,144 @@ void InflationLayer::inflateExactly(Costmap& master, const CellWindow& window,
       const Square* line = across.data() + (from * blocks + block) * kBlock;
       for (int other = from; other < to; ++other, line += blocks * kBlock) {
         const int up = other + wide.bottom - row;
-        lowerBlock(squares, line, static_cast<Square>(up * up));
+        minimizeBlock(squares, line, static_cast<Square>(up * up));
       }
       const int last = std::min(kBlock, width - block * kBlock);
       for (int i = 0; i < last; ++i) {
         const int square = squares[static_cast<std::size_t>(i)];
         if (square <= most) {
           std::uint8_t& cost = costs[block * kBlock + i];
-          cost = raised(cost, costs_[static_cast<std::size_t>(square)]);
+          cost = raisedCost(cost, costs_[static_cast<std::size_t>(square)]);
         }
       }
     }
   }
+}
+
+namespace {
+
+InflationLayerParameters withFactor(const AsymmetricInflationLayerParameters& parameters,
+                                    double factor) {
+  InflationLayerParameters one;
+  one.enabled = parameters.enabled;
+  one.inflationRadius = parameters.inflationRadius;
+  one.costScalingFactor = factor;
+  one.inflateUnknown = parameters.inflateUnknown;
+  one.inflateAroundUnknown = parameters.inflateAroundUnknown;
+  return one;
+}
+
+CostmapContext withJazzyDistro(CostmapContext context) {
+  context.distro = Distro::Jazzy;
+  return context;
+}
+
+}  // namespace
+
+LegacyInflationLayer::LegacyInflationLayer(std::string name, const CostmapContext& context,
+                                           const LegacyInflationLayerParameters& parameters,
+                                           double resolution)
+    : CostmapContext(withJazzyDistro(context)),
+      InflationLayer(std::move(name), static_cast<const CostmapContext&>(*this), parameters,
+                     resolution) {}
+
+AsymmetricInflationLayer::AsymmetricInflationLayer(
+    const std::string& name, const CostmapContext& context,
+    const AsymmetricInflationLayerParameters& parameters, double resolution)
+    : CostmapLayer(name, context),
+      parameters_(parameters),
+      left_(name, context, withFactor(parameters, parameters.costScalingFactorLeft), resolution),
+      right_(name, context, withFactor(parameters, parameters.costScalingFactorRight), resolution),
+      both_(name, context,
+            withFactor(parameters, std::max(parameters.costScalingFactorLeft,
+                                            parameters.costScalingFactorRight)),
+            resolution) {}
+
+void AsymmetricInflationLayer::setPlan(const Path& plan) {
+  isNew_ = isNew_ || plan != plan_;
+  plan_ = plan;
+}
+
+void AsymmetricInflationLayer::updateBounds(const Observation& observation, const Costmap& master,
+                                            CostmapBounds& bounds) {
+  const bool wasAsymmetric = isAsymmetric_;
+  isAsymmetric_ = plan_.size() >= 2 && (observation.pose.position - plan_.back().position).norm() >
+                                           parameters_.goalDistanceThreshold;
+  left_.updateBounds(observation, master, bounds);
+  if (wasAsymmetric != isAsymmetric_ || (isNew_ && isAsymmetric_)) {
+    bounds = unboundedBounds();
+  }
+  isNew_ = false;
+}
+
+void AsymmetricInflationLayer::updateCosts(Costmap& master, const CellWindow& window) {
+  isCurrent_ = true;
+  if (!isAsymmetric_) {
+    both_.updateCosts(master, window);
+    return;
+  }
+  Costmap left = master, right = master;
+  removeOtherSide(master, left, right);
+  left_.updateCosts(left, window);
+  right_.updateCosts(right, window);
+  for (int row = window.bottom; row < window.top; ++row) {
+    for (int column = window.left; column < window.right; ++column) {
+      const Cell cell{column, row};
+      const std::uint8_t old = master.at(cell), l = left.at(cell), r = right.at(cell);
+      if (old != kNoInformation) {
+        master.set(cell, std::max({old, l, r}));
+      } else if (!isSource(old)) {  // stays 255 only if neither side raises it
+        master.set(cell, l == old ? r : r == old ? l : std::max(l, r));
+      }
+    }
+  }
+}
+
+bool AsymmetricInflationLayer::isSource(std::uint8_t cost) const {
+  return cost == kLethal || (cost == kNoInformation && parameters_.inflateAroundUnknown);
+}
+
+/// Keeps in `left` and `right` only the obstacles on that side of the plan.
+void AsymmetricInflationLayer::removeOtherSide(const Costmap& master, Costmap& left,
+                                               Costmap& right) const {
+  for (int row = 0; row < master.height(); ++row) {
+    for (int column = 0; column < master.width(); ++column) {
+      const Cell cell{column, row};
+      if (isSource(master.at(cell))) {
+        (isLeft(master.cellToWorld(cell)) ? right : left).set(cell, kFreeSpace);
+      }
+    }
+  }
+}
+
+void AsymmetricInflationLayer::reset(double time) {
+  left_.reset(time);
+  plan_.clear();
+  isNew_ = true;
+  isCurrent_ = false;
+}
+
+InflationCostFunction AsymmetricInflationLayer::costFunction() const {
+  InflationCostFunction costFunction = left_.costFunction();
+  costFunction.scaling =
+      0.5 * (parameters_.costScalingFactorLeft + parameters_.costScalingFactorRight);
+  return costFunction;
+}
+
+bool AsymmetricInflationLayer::isLeft(const Vec2& place) const {
+  std::size_t nearest = 0;
+  double least = (plan_[0].position - place).squaredNorm();
+  for (std::size_t i = 1; i < plan_.size(); ++i) {
+    const double square = (plan_[i].position - place).squaredNorm();
+    if (square < least) {
+      least = square;
+      nearest = i;
+    }
+  }
+  const std::size_t from = std::min(nearest, plan_.size() - 2);
+  const Vec2 way = plan_[from + 1].position - plan_[from].position;
+  const Vec2 offset = place - plan_[from].position;
+  return way.x() * offset.y() - way.y() * offset.x() > 0.0;
 }
 
 }  // namespace sim2d::nav2

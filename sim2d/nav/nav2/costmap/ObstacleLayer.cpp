@@ -8,20 +8,81 @@
 #include <optional>
 #include <utility>
 
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/base/Math.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-constexpr int kMostVoxels = 16;
-constexpr double kEdgeMargin = 1e-3;  // [m] inside of the map where rays leave it, as Nav2 has it
+constexpr double kInfiniteMargin = 1e-4;      // [m], as in Nav2's ObstacleLayer
+constexpr double kBufferTimeRounding = 1e-9;  // [s], rounding of times
+
+}  // namespace
+
+void ObservationBuffer::observe(const LaserScan& scan) {
+  if (!(scan.time > lastScan_)) {
+    return;
+  }
+  lastScan_ = scan.time;
+  lastTime_ = scan.time;
+  PointCloud cloud;
+  if (source_.observationPersistence == 0.0 && !clouds_.empty()) {
+    cloud = std::move(clouds_.front());  // reuses its memory
+    clouds_.clear();
+    cloud.points.clear();
+  }
+  cloud.origin = scan.sensor.position;
+  cloud.time = scan.time;
+  if (lidarHeight_ >= source_.minObstacleHeight && lidarHeight_ <= source_.maxObstacleHeight) {
+    cloud.points.reserve(scan.distances.size());
+    for (std::size_t i = 0; i < scan.distances.size(); ++i) {
+      double distance = scan.distances[i];
+      if (!(distance >= 0.0)) {
+        continue;
+      }
+      if (distance >= scan.range) {
+        if (!source_.infIsValid) {
+          continue;
+        }
+        distance = scan.range - kInfiniteMargin;
+      }
+      const double angle =
+          scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.angleIncrement;
+      cloud.points.push_back(cloud.origin + distance * base::directionOf(angle));
+    }
+  }
+  clouds_.push_front(std::move(cloud));
+}
+
+const std::deque<PointCloud>& ObservationBuffer::clouds(double time) {
+  const double kept = source_.observationPersistence;
+  while (clouds_.size() > 1 &&
+         (kept == 0.0 || time - clouds_.back().time > kept + kBufferTimeRounding)) {
+    clouds_.pop_back();
+  }
+  if (clouds_.size() == 1 && kept > 0.0 &&
+      time - clouds_.front().time > kept + kBufferTimeRounding) {
+    clouds_.clear();
+  }
+  return clouds_;
+}
+
+bool ObservationBuffer::isCurrent(double time) const {
+  return source_.expectedUpdateRate == 0.0 ||
+         time - lastTime_ <= source_.expectedUpdateRate + kBufferTimeRounding;
+}
+
+namespace {
+
+constexpr int kMaxVoxels = 16;
+constexpr double kEdgeMargin = 1e-3;  // [m] inside the map border where rays leave it, as in Nav2
 
 struct RayRange {
   int most = 0, least = 0;  // [cells]
 };
 
 /// Frees the cells of a ray (nav2_util/raytrace_line_2d.hpp): Bresenham's line from the cell at the
-/// least range, cut by the share of the greatest range in the whole ray, the last cell included.
+/// minimum range, truncated by the ratio of maximum range to ray length, including the last cell.
 void freeRay(Costmap& costmap, Cell from, Cell to, const RayRange& range) {
   const int acrossAll = to.column - from.column, upAll = to.row - from.row;
   const double length = std::sqrt(static_cast<double>(acrossAll * acrossAll + upAll * upAll));
@@ -57,13 +118,13 @@ void freeRay(Costmap& costmap, Cell from, Cell to, const RayRange& range) {
   *at = kFreeSpace;
 }
 
-/// What a voxel layer is as an obstacle layer: the lidar in none of its voxels sees nothing.
-ObstacleLayerParameters flattened(const VoxelLayerParameters& voxels, double lidarHeight) {
+/// The equivalent obstacle layer of a voxel layer; a lidar outside all voxels has no effect.
+ObstacleLayerParameters asObstacleLayer(const VoxelLayerParameters& voxels, double lidarHeight) {
   ObstacleLayerParameters flat = static_cast<const ObstacleLayerParameters&>(voxels);
-  const double top = voxels.originZ + voxels.zResolution * std::min(voxels.zVoxels, kMostVoxels);
+  const double top = voxels.originZ + voxels.zResolution * std::min(voxels.zVoxels, kMaxVoxels);
   for (ObservationSource& source : flat.sources) {
     source.clearing = source.clearing && lidarHeight >= voxels.originZ && lidarHeight < top;
-    // Points below count to the lowest voxel; one voxel alone does not pass a threshold above 0.
+    // Points below count for the lowest voxel. A single voxel does not exceed a threshold above 0.
     source.marking = source.marking && lidarHeight < top && voxels.markThreshold < 1;
   }
   return flat;
@@ -78,14 +139,16 @@ ObstacleLayer::ObstacleLayer(std::string name, const CostmapContext& context,
     buffers_.emplace_back(source, context.lidarHeight);
   }
   const double least = context.distro == Distro::Humble ? -HUGE_VAL : parameters.minObstacleHeight;
-  hasMarks_ = context.lidarHeight >= least && context.lidarHeight <= parameters.maxObstacleHeight;
-  fillWindow(grid_, wholeWindow(grid_), context.freshCost());
+  marksObstacles_ =
+      context.lidarHeight >= least && context.lidarHeight <= parameters.maxObstacleHeight;
+  fillWindow(grid_, wholeWindow(grid_), context.defaultCost());
 }
 
 ObstacleLayer::ObstacleLayer(std::string name, const CostmapContext& context,
                              const VoxelLayerParameters& parameters, const Costmap& master)
-    : ObstacleLayer(std::move(name), context, flattened(parameters, context.lidarHeight), master) {
-  shortened_ = 2.0 * master.resolution();
+    : ObstacleLayer(std::move(name), context, asObstacleLayer(parameters, context.lidarHeight),
+                    master) {
+  rayShortening_ = 2.0 * master.resolution();
 }
 
 void ObstacleLayer::observe(const Observation& observation) {
@@ -100,24 +163,25 @@ void ObstacleLayer::observe(const Observation& observation) {
 void ObstacleLayer::updateBounds(const Observation& observation, const Costmap& master,
                                  CostmapBounds& bounds) {
   if (context().isRolling) {
-    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master), context().freshCost());
+    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master),
+               context().defaultCost());
   }
   if (!parameters_.enabled) {
     return;
   }
-  bounds.touch(extra_);
-  extra_ = {};
+  bounds.touch(extraBounds_);
+  extraBounds_ = {};
   isCurrent_ = true;
   for (ObservationBuffer& buffer : buffers_) {
     isCurrent_ = isCurrent_ && buffer.isCurrent(observation.time);
     if (buffer.source().clearing) {
       for (const PointCloud& cloud : buffer.clouds(observation.time)) {
-        clearAlong(cloud, buffer.source(), bounds);
+        clearRays(cloud, buffer.source(), bounds);
       }
     }
   }
   for (ObservationBuffer& buffer : buffers_) {
-    if (buffer.source().marking && hasMarks_) {
+    if (buffer.source().marking && marksObstacles_) {
       for (const PointCloud& cloud : buffer.clouds(observation.time)) {
         mark(cloud, buffer.source(), bounds);
       }
@@ -125,7 +189,7 @@ void ObstacleLayer::updateBounds(const Observation& observation, const Costmap& 
   }
   footprint_.clear();
   if (parameters_.footprintClearingEnabled) {
-    footprint_ = placed(context().footprint.corners, observation.pose);
+    footprint_ = transformed(context().footprint.corners, observation.pose);
     for (const Vec2& corner : footprint_) {
       bounds.touch(corner);
     }
@@ -143,23 +207,23 @@ void ObstacleLayer::updateCosts(Costmap& master, const CellWindow& window) {
   fillPolygon(grid_, footprint_, kFreeSpace);
   switch (parameters_.combinationMethod) {
     case 0:
-      mergeWindow(grid_, window, Merge::Overwrite, master);
+      mergeWindow(grid_, window, CombinationMethod::Overwrite, master);
       break;
     case 1:
-      mergeWindow(grid_, window, Merge::Maximum, master);
+      mergeWindow(grid_, window, CombinationMethod::Maximum, master);
       break;
     case 2:
-      mergeWindow(grid_, window, Merge::MaximumOfKnown, master);
+      mergeWindow(grid_, window, CombinationMethod::MaximumOfKnown, master);
       break;
-    default:  // nothing, as in Nav2
+    default:  // no effect, as in Nav2
       break;
   }
 }
 
 void ObstacleLayer::reset(double time) {
-  fillWindow(grid_, wholeWindow(grid_), context().freshCost());
+  fillWindow(grid_, wholeWindow(grid_), context().defaultCost());
   for (ObservationBuffer& buffer : buffers_) {
-    buffer.restartClock(time);
+    buffer.resetLastUpdated(time);
   }
   isCurrent_ = false;
   wasReset_ = true;
@@ -177,22 +241,22 @@ void ObstacleLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted
     }
   }
   isCurrent_ = false;
-  extra_.touch(grid_.origin());
-  extra_.touch(grid_.origin() + nav2SizeOf(grid_));
+  extraBounds_.touch(grid_.origin());
+  extraBounds_.touch(grid_.origin() + nav2SizeOf(grid_));
 }
 
-void ObstacleLayer::clearAlong(const PointCloud& cloud, const ObservationSource& source,
-                               CostmapBounds& bounds) {
+void ObstacleLayer::clearRays(const PointCloud& cloud, const ObservationSource& source,
+                              CostmapBounds& bounds) {
   const std::optional<Cell> from = grid_.worldToCell(cloud.origin);
   if (!from) {
-    return;  // Nav2 does not trace from off the map
+    return;  // Nav2 does not trace rays from off the map
   }
   bounds.touch(cloud.origin);
   for (const Vec2& point : cloud.points) {
     Vec2 end = point;
-    if (shortened_ > 0.0) {
+    if (rayShortening_ > 0.0) {
       const double length = (point - cloud.origin).norm();
-      const double share = length > shortened_ ? (length - shortened_) / length : 0.0;
+      const double share = length > rayShortening_ ? (length - rayShortening_) / length : 0.0;
       end = cloud.origin + share * (point - cloud.origin);
     }
     clearRay(*from, cloud.origin, clippedEnd(cloud.origin, end), source, bounds);
@@ -220,7 +284,7 @@ void ObstacleLayer::mark(const PointCloud& cloud, const ObservationSource& sourc
                          CostmapBounds& bounds) {
   const double most = source.obstacleMaxRange * source.obstacleMaxRange;
   const double least = source.obstacleMinRange * source.obstacleMinRange;
-  const std::optional<Cell> eye = grid_.worldToCell(cloud.origin);
+  const std::optional<Cell> sensorCell = grid_.worldToCell(cloud.origin);
   const double mostCells = grid_.cellDistance(source.obstacleMaxRange);
   for (const Vec2& point : cloud.points) {
     const double distance = (point - cloud.origin).squaredNorm();
@@ -228,8 +292,8 @@ void ObstacleLayer::mark(const PointCloud& cloud, const ObservationSource& sourc
     if (distance > most || distance < least || !cell) {
       continue;
     }
-    if (eye && context().distro >= Distro::Lyrical) {
-      const double across = cell->column - eye->column, up = cell->row - eye->row;
+    if (sensorCell && context().distro >= Distro::Lyrical) {
+      const double across = cell->column - sensorCell->column, up = cell->row - sensorCell->row;
       if (std::floor(std::sqrt(across * across + up * up)) > mostCells) {
         continue;
       }
@@ -239,7 +303,7 @@ void ObstacleLayer::mark(const PointCloud& cloud, const ObservationSource& sourc
   }
 }
 
-/// The end of a ray, drawn back to the border of the map.
+/// The end of a ray, clipped to the border of the map.
 Vec2 ObstacleLayer::clippedEnd(const Vec2& origin, const Vec2& end) const {
   const Vec2 way = end - origin;
   const Vec2& low = grid_.origin();

@@ -7,16 +7,16 @@
 #include <utility>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kUndecided = 0.5;
-constexpr double kConeAngle = 0.5;                          // of the sensors here [rad]
-constexpr double kLeastRange = 0.02, kGreatestRange = 4.0;  // [m]
-constexpr std::uint8_t kTarget = 233;  // of the cell of a reading, before the model counts
-constexpr double kConeLength = 1.2;    // of the box round the cone, in ranges
+constexpr double kUnknownProbability = 0.5;
+constexpr double kConeAngle = 0.5;                   // of the simulated sensors [rad]
+constexpr double kMinRange = 0.02, kMaxRange = 4.0;  // [m]
+constexpr std::uint8_t kTargetCost = 233;  // of the measured cell, before the model is applied
+constexpr double kConeLength = 1.2;  // length of the box around the cone, relative to the range
 
 double probabilityOf(std::uint8_t cost) {
   return static_cast<double>(cost) / kLethal;
@@ -25,23 +25,23 @@ std::uint8_t costOf(double probability) {
   return static_cast<std::uint8_t>(probability * kLethal);
 }
 
-/// Twice the area of a triangle, positive when its corners run counter-clockwise [cells²].
+/// Twice the area of a triangle [cells²], positive for counter-clockwise corners.
 long long twiceArea(Cell a, Cell b, Cell c) {
   return static_cast<long long>(b.column - a.column) * (c.row - a.row) -
          static_cast<long long>(b.row - a.row) * (c.column - a.column);
 }
 
-Cell cellWithoutBounds(const Costmap& costmap, const Vec2& place) {
+Cell unboundedCell(const Costmap& costmap, const Vec2& place) {
   return {static_cast<int>((place.x() - costmap.origin().x()) / costmap.resolution()),
           static_cast<int>((place.y() - costmap.origin().y()) / costmap.resolution())};
 }
 
-/// The least distance of the beams within a cone; the lidar's range when none is in it.
-double leastDistance(const LaserScan& scan, double heading) {
+/// The minimum distance of the beams within a cone; the lidar's range if there are none.
+double minDistanceInCone(const LaserScan& scan, double heading) {
   double least = scan.range;
   for (std::size_t i = 0; i < scan.distances.size(); ++i) {
     const double angle =
-        scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.perBeam;
+        scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.angleIncrement;
     if (std::abs(base::angleDiff(angle, heading)) <= kConeAngle / 2.0) {
       least = std::min(least, scan.distances[i]);
     }
@@ -66,7 +66,7 @@ RangeSensorLayer::RangeSensorLayer(std::string name, const CostmapContext& conte
                                    const RangeSensorLayerParameters& parameters,
                                    const Costmap& master)
     : CostmapLayer(std::move(name), context), parameters_(parameters), grid_(master) {
-  fillWindow(grid_, wholeWindow(grid_), costOf(kUndecided));
+  fillWindow(grid_, wholeWindow(grid_), costOf(kUnknownProbability));
   for (const std::string& topic : parameters.topics) {
     directions_.push_back(directionOfSensor(topic));
   }
@@ -83,12 +83,12 @@ void RangeSensorLayer::observe(const Observation& observation) {
     reading.origin = scan->sensor.position;
     reading.heading = observation.pose.heading + direction;
     reading.fieldOfView = kConeAngle;
-    reading.range = leastDistance(*scan, reading.heading);
-    const bool isFar = reading.range >= std::min(kGreatestRange, scan->range);
-    if (reading.range < kLeastRange || (isFar && !parameters_.clearOnMaxReading)) {
+    reading.range = minDistanceInCone(*scan, reading.heading);
+    const bool isFar = reading.range >= std::min(kMaxRange, scan->range);
+    if (reading.range < kMinRange || (isFar && !parameters_.clearOnMaxReading)) {
       continue;
     }
-    reading.range = std::min(reading.range, kGreatestRange);
+    reading.range = std::min(reading.range, kMaxRange);
     reading.clears = isFar;
     add(reading);
   }
@@ -97,10 +97,11 @@ void RangeSensorLayer::observe(const Observation& observation) {
 void RangeSensorLayer::updateBounds(const Observation& observation, const Costmap& master,
                                     CostmapBounds& bounds) {
   if (context().isRolling) {
-    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master), costOf(kUndecided));
+    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master),
+               costOf(kUnknownProbability));
   }
   for (const RangeReading& reading : readings_) {
-    take(reading);
+    applyReading(reading);
     lastReading_ = observation.time;
   }
   const bool hasReadings = !readings_.empty();
@@ -143,7 +144,7 @@ void RangeSensorLayer::updateCosts(Costmap& master, const CellWindow& window) {
 }
 
 void RangeSensorLayer::reset(double time) {
-  fillWindow(grid_, wholeWindow(grid_), costOf(kUndecided));
+  fillWindow(grid_, wholeWindow(grid_), costOf(kUnknownProbability));
   readings_.clear();
   lastReading_ = time;
   isCurrent_ = false;
@@ -156,7 +157,7 @@ void RangeSensorLayer::clearArea(const Vec2& low, const Vec2& high, bool isInver
     const bool isInRows = row > from.row && row < to.row;
     for (int column = 0; column < grid_.width(); ++column) {
       if ((isInRows && column > from.column && column < to.column) != isInverted) {
-        grid_.set({column, row}, costOf(kUndecided));
+        grid_.set({column, row}, costOf(kUnknownProbability));
       }
     }
   }
@@ -170,23 +171,23 @@ double RangeSensorLayer::occupancy(double range, double distance, double angle, 
   const double inCone = std::abs(angle) > halfAngle ? 0.0 : 1.0 - ratio * ratio;
   const double nearness = 1.0 - (1.0 + base::tanh(2.0 * (distance - phi))) / 2.0;
   const double weight = nearness * inCone;
-  const double step = resolution * range;  // as Nav2 has it: a cell's side times the range
+  const double step = resolution * range;  // as in Nav2: cell size times range
   if (distance >= 0.0 && distance < range - 2.0 * step) {
-    return (1.0 - weight) * kUndecided;
+    return (1.0 - weight) * kUnknownProbability;
   }
   if (distance < range - step) {
     const double rise = (distance - (range - 2.0 * step)) / step;
-    return weight * 0.5 * rise * rise + (1.0 - weight) * kUndecided;
+    return weight * 0.5 * rise * rise + (1.0 - weight) * kUnknownProbability;
   }
   if (distance < range + step) {
     const double fall = (range - distance) / step;
-    return weight * ((1.0 - 0.5 * fall * fall) - kUndecided) + kUndecided;
+    return weight * ((1.0 - 0.5 * fall * fall) - kUnknownProbability) + kUnknownProbability;
   }
-  return kUndecided;
+  return kUnknownProbability;
 }
 
-/// A reading counts in the box round its cone.
-void RangeSensorLayer::take(const RangeReading& reading) {
+/// Updates the cells in the box around the reading's cone.
+void RangeSensorLayer::applyReading(const RangeReading& reading) {
   const double half = reading.fieldOfView / 2.0;
   const Vec2 target = reading.origin + reading.range * base::directionOf(reading.heading);
   const Vec2 left =
@@ -195,13 +196,13 @@ void RangeSensorLayer::take(const RangeReading& reading) {
       reading.origin + kConeLength * reading.range * base::directionOf(reading.heading + half);
   touched_.touch(reading.origin);
   if (const auto cell = grid_.worldToCell(target)) {
-    grid_.set(*cell, kTarget);
+    grid_.set(*cell, kTargetCost);
     touched_.touch(target);
   }
   touched_.touch(left);
   touched_.touch(right);
-  const Cell tip = cellWithoutBounds(grid_, reading.origin);
-  const Cell a = cellWithoutBounds(grid_, left), b = cellWithoutBounds(grid_, right);
+  const Cell tip = unboundedCell(grid_, reading.origin);
+  const Cell a = unboundedCell(grid_, left), b = unboundedCell(grid_, right);
   const int firstColumn = std::max(0, std::min({tip.column, a.column, b.column}));
   const int lastColumn = std::min(grid_.width() - 1, std::max({tip.column, a.column, b.column}));
   const int firstRow = std::max(0, std::min({tip.row, a.row, b.row}));
@@ -215,7 +216,8 @@ void RangeSensorLayer::take(const RangeReading& reading) {
   }
 }
 
-/// Barycentric coordinates above a share of the area below zero, as Nav2 widens the cone.
+/// Whether all barycentric coordinates are above a negative share of the area, as Nav2 widens the
+/// cone.
 bool RangeSensorLayer::isInCone(Cell left, Cell right, Cell tip, Cell cell) const {
   const double area = static_cast<double>(std::llabs(twiceArea(left, right, tip))) / 2.0;
   const double least = -parameters_.inflateCone * area;
@@ -233,7 +235,7 @@ void RangeSensorLayer::updateCell(const RangeReading& reading, Cell cell) {
                                  parameters_.phi, grid_.resolution());
   const double prior = probabilityOf(grid_.at(cell));
   const double yes = occupied * prior, no = (1.0 - occupied) * (1.0 - prior);
-  if (yes + no > 0.0) {  // else certainty against certainty: it stays
+  if (yes + no > 0.0) {  // else contradictory certainties: unchanged
     grid_.set(cell, costOf(yes / (yes + no)));
   }
 }

@@ -6,23 +6,23 @@
 #include <utility>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-double aheadSigma(const SocialLayerParameters& parameters, double speed) {
+double forwardSigma(const SocialLayerParameters& parameters, double speed) {
   return std::max(parameters.sigmaPerSpeed * speed, parameters.sigmaMin);
 }
 
-/// How many deviations a place is away, squared; in the person's frame [m].
+/// Squared distance in standard deviations of a position in the person's frame [m].
 double squaredDeviations(const SocialLayerParameters& parameters, const Vec2& place, double ahead) {
   const double along = place.x() / (place.x() >= 0.0 ? ahead : parameters.rearRatio * ahead);
   const double aside = place.y() / (parameters.sideRatio * ahead);
   return along * along + aside * aside;
 }
 
-/// Where the cost falls to the cutoff.
+/// Distance in standard deviations at which the cost equals the cutoff.
 double cutoffDeviations(const SocialLayerParameters& parameters) {
   return std::sqrt(2.0 * base::log(parameters.amplitude / parameters.cutoff));
 }
@@ -36,7 +36,7 @@ SocialLayer::SocialLayer(std::string name, const CostmapContext& context,
 double SocialLayer::costAt(const SocialLayerParameters& parameters, const Vec2& place,
                            double speed) {
   return parameters.amplitude *
-         base::exp(-0.5 * squaredDeviations(parameters, place, aheadSigma(parameters, speed)));
+         base::exp(-0.5 * squaredDeviations(parameters, place, forwardSigma(parameters, speed)));
 }
 
 void SocialLayer::updateBounds(const Observation& observation, const Costmap& /*master*/,
@@ -49,7 +49,7 @@ void SocialLayer::updateBounds(const Observation& observation, const Costmap& /*
   if (parameters_.amplitude < parameters_.cutoff) {
     return;
   }
-  // exp(-d² / 2) falls to cutoff / amplitude that many deviations away.
+  // exp(-d² / 2) equals cutoff / amplitude at this distance.
   const double deviations = std::sqrt(2.0 * base::log(parameters_.amplitude / parameters_.cutoff));
   for (const TrackedBody& body : observation.bodies) {
     if (body.kind != BodyKind::Person) {
@@ -59,7 +59,7 @@ void SocialLayer::updateBounds(const Observation& observation, const Costmap& /*
     zone.person = {body.position, body.heading};
     zone.speed = body.velocity.norm();
     const double most = std::max({1.0, parameters_.sideRatio, parameters_.rearRatio});
-    const double reach = deviations * most * aheadSigma(parameters_, zone.speed);
+    const double reach = deviations * most * forwardSigma(parameters_, zone.speed);
     zone.bounds.touch(body.position - Vec2::Constant(reach));
     zone.bounds.touch(body.position + Vec2::Constant(reach));
     last_.touch(zone.bounds);
@@ -70,7 +70,7 @@ void SocialLayer::updateBounds(const Observation& observation, const Costmap& /*
 
 void SocialLayer::updateCosts(Costmap& master, const CellWindow& window) {
   for (const Zone& zone : zones_) {
-    raise(zone, master, window);
+    raiseCosts(zone, master, window);
   }
 }
 
@@ -78,10 +78,10 @@ void SocialLayer::reset(double /*time*/) {
   zones_.clear();
 }
 
-void SocialLayer::raise(const Zone& zone, Costmap& master, const CellWindow& window) const {
+void SocialLayer::raiseCosts(const Zone& zone, Costmap& master, const CellWindow& window) const {
   const CellWindow inside = windowOf(master, zone.bounds);
   const Vec2 ahead = zone.person.direction();
-  const double sigma = aheadSigma(parameters_, zone.speed);
+  const double sigma = forwardSigma(parameters_, zone.speed);
   const double most = cutoffDeviations(parameters_) * cutoffDeviations(parameters_);
   for (int row = std::max(window.bottom, inside.bottom); row < std::min(window.top, inside.top);
        ++row) {

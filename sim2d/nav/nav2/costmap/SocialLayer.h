@@ -8,10 +8,10 @@
 
 namespace sim2d::nav2 {
 
-/// Costs round people whom the detector tells, ours (Kirby 2010, appendix A: halves of two
-/// Gaussians). In a person's frame, x ahead, y to the left:
-/// amplitude exp(-x² / (2 s²) - y² / (2 (sideRatio s_h)²)), s_h = max(sigmaPerSpeed v, sigmaMin),
-/// s = s_h ahead and rearRatio s_h behind. Costs are raised to it, unknown cells too.
+/// Costs around the people that the detector reports, specific to this program (Kirby 2010,
+/// appendix A: halves of two Gaussians). In a person's frame, x forward, y left: amplitude exp(-x²
+/// / (2 s²) - y² / (2 (sideRatio s_h)²)), s_h = max(sigmaPerSpeed v, sigmaMin), s = s_h ahead and
+/// rearRatio s_h behind. Lower costs, including unknown cells, are increased to this value.
 class SocialLayer final : public CostmapLayer {
  public:
   SocialLayer(std::string name, const CostmapContext& context,
@@ -22,7 +22,8 @@ class SocialLayer final : public CostmapLayer {
   void updateCosts(Costmap& master, const CellWindow& window) override;
   void reset(double time) override;
 
-  /// At a place in the person's frame [m], moving at a speed [m/s]; before rounding and cutoff.
+  /// Cost at a position in the frame of a person [m] moving at a speed [m/s]; before rounding and
+  /// cutoff.
   static double costAt(const SocialLayerParameters& parameters, const Vec2& place, double speed);
 
  private:
@@ -31,11 +32,11 @@ class SocialLayer final : public CostmapLayer {
     double speed = 0.0;  // [m/s]
     CostmapBounds bounds;
   };
-  void raise(const Zone& zone, Costmap& master, const CellWindow& window) const;
+  void raiseCosts(const Zone& zone, Costmap& master, const CellWindow& window) const;
 
   SocialLayerParameters parameters_;
   std::vector<Zone> zones_;
-  CostmapBounds last_;  // of the update before, which has to be wiped
+  CostmapBounds last_;  // area of the previous update, which must be cleared
 };
 
 }  // namespace sim2d::nav2

@@ -7,13 +7,13 @@
 #include <optional>
 #include <utility>
 
-#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-/// The cells along the axes that hold a turned map.
-Costmap turnedMapCover(const OccupancyGrid& map) {
+/// The axis-aligned cells that cover a rotated map.
+Costmap rotatedMapCover(const OccupancyGrid& map) {
   CostmapBounds bounds;
   for (const double column : {0.0, static_cast<double>(map.width())}) {
     for (const double row : {0.0, static_cast<double>(map.height())}) {
@@ -48,7 +48,8 @@ std::uint8_t costOfOccupancy(std::int8_t occupancy, const CostmapParameters& par
   return static_cast<std::uint8_t>(static_cast<double>(value) / lethal * kLethal);
 }
 
-Costmap costmapOf(const OccupancyGrid& map, const CostmapParameters& parameters, Distro distro) {
+Costmap costmapFromMap(const OccupancyGrid& map, const CostmapParameters& parameters,
+                       Distro distro) {
   if (map.origin().heading == 0.0) {
     Costmap costs(map.width(), map.height(), map.resolution(), map.origin().position);
     if (!map.isEmpty()) {
@@ -59,7 +60,7 @@ Costmap costmapOf(const OccupancyGrid& map, const CostmapParameters& parameters,
     }
     return costs;
   }
-  Costmap costs = turnedMapCover(map);
+  Costmap costs = rotatedMapCover(map);
   for (int row = 0; row < costs.height(); ++row) {
     for (int column = 0; column < costs.width(); ++column) {
       const Cell cell = map.worldToCell(costs.cellToWorld({column, row}));
@@ -79,7 +80,7 @@ StaticLayer::StaticLayer(std::string name, const CostmapContext& context,
     : CostmapLayer(std::move(name), context),
       parameters_(parameters),
       usesMaximum_(costmap.useMaximum),
-      grid_(costmapOf(map, costmap, context.distro)) {}
+      grid_(costmapFromMap(map, costmap, context.distro)) {}
 
 void StaticLayer::updateBounds(const Observation& observation, const Costmap& /*master*/,
                                CostmapBounds& bounds) {
@@ -89,12 +90,12 @@ void StaticLayer::updateBounds(const Observation& observation, const Costmap& /*
   }
   if (isNew_ || context().isRolling) {
     isNew_ = false;
-    bounds.touch(grid_.cellToWorld({0, 0}));  // centres, as Nav2 has it
+    bounds.touch(grid_.cellToWorld({0, 0}));  // centres, as in Nav2
     bounds.touch(grid_.cellToWorld({grid_.width(), grid_.height()}));
   }
   footprint_.clear();
   if (parameters_.footprintClearingEnabled) {
-    footprint_ = placed(context().footprint.corners, observation.pose);
+    footprint_ = transformed(context().footprint.corners, observation.pose);
     for (const Vec2& corner : footprint_) {
       bounds.touch(corner);
     }
@@ -106,7 +107,7 @@ void StaticLayer::updateCosts(Costmap& master, const CellWindow& window) {
   if (grid_.costs().empty() || !parameters_.enabled) {
     return;
   }
-  // Cells once cleared stay clear in Humble and Jazzy; later branches restore them.
+  // In Humble and Jazzy cleared cells stay clear; later branches restore them.
   const bool isRestored = context().distro >= Distro::Kilted && parameters_.restoreClearedFootprint;
   std::optional<Costmap> before;
   if (isRestored && !footprint_.empty()) {
@@ -116,7 +117,8 @@ void StaticLayer::updateCosts(Costmap& master, const CellWindow& window) {
   if (context().isRolling) {
     sampleInto(master, window);
   } else {
-    mergeWindow(grid_, window, usesMaximum_ ? Merge::Maximum : Merge::Copy, master);
+    mergeWindow(grid_, window, usesMaximum_ ? CombinationMethod::Maximum : CombinationMethod::Copy,
+                master);
   }
   if (before) {
     grid_ = *std::move(before);

@@ -10,14 +10,16 @@
 
 namespace sim2d::nav2 {
 
-/// The cost of an occupancy (StaticLayer::interpretValue): `parameters` of the costmap's node.
+/// The cost of an occupancy value (StaticLayer::interpretValue); `parameters` are those of the
+/// costmap's node.
 std::uint8_t costOfOccupancy(std::int8_t occupancy, const CostmapParameters& parameters,
                              Distro distro);
-/// A map as costs, along the axes; cells off a turned map are unknown.
-Costmap costmapOf(const OccupancyGrid& map, const CostmapParameters& parameters, Distro distro);
+/// An axis-aligned costmap of a map; cells off a rotated map are unknown.
+Costmap costmapFromMap(const OccupancyGrid& map, const CostmapParameters& parameters,
+                       Distro distro);
 
-/// The known map (nav2_costmap_2d::StaticLayer). Non-rolling costmaps have its cells; into rolling
-/// ones it is sampled at the centres of their cells.
+/// The known map (nav2_costmap_2d::StaticLayer). Non-rolling costmaps have its cells; for rolling
+/// ones it is sampled at the cell centres.
 class StaticLayer final : public CostmapLayer {
  public:
   StaticLayer(std::string name, const CostmapContext& context,
@@ -37,8 +39,8 @@ class StaticLayer final : public CostmapLayer {
   StaticLayerParameters parameters_;
   bool usesMaximum_;
   bool isNew_ = true, isCurrent_ = true;
-  Pose2 frame_;        // of the costmap, in the map
-  Polygon footprint_;  // at the robot's place; empty: it clears nothing
+  Pose2 frame_;        // of the costmap, in the map frame
+  Polygon footprint_;  // in world frame; empty: clears nothing
   Costmap grid_;
 };
 

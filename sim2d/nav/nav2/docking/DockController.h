@@ -8,13 +8,13 @@
 /// The controller of docking_server and following_server (opennav_docking::Controller).
 namespace sim2d::nav2 {
 
-/// What it looks at: poses in the map, the costmap in a frame of its own.
-struct DockView {
-  Pose2 pose;                         // of the robot
-  BodyTwist motion;                   // of the odometry
-  const Costmap& costmap;             // the local one
+/// Inputs of the controller: poses in the map, the costmap in its own frame.
+struct DockControllerInput {
+  Pose2 pose;                         // robot pose
+  BodyTwist motion;                   // odometry
+  const Costmap& costmap;             // local costmap
   const CostmapFootprint& footprint;  // robot frame
-  Pose2 costmapFrame{};               // in the map: odom, when that is the costmap's frame
+  Pose2 costmapFrame{};               // in the map: odom, if that is the costmap's frame
 };
 
 class DockController {
@@ -23,14 +23,15 @@ class DockController {
       : parameters_(parameters), law_(lawOf(parameters)), distro_(distro) {}
 
   /// The graceful control law towards a target.
-  BodyTwist command(const DockView& view, const Pose2& target, bool isBackward) const;
-  /// Whether the way that the law would drive is free for the footprint's edges: simulated in steps
-  /// of `simulation_time_step` until the target is 1 cm near or `projection_time` is over. Poses
+  BodyTwist command(const DockControllerInput& view, const Pose2& target, bool isBackward) const;
+  /// Whether the footprint's edges are free along the motion towards the target: simulated in steps
+  /// of `simulation_time_step` until the target is within 1 cm or `projection_time` is over. Poses
   /// within `dock_collision_threshold` of the dock (docking) or of the start (undocking) are not
-  /// tested. True without `use_collision_detection`.
-  bool isFree(const DockView& view, const Pose2& target, bool isDocking, bool isBackward) const;
-  /// A turn on the spot by `angle` [rad] in `dt` [s]: no faster than it can still stop in time,
-  /// w = sqrt(2 a |angle|).
+  /// checked. True without `use_collision_detection`.
+  bool isFree(const DockControllerInput& view, const Pose2& target, bool isDocking,
+              bool isBackward) const;
+  /// A rotation in place by `angle` [rad] in a step `dt` [s], slow enough to stop in time: w =
+  /// sqrt(2 a |angle|).
   BodyTwist rotation(double angle, double turnRate, double dt) const;
 
  private:

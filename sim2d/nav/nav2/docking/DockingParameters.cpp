@@ -10,32 +10,31 @@ namespace {
 template <class P>
 std::vector<Nav2Key<P>> controllerKeys() {
   return {
-      {"controller.k_phi", &P::kPhi, "", "Of the control law: slow against fast subsystem.",
+      {"controller.k_phi", &P::kPhi, "", "Control law: ratio of the slow and fast subsystems.",
        kSinceJazzy},
-      {"controller.k_delta", &P::kDelta, "1/m", "Of the control law: gain of the heading.",
+      {"controller.k_delta", &P::kDelta, "1/m", "Control law: gain of the heading.", kSinceJazzy},
+      {"controller.beta", &P::beta, "", "Control law: amount of slowdown in curves.", kSinceJazzy},
+      {"controller.lambda", &P::lambda, "", "Control law: sharpness of that slowdown.",
        kSinceJazzy},
-      {"controller.beta", &P::beta, "", "Of the control law: speed lost in curves.", kSinceJazzy},
-      {"controller.lambda", &P::lambda, "", "Of the control law: sharpness of that loss.",
-       kSinceJazzy},
-      {"controller.v_linear_min", &P::minLinear, "m/s", "Lowest speed.", kSinceJazzy},
-      {"controller.v_linear_max", &P::maxLinear, "m/s", "Highest speed.", kSinceJazzy},
-      {"controller.v_angular_max", &P::maxAngular, "rad/s", "Highest turn rate.", kSinceJazzy},
+      {"controller.v_linear_min", &P::minLinear, "m/s", "Minimum speed.", kSinceJazzy},
+      {"controller.v_linear_max", &P::maxLinear, "m/s", "Maximum speed.", kSinceJazzy},
+      {"controller.v_angular_max", &P::maxAngular, "rad/s", "Maximum turn rate.", kSinceJazzy},
       {"controller.slowdown_radius", &P::slowdownRadius, "m",
        "Distance to the target from which the robot slows down.", kSinceJazzy},
       {"controller.deceleration_max", &P::maxDeceleration, "m/s²",
        "Deceleration with which the robot can stop at the target.", kSinceLyrical},
       {"controller.rotate_to_heading_angular_vel", &P::rotationSpeed, "rad/s",
-       "Turn rate on the spot.", kSinceJazzy},
+       "Turn rate of rotation in place.", kSinceJazzy},
       {"controller.rotate_to_heading_max_angular_accel", &P::rotationAcceleration, "rad/s²",
-       "Angular acceleration on the spot.", kSinceJazzy},
+       "Angular acceleration of rotation in place.", kSinceJazzy},
       {"controller.use_collision_detection", &P::usesCollisionDetection, "",
-       "Whether commands that lead into obstacles fail.", kSinceJazzy},
-      {"controller.projection_time", &P::projectionTime, "s", "How far ahead collisions count.",
-       kSinceJazzy},
-      {"controller.simulation_time_step", &P::simulationTimeStep, "s", "Step of that simulation.",
-       kSinceJazzy},
+       "Whether commands that lead into obstacles are rejected.", kSinceJazzy},
+      {"controller.projection_time", &P::projectionTime, "s",
+       "Time for which commands are simulated to detect collisions.", kSinceJazzy},
+      {"controller.simulation_time_step", &P::simulationTimeStep, "s",
+       "Time step of that simulation.", kSinceJazzy},
       {"controller.dock_collision_threshold", &P::dockCollisionThreshold, "m",
-       "Collisions this near to the dock do not count.", kSinceJazzy},
+       "Distance to the dock within which collisions are ignored.", kSinceJazzy},
   };
 }
 
@@ -45,25 +44,25 @@ std::vector<Nav2Key<P>> with(std::vector<Nav2Key<P>> keys, const std::vector<Nav
   return keys;
 }
 
-std::vector<IdleKey> controllerIdleKeys() {
-  return {{"controller.costmap_topic", "the local costmap counts", kSinceJazzy},
-          {"controller.footprint_topic", "the footprint of the local costmap counts", kSinceJazzy},
-          {"controller.transform_tolerance", "no TF here", kSinceJazzy},
-          {"base_frame", "frames coincide here", kSinceJazzy},
-          {"fixed_frame", "frames coincide here", kSinceJazzy},
-          {"odom_topic", "no topics here", kSinceKilted},
+std::vector<IgnoredKey> ignoredControllerKeys() {
+  return {{"controller.costmap_topic", "the local costmap is used", kSinceJazzy},
+          {"controller.footprint_topic", "the footprint of the local costmap is used", kSinceJazzy},
+          {"controller.transform_tolerance", "TF is not used", kSinceJazzy},
+          {"base_frame", "the frames are identical", kSinceJazzy},
+          {"fixed_frame", "the frames are identical", kSinceJazzy},
+          {"odom_topic", "ROS topics are not used", kSinceKilted},
           {"odom_duration", "speeds are those of the odometry", kSinceLyrical}};
 }
 
-constexpr double kAlways = std::numeric_limits<double>::max();
+constexpr double kUnlimited = std::numeric_limits<double>::max();
 
-/// Values of the keys that must be within their ranges.
+/// The allowed range of a key.
 template <class P>
 struct Limit {
   const char* key;
   double P::*member;
   double low, high;
-  bool isAbove;  // low itself is not allowed
+  bool isAbove;  // excludes low itself
   const char* wanted;
 };
 
@@ -82,15 +81,15 @@ void check(const P& parameters, const Limit<P> (&limits)[n], base::Diagnostics& 
 void checkController(const DockControllerParameters& parameters, base::Diagnostics& problems) {
   using P = DockControllerParameters;
   static constexpr Limit<P> kLimits[] = {
-      {"controller.slowdown_radius", &P::slowdownRadius, 0.0, kAlways, true, "above 0"},
-      {"controller.v_linear_max", &P::maxLinear, 0.0, kAlways, true, "above 0"},
-      {"controller.v_linear_min", &P::minLinear, 0.0, kAlways, false, "0 or more"},
-      {"controller.v_angular_max", &P::maxAngular, 0.0, kAlways, true, "above 0"},
-      {"controller.deceleration_max", &P::maxDeceleration, 0.0, kAlways, true, "above 0"},
+      {"controller.slowdown_radius", &P::slowdownRadius, 0.0, kUnlimited, true, "above 0"},
+      {"controller.v_linear_max", &P::maxLinear, 0.0, kUnlimited, true, "above 0"},
+      {"controller.v_linear_min", &P::minLinear, 0.0, kUnlimited, false, "0 or more"},
+      {"controller.v_angular_max", &P::maxAngular, 0.0, kUnlimited, true, "above 0"},
+      {"controller.deceleration_max", &P::maxDeceleration, 0.0, kUnlimited, true, "above 0"},
       {"controller.projection_time", &P::projectionTime, 0.0, 100.0, false, "0 to 100 s"},
       {"controller.simulation_time_step", &P::simulationTimeStep, 0.01, 100.0, false,
        "0.01 to 100 s"},
-      {"controller.rotate_to_heading_max_angular_accel", &P::rotationAcceleration, 0.0, kAlways,
+      {"controller.rotate_to_heading_max_angular_accel", &P::rotationAcceleration, 0.0, kUnlimited,
        true, "above 0"}};
   check(parameters, kLimits, problems);
 }
@@ -116,34 +115,37 @@ const std::vector<Nav2Key<DockingServerParameters>>& dockingServerKeys() {
   static const std::vector<Nav2Key<P>> kKeys = with<P>(
       {{"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands.", kSinceJazzy},
        {"initial_perception_timeout", &P::initialPerceptionTimeout, "s",
-        "How long the dock is looked for before the approach.", kSinceJazzy},
-       {"wait_charge_timeout", &P::waitChargeTimeout, "s",
-        "How long the robot waits for the charge to begin.", kSinceJazzy},
-       {"dock_approach_timeout", &P::dockApproachTimeout, "s", "Longest approach.", kSinceJazzy},
-       {"rotate_to_dock_timeout", &P::rotateToDockTimeout, "s", "Longest turn to the dock.",
-        kSinceKilted},
-       {"undock_linear_tolerance", &P::undockLinearTolerance, "m",
-        "This near to the staging pose the robot has undocked.", kSinceJazzy},
-       {"undock_angular_tolerance", &P::undockAngularTolerance, "rad",
-        "Its heading there differs by less.", kSinceJazzy},
-       {"rotation_angular_tolerance", &P::rotationAngularTolerance, "rad",
-        "A turn to the dock ends within this angle.", kSinceKilted},
-       {"dock_prestaging_tolerance", &P::dockPrestagingTolerance, "m",
-        "This near to the staging pose the robot does not drive there first.", kSinceJazzy},
-       {"max_retries", &P::maxRetries, "", "How often an approach that failed is repeated.",
+        "Maximum time to detect the dock before the approach.", kSinceJazzy},
+       {"wait_charge_timeout", &P::waitChargeTimeout, "s", "Maximum wait for charging to begin.",
         kSinceJazzy},
-       {"dock_backwards", &P::dockBackwards, "", "Whether the robot backs in.", kJazzy | kKilted},
-       {"dock_plugins", &P::dockPlugins, "", "Names of the classes of docks.", kSinceJazzy},
+       {"dock_approach_timeout", &P::dockApproachTimeout, "s", "Maximum duration of the approach.",
+        kSinceJazzy},
+       {"rotate_to_dock_timeout", &P::rotateToDockTimeout, "s",
+        "Maximum duration of the rotation to the dock.", kSinceKilted},
+       {"undock_linear_tolerance", &P::undockLinearTolerance, "m",
+        "Distance to the staging pose within which the robot has undocked.", kSinceJazzy},
+       {"undock_angular_tolerance", &P::undockAngularTolerance, "rad",
+        "Maximum heading difference to the staging pose.", kSinceJazzy},
+       {"rotation_angular_tolerance", &P::rotationAngularTolerance, "rad",
+        "Angle within which the rotation to the dock ends.", kSinceKilted},
+       {"dock_prestaging_tolerance", &P::dockPrestagingTolerance, "m",
+        "Distance to the staging pose within which the robot does not drive there first.",
+        kSinceJazzy},
+       {"max_retries", &P::maxRetries, "", "Maximum number of repetitions of a failed approach.",
+        kSinceJazzy},
+       {"dock_backwards", &P::dockBackwards, "", "Whether the robot docks backwards.",
+        kJazzy | kKilted},
+       {"dock_plugins", &P::dockPlugins, "", "Names of the dock plugins.", kSinceJazzy},
        {"docks", &P::docks, "", "Names of the docks.", kSinceJazzy},
-       {"dock_database", &P::dockDatabase, "", "A file with docks, instead of docks.",
+       {"dock_database", &P::dockDatabase, "", "File with docks that replaces the key docks.",
         kSinceJazzy}},
       controllerKeys<P>());
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleDockingServerKeys() {
-  static const std::vector<IdleKey> kKeys = [] {
-    std::vector<IdleKey> keys = controllerIdleKeys();
+const std::vector<IgnoredKey>& ignoredDockingServerKeys() {
+  static const std::vector<IgnoredKey> kKeys = [] {
+    std::vector<IgnoredKey> keys = ignoredControllerKeys();
     keys.push_back(
         {"navigator_bt_xml", "planner and controller of the file drive to the dock", kSinceJazzy});
     return keys;
@@ -153,22 +155,22 @@ const std::vector<IdleKey>& idleDockingServerKeys() {
 
 namespace {
 
-std::vector<Nav2Key<DockPluginParameters>> everyDockKeys() {
+std::vector<Nav2Key<DockPluginParameters>> commonDockKeys() {
   using P = DockPluginParameters;
-  return {{"staging_x_offset", &P::stagingXOffset, "m", "Staging pose ahead of the dock's pose.",
-           kSinceJazzy},
+  return {{"staging_x_offset", &P::stagingXOffset, "m",
+           "Distance of the staging pose in front of the dock.", kSinceJazzy},
           {"staging_yaw_offset", &P::stagingYawOffset, "rad",
-           "Heading of the staging pose against the dock's.", kSinceJazzy},
+           "Heading of the staging pose relative to the dock.", kSinceJazzy},
           {"docking_threshold", &P::dockingThreshold, "m",
-           "This near to the dock's pose the robot is docked.", kSinceJazzy},
+           "Distance to the dock's pose within which the robot is docked.", kSinceJazzy},
           {"use_external_detection_pose", &P::usesDetection, "",
-           "Whether the robot approaches the dock that it detects.", kSinceJazzy},
-          {"external_detection_timeout", &P::detectionTimeout, "s",
-           "Older detections do not count.", kSinceJazzy},
+           "Whether the robot approaches the detected pose of the dock.", kSinceJazzy},
+          {"external_detection_timeout", &P::detectionTimeout, "s", "Older detections are ignored.",
+           kSinceJazzy},
           {"filter_coef", &P::filterCoef, "", "Weight of a new detection.", kSinceJazzy},
           {"dock_direction", &P::direction, "", "forward or backward.", kSinceKilted},
           {"rotate_to_dock", &P::rotatesToDock, "",
-           "Whether the robot turns round at the staging pose to back in.", kSinceKilted}};
+           "Whether the robot turns around at the staging pose to dock backwards.", kSinceKilted}};
 }
 
 }  // namespace
@@ -177,23 +179,24 @@ const std::vector<Nav2Key<DockPluginParameters>>& dockPluginKeys() {
   using P = DockPluginParameters;
   static const std::vector<Nav2Key<P>> kKeys =
       with<P>({{"charging_threshold", &P::chargingThreshold, "A",
-                "The robot is charged when the current is above this.", kSinceJazzy},
+                "Current above which the robot is charging.", kSinceJazzy},
                {"use_battery_status", &P::usesBatteryStatus, "",
-                "Whether the battery shows that the robot is charged; else it is when docked.",
+                "Whether the battery state determines that the robot is charging; else it is "
+                "charging when docked.",
                 kSinceJazzy}},
-              everyDockKeys());
+              commonDockKeys());
   return kKeys;
 }
 
-const std::vector<Nav2Key<DockPluginParameters>>& parkingDockKeys() {
-  static const std::vector<Nav2Key<DockPluginParameters>> kKeys = everyDockKeys();
+const std::vector<Nav2Key<DockPluginParameters>>& nonChargingDockKeys() {
+  static const std::vector<Nav2Key<DockPluginParameters>> kKeys = commonDockKeys();
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleDockPluginKeys() {
+const std::vector<IgnoredKey>& ignoredDockPluginKeys() {
   static constexpr const char* kDetection = "a detection is the pose of the dock itself";
-  static constexpr const char* kStall = "docks do not block robots: docking_threshold counts";
-  static const std::vector<IdleKey> kKeys = {
+  static constexpr const char* kStall = "docks do not block robots: docking_threshold is used";
+  static const std::vector<IgnoredKey> kKeys = {
       {"external_detection_translation_x", kDetection, kSinceJazzy},
       {"external_detection_translation_y", kDetection, kSinceJazzy},
       {"external_detection_rotation_roll", kDetection, kSinceJazzy},
@@ -203,38 +206,44 @@ const std::vector<IdleKey>& idleDockPluginKeys() {
       {"stall_joint_names", kStall, kSinceJazzy},
       {"stall_velocity_threshold", kStall, kSinceJazzy},
       {"stall_effort_threshold", kStall, kSinceJazzy},
-      {"detector_service_name", "no services here", kSinceLyrical},
-      {"detector_service_timeout", "no services here", kSinceLyrical},
-      {"subscribe_toggle", "no topics here", kSinceLyrical}};
+      {"detector_service_name", "ROS services are not used", kSinceLyrical},
+      {"detector_service_timeout", "ROS services are not used", kSinceLyrical},
+      {"subscribe_toggle", "ROS topics are not used", kSinceLyrical}};
   return kKeys;
 }
 
 const std::vector<Nav2Key<FollowingServerParameters>>& followingServerKeys() {
   using P = FollowingServerParameters;
   // The package exists since Lyrical; some of its keys were ported back to Jazzy.
-  constexpr unsigned kHere = kJazzy | kSinceLyrical;
+  constexpr unsigned kFollowingDistros = kJazzy | kSinceLyrical;
   static const std::vector<Nav2Key<P>> kKeys = [] {
     std::vector<Nav2Key<P>> keys = {
-        {"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands.", kHere},
-        {"desired_distance", &P::desiredDistance, "m", "Distance to the object.", kHere},
-        {"detection_timeout", &P::detectionTimeout, "s", "Older detections do not count.", kHere},
-        {"rotate_to_object_timeout", &P::rotateToObjectTimeout, "s", "Longest search.", kHere},
+        {"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands.",
+         kFollowingDistros},
+        {"desired_distance", &P::desiredDistance, "m", "Distance to the object.",
+         kFollowingDistros},
+        {"detection_timeout", &P::detectionTimeout, "s", "Older detections are ignored.",
+         kFollowingDistros},
+        {"rotate_to_object_timeout", &P::rotateToObjectTimeout, "s",
+         "Maximum duration of the search.", kFollowingDistros},
         {"static_object_timeout", &P::staticObjectTimeout, "s",
-         "Success when the object has stood for so long; below 0: never.", kHere},
-        {"linear_tolerance", &P::linearTolerance, "m", "The robot stands within this distance.",
-         kHere},
-        {"angular_tolerance", &P::angularTolerance, "rad", "Its heading there differs by less.",
-         kHere},
-        {"max_retries", &P::maxRetries, "", "How often an object that was lost is looked for.",
-         kHere},
+         "Time after which following a standing object succeeds; below 0: never.",
+         kFollowingDistros},
+        {"linear_tolerance", &P::linearTolerance, "m",
+         "Distance to the object's pose within which the robot stands.", kFollowingDistros},
+        {"angular_tolerance", &P::angularTolerance, "rad",
+         "Maximum heading difference to the object's pose.", kFollowingDistros},
+        {"max_retries", &P::maxRetries, "", "Maximum number of searches for a lost object.",
+         kFollowingDistros},
         {"skip_orientation", &P::skipOrientation, "", "Whether the object's heading is ignored.",
-         kHere},
-        {"search_by_rotating", &P::searchByRotating, "", "Whether the robot turns to search.",
-         kHere},
-        {"search_angle", &P::searchAngle, "rad", "How far it turns, to either side.", kHere},
-        {"filter_coef", &P::filterCoef, "", "Weight of a new detection.", kHere}};
+         kFollowingDistros},
+        {"search_by_rotating", &P::searchByRotating, "", "Whether the robot rotates to search.",
+         kFollowingDistros},
+        {"search_angle", &P::searchAngle, "rad", "Angle of the search to either side.",
+         kFollowingDistros},
+        {"filter_coef", &P::filterCoef, "", "Weight of a new detection.", kFollowingDistros}};
     for (Nav2Key<P> key : controllerKeys<P>()) {
-      key.distros &= kHere;
+      key.distros &= kFollowingDistros;
       keys.push_back(key);
     }
     return keys;
@@ -242,10 +251,10 @@ const std::vector<Nav2Key<FollowingServerParameters>>& followingServerKeys() {
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleFollowingServerKeys() {
-  static const std::vector<IdleKey> kKeys = [] {
-    std::vector<IdleKey> keys = controllerIdleKeys();
-    for (IdleKey& key : keys) {
+const std::vector<IgnoredKey>& ignoredFollowingServerKeys() {
+  static const std::vector<IgnoredKey> kKeys = [] {
+    std::vector<IgnoredKey> keys = ignoredControllerKeys();
+    for (IgnoredKey& key : keys) {
       key.distros = kJazzy | kSinceLyrical;
     }
     return keys;
@@ -258,8 +267,8 @@ base::Diagnostics problemsOf(const DockingServerParameters& parameters) {
   static constexpr Limit<P> kLimits[] = {
       {"controller_frequency", &P::controllerFrequency, 0.0, 1000.0, true,
        "above 0, up to 1000 Hz"},
-      {"undock_linear_tolerance", &P::undockLinearTolerance, 0.0, kAlways, true, "above 0"},
-      {"undock_angular_tolerance", &P::undockAngularTolerance, 0.0, kAlways, true, "above 0"}};
+      {"undock_linear_tolerance", &P::undockLinearTolerance, 0.0, kUnlimited, true, "above 0"},
+      {"undock_angular_tolerance", &P::undockAngularTolerance, 0.0, kUnlimited, true, "above 0"}};
   base::Diagnostics problems;
   check(parameters, kLimits, problems);
   checkController(parameters, problems);
@@ -271,7 +280,7 @@ base::Diagnostics problemsOf(const FollowingServerParameters& parameters) {
   static constexpr Limit<P> kLimits[] = {
       {"controller_frequency", &P::controllerFrequency, 0.0, 1000.0, true,
        "above 0, up to 1000 Hz"},
-      {"desired_distance", &P::desiredDistance, 0.0, kAlways, false, "0 or more"},
+      {"desired_distance", &P::desiredDistance, 0.0, kUnlimited, false, "0 or more"},
       {"filter_coef", &P::filterCoef, 0.0, 1.0, false, "0 to 1"}};
   base::Diagnostics problems;
   check(parameters, kLimits, problems);

@@ -6,31 +6,31 @@
 
 #include "sim2d/base/Result.h"
 #include "sim2d/base/Types.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/control/GracefulParameters.h"
 
 /// Keys of docking_server and following_server (nav2_docking: opennav_docking, opennav_following).
 namespace sim2d::nav2 {
 
-/// Keys `controller.…` of both servers: the graceful control law and its test for collisions.
+/// Keys `controller.…` of both servers: the graceful control law and its collision check.
 struct DockControllerParameters {
   double kPhi = 3.0, kDelta = 2.0, beta = 0.4, lambda = 2.0;
   double minLinear = 0.1, maxLinear = 0.25;  // [m/s]
   double maxAngular = 0.75;                  // [rad/s]
   double slowdownRadius = 0.25;              // [m]
   double maxDeceleration = 2.5;              // [m/s²], since Lyrical
-  double rotationSpeed = 1.0;                // [rad/s], on the spot
+  double rotationSpeed = 1.0;                // [rad/s], in place
   double rotationAcceleration = 3.2;         // [rad/s²]
   bool usesCollisionDetection = true;
   double projectionTime = 5.0, simulationTimeStep = 0.1;  // [s]
-  double dockCollisionThreshold = 0.3;                    // [m], nothing is tested nearer
+  double dockCollisionThreshold = 0.3;                    // [m], no checks within this distance
 };
 GracefulParameters lawOf(const DockControllerParameters& controller);
 
-/// A class of docks: SimpleChargingDock or SimpleNonChargingDock.
+/// A dock class: SimpleChargingDock or SimpleNonChargingDock.
 struct DockPluginParameters {
   std::string name;                                      // "simple_charging_dock"
-  bool isCharger = true;                                 // by its class
+  bool isCharger = true;                                 // determined by its class
   double stagingXOffset = -0.7, stagingYawOffset = 0.0;  // [m], [rad]
   double dockingThreshold = 0.05;                        // [m]
   double chargingThreshold = 0.5;                        // [A]
@@ -44,12 +44,12 @@ struct DockPluginParameters {
   bool isBackward() const { return direction == "backward"; }
 };
 
-/// A dock that the file or the scenario knows.
+/// A dock from the parameter file or the scenario.
 struct DockInstance {
   std::string name;  // "home_dock"
-  std::string type;  // the name of its plugin; empty: the only one
+  std::string type;  // name of its plugin; empty: the only one
   std::string frame = "map";
-  base::Pose2 pose;  // of the docked robot [m], [rad]
+  base::Pose2 pose;  // pose of the docked robot [m], [rad]
 };
 
 struct DockingServerParameters : DockControllerParameters {
@@ -63,7 +63,7 @@ struct DockingServerParameters : DockControllerParameters {
   double dockPrestagingTolerance = 0.5;                                // [m]
   int maxRetries = 3;
   bool dockBackwards = false;     // Jazzy, Kilted
-  bool hasDockBackwards = false;  // given; in Kilted it then counts for every dock
+  bool hasDockBackwards = false;  // the key is given; in Kilted it then applies to every dock
   std::vector<std::string> dockPlugins, docks;
   std::string dockDatabase;  // a YAML file with `docks`
 
@@ -81,22 +81,22 @@ struct FollowingServerParameters : DockControllerParameters {
   double staticObjectTimeout = -1.0;                       // [s], < 0: never
   double linearTolerance = 0.15, angularTolerance = 0.15;  // [m], [rad]
   int maxRetries = 3;
-  bool skipOrientation = true;  // the object's heading does not count
+  bool skipOrientation = true;  // ignores the object's heading
   bool searchByRotating = false;
-  double searchAngle = base::kPi / 2.0;  // [rad], to either side
+  double searchAngle = base::kPi / 2.0;  // [rad], to each side
   double filterCoef = 0.1;
 };
 
 const std::vector<Nav2Key<DockingServerParameters>>& dockingServerKeys();
-const std::vector<IdleKey>& idleDockingServerKeys();
+const std::vector<IgnoredKey>& ignoredDockingServerKeys();
 const std::vector<Nav2Key<DockPluginParameters>>& dockPluginKeys();
-const std::vector<IdleKey>& idleDockPluginKeys();
-/// Of SimpleNonChargingDock, which has no battery.
-const std::vector<Nav2Key<DockPluginParameters>>& parkingDockKeys();
+const std::vector<IgnoredKey>& ignoredDockPluginKeys();
+/// Keys of SimpleNonChargingDock, which has no battery keys.
+const std::vector<Nav2Key<DockPluginParameters>>& nonChargingDockKeys();
 const std::vector<Nav2Key<FollowingServerParameters>>& followingServerKeys();
-const std::vector<IdleKey>& idleFollowingServerKeys();
+const std::vector<IgnoredKey>& ignoredFollowingServerKeys();
 
-/// Values that no robot can be driven by; each names its key.
+/// Errors in values for which a robot cannot be controlled; each names its key.
 base::Diagnostics problemsOf(const DockingServerParameters& parameters);
 base::Diagnostics problemsOf(const FollowingServerParameters& parameters);
 base::Diagnostics problemsOf(const DockPluginParameters& plugin);

@@ -9,8 +9,8 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kBeyondDock = 0.25;    // [m], of the target of an approach behind the dock's pose
-constexpr double kDetectionGate = 1.0;  // [m], detections farther from the dock are ignored
+constexpr double kBeyondDock = 0.25;    // [m], approach target behind the dock's pose
+constexpr double kDetectionGate = 1.0;  // [m], ignores detections farther from the dock
 
 Pose2 ahead(const Pose2& pose, double distance) {
   return {pose.position + distance * Vec2(base::cos(pose.heading), base::sin(pose.heading)),
@@ -25,40 +25,41 @@ DockingStep running(std::optional<BodyTwist> twist = std::nullopt) {
   return {ServerStatus::Running, twist, std::nullopt, {}};
 }
 
-/// The first plugin for a kind of docks; its class with the defaults is added when there is none.
-std::string pluginFor(bool isCharging, std::vector<DockPluginParameters>& plugins) {
+/// The first plugin of a kind; adds the class with its defaults if there is none.
+std::string findOrAddPlugin(bool isCharging, std::vector<DockPluginParameters>& plugins) {
   const auto found = std::find_if(
       plugins.begin(), plugins.end(),
       [isCharging](const DockPluginParameters& each) { return each.isCharger == isCharging; });
   if (found != plugins.end()) {
     return found->name;
   }
-  DockPluginParameters usual;
-  usual.name = isCharging ? "simple_charging_dock" : "simple_non_charging_dock";
-  usual.isCharger = isCharging;
-  plugins.push_back(usual);
-  return usual.name;
+  DockPluginParameters plugin;
+  plugin.name = isCharging ? "simple_charging_dock" : "simple_non_charging_dock";
+  plugin.isCharger = isCharging;
+  plugins.push_back(plugin);
+  return plugin.name;
 }
 
 }  // namespace
 
 DockingServer::DockingServer(DockingServerParameters parameters, Distro distro,
-                             const std::vector<DockPlace>& known)
+                             const std::vector<DockPose>& known)
     : parameters_(std::move(parameters)),
       distro_(distro),
       controller_(parameters_, distro),
       plugins_(parameters_.plugins),
       docks_(parameters_.instances) {
-  for (const DockPlace& place : known) {
+  for (const DockPose& place : known) {
     const bool isTaken = std::any_of(docks_.begin(), docks_.end(), [&](const DockInstance& dock) {
       return dock.name == place.name;
     });
     if (!isTaken) {
-      docks_.push_back({place.name, pluginFor(place.isCharging, plugins_), "map", place.pose});
+      docks_.push_back(
+          {place.name, findOrAddPlugin(place.isCharging, plugins_), "map", place.pose});
     }
   }
   if (plugins_.empty()) {
-    pluginFor(true, plugins_);
+    findOrAddPlugin(true, plugins_);
   }
 }
 
@@ -83,8 +84,8 @@ const DockPluginParameters* DockingServer::pluginOf(const std::string& type) con
   return found == plugins_.end() ? nullptr : &*found;
 }
 
-/// Jazzy has one direction for all docks; in Kilted that key may still be given; later each class
-/// has its own.
+/// Jazzy has one direction for all docks; Kilted still accepts that key; later each class has its
+/// own.
 bool DockingServer::isBackward() const {
   if (distro_ <= Distro::Jazzy || (distro_ == Distro::Kilted && parameters_.hasDockBackwards)) {
     return parameters_.dockBackwards;
@@ -92,9 +93,9 @@ bool DockingServer::isBackward() const {
   return plugin_->isBackward();
 }
 
-void DockingServer::enter(Phase phase, double time) {
+void DockingServer::enterPhase(Phase phase, double time) {
   phase_ = phase;
-  since_ = time;
+  phaseStart_ = time;
 }
 
 void DockingServer::dock(const DockGoal& goal, double time) {
@@ -102,8 +103,8 @@ void DockingServer::dock(const DockGoal& goal, double time) {
   code_ = DockError::None;
   message_.clear();
   retries_ = 0;
-  isIn_ = false;
-  enter(Phase::BeforeStaging, time);
+  isDockedByAction_ = false;
+  enterPhase(Phase::BeforeStaging, time);
 }
 
 void DockingServer::undock(const UndockGoal& goal, double time) {
@@ -111,7 +112,7 @@ void DockingServer::undock(const UndockGoal& goal, double time) {
   code_ = DockError::None;
   message_.clear();
   retries_ = 0;
-  enter(Phase::BeforeUndocking, time);
+  enterPhase(Phase::BeforeUndocking, time);
 }
 
 DockingStep DockingServer::update(const DockingInput& input) {
@@ -119,9 +120,9 @@ DockingStep DockingServer::update(const DockingInput& input) {
     case Phase::Idle:
       return {};
     case Phase::BeforeStaging:
-      return prepare(input);
+      return prepareDocking(input);
     case Phase::Staging:
-      return stage(input);
+      return navigateToStaging(input);
     case Phase::Perceiving:
       return perceive(input);
     case Phase::Rotating:
@@ -131,19 +132,18 @@ DockingStep DockingServer::update(const DockingInput& input) {
     case Phase::WaitingForCharge:
       return waitForCharge(input);
     case Phase::Returning:
-      return goBack(input);
+      return resetApproach(input);
     case Phase::BeforeUndocking:
       return prepareUndocking(input);
     case Phase::Undocking:
-      return leave(input);
+      return driveOut(input);
     case Phase::RotatingBack:
-      return afterLeaving(input);
+      return finishUndocking(input);
   }
   return {};
 }
 
-// ---- what the robot knows of the dock
-// ------------------------------------------------------------
+// ---- dock detection
 
 bool DockingServer::isDocked(const DockingInput& input) const {
   return (input.view.pose.position - dockPose_.position).norm() < plugin_->dockingThreshold;
@@ -160,14 +160,14 @@ bool DockingServer::isConnected(const DockingInput& input) const {
   return isDocked(input) || (plugin_->isCharger && isCharging(input));
 }
 
-/// False: the dock is not seen. Without detection its known pose counts.
-bool DockingServer::refine(const DockingInput& input) {
+/// Returns false if the dock is not detected. Without detection its known pose is used.
+bool DockingServer::refineDockPose(const DockingInput& input) {
   if (!plugin_->usesDetection) {
     return true;
   }
-  const DockPlace* nearest = nullptr;
+  const DockPose* nearest = nullptr;
   double least = kDetectionGate;
-  for (const DockPlace& place : input.seen) {
+  for (const DockPose& place : input.seen) {
     const double distance = (place.pose.position - dockPose_.position).norm();
     if (distance <= least) {
       least = distance;
@@ -185,7 +185,7 @@ bool DockingServer::refine(const DockingInput& input) {
 
 // ---- docking -----------------------------------------------------------------------------------
 
-DockingStep DockingServer::prepare(const DockingInput& input) {
+DockingStep DockingServer::prepareDocking(const DockingInput& input) {
   if (goal_.usesDockId) {
     const auto found = std::find_if(docks_.begin(), docks_.end(), [&](const DockInstance& each) {
       return each.name == goal_.dockId;
@@ -209,21 +209,21 @@ DockingStep DockingServer::prepare(const DockingInput& input) {
   }
   const double distance = (input.view.pose.position - staging_.position).norm();
   if (!goal_.navigatesToStaging || distance < parameters_.dockPrestagingTolerance) {
-    enter(Phase::Perceiving, input.time);
+    enterPhase(Phase::Perceiving, input.time);
     return perceive(input);
   }
-  enter(Phase::Staging, input.time);
+  enterPhase(Phase::Staging, input.time);
   DockingStep step = running();
   step.staging = staging_;
   return step;
 }
 
-DockingStep DockingServer::stage(const DockingInput& input) {
+DockingStep DockingServer::navigateToStaging(const DockingInput& input) {
   if (input.staging == StagingDrive::Failed || input.staging == StagingDrive::None) {
     return fail(DockError::FailedToStage, "Failed to reach the staging pose");
   }
   if (input.staging == StagingDrive::Arrived) {
-    enter(Phase::Perceiving, input.time);
+    enterPhase(Phase::Perceiving, input.time);
     return running(BodyTwist());
   }
   if (elapsed(input) > goal_.maxStagingTime) {
@@ -235,9 +235,9 @@ DockingStep DockingServer::stage(const DockingInput& input) {
 }
 
 DockingStep DockingServer::perceive(const DockingInput& input) {
-  if (refine(input)) {
+  if (refineDockPose(input)) {
     const bool rotates = plugin_->rotatesToDock && distro_ >= Distro::Kilted;
-    enter(rotates ? Phase::Rotating : Phase::Approaching, input.time);
+    enterPhase(rotates ? Phase::Rotating : Phase::Approaching, input.time);
     return running(BodyTwist());
   }
   if (elapsed(input) > parameters_.initialPerceptionTimeout) {
@@ -261,18 +261,18 @@ DockingStep DockingServer::rotate(const DockingInput& input) {
   if (const auto turning = turnTo(input, dockPose_.heading + base::kPi)) {
     return *turning;
   }
-  enter(Phase::Approaching, input.time);
+  enterPhase(Phase::Approaching, input.time);
   return running(BodyTwist());
 }
 
 DockingStep DockingServer::approach(const DockingInput& input) {
   if (isConnected(input)) {
-    enter(Phase::WaitingForCharge, input.time);
+    enterPhase(Phase::WaitingForCharge, input.time);
     return waitForCharge(input);
   }
-  // A robot that turned its back to the dock no longer sees it.
+  // A robot facing away from the dock does not detect it.
   const bool looks = !(plugin_->rotatesToDock && distro_ >= Distro::Kilted);
-  if (looks && !refine(input)) {
+  if (looks && !refineDockPose(input)) {
     return retry(input, DockError::FailedToDetectDock, "Failed dock detection");
   }
   const bool isBackward = this->isBackward();
@@ -290,7 +290,7 @@ DockingStep DockingServer::approach(const DockingInput& input) {
 
 DockingStep DockingServer::waitForCharge(const DockingInput& input) {
   if (!plugin_->isCharger || isCharging(input)) {
-    isIn_ = true;
+    isDockedByAction_ = true;
     return succeed("docked");
   }
   if (elapsed(input) > parameters_.waitChargeTimeout) {
@@ -313,7 +313,7 @@ std::optional<DockingStep> DockingServer::driveTo(const DockingInput& input, con
   return running(controller_.command(input.view, pose, isBackward));
 }
 
-DockingStep DockingServer::goBack(const DockingInput& input) {
+DockingStep DockingServer::resetApproach(const DockingInput& input) {
   const bool isBackward = this->isBackward();
   const bool turned = plugin_->rotatesToDock && distro_ >= Distro::Kilted;
   if (const auto driving = driveTo(input, turned ? reversed(staging_) : staging_, !isBackward)) {
@@ -321,20 +321,20 @@ DockingStep DockingServer::goBack(const DockingInput& input) {
     return isLate ? fail(DockError::FailedToControl, "Timed out resetting dock approach")
                   : *driving;
   }
-  enter(Phase::Approaching, input.time);
+  enterPhase(Phase::Approaching, input.time);
   return running(BodyTwist());
 }
 
 // ---- undocking ---------------------------------------------------------------------------------
 
-/// The staging pose in front of the place where the robot is.
+/// Computes the staging pose in front of the robot's pose.
 DockingStep DockingServer::prepareUndocking(const DockingInput& input) {
-  const std::string type = undock_.type.empty() && isIn_ ? dock_.type : undock_.type;
+  const std::string type = undock_.type.empty() && isDockedByAction_ ? dock_.type : undock_.type;
   plugin_ = pluginOf(type);
   if (plugin_ == nullptr) {
     return fail(DockError::DockNotValid, "No dock information to undock from!");
   }
-  if (!isIn_) {  // it stood there from the start
+  if (!isDockedByAction_) {  // the robot started in the dock
     const auto nearest = std::min_element(
         docks_.begin(), docks_.end(), [&](const DockInstance& a, const DockInstance& b) {
           return (a.pose.position - input.view.pose.position).squaredNorm() <
@@ -344,20 +344,20 @@ DockingStep DockingServer::prepareUndocking(const DockingInput& input) {
     dockPose_ = dock_.pose;
   }
   if (!isConnected(input)) {
-    return succeed({});  // there is nothing to drive out of
+    return succeed({});  // the robot is not docked
   }
   const bool isBackward = this->isBackward();
   const Pose2 docked = isBackward ? reversed(input.view.pose) : input.view.pose;
   staging_ = ahead(docked, plugin_->stagingXOffset);
   staging_.heading = base::wrapToPi(docked.heading + plugin_->stagingYawOffset);
   if (plugin_->rotatesToDock && distro_ >= Distro::Kilted) {
-    staging_ = reversed(staging_);  // it turns round once it is out
+    staging_ = reversed(staging_);  // the robot turns after leaving
   }
-  enter(Phase::Undocking, input.time);
-  return leave(input);
+  enterPhase(Phase::Undocking, input.time);
+  return driveOut(input);
 }
 
-DockingStep DockingServer::leave(const DockingInput& input) {
+DockingStep DockingServer::driveOut(const DockingInput& input) {
   if (elapsed(input) > undock_.maxUndockingTime) {
     return fail(DockError::FailedToControl, "Undocking timed out");
   }
@@ -365,13 +365,13 @@ DockingStep DockingServer::leave(const DockingInput& input) {
     return *driving;
   }
   if (plugin_->rotatesToDock && distro_ >= Distro::Kilted) {
-    enter(Phase::RotatingBack, input.time);
+    enterPhase(Phase::RotatingBack, input.time);
     return running(BodyTwist());
   }
-  return afterLeaving(input);
+  return finishUndocking(input);
 }
 
-DockingStep DockingServer::afterLeaving(const DockingInput& input) {
+DockingStep DockingServer::finishUndocking(const DockingInput& input) {
   if (phase_ == Phase::RotatingBack) {
     if (const auto turning = turnTo(input, staging_.heading + base::kPi)) {
       return *turning;
@@ -380,11 +380,11 @@ DockingStep DockingServer::afterLeaving(const DockingInput& input) {
   if (plugin_->isCharger && isCharging(input)) {
     return fail(DockError::FailedToControl, "Failed to control off dock, still charging");
   }
-  isIn_ = false;
+  isDockedByAction_ = false;
   return succeed("undocked");
 }
 
-// ---- ends --------------------------------------------------------------------------------------
+// ---- results -----------------------------------------------------------------------------------
 
 DockingStep DockingServer::fail(DockError code, std::string message) {
   code_ = code;
@@ -397,7 +397,7 @@ DockingStep DockingServer::retry(const DockingInput& input, DockError code, std:
   if (++retries_ > parameters_.maxRetries) {
     return fail(code, std::move(message));
   }
-  enter(Phase::Returning, input.time);
+  enterPhase(Phase::Returning, input.time);
   return running(BodyTwist());
 }
 

@@ -8,9 +8,9 @@
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/nav2/docking/DockController.h"
 
-/// Nav2's docking_server (opennav_docking): drives a robot into docks and out of them. It keeps no
-/// clock, plans no paths and publishes nothing: time and the state of the drive to the staging pose
-/// are handed in, commands are handed out.
+/// Nav2's docking_server (opennav_docking), which drives a robot into and out of docks. It has no
+/// clock, plans no paths and publishes nothing: the caller passes time and the state of the drive
+/// to the staging pose, and executes the returned commands.
 namespace sim2d::nav2 {
 
 /// Error codes of the actions DockRobot and UndockRobot.
@@ -35,7 +35,7 @@ struct DockGoal {
   bool navigatesToStaging = true;
 };
 struct UndockGoal {
-  std::string type;                // empty: of the dock that the robot drove into
+  std::string type;                // empty: that of the last dock
   double maxUndockingTime = 30.0;  // [s]
 };
 
@@ -45,45 +45,45 @@ enum class StagingDrive : std::uint8_t { None, Running, Arrived, Failed };
 
 struct DockingInput {
   double time = 0.0, dt = 0.05;  // [s]
-  DockView view;
-  const std::vector<DockPlace>& seen;   // docks that the robot detects now
+  DockControllerInput view;
+  const std::vector<DockPose>& seen;    // docks detected in this cycle
   std::optional<BatteryState> battery;  // none: a docked robot counts as charged
   StagingDrive staging = StagingDrive::None;
 };
 
-/// What came of one call of `update`.
+/// Result of a call of `update`.
 struct DockingStep {
   ServerStatus status = ServerStatus::Idle;
   std::optional<BodyTwist> twist;  // none: nothing is published
-  std::optional<Pose2> staging;    // the robot is to be driven there by planner and controller
-  std::string event;               // "docked home", "undocked home"; empty: nothing of the kind
+  std::optional<Pose2> staging;    // requests planner and controller to drive there
+  std::string event;               // "docked home", "undocked home"; empty: none
 };
 
-/// One action at a time; a new one takes the place of the old one. Thread: one at a time.
+/// Runs one action at a time; a new one replaces the current one. Not thread-safe.
 class DockingServer {
  public:
-  /// `known`: docks of the scenario. Those whose names the file's docks do not have are added with
-  /// the first plugin for their kind, or the class with its defaults.
+  /// `known`: docks of the scenario. Those whose names are not among the file's docks are added
+  /// with the first plugin of their kind, or the class with its defaults.
   DockingServer(DockingServerParameters parameters, Distro distro,
-                const std::vector<DockPlace>& known);
+                const std::vector<DockPose>& known);
 
   void dock(const DockGoal& goal, double time);
   void undock(const UndockGoal& goal, double time);
-  /// The robot stops: the caller commands zero.
+  /// The caller must stop the robot.
   void cancel() { phase_ = Phase::Idle; }
   bool isRunning() const { return phase_ != Phase::Idle; }
-  /// A cycle; nothing while no action runs.
+  /// Performs a cycle; no effect without an action.
   DockingStep update(const DockingInput& input);
 
-  // Of the action that ran last.
+  // Results of the last action.
   DockError code() const { return code_; }
-  const std::string& message() const { return message_; }  // Nav2's own words
+  const std::string& message() const { return message_; }  // Nav2's message
   int retries() const { return retries_; }
   const DockingServerParameters& parameters() const { return parameters_; }
 
-  /// Where the robot begins its approach of a dock at `pose`.
+  /// The pose at which the approach of a dock at `pose` begins.
   static Pose2 stagingPose(const DockPluginParameters& plugin, const Pose2& pose);
-  /// Exponential filter of detections (PoseFilter): position and heading move by `coef` of the
+  /// Exponential filter of detections (PoseFilter): moves position and heading by `coef` times the
   /// difference.
   static Pose2 filtered(const Pose2& estimate, const Pose2& measured, double coef);
 
@@ -96,7 +96,7 @@ class DockingServer {
     Rotating,
     Approaching,
     WaitingForCharge,
-    Returning,  // to the staging pose, to try again
+    Returning,  // to the staging pose, for a retry
     BeforeUndocking,
     Undocking,
     RotatingBack
@@ -107,27 +107,27 @@ class DockingServer {
   bool isDocked(const DockingInput& input) const;
   bool isCharging(const DockingInput& input) const;
   bool isConnected(const DockingInput& input) const;
-  bool refine(const DockingInput& input);
-  void enter(Phase phase, double time);
-  double elapsed(const DockingInput& input) const { return input.time - since_; }
+  bool refineDockPose(const DockingInput& input);
+  void enterPhase(Phase phase, double time);
+  double elapsed(const DockingInput& input) const { return input.time - phaseStart_; }
 
-  DockingStep prepare(const DockingInput& input);
-  DockingStep stage(const DockingInput& input);
+  DockingStep prepareDocking(const DockingInput& input);
+  DockingStep navigateToStaging(const DockingInput& input);
   DockingStep perceive(const DockingInput& input);
   DockingStep rotate(const DockingInput& input);
   DockingStep approach(const DockingInput& input);
   DockingStep waitForCharge(const DockingInput& input);
-  DockingStep goBack(const DockingInput& input);
+  DockingStep resetApproach(const DockingInput& input);
   DockingStep prepareUndocking(const DockingInput& input);
-  DockingStep leave(const DockingInput& input);
-  DockingStep afterLeaving(const DockingInput& input);
-  /// Towards a pose; nothing: the robot is there.
+  DockingStep driveOut(const DockingInput& input);
+  DockingStep finishUndocking(const DockingInput& input);
+  /// Drives to a pose; nullopt: it is reached.
   std::optional<DockingStep> driveTo(const DockingInput& input, const Pose2& pose, bool isBackward);
-  /// A turn on the spot; nothing: it is done.
+  /// Rotates in place; nullopt: complete.
   std::optional<DockingStep> turnTo(const DockingInput& input, double heading);
 
   DockingStep fail(DockError code, std::string message);
-  /// As Nav2 does for what goes wrong in an approach: another attempt while there are some left.
+  /// Starts another attempt after a failed approach while retries are left, as in Nav2.
   DockingStep retry(const DockingInput& input, DockError code, std::string message);
   DockingStep succeed(const std::string& event);
 
@@ -138,15 +138,15 @@ class DockingServer {
   std::vector<DockInstance> docks_;
 
   Phase phase_ = Phase::Idle;
-  double since_ = 0.0;  // [s], when the phase began
+  double phaseStart_ = 0.0;  // [s], start of the phase
   DockGoal goal_;
   UndockGoal undock_;
   DockInstance dock_;                             // of this action
   const DockPluginParameters* plugin_ = nullptr;  // its class
-  Pose2 dockPose_;                                // as refined by detections
-  std::optional<double> detectedAt_;              // [s], the last detection
+  Pose2 dockPose_;                                // refined by detections
+  std::optional<double> detectedAt_;              // [s], last detection
   Pose2 staging_;
-  bool isIn_ = false;  // in `dock_`, by the action that ended last
+  bool isDockedByAction_ = false;  // docked at `dock_` by the last action
   int retries_ = 0;
   DockError code_ = DockError::None;
   std::string message_;

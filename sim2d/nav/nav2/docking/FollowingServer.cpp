@@ -9,7 +9,7 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kBeyondTarget = 0.25;  // [m], of the target behind the pose that is kept
+constexpr double kBeyondTarget = 0.25;  // [m], control target behind the kept pose
 constexpr double kSamePlace = 1e-6;     // [m]
 
 }  // namespace
@@ -18,10 +18,10 @@ void FollowingServer::follow(const FollowGoal& goal, double time) {
   goal_ = goal;
   isRunning_ = true;
   isSearching_ = false;
-  begun_ = seenAt_ = time;
+  startTime_ = lastDetection_ = time;
   elapsed_ = 0.0;
   object_.reset();
-  standingSince_.reset();
+  staticSince_.reset();
   retries_ = 0;
   code_ = FollowError::None;
   message_.clear();
@@ -34,23 +34,23 @@ Pose2 FollowingServer::poseAtDistance(const Pose2& object, const Vec2& robot, do
                              : Pose2{object.position - distance / length * line, object.heading};
 }
 
-/// False: the object has not been seen for too long.
+/// Returns false if the last detection is too old.
 bool FollowingServer::detect(const FollowingInput& input) {
   if (input.object) {
-    const bool isFresh = object_ && input.time - seenAt_ <= parameters_.detectionTimeout;
+    const bool isFresh = object_ && input.time - lastDetection_ <= parameters_.detectionTimeout;
     object_ = goal_.isDetected && isFresh
                   ? DockingServer::filtered(*object_, *input.object, parameters_.filterCoef)
                   : *input.object;
-    seenAt_ = input.time;
+    lastDetection_ = input.time;
   }
-  return object_ && input.time - seenAt_ <= parameters_.detectionTimeout;
+  return object_ && input.time - lastDetection_ <= parameters_.detectionTimeout;
 }
 
 FollowingStep FollowingServer::update(const FollowingInput& input) {
   if (!isRunning_) {
     return {};
   }
-  elapsed_ = input.time - begun_;
+  elapsed_ = input.time - startTime_;
   if (goal_.maxDuration > 0.0 && elapsed_ > goal_.maxDuration) {
     return end(ServerStatus::Succeeded, FollowError::None, {});
   }
@@ -61,9 +61,9 @@ FollowingStep FollowingServer::update(const FollowingInput& input) {
   if (isSearching_) {
     return search(input);
   }
-  const bool isEarly = !object_ && input.time - seenAt_ <= parameters_.detectionTimeout;
+  const bool isEarly = !object_ && input.time - lastDetection_ <= parameters_.detectionTimeout;
   return isEarly ? FollowingStep{ServerStatus::Running, BodyTwist()}
-                 : lose(input, FollowError::FailedToDetectObject, "Failed to detect object");
+                 : handleLoss(input, FollowError::FailedToDetectObject, "Failed to detect object");
 }
 
 FollowingStep FollowingServer::drive(const FollowingInput& input) {
@@ -76,53 +76,52 @@ FollowingStep FollowingServer::drive(const FollowingInput& input) {
   const double turn = base::wrapToPi(object.heading - robot.heading);
   const double excess = line.norm() - parameters_.desiredDistance;
   const bool faces = std::fabs(turn) < parameters_.angularTolerance;
-  if (excess < parameters_.linearTolerance) {  // near enough; nearer than that it does not back off
-    standingSince_ = standingSince_.value_or(input.time);
+  if (excess < parameters_.linearTolerance) {  // does not back up when closer
+    staticSince_ = staticSince_.value_or(input.time);
     const bool isOver = parameters_.staticObjectTimeout > 0.0 &&
-                        input.time - *standingSince_ > parameters_.staticObjectTimeout;
+                        input.time - *staticSince_ > parameters_.staticObjectTimeout;
     if (faces && isOver) {
       return end(ServerStatus::Succeeded, FollowError::None, {});
     }
     const BodyTwist turning = controller_.rotation(turn, input.view.motion.angular, input.dt);
     return {ServerStatus::Running, faces ? BodyTwist() : turning};
   }
-  standingSince_.reset();
+  staticSince_.reset();
   const Pose2 target =
       poseAtDistance(object, robot.position, parameters_.desiredDistance - kBeyondTarget);
   if (!controller_.isFree(input.view, target, true, false)) {
-    return lose(input, FollowError::FailedToControl, "Failed to get control");
+    return handleLoss(input, FollowError::FailedToControl, "Failed to get control");
   }
   return {ServerStatus::Running, controller_.command(input.view, target, false)};
 }
 
-/// Turns to the left by the search angle, then to the right past the heading that it began with.
+/// Rotates to the left by the search angle, then to the right beyond the initial heading.
 FollowingStep FollowingServer::search(const FollowingInput& input) {
-  if (input.time - searchedSince_ > parameters_.rotateToObjectTimeout) {
+  if (input.time - searchStart_ > parameters_.rotateToObjectTimeout) {
     isSearching_ = false;
-    return lose(input, FollowError::FailedToDetectObject, "Timed out rotating to object");
+    return handleLoss(input, FollowError::FailedToDetectObject, "Timed out rotating to object");
   }
-  const double turned = base::wrapToPi(input.view.pose.heading - searchFrom_);
-  const double turn = (side_ == 0 ? 1.0 : -1.0) * parameters_.searchAngle - turned;
+  const double turned = base::wrapToPi(input.view.pose.heading - searchStartHeading_);
+  const double turn = (searchSide_ == 0 ? 1.0 : -1.0) * parameters_.searchAngle - turned;
   if (std::fabs(turn) < parameters_.angularTolerance) {
-    side_ = 1 - side_;
+    searchSide_ = 1 - searchSide_;
   }
   return {ServerStatus::Running, controller_.rotation(turn, input.view.motion.angular, input.dt)};
 }
 
-/// Another attempt while there are some left: a search, or a wait for as long as a detection
-/// counts.
-FollowingStep FollowingServer::lose(const FollowingInput& input, FollowError code,
-                                    std::string message) {
+/// Starts another attempt while retries are left: a search, or a wait for `detection_timeout`.
+FollowingStep FollowingServer::handleLoss(const FollowingInput& input, FollowError code,
+                                          std::string message) {
   if (++retries_ > parameters_.maxRetries) {
     return end(ServerStatus::Failed, code, std::move(message));
   }
   isSearching_ = parameters_.searchByRotating && code == FollowError::FailedToDetectObject;
-  searchedSince_ = input.time;
-  searchFrom_ = input.view.pose.heading;
-  side_ = 0;
+  searchStart_ = input.time;
+  searchStartHeading_ = input.view.pose.heading;
+  searchSide_ = 0;
   if (!isSearching_ && code == FollowError::FailedToDetectObject) {
     object_.reset();
-    seenAt_ = input.time;
+    lastDetection_ = input.time;
   }
   return {ServerStatus::Running, BodyTwist()};
 }

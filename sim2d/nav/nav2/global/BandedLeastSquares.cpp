@@ -7,14 +7,14 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kFirstRadius = 1e4, kGreatestRadius = 1e16, kLeastRadius = 1e-32;
-constexpr double kLeastDiagonal = 1e-6, kGreatestDiagonal = 1e32;
-constexpr double kLeastDecrease = 1e-3;  // of a step, relative to what the model expects
-constexpr int kMostInvalidSteps = 5;     // in a row
+constexpr double kInitialRadius = 1e4, kMaxRadius = 1e16, kMinRadius = 1e-32;
+constexpr double kMinDiagonal = 1e-6, kMaxDiagonal = 1e32;
+constexpr double kMinDecrease = 1e-3;  // of a step, relative to the model's prediction
+constexpr int kMaxInvalidSteps = 5;    // consecutive
 
 using ResidualGroups = std::vector<LeastSquares::Group>;
 
-double halfSquares(const ResidualGroups& groups) {
+double halfSquaredNorm(const ResidualGroups& groups) {
   double sum = 0.0;
   for (const LeastSquares::Group& group : groups) {
     for (const double value : group.values) {
@@ -24,7 +24,7 @@ double halfSquares(const ResidualGroups& groups) {
   return 0.5 * sum;
 }
 
-/// A symmetric matrix of which only entries near the diagonal are not 0: the lower half by rows.
+/// A symmetric band matrix; stores the lower half by rows.
 class BandMatrix {
  public:
   BandMatrix(std::size_t size, std::size_t bandwidth)
@@ -35,9 +35,9 @@ class BandMatrix {
   }
   std::size_t size() const { return size_; }
 
-  /// Solves for a right side by Cholesky's method; false: it is not positive definite.
+  /// Solves for a right-hand side by Cholesky factorization; false if it is not positive definite.
   bool solve(std::vector<double>& side) {
-    if (!factorise()) {
+    if (!factorize()) {
       return false;
     }
     for (std::size_t row = 0; row < size_; ++row) {
@@ -56,7 +56,7 @@ class BandMatrix {
   }
 
  private:
-  bool factorise() {
+  bool factorize() {
     for (std::size_t row = 0; row < size_; ++row) {
       for (std::size_t column = firstOf(row); column <= row; ++column) {
         double sum = at(row, column);
@@ -78,47 +78,47 @@ class BandMatrix {
 };
 
 /// One run of the algorithm.
-class Minimiser {
+class LevenbergMarquardt {
  public:
-  Minimiser(const LeastSquares& problem, const LeastSquaresLimits& limits,
-            std::vector<double>& point)
+  LevenbergMarquardt(const LeastSquares& problem, const LeastSquaresLimits& limits,
+                     std::vector<double>& point)
       : problem_(problem), limits_(limits), point_(point) {}
 
-  LeastSquaresEnd run() {
+  LeastSquaresResult run() {
     groups_ = problem_.groups(point_);
-    end_.firstCost = end_.lastCost = halfSquares(groups_);
-    linearise();
+    end_.firstCost = end_.lastCost = halfSquaredNorm(groups_);
+    linearize();
     scale_ = columnNorms_;
     for (double& each : scale_) {
       each = 1.0 / (1.0 + std::sqrt(each));
     }
     int invalid = 0;
     bool isDone = !std::isfinite(end_.firstCost) || isFlat();
-    while (!isDone && end_.iterations < limits_.mostIterations && radius_ > kLeastRadius) {
+    while (!isDone && end_.iterations < limits_.maxIterations && radius_ > kMinRadius) {
       ++end_.iterations;
       if (findStep()) {
         invalid = 0;
         isDone = takeStep();
       } else {
         reject();
-        isDone = ++invalid >= kMostInvalidSteps;
+        isDone = ++invalid >= kMaxInvalidSteps;
       }
     }
     return end_;
   }
 
  private:
-  /// Gradient and squared lengths of the Jacobian's columns.
-  void linearise() {
+  /// Computes the gradient and the squared norms of the Jacobian's columns.
+  void linearize() {
     gradient_.assign(point_.size(), 0.0);
     columnNorms_.assign(point_.size(), 0.0);
     for (const LeastSquares::Group& group : groups_) {
       const std::size_t count = group.variables.size();
       for (std::size_t r = 0; r < group.values.size(); ++r) {
         for (std::size_t v = 0; v < count; ++v) {
-          const double slope = group.slopes[r * count + v];
-          gradient_[group.variables[v]] += slope * group.values[r];
-          columnNorms_[group.variables[v]] += slope * slope;
+          const double derivative = group.derivatives[r * count + v];
+          gradient_[group.variables[v]] += derivative * group.values[r];
+          columnNorms_[group.variables[v]] += derivative * derivative;
         }
       }
     }
@@ -132,17 +132,16 @@ class Minimiser {
     return isFlat;
   }
 
-  /// The step of the damped model, and by how much it lowers the model's cost.
+  /// Computes the damped step and the predicted decrease of the cost.
   bool findStep() {
     BandMatrix normal(point_.size(), problem_.bandwidth());
     for (const LeastSquares::Group& group : groups_) {
       addNormal(group, normal);
     }
-    if (!keepsDiagonal_) {
+    if (!reusesDiagonal_) {
       diagonal_ = columnNorms_;
       for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-        diagonal_[i] =
-            std::clamp(diagonal_[i] * scale_[i] * scale_[i], kLeastDiagonal, kGreatestDiagonal);
+        diagonal_[i] = std::clamp(diagonal_[i] * scale_[i] * scale_[i], kMinDiagonal, kMaxDiagonal);
       }
     }
     step_.resize(point_.size());
@@ -162,7 +161,7 @@ class Minimiser {
       for (std::size_t r = 0; r < group.values.size(); ++r) {
         double change = 0.0;
         for (std::size_t v = 0; v < count; ++v) {
-          change += group.slopes[r * count + v] * step_[group.variables[v]];
+          change += group.derivatives[r * count + v] * step_[group.variables[v]];
         }
         modelChange_ -= change * (group.values[r] + 0.5 * change);
       }
@@ -178,15 +177,15 @@ class Minimiser {
         for (std::size_t w = 0; w < count; ++w) {
           const std::size_t column = group.variables[w];
           if (column <= row) {
-            normal.at(row, column) += group.slopes[r * count + v] * scale_[row] *
-                                      group.slopes[r * count + w] * scale_[column];
+            normal.at(row, column) += group.derivatives[r * count + v] * scale_[row] *
+                                      group.derivatives[r * count + w] * scale_[column];
           }
         }
       }
     }
   }
 
-  /// Whether the search has come to its end.
+  /// Applies the step; returns whether the search has ended.
   bool takeStep() {
     std::vector<double> candidate = point_;
     double stepSquare = 0.0, pointSquare = 0.0;
@@ -196,7 +195,7 @@ class Minimiser {
       pointSquare += point_[i] * point_[i];
     }
     ResidualGroups groups = problem_.groups(candidate);
-    const double cost = halfSquares(groups), change = end_.lastCost - cost;
+    const double cost = halfSquaredNorm(groups), change = end_.lastCost - cost;
     const double tolerance = limits_.parameterTolerance;
     const bool isShort =
         hasMoved_ && std::sqrt(stepSquare) <= tolerance * (std::sqrt(pointSquare) + tolerance);
@@ -205,7 +204,7 @@ class Minimiser {
       return true;
     }
     const double quality = change / modelChange_;
-    if (!(quality > kLeastDecrease)) {
+    if (!(quality > kMinDecrease)) {
       reject();
       return false;
     }
@@ -213,35 +212,36 @@ class Minimiser {
     groups_ = std::move(groups);
     end_.lastCost = cost;
     hasMoved_ = true;
-    linearise();
+    linearize();
     const double curve = 2.0 * quality - 1.0;
-    radius_ = std::min(radius_ / std::max(1.0 / 3.0, 1.0 - curve * curve * curve), kGreatestRadius);
-    shrinking_ = 2.0;
-    keepsDiagonal_ = false;
+    radius_ = std::min(radius_ / std::max(1.0 / 3.0, 1.0 - curve * curve * curve), kMaxRadius);
+    decreaseFactor_ = 2.0;
+    reusesDiagonal_ = false;
     return isFlat();
   }
 
   void reject() {
-    radius_ /= shrinking_;
-    shrinking_ *= 2.0;
-    keepsDiagonal_ = true;
+    radius_ /= decreaseFactor_;
+    decreaseFactor_ *= 2.0;
+    reusesDiagonal_ = true;
   }
 
   const LeastSquares& problem_;
   LeastSquaresLimits limits_;
   std::vector<double>& point_;
-  LeastSquaresEnd end_;
-  ResidualGroups groups_;  // at the point
+  LeastSquaresResult end_;
+  ResidualGroups groups_;  // at the current point
   std::vector<double> gradient_, columnNorms_, scale_, diagonal_, step_;
-  double radius_ = kFirstRadius, shrinking_ = 2.0, modelChange_ = 0.0;
-  bool keepsDiagonal_ = false, hasMoved_ = false;
+  double radius_ = kInitialRadius, decreaseFactor_ = 2.0, modelChange_ = 0.0;
+  bool reusesDiagonal_ = false, hasMoved_ = false;
 };
 
 }  // namespace
 
-LeastSquaresEnd minimise(const LeastSquares& problem, const LeastSquaresLimits& limits,
-                         std::vector<double>& point) {
-  return Minimiser(problem, limits, point).run();
+LeastSquaresResult minimizeLeastSquares(const LeastSquares& problem,
+                                        const LeastSquaresLimits& limits,
+                                        std::vector<double>& point) {
+  return LevenbergMarquardt(problem, limits, point).run();
 }
 
 }  // namespace sim2d::nav2

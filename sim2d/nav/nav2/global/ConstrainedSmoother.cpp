@@ -9,31 +9,31 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/global/BandedLeastSquares.h"
-#include "sim2d/nav/nav2/global/ConstrainedTerms.h"
+#include "sim2d/nav/nav2/global/ConstrainedResiduals.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kLeastStretch = 1e-4;   // of a stretch [m]
-constexpr double kPosesPerSecond = 1e6;  // that an iteration moves
-constexpr double kLongestFit = 60.0;     // [s], whatever the tree allows
-constexpr double kControlPoints = 0.4;   // of a stretch, of the curves between poses
-constexpr std::size_t kFixed = std::numeric_limits<std::size_t>::max();  // number of no variable
+constexpr double kMinSegment = 1e-4;      // minimum length of a segment [m]
+constexpr double kPosesPerSecond = 1e6;   // moved by iterations
+constexpr double kMaxFitDuration = 60.0;  // [s], upper limit of maxDuration
+constexpr double kControlPoints = 0.4;    // distance of control points / segment length
+constexpr std::size_t kFixed = std::numeric_limits<std::size_t>::max();  // index of fixed poses
 
-/// An inner pose with its neighbours, by their places in the path.
+/// An inner pose with its neighbours, as indices of the path.
 struct InnerPose {
   std::size_t before, at, after;
   SmoothTerm term;
 };
 
-/// The poses that are kept, and what belongs to each of the inner ones.
+/// The poses that are kept, and the terms of the inner ones.
 class SmoothProblem final : public LeastSquares {
  public:
   SmoothProblem(const std::vector<ConstrainedPose>& path, const Costmap& costmap,
                 const ConstrainedSmootherParameters& parameters)
       : path_(path), costmap_(costmap), parameters_(parameters), isKept_(path.size(), false) {
-    chooseKept();
-    numberVariables();
+    selectKeptPoses();
+    assignVariableIndices();
   }
 
   std::size_t variables() const { return count_; }
@@ -42,16 +42,17 @@ class SmoothProblem final : public LeastSquares {
   std::vector<double> firstPoint() const {
     std::vector<double> point(count_);
     for (std::size_t i = 0; i < path_.size(); ++i) {
-      if (numbers_[i] != kFixed) {
-        point[numbers_[i]] = path_[i].position.x();
-        point[numbers_[i] + 1] = path_[i].position.y();
+      if (variableIndices_[i] != kFixed) {
+        point[variableIndices_[i]] = path_[i].position.x();
+        point[variableIndices_[i] + 1] = path_[i].position.y();
       }
     }
     return point;
   }
   Vec2 placeOf(std::size_t i, const std::vector<double>& point) const {
-    return numbers_[i] == kFixed ? path_[i].position
-                                 : Vec2(point[numbers_[i]], point[numbers_[i] + 1]);
+    return variableIndices_[i] == kFixed
+               ? path_[i].position
+               : Vec2(point[variableIndices_[i]], point[variableIndices_[i] + 1]);
   }
 
   std::size_t bandwidth() const override { return 6; }
@@ -65,7 +66,7 @@ class SmoothProblem final : public LeastSquares {
   }
 
  private:
-  /// Where the robot turns back, poses are kept whatever the factor.
+  /// Poses at cusps are kept regardless of the downsampling factor.
   bool isSkipped(std::size_t i, std::size_t last, bool isCusp) const {
     const std::size_t first = parameters_.keepStartOrientation ? 1 : 0;
     const std::size_t end = parameters_.keepGoalOrientation ? 2 : 1;
@@ -73,19 +74,19 @@ class SmoothProblem final : public LeastSquares {
            i - last < static_cast<std::size_t>(parameters_.pathDownsamplingFactor);
   }
 
-  /// The weight of costs at a distance from a cusp.
-  double weightAt(double distance) const {
+  /// The cost weight at a distance from a cusp.
+  double cuspWeight(double distance) const {
     const double half = parameters_.cuspZoneLength / 2.0;
     const double cusp = parameters_.wCost * parameters_.wCostCuspMultiplier;
     return cusp * (1.0 - distance / half) + parameters_.wCost * distance / half;
   }
 
-  /// Costs count more before the cusp that comes after the pose with this number.
+  /// Raises the cost weights before the cusp that follows; `length`: distance to the cusp.
   void raiseWeightsBefore(double length) {
     const double cusp = parameters_.wCost * parameters_.wCostCuspMultiplier;
     for (std::size_t i = nearby_.size(); i-- > 0;) {
       SmoothTerm& term = inner_[nearby_[i].second].term;
-      const double weight = weightAt(length);
+      const double weight = cuspWeight(length);
       if (std::abs(weight - cusp) < std::abs(term.costWeight - cusp)) {
         term.costWeight = weight;
       }
@@ -95,16 +96,16 @@ class SmoothProblem final : public LeastSquares {
     nearbyLength_ = 0.0;
   }
 
-  void forgetFar() {
+  void dropFarPoses() {
     while (!nearby_.empty() && nearbyLength_ > parameters_.cuspZoneLength / 2.0) {
       nearbyLength_ -= nearby_.front().first;
       nearby_.pop_front();
     }
   }
 
-  void chooseKept() {
+  void selectKeptPoses() {
     std::size_t before = kFixed, last = 0;
-    double direction = path_[0].direction, lastLength = kLeastStretch;
+    double direction = path_[0].direction, lastLength = kMinSegment;
     double sinceCusp = std::numeric_limits<double>::infinity();
     bool wasCusp = false, wasReversing = false;
     isKept_[0] = true;
@@ -119,7 +120,7 @@ class SmoothProblem final : public LeastSquares {
       }
       const double length = (path_[i].position - path_[last].position).norm();
       nearbyLength_ += length;
-      forgetFar();
+      dropFarPoses();
       if (isCusp) {
         raiseWeightsBefore(length);
         sinceCusp = 0.0;
@@ -129,9 +130,9 @@ class SmoothProblem final : public LeastSquares {
         const bool isNear = sinceCusp <= parameters_.cuspZoneLength / 2.0;
         SmoothTerm term;
         term.given = path_[last].position;
-        term.ratio = (wasCusp ? -1.0 : 1.0) * lastLength / std::max(length, kLeastStretch);
+        term.ratio = (wasCusp ? -1.0 : 1.0) * lastLength / std::max(length, kMinSegment);
         term.isReversing = wasReversing;
-        term.costWeight = isNear ? weightAt(sinceCusp) : parameters_.wCost;
+        term.costWeight = isNear ? cuspWeight(sinceCusp) : parameters_.wCost;
         nearby_.emplace_back(length, inner_.size());
         inner_.push_back({before, last, i, term});
       }
@@ -140,19 +141,19 @@ class SmoothProblem final : public LeastSquares {
       before = last;
       last = i;
       sinceCusp += lastLength;
-      lastLength = std::max(kLeastStretch, length);
+      lastLength = std::max(kMinSegment, length);
     }
   }
 
-  /// The ends stay, and the poses beside them where their headings are to be kept.
-  void numberVariables() {
-    numbers_.assign(path_.size(), kFixed);
+  /// The ends are fixed, as are the poses beside them if their orientations must be kept.
+  void assignVariableIndices() {
+    variableIndices_.assign(path_.size(), kFixed);
     const std::size_t last = path_.size() - 1;
     for (std::size_t i = 1; i < last; ++i) {
       const bool isHeld = (i == 1 && parameters_.keepStartOrientation) ||
                           (i + 1 == last && parameters_.keepGoalOrientation);
       if (isKept_[i] && !isHeld) {
-        numbers_[i] = count_;
+        variableIndices_[i] = count_;
         count_ += 2;
       }
     }
@@ -164,18 +165,18 @@ class SmoothProblem final : public LeastSquares {
         smoothResiduals(pose.term, parameters_, costmap_, placeOf(pose.before, point),
                         placeOf(pose.at, point), placeOf(pose.after, point));
     Group group;
-    std::vector<std::size_t> slots;  // of the derivatives
+    std::vector<std::size_t> slots;  // columns of the Jacobian
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (numbers_[places[k]] != kFixed) {
+      if (variableIndices_[places[k]] != kFixed) {
         group.variables.insert(group.variables.end(),
-                               {numbers_[places[k]], numbers_[places[k]] + 1});
+                               {variableIndices_[places[k]], variableIndices_[places[k]] + 1});
         slots.insert(slots.end(), {2 * k, 2 * k + 1});
       }
     }
     for (const SmoothNumber& residual : residuals) {
       group.values.push_back(residual.value);
       for (const std::size_t slot : slots) {
-        group.slopes.push_back(residual.slopes[slot]);
+        group.derivatives.push_back(residual.derivatives[slot]);
       }
     }
     return group;
@@ -186,13 +187,13 @@ class SmoothProblem final : public LeastSquares {
   const ConstrainedSmootherParameters& parameters_;
   std::vector<bool> isKept_;
   std::vector<InnerPose> inner_;
-  std::vector<std::size_t> numbers_;  // of the first variable of a pose
+  std::vector<std::size_t> variableIndices_;  // index of a pose's first variable
   std::size_t count_ = 0;
-  std::deque<std::pair<double, std::size_t>> nearby_;  // lengths, inner poses before a cusp
+  std::deque<std::pair<double, std::size_t>> nearby_;  // lengths and inner poses before a cusp
   double nearbyLength_ = 0.0;
 };
 
-/// With the direction of the movement after each pose.
+/// The poses with the direction of the movement after each.
 std::vector<ConstrainedPose> posesOf(const Path& path, const ConstrainedSmootherParameters& p) {
   std::vector<ConstrainedPose> poses;
   poses.reserve(path.size());
@@ -217,16 +218,16 @@ Vec2 bezier(const std::array<Vec2, 4>& points, double t) {
          t * t * t * points[3];
 }
 
-/// The vector, or the opposite one, that goes the same way as another.
-Vec2 along(const Vec2& vector, const Vec2& way) {
+/// The vector or its opposite, whichever points in the direction of `way`.
+Vec2 alignedWith(const Vec2& vector, const Vec2& way) {
   return vector.dot(way) >= 0.0 ? vector : Vec2(-vector);
 }
 
-/// Puts the poses together again, with curves between those that were kept.
-class Assembly {
+/// Assembles the smoothed path with curves between the poses that were kept.
+class PathAssembly {
  public:
-  Assembly(const std::vector<ConstrainedPose>& poses, const std::vector<bool>& kept,
-           const ConstrainedSmootherParameters& parameters)
+  PathAssembly(const std::vector<ConstrainedPose>& poses, const std::vector<bool>& kept,
+               const ConstrainedSmootherParameters& parameters)
       : poses_(poses), kept_(kept), parameters_(parameters) {}
 
   Path assemble(const Vec2& startDirection, const Vec2& endDirection) {
@@ -260,7 +261,7 @@ class Assembly {
     if (next < poses_.size()) {
       const Vec2 tangent = arcDirection(a.position, b.position, poses_[next].position,
                                         a.direction * b.direction < 0.0);
-      return along(tangent, (poses_[next].position - b.position) * b.direction).normalized();
+      return alignedWith(tangent, (poses_[next].position - b.position) * b.direction).normalized();
     }
     return parameters_.keepGoalOrientation
                ? endDirection
@@ -283,7 +284,7 @@ class Assembly {
       const Vec2 tangent =
           arcDirection(path_[i - 1].position, path_[i].position, path_[i + 1].position, false);
       path_[i].heading = base::headingOf(
-          along(tangent, (path_[i + 1].position - path_[i].position) * a.direction));
+          alignedWith(tangent, (path_[i + 1].position - path_[i].position) * a.direction));
     }
   }
 
@@ -310,13 +311,13 @@ SmoothResult ConstrainedSmoother::smooth(const Path& path, const Costmap& costma
   std::vector<double> point = problem.firstPoint();
   if (problem.variables() > 0) {
     LeastSquaresLimits limits;
-    const double allowed = std::clamp(maxDuration, 0.0, kLongestFit) * kPosesPerSecond /
+    const double allowed = std::clamp(maxDuration, 0.0, kMaxFitDuration) * kPosesPerSecond /
                            static_cast<double>(problem.variables());
-    limits.mostIterations = static_cast<int>(std::min<double>(parameters_.maxIterations, allowed));
+    limits.maxIterations = static_cast<int>(std::min<double>(parameters_.maxIterations, allowed));
     limits.functionTolerance = parameters_.fnTol;
     limits.gradientTolerance = parameters_.gradientTol;
     limits.parameterTolerance = parameters_.paramTol;
-    const LeastSquaresEnd end = minimise(problem, limits, point);
+    const LeastSquaresResult end = minimizeLeastSquares(problem, limits, point);
     if (!std::isfinite(end.lastCost) || end.lastCost > end.firstCost) {
       result.error = SmoothError::FailedToSmoothPath;
       return result;
@@ -327,7 +328,7 @@ SmoothResult ConstrainedSmoother::smooth(const Path& path, const Costmap& costma
   for (std::size_t i = 0; i < smoothed.size(); ++i) {
     smoothed[i].position = problem.placeOf(i, point);
   }
-  result.path = Assembly(smoothed, problem.kept(), parameters_)
+  result.path = PathAssembly(smoothed, problem.kept(), parameters_)
                     .assemble(path.front().direction(), path.back().direction());
   return result;
 }

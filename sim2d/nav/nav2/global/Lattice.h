@@ -7,13 +7,13 @@
 
 namespace sim2d::nav2 {
 
-/// A short movement that a robot can make, from the origin.
+/// A motion primitive from the origin.
 struct LatticePrimitive {
-  int startHeading = 0, endHeading = 0;  // numbers of headings of the lattice
+  int startHeading = 0, endHeading = 0;  // indices of headings of the lattice
   bool isLeftTurn = true;
-  double length = 0.0;       // [m]; 0: a turn on the spot
-  double arcLength = 0.0;    // of the part that is an arc [m]
-  std::vector<Pose2> poses;  // along it, the last is its end [m], [rad]
+  double length = 0.0;       // [m]; 0: a turn in place
+  double arcLength = 0.0;    // arc part [m]
+  std::vector<Pose2> poses;  // along the primitive; the last is its end [m], [rad]
 };
 
 /// A file of motion primitives of nav2_smac_planner's generator (lattice_primitives).
@@ -21,11 +21,11 @@ struct Lattice {
   std::string file;
   std::string motionModel = "diff";  // "diff", "ackermann", "omni"
   double turningRadius = 0.5;        // [m]
-  std::vector<double> headings;      // [rad], ascending from 0, the opposite of each among them
-  std::vector<std::vector<LatticePrimitive>> primitives;  // by the number of the start heading
+  std::vector<double> headings;      // [rad], ascending from 0; with all opposite headings
+  std::vector<std::vector<LatticePrimitive>> primitives;  // by the index of the start heading
 
   int size() const { return static_cast<int>(headings.size()); }
-  /// The number of the heading that comes nearest.
+  /// The index of the nearest heading.
   int nearestHeading(double heading) const;
   int oppositeOf(int heading) const { return (heading + size() / 2) % size(); }
 };

@@ -3,10 +3,10 @@
 #include <cassert>
 
 #include "sim2d/nav/nav2/global/ConstrainedSmoother.h"
-#include "sim2d/nav/nav2/global/PlannerChecks.h"
-#include "sim2d/nav/nav2/global/PluginNames.h"
+#include "sim2d/nav/nav2/global/PlannerParameters.h"
+#include "sim2d/nav/nav2/global/PluginMatch.h"
 #include "sim2d/nav/nav2/global/SavitzkyGolaySmoother.h"
-#include "sim2d/nav/nav2/global/SimpleSmoother.h"
+#include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 struct SmoothErrorText {
   SmoothError error;
   const char* name;
-  const char* words;
+  const char* message;
 };
 
 constexpr SmoothErrorText kSmoothErrors[] = {
@@ -48,21 +48,24 @@ const char* smoothErrorName(SmoothError error) {
   return textOf(error).name;
 }
 
-const char* smoothErrorWords(SmoothError error) {
-  return textOf(error).words;
+const char* smoothErrorMessage(SmoothError error) {
+  return textOf(error).message;
 }
 
 const std::vector<Nav2Key<SimpleSmootherParameters>>& keysOf(const SimpleSmootherParameters&) {
   using P = SimpleSmootherParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"tolerance", &P::tolerance, "m", "changes of a sweep that end smoothing"},
-      {"max_its", &P::maxIts, "", "sweeps at most"},
-      {"w_data", &P::wData, "", "pull to the path as it was"},
-      {"w_smooth", &P::wSmooth, "", "pull to the middle of the neighbours"},
-      {"do_refinement", &P::doRefinement, "", "smooth the result again"},
-      {"refinement_num", &P::refinementNum, "", "how often", kSinceJazzy},
+      {"tolerance", &P::tolerance, "m", "total change in an iteration below which smoothing ends"},
+      {"max_its", &P::maxIts, "", "maximum number of iterations"},
+      {"w_data", &P::wData, "", "weight of the attraction to the original path"},
+      {"w_smooth", &P::wSmooth, "",
+       "weight of the attraction to the midpoint of the neighbouring "
+       "poses"},
+      {"do_refinement", &P::doRefinement, "", "smooths the result again"},
+      {"refinement_num", &P::refinementNum, "", "number of repetitions of the refinement",
+       kSinceJazzy},
       {"enforce_path_inversion", &P::enforcePathInversion, "",
-       "smooth between the places where the robot turns back", kSinceKilted},
+       "smooths separately between the cusps of the path", kSinceKilted},
   };
   return kKeys;
 }
@@ -70,12 +73,12 @@ const std::vector<Nav2Key<SimpleSmootherParameters>>& keysOf(const SimpleSmoothe
 const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayParameters&) {
   using P = SavitzkyGolayParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"do_refinement", &P::doRefinement, "", "smooth the result again"},
-      {"refinement_num", &P::refinementNum, "", "how often"},
+      {"do_refinement", &P::doRefinement, "", "smooths the result again"},
+      {"refinement_num", &P::refinementNum, "", "number of repetitions of the refinement"},
       {"enforce_path_inversion", &P::enforcePathInversion, "",
-       "smooth between the places where the robot turns back", kSinceKilted},
-      {"window_size", &P::windowSize, "", "poses that a polynomial goes through", kSinceLyrical},
-      {"poly_order", &P::polyOrder, "", "its order", kSinceLyrical},
+       "smooths separately between the cusps of the path", kSinceKilted},
+      {"window_size", &P::windowSize, "", "number of poses per polynomial", kSinceLyrical},
+      {"poly_order", &P::polyOrder, "", "order of the polynomial", kSinceLyrical},
   };
   return kKeys;
 }
@@ -85,25 +88,32 @@ const std::vector<Nav2Key<ConstrainedSmootherParameters>>& keysOf(
   using P = ConstrainedSmootherParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"reversing_enabled", &P::reversingEnabled, "",
-       "headings against the movement are driven backward"},
-      {"path_downsampling_factor", &P::pathDownsamplingFactor, "", "of so many poses one is moved"},
+       "poses whose heading opposes the motion are driven backwards"},
+      {"path_downsampling_factor", &P::pathDownsamplingFactor, "",
+       "one of this number of poses is optimized"},
       {"path_upsampling_factor", &P::pathUpsamplingFactor, "",
-       "poses of the result for each of the path"},
-      {"keep_goal_orientation", &P::keepGoalOrientation, "", "the last heading stays"},
-      {"keep_start_orientation", &P::keepStartOrientation, "", "the first heading stays"},
-      {"minimum_turning_radius", &P::minimumTurningRadius, "m", "smaller arcs have a cost"},
-      {"w_curve", &P::wCurve, "", "weight of arcs that are too small"},
-      {"w_dist", &P::wDist, "", "weight of the distance from the path as it was"},
-      {"w_smooth", &P::wSmooth, "", "weight of differences between neighbouring stretches"},
-      {"w_cost", &P::wCost, "", "weight of the costmap"},
-      {"w_cost_cusp_multiplier", &P::wCostCuspMultiplier, "", "factor of that at a cusp"},
-      {"cusp_zone_length", &P::cuspZoneLength, "m", "length around a cusp where it counts"},
+       "number of poses in the result per optimized pose"},
+      {"keep_goal_orientation", &P::keepGoalOrientation, "", "keeps the heading of the last pose"},
+      {"keep_start_orientation", &P::keepStartOrientation, "",
+       "keeps the heading of the first pose"},
+      {"minimum_turning_radius", &P::minimumTurningRadius, "m",
+       "arcs with a smaller radius have a cost"},
+      {"w_curve", &P::wCurve, "", "weight of arcs whose radius is too small"},
+      {"w_dist", &P::wDist, "", "weight of the distance from the original path"},
+      {"w_smooth", &P::wSmooth, "", "weight of the differences between neighbouring segments"},
+      {"w_cost", &P::wCost, "", "weight of the costs in the costmap"},
+      {"w_cost_cusp_multiplier", &P::wCostCuspMultiplier, "",
+       "factor of the costmap's weight at a cusp"},
+      {"cusp_zone_length", &P::cuspZoneLength, "m",
+       "length around a cusp in which that factor applies"},
       {"cost_check_points", &P::costCheckPoints, "",
-       "points of the robot where costs count: x, y, weight, and so on; none: its centre"},
-      {"optimizer.max_iterations", &P::maxIterations, "", "iterations at most"},
-      {"optimizer.fn_tol", &P::fnTol, "", "relative change of the cost that ends it"},
-      {"optimizer.gradient_tol", &P::gradientTol, "", "gradient that ends it"},
-      {"optimizer.param_tol", &P::paramTol, "", "relative change of the path that ends it"},
+       "points of the robot at which costs are evaluated: x, y, weight of each; none: its centre"},
+      {"optimizer.max_iterations", &P::maxIterations, "", "maximum number of iterations"},
+      {"optimizer.fn_tol", &P::fnTol, "",
+       "relative change of the cost below which the optimization ends"},
+      {"optimizer.gradient_tol", &P::gradientTol, "", "gradient below which the optimization ends"},
+      {"optimizer.param_tol", &P::paramTol, "",
+       "relative change of the path below which the optimization ends"},
   };
   return kKeys;
 }
@@ -116,33 +126,33 @@ const std::vector<Nav2Key<SmootherServerParameters>>& keysOf(const SmootherServe
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleKeysOf(const SimpleSmootherParameters&) {
-  static const std::vector<IdleKey> kKeys;
+const std::vector<IgnoredKey>& ignoredKeysOf(const SimpleSmootherParameters&) {
+  static const std::vector<IgnoredKey> kKeys;
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleKeysOf(const SavitzkyGolayParameters&) {
-  static const std::vector<IdleKey> kKeys;
+const std::vector<IgnoredKey>& ignoredKeysOf(const SavitzkyGolayParameters&) {
+  static const std::vector<IgnoredKey> kKeys;
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleKeysOf(const ConstrainedSmootherParameters&) {
-  static const std::vector<IdleKey> kKeys = {
-      {"optimizer.debug_optimizer", "no log here"},
-      {"optimizer.linear_solver_type", "the equations are solved by Cholesky's method"},
+const std::vector<IgnoredKey>& ignoredKeysOf(const ConstrainedSmootherParameters&) {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"optimizer.debug_optimizer", "the log is not used"},
+      {"optimizer.linear_solver_type", "the equations are always solved by Cholesky decomposition"},
   };
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleKeysOf(const SmootherServerParameters&) {
-  static const std::vector<IdleKey> kKeys = {
-      {"costmap_topic", "the global costmap is handed over"},
-      {"footprint_topic", "the footprint is handed over"},
-      {"robot_base_frame", "no TF here"},
-      {"transform_tolerance", "no TF here"},
-      {"action_server_result_timeout", "no action servers here", kJazzy},
-      {"bond_heartbeat_period", "no processes that could die"},
-      {"introspection_mode", "no services here"},
+const std::vector<IgnoredKey>& ignoredKeysOf(const SmootherServerParameters&) {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"costmap_topic", "the global costmap is passed directly"},
+      {"footprint_topic", "the footprint is passed directly"},
+      {"robot_base_frame", "TF is not used"},
+      {"transform_tolerance", "TF is not used"},
+      {"action_server_result_timeout", "ROS actions are not used", kJazzy},
+      {"bond_heartbeat_period", "there are no separate processes to monitor"},
+      {"introspection_mode", "ROS services are not used"},
   };
   return kKeys;
 }
@@ -151,25 +161,25 @@ std::vector<std::string> pathSmootherPluginNames() {
   return {kSimple, kSavitzkyGolay, kConstrained};
 }
 
-PluginAnswer<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
+PluginLookup<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
                                                         Distro distro) {
   const PluginMatch match = matchPlugin(className, pathSmootherPluginNames(), {});
-  PluginAnswer<PathSmootherParameters> answer{std::nullopt, match.name, match.why};
-  if (match.isOffered && match.name == kSimple) {
+  PluginLookup<PathSmootherParameters> lookup{std::nullopt, match.name, match.why};
+  if (match.isAvailable && match.name == kSimple) {
     SimpleSmootherParameters parameters;
     parameters.refinementNum = distro == Distro::Humble ? 4 : parameters.refinementNum;
-    answer.parameters = parameters;
-  } else if (match.isOffered && match.name == kSavitzkyGolay) {
-    answer.parameters = SavitzkyGolayParameters();
-  } else if (match.isOffered) {
-    answer.parameters = ConstrainedSmootherParameters();
+    lookup.parameters = parameters;
+  } else if (match.isAvailable && match.name == kSavitzkyGolay) {
+    lookup.parameters = SavitzkyGolayParameters();
+  } else if (match.isAvailable) {
+    lookup.parameters = ConstrainedSmootherParameters();
   }
-  return answer;
+  return lookup;
 }
 
-std::vector<std::string> complaintsAbout(const PathSmootherParameters& parameters) {
+std::vector<std::string> parameterErrors(const PathSmootherParameters& parameters) {
   if (const auto* simple = std::get_if<SimpleSmootherParameters>(&parameters)) {
-    return Complaints()
+    return ValueErrors()
         .range("tolerance", simple->tolerance, 0.0, 1000.0)
         .range("max_its", simple->maxIts, 1.0, 1e6)
         .range("w_data", simple->wData, 0.0, 1.0)
@@ -178,28 +188,28 @@ std::vector<std::string> complaintsAbout(const PathSmootherParameters& parameter
         .take();
   }
   if (const auto* constrained = std::get_if<ConstrainedSmootherParameters>(&parameters)) {
-    return Complaints()
+    return ValueErrors()
         .range("path_downsampling_factor", constrained->pathDownsamplingFactor, 1.0, 1000.0)
         .range("path_upsampling_factor", constrained->pathUpsamplingFactor, 1.0, 100.0)
-        .unless(constrained->minimumTurningRadius > 0.0, "minimum_turning_radius is not above 0")
-        .unless(constrained->cuspZoneLength > 0.0, "cusp_zone_length is not above 0")
-        .unless(constrained->costCheckPoints.size() % 3 == 0,
-                "cost_check_points is no list of x, y, weight")
+        .require(constrained->minimumTurningRadius > 0.0, "minimum_turning_radius is not above 0")
+        .require(constrained->cuspZoneLength > 0.0, "cusp_zone_length is not above 0")
+        .require(constrained->costCheckPoints.size() % 3 == 0,
+                 "cost_check_points is not a list of x, y, weight")
         .range("optimizer.max_iterations", constrained->maxIterations, 1.0, 10000.0)
         .take();
   }
   const auto& given = std::get<SavitzkyGolayParameters>(parameters);
-  return Complaints()
+  return ValueErrors()
       .range("refinement_num", given.refinementNum, 0.0, 1000.0)
       .range("window_size", given.windowSize, 3.0, 201.0)
-      .unless(given.windowSize % 2 == 1, "window_size is even")
+      .require(given.windowSize % 2 == 1, "window_size is even")
       .range("poly_order", given.polyOrder, 0.0, given.windowSize - 1.0)
       .take();
 }
 
 std::unique_ptr<PathSmoother> makePathSmoother(const PathSmootherParameters& parameters,
                                                Distro distro) {
-  assert(complaintsAbout(parameters).empty());
+  assert(parameterErrors(parameters).empty());
   if (const auto* simple = std::get_if<SimpleSmootherParameters>(&parameters)) {
     return std::make_unique<SimpleSmoother>(*simple, distro);
   }

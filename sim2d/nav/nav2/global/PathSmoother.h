@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
-#include "sim2d/nav/nav2/global/GlobalPlanners.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
+#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
 
-/// Smoothers of Nav2 (nav2_core::Smoother): a path made smoother, between the same ends.
+/// Path smoothers of Nav2 (nav2_core::Smoother), which keep the ends of a path.
 namespace sim2d::nav2 {
 
-/// With the numbers of nav2_msgs/action/SmoothPath.
+/// With the codes of nav2_msgs/action/SmoothPath.
 enum class SmoothError : std::uint16_t {
   None = 0,
   Unknown = 500,
@@ -21,17 +21,17 @@ enum class SmoothError : std::uint16_t {
   Timeout = 502,
   SmoothedPathInCollision = 503,
   FailedToSmoothPath = 504,
-  InvalidPath = 505,  // an empty one
+  InvalidPath = 505,  // an empty path
 };
 const char* smoothErrorName(SmoothError error);
-const char* smoothErrorWords(SmoothError error);
+const char* smoothErrorMessage(SmoothError error);
 
 /// nav2_smoother::SimpleSmoother.
 struct SimpleSmootherParameters {
-  double tolerance = 1e-10;  // sum of changes of a sweep that ends it [m]
-  int maxIts = 1000;         // sweeps
-  double wData = 0.2;        // pull to the path as it was
-  double wSmooth = 0.3;      // pull to the middle of the neighbours
+  double tolerance = 1e-10;  // sum of changes of a sweep at convergence [m]
+  int maxIts = 1000;         // maximum number of sweeps
+  double wData = 0.2;        // weight of the original path
+  double wSmooth = 0.3;      // weight of the midpoint of the neighbours
   bool doRefinement = true;
   int refinementNum = 2;  // how often the result is smoothed again; Humble: 4
   bool enforcePathInversion = true;
@@ -48,20 +48,20 @@ struct SavitzkyGolayParameters {
 
 /// nav2_constrained_smoother::ConstrainedSmoother; see ConstrainedSmoother.h.
 struct ConstrainedSmootherParameters {
-  bool reversingEnabled = true;    // headings against the movement are driven backward
-  int pathDownsamplingFactor = 1;  // of so many poses one is moved
-  int pathUpsamplingFactor = 1;    // poses of the result for each of the path
+  bool reversingEnabled = true;    // poses whose heading opposes the movement are driven in reverse
+  int pathDownsamplingFactor = 1;  // one of this many poses is optimized
+  int pathUpsamplingFactor = 1;    // output poses per pose of the path
   bool keepGoalOrientation = true, keepStartOrientation = true;
   double minimumTurningRadius = 0.4;  // [m]
   double wCurve = 30.0, wDist = 0.0, wSmooth = 2e6, wCost = 0.015;
   double wCostCuspMultiplier = 3.0;
   double cuspZoneLength = 2.5;          // [m]
-  std::vector<double> costCheckPoints;  // x, y [m] in the robot's frame, weight, and so on
+  std::vector<double> costCheckPoints;  // triples x, y [m] in the robot's frame, weight
   int maxIterations = 100;
   double fnTol = 1e-7, gradientTol = 1e-10, paramTol = 1e-15;
 };
 
-/// smoother_server itself.
+/// Parameters of smoother_server itself.
 struct SmootherServerParameters {
   std::vector<std::string> smootherPlugins = {"simple_smoother"};
 };
@@ -71,15 +71,15 @@ const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayP
 const std::vector<Nav2Key<ConstrainedSmootherParameters>>& keysOf(
     const ConstrainedSmootherParameters&);
 const std::vector<Nav2Key<SmootherServerParameters>>& keysOf(const SmootherServerParameters&);
-const std::vector<IdleKey>& idleKeysOf(const SimpleSmootherParameters&);
-const std::vector<IdleKey>& idleKeysOf(const SavitzkyGolayParameters&);
-const std::vector<IdleKey>& idleKeysOf(const ConstrainedSmootherParameters&);
-const std::vector<IdleKey>& idleKeysOf(const SmootherServerParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const SimpleSmootherParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const SavitzkyGolayParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const ConstrainedSmootherParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const SmootherServerParameters&);
 
 struct SmoothResult {
   SmoothError error = SmoothError::None;
-  Path path;                 // with Timeout the path as it came; empty with other errors
-  bool wasCompleted = true;  // false: some part stayed as it was
+  Path path;                 // with Timeout the original path; empty with other errors
+  bool wasCompleted = true;  // false: some segments are not smoothed
 };
 
 class PathSmoother {
@@ -91,18 +91,18 @@ class PathSmoother {
   PathSmoother(PathSmoother&&) = delete;
   PathSmoother& operator=(PathSmoother&&) = delete;
 
-  /// `maxDuration` [s] of SmoothPath is a limit of sweeps here: `kSweepedPosesPerSecond` poses.
+  /// `maxDuration` [s] of SmoothPath limits the sweeps: `kSweptPosesPerSecond` poses.
   virtual SmoothResult smooth(const Path& path, const Costmap& costmap,
                               double maxDuration) const = 0;
 };
-constexpr double kSweepedPosesPerSecond = 2e7;
+constexpr double kSweptPosesPerSecond = 2e7;
 
 using PathSmootherParameters =
     std::variant<SimpleSmootherParameters, SavitzkyGolayParameters, ConstrainedSmootherParameters>;
-PluginAnswer<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
+PluginLookup<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
                                                         Distro distro);
 std::vector<std::string> pathSmootherPluginNames();
-std::vector<std::string> complaintsAbout(const PathSmootherParameters& parameters);
+std::vector<std::string> parameterErrors(const PathSmootherParameters& parameters);
 std::unique_ptr<PathSmoother> makePathSmoother(const PathSmootherParameters& parameters,
                                                Distro distro);
 

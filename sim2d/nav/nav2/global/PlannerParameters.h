@@ -2,25 +2,26 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/global/Lattice.h"
 
 /// Parameters of the global planners; the defaults are those of Nav2's code in Jazzy
-/// (`planner_server/…`, GlobalPlanners.h gives those of another distribution).
+/// (`planner_server/…`, GlobalPlannerFactory.h provides those of other distributions).
 ///
-/// Wall-clock limits would make results depend on the computer. `max_planning_time` is a limit of
-/// iterations here: so many as a present-day computer does in that time, `k…PerSecond` below.
+/// Wall-clock limits would make results depend on the computer. `max_planning_time` is therefore a
+/// limit of iterations: as many as a current computer performs in that time, `k…PerSecond` below.
 namespace sim2d::nav2 {
 
 /// nav2_navfn_planner::NavfnPlanner: wave front over cells, then descent.
 struct NavfnParameters {
-  double tolerance = 0.5;                    // [m] how far from the goal the path may end
+  double tolerance = 0.5;                    // [m] maximum distance of the path's end from the goal
   bool useAstar = false;                     // A* instead of Dijkstra
   bool allowUnknown = true;                  // through cells of 255
   bool useFinalApproachOrientation = false;  // last heading along the path, not the goal's
-  int maxCyclesFactor = 4;                   // steps of the descent per cell of the longer side
+  int maxCyclesFactor = 4;                   // descent steps per cell of the longer side
 };
 
 /// nav2_theta_star_planner::ThetaStarPlanner: any-angle A*.
@@ -28,23 +29,23 @@ struct ThetaStarParameters {
   int howManyCorners = 8;  // neighbours: 4 or 8
   bool allowUnknown = true;
   double eucCost = 1.0;        // w_euc, per cell of length
-  double traversalCost = 2.0;  // w_traversal, per square of a cell's cost
+  double traversalCost = 2.0;  // w_traversal, per squared cell cost
   bool useFinalApproachOrientation = false;
-  int terminalCheckingInterval = 5000;  // expansions between two looks at the stop flag
+  int terminalCheckingInterval = 5000;  // expansions between checks of the stop flag
 };
 
-/// What both Smac planners have: the search's limits and the smoother inside.
+/// Common parameters of the Smac planners: search limits and the built-in smoother.
 struct SmacParameters {
   bool downsampleCostmap = false;
   int downsamplingFactor = 1;
   bool allowUnknown = true;
   int maxIterations = 1000000;          // <= 0: no limit
   int maxOnApproachIterations = 1000;   // <= 0: no limit
-  int terminalCheckingInterval = 5000;  // iterations between two looks at the stop flag
-  double smootherTolerance = 1e-10;     // sum of changes of a sweep that ends it [m]
+  int terminalCheckingInterval = 5000;  // iterations between checks of the stop flag
+  double smootherTolerance = 1e-10;     // sum of changes of a sweep at convergence [m]
   int smootherMaxIterations = 1000;     // sweeps; 0: no smoothing
-  double smootherWData = 0.2;           // pull to the path as it was
-  double smootherWSmooth = 0.3;         // pull to the middle of the neighbours
+  double smootherWData = 0.2;           // weight of the original path
+  double smootherWSmooth = 0.3;         // weight of the midpoint of the neighbours
   bool smootherDoRefinement = true;
   int smootherRefinementNum = 2;  // how often the result is smoothed again; Humble: 4
 };
@@ -53,26 +54,26 @@ struct SmacParameters {
 struct Smac2DParameters : SmacParameters {
   double tolerance = 0.125;           // [m]
   double maxPlanningTime = 2.0;       // [s], see above
-  double costTravelMultiplier = 1.0;  // weight of a cell's cost against its length
+  double costTravelMultiplier = 1.0;  // weight of a cell's cost relative to its length
   bool useFinalApproachOrientation = false;
 };
 constexpr double kSmac2DPerSecond = 1e6;  // iterations
 
-/// nav2_smac_planner::SmacPlannerHybrid: A* over poses that a car can drive.
+/// nav2_smac_planner::SmacPlannerHybrid: A* over poses that a car can reach.
 struct SmacHybridParameters : SmacParameters {
   double tolerance = 0.25;                     // [m]
   double maxPlanningTime = 5.0;                // [s], see above
   std::string motionModelForSearch = "DUBIN";  // or "REEDS_SHEPP"
   double minimumTurningRadius = 0.4;           // R [m]
   int angleQuantizationBins = 72;
-  bool allowPrimitiveInterpolation = false;  // steps of every angle up to the sharpest
+  bool allowPrimitiveInterpolation = false;  // turns of every angle up to the sharpest
   bool smoothPath = true;
   double reversePenalty = 2.0, changePenalty = 0.0, nonStraightPenalty = 1.2;  // factors
   double costPenalty = 2.0, retrospectivePenalty = 0.015;
   bool useQuadraticCostPenalty = false;
   bool cacheObstacleHeuristic = false;
   bool downsampleObstacleHeuristic = true;
-  double lookupTableSize = 20.0;  // [m] side of the square of known lengths round the goal
+  double lookupTableSize = 20.0;  // [m] side of the square around the goal with cached lengths
   double analyticExpansionRatio = 3.5;
   double analyticExpansionMaxLength = 3.0;  // [m]
   double analyticExpansionMaxCost = 200.0;
@@ -82,16 +83,16 @@ struct SmacHybridParameters : SmacParameters {
 };
 constexpr double kSmacHybridPerSecond = 1e5;  // iterations
 
-/// nav2_smac_planner::SmacPlannerLattice: A* over motion primitives of a file.
+/// nav2_smac_planner::SmacPlannerLattice: A* over the motion primitives of a file.
 struct SmacLatticeParameters : SmacParameters {
   double tolerance = 0.25;       // [m]
   double maxPlanningTime = 5.0;  // [s], see above
   std::string latticeFilepath;
-  std::shared_ptr<const Lattice> lattice;  // no key: what is in that file; null: not read
+  std::shared_ptr<const Lattice> lattice;  // not a key: content of that file; null: not read
   bool allowReverseExpansion = false;
   bool smoothPath = true;
   double reversePenalty = 2.0, changePenalty = 0.05, nonStraightPenalty = 1.05;  // factors
-  double rotationPenalty = 5.0;  // of a turn on the spot
+  double rotationPenalty = 5.0;  // for a turn in place
   double costPenalty = 2.0, retrospectivePenalty = 0.015;
   bool useQuadraticCostPenalty = false;
   bool cacheObstacleHeuristic = false;
@@ -103,25 +104,47 @@ struct SmacLatticeParameters : SmacParameters {
   std::string goalHeadingMode = "DEFAULT";  // or "BIDIRECTIONAL", "ALL_DIRECTION"
 };
 
-/// planner_server itself.
+/// Parameters of planner_server itself.
 struct PlannerServerParameters {
   std::vector<std::string> plannerPlugins = {"GridBased"};  // names; `<name>.plugin` is the class
-  bool allowPartialPlanning = false;  // several goals: a path as far as it could be planned
-  double costmapUpdateTimeout = 1.0;  // [s] after a clear, since Jazzy; Humble waits for ever
+  bool allowPartialPlanning = false;  // several goals: returns a partial path on failure
+  double costmapUpdateTimeout = 1.0;  // [s] after a clear, since Jazzy; Humble waits indefinitely
 };
 
-/// The tables. The argument only chooses which.
+/// Key tables, selected by the type of the argument.
 const std::vector<Nav2Key<NavfnParameters>>& keysOf(const NavfnParameters&);
 const std::vector<Nav2Key<ThetaStarParameters>>& keysOf(const ThetaStarParameters&);
 const std::vector<Nav2Key<Smac2DParameters>>& keysOf(const Smac2DParameters&);
 const std::vector<Nav2Key<SmacHybridParameters>>& keysOf(const SmacHybridParameters&);
 const std::vector<Nav2Key<SmacLatticeParameters>>& keysOf(const SmacLatticeParameters&);
 const std::vector<Nav2Key<PlannerServerParameters>>& keysOf(const PlannerServerParameters&);
-const std::vector<IdleKey>& idleKeysOf(const NavfnParameters&);
-const std::vector<IdleKey>& idleKeysOf(const ThetaStarParameters&);
-const std::vector<IdleKey>& idleKeysOf(const Smac2DParameters&);
-const std::vector<IdleKey>& idleKeysOf(const SmacHybridParameters&);
-const std::vector<IdleKey>& idleKeysOf(const SmacLatticeParameters&);
-const std::vector<IdleKey>& idleKeysOf(const PlannerServerParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const NavfnParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const ThetaStarParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const Smac2DParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const SmacHybridParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const SmacLatticeParameters&);
+const std::vector<IgnoredKey>& ignoredKeysOf(const PlannerServerParameters&);
+
+/// Checks of parameter values. Each error is a sentence that begins with the key.
+
+std::vector<std::string> plannerErrors(const NavfnParameters& parameters);
+std::vector<std::string> plannerErrors(const ThetaStarParameters& parameters);
+std::vector<std::string> plannerErrors(const Smac2DParameters& parameters);
+std::vector<std::string> plannerErrors(const SmacHybridParameters& parameters);
+std::vector<std::string> plannerErrors(const SmacLatticeParameters& parameters);
+
+/// Collects the errors.
+class ValueErrors {
+ public:
+  /// Adds an error if the value is outside [low, high].
+  ValueErrors& range(const char* key, double value, double low, double high);
+  ValueErrors& oneOf(const char* key, const std::string& value,
+                     const std::vector<std::string>& allowed);
+  ValueErrors& require(bool isGood, std::string sentence);
+  std::vector<std::string> take() { return std::move(messages_); }
+
+ private:
+  std::vector<std::string> messages_;
+};
 
 }  // namespace sim2d::nav2

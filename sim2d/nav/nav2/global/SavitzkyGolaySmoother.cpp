@@ -8,8 +8,8 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr int kUsualWindow = 7, kUsualOrder = 3;
-constexpr std::size_t kShortestFiltered = 9;  // poses beyond the first
+constexpr int kDefaultWindow = 7, kDefaultOrder = 3;
+constexpr std::size_t kMinFilteredPoses = 9;  // number of poses minus 1
 
 double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
@@ -25,13 +25,13 @@ std::vector<double> savitzkyGolayWeights(int window, int order) {
   const int half = window / 2;
   const auto count = static_cast<std::size_t>(window), middle = static_cast<std::size_t>(half);
   std::vector<double> weights(count, 0.0);
-  std::vector<std::vector<double>> basis;  // polynomials at -half … half, orthonormal
+  std::vector<std::vector<double>> basis;  // orthonormal polynomials at -half … half
   for (int degree = 0; degree <= order; ++degree) {
     std::vector<double> next(count, 1.0);
     for (std::size_t i = 0; i < count && degree > 0; ++i) {
       next[i] = basis.back()[i] * (static_cast<double>(i) - half);
     }
-    for (int round = 0; round < 2; ++round) {  // twice: the first leaves rounding behind
+    for (int round = 0; round < 2; ++round) {  // orthogonalizes twice because of rounding errors
       for (const std::vector<double>& before : basis) {
         const double share = dotOf(next, before);
         for (std::size_t i = 0; i < count; ++i) {
@@ -57,7 +57,7 @@ SavitzkyGolaySmoother::SavitzkyGolaySmoother(const SavitzkyGolayParameters& para
       distro_(distro),
       weights_(distro >= Distro::Lyrical
                    ? savitzkyGolayWeights(parameters.windowSize, parameters.polyOrder)
-                   : savitzkyGolayWeights(kUsualWindow, kUsualOrder)) {}
+                   : savitzkyGolayWeights(kDefaultWindow, kDefaultOrder)) {}
 
 SmoothResult SavitzkyGolaySmoother::smooth(const Path& path, const Costmap& /*costmap*/,
                                            double /*maxDuration*/) const {
@@ -72,7 +72,7 @@ SmoothResult SavitzkyGolaySmoother::smooth(const Path& path, const Costmap& /*co
   const int rounds = 1 + (parameters_.doRefinement ? parameters_.refinementNum : 0);
   result.path = path;
   for (const PathSegment& part : segments) {
-    if (part.last - part.first <= kShortestFiltered) {
+    if (part.last - part.first <= kMinFilteredPoses) {
       continue;
     }
     const auto first = result.path.begin() + static_cast<std::ptrdiff_t>(part.first);
@@ -81,13 +81,13 @@ SmoothResult SavitzkyGolaySmoother::smooth(const Path& path, const Costmap& /*co
     for (int i = 0; i < rounds; ++i) {
       filter(segment);
     }
-    faceAlongSegment(segment, false);
+    orientSegment(segment, false);
     std::copy(segment.begin(), segment.end(), first);
   }
   return result;
 }
 
-/// All poses but the ends, which repeat beyond themselves.
+/// Filters all poses except the ends, which are repeated beyond the segment.
 void SavitzkyGolaySmoother::filter(Path& segment) const {
   const Path before = segment;
   const int half = static_cast<int>(weights_.size() / 2),

@@ -12,16 +12,16 @@ namespace {
 
 using base::kPi;
 using Turn = ShortestCurve::Turn;
-using Lengths = std::array<double, ShortestCurve::kMostPieces>;
+using Lengths = std::array<double, ShortestCurve::kMaxPieces>;
 
-constexpr double kSameAngle = 1e-9;  // [rad]: a turn that is almost whole is none
+constexpr double kSameAngle = 1e-9;  // [rad]: an almost complete turn counts as none
 
 /// The goal in the frame of the start, in units of the radius.
-struct Relative {
+struct RelativePose {
   double x = 0.0, y = 0.0, phi = 0.0;
 };
 
-double wholeTurnsOff(double angle) {  // to [0, 2 pi)
+double moduloTwoPi(double angle) {  // to [0, 2 pi)
   const double rest = angle - 2.0 * kPi * std::floor(angle / (2.0 * kPi));
   return 2.0 * kPi - rest < kSameAngle ? 0.0 : rest;
 }
@@ -34,7 +34,7 @@ double sumOf(const Lengths& lengths) {
   return sum;
 }
 
-/// The shortest of what is offered; among equals the first.
+/// Keeps the shortest of the offered curves, the first one of equal curves.
 class Shortest {
  public:
   void offer(const char* turns, const Lengths& lengths) {
@@ -49,7 +49,7 @@ class Shortest {
       }
     }
   }
-  const std::array<ShortestCurve::Piece, ShortestCurve::kMostPieces>& pieces() const {
+  const std::array<ShortestCurve::Piece, ShortestCurve::kMaxPieces>& pieces() const {
     return pieces_;
   }
 
@@ -59,13 +59,13 @@ class Shortest {
   }
 
   double least_ = std::numeric_limits<double>::max();
-  std::array<ShortestCurve::Piece, ShortestCurve::kMostPieces> pieces_;
+  std::array<ShortestCurve::Piece, ShortestCurve::kMaxPieces> pieces_;
 };
 
-// --- Dubins: circle, straight or circle, circle -------------------------------------------------
+// --- Dubins: arc, straight or arc, arc ----------------------------------------------------------
 
 struct DubinsEnds {
-  double d, a, b;  // distance; headings at both ends from the line between them
+  double d, a, b;  // distance; headings at both ends relative to the line between them
   double sa, ca, sb, cb, cab;
 };
 
@@ -73,9 +73,8 @@ void offerDubinsStraight(const DubinsEnds& e, Shortest& shortest) {
   const auto offer = [&](const char* turns, double square, double theta, double first,
                          double last) {
     if (square >= -kSameAngle) {
-      shortest.offer(turns,
-                     {wholeTurnsOff(first * (theta - e.a)), std::sqrt(std::fmax(square, 0.0)),
-                      wholeTurnsOff(last * (e.b - theta)), 0.0, 0.0});
+      shortest.offer(turns, {moduloTwoPi(first * (theta - e.a)), std::sqrt(std::fmax(square, 0.0)),
+                             moduloTwoPi(last * (e.b - theta)), 0.0, 0.0});
     }
   };
   const double same = 2.0 + e.d * e.d - 2.0 * e.cab;
@@ -97,7 +96,7 @@ void offerDubinsStraight(const DubinsEnds& e, Shortest& shortest) {
 }
 
 void offerDubinsCircles(const DubinsEnds& e, Shortest& shortest) {
-  const auto offer = [&](const char* turns, double side) {  // side: 1 = right circle in the middle
+  const auto offer = [&](const char* turns, double side) {  // side: 1 = right arc in the middle
     const double cosine =
         0.125 * (6.0 - e.d * e.d + 2.0 * e.cab - side * 2.0 * e.d * (e.sa - e.sb));
     if (std::fabs(cosine) >= 1.0) {
@@ -106,21 +105,21 @@ void offerDubinsCircles(const DubinsEnds& e, Shortest& shortest) {
     const double middle = 2.0 * kPi - base::acos(cosine);
     const double theta = side > 0.0 ? base::atan2(e.cb - e.ca, e.d + e.sa - e.sb)
                                     : base::atan2(e.ca - e.cb, e.d - e.sa + e.sb);
-    const double first = wholeTurnsOff(side * (theta - e.a) + 0.5 * middle);
-    const double last = wholeTurnsOff(side * (e.b - e.a) - first + middle);
+    const double first = moduloTwoPi(side * (theta - e.a) + 0.5 * middle);
+    const double last = moduloTwoPi(side * (e.b - e.a) - first + middle);
     shortest.offer(turns, {first, middle, last, 0.0, 0.0});
   };
   offer("RLR", -1.0);
   offer("LRL", 1.0);
 }
 
-void offerDubins(const Relative& goal, Shortest& shortest) {
+void offerDubins(const RelativePose& goal, Shortest& shortest) {
   const double d = std::sqrt(goal.x * goal.x + goal.y * goal.y);
   const double line = base::atan2(goal.y, goal.x);
   DubinsEnds ends{};
   ends.d = d;
-  ends.a = wholeTurnsOff(-line);
-  ends.b = wholeTurnsOff(goal.phi - line);
+  ends.a = moduloTwoPi(-line);
+  ends.b = moduloTwoPi(goal.phi - line);
   ends.sa = base::sin(ends.a);
   ends.ca = base::cos(ends.a);
   ends.sb = base::sin(ends.b);
@@ -130,10 +129,9 @@ void offerDubins(const Relative& goal, Shortest& shortest) {
   offerDubinsCircles(ends, shortest);
 }
 
-// --- Reeds and Shepp: their words, each in up to eight mirrored forms
-// -----------------------------
+// --- Reeds-Shepp: words, each in up to eight mirrored forms -------------------------------------
 
-constexpr double kAtLeast = -1e-9, kAtMost = 1e-9;  // of a length that must have that sign
+constexpr double kAtLeast = -1e-9, kAtMost = 1e-9;  // tolerance of lengths with a required sign
 
 struct Polar {
   double length, angle;
@@ -142,7 +140,7 @@ Polar polarOf(double x, double y) {
   return {std::sqrt(x * x + y * y), base::atan2(y, x)};
 }
 
-/// Angle of the first and last arc of words of four arcs.
+/// Angles of the first and last arc of four-arc words.
 Polar firstAndLast(double u, double v, double xi, double eta, double phi) {
   const double delta = base::wrapToPi(u - v);
   const double a = base::sin(u) - base::sin(delta);
@@ -155,13 +153,13 @@ Polar firstAndLast(double u, double v, double xi, double eta, double phi) {
 
 using Word = std::optional<Lengths>;
 
-Word leftStraightLeft(const Relative& g) {  // 8.1
+Word leftStraightLeft(const RelativePose& g) {  // 8.1
   const Polar p = polarOf(g.x - base::sin(g.phi), g.y - 1.0 + base::cos(g.phi));
   const double v = base::wrapToPi(g.phi - p.angle);
   return p.angle >= kAtLeast && v >= kAtLeast ? Word({p.angle, p.length, v}) : std::nullopt;
 }
 
-Word leftStraightRight(const Relative& g) {  // 8.2
+Word leftStraightRight(const RelativePose& g) {  // 8.2
   const Polar p = polarOf(g.x + base::sin(g.phi), g.y - 1.0 - base::cos(g.phi));
   const double square = p.length * p.length - 4.0;
   if (square < 0.0) {
@@ -173,7 +171,7 @@ Word leftStraightRight(const Relative& g) {  // 8.2
   return t >= kAtLeast && v >= kAtLeast ? Word({t, u, v}) : std::nullopt;
 }
 
-Word leftRightLeft(const Relative& g) {  // 8.3, 8.4
+Word leftRightLeft(const RelativePose& g) {  // 8.3, 8.4
   const Polar p = polarOf(g.x - base::sin(g.phi), g.y - 1.0 + base::cos(g.phi));
   if (p.length > 4.0) {
     return std::nullopt;
@@ -184,7 +182,7 @@ Word leftRightLeft(const Relative& g) {  // 8.3, 8.4
   return t >= kAtLeast && u <= kAtMost ? Word({t, u, v}) : std::nullopt;
 }
 
-Word forwardTwoBackTwo(const Relative& g) {  // 8.7
+Word forwardTwoBackTwo(const RelativePose& g) {  // 8.7
   const double xi = g.x + base::sin(g.phi), eta = g.y - 1.0 - base::cos(g.phi);
   const double rho = 0.25 * (2.0 + std::sqrt(xi * xi + eta * eta));
   if (rho > 1.0) {
@@ -196,7 +194,7 @@ Word forwardTwoBackTwo(const Relative& g) {  // 8.7
                                                           : std::nullopt;
 }
 
-Word backInTheMiddle(const Relative& g) {  // 8.8
+Word backInTheMiddle(const RelativePose& g) {  // 8.8
   const double xi = g.x + base::sin(g.phi), eta = g.y - 1.0 - base::cos(g.phi);
   const double rho = (20.0 - xi * xi - eta * eta) / 16.0;
   if (rho < 0.0 || rho > 1.0) {
@@ -208,7 +206,7 @@ Word backInTheMiddle(const Relative& g) {  // 8.8
                                                            : std::nullopt;
 }
 
-Word quarterThenLeft(const Relative& g) {  // 8.9
+Word quarterThenLeft(const RelativePose& g) {  // 8.9
   const Polar p = polarOf(g.x - base::sin(g.phi), g.y - 1.0 + base::cos(g.phi));
   if (p.length < 2.0) {
     return std::nullopt;
@@ -220,7 +218,7 @@ Word quarterThenLeft(const Relative& g) {  // 8.9
   return t >= kAtLeast && u <= kAtMost && v <= kAtMost ? Word({t, -0.5 * kPi, u, v}) : std::nullopt;
 }
 
-Word quarterThenRight(const Relative& g) {  // 8.10
+Word quarterThenRight(const RelativePose& g) {  // 8.10
   const double xi = g.x + base::sin(g.phi), eta = g.y - 1.0 - base::cos(g.phi);
   const Polar p = polarOf(-eta, xi);
   if (p.length < 2.0) {
@@ -231,7 +229,7 @@ Word quarterThenRight(const Relative& g) {  // 8.10
   return t >= kAtLeast && u <= kAtMost && v <= kAtMost ? Word({t, -0.5 * kPi, u, v}) : std::nullopt;
 }
 
-Word twoQuarters(const Relative& g) {  // 8.11
+Word twoQuarters(const RelativePose& g) {  // 8.11
   const double xi = g.x + base::sin(g.phi), eta = g.y - 1.0 - base::cos(g.phi);
   const double square = xi * xi + eta * eta;
   if (square < 4.0) {
@@ -252,7 +250,7 @@ struct Family {
   const char* mirrored;  // left and right swapped
   std::ptrdiff_t count;
   bool isReversed;  // driven from the goal to the start
-  Word (*solve)(const Relative&);
+  Word (*solve)(const RelativePose&);
 };
 
 constexpr Family kFamilies[] = {
@@ -264,8 +262,8 @@ constexpr Family kFamilies[] = {
     {"LRSLR", "RLSRL", 5, false, twoQuarters},
 };
 
-/// The word itself, mirrored, driven backward (x and phi negative) and both.
-void offerForms(const Family& family, const Relative& goal, Shortest& shortest) {
+/// Offers the word, mirrored, reversed (x and phi negative) and both.
+void offerForms(const Family& family, const RelativePose& goal, Shortest& shortest) {
   for (const double side : {1.0, -1.0}) {
     for (const double way : {1.0, -1.0}) {
       Word word = family.solve({way * goal.x, side * goal.y, way * side * goal.phi});
@@ -283,16 +281,16 @@ void offerForms(const Family& family, const Relative& goal, Shortest& shortest) 
   }
 }
 
-void offerReedsShepp(const Relative& goal, Shortest& shortest) {
+void offerReedsShepp(const RelativePose& goal, Shortest& shortest) {
   const double cosine = base::cos(goal.phi), sine = base::sin(goal.phi);
-  const Relative reversed{goal.x * cosine + goal.y * sine, goal.x * sine - goal.y * cosine,
-                          goal.phi};
+  const RelativePose reversed{goal.x * cosine + goal.y * sine, goal.x * sine - goal.y * cosine,
+                              goal.phi};
   for (const Family& family : kFamilies) {
     offerForms(family, family.isReversed ? reversed : goal, shortest);
   }
 }
 
-/// The pose after that much of a piece, in units of the radius.
+/// The pose after a part of a piece, in units of the radius.
 Pose2 moved(const Pose2& from, Turn turn, double length) {
   const double phi = from.heading;
   if (turn == Turn::Straight) {
@@ -328,8 +326,8 @@ Pose2 ShortestCurve::at(double distance) const {
 ShortestCurve shortestCurve(CarMotion motion, const Pose2& from, const Pose2& to, double radius) {
   const Vec2 way = (to.position - from.position) / radius;
   const double cosine = base::cos(from.heading), sine = base::sin(from.heading);
-  const Relative goal{way.x() * cosine + way.y() * sine, way.y() * cosine - way.x() * sine,
-                      base::angleDiff(to.heading, from.heading)};
+  const RelativePose goal{way.x() * cosine + way.y() * sine, way.y() * cosine - way.x() * sine,
+                          base::angleDiff(to.heading, from.heading)};
   Shortest shortest;
   if (motion == CarMotion::Dubins) {
     offerDubins(goal, shortest);

@@ -5,15 +5,15 @@
 #include <limits>
 #include <optional>
 
-#include "sim2d/nav/nav2/global/PathEnds.h"
-#include "sim2d/nav/nav2/global/SmacSmoother.h"
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
+#include "sim2d/nav/nav2/global/SmacCommon.h"
 
 namespace sim2d::nav2 {
 namespace {
 
 constexpr float kDiagonal = 1.41421356F;
-constexpr std::size_t kShortestSmoothedPlan = 7;  // poses
-constexpr double kNoTolerance = 1e-3;             // [cells]
+constexpr std::size_t kMinSmoothedPlan = 7;  // poses
+constexpr double kNoTolerance = 1e-3;        // [cells]
 
 constexpr Cell kSmacMoves[] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
                                {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
@@ -39,7 +39,7 @@ PlanResult Smac2DPlanner::plan(const PlanRequest& request) {
       result.error = PlanError::StartOccupied;
     } else {
       result.path = {
-          poseOnTheSpot(request.start, request.goal, parameters_.useFinalApproachOrientation)};
+          singlePose(request.start, request.goal, parameters_.useFinalApproachOrientation)};
     }
     return result;
   }
@@ -87,7 +87,7 @@ void Smac2DPlanner::search(Cell start, PlanResult& result, const base::StopFlag*
     if (nodes_[index].isVisited) {
       continue;
     }
-    if (stop != nullptr && result.iterations % limits.checkEvery == 0) {
+    if (stop != nullptr && result.iterations % limits.checkInterval == 0) {
       stop->check();
     }
     ++result.iterations;
@@ -95,7 +95,7 @@ void Smac2DPlanner::search(Cell start, PlanResult& result, const base::StopFlag*
     if (index == last) {
       return collect(index, result.path);
     }
-    if (nearest_.estimate < toleranceInCells() && ++nearGoal >= limits.mostOnApproach) {
+    if (nearest_.estimate < toleranceInCells() && ++nearGoal >= limits.maxOnApproach) {
       return collect(nearest_.node, result.path);
     }
     expand(index);
@@ -117,9 +117,9 @@ void Smac2DPlanner::expand(std::size_t index) {
     if (nodes_[at].isVisited) {
       continue;
     }
-    // In Nav2's types, so that ways of equal cost are equal here too.
+    // Uses Nav2's types so that paths of equal cost stay equal.
     const double length = move.column != 0 && move.row != 0 ? kDiagonal : 1.0F;
-    const auto share = static_cast<float>(costmap_.at(next) / kSmacMostCost);
+    const auto share = static_cast<float>(costmap_.at(next) / kSmacMaxCost);
     const float price = static_cast<float>(parameters_.costTravelMultiplier) * share;
     const float g = nodes_[index].g + static_cast<float>(length * (1.0 + price));
     if (g < nodes_[at].g) {
@@ -141,12 +141,12 @@ void Smac2DPlanner::collect(std::size_t end, Path& path) const {
 }
 
 void Smac2DPlanner::finish(const PlanRequest& request, Path& path) const {
-  if (path.size() >= kShortestSmoothedPlan) {
+  if (path.size() >= kMinSmoothedPlan) {
     smoothSmacPath(path, parameters_, request.costmap, std::nullopt);
   }
   path.back().heading = request.goal.heading;
   if (parameters_.useFinalApproachOrientation) {
-    faceAlongPath(path, request.start.heading);
+    setFinalApproachHeading(path, request.start.heading);
   }
 }
 

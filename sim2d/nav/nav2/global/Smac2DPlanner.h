@@ -7,12 +7,12 @@
 #include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/global/OpenList.h"
 #include "sim2d/nav/nav2/global/PlannerParameters.h"
-#include "sim2d/nav/nav2/global/SmacGrid.h"
+#include "sim2d/nav/nav2/global/SmacCommon.h"
 
 namespace sim2d::nav2 {
 
-/// nav2_smac_planner::SmacPlanner2D: A* over cells and their eight neighbours; a step costs
-/// L (1 + cost_travel_multiplier c / 252), L = 1 or sqrt 2. Its path is smoothed.
+/// nav2_smac_planner::SmacPlanner2D: A* over cells and their eight neighbours; a step costs L (1 +
+/// cost_travel_multiplier c / 252), L = 1 or sqrt 2. Smooths its path.
 class Smac2DPlanner : public GlobalPlanner {
  public:
   Smac2DPlanner(const Smac2DParameters& parameters, Distro distro);
@@ -40,7 +40,7 @@ class Smac2DPlanner : public GlobalPlanner {
   Cell goal_;
   std::vector<Node> nodes_;
   OpenList<float> open_;
-  SmacNearest nearest_;
+  NearestNode nearest_;
 };
 
 }  // namespace sim2d::nav2

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/global/HybridSearch.h"
-#include "sim2d/nav/nav2/global/PathEnds.h"
-#include "sim2d/nav/nav2/global/SmacGrid.h"
-#include "sim2d/nav/nav2/global/SmacSmoother.h"
+#include "sim2d/nav/nav2/global/SmacCommon.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -46,7 +45,7 @@ PlanResult SmacHybridPlanner::plan(const PlanRequest& request) {
     const double radius = std::max(parameters_.minimumTurningRadius, costmap.resolution());
     const CarMotion car = parameters_.motionModelForSearch == "REEDS_SHEPP" ? CarMotion::ReedsShepp
                                                                             : CarMotion::Dubins;
-    smoothSmacPath(result.path, parameters_, request.costmap, SmoothedCar{car, radius});
+    smoothSmacPath(result.path, parameters_, request.costmap, CarModel{car, radius});
   }
   return result;
 }
@@ -79,9 +78,10 @@ std::vector<Pose2> SmacHybridPlanner::goalsAt(const HybridMotion& motion, const 
   return goals;
 }
 
-CurveDistance& SmacHybridPlanner::curvesFor(const HybridMotion& motion, const Costmap& costmap) {
-  constexpr double kMostSide = 2000.0;  // [cells]
-  const double wanted = std::fmin(parameters_.lookupTableSize / costmap.resolution(), kMostSide);
+DistanceHeuristic& SmacHybridPlanner::curvesFor(const HybridMotion& motion,
+                                                const Costmap& costmap) {
+  constexpr double kMaxSide = 2000.0;  // [cells]
+  const double wanted = std::fmin(parameters_.lookupTableSize / costmap.resolution(), kMaxSide);
   const int side = static_cast<int>(wanted) | 1;  // odd
   if (!curves_ || curveRadius_ != motion.turningRadius() || curveSide_ != side) {
     curves_.emplace(motion.car(), motion.turningRadius(), motion.bins(), side);
@@ -91,7 +91,7 @@ CurveDistance& SmacHybridPlanner::curvesFor(const HybridMotion& motion, const Co
   return *curves_;
 }
 
-/// The path in cells.
+/// Plans a path in cell coordinates.
 PlanResult SmacHybridPlanner::planIn(const Costmap& given, const PlanRequest& request) {
   const HybridMotion motion(parameters_, given.resolution(), distro_);
   const Pose2 start = inCells(given, request.start);
@@ -100,9 +100,9 @@ PlanResult SmacHybridPlanner::planIn(const Costmap& given, const PlanRequest& re
   if (distro_ != Distro::Humble) {
     costmap.set(cellUnder(start), kFreeSpace);
   }
-  const HybridSearch::Setting setting{
+  const HybridSearch::Context context{
       parameters_, distro_, motion, costmap, request, obstacles_, curvesFor(motion, costmap)};
-  HybridSearch search(setting);
+  HybridSearch search(context);
   if (distro_ == Distro::Humble && !search.costAt(start)) {
     return hybridFailure(PlanError::StartOccupied);
   }
@@ -115,7 +115,7 @@ PlanResult SmacHybridPlanner::planIn(const Costmap& given, const PlanRequest& re
       motion.nearestBin(start.heading) == motion.nearestBin(goals.front().heading)) {
     return {PlanError::None, {{start.position, request.goal.heading}}, 0};
   }
-  ObstacleDistance::Settings settings;
+  ObstacleHeuristic::Settings settings;
   settings.costPenalty = parameters_.costPenalty;
   settings.isQuadratic = distro_ != Distro::Humble && parameters_.useQuadraticCostPenalty;
   settings.allowUnknown = parameters_.allowUnknown;

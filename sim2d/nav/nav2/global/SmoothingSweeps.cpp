@@ -1,5 +1,6 @@
 #include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -20,7 +21,7 @@ bool isBlocked(const Costmap& costmap, const Vec2& place) {
   return !cell || costmap.at(*cell) == kInscribed || costmap.at(*cell) == kLethal;
 }
 
-/// One sweep over `moved`; none if it leads into an obstacle, else the sum of changes.
+/// Performs one sweep over `moved`; returns the sum of changes, or nullopt at an obstacle.
 std::optional<double> sweepOnce(const Path& anchors, const SweepSettings& settings,
                                 const Costmap& costmap, Path& moved) {
   double change = 0.0;
@@ -40,25 +41,25 @@ std::optional<double> sweepOnce(const Path& anchors, const SweepSettings& settin
   return change;
 }
 
-SweepEnd sweepUntilDone(Path& segment, const SweepSettings& settings, const Costmap& costmap,
-                        long long& budget) {
+SweepResult sweepUntilDone(Path& segment, const SweepSettings& settings, const Costmap& costmap,
+                           long long& budget) {
   const Path anchors = segment;
   Path moved = segment;
-  for (int sweep = 1; sweep < settings.mostSweeps; ++sweep) {
+  for (int sweep = 1; sweep < settings.maxSweeps; ++sweep) {
     budget -= static_cast<long long>(segment.size());
     if (budget < 0) {
-      return SweepEnd::OutOfBudget;
+      return SweepResult::OutOfBudget;
     }
     const auto change = sweepOnce(anchors, settings, costmap, moved);
     if (!change) {
-      return SweepEnd::Obstacle;
+      return SweepResult::Obstacle;
     }
     segment = moved;
     if (*change < settings.tolerance) {
-      return SweepEnd::Converged;
+      return SweepResult::Converged;
     }
   }
-  return SweepEnd::MostSweeps;
+  return SweepResult::MaxSweeps;
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ std::vector<PathSegment> directionalSegments(const Path& path) {
   return segments;
 }
 
-bool faceAlongSegment(Path& segment, bool isHolonomic) {
+bool orientSegment(Path& segment, bool isHolonomic) {
   const Vec2 ahead = segment[2].position - segment[1].position;
   const double turn = base::angleDiff(base::atan2(ahead.y(), ahead.x()), segment[1].heading);
   const bool isBackward = !isHolonomic && std::fabs(turn) > 0.5 * base::kPi;
@@ -97,15 +98,61 @@ bool faceAlongSegment(Path& segment, bool isHolonomic) {
   return isBackward;
 }
 
-SweepEnd smoothBySweeps(Path& segment, const SweepSettings& settings, const Costmap& costmap,
-                        long long& budget) {
-  const SweepEnd first = sweepUntilDone(segment, settings, costmap, budget);
-  SweepEnd last = first;
-  for (int i = 0; i < settings.refinements && last == SweepEnd::Converged; ++i) {
+SweepResult smoothBySweeps(Path& segment, const SweepSettings& settings, const Costmap& costmap,
+                           long long& budget) {
+  const SweepResult first = sweepUntilDone(segment, settings, costmap, budget);
+  SweepResult last = first;
+  for (int i = 0; i < settings.refinements && last == SweepResult::Converged; ++i) {
     last = sweepUntilDone(segment, settings, costmap, budget);
   }
-  faceAlongSegment(segment, settings.isHolonomic);
-  return last == SweepEnd::OutOfBudget ? last : first;
+  orientSegment(segment, settings.isHolonomic);
+  return last == SweepResult::OutOfBudget ? last : first;
+}
+
+namespace {
+
+constexpr double kMaxSmoothingDuration = 60.0;  // [s], upper limit of maxDuration
+
+}  // namespace
+
+SimpleSmoother::SimpleSmoother(const SimpleSmootherParameters& parameters, Distro distro)
+    : parameters_(parameters), distro_(distro) {}
+
+SmoothResult SimpleSmoother::smooth(const Path& path, const Costmap& costmap,
+                                    double maxDuration) const {
+  SmoothResult result;
+  if (path.empty()) {
+    result.error = SmoothError::InvalidPath;
+    return result;
+  }
+  SweepSettings settings;
+  settings.tolerance = parameters_.tolerance;
+  settings.maxSweeps = parameters_.maxIts;
+  settings.wData = parameters_.wData;
+  settings.wSmooth = parameters_.wSmooth;
+  settings.refinements = parameters_.doRefinement ? parameters_.refinementNum : 0;
+  const bool splits = distro_ < Distro::Kilted || parameters_.enforcePathInversion;
+  const std::vector<PathSegment> segments =
+      splits ? directionalSegments(path) : std::vector<PathSegment>{{0, path.size() - 1}};
+  const std::size_t shortest = distro_ == Distro::Humble ? 9 : 3;  // number of poses minus 1
+  auto budget = static_cast<long long>(std::clamp(maxDuration, 0.0, kMaxSmoothingDuration) *
+                                       kSweptPosesPerSecond);
+  result.path = path;
+  for (const PathSegment& part : segments) {
+    if (part.last - part.first <= shortest) {
+      continue;
+    }
+    const auto first = result.path.begin() + static_cast<std::ptrdiff_t>(part.first);
+    const auto last = result.path.begin() + static_cast<std::ptrdiff_t>(part.last);
+    Path segment(first, last + 1);
+    const SweepResult end = smoothBySweeps(segment, settings, costmap, budget);
+    if (end == SweepResult::OutOfBudget && distro_ != Distro::Humble) {
+      return {SmoothError::Timeout, {}, false};
+    }
+    result.wasCompleted = result.wasCompleted && end == SweepResult::Converged;
+    std::copy(segment.begin(), segment.end(), first);
+  }
+  return result;
 }
 
 }  // namespace sim2d::nav2

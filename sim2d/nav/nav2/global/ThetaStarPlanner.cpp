@@ -1,11 +1,164 @@
 #include "sim2d/nav/nav2/global/ThetaStarPlanner.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 
-#include "sim2d/nav/nav2/global/PathEnds.h"
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
 
 namespace sim2d::nav2 {
+namespace {
+
+constexpr double kMaxSafeCost = 252.0;    // limit of cell costs, and of c' on a line
+constexpr double kUnknownOnLine = 253.0;  // c' of a cell of 255 on a line
+
+/// Sums the costs of the cells of a line.
+class LineCost {
+ public:
+  LineCost(const Costmap& costmap, const ThetaStarCosts& costs)
+      : costmap_(costmap), costs_(costs) {}
+
+  double sum() const { return sum_; }
+  bool isSafe(Cell cell) const { return costs_.isSafe[costmap_.at(cell)]; }
+
+  /// Adds the cost of a cell; false if the cell blocks the line. The index wraps around.
+  bool add(int column, int row) {
+    const std::uint32_t index =
+        static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(costmap_.width()) +
+        static_cast<std::uint32_t>(column);
+    if (index >= costmap_.costs().size()) {
+      return false;
+    }
+    const std::uint8_t cost = costmap_.costs()[index];
+    if (!costs_.isClear[cost]) {
+      return false;
+    }
+    sum_ += costs_.lineCosts[cost];
+    return true;
+  }
+
+ private:
+  const Costmap& costmap_;
+  const ThetaStarCosts& costs_;
+  double sum_ = 0.0;
+};
+
+/// One axis of a line: begin, end, direction, and the offset of the cell next to a corner.
+struct LineAxis {
+  LineAxis(int from, int to)
+      : begin(from),
+        end(to),
+        length(std::abs(to - from)),
+        step(to > from ? 1 : -1),
+        cornerOffset(to > from ? 0 : -1) {}
+
+  int begin, end, length, step, cornerOffset;
+};
+
+/// The line of Humble to Kilted along its longer axis; `add(along, across)` is false if blocked.
+template <class Add>
+bool followCorners(const LineAxis& along, const LineAxis& across, const Add& add) {
+  int error = 0, side = across.begin;
+  for (int place = along.begin; place != along.end; place += along.step) {
+    error += across.length;
+    if (error >= along.length) {
+      if (!add(place + along.cornerOffset, side + across.cornerOffset)) {
+        return false;
+      }
+      side += across.step;
+      error -= along.length;
+    }
+    if (error != 0 && !add(place + along.cornerOffset, side + across.cornerOffset)) {
+      return false;
+    }
+    if (across.length == 0 && !add(place + along.cornerOffset, side) &&
+        !add(place + along.cornerOffset, side - 1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool followCorners(const LineAxis& x, const LineAxis& y, LineCost& line) {
+  if (x.length >= y.length) {
+    return followCorners(x, y, [&](int along, int across) { return line.add(along, across); });
+  }
+  return followCorners(y, x, [&](int along, int across) { return line.add(across, along); });
+}
+
+bool followCells(const LineAxis& x, const LineAxis& y, LineCost& line) {
+  int error = x.length - y.length;
+  for (Cell cell{x.begin, y.begin}; cell != Cell{x.end, y.end};) {
+    if (!line.add(cell.column, cell.row)) {
+      return false;
+    }
+    const bool stepsX = 2 * error > -y.length, stepsY = 2 * error <= x.length;
+    if (stepsX && stepsY &&
+        !(line.isSafe({cell.column + x.step, cell.row}) &&
+          line.isSafe({cell.column, cell.row + y.step}))) {
+      return false;
+    }
+    if (stepsX) {
+      error -= y.length;
+      cell.column += x.step;
+    }
+    if (stepsY) {
+      error += x.length;
+      cell.row += y.step;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+ThetaStarCosts::ThetaStarCosts(const ThetaStarParameters& parameters) {
+  const auto traversal = [&](double weighed) {  // in Nav2's order of operations
+    return parameters.traversalCost * weighed * weighed / kMaxSafeCost / kMaxSafeCost;
+  };
+  for (std::size_t cost = 0; cost < stepCosts.size(); ++cost) {
+    const bool isUnknown = cost == kNoInformation;
+    const double weighed = 26.0 + 0.9 * static_cast<double>(cost);  // c'
+    stepCosts[cost] = traversal(weighed);
+    lineCosts[cost] = traversal(isUnknown ? kUnknownOnLine : weighed);
+    isSafe[cost] = isUnknown ? parameters.allowUnknown : static_cast<double>(cost) <= kMaxSafeCost;
+    isClear[cost] = isUnknown ? parameters.allowUnknown : weighed <= kMaxSafeCost;
+  }
+}
+
+std::optional<double> thetaStarLineCost(const Costmap& costmap, const ThetaStarCosts& costs,
+                                        Distro distro, Cell from, Cell to) {
+  const LineAxis x(from.column, to.column), y(from.row, to.row);
+  LineCost line(costmap, costs);
+  const bool isFree =
+      distro >= Distro::Lyrical ? followCells(x, y, line) : followCorners(x, y, line);
+  return isFree ? std::optional<double>(line.sum()) : std::nullopt;
+}
+
+double hypotAsGlibc(double x, double y) {
+  const double large = std::max(std::fabs(x), std::fabs(y));
+  const double small = std::min(std::fabs(x), std::fabs(y));
+  constexpr double kNegligible = 0x1p-54;
+  if (small <= large * kNegligible) {
+    return large + small;
+  }
+  const double root = std::sqrt(large * large + small * small);
+  double first = 0.0, second = 0.0;  // terms of the negated remainder large^2 + small^2 - root^2
+  if (root <= 2.0 * small) {
+    const double delta = root - small;
+    first = large * (2.0 * delta - large);
+    second = (delta - 2.0 * (large - small)) * delta;
+  } else {
+    const double delta = root - large;
+    first = 2.0 * delta * (large - 2.0 * small);
+    second = (4.0 * delta - small) * small + delta * delta;
+  }
+  return root - (first + second) / (2.0 * root);
+}
+
 namespace {
 
 constexpr Cell kThetaMoves[] = {{0, 1},  {0, -1}, {1, 0}, {-1, 0},
@@ -31,7 +184,7 @@ PlanResult ThetaStarPlanner::plan(const PlanRequest& request) {
       result.error = PlanError::StartOccupied;
     } else {
       result.path = {
-          poseOnTheSpot(request.start, request.goal, parameters_.useFinalApproachOrientation)};
+          singlePose(request.start, request.goal, parameters_.useFinalApproachOrientation)};
     }
     return result;
   }
@@ -41,7 +194,7 @@ PlanResult ThetaStarPlanner::plan(const PlanRequest& request) {
   } else if (!search(*start, result, request.stop)) {
     result.error = PlanError::NoValidPath;
   } else {
-    result.path = pathBack(request);
+    result.path = backtrace(request);
   }
   return result;
 }
@@ -55,7 +208,7 @@ double ThetaStarPlanner::estimate(Cell cell) const {
          hypotAsGlibc(cell.column - goal_.column, cell.row - goal_.row);
 }
 
-/// The start is expanded twice, as in Nav2: it is in the queue and the first one to be looked at.
+/// As in Nav2 the start is expanded twice: it is queued and also expanded first.
 bool ThetaStarPlanner::search(Cell start, PlanResult& result, const base::StopFlag* stop) {
   Node unseen;
   unseen.f = std::numeric_limits<double>::max();
@@ -63,7 +216,7 @@ bool ThetaStarPlanner::search(Cell start, PlanResult& result, const base::StopFl
   queue_.clear();
   const auto keys = [this](std::size_t index) { return keyOf(index); };
   const std::size_t first = costmap_.indexOf(start), last = costmap_.indexOf(goal_);
-  const double g = costs_.entered[costmap_.at(start)];
+  const double g = costs_.stepCosts[costmap_.at(start)];
   nodes_[first] = {g, g + estimate(start), static_cast<int>(first), true};
   queue_.push(first, keys);
   std::size_t current = first;
@@ -75,20 +228,20 @@ bool ThetaStarPlanner::search(Cell start, PlanResult& result, const base::StopFl
     if (current == last) {
       return true;
     }
-    retryParent(static_cast<int>(current));
+    tryGrandparent(static_cast<int>(current));
     expand(static_cast<int>(current));
     current = queue_.pop(keys);
   }
   return false;
 }
 
-/// Attaches a node to its parent's parent if a straight line leads there and costs less.
-void ThetaStarPlanner::retryParent(int index) {
+/// Replaces a node's parent by its grandparent if there is a cheaper line of sight.
+void ThetaStarPlanner::tryGrandparent(int index) {
   Node& node = nodes_[static_cast<std::size_t>(index)];
   node.isQueued = false;
   const int grandparent = nodes_[static_cast<std::size_t>(node.parent)].parent;
   const Cell cell = cellOf(index), from = cellOf(grandparent);
-  const auto line = thetaStarLine(costmap_, costs_, distro_, cell, from);
+  const auto line = thetaStarLineCost(costmap_, costs_, distro_, cell, from);
   if (!line) {
     return;
   }
@@ -108,7 +261,7 @@ void ThetaStarPlanner::expand(int index) {
     if (!costmap_.contains(next) || !isSafe(next)) {
       continue;
     }
-    const double found = g + lengthCost(cell, next) + costs_.entered[costmap_.at(next)];
+    const double found = g + lengthCost(cell, next) + costs_.stepCosts[costmap_.at(next)];
     const double whole = found + estimate(next);
     Node& node = nodes_[costmap_.indexOf(next)];
     if (node.f > whole) {
@@ -123,8 +276,8 @@ void ThetaStarPlanner::expand(int index) {
   }
 }
 
-/// Poses at the nodes and every cell's length between them.
-Path ThetaStarPlanner::pathBack(const PlanRequest& request) const {
+/// The path with poses at the nodes and at each cell length between them.
+Path ThetaStarPlanner::backtrace(const PlanRequest& request) const {
   std::vector<Vec2> corners;
   for (int index = static_cast<int>(costmap_.indexOf(goal_));;) {
     corners.push_back(costmap_.cellToWorld(cellOf(index)));
@@ -146,7 +299,7 @@ Path ThetaStarPlanner::pathBack(const PlanRequest& request) const {
   }
   path.push_back({corners.front(), request.goal.heading});
   if (parameters_.useFinalApproachOrientation) {
-    faceAlongPath(path, request.start.heading);
+    setFinalApproachHeading(path, request.start.heading);
   }
   return path;
 }

@@ -13,18 +13,18 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr int kShownTrajectories = 40;
-constexpr int kPoseStride = 4;  // steps between poses of a shown trajectory
+constexpr int kPoseStride = 4;  // steps between poses of a displayed trajectory
 
-PathHandling mppiHandling(const MppiConfiguration& mppi) {
-  PathHandling handling;
-  handling.rule = PathHandling::Rule::Way;
-  handling.searchDistance = mppi.settings.searchDistance;
-  handling.pruneDistance = mppi.settings.pruneDistance;
-  handling.keepsTwo = isIn(kJazzy | kKilted, mppi.distro);
-  handling.enforcesInversion = mppi.settings.enforcesInversion;
-  handling.inversionXyTolerance = mppi.settings.inversionXyTolerance;
-  handling.inversionYawTolerance = mppi.settings.inversionYawTolerance;
-  return handling;
+PathPruning mppiPruning(const MppiConfiguration& mppi) {
+  PathPruning pruning;
+  pruning.rule = PathPruning::Rule::AlongPath;
+  pruning.searchDistance = mppi.settings.searchDistance;
+  pruning.pruneDistance = mppi.settings.pruneDistance;
+  pruning.keepsLastTwo = includesDistro(kJazzy | kKilted, mppi.distro);
+  pruning.enforcesInversion = mppi.settings.enforcesInversion;
+  pruning.inversionXyTolerance = mppi.settings.inversionXyTolerance;
+  pruning.inversionYawTolerance = mppi.settings.inversionYawTolerance;
+  return pruning;
 }
 
 bool isListed(const MppiConfiguration& mppi, const std::string& critic) {
@@ -32,7 +32,7 @@ bool isListed(const MppiConfiguration& mppi, const std::string& critic) {
   return std::find(critics.begin(), critics.end(), critic) != critics.end();
 }
 
-bool asksFootprint(const MppiConfiguration& mppi) {
+bool usesFootprint(const MppiConfiguration& mppi) {
   const MppiCriticSettings& critics = mppi.critics;
   return (critics.cost.considersFootprint && isListed(mppi, "CostCritic")) ||
          (critics.obstacles.considersFootprint && isListed(mppi, "ObstaclesCritic"));
@@ -65,7 +65,7 @@ base::Result<std::unique_ptr<Controller>> makeMppiController(const ControllerSet
 }  // namespace
 
 MppiController::MppiController(const MppiConfiguration& mppi, const MppiOptimizerSetup& setup)
-    : mppi_(mppi), optimizer_(mppi, setup), handler_(mppiHandling(mppi)) {}
+    : mppi_(mppi), optimizer_(mppi, setup), handler_(mppiPruning(mppi)) {}
 
 void MppiController::setPlan(const Path& plan) {
   handler_.setPlan(plan);
@@ -86,7 +86,7 @@ LocalPlan MppiController::localPlan(const ControlInput& input) {
   return local;
 }
 
-/// Humble forgets when it has not been asked for a while.
+/// Humble resets after a period without calls.
 void MppiController::resetWhenLate(double time) {
   const bool isLate = lastTime_ && time - *lastTime_ > mppi_.settings.resetPeriod;
   if (mppi_.distro == Distro::Humble && isLate) {
@@ -95,17 +95,17 @@ void MppiController::resetWhenLate(double time) {
   lastTime_ = time;
 }
 
-Control MppiController::computeVelocityCommands(const ControlInput& input) {
+ControlResult MppiController::computeVelocityCommands(const ControlInput& input) {
   resetWhenLate(input.time);
   view_ = {};
-  if (input.shape.isRadius && asksFootprint(mppi_)) {  // Nav2 does not start
-    return {ControlCode::InvalidController,
+  if (input.shape.isRadius && usesFootprint(mppi_)) {  // Nav2 does not start
+    return {ControllerError::InvalidController,
             "Considering footprint in collision checking but no robot footprint provided in the "
             "costmap."};
   }
   LocalPlan local = localPlan(input);
   if (local.problem != nullptr) {
-    return {ControlCode::InvalidPath, local.problem};
+    return {ControllerError::InvalidPath, local.problem};
   }
   view_.localPlan = std::move(local.poses);
   const Pose2 goal = input.fromPlan(goal_);
@@ -125,7 +125,7 @@ Control MppiController::computeVelocityCommands(const ControlInput& input) {
     showTrajectories();
   }
   if (!command) {
-    return {ControlCode::NoValidControl, "Optimizer fail to compute path"};
+    return {ControllerError::NoValidControl, "Optimizer fail to compute path"};
   }
   return *command;
 }
@@ -151,39 +151,39 @@ void MppiController::showTrajectories() {
   }
 }
 
-WeighedTrajectory MppiController::shownTrajectory(int sample) const {
-  const TrajectoryColumns& columns = optimizer_.trajectories();
+EvaluatedTrajectory MppiController::shownTrajectory(int sample) const {
+  const TrajectoryBuffer& columns = optimizer_.trajectories();
   const MppiCritics& critics = optimizer_.critics();
   const auto at = static_cast<std::size_t>(sample);
-  WeighedTrajectory shown;
+  EvaluatedTrajectory shown;
   for (int step = 0; step < columns.steps(); ++step) {
-    const std::size_t place = columns.placeOf(step, sample);
+    const std::size_t place = columns.elementIndex(step, sample);
     if (step % kPoseStride == 0 || step + 1 == columns.steps()) {
       shown.poses.push_back(
           {Vec2(static_cast<double>(columns.x[place]), static_cast<double>(columns.y[place])),
            base::wrapToPi(static_cast<double>(columns.yaw[place]))});
     }
   }
-  const std::size_t first = columns.placeOf(0, sample);
+  const std::size_t first = columns.elementIndex(0, sample);
   shown.twist = {static_cast<double>(columns.controls[0][first]),
                  static_cast<double>(columns.controls[1][first]),
                  static_cast<double>(columns.controls[2][first])};
   for (std::size_t i = 0; i < critics.names().size(); ++i) {
     const double score = static_cast<double>(critics.scores(i)[at]);
-    shown.scores.push_back({critics.names()[i], score, critics.wasAsked(i) ? 1.0 : 0.0});
+    shown.scores.push_back({critics.names()[i], score, critics.wasEvaluated(i) ? 1.0 : 0.0});
     shown.total += score;
   }
   if (critics.hits()[at] > 0.0F) {
-    shown.refusal = "Trajectory collides";
+    shown.rejection = "Trajectory collides";
   }
   return shown;
 }
 
-/// What the critics say of it: the mean over the trajectories by their weights.
-WeighedTrajectory MppiController::shownOptimal() const {
+/// The optimal trajectory; its scores are the weighted means over all trajectories.
+EvaluatedTrajectory MppiController::shownOptimal() const {
   const MppiCritics& critics = optimizer_.critics();
   const std::vector<float>& weights = optimizer_.weights();
-  WeighedTrajectory shown;
+  EvaluatedTrajectory shown;
   shown.isChosen = true;
   shown.poses = view_.predicted;
   for (std::size_t i = 0; i < critics.names().size(); ++i) {
@@ -191,7 +191,7 @@ WeighedTrajectory MppiController::shownOptimal() const {
     for (std::size_t sample = 0; sample < weights.size(); ++sample) {
       mean += static_cast<double>(weights[sample]) * static_cast<double>(critics.scores(i)[sample]);
     }
-    shown.scores.push_back({critics.names()[i], mean, critics.wasAsked(i) ? 1.0 : 0.0});
+    shown.scores.push_back({critics.names()[i], mean, critics.wasEvaluated(i) ? 1.0 : 0.0});
     shown.total += mean;
   }
   return shown;
@@ -200,7 +200,9 @@ WeighedTrajectory MppiController::shownOptimal() const {
 void addMppi(ControllerRegistry& registry) {
   ControllerType type;
   type.plugin = "nav2_mppi_controller::MPPIController";
-  type.help = "Model predictive path integral control: many drawn trajectories, their mean by cost";
+  type.help =
+      "Model predictive path integral control: the cost-weighted mean of many sampled "
+      "trajectories";
   type.keys = mppiKeysOf;
   type.make = makeMppiController;
   registry.add(std::move(type));

@@ -2,20 +2,19 @@
 
 #include <optional>
 
-#include "sim2d/nav/nav2/control/Controller.h"
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/control/PathHandler.h"
 #include "sim2d/nav/nav2/mppi/MppiOptimizer.h"
 
 namespace sim2d::nav2 {
 
-/// nav2_mppi_controller::MPPIController: cuts the path, asks the optimiser.
+/// nav2_mppi_controller::MPPIController: prunes the path and calls the optimizer.
 class MppiController final : public Controller {
  public:
   MppiController(const MppiConfiguration& mppi, const MppiOptimizerSetup& setup);
 
   void setPlan(const Path& plan) override;
-  Control computeVelocityCommands(const ControlInput& input) override;
+  ControlResult computeVelocityCommands(const ControlInput& input) override;
   void setSpeedLimit(double limit, bool isPercentage) override;
   void reset() override;
 
@@ -23,8 +22,8 @@ class MppiController final : public Controller {
   LocalPlan localPlan(const ControlInput& input);
   void resetWhenLate(double time);
   void showTrajectories();
-  WeighedTrajectory shownTrajectory(int sample) const;
-  WeighedTrajectory shownOptimal() const;
+  EvaluatedTrajectory shownTrajectory(int sample) const;
+  EvaluatedTrajectory shownOptimal() const;
 
   const MppiConfiguration mppi_;
   MppiOptimizer optimizer_;

@@ -10,8 +10,7 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/control/PathHandler.h"
-#include "sim2d/nav/nav2/costmap/InflationLaw.h"
-#include "sim2d/nav/nav2/mppi/MppiCriticRound.h"
+#include "sim2d/nav/nav2/costmap/InflationLayer.h"
 
 namespace sim2d::nav2 {
 
@@ -24,12 +23,13 @@ bool isPathPointValid(const Costmap& costmap, const Vec2& place, bool tracksUnkn
   return cost == kNoInformation ? tracksUnknown : cost < kInscribed;
 }
 
-double circumscribedCost(const ControlledShape& shape) {
+double circumscribedCost(const RobotFootprint& shape) {
   if (shape.inflationRadius <= 0.0) {
     return -1.0;
   }
-  const InflationLaw law{shape.inflationRadius, shape.costScaling, shape.inscribedRadius};
-  return law.cost(shape.circumscribedRadius);
+  const InflationCostFunction costFunction{shape.inflationRadius, shape.costScaling,
+                                           shape.inscribedRadius};
+  return costFunction.cost(shape.circumscribedRadius);
 }
 
 double posePointAngle(const Pose2& pose, const Vec2& place, bool isForward) {
@@ -48,17 +48,17 @@ double posePointAngle(const Pose2& pose, const Vec2& place, double yaw) {
 
 const std::vector<MppiCritics::Named>& MppiCritics::known() {
   static const std::vector<Named> kKnown = {
-      {"ConstraintCritic", &MppiCritics::askConstraint},
-      {"CostCritic", &MppiCritics::askCost},
-      {"ObstaclesCritic", &MppiCritics::askObstacles},
-      {"GoalCritic", &MppiCritics::askGoal},
-      {"GoalAngleCritic", &MppiCritics::askGoalAngle},
-      {"PathAlignCritic", &MppiCritics::askPathAlign},
-      {"PathFollowCritic", &MppiCritics::askPathFollow},
-      {"PathAngleCritic", &MppiCritics::askPathAngle},
-      {"PreferForwardCritic", &MppiCritics::askPreferForward},
-      {"TwirlingCritic", &MppiCritics::askTwirling},
-      {"VelocityDeadbandCritic", &MppiCritics::askDeadband},
+      {"ConstraintCritic", &MppiCritics::evaluateConstraint},
+      {"CostCritic", &MppiCritics::evaluateCost},
+      {"ObstaclesCritic", &MppiCritics::evaluateObstacles},
+      {"GoalCritic", &MppiCritics::evaluateGoal},
+      {"GoalAngleCritic", &MppiCritics::evaluateGoalAngle},
+      {"PathAlignCritic", &MppiCritics::evaluatePathAlign},
+      {"PathFollowCritic", &MppiCritics::evaluatePathFollow},
+      {"PathAngleCritic", &MppiCritics::evaluatePathAngle},
+      {"PreferForwardCritic", &MppiCritics::evaluatePreferForward},
+      {"TwirlingCritic", &MppiCritics::evaluateTwirling},
+      {"VelocityDeadbandCritic", &MppiCritics::evaluateDeadband},
   };
   return kKnown;
 }
@@ -73,13 +73,13 @@ MppiCritics::MppiCritics(const MppiConfiguration& mppi, const TrajectoryKernel& 
   for (const std::string& name : mppi.settings.critics) {
     const auto found = std::find_if(known().begin(), known().end(),
                                     [&](const Named& critic) { return name == critic.name; });
-    if (found != known().end()) {  // `readMppi` has told the others
+    if (found != known().end()) {  // readMppi has reported unknown critics
       names_.push_back(name);
-      asks_.push_back(found->ask);
+      evaluators_.push_back(found->evaluate);
     }
   }
   scores_.resize(names_.size());
-  wasAsked_.resize(names_.size());
+  wasEvaluated_.resize(names_.size());
 }
 
 void MppiCritics::begin(const MppiScene& scene) {
@@ -87,7 +87,7 @@ void MppiCritics::begin(const MppiScene& scene) {
   valid_.clear();
   hasFailed_ = false;
   fillPath(scene.path);
-  fillCells(scene);
+  copyCosts(scene);
 }
 
 void MppiCritics::fillPath(const Path& path) {
@@ -112,24 +112,24 @@ void MppiCritics::fillPath(const Path& path) {
   pathLength_ = pathLength(path);
 }
 
-void MppiCritics::fillCells(const MppiScene& scene) {
+void MppiCritics::copyCosts(const MppiScene& scene) {
   const std::vector<std::uint8_t>& costs = scene.costmap.costs();
   cells_.resize(std::max<std::size_t>(costs.size(), 1));
   std::transform(costs.begin(), costs.end(), cells_.begin(),
                  [](std::uint8_t cost) { return static_cast<float>(cost); });
 }
 
-void MppiCritics::score(const MppiScene& scene, TrajectoryColumns& columns,
+void MppiCritics::score(const MppiScene& scene, TrajectoryBuffer& columns,
                         std::vector<float>& costs) {
   const std::size_t samples = columns.length.size();
   hits_.assign(samples, 0.0F);
-  for (std::size_t i = 0; i < asks_.size(); ++i) {
+  for (std::size_t i = 0; i < evaluators_.size(); ++i) {
     scores_[i].assign(samples, 0.0F);
-    wasAsked_[i] = false;
+    wasEvaluated_[i] = false;
   }
-  for (std::size_t i = 0; i < asks_.size() && !hasFailed_; ++i) {
-    Round round{scene, columns, columns.view(), costs, i};
-    wasAsked_[i] = (this->*asks_[i])(round);
+  for (std::size_t i = 0; i < evaluators_.size() && !hasFailed_; ++i) {
+    CriticCall call{scene, columns, columns.view(), costs, i};
+    wasEvaluated_[i] = (this->*evaluators_[i])(call);
   }
 }
 
@@ -141,9 +141,9 @@ bool MppiCritics::isNear(const MppiScene& scene, double threshold) const {
   return (end.position - scene.robot.position).squaredNorm() < threshold * threshold;
 }
 
-int MppiCritics::reachedBy(Round& round) {
+int MppiCritics::furthestReached(CriticCall& call) {
   if (!furthest_) {
-    // Rounding must not decide where way driven and way along the path are equal.
+    // Avoids dependence on rounding where driven length and path length are equal.
     constexpr float kSlack = 1e-3F;  // [m]
     const float slack =
         distro_ >= Distro::Lyrical ? kSlack : std::numeric_limits<float>::infinity();
@@ -152,31 +152,31 @@ int MppiCritics::reachedBy(Round& round) {
     path.y = pathY_.data();
     path.way = pathWay_.data();
     path.count = static_cast<int>(pathX_.size());
-    nearest_.resize(round.columns.length.size());
-    kernel_.nearest(path, slack, round.batch, nearest_.data());
+    nearest_.resize(call.columns.length.size());
+    kernel_.nearest(path, slack, call.batch, nearest_.data());
     furthest_ = static_cast<int>(
-        *std::max_element(nearest_.begin(), nearest_.begin() + round.columns.count()));
+        *std::max_element(nearest_.begin(), nearest_.begin() + call.columns.count()));
   }
   return *furthest_;
 }
 
-bool MppiCritics::isValid(const Round& round, int point) {
-  if (valid_.empty() && round.scene.path.size() > 1) {
-    for (std::size_t i = 0; i + 1 < round.scene.path.size(); ++i) {
-      const bool isFree = isPathPointValid(round.scene.costmap, round.scene.path[i].position,
-                                           round.scene.shape.tracksUnknown);
+bool MppiCritics::isValid(const CriticCall& call, int point) {
+  if (valid_.empty() && call.scene.path.size() > 1) {
+    for (std::size_t i = 0; i + 1 < call.scene.path.size(); ++i) {
+      const bool isFree = isPathPointValid(call.scene.costmap, call.scene.path[i].position,
+                                           call.scene.shape.tracksUnknown);
       valid_.push_back(isFree ? 1.0F : 0.0F);
     }
   }
   return valid_[static_cast<std::size_t>(point)] > 0.0F;
 }
 
-ScoreSink MppiCritics::sinkOf(const Round& round, const CriticSettings& settings) {
+ScoreSink MppiCritics::sinkOf(const CriticCall& call, const CommonCriticSettings& settings) {
   ScoreSink sink;
   sink.weight = static_cast<float>(settings.weight);
   sink.power = settings.power;
-  sink.costs = round.costs.data();
-  sink.scores = scores_[round.critic].data();
+  sink.costs = call.costs.data();
+  sink.scores = scores_[call.critic].data();
   return sink;
 }
 

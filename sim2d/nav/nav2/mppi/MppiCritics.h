@@ -6,90 +6,92 @@
 #include <string>
 #include <vector>
 
-#include "sim2d/nav/nav2/control/Controller.h"
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/mppi/MppiSequence.h"
 #include "sim2d/nav/nav2/mppi/MppiSettings.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryColumns.h"
+#include "sim2d/nav/nav2/mppi/TrajectoryBuffer.h"
 #include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
 
-/// The critics of Nav2's MPPI (nav2_mppi_controller, critics/*.cpp): which are asked when, and what
-/// the kernel is told.
+/// The critics of Nav2's MPPI (nav2_mppi_controller, critics/*.cpp): conditions of evaluation and
+/// inputs of the kernel.
 namespace sim2d::nav2 {
 
-/// All that a cycle looks at. World frame.
+/// Inputs of a cycle. World frame.
 struct MppiScene {
   const Pose2& robot;
   const BodyTwist& speed;  // measured
-  const Path& path;        // the local one, never empty
+  const Path& path;        // local path, not empty
   const Pose2& goal;
   const Costmap& costmap;
-  const ControlledShape& shape;
+  const RobotFootprint& shape;
   double xyGoalTolerance = 0.25;  // [m]
 };
 
-/// Whether a pose is on a cell of 253 or 254 or off the map (255 when that is no free space).
+/// Whether a position is free: on the map and not on a cell of 253, 254, or 255 unless unknown
+/// space counts as free.
 bool isPathPointValid(const Costmap& costmap, const Vec2& place, bool tracksUnknown);
-/// Cost where the centre of a robot that just touches an obstacle may be, below which no edge
-/// touches anything; -1 without inflation.
-double circumscribedCost(const ControlledShape& shape);
-/// |angle| between the heading of a pose and the direction to a place: ahead alone, by either end,
-/// or of a path that looks along `yaw` there (PathAngleCritic's modes) [rad].
+/// Inflation cost at the circumscribed radius: if the centre's cost is lower, no edge touches an
+/// obstacle. -1 without inflation.
+double circumscribedCost(const RobotFootprint& shape);
+/// |angle| [rad] between a pose's heading and the direction to a position: forward only or in
+/// either direction; the second overload reverses the direction where the path with heading `yaw`
+/// is driven in reverse (modes of PathAngleCritic).
 double posePointAngle(const Pose2& pose, const Vec2& place, bool isForward);
 double posePointAngle(const Pose2& pose, const Vec2& place, double yaw);
 
-/// Prices the trajectories of a batch by the critics, in their order.
+/// Scores the trajectories of a batch by the critics, in their order.
 class MppiCritics {
  public:
   MppiCritics(const MppiConfiguration& mppi, const TrajectoryKernel& kernel);
 
-  /// A new cycle: how far the path is reached and where it is free is found again, once.
+  /// Starts a cycle: resets the cached path progress and path validity.
   void begin(const MppiScene& scene);
-  /// Adds to `costs`, one per sample of the batch with those that fill it up. Nobody is asked once
-  /// all trajectories collide.
-  void score(const MppiScene& scene, TrajectoryColumns& columns, std::vector<float>& costs);
+  /// Adds the scores to `costs`, one per sample of the batch including padding. Skips the remaining
+  /// critics once all trajectories collide.
+  void score(const MppiScene& scene, TrajectoryBuffer& columns, std::vector<float>& costs);
   bool hasFailed() const { return hasFailed_; }
 
-  /// Of the last call, for display: by critic, sample.
+  /// Results of the last call, for display: by critic, sample.
   const std::vector<std::string>& names() const { return names_; }
-  bool wasAsked(std::size_t critic) const { return wasAsked_[critic]; }
+  bool wasEvaluated(std::size_t critic) const { return wasEvaluated_[critic]; }
   const std::vector<float>& scores(std::size_t critic) const { return scores_[critic]; }
   const std::vector<float>& hits() const { return hits_; }  // 1: collides
-  /// Index of the path point reached furthest in this cycle; none: no critic wanted to know.
+  /// Index of the farthest reached path point in this cycle; none: not computed.
   const std::optional<int>& furthest() const { return furthest_; }
 
  private:
-  struct Round;
-  using Ask = bool (MppiCritics::*)(Round&);
+  struct CriticCall;
+  using Evaluate = bool (MppiCritics::*)(CriticCall&);
   struct Named {
     const char* name;
-    Ask ask;
+    Evaluate evaluate;
   };
   static const std::vector<Named>& known();
 
   void fillPath(const Path& path);
-  void fillCells(const MppiScene& scene);
+  void copyCosts(const MppiScene& scene);
   bool isNear(const MppiScene& scene, double threshold) const;
-  int reachedBy(Round& round);
-  bool isValid(const Round& round, int point);
-  CollisionProblem collisionOf(const Round& round, bool considersFootprint);
-  void takeFailure(const Round& round);
-  void addObstacles(const Round& round);
-  bool isTooOccupied(Round& round, int reached);
-  int firstCounted(const Round& round) const;
-  ScoreSink sinkOf(const Round& round, const CriticSettings& settings);
+  int furthestReached(CriticCall& call);
+  bool isValid(const CriticCall& call, int point);
+  CollisionProblem collisionOf(const CriticCall& call, bool considersFootprint);
+  void updateFailureFlag(const CriticCall& call);
+  void addObstacles(const CriticCall& call);
+  bool isTooOccupied(CriticCall& call, int reached);
+  int firstCheckedPoint(const CriticCall& call) const;
+  ScoreSink sinkOf(const CriticCall& call, const CommonCriticSettings& settings);
 
-  // Each returns whether it applied.
-  bool askConstraint(Round& round);
-  bool askCost(Round& round);
-  bool askObstacles(Round& round);
-  bool askGoal(Round& round);
-  bool askGoalAngle(Round& round);
-  bool askPathAlign(Round& round);
-  bool askPathFollow(Round& round);
-  bool askPathAngle(Round& round);
-  bool askPreferForward(Round& round);
-  bool askTwirling(Round& round);
-  bool askDeadband(Round& round);
+  // Each returns whether the critic was applied.
+  bool evaluateConstraint(CriticCall& call);
+  bool evaluateCost(CriticCall& call);
+  bool evaluateObstacles(CriticCall& call);
+  bool evaluateGoal(CriticCall& call);
+  bool evaluateGoalAngle(CriticCall& call);
+  bool evaluatePathAlign(CriticCall& call);
+  bool evaluatePathFollow(CriticCall& call);
+  bool evaluatePathAngle(CriticCall& call);
+  bool evaluatePreferForward(CriticCall& call);
+  bool evaluateTwirling(CriticCall& call);
+  bool evaluateDeadband(CriticCall& call);
 
   const Distro distro_;
   const MppiMotion motion_;
@@ -98,20 +100,29 @@ class MppiCritics {
   const MppiCriticSettings settings_;
   const TrajectoryKernel kernel_;
   std::vector<std::string> names_;
-  std::vector<Ask> asks_;
+  std::vector<Evaluate> evaluators_;
 
   std::vector<float> pathX_, pathY_, pathYaw_, pathWay_;
   double pathLength_ = 0.0;  // [m]
   std::vector<float> cells_;
   std::optional<int> furthest_;
-  std::vector<float> valid_;  // by path point but the last; empty: not asked yet
+  std::vector<float> valid_;  // by path point except the last; empty: not computed yet
   bool hasFailed_ = false;
 
   std::vector<std::vector<float>> scores_;
-  std::vector<bool> wasAsked_;
+  std::vector<bool> wasEvaluated_;
   std::vector<float> hits_, margins_, repulsions_, nearest_;
   std::vector<float> centreDistances_, edgeDistances_;  // by cost [m]
   std::vector<float> alignWay_;
+};
+
+/// The evaluation of one batch by one critic.
+struct MppiCritics::CriticCall {
+  const MppiScene& scene;
+  const TrajectoryBuffer& columns;
+  TrajectoryBatch batch;
+  std::vector<float>& costs;
+  std::size_t critic;  // index
 };
 
 }  // namespace sim2d::nav2

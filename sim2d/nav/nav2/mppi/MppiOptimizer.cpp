@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim2d/nav/mppi/MppiUpdate.h"
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -21,7 +21,7 @@ MppiControl controlOf(const BodyTwist& twist) {
           optimizerFloat(twist.lateral)};
 }
 
-/// The page of the noise's counter that belongs to a robot.
+/// The random stream of a robot.
 MppiNoise noiseOf(const MppiOptimizerSetup& setup) {
   MppiNoise noise;
   noise.key[0] = static_cast<std::uint32_t>(setup.seed);
@@ -45,30 +45,30 @@ MppiOptimizer::MppiOptimizer(const MppiConfiguration& mppi, const MppiOptimizerS
       noise_(noiseOf(setup)),
       columns_(mppi.settings.batchSize, mppi.settings.timeSteps) {
   weights_.assign(columns_.length.size(), 0.0F);
-  setRoll();
+  setRollout();
   reset();
 }
 
-void MppiOptimizer::setRoll() {
+void MppiOptimizer::setRollout() {
   const MppiSettings& settings = mppi_.settings;
   const MppiControl deviations = {optimizerFloat(settings.vxStd), optimizerFloat(settings.wzStd),
                                   optimizerFloat(settings.vyStd)};
-  roll_.dt = dt_;
-  roll_.isHolonomic = isHolonomic();
-  roll_.isLimited = mppi_.distro != Distro::Humble;
-  roll_.writesBack =
-      isIn(kJazzy | kKilted, mppi_.distro) || (isMain() && settings.clampsRawControls);
+  rollout_.dt = dt_;
+  rollout_.isHolonomic = isHolonomic();
+  rollout_.isLimited = mppi_.distro != Distro::Humble;
+  rollout_.writesLimitedControls =
+      includesDistro(kJazzy | kKilted, mppi_.distro) || (isMain() && settings.clampsRawControls);
   for (std::size_t axis = 0; axis < kTrajectoryAxes; ++axis) {
     const float variance = deviations[axis] * deviations[axis];
-    roll_.least[axis] = dt_ * base_.least[axis];
-    roll_.most[axis] = dt_ * base_.most[axis];
-    roll_.pull[axis] = variance > 0.0F ? optimizerFloat(settings.gamma) / variance : 0.0F;
+    rollout_.least[axis] = dt_ * base_.least[axis];
+    rollout_.most[axis] = dt_ * base_.most[axis];
+    rollout_.controlCost[axis] = variance > 0.0F ? optimizerFloat(settings.gamma) / variance : 0.0F;
   }
   if (isMain()) {
     const double delays[] = {settings.vxDelay, settings.wzDelay, settings.vyDelay};
     for (std::size_t axis = 0; axis < kTrajectoryAxes; ++axis) {
       const double steps = std::round(delays[axis] / settings.modelDt);
-      roll_.delay[axis] = static_cast<int>(std::min<double>(steps, settings.timeSteps));
+      rollout_.delay[axis] = static_cast<int>(std::min<double>(steps, settings.timeSteps));
     }
   }
 }
@@ -85,7 +85,7 @@ void MppiOptimizer::reset() {
   for (std::vector<float>& controls : sequence_) {
     controls.assign(static_cast<std::size_t>(columns_.steps()), 0.0F);
   }
-  sent_ = {};
+  sentCommands_ = {};
   lastCommand_ = {};
   costs_.assign(columns_.length.size(), 0.0F);
   if (mppi_.distro == Distro::Humble) {
@@ -97,7 +97,7 @@ void MppiOptimizer::reset() {
 }
 
 void MppiOptimizer::setSpeedLimit(double limit, bool isPercentage) {
-  limits_ = limitedTo(base_, limit, isPercentage);
+  limits_ = withSpeedLimit(base_, limit, isPercentage);
 }
 
 std::optional<BodyTwist> MppiOptimizer::command(const MppiScene& scene) {
@@ -107,10 +107,10 @@ std::optional<BodyTwist> MppiOptimizer::command(const MppiScene& scene) {
     return std::nullopt;
   }
   if (!isMain()) {
-    if (filterSequence(sequence_, sent_, 2)) {
-      keepSent();
+    if (filterSequence(sequence_, sentCommands_, 2)) {
+      recordSentCommand();
     }
-    optimal_ = integrated(scene.robot, sequence_, mppi_.settings.modelDt);
+    optimal_ = integratePath(scene.robot, sequence_, mppi_.settings.modelDt);
   }
   const std::size_t at = sentIndex();
   lastCommand_ = {sequence_[0][at], sequence_[1][at], sequence_[2][at]};
@@ -121,13 +121,13 @@ std::optional<BodyTwist> MppiOptimizer::command(const MppiScene& scene) {
                    static_cast<double>(lastCommand_[2])};
 }
 
-/// When every trajectory collides Nav2 retries with the flag of failure still set: no critic is
-/// asked, and the retries fail too. Here they are not made.
+/// When every trajectory collides, Nav2 retries with the failure flag still set, so that critics
+/// are skipped and the retries fail too. These retries are omitted here.
 bool MppiOptimizer::findOptimal(const MppiScene& scene) {
   auto next = MppiRetries::Next::Retry;
   while (next == MppiRetries::Next::Retry) {
     optimize(scene);
-    const bool isWeighed = std::isfinite(weights_.front());  // else no float holds the costs
+    const bool isWeighed = std::isfinite(weights_.front());  // false if the costs overflow a float
     if (critics_.hasFailed() || !isWeighed) {
       retries_ = MppiRetries(mppi_.settings.retryAttemptLimit);
       reset();
@@ -135,7 +135,7 @@ bool MppiOptimizer::findOptimal(const MppiScene& scene) {
     }
     bool isValid = true;
     if (isMain()) {
-      optimal_ = integrated(scene.robot, sequence_, mppi_.settings.modelDt);
+      optimal_ = integratePath(scene.robot, sequence_, mppi_.settings.modelDt);
       isValid = isOptimalValid(scene);
     }
     next = retries_.after(!isValid);
@@ -146,21 +146,21 @@ bool MppiOptimizer::findOptimal(const MppiScene& scene) {
   return next == MppiRetries::Next::Done;
 }
 
-/// Once per cycle: costs, the flag of failure, the path reached and free are of all its iterations.
+/// Resets the costs, the failure flag and the path state, which all iterations of a cycle share.
 void MppiOptimizer::begin(const MppiScene& scene) {
   speed_ = startSpeed(scene);
   if (!isHolonomic()) {
     speed_[2] = 0.0F;
   }
-  roll_.x = optimizerFloat(scene.robot.position.x());
-  roll_.y = optimizerFloat(scene.robot.position.y());
-  roll_.yaw = optimizerFloat(scene.robot.heading);
-  std::copy(speed_.begin(), speed_.end(), roll_.speed);
+  rollout_.x = optimizerFloat(scene.robot.position.x());
+  rollout_.y = optimizerFloat(scene.robot.position.y());
+  rollout_.yaw = optimizerFloat(scene.robot.heading);
+  std::copy(speed_.begin(), speed_.end(), rollout_.speed);
   std::fill(costs_.begin(), costs_.end(), 0.0F);
   critics_.begin(scene);
 }
 
-/// Main: the last command as far as the robot can have come to it.
+/// Main: the last command, limited to what the robot can have reached.
 MppiControl MppiOptimizer::startSpeed(const MppiScene& scene) const {
   const MppiControl measured = controlOf(scene.speed);
   if (mppi_.settings.isOpenLoop && mppi_.distro != Distro::Humble) {
@@ -194,17 +194,17 @@ void MppiOptimizer::roll() {
     drawNoise();
   }
   if (isMain()) {
-    tieToSpeed(sequence_, limits_, speed_, firstDt());
+    limitFirstToSpeed(sequence_, limits_, speed_, firstDt());
   }
   for (std::size_t axis = 0; axis < kTrajectoryAxes; ++axis) {
-    roll_.mean[axis] = sequence_[axis].data();
+    rollout_.mean[axis] = sequence_[axis].data();
   }
-  kernel_.roll(roll_, columns_.view());
+  kernel_.roll(rollout_, columns_.view());
 }
 
 void MppiOptimizer::updateSequence() {
   for (std::size_t i = 0; i < costs_.size(); ++i) {
-    costs_[i] += columns_.pull[i];
+    costs_[i] += columns_.controlCost[i];
   }
   mppiWeights(costs_.data(), columns_.count(), mppi_.settings.temperature, weights_.data());
   const int axes = isHolonomic() ? 3 : 2;
@@ -220,33 +220,33 @@ void MppiOptimizer::updateSequence() {
 }
 
 void MppiOptimizer::limitUntilJazzy() {
-  limitEachOther(sequence_, limits_, dt_, mppi_.distro != Distro::Humble);
+  limitChanges(sequence_, limits_, dt_, mppi_.distro != Distro::Humble);
   if (mppi_.motion == MppiMotion::Ackermann) {
-    limitTurns(sequence_, limits_.turningRadius);
+    limitTurningRadius(sequence_, limits_.turningRadius);
   }
 }
 
 void MppiOptimizer::filterAndLimit() {
   const bool isAckermann = mppi_.motion == MppiMotion::Ackermann;
-  if (filterSequence(sequence_, sent_, mppi_.settings.sgfOrder)) {
-    keepSent();
+  if (filterSequence(sequence_, sentCommands_, mppi_.settings.sgfOrder)) {
+    recordSentCommand();
   }
   if (isAckermann) {
-    limitTurns(sequence_, limits_.turningRadius);
+    limitTurningRadius(sequence_, limits_.turningRadius);
   }
-  limitFromSpeed(sequence_, limits_, speed_, firstDt(), dt_);
+  limitChangesFromSpeed(sequence_, limits_, speed_, firstDt(), dt_);
   if (isAckermann) {
-    limitTurns(sequence_, limits_.turningRadius);
+    limitTurningRadius(sequence_, limits_.turningRadius);
   }
 }
 
-void MppiOptimizer::keepSent() {
+void MppiOptimizer::recordSentCommand() {
   const std::size_t at = sentIndex();
-  std::rotate(sent_.begin(), sent_.begin() + 1, sent_.end());
-  sent_.back() = {sequence_[0][at], sequence_[1][at], sequence_[2][at]};
+  std::rotate(sentCommands_.begin(), sentCommands_.begin() + 1, sentCommands_.end());
+  sentCommands_.back() = {sequence_[0][at], sequence_[1][at], sequence_[2][at]};
 }
 
-/// Main's validator: the first poses of the optimal trajectory; what lies off the map passes.
+/// Main's validator: checks the first poses of the optimal trajectory; poses off the map are valid.
 bool MppiOptimizer::isOptimalValid(const MppiScene& scene) const {
   const MppiSettings& settings = mppi_.settings;
   const double steps = std::floor(settings.collisionLookahead / settings.modelDt + 1e-9);

@@ -8,45 +8,46 @@
 #include "sim2d/nav/nav2/mppi/MppiCritics.h"
 #include "sim2d/nav/nav2/mppi/MppiSequence.h"
 #include "sim2d/nav/nav2/mppi/MppiSettings.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryColumns.h"
+#include "sim2d/nav/nav2/mppi/TrajectoryBuffer.h"
 
 namespace sim2d::nav2 {
 
-/// What an optimiser needs beside its parameters.
+/// Inputs of the optimizer apart from its parameters.
 struct MppiOptimizerSetup {
-  double period = 0.05;    // of the controller [s]
+  double period = 0.05;    // controller period [s]
   std::uint64_t seed = 1;  // of the noise
-  int robotId = -1;        // with the seed: whose draws
-  MppiPath path = fastestMppiPath();
+  int robotId = -1;        // selects the random stream, together with the seed
+  MppiSimdLevel path = fastestMppiSimdLevel();
 };
 
-/// The optimiser of Nav2's MPPI (nav2_mppi_controller, optimizer.cpp): adds noise to the last
-/// sequence of controls many times, rolls the trajectories out, prices them by the critics, takes
-/// the mean of the controls weighted by exp(-cost / temperature). Noise is drawn by counter, so
-/// equal calls in the same order give equal commands on every processor. Thread: one at a time.
+/// The optimizer of Nav2's MPPI (nav2_mppi_controller, optimizer.cpp): samples control sequences
+/// around the last one, simulates their trajectories, scores them by the critics, and averages the
+/// controls with weights exp(-cost / temperature). Noise is counter-based, so equal calls in the
+/// same order give equal commands on every processor. Not thread-safe.
 class MppiOptimizer {
  public:
-  /// `mppi` is one that `readMppi` gave; the period is no longer than model_dt.
+  /// Preconditions: `mppi` was returned by `readMppi`; the period is not longer than model_dt.
   MppiOptimizer(const MppiConfiguration& mppi, const MppiOptimizerSetup& setup);
 
-  /// The command, in [m/s], [rad/s]; nothing: every trajectory collides, or the optimal one does
+  /// The command in [m/s], [rad/s]; nullopt if every trajectory or the optimal one collides
   /// (NoValidControl).
   std::optional<BodyTwist> command(const MppiScene& scene);
-  /// Forgets the sequence, what was sent and the noise.
+  /// Clears the sequence and the command history, and regenerates the noise.
   void reset();
   void setSpeedLimit(double limit, bool isPercentage);
 
   bool isShifting() const { return isShifting_; }
   const MppiSequence& sequence() const { return sequence_; }
-  /// Of the last call: where the optimal sequence leads, from the first step on.
+  /// Results of the last call. The trajectory of the optimal sequence, beginning after the first
+  /// step.
   const Path& optimal() const { return optimal_; }
-  const TrajectoryColumns& trajectories() const { return columns_; }
-  const std::vector<float>& costs() const { return costs_; }      // by sample, with gamma's share
+  const TrajectoryBuffer& trajectories() const { return columns_; }
+  const std::vector<float>& costs() const { return costs_; }      // by sample, with gamma
   const std::vector<float>& weights() const { return weights_; }  // by sample; sum 1
   const MppiCritics& critics() const { return critics_; }
 
  private:
-  void setRoll();
+  void setRollout();
   void drawNoise();
   void begin(const MppiScene& scene);
   bool findOptimal(const MppiScene& scene);
@@ -57,7 +58,7 @@ class MppiOptimizer {
   void limitUntilJazzy();
   void filterAndLimit();
   bool isOptimalValid(const MppiScene& scene) const;
-  void keepSent();
+  void recordSentCommand();
   bool isHolonomic() const { return mppi_.motion == MppiMotion::Omni; }
   bool isMain() const { return mppi_.distro >= Distro::Lyrical; }
   std::size_t sentIndex() const { return isShifting_ ? 1 : 0; }
@@ -72,11 +73,11 @@ class MppiOptimizer {
   MppiCritics critics_;
   MppiRetries retries_;
   MppiNoise noise_;
-  RollProblem roll_;
-  TrajectoryColumns columns_;
+  RolloutProblem rollout_;
+  TrajectoryBuffer columns_;
   std::vector<float> costs_, weights_;
   MppiSequence sequence_;
-  std::array<MppiControl, 4> sent_{};  // latest last
+  std::array<MppiControl, 4> sentCommands_{};  // latest command last
   MppiControl lastCommand_{}, speed_{};
   Path optimal_;
 };

@@ -11,13 +11,13 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr std::size_t kLeastFiltered = 21;
+constexpr std::size_t kMinFiltered = 21;
 
 float limited(float value, float low, float high) {
   return std::min(high, std::max(low, value));
 }
 
-/// Mean of nine, padded like the filter of Savitzky and Golay.
+/// Mean of nine elements, padded like the Savitzky-Golay filter.
 std::vector<float> meanOfNine(const std::vector<float>& sequence,
                               const std::array<float, 4>& sent) {
   std::vector<float> padded(sent.begin(), sent.end());
@@ -47,7 +47,7 @@ MppiLimits mppiLimitsOf(const MppiSettings& settings) {
   return limits;
 }
 
-MppiLimits limitedTo(const MppiLimits& limits, double limit, bool isPercentage) {
+MppiLimits withSpeedLimit(const MppiLimits& limits, double limit, bool isPercentage) {
   if (limit == 0.0) {
     return limits;
   }
@@ -66,15 +66,15 @@ float reachable(float wanted, float now, float least, float most, float dt) {
                  now + dt * (isAhead ? most : -least));
 }
 
-void limitTurns(MppiSequence& sequence, float radius) {
+void limitTurningRadius(MppiSequence& sequence, float radius) {
   for (std::size_t i = 0; i < sequence[0].size(); ++i) {
     const float most = std::abs(sequence[0][i]) / radius;
     sequence[1][i] = limited(sequence[1][i], -most, most);
   }
 }
 
-void limitEachOther(MppiSequence& sequence, const MppiLimits& limits, float dt,
-                    bool limitsAccelerations) {
+void limitChanges(MppiSequence& sequence, const MppiLimits& limits, float dt,
+                  bool limitsAccelerations) {
   for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
     std::vector<float>& controls = sequence[axis];
     for (std::size_t i = 0; i < controls.size(); ++i) {
@@ -87,8 +87,8 @@ void limitEachOther(MppiSequence& sequence, const MppiLimits& limits, float dt,
   }
 }
 
-void limitFromSpeed(MppiSequence& sequence, const MppiLimits& limits, const MppiControl& speed,
-                    float firstDt, float dt) {
+void limitChangesFromSpeed(MppiSequence& sequence, const MppiLimits& limits,
+                           const MppiControl& speed, float firstDt, float dt) {
   for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
     std::vector<float>& controls = sequence[axis];
     for (float& control : controls) {
@@ -103,8 +103,8 @@ void limitFromSpeed(MppiSequence& sequence, const MppiLimits& limits, const Mppi
   }
 }
 
-void tieToSpeed(MppiSequence& sequence, const MppiLimits& limits, const MppiControl& speed,
-                float firstDt) {
+void limitFirstToSpeed(MppiSequence& sequence, const MppiLimits& limits, const MppiControl& speed,
+                       float firstDt) {
   for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
     sequence[axis][0] =
         reachable(sequence[axis][0], speed[axis], limits.least[axis], limits.most[axis], firstDt);
@@ -118,7 +118,7 @@ void shiftByOne(MppiSequence& sequence) {
 }
 
 bool filterSequence(MppiSequence& sequence, const std::array<MppiControl, 4>& sent, int order) {
-  if (sequence[0].size() < kLeastFiltered) {
+  if (sequence[0].size() < kMinFiltered) {
     return false;
   }
   for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
@@ -132,7 +132,7 @@ bool filterSequence(MppiSequence& sequence, const std::array<MppiControl, 4>& se
   return true;
 }
 
-Path integrated(const Pose2& start, const MppiSequence& sequence, double dt) {
+Path integratePath(const Pose2& start, const MppiSequence& sequence, double dt) {
   Path path;
   path.reserve(sequence[0].size());
   Pose2 pose = start;

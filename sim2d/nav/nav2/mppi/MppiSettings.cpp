@@ -16,8 +16,8 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr int kMostTrajectories = 50000;
-constexpr double kMostPoints = 5000000;  // of all trajectories and iterations of a call
+constexpr int kMaxTrajectories = 50000;
+constexpr double kMaxPoints = 5000000;  // of all trajectories and iterations of a call
 
 /// Main: the block of a motion model.
 struct MotionModelSettings {
@@ -28,23 +28,26 @@ struct MotionModelSettings {
 const std::vector<Nav2Key<MotionModelSettings>>& motionModelKeys() {
   using P = MotionModelSettings;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"plugin", &P::plugin, "", "mppi::DiffDriveMotionModel and so on", kSinceLyrical},
-      {"min_turning_r", &P::minTurningRadius, "m", "radius of the tightest turn (Ackermann)",
+      {"plugin", &P::plugin, "",
+       "class of the motion model, for example "
+       "mppi::DiffDriveMotionModel",
+       kSinceLyrical},
+      {"min_turning_r", &P::minTurningRadius, "m", "minimum turning radius (Ackermann)",
        kSinceLyrical},
   };
   return kKeys;
 }
 
 constexpr std::array<const char*, 3> kMotionModels = {"DiffDrive", "Omni", "Ackermann"};
-/// Lyrical and main: names of their blocks, which need no plugin.
+/// Lyrical and main: names of their blocks; these need no plugin key.
 constexpr std::array<const char*, 3> kMotionBlocks = {"diff_drive", "omni", "ackermann"};
 
-/// "mppi::DiffDriveMotionModel" of "DiffDrive".
+/// "DiffDrive" -> "mppi::DiffDriveMotionModel".
 std::string motionPluginOf(const std::string& model) {
   return "mppi::" + model + "MotionModel";
 }
 
-/// Gathers values that cannot be.
+/// Collects errors of invalid values.
 class MppiValueCheck {
  public:
   explicit MppiValueCheck(base::Diagnostics& problems) : problems_(problems) {}
@@ -60,14 +63,14 @@ class MppiValueCheck {
   void notNegative(const std::string& key, double value) {
     within(key, value, 0.0, 1e6, "0 or more");
   }
-  /// Checked only when each of the three counts is valid.
+  /// Checked only if each of the three counts is valid.
   void work(const MppiSettings& settings) {
     const double points =
         static_cast<double>(settings.batchSize) * settings.timeSteps * settings.iterationCount;
-    if (!base::hasErrors(problems_) && !(points <= kMostPoints)) {
+    if (!base::hasErrors(problems_) && !(points <= kMaxPoints)) {
       problems_.push_back(base::error(
           "nav2.too-much-work", {"batch_size", settings.batchSize, "time_steps and iteration_count",
-                                 points, "points in a call", kMostPoints}));
+                                 points, "points per call", kMaxPoints}));
     }
   }
   void count(const std::string& key, int value, int least, int most) {
@@ -79,7 +82,7 @@ class MppiValueCheck {
   base::Diagnostics& problems_;
 };
 
-/// Values that the motion model reads; other values have no effect and are not checked.
+/// Checks the values that the motion model reads; other values have no effect.
 void checkMotion(const MppiConfiguration& mppi, MppiValueCheck& check) {
   const MppiSettings& settings = mppi.settings;
   if (mppi.motion == MppiMotion::Omni) {
@@ -96,8 +99,8 @@ void checkMotion(const MppiConfiguration& mppi, MppiValueCheck& check) {
 }
 
 void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
-  check.count("time_steps", settings.timeSteps, 2, kMostMppiSteps);
-  check.count("batch_size", settings.batchSize, 1, kMostTrajectories);
+  check.count("time_steps", settings.timeSteps, 2, kMaxMppiSteps);
+  check.count("batch_size", settings.batchSize, 1, kMaxTrajectories);
   check.count("iteration_count", settings.iterationCount, 1, 1000);
   check.work(settings);
   check.count("retry_attempt_limit", settings.retryAttemptLimit, 0, 1000);
@@ -107,7 +110,7 @@ void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
   check.notNegative("gamma", settings.gamma);
   check.positive("vx_max", settings.vxMax);
   check.notNegative("wz_max", settings.wzMax);
-  const double mostBack = settings.vxMax > 0.0 ? settings.vxMax : 1e6;  // else that one is wrong
+  const double mostBack = settings.vxMax > 0.0 ? settings.vxMax : 1e6;  // else vx_max is invalid
   check.within("vx_min", settings.vxMin, -1e6, mostBack, "vx_max or less");
   check.notNegative("ax_max", settings.axMax);
   check.notNegative("az_max", settings.azMax);
@@ -120,7 +123,7 @@ void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
   check.positive("prune_distance", settings.pruneDistance);
 }
 
-void checkFinite(const Nav2Block& block, base::Diagnostics& problems) {
+void checkFinite(const Nav2ParameterBlock& block, base::Diagnostics& problems) {
   for (const auto& [key, value] : block) {
     const double* number = std::get_if<double>(&value);
     if (number != nullptr && !std::isfinite(*number)) {
@@ -135,15 +138,15 @@ void checkCritics(const MppiCriticSettings& critics, MppiValueCheck& check) {
     check.count(prefix + "cost_power", critic.power, 0, 100);
     check.within(prefix + "cost_weight", critic.weight, -1e9, 1e9, "a finite number");
   });
-  check.count("CostCritic.trajectory_point_step", critics.cost.pointStep, 1, kMostMppiSteps);
+  check.count("CostCritic.trajectory_point_step", critics.cost.pointStep, 1, kMaxMppiSteps);
   check.count("PathAlignCritic.trajectory_point_step", critics.pathAlign.pointStep, 1,
-              kMostMppiSteps);
+              kMaxMppiSteps);
   check.count("PathAlignCritic.offset_from_furthest", critics.pathAlign.offsetFromFurthest, 0,
-              kMostTrajectories);
+              kMaxTrajectories);
   check.count("PathFollowCritic.offset_from_furthest", critics.pathFollow.offsetFromFurthest, 0,
-              kMostTrajectories);
+              kMaxTrajectories);
   check.count("PathAngleCritic.offset_from_furthest", critics.pathAngle.offsetFromFurthest, 0,
-              kMostTrajectories);
+              kMaxTrajectories);
   check.count("PathAngleCritic.mode", critics.pathAngle.mode, 0, 2);
   check.within("VelocityDeadbandCritic.deadband_velocities (size)",
                static_cast<double>(critics.deadband.velocities.size()), 3.0, 3.0, "3");
@@ -158,7 +161,7 @@ std::vector<std::string> knownCritics() {
   return names;
 }
 
-/// Critics that are misspelt are errors; those of other packages are left out of the list.
+/// Misspelt critics are errors; those of other packages are removed from the list.
 void checkCriticNames(std::vector<std::string>& critics, base::Diagnostics& problems) {
   const std::vector<std::string> known = knownCritics();
   const auto isOther = [&](const std::string& name) {
@@ -174,14 +177,15 @@ void checkCriticNames(std::vector<std::string>& critics, base::Diagnostics& prob
   critics.erase(std::remove_if(critics.begin(), critics.end(), isOther), critics.end());
 }
 
-/// Sets the motion; main names a block with the plugin.
-void readMotion(const Nav2Block& block, MppiConfiguration& mppi, base::Diagnostics& problems) {
+/// Sets the motion model; in main the key names a block with the plugin.
+void readMotion(const Nav2ParameterBlock& block, MppiConfiguration& mppi,
+                base::Diagnostics& problems) {
   std::string model = mppi.settings.motionModel;
   std::vector<std::string> known(kMotionModels.begin(), kMotionModels.end());
   if (mppi.distro >= Distro::Lyrical) {
     const std::string prefix = model + ".";
     MotionModelSettings given =
-        filled(MotionModelSettings(), motionModelKeys(), block, mppi.distro, problems, prefix);
+        applyBlock(MotionModelSettings(), motionModelKeys(), block, mppi.distro, problems, prefix);
     mppi.settings.minTurningRadius = given.minTurningRadius;
     const auto named = std::find(kMotionBlocks.begin(), kMotionBlocks.end(), model);
     if (given.plugin.empty() && named != kMotionBlocks.end()) {
@@ -189,7 +193,7 @@ void readMotion(const Nav2Block& block, MppiConfiguration& mppi, base::Diagnosti
       return;
     }
     if (!given.plugin.empty()) {
-      model = pluginName(given.plugin);
+      model = normalizedPluginClass(given.plugin);
       std::transform(known.begin(), known.end(), known.begin(), motionPluginOf);
     }
   }
@@ -205,8 +209,8 @@ void readMotion(const Nav2Block& block, MppiConfiguration& mppi, base::Diagnosti
   mppi.motion = static_cast<MppiMotion>(found - known.begin());
 }
 
-/// Nav2 turns them round, with a warning.
-void mendDecelerations(MppiSettings& settings, base::Diagnostics& problems) {
+/// Nav2 inverts positive decelerations, with a warning.
+void fixDecelerationSigns(MppiSettings& settings, base::Diagnostics& problems) {
   const std::pair<const char*, double*> limits[] = {{"ax_min", &settings.axMin},
                                                     {"ay_min", &settings.ayMin}};
   for (const auto& [key, limit] : limits) {
@@ -222,68 +226,74 @@ void mendDecelerations(MppiSettings& settings, base::Diagnostics& problems) {
 const std::vector<Nav2Key<MppiSettings>>& mppiKeys() {
   using P = MppiSettings;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"time_steps", &P::timeSteps, "", "steps of a trajectory, 2 to 200"},
-      {"model_dt", &P::modelDt, "s", "length of a step; the controller's period is no longer"},
-      {"batch_size", &P::batchSize, "", "trajectories"},
+      {"time_steps", &P::timeSteps, "", "time steps of a trajectory, 2 to 200"},
+      {"model_dt", &P::modelDt, "s", "duration of a time step, at least the controller's period"},
+      {"batch_size", &P::batchSize, "", "number of trajectories"},
       {"iteration_count", &P::iterationCount, "", "updates per call"},
-      {"temperature", &P::temperature, "", "the less, the more the cheapest ones count"},
-      {"gamma", &P::gamma, "", "the more, the more the last sequence is kept"},
-      {"vx_max", &P::vxMax, "m/s", "greatest speed ahead"},
-      {"vx_min", &P::vxMin, "m/s", "least speed; below 0 back"},
-      {"vy_max", &P::vyMax, "m/s", "greatest speed sideways (Omni)"},
-      {"wz_max", &P::wzMax, "rad/s", "greatest rate of turn"},
-      {"ax_max", &P::axMax, "m/s²", "greatest acceleration ahead", kSinceJazzy},
-      {"ax_min", &P::axMin, "m/s²", "greatest deceleration, below 0", kSinceJazzy},
-      {"ay_max", &P::ayMax, "m/s²", "greatest acceleration sideways", kSinceJazzy},
-      {"ay_min", &P::ayMin, "m/s²", "greatest deceleration sideways, below 0", kSinceJazzy},
-      {"az_max", &P::azMax, "rad/s²", "greatest acceleration of turn", kSinceJazzy},
-      {"vx_std", &P::vxStd, "m/s", "standard deviation of the noise"},
-      {"vy_std", &P::vyStd, "m/s", "idem, sideways (Omni)"},
-      {"wz_std", &P::wzStd, "rad/s", "idem, of the rate of turn"},
+      {"temperature", &P::temperature, "",
+       "smaller values give more weight to the trajectories with the lowest cost"},
+      {"gamma", &P::gamma, "", "larger values keep the controls closer to the last sequence"},
+      {"vx_max", &P::vxMax, "m/s", "maximum forward speed"},
+      {"vx_min", &P::vxMin, "m/s", "minimum speed; below 0: backwards"},
+      {"vy_max", &P::vyMax, "m/s", "maximum lateral speed (Omni)"},
+      {"wz_max", &P::wzMax, "rad/s", "maximum turn rate"},
+      {"ax_max", &P::axMax, "m/s²", "maximum forward acceleration", kSinceJazzy},
+      {"ax_min", &P::axMin, "m/s²", "maximum deceleration, below 0", kSinceJazzy},
+      {"ay_max", &P::ayMax, "m/s²", "maximum lateral acceleration", kSinceJazzy},
+      {"ay_min", &P::ayMin, "m/s²", "maximum lateral deceleration, below 0", kSinceJazzy},
+      {"az_max", &P::azMax, "rad/s²", "maximum angular acceleration", kSinceJazzy},
+      {"vx_std", &P::vxStd, "m/s", "standard deviation of the noise on the forward speed"},
+      {"vy_std", &P::vyStd, "m/s", "standard deviation of the noise on the lateral speed (Omni)"},
+      {"wz_std", &P::wzStd, "rad/s", "standard deviation of the noise on the turn rate"},
       {"motion_model", &P::motionModel, "",
        "DiffDrive, Omni or Ackermann; since Lyrical: the block with the plugin"},
       {"AckermannConstraints.min_turning_r", &P::minTurningRadius, "m",
-       "radius of the tightest turn (Ackermann)", kUntilKilted},
-      {"retry_attempt_limit", &P::retryAttemptLimit, "", "so many failures are tried again"},
+       "minimum turning radius (Ackermann)", kUntilKilted},
+      {"retry_attempt_limit", &P::retryAttemptLimit, "",
+       "maximum number of retries after failures"},
       {"regenerate_noises", &P::regeneratesNoises, "",
        "false: the same noise until the next reset"},
-      {"open_loop", &P::isOpenLoop, "", "starts from the last command, not the measured speed",
+      {"open_loop", &P::isOpenLoop, "", "starts from the last command, not from the measured speed",
        kJazzy | kSinceLyrical},
-      {"reset_period", &P::resetPeriod, "s", "forgets all after so long without a call", kHumble},
+      {"reset_period", &P::resetPeriod, "s", "time without a call after which the state is reset",
+       kHumble},
       {"model_delay_vx", &P::vxDelay, "s", "delay until a command takes effect", kSinceLyrical},
       {"model_delay_vy", &P::vyDelay, "s", "delay until a command takes effect", kSinceLyrical},
       {"model_delay_wz", &P::wzDelay, "s", "delay until a command takes effect", kSinceLyrical},
       {"clamp_raw_controls", &P::clampsRawControls, "",
-       "averages the feasible controls, not the sampled ones", kSinceLyrical},
-      {"sgf_order", &P::sgfOrder, "", "of the filter; 1: mean of nine, 2: quadratic",
+       "averages the controls after applying the limits, not the sampled ones", kSinceLyrical},
+      {"sgf_order", &P::sgfOrder, "",
+       "order of the Savitzky-Golay filter; 1: mean of nine, 2: "
+       "quadratic",
        kSinceLyrical},
-      {"critics", &P::critics, "", "who prices trajectories, in this order"},
+      {"critics", &P::critics, "", "critics that score trajectories, in this order"},
       {"TrajectoryValidator.collision_lookahead_time", &P::collisionLookahead, "s",
        "time for which the optimal trajectory must not collide", kSinceLyrical},
       {"TrajectoryValidator.consider_footprint", &P::validatesFootprint, "",
-       "by the edges of the footprint, not by its centre", kSinceLyrical},
+       "checks the edges of the footprint for collisions, not its centre", kSinceLyrical},
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "length of path searched for the robot; 0: half the costmap", kUntilKilted},
-      {"prune_distance", &P::pruneDistance, "m", "length of path that is used", kUntilKilted},
+       "length of the path that is searched for the robot; 0: half the costmap", kUntilKilted},
+      {"prune_distance", &P::pruneDistance, "m", "length of the path that is used", kUntilKilted},
       {"enforce_path_inversion", &P::enforcesInversion, "",
-       "the path ends at its first cusp until the robot is there", kUntilKilted},
-      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "tolerance at the cusp",
+       "the path is cut at its first cusp until the robot reaches it", kUntilKilted},
+      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "position tolerance at the cusp",
        kUntilKilted},
-      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kUntilKilted},
+      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "heading tolerance at the cusp",
+       kUntilKilted},
   };
   return kKeys;
 }
 
-const std::vector<IdleKey>& mppiIdleKeys() {
-  static const std::vector<IdleKey> kKeys = {
-      {"transform_tolerance", "no TF here", kUntilKilted},
-      {"visualize", "the window draws what is weighed"},
-      {"publish_optimal_trajectory", "no topics here", kSinceKilted},
-      {"publish_critics_stats", "no topics here", kKilted},
+const std::vector<IgnoredKey>& ignoredMppiKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"transform_tolerance", "TF is not used", kUntilKilted},
+      {"visualize", "the window draws the evaluated trajectories"},
+      {"publish_optimal_trajectory", "ROS topics are not used", kSinceKilted},
+      {"publish_critics_stats", "ROS topics are not used", kKilted},
       {"critic_index_to_visualize", "the window shows all critics", kSinceLyrical},
       {"TrajectoryVisualizer.trajectory_step", "the window chooses what it draws"},
       {"TrajectoryVisualizer.time_step", "the window chooses what it draws"},
-      {"TrajectoryValidator.plugin", "there is one validator here", kSinceLyrical},
+      {"TrajectoryValidator.plugin", "this program uses a single validator", kSinceLyrical},
   };
   return kKeys;
 }
@@ -294,16 +304,16 @@ MppiSettings mppiDefaults(Distro distro) {
   return settings;
 }
 
-base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) {
+base::Result<MppiConfiguration> readMppi(const Nav2ParameterBlock& block, Distro distro) {
   base::Diagnostics problems;
   MppiConfiguration mppi;
   mppi.distro = distro;
-  mppi.settings = filled(mppiDefaults(distro), mppiKeys(), block, distro, problems);
+  mppi.settings = applyBlock(mppiDefaults(distro), mppiKeys(), block, distro, problems);
   mppi.critics = criticSettingsOf(distro);
   visitCritics(mppi.critics, [&](const char* name, auto& critic, const auto& keys) {
-    critic = filled(critic, keys, block, distro, problems, std::string(name) + ".");
+    critic = applyBlock(critic, keys, block, distro, problems, std::string(name) + ".");
   });
-  mendDecelerations(mppi.settings, problems);
+  fixDecelerationSigns(mppi.settings, problems);
   readMotion(block, mppi, problems);
   checkFinite(block, problems);
   MppiValueCheck check(problems);
@@ -320,28 +330,28 @@ base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) 
   return {std::move(mppi), std::move(problems)};
 }
 
-Nav2Keys mppiKeysOf(const Nav2Block& block, Distro distro) {
-  Nav2Keys keys;
-  addRows(keys, mppiKeys(), mppiDefaults(distro));
-  addIdle(keys, mppiIdleKeys());
-  base::Diagnostics ignored;  // whoever makes the controller tells them
-  const MppiSettings given = filled(mppiDefaults(distro), mppiKeys(), block, distro, ignored);
+Nav2KeyTable mppiKeysOf(const Nav2ParameterBlock& block, Distro distro) {
+  Nav2KeyTable keys;
+  addKeyRows(keys, mppiKeys(), mppiDefaults(distro));
+  addIgnoredKeys(keys, ignoredMppiKeys());
+  base::Diagnostics ignored;  // reported when the controller is created
+  const MppiSettings given = applyBlock(mppiDefaults(distro), mppiKeys(), block, distro, ignored);
   if (distro >= Distro::Lyrical) {
-    addRows(keys, motionModelKeys(), MotionModelSettings(), given.motionModel + ".");
+    addKeyRows(keys, motionModelKeys(), MotionModelSettings(), given.motionModel + ".");
   }
   const MppiCriticSettings critics = criticSettingsOf(distro);
   visitCritics(critics, [&](const char* name, const auto& critic, const auto& table) {
     const std::string prefix = std::string(name) + ".";
     const auto& listed = given.critics;
     if (std::find(listed.begin(), listed.end(), name) != listed.end()) {
-      addRows(keys, table, critic, prefix);
-      for (const IdleKey& key : criticIdleKeys()) {
-        keys.idle.push_back({prefix + key.name, key.why, key.distros});
+      addKeyRows(keys, table, critic, prefix);
+      for (const IgnoredKey& key : ignoredCriticKeys()) {
+        keys.ignored.push_back({prefix + key.name, key.why, key.distros});
       }
       return;
     }
     for (const auto& key : table) {
-      keys.idle.push_back({prefix + key.name, std::string(name) + " is not in critics"});
+      keys.ignored.push_back({prefix + key.name, std::string(name) + " is not in critics"});
     }
   });
   return keys;

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
-#include "sim2d/nav/nav2/Nav2Block.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
-#include "sim2d/nav/nav2/mppi/CriticSettings.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
+#include "sim2d/nav/nav2/mppi/MppiCriticSettings.h"
 
 /// Parameters of Nav2's MPPI (nav2_mppi_controller::MPPIController).
 namespace sim2d::nav2 {
@@ -28,7 +27,7 @@ struct MppiSettings {
   double azMax = 3.5;                                           // [rad/s²]
   double vxStd = 0.2, vyStd = 0.2, wzStd = 0.4;                 // [m/s], [m/s], [rad/s]
   double vxDelay = 0.0, vyDelay = 0.0, wzDelay = 0.0;           // [s]
-  std::string motionModel = "DiffDrive";  // main: the name of the block with the plugin
+  std::string motionModel = "DiffDrive";  // main: name of the motion model's block
   double minTurningRadius = 0.2;          // [m]
   int retryAttemptLimit = 1;
   bool regeneratesNoises = false;
@@ -38,7 +37,7 @@ struct MppiSettings {
   double resetPeriod = 1.0;  // [s]
   std::vector<std::string> critics;
   double collisionLookahead = 2.0;  // [s], of the validator
-  bool validatesFootprint = false;  // idem
+  bool validatesFootprint = false;  // of the validator
   double searchDistance = 0.0;      // [m], 0: half the costmap
   double pruneDistance = 1.5;       // [m]
   bool enforcesInversion = false;
@@ -47,9 +46,9 @@ struct MppiSettings {
 };
 
 const std::vector<Nav2Key<MppiSettings>>& mppiKeys();
-const std::vector<IdleKey>& mppiIdleKeys();
+const std::vector<IgnoredKey>& ignoredMppiKeys();
 
-/// What MPPI is made of.
+/// Data from which MPPI is created.
 struct MppiConfiguration {
   Distro distro = Distro::Jazzy;
   MppiSettings settings;
@@ -58,13 +57,13 @@ struct MppiConfiguration {
 };
 
 MppiSettings mppiDefaults(Distro distro);
-/// All of a controller's block, with every problem of it: wrong types, values that cannot be,
-/// critics and motion models that are unknown.
-base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro);
-/// The keys it reads from such a block: of the optimiser, of each critic, of main's motion model.
-Nav2Keys mppiKeysOf(const Nav2Block& block, Distro distro);
+/// Reads a controller's block and reports all its problems: wrong types, invalid values, unknown
+/// critics and motion models.
+base::Result<MppiConfiguration> readMppi(const Nav2ParameterBlock& block, Distro distro);
+/// The keys of such a block: those of the optimizer, the critics and main's motion model.
+Nav2KeyTable mppiKeysOf(const Nav2ParameterBlock& block, Distro distro);
 
-/// How the sequence goes from call to call, by the controller's period and model_dt.
+/// How the sequence is shifted between calls, depending on the controller period and model_dt.
 enum class MppiShift : std::uint8_t { Refused, Keeps, Shifts };
 MppiShift mppiShiftOf(double period, double modelDt);  // [s]
 

@@ -6,7 +6,7 @@
 #include "sim2d/nav/nav2/mppi/TrajectoryCritics.h"
 #include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
 
-/// Critics that ask the costmap. To be included once in the file of each instruction set.
+/// Critics that use the costmap. Include once in the source file of each instruction set.
 namespace sim2d::nav2 {
 namespace {
 
@@ -28,9 +28,9 @@ inline CellCost cellCostAt(const CostCells& cells, Lanes x, Lanes y) {
   return {select(isOnMap, Lanes::gather(cells.costs, at), fill(255.0F)), isOnMap};
 }
 
-/// Costs on the edges where `isAsked`; elsewhere `otherwise`.
-inline Lanes edgeCostsAt(const EdgeProbe& probe, LaneMask isAsked, Lanes otherwise, Lanes x,
-                         Lanes y, Lanes yaw) {
+/// Edge costs where `isAsked`; `otherwise` elsewhere.
+inline Lanes edgeCostsAt(const FootprintCostCallback& footprintCost, LaneMask isAsked,
+                         Lanes otherwise, Lanes x, Lanes y, Lanes yaw) {
   float asked[kLaneCount];
   float costs[kLaneCount];
   float places[3][kLaneCount];
@@ -41,22 +41,23 @@ inline Lanes edgeCostsAt(const EdgeProbe& probe, LaneMask isAsked, Lanes otherwi
   store(places[2], yaw);
   for (int lane = 0; lane < kLaneCount; ++lane) {
     if (asked[lane] > 0.0F) {
-      costs[lane] = probe.cost(probe.scene, places[0][lane], places[1][lane], places[2][lane]);
+      costs[lane] = footprintCost.cost(footprintCost.scene, places[0][lane], places[1][lane],
+                                       places[2][lane]);
     }
   }
   return load(costs);
 }
 
-/// What is known of a register of poses.
+/// Costs of a register of poses.
 struct PoseCost {
   Lanes centre;
-  Lanes counted;       // what tells a collision: of the centre, or of the edges
-  LaneMask isOfEdges;  // `counted` is of the edges
+  Lanes counted;       // decides about a collision: cost of the centre or of the edges
+  LaneMask isOfEdges;  // `counted` is an edge cost
   LaneMask isCollision;
 };
 
-/// `isOpen`: samples that have not collided yet; the others cost no look at their edges.
-/// `asksOffMap`: edges are looked at where the centre is off the map.
+/// `isOpen`: samples that have not collided yet; the edges of others are not evaluated.
+/// `asksOffMap`: evaluates edges where the centre is off the map.
 inline PoseCost poseCostAt(const CollisionProblem& problem, const TrajectoryBatch& batch,
                            std::size_t at, LaneMask isOpen, bool asksOffMap) {
   const Lanes x = load(batch.x + at);
@@ -78,7 +79,7 @@ inline PoseCost poseCostAt(const CollisionProblem& problem, const TrajectoryBatc
   }
   Lanes counted = cell.cost;
   if (xsimd::any(isAsked)) {
-    counted = edgeCostsAt(problem.probe, isAsked, cell.cost, x, y, load(batch.yaw + at));
+    counted = edgeCostsAt(problem.footprintCost, isAsked, cell.cost, x, y, load(batch.yaw + at));
   }
   const LaneMask isLethal = counted == fill(254.0F);
   const LaneMask collides = problem.tracksUnknown ? isLethal : isLethal | (counted == fill(255.0F));
@@ -127,7 +128,7 @@ inline Lanes distanceOf(const ObstaclesProblem& problem, const PoseCost& pose) {
   return select(pose.isOfEdges, Lanes::gather(problem.edgeDistances, cost), centre);
 }
 
-inline void weighObstacles(const ObstaclesProblem& problem, const TrajectoryBatch& batch) {
+inline void scoreObstacles(const ObstaclesProblem& problem, const TrajectoryBatch& batch) {
   const Lanes none = fill(0.0F);
   const Lanes one = fill(1.0F);
   forEachRegister(batch, [&](int sample, std::size_t start) {
@@ -145,7 +146,7 @@ inline void weighObstacles(const ObstaclesProblem& problem, const TrajectoryBatc
       }
       const Lanes distance = distanceOf(problem, pose);
       const Lanes depth = fill(problem.margin) - distance;
-      margin = margin + select(isPriced, orZero(depth), none);
+      margin = margin + select(isPriced, positivePart(depth), none);
       if (!problem.isNearGoal) {
         const LaneMask isRepelled =
             problem.repelsOutsideOnly ? isPriced & (depth <= none) : isPriced;

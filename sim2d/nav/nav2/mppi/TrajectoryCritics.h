@@ -4,9 +4,9 @@
 
 #include "sim2d/nav/mppi/MppiLanes.h"
 #include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryRoll.h"
+#include "sim2d/nav/nav2/mppi/TrajectoryRollout.h"
 
-/// Critics that look at speeds, places and headings. To be included once in the file of each
+/// Critics that use velocities, positions and headings. Include once in the source file of each
 /// instruction set.
 namespace sim2d::nav2 {
 namespace {
@@ -15,7 +15,7 @@ inline std::size_t stepOffset(int step) {
   return static_cast<std::size_t>(step) * kMppiColumns;
 }
 
-/// Adds (weight * raw)^power to what the samples cost.
+/// Adds (weight * raw)^power to the costs of the samples.
 inline void addScore(const ScoreSink& sink, int sample, Lanes raw) {
   const Lanes weighted = fill(sink.weight) * raw;
   Lanes score = weighted;
@@ -56,7 +56,7 @@ inline Lanes headingOfLanes(Lanes y, Lanes x) {
   return third | (y & fill(-0.0F));
 }
 
-/// Sum of what `valueAt(place)` gives at each step.
+/// Sum of `valueAt(place)` over all steps.
 template <class Value>
 inline Lanes sumOverSteps(const TrajectoryBatch& batch, std::size_t start, const Value& valueAt) {
   Lanes sum = fill(0.0F);
@@ -76,12 +76,13 @@ inline void scoreConstraint(const ConstraintProblem& problem, const TrajectoryBa
       const Lanes size = magnitudeOf(vx, load(batch.speeds[2] + at));
       speed = select(fill(0.0F) < vx, size, fill(0.0F) - size);
     }
-    Lanes excess = orZero(speed - fill(problem.high)) + orZero(fill(problem.low) - speed);
+    Lanes excess =
+        positivePart(speed - fill(problem.high)) + positivePart(fill(problem.low) - speed);
     if (problem.model == Model::LinearAndLateral) {
-      excess = excess + orZero(abs(load(batch.speeds[2] + at)) - fill(problem.lateral));
+      excess = excess + positivePart(abs(load(batch.speeds[2] + at)) - fill(problem.lateral));
     } else if (problem.model == Model::Ackermann) {
       const Lanes wz = max(abs(load(batch.speeds[1] + at)), fill(1e-6F));
-      excess = excess + orZero(fill(problem.turningRadius) - abs(vx) / wz);
+      excess = excess + positivePart(fill(problem.turningRadius) - abs(vx) / wz);
     }
     return excess;
   };
@@ -93,7 +94,7 @@ inline void scoreConstraint(const ConstraintProblem& problem, const TrajectoryBa
 inline void scoreForward(float dt, const TrajectoryBatch& batch, const ScoreSink& sink) {
   forEachRegister(batch, [&](int sample, std::size_t start) {
     const Lanes back = sumOverSteps(batch, start, [&](std::size_t at) {
-      return orZero(fill(0.0F) - load(batch.speeds[0] + at));
+      return positivePart(fill(0.0F) - load(batch.speeds[0] + at));
     });
     addScore(sink, sample, back * fill(dt));
   });
@@ -115,7 +116,7 @@ inline void scoreDeadband(const DeadbandProblem& problem, const TrajectoryBatch&
     const Lanes inside = sumOverSteps(batch, start, [&](std::size_t at) {
       Lanes sum = fill(0.0F);
       for (int axis = 0; axis < axes; ++axis) {
-        sum = sum + orZero(fill(problem.deadband[axis]) - abs(load(batch.speeds[axis] + at)));
+        sum = sum + positivePart(fill(problem.deadband[axis]) - abs(load(batch.speeds[axis] + at)));
       }
       return sum;
     });
@@ -153,7 +154,7 @@ inline void scoreFollow(float x, float y, const TrajectoryBatch& batch, const Sc
   });
 }
 
-/// |angle| from a heading to the direction to the point, as the mode corrects it.
+/// |angle| from a heading to the direction to the point, corrected by the mode.
 inline Lanes angleToPoint(const AngleProblem& problem, const TrajectoryBatch& batch,
                           std::size_t at) {
   using Mode = AngleProblem::Mode;
@@ -184,7 +185,7 @@ inline void scoreAngle(const AngleProblem& problem, const TrajectoryBatch& batch
   });
 }
 
-/// The first of the nearest points counts.
+/// Of equally near points the first is used.
 inline void nearestPathPoints(const PathPoints& path, float slack, const TrajectoryBatch& batch,
                               float* indices) {
   forEachRegister(batch, [&](int sample, std::size_t start) {
@@ -206,7 +207,7 @@ inline void nearestPathPoints(const PathPoints& path, float slack, const Traject
   });
 }
 
-/// For each sample how far along the path it is by now, sought onwards from the last answer.
+/// Advances each sample's path index to a driven length, starting at the previous index.
 inline Lanes advancedAlong(const PathPoints& path, Lanes way, Lanes& index) {
   const Lanes one = fill(1.0F);
   const Lanes last = fill(static_cast<float>(path.count - 1));

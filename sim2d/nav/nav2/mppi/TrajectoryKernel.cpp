@@ -5,7 +5,7 @@
 
 namespace sim2d::nav2 {
 
-TrajectoryKernel trajectoryKernelOf(MppiPath path) {
+TrajectoryKernel trajectoryKernelOf(MppiSimdLevel path) {
   constexpr std::array<TrajectoryKernel (*)(), 3> kKernels = {
       trajectoryKernelSse2, trajectoryKernelAvx2, trajectoryKernelAvx512};
   return kKernels[static_cast<std::size_t>(path)]();

@@ -4,42 +4,42 @@
 
 #include "sim2d/nav/mppi/MppiKernel.h"
 
-/// What the vector code of Nav2's MPPI is given and gives back. Plain data only: the code is
-/// compiled once per instruction set (see sim2d/nav/mppi/README.md). Single precision and absolute
-/// places, as in Nav2.
+/// Interface of the vectorized code of Nav2's MPPI. Plain data only, because the code is compiled
+/// once per instruction set (see sim2d/nav/mppi/README.md). Single precision and absolute
+/// positions, as in Nav2.
 namespace sim2d::nav2 {
 
 constexpr int kTrajectoryAxes = 3;  // vx [m/s], wz [rad/s], vy [m/s]
 
-/// All trajectories of an iteration, in blocks of kMppiColumns samples: what belongs to a step of a
+/// All trajectories of an iteration, in blocks of kMppiColumns samples: the element of a step and
 /// sample is at (sample / kMppiColumns * steps + step) * kMppiColumns + sample % kMppiColumns.
 struct TrajectoryBatch {
   int samples = 0;  // a multiple of kMppiColumns; the last ones may be padding
   int steps = 0;
   float* noise[kTrajectoryAxes] = {};
-  float* controls[kTrajectoryAxes] = {};  // what is averaged: c of Nav2's state
-  float* speeds[kTrajectoryAxes] = {};    // what the robot would drive
+  float* controls[kTrajectoryAxes] = {};  // averaged controls: c of Nav2's state
+  float* speeds[kTrajectoryAxes] = {};    // predicted velocities
   float *x = nullptr, *y = nullptr;       // [m], after the step
   float* yaw = nullptr;                   // [rad], after the step, not wrapped
-  float* length = nullptr;                // way, per sample [m]
-  float* pull = nullptr;                  // control cost (gamma), per sample
+  float* length = nullptr;                // driven length, per sample [m]
+  float* controlCost = nullptr;           // control cost (gamma), per sample
 };
 
-/// How controls become ways.
-struct RollProblem {
-  float x = 0.0F, y = 0.0F, yaw = 0.0F;  // of the robot
+/// Parameters of the rollout from controls to trajectories.
+struct RolloutProblem {
+  float x = 0.0F, y = 0.0F, yaw = 0.0F;  // robot pose
   float speed[kTrajectoryAxes] = {};     // at step 0
   float dt = 0.05F;                      // [s]
   bool isHolonomic = false;
-  bool isLimited = true;    // by accelerations (since Jazzy)
-  bool writesBack = false;  // the controls become what was limited
+  bool isLimited = true;               // by accelerations (since Jazzy)
+  bool writesLimitedControls = false;  // replaces the controls by the limited ones
   float least[kTrajectoryAxes] = {}, most[kTrajectoryAxes] = {};  // change per step, <= 0, >= 0
-  int delay[kTrajectoryAxes] = {};                                // steps until a control counts
+  int delay[kTrajectoryAxes] = {};                                // steps before a control acts
   const float* mean[kTrajectoryAxes] = {};                        // last optimal sequence
-  float pull[kTrajectoryAxes] = {};                               // gamma / std²
+  float controlCost[kTrajectoryAxes] = {};                        // gamma / std²
 };
 
-/// Where a critic puts its cost: (weight * raw)^power of each sample, and added to `costs`.
+/// Output of a critic: (weight * raw)^power of each sample, also added to `costs`.
 struct ScoreSink {
   float weight = 1.0F;
   int power = 1;
@@ -47,7 +47,7 @@ struct ScoreSink {
   float* scores = nullptr;
 };
 
-/// A costmap. Off it the cost is 255.
+/// A costmap. The cost outside is 255.
 struct CostCells {
   const float* costs = nullptr;  // row-major
   int columns = 0, rows = 0;
@@ -55,19 +55,19 @@ struct CostCells {
   float resolution = 0.05F;  // [m]
 };
 
-/// The greatest cost on the edges of the footprint at a pose.
-struct EdgeProbe {
+/// The maximum cost on the edges of the footprint at a pose.
+struct FootprintCostCallback {
   float (*cost)(const void* scene, float x, float y, float yaw) = nullptr;
   const void* scene = nullptr;
 };
 
-/// What CostCritic and ObstaclesCritic ask the costmap.
+/// Collision check of CostCritic and ObstaclesCritic.
 struct CollisionProblem {
   CostCells cells;
   bool tracksUnknown = false;  // 255 is no collision
   bool considersFootprint = false;
-  float possible = 0.0F;  // centres that cost less cannot touch with an edge; < 1: all can
-  EdgeProbe probe;
+  float possible = 0.0F;  // edges of poses whose centre costs less touch nothing; < 1: check all
+  FootprintCostCallback footprintCost;
   float* hits = nullptr;  // per sample; 1: collides
 };
 
@@ -85,10 +85,10 @@ struct ObstaclesProblem {
   float inflationRadius = 0.55F;  // [m]
   bool hasInflation = true;
   bool isNearGoal = false;
-  bool repelsOutsideOnly = false;          // Humble: what lies within the margin does not
-  const float* centreDistances = nullptr;  // of costs 0 to 255 [m]
+  bool repelsOutsideOnly = false;          // Humble: no repulsion within the margin
+  const float* centreDistances = nullptr;  // by cost 0 to 255 [m]
   const float* edgeDistances = nullptr;
-  float* margins = nullptr;     // per sample: sum within the margin [m], or the collision cost
+  float* margins = nullptr;     // per sample: depth within the margin [m], or collision cost
   float* repulsions = nullptr;  // per sample [m]
 };
 
@@ -109,8 +109,8 @@ struct DeadbandProblem {
 /// The local path up to its end.
 struct PathPoints {
   const float *x = nullptr, *y = nullptr, *yaw = nullptr;
-  const float* way = nullptr;    // from the first one [m]; infinite behind the last
-  const float* valid = nullptr;  // 1: may be aligned to
+  const float* way = nullptr;    // path length from the first point [m]; infinite after the last
+  const float* valid = nullptr;  // 1: usable for alignment
   int count = 0;
 };
 
@@ -124,18 +124,18 @@ struct AlignProblem {
 struct AngleProblem {
   enum class Mode : std::uint8_t { Forward, EitherEnd, AlongPath };
   Mode mode = Mode::Forward;
-  bool isMean = false;  // over all steps, not at the last one
+  bool isMean = false;  // mean of all steps instead of the last one
   float x = 0.0F, y = 0.0F, yaw = 0.0F;
 };
 
-/// One compiled version. All give the same bits.
+/// One compiled version. All versions give bit-identical results.
 struct TrajectoryKernel {
-  /// Normal noise by counter with these deviations.
+  /// Counter-based normal noise with these standard deviations.
   void (*draw)(const MppiNoise& noise, const float* deviations, int axes,
                const TrajectoryBatch& batch);
-  void (*roll)(const RollProblem& problem, const TrajectoryBatch& batch);
-  /// Index of the path point nearest to each end; no farther along than the way driven plus
-  /// `slack` [m] when that is not infinite.
+  void (*roll)(const RolloutProblem& problem, const TrajectoryBatch& batch);
+  /// Index of the path point nearest to the end of each sample; if `slack` [m] is finite, at most
+  /// the driven length plus `slack` along the path.
   void (*nearest)(const PathPoints& path, float slack, const TrajectoryBatch& batch,
                   float* indices);
   void (*constraint)(const ConstraintProblem& problem, const TrajectoryBatch& batch,
@@ -152,13 +152,13 @@ struct TrajectoryKernel {
   void (*twirling)(const TrajectoryBatch& batch, const ScoreSink& sink);
   void (*deadband)(const DeadbandProblem& problem, const TrajectoryBatch& batch,
                    const ScoreSink& sink);
-  /// Mean of the controls of an axis by the weights of the samples, whose sum is 1.
+  /// Weighted mean of the controls of an axis; the weights of the samples sum to 1.
   void (*mean)(const TrajectoryBatch& batch, const float* weights, int axis, float* sequence);
 };
 
 TrajectoryKernel trajectoryKernelSse2();
 TrajectoryKernel trajectoryKernelAvx2();
 TrajectoryKernel trajectoryKernelAvx512();
-TrajectoryKernel trajectoryKernelOf(MppiPath path);
+TrajectoryKernel trajectoryKernelOf(MppiSimdLevel path);
 
 }  // namespace sim2d::nav2

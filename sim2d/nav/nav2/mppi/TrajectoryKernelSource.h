@@ -3,20 +3,20 @@
 #include "sim2d/nav/nav2/mppi/TrajectoryCollisions.h"
 #include "sim2d/nav/nav2/mppi/TrajectoryCritics.h"
 #include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryRoll.h"
+#include "sim2d/nav/nav2/mppi/TrajectoryRollout.h"
 
-/// To be included once in the file of each instruction set.
+/// Include once in the source file of each instruction set.
 namespace sim2d::nav2 {
 namespace {
 
 inline TrajectoryKernel compiledTrajectoryKernel() {
   TrajectoryKernel kernel{};
   kernel.draw = drawTrajectoryNoise;
-  kernel.roll = rollTrajectories;
+  kernel.roll = rolloutTrajectories;
   kernel.nearest = nearestPathPoints;
   kernel.constraint = scoreConstraint;
   kernel.cost = scoreCost;
-  kernel.obstacles = weighObstacles;
+  kernel.obstacles = scoreObstacles;
   kernel.goal = scoreGoal;
   kernel.goalAngle = scoreGoalAngle;
   kernel.align = scoreAlign;

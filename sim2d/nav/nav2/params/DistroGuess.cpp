@@ -16,21 +16,21 @@
 namespace sim2d::nav2 {
 namespace {
 
-/// Nodes that not all branches have.
-struct NodeSign {
+/// A ROS node that only some branches have.
+struct NodeEvidence {
   std::string_view node;
   unsigned distros;
 };
-constexpr std::array<NodeSign, 4> kNodeSigns = {{{"recoveries_server", kHumble},
-                                                 {"docking_server", kSinceJazzy},
-                                                 {"loopback_simulator", kSinceJazzy},
-                                                 {"following_server", kSinceLyrical}}};
+constexpr std::array<NodeEvidence, 4> kNodeEvidence = {{{"recoveries_server", kHumble},
+                                                        {"docking_server", kSinceJazzy},
+                                                        {"loopback_simulator", kSinceJazzy},
+                                                        {"following_server", kSinceLyrical}}};
 
-class Scores {
+class DistroScores {
  public:
   void add(unsigned distros, int weight, int line, std::string_view what) {
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      points_[i] += isIn(distros, static_cast<Distro>(i)) ? weight : -weight;
+      points_[i] += includesDistro(distros, static_cast<Distro>(i)) ? weight : -weight;
     }
     reasons_.push_back(
         {distros,
@@ -45,7 +45,8 @@ class Scores {
       }
     }
     for (const Reason& reason : reasons_) {
-      if (isIn(reason.distros, best.distro)) {  // the others speak against it
+      if (includesDistro(reason.distros,
+                         best.distro)) {  // the other reasons are evidence against it
         best.reasons.push_back(reason.words);
       }
     }
@@ -57,52 +58,52 @@ class Scores {
     unsigned distros;
     std::string words;
   };
-  std::array<int, std::size(kEachDistro)> points_ = {};
+  std::array<int, std::size(kDistros)> points_ = {};
   std::vector<Reason> reasons_;
 };
 
-/// Servers load plugins by names with '/' in Humble and '::' since. Costmap layers and controllers
-/// were always written with '::'.
-bool loadsBySlash(const std::string& node) {
+/// Humble's servers load plugins by names with '/', later branches with '::'. Costmap layers and
+/// controllers always use '::'.
+bool usesSlashPluginNames(const std::string& node) {
   return node == "planner_server" || node == "behavior_server";
 }
 
-void lookAtPlugin(const NodeParameters& node, const GivenParameter& given, bool& isTold,
-                  Scores& scores) {
+void scorePluginSpelling(const NodeParameters& node, const GivenParameter& given, bool& isScored,
+                         DistroScores& scores) {
   constexpr std::string_view kEnd = ".plugin";
   const bool isPlugin = given.name.size() > kEnd.size() &&
                         given.name.compare(given.name.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
-  if (isTold || !isPlugin || !loadsBySlash(node.node)) {
+  if (isScored || !isPlugin || !usesSlashPluginNames(node.node)) {
     return;
   }
   const bool hasSlash = given.value->text.find('/') != std::string::npos;
   scores.add(hasSlash ? kHumble : kSinceJazzy, 2, given.value->line,
              hasSlash ? "plugin names with '/'" : "plugin names with '::'");
-  isTold = true;
+  isScored = true;
 }
 
-/// Branches that read each key of the file, by its place; keys that all or none of them read are
-/// no evidence.
-std::map<std::pair<int, std::string>, unsigned> readersOf(const ParameterFile& file) {
+/// The branches that read each key of the file, by line and path of the key. Keys that all or no
+/// branches read are no evidence.
+std::map<std::pair<int, std::string>, unsigned> distrosPerKey(const ParameterFile& file) {
   std::map<std::pair<int, std::string>, unsigned> readers;
-  for (const Distro distro : kEachDistro) {
+  for (const Distro distro : kDistros) {
     Nav2ReadOptions options;
     options.distro = distro;
     options.onlyKeys = true;
-    for (const KeyNote& key : readNav2Parameters(file, options).parameters.notes.keys) {
-      const bool isRead = key.use == KeyUse::Used || key.use == KeyUse::Idle;
+    for (const KeyUsage& key : readNav2Parameters(file, options).parameters.notes.keys) {
+      const bool isRead = key.use == KeyUse::Used || key.use == KeyUse::Ignored;
       readers[{key.line, key.path}] |= isRead ? 1U << static_cast<unsigned>(distro) : 0U;
     }
   }
   return readers;
 }
 
-void addKeys(const ParameterFile& file, Scores& scores) {
-  std::set<std::pair<std::string, unsigned>> seen;  // a key of several plugins counts only once
-  for (const auto& [place, distros] : readersOf(file)) {
+void scoreKeys(const ParameterFile& file, DistroScores& scores) {
+  std::set<std::pair<std::string, unsigned>> seen;  // a key of several plugins counts once
+  for (const auto& [place, distros] : distrosPerKey(file)) {
     const auto& [line, path] = place;
     const std::string key = path.substr(path.rfind('.') + 1);
-    if (distros != 0 && distros != kEveryDistro && seen.emplace(key, distros).second) {
+    if (distros != 0 && distros != kAllDistros && seen.emplace(key, distros).second) {
       scores.add(distros, 1, line, "key " + key);
     }
   }
@@ -122,8 +123,8 @@ const char* distroTitle(Distro distro) {
 
 std::string distroTitles(unsigned distros) {
   std::vector<std::string> titles;
-  for (const Distro distro : kEachDistro) {
-    if (isIn(distros, distro)) {
+  for (const Distro distro : kDistros) {
+    if (includesDistro(distros, distro)) {
       titles.emplace_back(distroTitle(distro));
     }
   }
@@ -135,8 +136,8 @@ std::string distroTitles(unsigned distros) {
   return base::join(titles, ", ") + " and " + last;
 }
 
-std::optional<Distro> distroNamed(const std::string& word) {
-  for (const Distro distro : kEachDistro) {
+std::optional<Distro> distroFromName(const std::string& word) {
+  for (const Distro distro : kDistros) {
     if (word == distroName(distro)) {
       return distro;
     }
@@ -145,21 +146,21 @@ std::optional<Distro> distroNamed(const std::string& word) {
 }
 
 DistroGuess guessDistro(const ParameterFile& file) {
-  Scores scores;
-  bool isPluginTold = false;
-  std::set<std::string> seen;  // a node of two namespaces counts once
+  DistroScores scores;
+  bool isPluginScored = false;
+  std::set<std::string> seen;  // a node in two namespaces counts once
   for (const NodeParameters& node : file.nodes()) {
     const bool isNew = seen.insert(node.node).second;
-    for (const NodeSign& sign : kNodeSigns) {
-      if (isNew && sign.node == node.node) {
-        scores.add(sign.distros, 1, node.line, "node " + node.node);
+    for (const NodeEvidence& evidence : kNodeEvidence) {
+      if (isNew && evidence.node == node.node) {
+        scores.add(evidence.distros, 1, node.line, "node " + node.node);
       }
     }
     for (const GivenParameter& given : node.given) {
-      lookAtPlugin(node, given, isPluginTold, scores);
+      scorePluginSpelling(node, given, isPluginScored, scores);
     }
   }
-  addKeys(file, scores);
+  scoreKeys(file, scores);
   return scores.guess();
 }
 

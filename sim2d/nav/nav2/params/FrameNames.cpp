@@ -14,7 +14,7 @@ std::string_view withoutSlash(std::string_view name) {
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
 }
 
-/// The name that a node's parameter has; nothing when it is not given or empty.
+/// The frame that a parameter of a node names; nullopt when it is absent or empty.
 std::optional<std::string> frameIn(const NodeParameters& node, std::string_view key) {
   const GivenParameter* const given = node.find(key);
   if (given == nullptr || !given->value->isScalar()) {
@@ -24,7 +24,7 @@ std::optional<std::string> frameIn(const NodeParameters& node, std::string_view 
   return name.empty() ? std::nullopt : std::optional(name);
 }
 
-/// Whether the last part of a name is one of the keys of frames on the robot.
+/// Whether the last part of a name is a key for a frame on the robot.
 bool namesRobotFrame(std::string_view name) {
   const std::string_view last = name.substr(name.rfind('.') + 1);
   return std::find(kOnRobot.begin(), kOnRobot.end(), last) != kOnRobot.end();
@@ -65,7 +65,7 @@ FrameNames frameNamesOf(const ParameterFile& file, const std::string& robot) {
   if (names.isLocalInOdom) {
     names.odom = localFrame;
   } else {
-    // Since Jazzy `local_frame`; before, `global_frame` was that of the local costmap.
+    // Jazzy introduced `local_frame`; earlier, `global_frame` was the frame of the local costmap.
     const auto own = frameIn(behaviors, "local_frame");
     const auto humble = frameIn(behaviors, "global_frame");
     names.odom = own ? *own : humble && *humble != names.map ? *humble : "odom";

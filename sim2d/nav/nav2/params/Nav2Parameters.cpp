@@ -10,16 +10,14 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
-#include "sim2d/nav/nav2/params/CostmapReading.h"
+#include "sim2d/nav/nav2/params/CostmapParameterReader.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
-#include "sim2d/nav/nav2/params/DockingReading.h"
-#include "sim2d/nav/nav2/params/MaskReading.h"
-#include "sim2d/nav/nav2/params/MotionReading.h"
-#include "sim2d/nav/nav2/params/OldNames.h"
-#include "sim2d/nav/nav2/params/PluginBlocks.h"
+#include "sim2d/nav/nav2/params/DockingParameterReader.h"
+#include "sim2d/nav/nav2/params/LegacyNames.h"
+#include "sim2d/nav/nav2/params/NodeReader.h"
 #include "sim2d/nav/nav2/params/PluginReplacement.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
-#include "sim2d/nav/nav2/params/RouteReading.h"
+#include "sim2d/nav/nav2/params/ServerParameterReader.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -31,21 +29,21 @@ constexpr const char* kBtNavigator = "bt_navigator";
 constexpr const char* kLocalCostmap = "local_costmap";
 constexpr const char* kGlobalCostmap = "global_costmap";
 
-/// Reads the nodes of a file one after the other.
-class FileReader {
+/// Reads the nodes of a file one by one.
+class Nav2FileReader {
  public:
-  FileReader(const ParameterFile& file, const Nav2ReadOptions& options, Nav2Parameters& to)
-      : file_(file), options_(options), to_(to), isOld_(hasOldNode(file)) {
+  Nav2FileReader(const ParameterFile& file, const Nav2ReadOptions& options, Nav2Parameters& to)
+      : file_(file), options_(options), to_(to), isPreHumble_(hasPreHumbleNode(file)) {
     to_.notes.onlyKeys = options.onlyKeys;
   }
 
   void read() {
-    to_.held = heldNodes();
+    to_.nodeNames = listNodes();
     readCostmaps();
     readControllers();
     readPlanners();
     readSmoothers();
-    readMotions(
+    readMotionServers(
         to_, [this](const std::string& node) { return reader(node); }, file_);
     readNavigator();
     to_.frames = frameNamesOf(file_, options_.robot);
@@ -54,19 +52,19 @@ class FileReader {
         to_, [this](const std::string& node) { return reader(node); }, file_);
     readMasks(
         to_, [this](const std::string& node) { return reader(node); }, file_);
-    lookAtOthers();
+    recordOtherNodes();
   }
 
  private:
   NodeReader reader(const std::string& node) {
-    asked_.insert(node);
+    readNames_.insert(node);
     NodeReader made(file_.parametersOf(node, options_.robot), to_.distro, to_.notes);
-    readOldNames(made, isOld_);
-    readMissingLists(made);
+    renameLegacyKeys(made, isPreHumble_);
+    fillMissingLists(made);
     return made;
   }
 
-  static bool hasOldNode(const ParameterFile& file) {
+  static bool hasPreHumbleNode(const ParameterFile& file) {
     return std::any_of(file.nodes().begin(), file.nodes().end(),
                        [](const NodeParameters& node) { return node.node == "recoveries_server"; });
   }
@@ -84,36 +82,36 @@ class FileReader {
     NodeReader node = reader(kControllerServer);
     to_.isPartial = !hasController(node);
     if (to_.isPartial) {
-      tellPartial(node);
+      reportPartialFile(node);
     }
-    replaceControllerPlugins(node, limitsOfSmoother(file_, options_.robot));
+    replaceControllerPlugins(node, velocitySmootherLimits(file_, options_.robot));
     to_.controllerServer = node.read({}, controllerServerNodeKeys(node.given({}), to_.distro));
     if (!options_.onlyKeys && !to_.isPartial) {
       const auto made = makeControllerServer(to_.controllerServer, to_.distro);
-      tellAt(node, made.diagnostics());
+      reportProblems(node, made.diagnostics());
     }
     node.finish();
   }
 
-  /// Without a class, Nav2 uses DWB, which then has no critics and does not start.
+  /// Without a class Nav2 uses DWB, which then has no critics and does not start.
   static bool hasController(const NodeReader& node) {
     return node.has("controller_plugins") || node.has("FollowPath.plugin") ||
            node.has("FollowPath.critics");
   }
 
-  /// An overlay, or a file for other nodes: the class that reads the keys of a plugin is not known.
-  void tellPartial(NodeReader& node) {
+  /// An overlay or a file for other nodes: the plugin class that would read the keys is unknown.
+  void reportPartialFile(NodeReader& node) {
     for (const GivenParameter& given : node.parameters().given) {
-      if (given.name.find('.') != std::string::npos && !given.isForAll) {
-        node.know(given.name, "the class of its plugin is not in this file");
+      if (given.name.find('.') != std::string::npos && !given.isWildcard) {
+        node.markIgnored(given.name, "the class of its plugin is not in this file");
       }
     }
     const int line = file_.nodes().empty() ? 0 : file_.nodes().front().line;
     to_.notes.problems.push_back(
-        base::warning("nav2.partial-file", {to_.held}, file_.file(), line));
+        base::warning("nav2.partial-file", {to_.nodeNames}, file_.file(), line));
   }
 
-  std::string heldNodes() const {
+  std::string listNodes() const {
     std::vector<std::string> names;
     for (const NodeParameters& node : file_.nodes()) {
       if (std::find(names.begin(), names.end(), node.node) == names.end()) {
@@ -128,18 +126,19 @@ class FileReader {
 
   void readPlanners() {
     NodeReader node = reader(kPlannerServer);
-    const PlannerServerParameters usual;
-    to_.plannerServer = node.read({}, keysOf(usual), idleKeysOf(usual), usual);
-    const bool isUsual = !node.has("planner_plugins");
+    const PlannerServerParameters defaults;
+    to_.plannerServer = node.read({}, keysOf(defaults), ignoredKeysOf(defaults), defaults);
+    const bool isDefaultList = !node.has("planner_plugins");
     for (const std::string& name :
-         pluginNames(node, "planner_plugins", to_.plannerServer.plannerPlugins)) {
-      std::string type = pluginClass(node, name, isUsual ? "nav2_navfn_planner::NavfnPlanner" : "");
+         uniquePluginNames(node, "planner_plugins", to_.plannerServer.plannerPlugins)) {
+      std::string type =
+          pluginClass(node, name, isDefaultList ? "nav2_navfn_planner::NavfnPlanner" : "");
       if (!type.empty()) {
         const auto find = [&](const std::string& plugin) {
           return globalPlannerPlugin(plugin, to_.distro);
         };
-        type = replacedPlanner(node, name, type, find);
-        readAnswered(node, name, type, find, globalPlannerPluginNames(), to_.planners);
+        type = substitutePlanner(node, name, type, find);
+        readPluginBlock(node, name, type, find, globalPlannerPluginNames(), to_.planners);
       }
     }
     node.finish();
@@ -147,71 +146,72 @@ class FileReader {
 
   void readSmoothers() {
     NodeReader node = reader(kSmootherServer);
-    const SmootherServerParameters usual;
-    to_.smootherServer = node.read({}, keysOf(usual), idleKeysOf(usual), usual);
-    const bool isUsual = !node.has("smoother_plugins");
+    const SmootherServerParameters defaults;
+    to_.smootherServer = node.read({}, keysOf(defaults), ignoredKeysOf(defaults), defaults);
+    const bool isDefaultList = !node.has("smoother_plugins");
     for (const std::string& name :
-         pluginNames(node, "smoother_plugins", to_.smootherServer.smootherPlugins)) {
-      std::string type = pluginClass(node, name, isUsual ? "nav2_smoother::SimpleSmoother" : "");
+         uniquePluginNames(node, "smoother_plugins", to_.smootherServer.smootherPlugins)) {
+      std::string type =
+          pluginClass(node, name, isDefaultList ? "nav2_smoother::SimpleSmoother" : "");
       if (!type.empty()) {
         const auto find = [&](const std::string& plugin) {
           return pathSmootherPlugin(plugin, to_.distro);
         };
-        type = replacedSmoother(node, name, type, find);
-        readAnswered(node, name, type, find, pathSmootherPluginNames(), to_.smoothers);
+        type = substituteSmoother(node, name, type, find);
+        readPluginBlock(node, name, type, find, pathSmootherPluginNames(), to_.smoothers);
       }
     }
     node.finish();
   }
 
-  /// A planner of another package is NavFn, or what its name has in common with Nav2's.
+  /// A planner of another package is replaced by NavFn, or by the planner whose name is similar.
   template <class Find>
-  static std::string replacedPlanner(NodeReader& node, const std::string& name,
-                                     const std::string& type, const Find& find) {
+  static std::string substitutePlanner(NodeReader& node, const std::string& name,
+                                       const std::string& type, const Find& find) {
     const auto has = [&type](const char* part) { return type.find(part) != std::string::npos; };
     const std::string nearest = has("Hybrid") || has("Lattice")
                                     ? "nav2_smac_planner::SmacPlannerHybrid"
                                 : has("Smac")  ? "nav2_smac_planner::SmacPlanner2D"
                                 : has("Theta") ? "nav2_theta_star_planner::ThetaStarPlanner"
                                                : "nav2_navfn_planner::NavfnPlanner";
-    return replacedPlugin(node, name, type, nearest, globalPlannerPluginNames(), find);
+    return substitutePlugin(node, name, type, nearest, globalPlannerPluginNames(), find);
   }
 
   template <class Find>
-  static std::string replacedSmoother(NodeReader& node, const std::string& name,
-                                      const std::string& type, const Find& find) {
-    return replacedPlugin(node, name, type, "nav2_smoother::SimpleSmoother",
-                          pathSmootherPluginNames(), find);
+  static std::string substituteSmoother(NodeReader& node, const std::string& name,
+                                        const std::string& type, const Find& find) {
+    return substitutePlugin(node, name, type, "nav2_smoother::SimpleSmoother",
+                            pathSmootherPluginNames(), find);
   }
 
-  /// Classes that `find` answers with a substitute of their own are left to the reader.
+  /// Classes for which `find` returns a substitute are left to readPluginBlock.
   template <class Find>
-  static std::string replacedPlugin(NodeReader& node, const std::string& name,
-                                    const std::string& type, const std::string& nearest,
-                                    const std::vector<std::string>& known, const Find& find) {
-    const auto answer = find(type);
-    if (answer.parameters || !answer.why.empty()) {
+  static std::string substitutePlugin(NodeReader& node, const std::string& name,
+                                      const std::string& type, const std::string& nearest,
+                                      const std::vector<std::string>& known, const Find& find) {
+    const auto lookup = find(type);
+    if (lookup.parameters || !lookup.why.empty()) {
       return type;
     }
-    Nav2Keys keys;
+    Nav2KeyTable keys;
     const auto substitute = find(nearest);
     std::visit(
         [&](const auto& parameters) {
-          addRows(keys, keysOf(parameters), parameters);
-          addIdle(keys, idleKeysOf(parameters));
+          addKeyRows(keys, keysOf(parameters), parameters);
+          addIgnoredKeys(keys, ignoredKeysOf(parameters));
         },
         *substitute.parameters);
-    return replacedClass(node, name, type, known, nearest, keys);
+    return substituteClass(node, name, type, known, nearest, keys);
   }
 
   void readNavigator() {
     NodeReader node = reader(kBtNavigator);
     to_.btNavigator =
-        node.read({}, btNavigatorKeys(), idleBtNavigatorKeys(), BtNavigatorParameters());
+        node.read({}, btNavigatorKeys(), ignoredBtNavigatorKeys(), BtNavigatorParameters());
     node.finish();
   }
 
-  /// Without the node there is no graph, so that its plugins do not matter.
+  /// Without this node there is no graph, so its plugins have no effect.
   void readRoutes() {
     constexpr const char* kRouteServer = "route_server";
     const bool isThere =
@@ -222,22 +222,22 @@ class FileReader {
     }
   }
 
-  /// Nodes that are not here, or that nobody knows.
-  void lookAtOthers() {
-    const std::vector<std::string> known(asked_.begin(), asked_.end());
+  /// Records nodes that are ignored or unknown.
+  void recordOtherNodes() {
+    const std::vector<std::string> known(readNames_.begin(), readNames_.end());
     for (const NodeParameters& other : file_.nodes()) {
       if (other.node == "/**") {
         continue;
       }
-      if (asked_.count(other.node) != 0) {
-        noteOfOtherRobot(other);
+      if (readNames_.count(other.node) != 0) {
+        recordOtherRobotNode(other);
         continue;
       }
-      asked_.insert(other.node);
+      readNames_.insert(other.node);
       NodeReader node(other, to_.distro, to_.notes);
-      const char* const why = idleNode(other.node);
+      const char* const why = ignoredNodeReason(other.node);
       for (const GivenParameter& given : other.given) {
-        node.know(given.name, why != nullptr ? why : "no node of Nav2 has this name");
+        node.markIgnored(given.name, why != nullptr ? why : "no node of Nav2 has this name");
       }
       if (why == nullptr) {
         base::Diagnostic problem =
@@ -248,8 +248,8 @@ class FileReader {
     }
   }
 
-  /// A node in a namespace that does not count here: all of its keys.
-  void noteOfOtherRobot(const NodeParameters& node) {
+  /// Records all keys of a node in another robot's namespace as ignored.
+  void recordOtherRobotNode(const NodeParameters& node) {
     const auto ours = file_.nodesOf(node.node, options_.robot);
     if (std::find(ours.begin(), ours.end(), &node) != ours.end()) {
       return;
@@ -257,25 +257,25 @@ class FileReader {
     for (const GivenParameter& given : node.given) {
       to_.notes.keys.push_back({node.nameSpace + "/" + node.node + "." + given.name,
                                 valueText(*given.value), given.value->line, given.value->column,
-                                KeyUse::Idle, "of another robot by its namespace", given.file});
+                                KeyUse::Ignored, "of another robot by its namespace", given.file});
     }
   }
 
   const ParameterFile& file_;
   const Nav2ReadOptions& options_;
   Nav2Parameters& to_;
-  bool isOld_;  // of a branch before Humble, by its nodes
-  std::set<std::string> asked_;
+  bool isPreHumble_;  // of a branch before Humble, according to its nodes
+  std::set<std::string> readNames_;
 };
 
-const KeyNote* keyAt(const ReadingNotes& notes, const std::string& path) {
+const KeyUsage* keyAt(const ParameterNotes& notes, const std::string& path) {
   const auto found = std::find_if(notes.keys.begin(), notes.keys.end(),
-                                  [&](const KeyNote& key) { return key.path == path; });
+                                  [&](const KeyUsage& key) { return key.path == path; });
   return found == notes.keys.end() ? nullptr : &*found;
 }
 
-/// In the order of the files.
-void sortByPlace(const std::vector<std::string>& files, base::Diagnostics& problems) {
+/// Sorts problems by file, line and column.
+void sortByPosition(const std::vector<std::string>& files, base::Diagnostics& problems) {
   const auto placeOf = [&files](const base::Diagnostic& problem) {
     const auto file = std::find(files.begin(), files.end(), problem.file) - files.begin();
     return std::tuple(file, problem.line, problem.column);
@@ -288,8 +288,8 @@ void sortByPlace(const std::vector<std::string>& files, base::Diagnostics& probl
 
 }  // namespace
 
-Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions& options) {
-  Nav2Reading reading;
+Nav2ReadResult readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions& options) {
+  Nav2ReadResult reading;
   Nav2Parameters& parameters = reading.parameters;
   parameters.file = file.file();
   parameters.files = file.files();
@@ -301,16 +301,16 @@ Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions&
     parameters.distro = guess.distro;
     parameters.distroReasons = std::move(guess.reasons);
   }
-  FileReader(file, options, parameters).read();
+  Nav2FileReader(file, options, parameters).read();
   reading.problems = std::move(parameters.notes.problems);
   parameters.notes.problems.clear();
-  sortByPlace(file.files(), reading.problems);
+  sortByPosition(file.files(), reading.problems);
   return reading;
 }
 
-base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic problem) {
+base::Diagnostic withFilePosition(const Nav2Parameters& parameters, base::Diagnostic problem) {
   std::string where;
-  std::vector<std::string> paths;  // the best last
+  std::vector<std::string> paths;  // the most specific last
   for (const auto& [hole, value] : problem.values) {
     if (hole == "where") {
       where = base::join(where.empty() ? std::vector{value} : std::vector{where, value}, ".");
@@ -325,14 +325,14 @@ base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic
     paths.push_back(prefix + value);
   }
   paths.push_back(where);
-  const KeyNote* key = nullptr;
+  const KeyUsage* key = nullptr;
   for (const std::string& path : paths) {
-    const KeyNote* const found = keyAt(parameters.notes, path);
+    const KeyUsage* const found = keyAt(parameters.notes, path);
     key = found != nullptr ? found : key;
   }
   const std::string node = where.substr(0, where.find('.'));
   problem.file = parameters.file;
-  for (const NodeNote& each : parameters.notes.nodes) {
+  for (const NodeLocation& each : parameters.notes.nodes) {
     if (each.node == node && key == nullptr) {
       problem.line = each.line;
       problem.file = each.file;
@@ -346,10 +346,10 @@ base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic
   return problem;
 }
 
-std::vector<std::string> foldersOfParameter(const Nav2Parameters& parameters,
-                                            const std::string& path) {
+std::vector<std::string> parameterFolders(const Nav2Parameters& parameters,
+                                          const std::string& path) {
   std::vector<std::string> files = parameters.files;
-  if (const KeyNote* const key = keyAt(parameters.notes, path); key != nullptr) {
+  if (const KeyUsage* const key = keyAt(parameters.notes, path); key != nullptr) {
     files.insert(files.begin(), key->file);
   }
   std::vector<std::string> folders;
@@ -362,15 +362,15 @@ std::vector<std::string> foldersOfParameter(const Nav2Parameters& parameters,
   return folders;
 }
 
-base::Result<std::vector<ParameterName>> nav2ParametersNamed(const Nav2Reading& reading,
-                                                             const std::string& path) {
+base::Result<std::vector<ParameterName>> findNav2Parameters(const Nav2ReadResult& reading,
+                                                            const std::string& path) {
   std::vector<std::string> known;  // with their nodes
-  for (const KeyNote& key : reading.parameters.notes.keys) {
+  for (const KeyUsage& key : reading.parameters.notes.keys) {
     if (key.use == KeyUse::Used) {
       known.push_back(key.path);
     }
   }
-  for (const DefaultNote& fallback : reading.parameters.notes.defaults) {
+  for (const DefaultedKey& fallback : reading.parameters.notes.defaults) {
     known.push_back(fallback.path);
   }
   std::vector<ParameterName> found;
@@ -389,16 +389,16 @@ base::Result<std::vector<ParameterName>> nav2ParametersNamed(const Nav2Reading& 
   return found;
 }
 
-std::optional<base::YamlNode> nav2ValueOf(const std::string& yaml) {
+std::optional<base::YamlNode> parseNav2Value(const std::string& yaml) {
   base::Diagnostics problems;
   base::YamlNode value = base::parseYaml(yaml, {}, problems);
   return base::hasErrors(problems) || value.isNull() || value.isMap() ? std::nullopt
                                                                       : std::optional(value);
 }
 
-base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
+base::Diagnostics setNav2Value(ParameterFile& file, const Nav2ReadResult& reading,
                                const std::string& path, const std::string& yaml) {
-  const base::Result<std::vector<ParameterName>> named = nav2ParametersNamed(reading, path);
+  const base::Result<std::vector<ParameterName>> named = findNav2Parameters(reading, path);
   if (!named) {
     return named.diagnostics();
   }
@@ -410,26 +410,26 @@ base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
     }
     return {base::error("nav2.set-ambiguous", {path, base::join(nodes, ", ")})};
   }
-  std::optional<base::YamlNode> value = nav2ValueOf(yaml);
+  std::optional<base::YamlNode> value = parseNav2Value(yaml);
   if (!value) {
-    return {base::within(path, base::error("set.no-value", {yaml}))};
+    return {base::withContext(path, base::error("set.no-value", {yaml}))};
   }
   file.set(named->front().node, named->front().name, *std::move(value));
   return {};
 }
 
-base::Diagnostics overrideNav2Value(ParameterFile& file, const Nav2Reading& reading,
+base::Diagnostics overrideNav2Value(ParameterFile& file, const Nav2ReadResult& reading,
                                     const ParameterOverride& given) {
   const std::string path = given.node.empty() ? given.name : given.node + "." + given.name;
-  std::optional<base::YamlNode> value = nav2ValueOf(given.yaml);
+  std::optional<base::YamlNode> value = parseNav2Value(given.yaml);
   if (given.name.empty() || !value) {
-    return {base::within(path, base::error("set.no-value", {given.yaml}))};
+    return {base::withContext(path, base::error("set.no-value", {given.yaml}))};
   }
   if (!given.node.empty()) {
     file.override(given.node, given.name, *std::move(value));
     return {};
   }
-  const base::Result<std::vector<ParameterName>> named = nav2ParametersNamed(reading, path);
+  const base::Result<std::vector<ParameterName>> named = findNav2Parameters(reading, path);
   if (!named) {
     return named.diagnostics();
   }

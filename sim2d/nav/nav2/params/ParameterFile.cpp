@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/RepeatedKeys.h"
-#include "sim2d/nav/nav2/params/ParameterNodes.h"
+#include "sim2d/base/yaml/DuplicateKeys.h"
+#include "sim2d/nav/nav2/params/BtNavigatorParameters.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
@@ -15,9 +17,9 @@ namespace {
 
 using base::YamlNode;
 
-constexpr const char* kAssigns = ":=";  // in what ROS 2 takes for one parameter
+constexpr const char* kAssignmentSeparator = ":=";  // separator in the argument of `-p`
 
-/// Braces of Jinja, xacro or Helm, which are no YAML; those in quotes are a value like others.
+/// Finds braces of Jinja, xacro or Helm, which are invalid YAML; quoted braces are ordinary values.
 std::optional<base::Diagnostic> unfilledTemplate(std::string_view text, const std::string& file) {
   int line = 0;
   for (const std::string& content : base::split(text, '\n')) {
@@ -52,7 +54,7 @@ GivenParameter* NodeParameters::find(std::string_view name) {
 base::Result<ParameterFile> ParameterFile::parse(std::string_view text, const std::string& file) {
   base::Diagnostics problems;
   auto tree = std::make_shared<YamlNode>(
-      base::parseYaml(text, file, base::RepeatedKeys::LastCounts, problems));
+      base::parseYaml(text, file, base::DuplicateKeys::LastWins, problems));
   if (base::hasErrors(problems)) {
     const std::optional<base::Diagnostic> unfilled = unfilledTemplate(text, file);
     return unfilled ? base::Diagnostics{*unfilled} : problems;
@@ -84,7 +86,7 @@ std::vector<const NodeParameters*> ParameterFile::nodesOf(std::string_view node,
   const bool hasOwn = std::any_of(nodes_.begin(), nodes_.end(), [&](const NodeParameters& each) {
     return each.node == node && !robot.empty() && isNamespaceOf(each.nameSpace, robot);
   });
-  std::string taken;  // the first namespace counts when none is the robot's
+  std::string taken;  // the first namespace is used if none is the robot's
   bool hasTaken = false;
   std::vector<const NodeParameters*> counting;
   for (const NodeParameters& each : nodes_) {
@@ -103,12 +105,12 @@ std::vector<const NodeParameters*> ParameterFile::nodesOf(std::string_view node,
 }
 
 NodeParameters ParameterFile::parametersOf(std::string_view node, const std::string& robot) const {
-  std::vector<const NodeParameters*> parts = nodesOf(kForAllNodes, robot);
+  std::vector<const NodeParameters*> parts = nodesOf(kWildcardNode, robot);
   const std::vector<const NodeParameters*> own = nodesOf(node, robot);
   parts.insert(parts.end(), own.begin(), own.end());
   std::stable_sort(parts.begin(), parts.end(),
                    [](const NodeParameters* a, const NodeParameters* b) {
-                     return a->order < b->order;  // in a file, what is for all nodes stays first
+                     return a->order < b->order;  // keeps "/**" first within a file
                    });
   NodeParameters all;
   all.node = node;
@@ -120,7 +122,7 @@ NodeParameters ParameterFile::parametersOf(std::string_view node, const std::str
       all.file = part->file;
     }
     for (const GivenParameter& parameter : part->given) {
-      putParameter(all.given, parameter);
+      setParameter(all.given, parameter);
     }
   }
   return all;
@@ -138,37 +140,39 @@ void ParameterFile::append(const ParameterFile& later) {
   lastOrder_ = first + later.lastOrder_;
 }
 
-void ParameterFile::putLast(const std::string& node, const std::string& name, YamlNode value) {
+void ParameterFile::appendOverride(const std::string& node, const std::string& name,
+                                   YamlNode value) {
   value.key = name;
   trees_.push_back(std::make_shared<const YamlNode>(std::move(value)));
   nodes_.push_back({node, {}, 0, {{name, trees_.back().get()}}, {}, ++lastOrder_});
 }
 
 void ParameterFile::set(const std::string& node, const std::string& name, YamlNode value) {
-  value.tag = kSetTag;
-  putLast(node, name, std::move(value));
+  value.tag = kOverrideTag;
+  appendOverride(node, name, std::move(value));
 }
 
 void ParameterFile::override(const std::string& node, const std::string& name, YamlNode value) {
-  value.line = value.column = value.keyLine = value.keyColumn = 0;  // it stands in no file
-  putLast(node, name, std::move(value));
+  value.line = value.column = value.keyLine = value.keyColumn = 0;  // it has no position in a file
+  appendOverride(node, name, std::move(value));
 }
 
 std::optional<ParameterOverride> parameterOverride(const std::string& text) {
-  const std::size_t assigns = text.find(kAssigns);
-  if (assigns == std::string::npos) {
+  const std::size_t separator = text.find(kAssignmentSeparator);
+  if (separator == std::string::npos) {
     return std::nullopt;
   }
-  std::string node, name = text.substr(0, assigns);
+  std::string node, name = text.substr(0, separator);
   if (const std::size_t colon = name.rfind(':'); colon != std::string::npos) {
     node = name.substr(0, colon);
-    node = node.substr(node.rfind('/') + 1);  // of whichever namespace
+    node = node.substr(node.rfind('/') + 1);  // drops the namespace
     name = name.substr(colon + 1);
   }
   if (node == "**" || node == "*") {
     node.clear();
   }
-  return ParameterOverride{node, name, text.substr(assigns + std::string_view(kAssigns).size())};
+  return ParameterOverride{node, name,
+                           text.substr(separator + std::string_view(kAssignmentSeparator).size())};
 }
 
 bool looksLikeNav2(std::string_view text) {
@@ -188,11 +192,225 @@ bool looksLikeNav2(std::string_view text) {
   }
   const bool hasParameters = text.find("ros__parameters") != std::string_view::npos;
   return std::any_of(kNodes.begin(), kNodes.end(), [&](std::string_view node) {
-    const std::string block = std::string(node) + ":";  // without ros__parameters: a mistake in it
+    const std::string block = std::string(node) + ":";  // ros__parameters is missing
     return hasParameters ? text.find(node) != std::string_view::npos
                          : text.substr(0, block.size()) == block ||
                                text.find("\n" + block) != std::string_view::npos;
   });
+}
+
+namespace {
+
+constexpr const char* kParameters = "ros__parameters";
+constexpr std::size_t kMaxDepth = 64;            // nested maps
+constexpr std::size_t kMaxParameters = 5000;     // of all nodes; files of Nav2 have about 300
+constexpr std::size_t kMaxNodes = 500;           // with parameters
+constexpr std::size_t kMaxValueLength = 100000;  // characters; a footprint has about 60
+constexpr std::size_t kMaxListItems = 1000;      // items of a list
+
+bool isWildcardNode(const std::string& node) {
+  return node == "**" || node == "*";
+}
+
+/// Counts the values below a map, up to one beyond the limit.
+std::size_t countValues(const YamlNode& map, std::size_t depth) {
+  std::size_t count = 0;
+  for (const YamlNode& item : map.items) {
+    count += item.isMap() && depth < kMaxDepth ? countValues(item, depth + 1) : 1;
+    if (count > kMaxParameters) {
+      break;
+    }
+  }
+  return count;
+}
+
+bool isTooLong(const YamlNode& value) {
+  const auto isLong = [](const YamlNode& item) { return item.text.size() > kMaxValueLength; };
+  return isLong(value) || value.items.size() > kMaxListItems ||
+         std::any_of(value.items.begin(), value.items.end(), isLong);
+}
+
+/// Common misspellings of `ros__parameters`. Words that may also be names count only below a node.
+bool isMisspeltKey(const std::string& key, const std::string& parent) {
+  static constexpr std::array<std::string_view, 10> kMisspellings = {
+      "ros_parameters", "ros__parameter", "ros_parameter", "ros___parameters", "ros__params",
+      "ros_params",     "ros__param",     "rosparameters", "ros__paramters",   "ros__paremeters"};
+  const bool isName = key == "params" || key == "parameters";
+  return std::find(kMisspellings.begin(), kMisspellings.end(), key) != kMisspellings.end() ||
+         (isName && isNav2Node(parent));
+}
+
+bool hasParameters(const YamlNode& map, std::size_t depth) {
+  return std::any_of(map.items.begin(), map.items.end(), [&](const YamlNode& item) {
+    return item.key == kParameters || isMisspeltKey(item.key, map.key) ||
+           (item.isMap() && depth < kMaxDepth && hasParameters(item, depth + 1));
+  });
+}
+
+/// Whether the block of a Nav2 node has its values directly below its name.
+bool lacksParameters(const YamlNode& item) {
+  const bool isNode = item.isMap() && !item.items.empty() && isNav2Node(item.key);
+  const YamlNode* const inner = isNode ? item.find(item.key) : nullptr;
+  return isNode && (inner == nullptr || !inner->isMap()) && !hasParameters(item, 0);
+}
+
+/// Flattens maps: `a.b: 1` and `a: {b: 2}` are the same parameter, as is a repeated key.
+class ParameterFlattener {
+ public:
+  ParameterFlattener(std::vector<GivenParameter>& to, const std::string& file,
+                     base::Diagnostics& problems)
+      : to_(to), file_(file), problems_(problems) {}
+
+  void add(const YamlNode& map, const std::string& prefix, std::size_t depth) {
+    for (const YamlNode& item : map.items) {
+      const std::string name = prefix + item.key;
+      if (item.isMap() && depth < kMaxDepth) {
+        add(item, name + ".", depth + 1);
+        continue;
+      }
+      const auto [before, isNew] = values_.emplace(name, &item);
+      if (!isNew) {
+        problems_.push_back(base::duplicateKeyWarning(name, item, *before->second, file_));
+        before->second = &item;
+      }
+      setParameter(to_, {name, &item, false, file_});
+    }
+  }
+
+ private:
+  std::vector<GivenParameter>& to_;
+  const std::string& file_;
+  base::Diagnostics& problems_;
+  std::map<std::string, const YamlNode*> values_;
+};
+
+/// Finds the nodes below a map; `path` is its path with '/' as separator.
+class NodeSearch {
+ public:
+  NodeSearch(std::vector<NodeParameters>& nodes, base::Diagnostics& problems,
+             const std::string& file)
+      : nodes_(nodes), problems_(problems), file_(file) {}
+
+  void search(const YamlNode& map, const std::string& path, std::size_t depth) {
+    for (const YamlNode& item : map.items) {
+      const std::string here = joined(path, item.key);
+      if (item.key == kParameters) {
+        add(item, path, map.keyLine);
+      } else if (item.isMap() && map.find(kParameters) == nullptr &&
+                 isMisspeltKey(item.key, map.key)) {
+        warnAt(item, "nav2.parameters-misspelt", {here});
+        add(item, path, map.keyLine);
+      } else if (lacksParameters(item)) {
+        warnAt(item, "nav2.parameters-missing", {here});
+        add(item, here, item.keyLine);
+      } else if (item.isMap() && depth < kMaxDepth) {
+        search(item, here, depth + 1);
+      } else if (!item.isNull()) {
+        warnAt(item, "nav2.outside-node", {here});
+      }
+    }
+  }
+
+ private:
+  static std::string joined(const std::string& path, const std::string& key) {
+    const bool hasSlash = !key.empty() && key.front() == '/';
+    return path + (hasSlash || path.empty() ? key : "/" + key);
+  }
+
+  void warnAt(const YamlNode& item, const char* code, base::ProblemValues values) {
+    problems_.push_back(
+        base::warning(code, std::move(values), file_, item.keyLine, item.keyColumn));
+  }
+
+  void add(const YamlNode& parameters, const std::string& path, int line) {
+    if (!parameters.isMap()) {
+      if (!parameters.isNull()) {
+        problems_.push_back(base::error("yaml.no-map", {valueText(parameters)}, file_,
+                                        parameters.line, parameters.column));
+      }
+      return;
+    }
+    NodeParameters node;
+    const std::size_t slash = path.rfind('/');
+    node.node = slash == std::string::npos ? path : path.substr(slash + 1);
+    node.nameSpace = slash == std::string::npos ? "" : path.substr(0, slash);
+    node.line = line;
+    node.file = file_;
+    const bool isWildcard = isWildcardNode(node.node);
+    if (isWildcard) {
+      node.node = kWildcardNode;
+    }
+    removeOwnNamespace(node);
+    count_ += countValues(parameters, 0);
+    if (count_ > kMaxParameters || nodes_.size() >= kMaxNodes) {
+      reportTooManyParameters(parameters);
+      return;
+    }
+    ParameterFlattener(node.given, file_, problems_).add(parameters, {}, 0);
+    for (GivenParameter& given : node.given) {
+      given.isWildcard = isWildcard;
+      if (isTooLong(*given.value)) {
+        problems_.push_back(base::error("nav2.value-too-long",
+                                        {given.name, kMaxValueLength, kMaxListItems}, file_,
+                                        given.value->keyLine, given.value->keyColumn));
+      }
+    }
+    nodes_.push_back(std::move(node));
+  }
+
+  /// A costmap's node is in a namespace of its own name; a namespace for all nodes is none.
+  static void removeOwnNamespace(NodeParameters& node) {
+    const std::string own = "/" + node.node;
+    if (node.nameSpace == node.node || node.nameSpace == own) {
+      node.nameSpace.clear();
+    } else if (node.nameSpace.size() > own.size() &&
+               node.nameSpace.compare(node.nameSpace.size() - own.size(), own.size(), own) == 0) {
+      node.nameSpace.resize(node.nameSpace.size() - own.size());
+    }
+    const std::size_t word = node.nameSpace.find_first_not_of('/');
+    const std::string all = word == std::string::npos ? std::string() : node.nameSpace.substr(word);
+    if (isWildcardNode(all)) {
+      node.nameSpace.clear();
+    }
+  }
+
+  void reportTooManyParameters(const YamlNode& parameters) {
+    if (!std::exchange(isRefused_, true)) {
+      problems_.push_back(base::error("nav2.too-many-parameters", {kMaxParameters, kMaxNodes},
+                                      file_, parameters.keyLine, parameters.keyColumn));
+    }
+  }
+
+  std::vector<NodeParameters>& nodes_;
+  base::Diagnostics& problems_;
+  const std::string& file_;
+  std::size_t count_ = 0;  // parameters
+  bool isRefused_ = false;
+};
+
+}  // namespace
+
+void setParameter(std::vector<GivenParameter>& to, GivenParameter parameter) {
+  to.erase(std::remove_if(to.begin(), to.end(),
+                          [&](const GivenParameter& old) { return old.name == parameter.name; }),
+           to.end());
+  to.push_back(std::move(parameter));
+}
+
+bool isNav2Node(const std::string& name) {
+  static constexpr std::array<std::string_view, 10> kNodes = {
+      "controller_server", "planner_server",   "bt_navigator",    "local_costmap",
+      "global_costmap",    "behavior_server",  "smoother_server", "velocity_smoother",
+      "collision_monitor", "recoveries_server"};
+  return std::find(kNodes.begin(), kNodes.end(), name) != kNodes.end() ||
+         ignoredNodeReason(name) != nullptr;
+}
+
+std::vector<NodeParameters> findNodes(const YamlNode& tree, const std::string& file,
+                                      base::Diagnostics& problems) {
+  std::vector<NodeParameters> nodes;
+  NodeSearch(nodes, problems, file).search(tree, {}, 0);
+  return nodes;
 }
 
 }  // namespace sim2d::nav2

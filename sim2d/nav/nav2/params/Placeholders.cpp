@@ -11,7 +11,7 @@ namespace {
 
 using base::YamlNode;
 
-/// How placeholders begin and end.
+/// Opening and closing brackets of placeholders.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kBrackets = {
     {{"$(", ")"}, {"${", "}"}, {"{{", "}}"}, {"{%", "%}"}, {"<", ">"}, {"@", "@"}}};
 
@@ -20,25 +20,26 @@ bool isCapital(char c) {
 }
 
 /// "KEEPOUT_ZONE_ENABLED", "TODO".
-bool isInCapitals(std::string_view text) {
+bool isUpperCase(std::string_view text) {
   return text.size() > 1 && isCapital(text.front()) &&
          std::all_of(text.begin(), text.end(), [](char c) {
            return isCapital(c) || base::isDigit(c) || c == '_' || c == '-';
          });
 }
 
-/// Words in capitals that are no word of Nav2 ("REEDS_SHEPP").
+/// Words in capitals that are no values of Nav2 ("REEDS_SHEPP" is one).
 bool isPlaceholderWord(std::string_view text) {
   static constexpr std::array<std::string_view, 11> kParts = {
       "OVERRID", "REPLACE", "REWRIT", "PLACEHOLDER", "TO_BE_",  "TODO",
       "TBD",     "CHANGE",  "FIXME",  "SUBSTITUTE",  "_ENABLED"};
-  return isInCapitals(text) &&
+  return isUpperCase(text) &&
          std::any_of(kParts.begin(), kParts.end(), [text](std::string_view part) {
            return text.find(part) != std::string_view::npos;
          });
 }
 
-/// From one bracket to the other; `<` and `@` only around one word, as they are common in texts.
+/// Whether the text is enclosed in brackets; `<` and `@` only around one word, as they are common
+/// in texts.
 bool isBracketed(std::string_view text, std::string_view open, std::string_view close) {
   const std::size_t length = open.size() + close.size();
   if (text.size() <= length || text.substr(0, open.size()) != open ||
@@ -53,7 +54,8 @@ bool isBracketed(std::string_view text, std::string_view open, std::string_view 
   return open.size() == 1 ? isWord : isOne;
 }
 
-/// "$(var a)$(var b)" and "$(var a)/$(var b)" are more than one, and no value either.
+/// "$(var a)$(var b)" and "$(var a)/$(var b)" contain several placeholders and are no values
+/// either.
 bool isPlaceholderPart(std::string_view text) {
   return std::any_of(kBrackets.begin(), kBrackets.end(), [text](const auto& bracket) {
     const std::size_t open = text.find(bracket.first);
@@ -85,7 +87,7 @@ bool isLaunchPlaceholder(const std::string& name, const YamlNode& value) {
     return true;
   }
   return value.isScalar() &&
-         (isPlaceholderText(value.text) || (isListOfPlugins(name) && isInCapitals(value.text)));
+         (isPlaceholderText(value.text) || (isListOfPlugins(name) && isUpperCase(value.text)));
 }
 
 bool mayBePlaceholder(const YamlNode& value) {
@@ -95,7 +97,7 @@ bool mayBePlaceholder(const YamlNode& value) {
     });
   }
   return value.isScalar() && (value.text.empty() || isPlaceholderText(value.text) ||
-                              isInCapitals(value.text) || isPlaceholderPart(value.text));
+                              isUpperCase(value.text) || isPlaceholderPart(value.text));
 }
 
 }  // namespace sim2d::nav2

@@ -86,7 +86,7 @@ std::optional<std::vector<std::string>> textsOf(const YamlNode& list) {
 
 template <class T>
 std::optional<T> scalarOf(const YamlNode& value) {
-  const bool isSet = value.tag == kSetTag;
+  const bool isSet = value.tag == kOverrideTag;
   if (!value.isScalar()) {
     return std::nullopt;
   }
@@ -95,8 +95,8 @@ std::optional<T> scalarOf(const YamlNode& value) {
     return boolOf(value);
   } else if constexpr (std::is_same_v<T, int>) {
     const auto number = integerOf(value);
-    constexpr long long kMost = std::numeric_limits<int>::max();
-    const bool fits = number && -kMost <= *number && *number <= kMost;
+    constexpr long long kMax = std::numeric_limits<int>::max();
+    const bool fits = number && -kMax <= *number && *number <= kMax;
     return fits ? std::optional<int>(static_cast<int>(*number)) : std::nullopt;
   } else if constexpr (std::is_same_v<T, double>) {
     const bool fits = type == ScalarType::Double || (isSet && type == ScalarType::Integer);
@@ -109,7 +109,7 @@ std::optional<T> scalarOf(const YamlNode& value) {
 template <class T>
 std::optional<T> valueAs(const YamlNode& value) {
   if constexpr (std::is_same_v<T, std::vector<double>>) {
-    return value.isList() ? doublesOf(value, value.tag == kSetTag) : std::nullopt;
+    return value.isList() ? doublesOf(value, value.tag == kOverrideTag) : std::nullopt;
   } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
     return value.isList() ? textsOf(value) : std::nullopt;
   } else {
@@ -146,7 +146,7 @@ std::string rosTypeName(const YamlNode& value) {
   return "mixed_array";
 }
 
-std::optional<Nav2Value> rosValue(const YamlNode& value, const Nav2Value& like) {
+std::optional<Nav2Value> toRosValue(const YamlNode& value, const Nav2Value& like) {
   return std::visit(
       [&value](const auto& wanted) -> std::optional<Nav2Value> {
         auto found = valueAs<std::decay_t<decltype(wanted)>>(value);
@@ -155,26 +155,26 @@ std::optional<Nav2Value> rosValue(const YamlNode& value, const Nav2Value& like) 
       like);
 }
 
-std::optional<Nav2Value> rosValue(const YamlNode& value) {
+std::optional<Nav2Value> toRosValue(const YamlNode& value) {
   if (value.isList()) {
     const Nav2Value like = areAll(value, ScalarType::String) ? Nav2Value(std::vector<std::string>())
                                                              : Nav2Value(std::vector<double>());
-    return rosValue(value, like);
+    return toRosValue(value, like);
   }
   if (!value.isScalar()) {
     return std::nullopt;
   }
   switch (typeOf(value)) {
     case ScalarType::Bool:
-      return rosValue(value, Nav2Value(false));
+      return toRosValue(value, Nav2Value(false));
     case ScalarType::Integer:
-      return rosValue(value, Nav2Value(0));
+      return toRosValue(value, Nav2Value(0));
     case ScalarType::Double:
-      return rosValue(value, Nav2Value(0.0));
+      return toRosValue(value, Nav2Value(0.0));
     case ScalarType::String:
       break;
   }
-  return rosValue(value, Nav2Value(std::string()));
+  return toRosValue(value, Nav2Value(std::string()));
 }
 
 std::string valueText(const Nav2Value& value) {

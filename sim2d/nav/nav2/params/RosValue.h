@@ -4,27 +4,27 @@
 #include <string>
 
 #include "sim2d/base/yaml/YamlTree.h"
-#include "sim2d/nav/nav2/Nav2Block.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
-/// What ROS 2's parser of parameter files takes a YAML value for (rcl_yaml_param_parser): the type
-/// is that of the text, and nothing is converted.
+/// Types of YAML values as ROS 2's parser of parameter files determines them
+/// (rcl_yaml_param_parser): from the text, without conversion.
 namespace sim2d::nav2 {
 
-/// Tag of a value that was set from outside the file: integers pass for doubles then.
-constexpr const char* kSetTag = "!set";
+/// Tag of a value set from outside the file: integers are accepted for doubles.
+constexpr const char* kOverrideTag = "!set";
 
 /// "double", "integer", "bool", "string", "double_array" …, "empty_array", "mixed_array", "map",
 /// "empty".
 std::string rosTypeName(const base::YamlNode& value);
 
-/// The value as one of `like`'s type; nothing when it is of another. An empty list is a list of
-/// anything.
-std::optional<Nav2Value> rosValue(const base::YamlNode& value, const Nav2Value& like);
-/// By its own type; nothing for integers in a list, which no key of Nav2 wants, and for what is no
-/// parameter.
-std::optional<Nav2Value> rosValue(const base::YamlNode& value);
+/// The value with the type of `like`; nullopt if it has another type. An empty list fits any list
+/// type.
+std::optional<Nav2Value> toRosValue(const base::YamlNode& value, const Nav2Value& like);
+/// The value with its own type; nullopt for a list of integers, which no key of Nav2 uses, and for
+/// values that are no parameters.
+std::optional<Nav2Value> toRosValue(const base::YamlNode& value);
 
-/// As files write it, on one line.
+/// The value as files write it, on one line.
 std::string valueText(const Nav2Value& value);
 std::string valueText(const base::YamlNode& value);
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,19 +13,19 @@
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/nav2/Costmap.h"
 
-/// Graphs of nav2_route: nodes at places, directed edges between them, what is known of both, and
-/// what is to be done there.
+/// Graphs of nav2_route: nodes with positions and directed edges, both with metadata and
+/// operations.
 namespace sim2d::nav2 {
 
-/// What a graph file says of a node, an edge or an operation, by key. Lists and objects in it are
-/// not kept: no scorer or operation here reads them.
+/// Metadata of a node, edge or operation in a graph file. Lists and objects are dropped: no scorer
+/// or operation reads them.
 class RouteMetadata {
  public:
   using Value = std::variant<bool, double, std::string>;
 
   void set(const std::string& key, Value value) { values_[key] = std::move(value); }
   bool has(const std::string& key) const { return values_.count(key) != 0; }
-  /// None: the key is absent, or its value is of another type.
+  /// nullopt: the key is absent, or its value has another type.
   std::optional<double> number(const std::string& key) const;
   std::optional<std::string> text(const std::string& key) const;
 
@@ -32,10 +33,10 @@ class RouteMetadata {
   std::map<std::string, Value> values_;
 };
 
-/// Something that is to be done at a node, or where an edge begins or ends.
+/// An operation at a node, or at the beginning or end of an edge.
 struct RouteOperation {
   enum class Trigger : std::uint8_t { Node, OnEnter, OnExit };
-  std::string type;  // name of the plugin of the route server
+  std::string type;  // plugin name in the route server
   Trigger trigger = Trigger::Node;
   RouteMetadata metadata;
 };
@@ -49,9 +50,9 @@ struct RouteNode {
 
 struct RouteEdge {
   std::uint32_t id = 0;
-  std::size_t from = 0, to = 0;  // nodes by index
-  double cost = 0.0;             // counts when scorers must not change it, or when there are none
-  bool overridable = true;       // scorers find the cost
+  std::size_t from = 0, to = 0;  // node indices
+  double cost = 0.0;             // used if not overridable, or if there are no scorers
+  bool overridable = true;       // scorers determine the cost
   RouteMetadata metadata;
   std::vector<RouteOperation> operations;
 };
@@ -59,22 +60,83 @@ struct RouteEdge {
 struct RouteGraph {
   std::vector<RouteNode> nodes;
   std::vector<RouteEdge> edges;
-  std::vector<std::vector<std::size_t>> outgoing;  // edges by index, of each node, in file order
-  std::map<std::uint32_t, std::size_t> indexOf;    // nodes by id
+  std::vector<std::vector<std::size_t>> outgoing;  // edge indices of each node, in file order
+  std::map<std::uint32_t, std::size_t> indexOf;    // node indices by id
 
   bool isEmpty() const { return nodes.empty(); }
-  std::optional<std::size_t> nodeOf(std::uint32_t id) const;  // none: there is no such node
+  std::optional<std::size_t> nodeOf(std::uint32_t id) const;  // nullopt: no such node
   double lengthOf(const RouteEdge& edge) const {              // [m]
     return (nodes[edge.to].place - nodes[edge.from].place).norm();
   }
 };
 
-/// A graph as a GeoJSON text (RFC 7946) has it: a FeatureCollection whose Point features are nodes
+/// Reads a graph from GeoJSON (RFC 7946): a FeatureCollection whose Point features are nodes
 /// (properties id, metadata, operations) and whose MultiLineString features are edges (properties
-/// id, startid, endid, cost, overridable, metadata, operations). Other features are left out, as in
-/// Nav2's GeoJsonGraphFileLoader. Places are those of the map frame [m]; another `frame` of a node
-/// is a warning. Errors, all at once with line and column: no JSON, no features, a wrong type, two
-/// nodes of one id, an edge without its nodes, no node or no edge at all. `file` is named in them.
+/// id, startid, endid, cost, overridable, metadata, operations). Ignores other features, like
+/// Nav2's GeoJsonGraphFileLoader. Positions are in the map frame [m]; another `frame` of a node is
+/// a warning. Reports all errors with line and column: invalid JSON, no features, wrong types,
+/// duplicate node ids, edges with missing nodes, no nodes or no edges. `file` is the file name in
+/// messages.
 base::Result<RouteGraph> readRouteGraph(const std::string& text, const std::string& file);
+
+/// Why there is no route, with the codes of nav2_msgs/action/ComputeRoute and ComputeAndTrackRoute.
+enum class RouteError : std::uint16_t {
+  None = 0,
+  Unknown = 400,
+  TfError = 401,  // not used
+  NoValidGraph = 402,
+  IndeterminantNodes = 403,
+  Timeout = 404,  // the iteration limit is reached
+  NoValidRoute = 405,
+  OperationFailed = 406,
+  InvalidEdgeScorerUse = 407,
+};
+
+/// A path through a graph: consecutive edges by index.
+struct Route {
+  std::size_t start = 0;           // node index
+  std::vector<std::size_t> edges;  // empty: the start is the goal
+  std::vector<double> costs;       // of each edge
+  double cost = 0.0;               // sum of all
+
+  std::size_t endOf(const RouteGraph& graph) const {  // node index
+    return edges.empty() ? start : graph.edges[edges.back()].to;
+  }
+};
+
+struct RouteResult {
+  RouteError error = RouteError::None;
+  std::string text;  // error message
+  Route route;       // if there is no error
+};
+
+/// Request of the action.
+struct RouteRequest {
+  bool usesPoses = false;  // else nodes by id
+  Pose2 start, goal;
+  std::uint32_t startId = 0, goalId = 0;
+};
+
+/// Edge ids.
+using BlockedEdges = std::set<std::uint32_t>;
+
+/// A JSON value with its position in the text, for messages: its end, or the beginning of an object
+/// or list. Private to this folder.
+struct PositionedJson {
+  enum class Kind { Null, Bool, Number, Text, List, Object };
+  Kind kind = Kind::Null;
+  bool isTrue = false;
+  double number = 0.0;
+  std::string text;
+  std::vector<PositionedJson> items;                            // of a list
+  std::vector<std::pair<std::string, PositionedJson>> members;  // of an object, in file order
+  int line = 0, column = 0;                                     // from 1
+
+  const PositionedJson* find(const std::string& key) const;  // null: no such member
+};
+
+/// Returns nullopt with an error with line and column for invalid JSON, or a depth above 64.
+std::optional<PositionedJson> parsePositionedJson(const std::string& text, const std::string& file,
+                                                  base::Diagnostics& problems);
 
 }  // namespace sim2d::nav2

@@ -5,9 +5,71 @@
 #include <variant>
 
 #include "sim2d/nav/FrameTransform.h"
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
+namespace {
+
+bool isBoundary(const TrackState& state, const Route& route) {
+  return state.edge == -1 || state.edge == static_cast<int>(route.edges.size()) - 1;
+}
+
+/// Whether a position is past the node, judged by the directions of the edges before and after it.
+bool isPast(const Vec2& before, const Vec2& node, const Vec2& after, const Vec2& place) {
+  constexpr double kMinimum = 1e-6;  // [m]
+  const Vec2 in = node - before, out = after - node;
+  if (in.norm() < kMinimum || out.norm() < kMinimum) {
+    return true;
+  }
+  return (in.normalized() + out.normalized()).dot(node - place) <= 0.0;
+}
+
+}  // namespace
+
+TrackState beginTracking(const Route& route, const RouteGraph& graph,
+                         const ContinuedEdge& continued) {
+  TrackState state;
+  state.nextNode = route.start;
+  if (continued.edge) {
+    state.current = continued.edge;
+    state.lastNode = graph.edges[*continued.edge].from;
+  }
+  return state;
+}
+
+bool isNodeAchieved(TrackState& state, const Vec2& robot, const Route& route,
+                    const RouteGraph& graph, const RouteServerParameters& parameters) {
+  constexpr double kThere = 1e-4;  // [m]
+  const Vec2 node = graph.nodes[state.nextNode].place;
+  const double distance = (node - robot).norm();
+  const bool atBoundary = isBoundary(state, route);
+  const bool isNear = distance <= (atBoundary ? parameters.boundaryRadiusToAchieveNode
+                                              : parameters.radiusToAchieveNode);
+  if (distance < kThere || (!isNear && state.isNear)) {
+    return true;
+  }
+  state.isNear = isNear;
+  if (atBoundary || !isNear) {
+    return isNear;
+  }
+  const Vec2 before = graph.nodes[graph.edges[*state.current].from].place;
+  const std::size_t next = route.edges[static_cast<std::size_t>(state.edge) + 1];
+  return isPast(before, node, graph.nodes[graph.edges[next].to].place, robot);
+}
+
+bool advanceToNextEdge(TrackState& state, const Route& route, const RouteGraph& graph) {
+  state.isNear = false;
+  state.lastNode = state.nextNode;
+  ++state.edge;
+  if (state.edge >= static_cast<int>(route.edges.size())) {
+    state.current.reset();
+    return false;
+  }
+  state.current = route.edges[static_cast<std::size_t>(state.edge)];
+  state.nextNode = graph.edges[*state.current].to;
+  return true;
+}
+
 namespace {
 
 bool isLineBlocked(const Costmap& costmap, const Vec2& from, const Vec2& to,
@@ -28,8 +90,8 @@ bool isLineBlocked(const Costmap& costmap, const Vec2& from, const Vec2& to,
   return isBlocked;
 }
 
-/// The last point of a segment, cell by cell from its end, that is on the map.
-Vec2 onMap(const Costmap& costmap, const Vec2& from, const Vec2& to) {
+/// The last point of a segment that is on the map, searched cell by cell from its end.
+Vec2 lastPointOnMap(const Costmap& costmap, const Vec2& from, const Vec2& to) {
   const int cells = std::max(1, costmap.cellDistance((to - from).norm()));
   int left = cells;
   const auto point = [&] { return Vec2(from + (static_cast<double>(left) / cells) * (to - from)); };
@@ -54,8 +116,8 @@ std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
   const auto inFrame = [&frame](const Vec2& place) -> Vec2 {
     return toFrame(frame, {place, 0.0}).position;
   };
-  Vec2 from = nearestOn(placeOf(scene.graph.edges[edge].from), placeOf(scene.graph.edges[edge].to),
-                        scene.robot);
+  Vec2 from = nearestPointOnSegment(placeOf(scene.graph.edges[edge].from),
+                                    placeOf(scene.graph.edges[edge].to), scene.robot);
   double left = monitor.maxCollisionDist;
   auto next = static_cast<std::size_t>(scene.state.edge + std::ptrdiff_t{1});
   while (left > 0.0) {
@@ -63,7 +125,7 @@ std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
     const double length = (to - from).norm();
     const Vec2 end = length > left ? Vec2(from + (left / length) * (to - from)) : to;
     const Vec2 first = inFrame(from);
-    if (isLineBlocked(*costmap, first, onMap(*costmap, first, inFrame(end)), monitor)) {
+    if (isLineBlocked(*costmap, first, lastPointOnMap(*costmap, first, inFrame(end)), monitor)) {
       return edge;
     }
     left -= length;
@@ -77,7 +139,7 @@ std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
 }
 
 void RouteOperations::begin() {
-  lastLook_.reset();
+  lastCheck_.reset();
   timedEdge_.reset();
   isRerouteRequested_ = false;
 }
@@ -92,7 +154,7 @@ OperationsResult RouteOperations::process(bool hasChanged, const OperationsScene
   return result;
 }
 
-/// The time from the beginning of an edge to its end.
+/// Measures the time from the beginning to the end of an edge.
 void RouteOperations::markTime(const TimeMarkerParameters& marker, const OperationsScene& scene,
                                OperationsResult& result) {
   if (timedEdge_ && scene.time > timedSince_) {
@@ -118,8 +180,8 @@ void RouteOperations::onChange(const OperationsScene& scene, OperationsResult& r
   }
 }
 
-/// What the graph file wants to be done at the node that was achieved, at the end of the edge
-/// before it and the beginning of the one after it. Each names a plugin.
+/// Executes the operations in the graph file at the achieved node, the end of the previous edge and
+/// the beginning of the next. Each names a plugin.
 void RouteOperations::onGraph(const OperationsScene& scene, OperationsResult& result) const {
   using Trigger = RouteOperation::Trigger;
   std::vector<const RouteOperation*> wanted;
@@ -159,18 +221,18 @@ void RouteOperations::onQuery(const OperationsScene& scene, OperationsResult& re
   constexpr double kRounding = 1e-9;  // [s]
   for (const auto& [name, settings] : settings_) {
     if (const auto* const monitor = std::get_if<RouteCollisionParameters>(&settings)) {
-      const bool isDue = !lastLook_ || scene.time - *lastLook_ >= 1.0 / monitor->rate - kRounding;
-      if (!isDue || !scene.state.current) {  // before the first edge it does not look
+      const bool isDue = !lastCheck_ || scene.time - *lastCheck_ >= 1.0 / monitor->rate - kRounding;
+      if (!isDue || !scene.state.current) {  // not evaluated before the first edge
         continue;
       }
-      lastLook_ = scene.time;
+      lastCheck_ = scene.time;
       const auto edge = blockedEdge(*monitor, scene);
       if (edge && monitor->rerouteOnCollision) {
         result.reroutes = true;
         result.blocked.insert(scene.graph.edges[*edge].id);
         result.triggered.push_back(name);
       } else if (edge) {
-        result.failure = "something stands on the route, and reroute_on_collision is false";
+        result.failure = "an obstacle is on the route, and reroute_on_collision is false";
       }
     } else if (std::holds_alternative<ReroutingServiceParameters>(settings) &&
                isRerouteRequested_) {

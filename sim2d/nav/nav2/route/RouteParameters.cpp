@@ -9,40 +9,45 @@ const std::vector<Nav2Key<RouteServerParameters>>& routeServerKeys() {
   using P = RouteServerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"graph_filepath", &P::graphFilepath, "", "GeoJSON file of the graph"},
-      {"edge_cost_functions", &P::edgeCostFunctions, "", "Plugins that find costs of edges"},
-      {"operations", &P::operations, "", "Plugins that act while a route is followed"},
-      {"max_iterations", &P::maxIterations, "", "Of the search; 0: no limit"},
-      {"tracker_update_rate", &P::trackerUpdateRate, "Hz", "How often progress is looked at"},
-      {"radius_to_achieve_node", &P::radiusToAchieveNode, "m", "Near a node within this distance"},
+      {"edge_cost_functions", &P::edgeCostFunctions, "", "Plugins that compute the costs of edges"},
+      {"operations", &P::operations, "", "Plugins that are executed while a route is followed"},
+      {"max_iterations", &P::maxIterations, "",
+       "Maximum number of iterations of the search; 0: no limit"},
+      {"tracker_update_rate", &P::trackerUpdateRate, "Hz", "Rate at which progress is checked"},
+      {"radius_to_achieve_node", &P::radiusToAchieveNode, "m",
+       "Distance within which a node is reached"},
       {"boundary_radius_to_achieve_node", &P::boundaryRadiusToAchieveNode, "m",
-       "At the first or last node within this distance"},
+       "Distance within which the first or last node is reached"},
       {"aggregate_blocked_ids", &P::aggregateBlockedIds, "",
-       "Edges that were blocked stay so for later routes"},
-      {"prune_goal", &P::pruneGoal, "", "Leaves out a last edge that leads past the goal"},
+       "Blocked edges stay blocked for later routes"},
+      {"prune_goal", &P::pruneGoal, "", "Removes a last edge that leads past the goal"},
       {"min_prune_dist_from_start", &P::minPruneDistFromStart, "m",
-       "An edge is left out when the start is farther than this from its first node"},
+       "An edge is removed if the start is farther than this from its first node"},
       {"min_prune_dist_from_goal", &P::minPruneDistFromGoal, "m",
-       "An edge is left out when the goal is farther than this from its last node"},
+       "An edge is removed if the goal is farther than this from its last node"},
       {"max_prune_dist_from_edge", &P::maxPruneDistFromEdge, "m",
-       "An edge is left out when the pose is within this distance of it"},
+       "An edge is removed if the pose is within this distance of it"},
       {"enable_nn_search", &P::enableNnSearch, "",
-       "Takes the nearest node that can be reached, not the nearest one"},
-      {"max_nn_search_iterations", &P::maxNnSearchIterations, "", "Cells of that search"},
-      {"num_nearest_nodes", &P::numNearestNodes, "", "Nodes that it looks for"},
-      {"smooth_corners", &P::smoothCorners, "", "Arcs at corners of the path"},
-      {"smoothing_radius", &P::smoothingRadius, "m", "Of these arcs"},
+       "Uses the nearest reachable node instead of the nearest one"},
+      {"max_nn_search_iterations", &P::maxNnSearchIterations, "",
+       "Maximum number of cells of that search"},
+      {"num_nearest_nodes", &P::numNearestNodes, "", "Number of candidate nodes of that search"},
+      {"smooth_corners", &P::smoothCorners, "", "Rounds the corners of the path"},
+      {"smoothing_radius", &P::smoothingRadius, "m", "Radius of the rounded corners"},
       {"path_density", &P::pathDensity, "m", "Distance between poses of the path"}};
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleRouteServerKeys() {
-  static const std::vector<IdleKey> kKeys = {
+const std::vector<IgnoredKey>& ignoredRouteServerKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
       {"base_frame", "the robot's pose is that of its centre"},
       {"route_frame", "graphs are in the frame of the map"},
       {"global_frame", "graphs are in the frame of the map"},
-      {"costmap_topic", "the global costmap is asked"},
-      {"max_planning_time", "runs do not depend on the computer: max_iterations limits the search"},
-      {"action_server_result_timeout", "results do not get lost here"},
+      {"costmap_topic", "the global costmap is used"},
+      {"max_planning_time",
+       "runs are independent of the computer: max_iterations limits the "
+       "search"},
+      {"action_server_result_timeout", "results cannot be lost"},
       {"graph_file_loader", "graphs are read by GeoJsonGraphFileLoader"},
       {"GeoJsonGraphFileLoader.", "graphs are read by GeoJsonGraphFileLoader"},
       {"graph_file_saver", "graphs are not saved"},
@@ -53,40 +58,39 @@ const std::vector<IdleKey>& idleRouteServerKeys() {
 const std::vector<Nav2Key<DistanceScorerParameters>>& keysOf(const DistanceScorerParameters&) {
   using P = DistanceScorerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"speed_tag", &P::speedTag, "", "Metadata of an edge: share of the speed there"},
-      {"weight", &P::weight, "", "Of this cost"}};
+      {"speed_tag", &P::speedTag, "", "Metadata key of an edge: share of the speed on the edge"},
+      {"weight", &P::weight, "", "Weight of this cost"}};
   return kKeys;
 }
 
 const std::vector<Nav2Key<TimeScorerParameters>>& keysOf(const TimeScorerParameters&) {
   using P = TimeScorerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"speed_tag", &P::speedTag, "", "Metadata of an edge: speed there in m/s"},
-      {"time_tag", &P::timeTag, "", "Metadata of an edge: time that was measured in s"},
-      {"max_vel", &P::maxVel, "m/s", "Speed on edges without one"},
-      {"weight", &P::weight, "", "Of this cost"}};
+      {"speed_tag", &P::speedTag, "", "Metadata key of an edge: speed on the edge in m/s"},
+      {"time_tag", &P::timeTag, "", "Metadata key of an edge: measured time in s"},
+      {"max_vel", &P::maxVel, "m/s", "Speed on edges without a speed"},
+      {"weight", &P::weight, "", "Weight of this cost"}};
   return kKeys;
 }
 
 const std::vector<Nav2Key<PenaltyScorerParameters>>& keysOf(const PenaltyScorerParameters&) {
   using P = PenaltyScorerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"penalty_tag", &P::penaltyTag, "", "Metadata of an edge: its penalty"},
-      {"weight", &P::weight, "", "Of this cost"}};
+      {"penalty_tag", &P::penaltyTag, "", "Metadata key of an edge: penalty"},
+      {"weight", &P::weight, "", "Weight of this cost"}};
   return kKeys;
 }
 
 const std::vector<Nav2Key<CostmapScorerParameters>>& keysOf(const CostmapScorerParameters&) {
   using P = CostmapScorerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"use_maximum", &P::useMaximum, "", "The greatest cost on the edge counts, else the mean"},
-      {"invalid_on_collision", &P::invalidOnCollision, "",
-       "Edges on which something stands cannot be taken"},
-      {"invalid_off_map", &P::invalidOffMap, "", "Edges off the map cannot be taken"},
-      {"max_cost", &P::maxCost, "", "Cost from which something stands there"},
-      {"check_resolution", &P::checkResolution, "", "Looks at every so many cells"},
+      {"use_maximum", &P::useMaximum, "", "Uses the maximum cost on the edge, else the mean"},
+      {"invalid_on_collision", &P::invalidOnCollision, "", "Edges with a collision are not used"},
+      {"invalid_off_map", &P::invalidOffMap, "", "Edges outside the map are not used"},
+      {"max_cost", &P::maxCost, "", "Cost from which a cell is in collision"},
+      {"check_resolution", &P::checkResolution, "", "Step between checked cells"},
       {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"},
-      {"weight", &P::weight, "", "Of this cost"}};
+      {"weight", &P::weight, "", "Weight of this cost"}};
   return kKeys;
 }
 
@@ -94,9 +98,10 @@ const std::vector<Nav2Key<SemanticScorerParameters>>& keysOf(const SemanticScore
   using P = SemanticScorerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"semantic_key", &P::semanticKey, "",
-       "Metadata whose text is the class; empty: its keys are"},
-      {"semantic_classes", &P::semanticClasses, "", "Classes whose costs stand beside"},
-      {"weight", &P::weight, "", "Of this cost"}};
+       "Metadata key whose text is the class; empty: the keys are the classes"},
+      {"semantic_classes", &P::semanticClasses, "",
+       "Names of the classes, whose costs are keys of the same block"},
+      {"weight", &P::weight, "", "Weight of this cost"}};
   return kKeys;
 }
 
@@ -104,10 +109,10 @@ const std::vector<Nav2Key<OrientationScorerParameters>>& keysOf(
     const OrientationScorerParameters&) {
   using P = OrientationScorerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"orientation_tolerance", &P::orientationTolerance, "rad", "Greatest difference of headings"},
-      {"orientation_weight", &P::orientationWeight, "", "Cost of a radian"},
+      {"orientation_tolerance", &P::orientationTolerance, "rad", "Maximum heading difference"},
+      {"orientation_weight", &P::orientationWeight, "", "Cost per radian"},
       {"use_orientation_threshold", &P::useOrientationThreshold, "",
-       "Edges beyond the tolerance cannot be taken"}};
+       "Edges beyond the tolerance are not used"}};
   return kKeys;
 }
 
@@ -119,18 +124,20 @@ const std::vector<Nav2Key<DynamicEdgesParameters>>& keysOf(const DynamicEdgesPar
 const std::vector<Nav2Key<AdjustSpeedLimitParameters>>& keysOf(const AdjustSpeedLimitParameters&) {
   using P = AdjustSpeedLimitParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"speed_tag", &P::speedTag, "", "Metadata of an edge: percent of the speed"}};
+      {"speed_tag", &P::speedTag, "", "Metadata key of an edge: percentage of the speed"}};
   return kKeys;
 }
 
 const std::vector<Nav2Key<RouteCollisionParameters>>& keysOf(const RouteCollisionParameters&) {
   using P = RouteCollisionParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"rate", &P::rate, "Hz", "How often it looks"},
-      {"max_cost", &P::maxCost, "", "Cost from which something stands there"},
-      {"check_resolution", &P::checkResolution, "", "Looks at every so many cells"},
-      {"max_collision_dist", &P::maxCollisionDist, "m", "How far ahead it looks"},
-      {"reroute_on_collision", &P::rerouteOnCollision, "", "Another route is found, else it fails"},
+      {"rate", &P::rate, "Hz", "Rate of the checks"},
+      {"max_cost", &P::maxCost, "", "Cost from which a cell is in collision"},
+      {"check_resolution", &P::checkResolution, "", "Step between checked cells"},
+      {"max_collision_dist", &P::maxCollisionDist, "m",
+       "Length of the route ahead that is checked"},
+      {"reroute_on_collision", &P::rerouteOnCollision, "",
+       "Computes another route, else the operation fails"},
       {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"}};
   return kKeys;
 }
@@ -138,7 +145,7 @@ const std::vector<Nav2Key<RouteCollisionParameters>>& keysOf(const RouteCollisio
 const std::vector<Nav2Key<TimeMarkerParameters>>& keysOf(const TimeMarkerParameters&) {
   using P = TimeMarkerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"time_tag", &P::timeTag, "", "Metadata of an edge that takes the time in s"}};
+      {"time_tag", &P::timeTag, "", "Metadata key of an edge in which the time in s is stored"}};
   return kKeys;
 }
 
@@ -150,7 +157,8 @@ const std::vector<Nav2Key<ReroutingServiceParameters>>& keysOf(const ReroutingSe
 const std::vector<Nav2Key<TriggerEventParameters>>& keysOf(const TriggerEventParameters&) {
   using P = TriggerEventParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"service_name", &P::serviceName, "", "Event where the graph file names none"}};
+      {"service_name", &P::serviceName, "",
+       "Event for nodes and edges whose graph file names none"}};
   return kKeys;
 }
 
@@ -210,8 +218,8 @@ base::Diagnostics problemsOf(const RouteServerParameters& parameters) {
       problems.push_back(base::error("nav2.bad-parameter", {key, wanted}));
     }
   };
-  constexpr double kLeastDensity = 1e-3;  // [m], shorter steps make paths too large
-  require(parameters.pathDensity >= kLeastDensity, "path_density", "at least 0.001 m");
+  constexpr double kMinDensity = 1e-3;  // [m], smaller steps make paths too large
+  require(parameters.pathDensity >= kMinDensity, "path_density", "at least 0.001 m");
   require(parameters.smoothingRadius > 0.0, "smoothing_radius", "above 0 m");
   require(parameters.trackerUpdateRate > 0.0, "tracker_update_rate", "above 0 Hz");
   require(parameters.numNearestNodes > 0, "num_nearest_nodes", "above 0");

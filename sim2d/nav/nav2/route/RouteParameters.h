@@ -8,26 +8,26 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
 /// Keys of the route server (nav2_route), which exists since Kilted. Defaults are those of its
 /// code.
 namespace sim2d::nav2 {
 
 struct RouteServerParameters {
-  std::string graphFilepath;  // GeoJSON; empty: there is no graph
+  std::string graphFilepath;  // GeoJSON; empty: no graph
   std::vector<std::string> edgeCostFunctions = {"DistanceScorer", "DynamicEdgesScorer"};
   std::vector<std::string> operations = {"AdjustSpeedLimit", "ReroutingService"};
-  int maxIterations = 0;                     // of the search; 0: no limit
+  int maxIterations = 0;                     // of the search; 0: unlimited
   double trackerUpdateRate = 50.0;           // [Hz]
   double radiusToAchieveNode = 2.0;          // [m]
-  double boundaryRadiusToAchieveNode = 1.0;  // [m], of the first and the last node
-  bool aggregateBlockedIds = false;          // blocked edges stay blocked when it is routed again
+  double boundaryRadiusToAchieveNode = 1.0;  // [m], for the first and the last node
+  bool aggregateBlockedIds = false;          // blocked edges stay blocked when rerouting
   bool pruneGoal = true;
   double minPruneDistFromStart = 0.10;  // [m]
   double minPruneDistFromGoal = 0.15;   // [m]
   double maxPruneDistFromEdge = 8.0;    // [m]
-  bool enableNnSearch = true;           // which of the nearest nodes can be reached
+  bool enableNnSearch = true;           // selects a reachable one of the nearest nodes
   int maxNnSearchIterations = 10000;
   int numNearestNodes = 5;
   bool smoothCorners = false;
@@ -35,15 +35,15 @@ struct RouteServerParameters {
   double pathDensity = 0.05;     // [m] between poses
 };
 
-/// Of a plugin that has none of these keys a value counts nowhere.
+/// Values of keys that a plugin does not have are ignored.
 struct DistanceScorerParameters {
-  std::string speedTag = "speed_limit";  // metadata of an edge: share of the speed
+  std::string speedTag = "speed_limit";  // metadata of an edge: fraction of the speed
   double weight = 1.0;
 };
 struct TimeScorerParameters {
   std::string speedTag = "abs_speed_limit";  // metadata of an edge [m/s]
   std::string timeTag = "abs_time_taken";    // measured by TimeMarker [s]
-  double maxVel = 0.5;                       // [m/s], of edges without a speed
+  double maxVel = 0.5;                       // [m/s], for edges without a speed
   double weight = 1.0;
 };
 struct PenaltyScorerParameters {
@@ -51,24 +51,24 @@ struct PenaltyScorerParameters {
   double weight = 1.0;
 };
 struct CostmapScorerParameters {
-  bool useMaximum = true;  // the greatest cost on the edge, else the mean
+  bool useMaximum = true;  // maximum cost on the edge, else the mean
   bool invalidOnCollision = true, invalidOffMap = true;
   double maxCost = 253.0;
-  int checkResolution = 2;  // every so many cells of the line
+  int checkResolution = 2;  // samples one of this many cells of the line
   std::string costmapTopic = "global_costmap/costmap_raw";
   double weight = 1.0;
 };
 struct SemanticScorerParameters {
-  std::string semanticKey = "class";  // metadata whose text is the class; empty: keys are classes
+  std::string semanticKey = "class";  // metadata key of the class; empty: metadata keys are classes
   std::vector<std::string> semanticClasses;
   double weight = 1.0;
-  std::map<std::string, double> costs;  // no key: those named by `semanticClasses`
+  std::map<std::string, double> costs;  // not a key: those named by `semanticClasses`
 };
-struct OrientationScorerParameters {                 // of the start and of the goal
+struct OrientationScorerParameters {                 // for the start and for the goal
   double orientationTolerance = 1.5707963267948966;  // [rad]
   double orientationWeight = 1.0;
-  bool useOrientationThreshold = false;  // edges beyond the tolerance cannot be taken
-  bool isOfGoal = false;                 // no key
+  bool useOrientationThreshold = false;  // edges beyond the tolerance are not usable
+  bool isOfGoal = false;                 // not a key
 };
 struct DynamicEdgesParameters {};
 
@@ -83,7 +83,7 @@ struct AdjustSpeedLimitParameters {
 struct RouteCollisionParameters {  // nav2_route::CollisionMonitor
   double rate = 1.0;               // [Hz]
   double maxCost = 253.0;
-  int checkResolution = 1;        // every so many cells of the line
+  int checkResolution = 1;        // samples one of this many cells of the line
   double maxCollisionDist = 5.0;  // [m] ahead
   bool rerouteOnCollision = true;
   std::string costmapTopic = "local_costmap/costmap_raw";
@@ -93,14 +93,14 @@ struct TimeMarkerParameters {
 };
 struct ReroutingServiceParameters {};
 struct TriggerEventParameters {
-  std::string serviceName;  // that of the graph file counts first
+  std::string serviceName;  // overridden by that of the graph file
 };
 
 using RouteOperationSettings =
     std::variant<AdjustSpeedLimitParameters, RouteCollisionParameters, TimeMarkerParameters,
                  ReroutingServiceParameters, TriggerEventParameters>;
 
-/// The route server with its plugins, by their names and in the order of the lists.
+/// The route server with its plugins by name, in the order of the lists.
 struct RouteSettings {
   RouteServerParameters server;
   std::vector<std::pair<std::string, EdgeScorerSettings>> scorers;
@@ -108,7 +108,7 @@ struct RouteSettings {
 };
 
 const std::vector<Nav2Key<RouteServerParameters>>& routeServerKeys();
-const std::vector<IdleKey>& idleRouteServerKeys();
+const std::vector<IgnoredKey>& ignoredRouteServerKeys();
 const std::vector<Nav2Key<DistanceScorerParameters>>& keysOf(const DistanceScorerParameters&);
 const std::vector<Nav2Key<TimeScorerParameters>>& keysOf(const TimeScorerParameters&);
 const std::vector<Nav2Key<PenaltyScorerParameters>>& keysOf(const PenaltyScorerParameters&);
@@ -122,13 +122,13 @@ const std::vector<Nav2Key<TimeMarkerParameters>>& keysOf(const TimeMarkerParamet
 const std::vector<Nav2Key<ReroutingServiceParameters>>& keysOf(const ReroutingServiceParameters&);
 const std::vector<Nav2Key<TriggerEventParameters>>& keysOf(const TriggerEventParameters&);
 
-/// By the class of a plugin, "nav2_route::DistanceScorer"; none: there is no such class.
+/// Default settings by plugin class ("nav2_route::DistanceScorer"); nullopt: no such class.
 std::optional<EdgeScorerSettings> edgeScorerOf(const std::string& plugin);
 std::optional<RouteOperationSettings> routeOperationOf(const std::string& plugin);
 const std::vector<std::string>& edgeScorerPlugins();
 const std::vector<std::string>& routeOperationPlugins();
 
-/// Values that no route can be found or followed with.
+/// Errors in values for which no route can be computed or followed.
 base::Diagnostics problemsOf(const RouteServerParameters& parameters);
 
 }  // namespace sim2d::nav2

@@ -1,21 +1,67 @@
 #pragma once
 
-#include "sim2d/nav/nav2/route/EdgeScorers.h"
-#include "sim2d/nav/nav2/route/Route.h"
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/nav/nav2/route/RouteGraph.h"
+#include "sim2d/nav/nav2/route/RouteParameters.h"
 
 namespace sim2d::nav2 {
 
+/// State of DynamicEdgesScorer, set by its service adjust_edges.
+struct DynamicEdges {
+  std::set<std::uint32_t> closed;         // edge ids
+  std::map<std::uint32_t, double> costs;  // additional costs by edge id
+
+  /// Parses "close 3 4", "open 3", "cost 3 2.5". Returns false without changes for other texts.
+  bool apply(const std::string& text);
+};
+
+/// Position of an edge in a search: it begins at the start or ends at the goal.
+enum class EdgeRole : std::uint8_t { None, Start, End };
+
+/// Inputs of the scorers.
+struct ScoringScene {
+  const RouteRequest& request;
+  const DynamicEdges& dynamicEdges;
+  const Costmap* global = nullptr;  // null: not available, edges are invalid
+  const Costmap* local = nullptr;
+  Pose2 localFrame{};  // frame of `local`, in the map
+};
+
+/// Sums the edge costs of the plugins of the key edge_cost_functions (nav2_route,
+/// plugins/edge_cost_functions). A value type.
+class EdgeScorers {
+ public:
+  explicit EdgeScorers(std::vector<std::pair<std::string, EdgeScorerSettings>> settings)
+      : settings_(std::move(settings)) {}
+
+  bool isEmpty() const { return settings_.empty(); }
+  /// Whether a scorer compares headings with those of poses, which a request by ids does not have.
+  bool needsPoses() const;
+  /// nullopt: the edge is not usable.
+  std::optional<double> cost(const RouteGraph& graph, const RouteEdge& edge, EdgeRole role,
+                             const ScoringScene& scene) const;
+
+ private:
+  std::vector<std::pair<std::string, EdgeScorerSettings>> settings_;
+};
+
 struct RouteQuery {
-  std::size_t start = 0, goal = 0;  // nodes by index
-  int maxIterations = 0;            // nodes that are expanded; 0: no limit
+  std::size_t start = 0, goal = 0;  // node indices
+  int maxIterations = 0;            // expanded nodes; 0: unlimited
 };
 
 /// The cheapest route between two nodes (nav2_route::RoutePlanner): Dijkstra's search over directed
-/// edges. The cost of an edge is what the scorers find, or that of the file when the edge is not
-/// overridable or there is no scorer. Errors: NoValidRoute; NoValidGraph, an edge without a cost
-/// above 0 where that of the file counts; Timeout, more than `maxIterations` nodes;
-/// InvalidEdgeScorerUse, a scorer of headings in a request by ids. Of equal costs the way that was
-/// found first stays.
+/// edges. The cost of an edge is determined by the scorers, or by the file if the edge is not
+/// overridable or there is no scorer. Errors: NoValidRoute; NoValidGraph, an edge whose cost in the
+/// file is used but not above 0; Timeout, more than `maxIterations` nodes; InvalidEdgeScorerUse, a
+/// scorer of headings in a request by ids. Of equal costs the route found first is kept.
 RouteResult findRoute(const RouteGraph& graph, const RouteQuery& query, const BlockedEdges& blocked,
                       const EdgeScorers& scorers, const ScoringScene& scene);
 

@@ -65,8 +65,8 @@ RoutePlan RouteServer::between(std::size_t start, std::size_t goal, const RouteR
   if (!rerouting.isFirst) {
     from.start = rerouting.pose;
   }
-  plan.route = pruned(std::move(plan.route), graph_, from, rerouting.isFirst, settings_.server,
-                      rerouting.continued);
+  plan.route = pruneRoute(std::move(plan.route), graph_, from, rerouting.isFirst, settings_.server,
+                          rerouting.continued);
   rerouting.isFirst = false;
   plan.path = pathOf(plan.route, graph_, settings_.server, rerouting.continued);
   return plan;
@@ -76,13 +76,13 @@ void RouteServer::track(const RouteRequest& request, const RouteScene& scene) {
   request_ = request;
   rerouting_ = {};
   operations_.begin();
-  begun_ = scene.time;
-  updated_.reset();
+  startTime_ = scene.time;
+  lastUpdate_.reset();
   feedback_ = {};
   follow(scene, false);
 }
 
-/// A route is found and followed from its beginning on.
+/// Computes a route and follows it from its beginning.
 void RouteServer::follow(const RouteScene& scene, bool isRerouted) {
   RoutePlan plan = this->plan(request_, scene, rerouting_);
   if (plan.error != RouteError::None) {
@@ -110,8 +110,8 @@ void RouteServer::fail(RouteError error, const std::string& text) {
   feedback_.plan.text = text;
 }
 
-/// Keeps what operations have found out.
-void RouteServer::take(const OperationsResult& result, double time) {
+/// Stores the results of operations.
+void RouteServer::applyOperations(const OperationsResult& result, double time) {
   if (result.speedLimit) {
     speedLimit_ = result.speedLimit;
   }
@@ -138,20 +138,20 @@ void RouteServer::reroute(const OperationsResult& result, const RouteScene& scen
 void RouteServer::update(const RouteScene& scene) {
   constexpr double kRounding = 1e-9;  // [s]
   const double period = 1.0 / settings_.server.trackerUpdateRate;
-  const bool isDue = !updated_ || scene.time - *updated_ >= period - kRounding;
+  const bool isDue = !lastUpdate_ || scene.time - *lastUpdate_ >= period - kRounding;
   if (feedback_.status != TrackStatus::Running || !isDue) {
     return;
   }
-  updated_ = scene.time;
-  feedback_.duration = scene.time - begun_;
+  lastUpdate_ = scene.time;
+  feedback_.duration = scene.time - startTime_;
   const Route& route = feedback_.plan.route;
   const bool hasChanged =
-      achievesNode(state_, scene.robot.position, route, graph_, settings_.server);
-  const bool isOver = hasChanged && !goOn(state_, route, graph_);
+      isNodeAchieved(state_, scene.robot.position, route, graph_, settings_.server);
+  const bool isOver = hasChanged && !advanceToNextEdge(state_, route, graph_);
   const OperationsResult result =
       operations_.process(hasChanged, {graph_, route, state_, scene.robot.position, scene.global,
                                        scene.local, scene.time, scene.localFrame});
-  take(result, scene.time);
+  applyOperations(result, scene.time);
   if (!result.failure.empty()) {
     fail(RouteError::OperationFailed, result.failure);
   } else if (isOver) {

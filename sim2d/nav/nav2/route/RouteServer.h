@@ -5,26 +5,26 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/nav/nav2/route/EdgeScorers.h"
 #include "sim2d/nav/nav2/route/RouteOperations.h"
-#include "sim2d/nav/nav2/route/RoutePath.h"
+#include "sim2d/nav/nav2/route/RoutePathConverter.h"
+#include "sim2d/nav/nav2/route/RoutePlanner.h"
 
-/// nav2_route::RouteServer: routes through a graph, and progress on them.
+/// nav2_route::RouteServer: computes routes through a graph and tracks progress on them.
 namespace sim2d::nav2 {
 
-/// What the server looks at in a step.
+/// Inputs of the server in a step.
 struct RouteScene {
   Pose2 robot;
-  const Costmap* global = nullptr;  // null: none yet
+  const Costmap* global = nullptr;  // null: not available
   const Costmap* local = nullptr;
   double time = 0.0;   // [s]
-  Pose2 localFrame{};  // the frame of `local`, in the map
+  Pose2 localFrame{};  // frame of `local`, in the map
 };
 
-/// What came of a request.
+/// Result of a request.
 struct RoutePlan {
   RouteError error = RouteError::None;
-  std::string text;  // why there is none, in words
+  std::string text;  // error message
   Route route;
   Path path;
 };
@@ -34,30 +34,30 @@ enum class TrackStatus : std::uint8_t { Idle, Running, Succeeded, Failed };
 /// Feedback and result of ComputeAndTrackRoute.
 struct TrackFeedback {
   TrackStatus status = TrackStatus::Idle;
-  int number = 0;  // of the feedback; it grows when something has changed
+  int number = 0;  // sequence number; increases with each change
   bool isRerouted = false;
-  std::uint32_t lastNode = 0, nextNode = 0, currentEdge = 0;  // by ids; 0 where there is none
-  RoutePlan plan;                                             // that is followed; why it failed
+  std::uint32_t lastNode = 0, nextNode = 0, currentEdge = 0;  // ids; 0 for none
+  RoutePlan plan;                                             // current route or failure
   double duration = 0.0;                                      // [s] since the request
 };
 
-/// Something that an operation did, for the manifest.
+/// An event of an operation, for the manifest.
 struct RouteEvent {
   double time = 0.0;  // [s]
   std::string what;
 };
 
-/// Equal calls in the same order give equal results, to the bit. Thread: one at a time.
+/// Equal calls in the same order give bit-identical results. Not thread-safe.
 class RouteServer {
  public:
   RouteServer(const RouteSettings& settings, RouteGraph graph);
 
   const RouteGraph& graph() const { return graph_; }
-  /// Action ComputeRoute: at once.
+  /// Action ComputeRoute; returns immediately.
   RoutePlan compute(const RouteRequest& request, const RouteScene& scene) const;
 
-  /// Begins the action ComputeAndTrackRoute and ends an earlier one. `update`, to be called in each
-  /// step, advances it at `tracker_update_rate`.
+  /// Starts the action ComputeAndTrackRoute and ends an earlier one. Call `update` in each step; it
+  /// advances the action at `tracker_update_rate`.
   void track(const RouteRequest& request, const RouteScene& scene);
   void update(const RouteScene& scene);
   void cancel() { feedback_.status = TrackStatus::Idle; }
@@ -65,14 +65,14 @@ class RouteServer {
 
   void requestReroute() { operations_.requestReroute(); }  // service of ReroutingService
   bool adjustEdges(const std::string& text) { return dynamicEdges_.apply(text); }
-  /// Of AdjustSpeedLimit, once: percent of the full speed.
+  /// Returns a new limit of AdjustSpeedLimit once: percent of the maximum speed.
   std::optional<double> takeSpeedLimit() { return std::exchange(speedLimit_, std::nullopt); }
   const std::vector<RouteEvent>& events() const { return events_; }
 
  private:
-  /// What is kept from a route that has to be found anew.
+  /// State kept for rerouting.
   struct Rerouting {
-    std::optional<std::size_t> start;  // node by index
+    std::optional<std::size_t> start;  // node index
     Pose2 pose;
     BlockedEdges blocked;
     ContinuedEdge continued;
@@ -85,7 +85,7 @@ class RouteServer {
   void reroute(const OperationsResult& result, const RouteScene& scene);
   void publish(bool isRerouted);
   void fail(RouteError error, const std::string& text);
-  void take(const OperationsResult& result, double time);
+  void applyOperations(const OperationsResult& result, double time);
 
   RouteSettings settings_;
   RouteGraph graph_;
@@ -96,8 +96,8 @@ class RouteServer {
   Rerouting rerouting_;
   TrackState state_;
   TrackFeedback feedback_;
-  double begun_ = 0.0;             // [s]
-  std::optional<double> updated_;  // [s], the cycle before
+  double startTime_ = 0.0;            // [s]
+  std::optional<double> lastUpdate_;  // [s], previous cycle
   std::optional<double> speedLimit_;
   std::vector<RouteEvent> events_;
 };

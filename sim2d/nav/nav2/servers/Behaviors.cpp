@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+#include "sim2d/nav/Observation.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -35,10 +37,10 @@ bool isAllowanceOver(double time, double start, double allowance) {
   return allowance > 0.0 && time - start > allowance + kBehaviorClock;
 }
 
-int sweepCycles(const BehaviorParameters& parameters) {
-  constexpr double kMost = 10000.0;  // of a look ahead
+int simulationCycles(const BehaviorParameters& parameters) {
+  constexpr double kMax = 10000.0;  // cycles of a simulation
   return static_cast<int>(
-      std::clamp(parameters.cycleFrequency * parameters.simulateAheadTime, 0.0, kMost));
+      std::clamp(parameters.cycleFrequency * parameters.simulateAheadTime, 0.0, kMax));
 }
 
 }  // namespace
@@ -52,12 +54,16 @@ const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys() {
   static const std::vector<Nav2Key<P>> kKeys = {
       {"cycle_frequency", &P::cycleFrequency, "Hz", "Cycles of a behaviour per second."},
       {"behavior_plugins", &P::behaviorPlugins, "", "Names of the behaviours."},
-      {"simulate_ahead_time", &P::simulateAheadTime, "s", "How far ahead they look."},
-      {"max_rotational_vel", &P::maxRotationalVel, "rad/s", "Spin: greatest turning speed."},
-      {"min_rotational_vel", &P::minRotationalVel, "rad/s", "Spin: least turning speed."},
-      {"rotational_acc_lim", &P::rotationalAccLim, "rad/s²", "Spin: braking before the end."},
-      {"projection_time", &P::projectionTime, "s", "Assisted teleop: how far ahead it looks."},
-      {"simulation_time_step", &P::simulationTimeStep, "s", "Assisted teleop: in which steps."},
+      {"simulate_ahead_time", &P::simulateAheadTime, "s",
+       "Time for which behaviours are simulated ahead."},
+      {"max_rotational_vel", &P::maxRotationalVel, "rad/s", "Spin: maximum turn rate."},
+      {"min_rotational_vel", &P::minRotationalVel, "rad/s", "Spin: minimum turn rate."},
+      {"rotational_acc_lim", &P::rotationalAccLim, "rad/s²",
+       "Spin: angular deceleration before the end."},
+      {"projection_time", &P::projectionTime, "s",
+       "Assisted teleop: time that is simulated ahead."},
+      {"simulation_time_step", &P::simulationTimeStep, "s",
+       "Assisted teleop: time step of that simulation."},
   };
   return kKeys;
 }
@@ -65,23 +71,23 @@ const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys() {
 const std::vector<Nav2Key<DriveParameters>>& driveKeys() {
   using P = DriveParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"acceleration_limit", &P::accelerationLimit, "m/s²", "Acceleration; 0: at once.",
+      {"acceleration_limit", &P::accelerationLimit, "m/s²", "Acceleration; 0: unlimited.",
        kHumble | kSinceKilted},
-      {"deceleration_limit", &P::decelerationLimit, "m/s²", "Deceleration, up to 0; 0: at once.",
-       kHumble | kSinceKilted},
-      {"minimum_speed", &P::minimumSpeed, "m/s", "Least speed.", kHumble | kSinceKilted},
+      {"deceleration_limit", &P::decelerationLimit, "m/s²",
+       "Deceleration, at most 0; 0: unlimited.", kHumble | kSinceKilted},
+      {"minimum_speed", &P::minimumSpeed, "m/s", "Minimum speed.", kHumble | kSinceKilted},
   };
   return kKeys;
 }
 
 base::Diagnostics problemsOf(const BehaviorParameters& parameters) {
-  constexpr double kMostFrequency = 1000.0, kLongestLook = 100.0;
+  constexpr double kMaxFrequency = 1000.0, kMaxLookahead = 100.0;
   base::Diagnostics problems;
-  if (!(parameters.cycleFrequency > 0.0 && parameters.cycleFrequency <= kMostFrequency)) {
+  if (!(parameters.cycleFrequency > 0.0 && parameters.cycleFrequency <= kMaxFrequency)) {
     problems.push_back(
         base::error("nav2.bad-parameter", {"cycle_frequency", "above 0, up to 1000 Hz"}));
   }
-  if (!(parameters.simulateAheadTime >= 0.0 && parameters.simulateAheadTime <= kLongestLook)) {
+  if (!(parameters.simulateAheadTime >= 0.0 && parameters.simulateAheadTime <= kMaxLookahead)) {
     problems.push_back(base::error("nav2.bad-parameter", {"simulate_ahead_time", "0 to 100 s"}));
   }
   return problems;
@@ -100,29 +106,29 @@ base::Diagnostics problemsOf(const DriveParameters& parameters, const std::strin
   return problems;
 }
 
-const std::vector<IdleKey>& idleBehaviorKeys() {
-  static const std::vector<IdleKey> kKeys = {
+const std::vector<IgnoredKey>& ignoredBehaviorKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
       {"local_costmap_topic", "behaviours read the published local costmap", kSinceJazzy},
       {"global_costmap_topic", "behaviours read the published local costmap", kSinceJazzy},
       {"costmap_topic", "behaviours read the published local costmap", kHumble},
-      {"local_footprint_topic", "the footprint is the costmap's", kSinceJazzy},
-      {"global_footprint_topic", "the footprint is the costmap's", kSinceJazzy},
-      {"footprint_topic", "the footprint is the costmap's", kHumble},
+      {"local_footprint_topic", "the footprint is that of the costmap", kSinceJazzy},
+      {"global_footprint_topic", "the footprint is that of the costmap", kSinceJazzy},
+      {"footprint_topic", "the footprint is that of the costmap", kHumble},
       {"local_frame", "behaviours use the frame of the local costmap", kSinceJazzy},
       {"global_frame", "behaviours use the frame of the local costmap"},
-      {"robot_base_frame", "the base frames of a robot coincide here"},
-      {"transform_tolerance", "no TF here"},
-      {"cmd_vel_teleop", "no topics here"},
-      {"enable_stamped_cmd_vel", "no topics here"},
-      {"use_sim_time", "time is simulated here"},
-      {"introspection_mode", "no services of ROS here"},
+      {"robot_base_frame", "all base frames of a robot are identical"},
+      {"transform_tolerance", "TF is not used"},
+      {"cmd_vel_teleop", "ROS topics are not used"},
+      {"enable_stamped_cmd_vel", "ROS topics are not used"},
+      {"use_sim_time", "time is always simulated"},
+      {"introspection_mode", "ROS services are not used"},
   };
   return kKeys;
 }
 
 std::uint16_t behaviorCode(BehaviorKind kind, BehaviorError error) {
   const int action = 700 + 10 * static_cast<int>(kind);
-  const bool isBackUp = kind == BehaviorKind::BackUp;  // numbers the last two the other way round
+  const bool isBackUp = kind == BehaviorKind::BackUp;  // BackUp swaps the last two codes
   switch (error) {
     case BehaviorError::None:
       return 0;
@@ -170,9 +176,9 @@ BehaviorStep Spin::cycle(const BehaviorInput& input) {
   return behaviorRuns(twist);
 }
 
-/// Nav2 looks no farther ahead than it has turned so far.
+/// As in Nav2 the simulation is limited to the angle turned so far.
 bool Spin::isFree(const BehaviorInput& input, double omega) const {
-  for (int i = 0; i < sweepCycles(parameters_); ++i) {
+  for (int i = 0; i < simulationCycles(parameters_); ++i) {
     const double ahead = omega * (i / parameters_.cycleFrequency);
     if (std::fabs(turned_) - std::fabs(ahead) <= 0.0) {
       break;
@@ -230,7 +236,7 @@ double DriveStraight::speedFor(double left) const {
 }
 
 bool DriveStraight::isFree(const BehaviorInput& input, double speed, double left) const {
-  for (int i = 0; i < sweepCycles(parameters_); ++i) {
+  for (int i = 0; i < simulationCycles(parameters_); ++i) {
     const double ahead = speed * (i / parameters_.cycleFrequency);
     if (left - std::fabs(ahead) <= 0.0) {
       break;
@@ -248,7 +254,8 @@ BehaviorStep Wait::cycle(const BehaviorInput& input) const {
   return step;
 }
 
-BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input, const BodyTwist& wish) const {
+BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input,
+                                   const BodyTwist& teleopCommand) const {
   if (isAllowanceOver(input.time, start_, timeAllowance_)) {
     return behaviorFailed(
         BehaviorError::Timeout,
@@ -259,14 +266,73 @@ BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input, const BodyTwist& 
   Pose2 pose = input.pose;
   for (int i = 1; i * step < parameters_.projectionTime - kBehaviorClock; ++i) {
     const Vec2 ahead = pose.direction();
-    pose.position += step * (wish.linear * ahead + wish.lateral * Vec2(-ahead.y(), ahead.x()));
-    pose.heading += step * wish.angular;
+    pose.position +=
+        step * (teleopCommand.linear * ahead + teleopCommand.lateral * Vec2(-ahead.y(), ahead.x()));
+    pose.heading += step * teleopCommand.angular;
     if (isBehaviorBlocked(input, pose)) {
       const double factor = i == 1 ? 0.0 : i * step / parameters_.projectionTime;
-      return behaviorRuns({factor * wish.linear, factor * wish.angular, factor * wish.lateral});
+      return behaviorRuns({factor * teleopCommand.linear, factor * teleopCommand.angular,
+                           factor * teleopCommand.lateral});
     }
   }
-  return behaviorRuns(wish);
+  return behaviorRuns(teleopCommand);
+}
+
+void BehaviorServer::start(const Behavior& behavior, BehaviorKind kind, double time) {
+  behavior_.emplace(behavior);
+  kind_ = kind;
+  start_ = time;
+  lastCycle_ = -1;
+  code_ = 0;
+}
+
+void BehaviorServer::spin(const Spin::Goal& goal, double time, const Pose2& pose) {
+  start(Spin(parameters_, goal, time, pose), BehaviorKind::Spin, time);
+}
+
+void BehaviorServer::backUp(const DriveStraight::Goal& goal, double time, const Pose2& pose) {
+  start(DriveStraight(parameters_, backUp_, DriveStraight::backUp(goal), time, pose),
+        BehaviorKind::BackUp, time);
+}
+
+void BehaviorServer::driveOnHeading(const DriveStraight::Goal& goal, double time,
+                                    const Pose2& pose) {
+  start(DriveStraight(parameters_, driveOnHeading_, goal, time, pose), BehaviorKind::DriveOnHeading,
+        time);
+}
+
+void BehaviorServer::wait(double duration, double time) {
+  start(Wait(duration, time), BehaviorKind::Wait, time);
+}
+
+void BehaviorServer::assistedTeleop(double timeAllowance, double time) {
+  start(AssistedTeleop(parameters_, timeAllowance, time), BehaviorKind::AssistedTeleop, time);
+}
+
+std::optional<BehaviorStep> BehaviorServer::update(const BehaviorInput& input,
+                                                   const BodyTwist& teleopCommand) {
+  if (!behavior_) {
+    return std::nullopt;
+  }
+  const std::int64_t cycle = eventIndexAt(input.time - start_, parameters_.cycleFrequency);
+  if (cycle <= lastCycle_) {
+    return std::nullopt;
+  }
+  lastCycle_ = cycle;
+  const BehaviorStep step = std::visit(
+      [&input, &teleopCommand](auto& behavior) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(behavior)>, AssistedTeleop>) {
+          return behavior.cycle(input, teleopCommand);
+        } else {
+          return behavior.cycle(input);
+        }
+      },
+      *behavior_);
+  if (step.status != BehaviorStatus::Running) {
+    behavior_.reset();
+    code_ = behaviorCode(kind_, step.error);
+  }
+  return step;
 }
 
 }  // namespace sim2d::nav2

@@ -12,11 +12,11 @@
 namespace sim2d::nav2 {
 namespace {
 
-BodyTwist slowedBy(const BodyTwist& twist, double factor) {
+BodyTwist scaledTwist(const BodyTwist& twist, double factor) {
   return {factor * twist.linear, factor * twist.angular, factor * twist.lateral};
 }
 
-/// Nav2's measure of how safe a command is: the less the safer.
+/// Nav2's measure of the danger of a command; lower is safer.
 double dangerOf(const BodyTwist& twist) {
   return twist.linear * twist.linear + twist.lateral * twist.lateral +
          twist.angular * twist.angular;
@@ -26,14 +26,14 @@ double speedAlong(const BodyTwist& twist) {
   return std::sqrt(twist.linear * twist.linear + twist.lateral * twist.lateral);
 }
 
-constexpr int kMostPoints = 1000000;  // more than any scan has
+constexpr int kMaxPoints = 1000000;  // larger than any scan
 
 constexpr std::array<const char*, 3> kShapeTypes = {"polygon", "circle", "velocity_polygon"};
 constexpr std::array<const char*, 5> kActionTypes = {"none", "stop", "slowdown", "limit",
                                                      "approach"};
 
 template <std::size_t N>
-bool isShapeWord(const std::string& word, const std::array<const char*, N>& words) {
+bool isShapeName(const std::string& word, const std::array<const char*, N>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -68,12 +68,12 @@ bool isInRange(const VelocitySubPolygon& part, const BodyTwist& command, bool is
   return isIn;
 }
 
-/// The number of steps is only checked when both times are valid.
+/// The number of steps is checked only if both times are valid.
 void checkApproach(const MonitorPolygon& shape, base::Diagnostics& problems) {
-  constexpr double kShortestStep = 1e-3, kLongest = 1000.0, kMostSteps = 1000.0;
+  constexpr double kMinStep = 1e-3, kMaxDuration = 1000.0, kMaxSteps = 1000.0;
   const bool isStep =
-      shape.simulationTimeStep >= kShortestStep && shape.simulationTimeStep <= kLongest;
-  const bool isTime = shape.timeBeforeCollision > 0.0 && shape.timeBeforeCollision <= kLongest;
+      shape.simulationTimeStep >= kMinStep && shape.simulationTimeStep <= kMaxDuration;
+  const bool isTime = shape.timeBeforeCollision > 0.0 && shape.timeBeforeCollision <= kMaxDuration;
   if (!isStep) {
     problems.push_back(base::error("nav2.bad-parameter",
                                    {shape.name + ".simulation_time_step", "0.001 to 1000 s"}));
@@ -83,10 +83,10 @@ void checkApproach(const MonitorPolygon& shape, base::Diagnostics& problems) {
         "nav2.bad-parameter", {shape.name + ".time_before_collision", "above 0, up to 1000 s"}));
   }
   const double steps = shape.timeBeforeCollision / shape.simulationTimeStep;
-  if (isStep && isTime && steps > kMostSteps) {
+  if (isStep && isTime && steps > kMaxSteps) {
     problems.push_back(base::error(
         "nav2.too-much-work", {shape.name + ".time_before_collision", shape.timeBeforeCollision,
-                               "simulation_time_step", steps, "steps", kMostSteps}));
+                               "simulation_time_step", steps, "steps", kMaxSteps}));
   }
 }
 
@@ -96,8 +96,8 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
       problems.push_back(base::error("nav2.bad-parameter", {shape.name + "." + key, wanted}));
     }
   };
-  require(isShapeWord(shape.type, kShapeTypes), "type", "polygon, circle or velocity_polygon");
-  require(isShapeWord(shape.actionType, kActionTypes), "action_type",
+  require(isShapeName(shape.type, kShapeTypes), "type", "polygon, circle or velocity_polygon");
+  require(isShapeName(shape.actionType, kActionTypes), "action_type",
           "stop, slowdown, limit, approach or none");
   if (shape.type == "circle") {
     require(shape.radius > 0.0, "radius", "above 0");
@@ -113,7 +113,7 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
   }
   require(
       shape.pointList.size() % 2 == 0 && (shape.pointList.empty() || shape.pointList.size() >= 6),
-      "points", "pairs of numbers, three at least");
+      "points", "at least three pairs of numbers");
   if (shape.actionType == "approach") {
     checkApproach(shape, problems);
   }
@@ -124,10 +124,10 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
 const std::vector<Nav2Key<CollisionMonitorParameters>>& collisionMonitorKeys() {
   using P = CollisionMonitorParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the node changes commands.", kSinceLyrical},
+      {"enabled", &P::enabled, "", "Whether the node limits commands.", kSinceLyrical},
       {"source_timeout", &P::sourceTimeout, "s",
-       "An older scan is none; since Jazzy the robot stops then; 0: it does not."},
-      {"polygons", &P::polygons, "", "Names of the polygons, in the order of their test."},
+       "Age from which a scan is ignored; since Jazzy the robot then stops; 0: it does not stop."},
+      {"polygons", &P::polygons, "", "Names of the polygons, in the order of evaluation."},
       {"observation_sources", &P::observationSources, "", "Names of the sources."},
   };
   return kKeys;
@@ -142,17 +142,21 @@ const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys() {
        kSinceJazzy},
       {"radius", &P::radius, "m", "Radius of a circle."},
       {"action_type", &P::actionType, "", "stop, slowdown, limit or approach."},
-      {"max_points", &P::maxPoints, "", "It acts above so many points.", kHumble},
-      {"min_points", &P::minPoints, "", "Least number of points at which it acts.", kSinceJazzy},
-      {"slowdown_ratio", &P::slowdownRatio, "", "Share of the command that is left."},
-      {"linear_limit", &P::linearLimit, "m/s", "Greatest speed.", kSinceJazzy},
-      {"angular_limit", &P::angularLimit, "rad/s", "Greatest turning speed.", kSinceJazzy},
-      {"time_before_collision", &P::timeBeforeCollision, "s", "Approach: how far ahead."},
-      {"simulation_time_step", &P::simulationTimeStep, "s", "Approach: in which steps."},
-      {"footprint_topic", &P::footprintTopic, "", "Whose footprint: here always the robot's."},
-      {"enabled", &P::enabled, "", "Whether it is tested."},
-      {"holonomic", &P::holonomic, "", "Whether directions of motion count.", kSinceJazzy},
-      {"velocity_polygons", &P::velocityPolygons, "", "Names of its parts.", kSinceJazzy},
+      {"max_points", &P::maxPoints, "", "Number of points above which the polygon acts.", kHumble},
+      {"min_points", &P::minPoints, "", "Minimum number of points at which the polygon acts.",
+       kSinceJazzy},
+      {"slowdown_ratio", &P::slowdownRatio, "", "Remaining share of the command."},
+      {"linear_limit", &P::linearLimit, "m/s", "Maximum speed.", kSinceJazzy},
+      {"angular_limit", &P::angularLimit, "rad/s", "Maximum turn rate.", kSinceJazzy},
+      {"time_before_collision", &P::timeBeforeCollision, "s",
+       "Approach: time that is simulated ahead."},
+      {"simulation_time_step", &P::simulationTimeStep, "s",
+       "Approach: time step of that simulation."},
+      {"footprint_topic", &P::footprintTopic, "",
+       "Topic of the footprint: here always that of the robot."},
+      {"enabled", &P::enabled, "", "Whether the polygon is evaluated."},
+      {"holonomic", &P::holonomic, "", "Whether directions of motion are used.", kSinceJazzy},
+      {"velocity_polygons", &P::velocityPolygons, "", "Names of its sub-polygons.", kSinceJazzy},
   };
   return kKeys;
 }
@@ -161,10 +165,10 @@ const std::vector<Nav2Key<VelocitySubPolygon>>& velocitySubPolygonKeys() {
   using P = VelocitySubPolygon;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"points", &P::points, "m", "Corners: \"[[x, y], …]\".", kSinceJazzy},
-      {"linear_min", &P::linearMin, "m/s", "Least speed.", kSinceJazzy},
-      {"linear_max", &P::linearMax, "m/s", "Greatest speed.", kSinceJazzy},
-      {"theta_min", &P::thetaMin, "rad/s", "Least turning speed.", kSinceJazzy},
-      {"theta_max", &P::thetaMax, "rad/s", "Greatest turning speed.", kSinceJazzy},
+      {"linear_min", &P::linearMin, "m/s", "Minimum speed.", kSinceJazzy},
+      {"linear_max", &P::linearMax, "m/s", "Maximum speed.", kSinceJazzy},
+      {"theta_min", &P::thetaMin, "rad/s", "Minimum turn rate.", kSinceJazzy},
+      {"theta_max", &P::thetaMax, "rad/s", "Maximum turn rate.", kSinceJazzy},
       {"direction_start_angle", &P::directionStartAngle, "rad", "First direction of motion.",
        kSinceJazzy},
       {"direction_end_angle", &P::directionEndAngle, "rad", "Last direction of motion.",
@@ -177,43 +181,43 @@ const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys() {
   using P = MonitorSource;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"type", &P::type, "", "scan, pointcloud, range: here always the robot's lidar."},
-      {"enabled", &P::enabled, "", "Whether it is used."},
-      {"source_timeout", &P::sourceTimeout, "s", "As that of the node, which counts without it.",
-       kSinceJazzy},
+      {"enabled", &P::enabled, "", "Whether the source is used."},
+      {"source_timeout", &P::sourceTimeout, "s",
+       "Replaces source_timeout of the node for this source.", kSinceJazzy},
   };
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleCollisionMonitorKeys() {
-  static const std::vector<IdleKey> kKeys = {
-      {"base_frame_id", "the base frames of a robot coincide here"},
-      {"odom_frame_id", "points are always placed by the odometry"},
-      {"transform_tolerance", "no TF here"},
-      {"base_shift_correction", "points are where the scan saw them"},
-      {"stop_pub_timeout", "a robot that stands goes on standing"},
-      {"cmd_vel_in_topic", "no topics here"},
-      {"cmd_vel_out_topic", "no topics here"},
-      {"state_topic", "no topics here"},
-      {"topic", "the scan is the robot's"},
+const std::vector<IgnoredKey>& ignoredCollisionMonitorKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"base_frame_id", "all base frames of a robot are identical"},
+      {"odom_frame_id", "points are always placed in the odometry frame"},
+      {"transform_tolerance", "TF is not used"},
+      {"base_shift_correction", "points stay where the scan measured them"},
+      {"stop_pub_timeout", "a standing robot stays at rest"},
+      {"cmd_vel_in_topic", "ROS topics are not used"},
+      {"cmd_vel_out_topic", "ROS topics are not used"},
+      {"state_topic", "ROS topics are not used"},
+      {"topic", "the scan is that of the robot"},
       {"min_height", "the lidar is planar"},
       {"max_height", "the lidar is planar"},
-      {"visualize", "for displays of ROS"},
-      {"polygon_pub_topic", "for displays of ROS"},
-      {"polygon_sub_topic", "polygons do not change here"},
-      {"trigger_consecutive_points", "counts as 1", kSinceLyrical},
-      {"release_consecutive_points", "counts as 1", kSinceLyrical},
-      {"polygon_subscribe_transient_local", "polygons do not change here"},
-      {"sources_names", "there is one lidar here"},
-      {"min_range", "the scan is the robot's"},
+      {"visualize", "only used by ROS displays"},
+      {"polygon_pub_topic", "only used by ROS displays"},
+      {"polygon_sub_topic", "polygons are constant"},
+      {"trigger_consecutive_points", "treated as 1", kSinceLyrical},
+      {"release_consecutive_points", "treated as 1", kSinceLyrical},
+      {"polygon_subscribe_transient_local", "polygons are constant"},
+      {"sources_names", "the robot has a single lidar"},
+      {"min_range", "the scan is that of the robot"},
       {"use_global_height", "the lidar is planar"},
-      {"sampling_distance", "polygons of other nodes are no sources here"},
-      {"obstacles_angle", "ultrasound and infrared sensors are no sources here"},
-      {"transport_type", "no topics here"},
-      {"collision_points_marker_3d", "for displays of ROS"},
-      {"use_realtime_priority", "time is simulated"},
-      {"enable_stamped_cmd_vel", "no topics here"},
-      {"use_sim_time", "time is simulated here"},
-      {"introspection_mode", "no services of ROS here"},
+      {"sampling_distance", "polygons of other nodes are not supported as sources"},
+      {"obstacles_angle", "ultrasound and infrared sensors are not supported as sources"},
+      {"transport_type", "ROS topics are not used"},
+      {"collision_points_marker_3d", "only used by ROS displays"},
+      {"use_realtime_priority", "time is always simulated"},
+      {"enable_stamped_cmd_vel", "ROS topics are not used"},
+      {"use_sim_time", "time is always simulated"},
+      {"introspection_mode", "ROS services are not used"},
   };
   return kKeys;
 }
@@ -246,7 +250,7 @@ CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
     Shape shape;
     shape.keys = keys;
     if (distro == Distro::Humble) {
-      shape.keys.minPoints = std::min(keys.maxPoints, kMostPoints) + 1;
+      shape.keys.minPoints = std::min(keys.maxPoints, kMaxPoints) + 1;
     }
     shape.isCircle = keys.type == "circle";
     setCorners(shape, keys.type == "polygon" ? shapeCorners(keys, footprint) : Polygon{});
@@ -275,7 +279,7 @@ MonitoredCommand CollisionMonitor::filter(const BodyTwist& command,
     if (result.action == MonitorAction::Stop) {
       break;
     }
-    choose(shape, command);
+    selectCorners(shape, command);
     MonitorAction action = MonitorAction::None;
     const BodyTwist twist = safe(shape, command, action);
     if (action == MonitorAction::Stop ||
@@ -286,7 +290,7 @@ MonitoredCommand CollisionMonitor::filter(const BodyTwist& command,
   return result;
 }
 
-/// False: a source is too old, and the robot has to stop.
+/// Returns false if a source is too old; the robot must then stop.
 bool CollisionMonitor::gatherPoints(const Observation& observation) {
   constexpr double kRounding = 1e-9;  // [s]
   points_.clear();
@@ -306,7 +310,7 @@ bool CollisionMonitor::gatherPoints(const Observation& observation) {
   for (std::size_t i = 0; i < scan->distances.size(); ++i) {
     if (scan->distances[i] < scan->range) {
       const double angle =
-          scan->sensor.heading + scan->angleMin + static_cast<double>(i) * scan->perBeam;
+          scan->sensor.heading + scan->angleMin + static_cast<double>(i) * scan->angleIncrement;
       points_.push_back(observation.pose.toLocal(scan->sensor.position +
                                                  scan->distances[i] * base::directionOf(angle)));
     }
@@ -314,8 +318,8 @@ bool CollisionMonitor::gatherPoints(const Observation& observation) {
   return true;
 }
 
-/// The corners for a command; those before stay when none are for it.
-void CollisionMonitor::choose(Shape& shape, const BodyTwist& command) {
+/// Selects the corners for a command; keeps the previous ones if none apply.
+void CollisionMonitor::selectCorners(Shape& shape, const BodyTwist& command) {
   for (std::size_t i = 0; i < shape.choices.size(); ++i) {
     if (isInRange(shape.keys.subPolygons[i], command, shape.keys.holonomic)) {
       setCorners(shape, shape.choices[i]);
@@ -348,10 +352,9 @@ bool CollisionMonitor::isTriggered(const Shape& shape, const std::vector<Vec2>& 
   return inside >= shape.keys.minPoints;
 }
 
-/// Those that the shape may meet if the command goes on for its time; the others are farther away
-/// than it comes.
-void CollisionMonitor::findNear(const Shape& shape, const BodyTwist& command) {
-  constexpr double kSlack = 0.001;  // [m] more than the rounding of the way
+/// Collects the points that the shape may reach within its time at this command.
+void CollisionMonitor::collectNearPoints(const Shape& shape, const BodyTwist& command) {
+  constexpr double kSlack = 0.001;  // [m], above rounding errors
   const double time = shape.keys.timeBeforeCollision + 2.0 * shape.keys.simulationTimeStep;
   const double most =
       shape.reach + std::hypot(command.linear, command.lateral) * std::max(time, 0.0) + kSlack;
@@ -360,9 +363,9 @@ void CollisionMonitor::findNear(const Shape& shape, const BodyTwist& command) {
                [most](const Vec2& point) { return point.squaredNorm() <= most * most; });
 }
 
-/// Until enough points lie inside, if the command goes on [s]; below 0: not within the time.
+/// Time until enough points are inside at this command [s]; negative: not within the time.
 double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& command) {
-  findNear(shape, command);
+  collectNearPoints(shape, command);
   if (isTriggered(shape, near_)) {
     return 0.0;
   }
@@ -370,7 +373,7 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
   const base::SinCos turn = base::sinCos(command.angular * step);
   Pose2 pose;
   Vec2 velocity(command.linear, command.lateral);
-  double time = 0.0;  // summed up as Nav2 does
+  double time = 0.0;  // summed like in Nav2
   while (time <= shape.keys.timeBeforeCollision) {
     pose.position += step * velocity;
     pose.heading += step * command.angular;
@@ -390,7 +393,7 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
   return -1.0;
 }
 
-/// What a shape leaves of a command, and by which action; None: it does not act.
+/// The command after a shape's action; None: the shape does not act.
 BodyTwist CollisionMonitor::safe(const Shape& shape, const BodyTwist& command,
                                  MonitorAction& action) {
   const MonitorAction own = monitorActionOf(shape.keys);
@@ -400,7 +403,7 @@ BodyTwist CollisionMonitor::safe(const Shape& shape, const BodyTwist& command,
       return command;
     }
     action = own;
-    return slowedBy(command, time / shape.keys.timeBeforeCollision);
+    return scaledTwist(command, time / shape.keys.timeBeforeCollision);
   }
   if (!isTriggered(shape, points_)) {
     return command;
@@ -410,13 +413,13 @@ BodyTwist CollisionMonitor::safe(const Shape& shape, const BodyTwist& command,
     return {};
   }
   if (own == MonitorAction::Slowdown) {
-    return slowedBy(command, shape.keys.slowdownRatio);
+    return scaledTwist(command, shape.keys.slowdownRatio);
   }
   const double speed = speedAlong(command), turning = std::fabs(command.angular);
   double ratio = 1.0;
   ratio = speed > 0.0 ? std::min(ratio, shape.keys.linearLimit / speed) : ratio;
   ratio = turning > 0.0 ? std::min(ratio, shape.keys.angularLimit / turning) : ratio;
-  return slowedBy(command, std::clamp(ratio, 0.0, 1.0));
+  return scaledTwist(command, std::clamp(ratio, 0.0, 1.0));
 }
 
 }  // namespace sim2d::nav2

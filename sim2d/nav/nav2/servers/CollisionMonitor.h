@@ -6,29 +6,29 @@
 
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/Observation.h"
-#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
 
-/// A polygon of a velocity polygon, and the commands for which it counts.
+/// A polygon of a velocity polygon and the range of commands for which it applies.
 struct VelocitySubPolygon {
-  std::string name;                                                        // no key
+  std::string name;                                                        // not a key
   std::string points;                                                      // "[[x, y], …]" [m]
   double linearMin = 0.0, linearMax = 0.0;                                 // [m/s]
   double thetaMin = 0.0, thetaMax = 0.0;                                   // [rad/s]
   double directionStartAngle = -base::kPi, directionEndAngle = base::kPi;  // [rad], if holonomic
 };
 
-/// One of `polygons` of collision_monitor.
+/// An entry of `polygons` of collision_monitor.
 struct MonitorPolygon {
-  std::string name;               // no key
+  std::string name;               // not a key
   std::string type;               // polygon, circle, velocity_polygon
   std::string points;             // "[[x, y], …]" [m]; empty: the robot's footprint
-  std::vector<double> pointList;  // Humble's spelling of them: x1, y1, x2 …
+  std::vector<double> pointList;  // Humble's format: x1, y1, x2 …
   double radius = 0.0;            // [m]
   std::string actionType;         // stop, slowdown, limit, approach
-  int minPoints = 4;              // acts from so many points on
+  int minPoints = 4;              // minimum number of points for an action
   int maxPoints = 3;              // Humble: acts above this number
   double slowdownRatio = 0.5;
   double linearLimit = 0.5, angularLimit = 0.5;  // [m/s], [rad/s]
@@ -37,47 +37,47 @@ struct MonitorPolygon {
   std::string footprintTopic;
   bool enabled = true, holonomic = false;
   std::vector<std::string> velocityPolygons;    // names
-  std::vector<VelocitySubPolygon> subPolygons;  // no key: their blocks
+  std::vector<VelocitySubPolygon> subPolygons;  // not a key: their blocks
 };
 
-/// One of `observation_sources`: the robot's lidar.
+/// An entry of `observation_sources`: the robot's lidar.
 struct MonitorSource {
-  std::string name;  // no key
+  std::string name;  // not a key
   std::string type = "scan";
   bool enabled = true;
-  double sourceTimeout = 2.0;  // [s]; absent: that of the node
+  double sourceTimeout = 2.0;  // [s]; default: that of the node
 };
 
 struct CollisionMonitorParameters {
   bool enabled = true;
   double sourceTimeout = 2.0;  // [s]
   std::vector<std::string> polygons, observationSources;
-  std::vector<MonitorPolygon> shapes;  // no key: blocks of `polygons`, in that order
-  std::vector<MonitorSource> sources;  // no key: blocks of `observation_sources`
+  std::vector<MonitorPolygon> shapes;  // not a key: blocks of `polygons`, in that order
+  std::vector<MonitorSource> sources;  // not a key: blocks of `observation_sources`
 };
 const std::vector<Nav2Key<CollisionMonitorParameters>>& collisionMonitorKeys();
 const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys();
 const std::vector<Nav2Key<VelocitySubPolygon>>& velocitySubPolygonKeys();
 const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys();
-const std::vector<IdleKey>& idleCollisionMonitorKeys();
+const std::vector<IgnoredKey>& ignoredCollisionMonitorKeys();
 base::Diagnostics problemsOf(const CollisionMonitorParameters& parameters);
 
-/// Whether a point lies inside of a polygon: even number of crossings outside.
+/// Whether a point is inside a polygon (even-odd rule).
 bool isInPolygon(const Vec2& point, const Polygon& polygon);
 
-/// What it made of a command.
+/// The action applied to a command.
 enum class MonitorAction : std::uint8_t { None, Stop, Slowdown, Limit, Approach };
 struct MonitoredCommand {
   BodyTwist twist;
   MonitorAction action = MonitorAction::None;
-  std::string polygon;  // whose; "invalid source" when a scan is too old
+  std::string polygon;  // name of the acting polygon; "invalid source" if a scan is too old
 };
 
-/// The last stage before the base (nav2_collision_monitor): slows commands down by what the newest
-/// scan has in polygons about the robot. Thread: one at a time.
+/// The last stage before the base (nav2_collision_monitor): slows commands down depending on the
+/// points of the newest scan in polygons around the robot. Not thread-safe.
 class CollisionMonitor {
  public:
-  /// Without errors. `footprint`: padded, of polygons without points.
+  /// Precondition: no errors. `footprint`: padded, for polygons without points.
   CollisionMonitor(const CollisionMonitorParameters& parameters, const Polygon& footprint,
                    Distro distro);
 
@@ -87,15 +87,15 @@ class CollisionMonitor {
   struct Shape {
     MonitorPolygon keys;
     bool isCircle = false;
-    Polygon corners;               // now; none of a circle
-    double reach = 0.0;            // [m] of the radius or the farthest corner
-    std::vector<Polygon> choices;  // of keys.subPolygons
+    Polygon corners;               // current corners; empty for a circle
+    double reach = 0.0;            // [m], radius or distance of the farthest corner
+    std::vector<Polygon> choices;  // polygons of keys.subPolygons
   };
   bool gatherPoints(const Observation& observation);
-  static void choose(Shape& shape, const BodyTwist& command);
+  static void selectCorners(Shape& shape, const BodyTwist& command);
   static void setCorners(Shape& shape, const Polygon& corners);
   static bool isTriggered(const Shape& shape, const std::vector<Vec2>& points);
-  void findNear(const Shape& shape, const BodyTwist& command);
+  void collectNearPoints(const Shape& shape, const BodyTwist& command);
   double timeToCollision(const Shape& shape, const BodyTwist& command);
   BodyTwist safe(const Shape& shape, const BodyTwist& command, MonitorAction& action);
 

@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim2d/nav/SensedWorld.h"
+#include "sim2d/nav/Observation.h"
 
 namespace sim2d::nav2 {
 namespace {
 
 constexpr double kTimeoutClock = 1e-9;  // [s], rounding of times
 
-/// Greatest change of velocity in a tick, either way.
-double mostChange(double current, double command, const AxisLimits& limits) {
+/// Maximum change of velocity in a tick, in either direction.
+double maxChange(double current, double command, const AxisLimits& limits) {
   const bool isFaster = std::fabs(command) >= std::fabs(current) && current * command >= 0.0;
   return (isFaster ? limits.accel : -limits.decel) / limits.frequency;
 }
@@ -29,26 +29,28 @@ const std::vector<Nav2Key<VelocitySmootherParameters>>& velocitySmootherKeys() {
   static const std::vector<Nav2Key<P>> kKeys = {
       {"smoothing_frequency", &P::smoothingFrequency, "Hz", "Commands sent per second."},
       {"scale_velocities", &P::scaleVelocities, "",
-       "Whether all axes are slowed by the same factor, which keeps the arc."},
+       "Whether all axes are scaled by the same factor, which keeps the curvature."},
       {"feedback", &P::feedback, "",
-       "OPEN_LOOP: from the last command on; CLOSED_LOOP: from the measured velocity on."},
-      {"max_velocity", &P::maxVelocity, "m/s, rad/s", "Greatest v_x, v_y, omega."},
-      {"min_velocity", &P::minVelocity, "m/s, rad/s", "Least v_x, v_y, omega."},
-      {"max_accel", &P::maxAccel, "m/s², rad/s²", "Greatest acceleration by axis, from 0 on."},
-      {"max_decel", &P::maxDecel, "m/s², rad/s²", "Greatest deceleration by axis, up to 0."},
-      {"odom_duration", &P::odomDuration, "s", "Time over which measured velocities are meant."},
-      {"deadband_velocity", &P::deadbandVelocity, "m/s, rad/s", "Slower commands are 0."},
+       "OPEN_LOOP: starts from the last command; CLOSED_LOOP: starts from the measured velocity."},
+      {"max_velocity", &P::maxVelocity, "m/s, rad/s", "Maximum v_x, v_y, omega."},
+      {"min_velocity", &P::minVelocity, "m/s, rad/s", "Minimum v_x, v_y, omega."},
+      {"max_accel", &P::maxAccel, "m/s², rad/s²", "Maximum acceleration of each axis, at least 0."},
+      {"max_decel", &P::maxDecel, "m/s², rad/s²", "Maximum deceleration of each axis, at most 0."},
+      {"odom_duration", &P::odomDuration, "s", "Time over which measured velocities are averaged."},
+      {"deadband_velocity", &P::deadbandVelocity, "m/s, rad/s", "Lower velocities are set to 0."},
       {"velocity_timeout", &P::velocityTimeout, "s",
-       "The robot brakes when no command has come for longer."},
+       "Time without a command after which the robot brakes."},
   };
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleVelocitySmootherKeys() {
-  static const std::vector<IdleKey> kKeys = {
-      {"odom_topic", "the odometry is the robot's"},  {"use_sim_time", "time is simulated here"},
-      {"use_realtime_priority", "no threads here"},   {"enable_stamped_cmd_vel", "no topics here"},
-      {"bond_heartbeat_period", "no lifecycle here"},
+const std::vector<IgnoredKey>& ignoredVelocitySmootherKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"odom_topic", "the odometry is that of the robot"},
+      {"use_sim_time", "time is always simulated"},
+      {"use_realtime_priority", "threads are not used"},
+      {"enable_stamped_cmd_vel", "ROS topics are not used"},
+      {"bond_heartbeat_period", "lifecycle nodes are not used"},
   };
   return kKeys;
 }
@@ -60,8 +62,8 @@ base::Diagnostics problemsOf(const VelocitySmootherParameters& parameters) {
       problems.push_back(base::error("nav2.bad-parameter", {key, wanted}));
     }
   };
-  constexpr double kMostFrequency = 1000.0;  // [Hz]
-  require(parameters.smoothingFrequency > 0.0 && parameters.smoothingFrequency <= kMostFrequency,
+  constexpr double kMaxFrequency = 1000.0;  // [Hz]
+  require(parameters.smoothingFrequency > 0.0 && parameters.smoothingFrequency <= kMaxFrequency,
           "smoothing_frequency", "above 0, up to 1000 Hz");
   require(parameters.feedback == "OPEN_LOOP" || parameters.feedback == "CLOSED_LOOP", "feedback",
           "OPEN_LOOP or CLOSED_LOOP");
@@ -88,7 +90,7 @@ base::Diagnostics problemsOf(const VelocitySmootherParameters& parameters) {
 
 double axisScale(double current, double command, const AxisLimits& limits) {
   const double change = command - current;
-  const double most = mostChange(current, command, limits);
+  const double most = maxChange(current, command, limits);
   if (change > most) {
     return most / change;
   }
@@ -96,7 +98,7 @@ double axisScale(double current, double command, const AxisLimits& limits) {
 }
 
 double limitedAxis(double current, double command, const AxisLimits& limits, double scale) {
-  const double most = mostChange(current, command, limits);
+  const double most = maxChange(current, command, limits);
   return current + std::clamp(scale * (command - current), -most, most);
 }
 
@@ -110,7 +112,7 @@ void VelocitySmoother::command(const BodyTwist& twist, double time) {
 
 std::optional<BodyTwist> VelocitySmoother::update(double time, const BodyTwist& measured) {
   odometry_.add(time, measured);
-  const std::int64_t tick = eventAt(time, parameters_.smoothingFrequency);
+  const std::int64_t tick = eventIndexAt(time, parameters_.smoothingFrequency);
   if (tick <= lastTick_) {
     return std::nullopt;
   }

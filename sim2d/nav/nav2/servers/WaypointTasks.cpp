@@ -9,36 +9,36 @@ const std::vector<Nav2Key<WaypointFollowerParameters>>& waypointFollowerKeys() {
   return kKeys;
 }
 
-const std::vector<IdleKey>& idleWaypointFollowerKeys() {
-  static const std::vector<IdleKey> kKeys = {
-      {"global_frame_id", "frames coincide here", kSinceJazzy},
-      {"loop_rate", "each step looks whether a goal is reached"},
-      {"stop_on_failure", "a robot whose tree has failed stands"}};
+const std::vector<IgnoredKey>& ignoredWaypointFollowerKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"global_frame_id", "the frames are identical", kSinceJazzy},
+      {"loop_rate", "goals are checked in every time step"},
+      {"stop_on_failure", "a robot stops when its tree has failed"}};
   return kKeys;
 }
 
 const std::vector<Nav2Key<WaypointTaskParameters>>& waypointTaskKeys(WaypointTask task) {
   using P = WaypointTaskParameters;
-  static const Nav2Key<P> kEnabled = {"enabled", &P::enabled, "", "Whether the task is done."};
-  static const std::vector<Nav2Key<P>> kWait = {
-      kEnabled,
-      {"waypoint_pause_duration", &P::pauseDuration, "ms", "How long the robot stands there."}};
+  static const Nav2Key<P> kEnabled = {"enabled", &P::enabled, "", "Whether the task is executed."};
+  static const std::vector<Nav2Key<P>> kWait = {kEnabled,
+                                                {"waypoint_pause_duration", &P::pauseDuration, "ms",
+                                                 "Time for which the robot stands at the goal."}};
   static const std::vector<Nav2Key<P>> kPhoto = {kEnabled};
   static const std::vector<Nav2Key<P>> kInput = {
-      kEnabled, {"timeout", &P::inputTimeout, "s", "How long an input is waited for."}};
+      kEnabled, {"timeout", &P::inputTimeout, "s", "Maximum wait for an input."}};
   return task == WaypointTask::Wait ? kWait : task == WaypointTask::Photo ? kPhoto : kInput;
 }
 
-const std::vector<IdleKey>& idleWaypointTaskKeys() {
-  static const std::vector<IdleKey> kKeys = {
+const std::vector<IgnoredKey>& ignoredWaypointTaskKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
       {"image_topic", "a photo is an event of the run"},
       {"save_dir", "a photo is an event of the run"},
       {"image_format", "a photo is an event of the run"},
-      {"input_topic", "no topics here: an input never comes"}};
+      {"input_topic", "ROS topics are not used: no input is received"}};
   return kKeys;
 }
 
-double durationOf(const WaypointTaskParameters& task) {
+double waypointTaskDuration(const WaypointTaskParameters& task) {
   constexpr double kMillisecond = 1e-3;  // [s]
   if (!task.enabled) {
     return 0.0;

@@ -11,14 +11,14 @@
 namespace sim2d::nav2 {
 namespace {
 
-PathHandling dwbHandling(const DwbParameters& parameters) {
-  PathHandling handling;
-  handling.rule = PathHandling::Rule::Dwb;
-  handling.prunesPlan = parameters.prunesPlan;
-  handling.pruneDistance = parameters.pruneDistance;
-  handling.forwardPruneDistance = parameters.forwardPruneDistance;
-  handling.shortensPlan = parameters.shortensPlan;
-  return handling;
+PathPruning dwbPruning(const DwbParameters& parameters) {
+  PathPruning pruning;
+  pruning.rule = PathPruning::Rule::Dwb;
+  pruning.prunesPlan = parameters.prunesPlan;
+  pruning.pruneDistance = parameters.pruneDistance;
+  pruning.forwardPruneDistance = parameters.forwardPruneDistance;
+  pruning.shortensPlan = parameters.shortensPlan;
+  return pruning;
 }
 
 }  // namespace
@@ -28,9 +28,9 @@ DwbController::DwbController(Setup setup)
       fullParameters_(parameters_),
       critics_(std::move(setup.critics)),
       generator_(setup.generator, setup.frequency),
-      handler_(dwbHandling(parameters_)),
+      handler_(dwbPruning(parameters_)),
       scales_(critics_.size()),
-      raws_(critics_.size()) {}
+      rawScores_(critics_.size()) {}
 
 void DwbController::setPlan(const Path& plan) {
   for (const NamedCritic& each : critics_) {
@@ -55,22 +55,22 @@ void DwbController::setSpeedLimit(double limit, bool isPercentage) {
   parameters_.maxVelTheta = full.maxVelTheta * ratio;
 }
 
-Control DwbController::computeVelocityCommands(const ControlInput& input) {
+ControlResult DwbController::computeVelocityCommands(const ControlInput& input) {
   LocalPlan local = handler_.localPlan(input);
   view_ = {};
   if (local.problem != nullptr) {
-    return {ControlCode::InvalidPath, local.problem};
+    return {ControllerError::InvalidPath, local.problem};
   }
   prepare(input, local.poses, input.fromPlan(goal_));
   view_.localPlan = std::move(local.poses);
-  choose();
+  selectBest();
   const bool isLegal = best_.total >= 0.0F;
   const BodyTwist command = isLegal ? best_.trajectory.velocity : BodyTwist();
   for (const NamedCritic& each : critics_) {
     each.critic->debrief(command);
   }
   if (!isLegal) {
-    return {ControlCode::NoValidControl,
+    return {ControllerError::NoValidControl,
             "Could not find a legal trajectory: No valid trajectories out of " +
                 std::to_string(generator_.commands().size()) + "!"};
   }
@@ -97,15 +97,15 @@ void DwbController::prepare(const ControlInput& input, const Path& plan, const P
   generator_.start(parameters_, input.robot, input.speed, map);
 }
 
-void DwbController::choose() {
+void DwbController::selectBest() {
   best_.total = -1.0F;
   std::size_t chosen = 0;
   for (const BodyTwist& command : generator_.commands()) {
-    generator_.generate(command, tried_);
+    generator_.generate(command, candidate_);
     float total = 0.0F;
-    if (weigh(tried_, best_.total, total) && (best_.total < 0.0F || total < best_.total)) {
+    if (evaluate(candidate_, best_.total, total) && (best_.total < 0.0F || total < best_.total)) {
       best_.total = total;
-      std::swap(best_.trajectory, tried_);
+      std::swap(best_.trajectory, candidate_);
       chosen = view_.trajectories.size() - 1;
     }
   }
@@ -114,47 +114,47 @@ void DwbController::choose() {
   }
 }
 
-/// False: illegal. Sums in single precision, as Nav2's messages have it: of totals that differ less
-/// the first wins there too.
-bool DwbController::weigh(const DwbTrajectory& trajectory, float best, float& total) {
-  std::size_t asked = 0;
-  for (; asked < critics_.size(); ++asked) {
-    raws_[asked] = 0.0F;
-    if (scales_[asked] == 0.0F) {
+/// Returns false for an invalid trajectory. Sums in single precision like Nav2's messages, so that
+/// the first of nearly equal totals wins as there.
+bool DwbController::evaluate(const DwbTrajectory& trajectory, float best, float& total) {
+  std::size_t evaluated = 0;
+  for (; evaluated < critics_.size(); ++evaluated) {
+    rawScores_[evaluated] = 0.0F;
+    if (scales_[evaluated] == 0.0F) {
       continue;
     }
-    const DwbPrice price = critics_[asked].critic->price(trajectory);
-    if (price.refusal != nullptr) {
-      show(trajectory, -1.0F, asked, price.refusal);
+    const DwbScore score = critics_[evaluated].critic->score(trajectory);
+    if (score.rejection != nullptr) {
+      recordTrajectory(trajectory, -1.0F, evaluated, score.rejection);
       return false;
     }
-    raws_[asked] = static_cast<float>(price.raw);
+    rawScores_[evaluated] = static_cast<float>(score.raw);
     total = static_cast<float>(static_cast<double>(total) +
-                               price.raw * static_cast<double>(scales_[asked]));
+                               score.raw * static_cast<double>(scales_[evaluated]));
     if (parameters_.shortCircuits && best > 0.0F && total > best) {
-      ++asked;
-      break;  // what is added is positive: it stays dearer
+      ++evaluated;
+      break;  // later scores are not negative: it stays worse
     }
   }
-  show(trajectory, total, asked, nullptr);
+  recordTrajectory(trajectory, total, evaluated, nullptr);
   return true;
 }
 
-void DwbController::show(const DwbTrajectory& trajectory, float total, std::size_t asked,
-                         const char* refusal) {
+void DwbController::recordTrajectory(const DwbTrajectory& trajectory, float total,
+                                     std::size_t evaluated, const char* rejection) {
   if (!isWatched()) {
     return;
   }
-  WeighedTrajectory weighed;
+  EvaluatedTrajectory weighed;
   weighed.poses = trajectory.poses;
   weighed.twist = trajectory.velocity;
   weighed.total = static_cast<double>(total);
-  for (std::size_t i = 0; i < asked; ++i) {
+  for (std::size_t i = 0; i < evaluated; ++i) {
     weighed.scores.push_back(
-        {critics_[i].name, static_cast<double>(raws_[i]), static_cast<double>(scales_[i])});
+        {critics_[i].name, static_cast<double>(rawScores_[i]), static_cast<double>(scales_[i])});
   }
-  if (refusal != nullptr) {
-    weighed.refusal = critics_[asked].name + ": " + refusal;
+  if (rejection != nullptr) {
+    weighed.rejection = critics_[evaluated].name + ": " + rejection;
   }
   view_.trajectories.push_back(std::move(weighed));
 }

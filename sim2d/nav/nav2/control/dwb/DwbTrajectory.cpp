@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/control/dwb/VelocitySamples.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-/// Index of the place's cell, -1 off the map: as Costmap::worldToCell, in less time.
+/// Index of the cell at a position, -1 off the map; equivalent to Costmap::worldToCell, but faster.
 class CellIndex {
  public:
   explicit CellIndex(const Costmap& costmap)
@@ -74,8 +73,8 @@ void TrajectoryGenerator::start(const DwbParameters& parameters, const Pose2& ro
   costmap_ = &costmap;
   robot_ = robot;
   speed_ = speed;
-  turningCount_ = 0;
-  lastTurning_ = 0;
+  headingProfileCount_ = 0;
+  lastHeadingProfile_ = 0;
   double time = parameters.simTime;
   if (kind_ == Kind::LimitedAccel) {
     time = parameters.simPeriod == 0.0 ? period_ : parameters.simPeriod;
@@ -94,21 +93,22 @@ BodyTwist TrajectoryGenerator::next(const BodyTwist& velocity, const BodyTwist& 
           projectVelocity(velocity.lateral, p.accLimY, p.decelLimY, dt, command.lateral)};
 }
 
-const std::vector<TrajectoryGenerator::Step>& TrajectoryGenerator::turning(double angular,
-                                                                           int count) {
+const std::vector<TrajectoryGenerator::Step>& TrajectoryGenerator::headingProfile(double angular,
+                                                                                  int count) {
   const auto size = static_cast<std::size_t>(count);
-  for (std::size_t tried = 0; tried < turningCount_; ++tried) {
-    lastTurning_ = lastTurning_ + 1 < turningCount_ ? lastTurning_ + 1 : 0;
-    const Turning& known = turnings_[lastTurning_];
+  for (std::size_t tried = 0; tried < headingProfileCount_; ++tried) {
+    lastHeadingProfile_ =
+        lastHeadingProfile_ + 1 < headingProfileCount_ ? lastHeadingProfile_ + 1 : 0;
+    const HeadingProfile& known = headingProfiles_[lastHeadingProfile_];
     if (known.angular == angular && known.steps.size() == size) {
       return known.steps;
     }
   }
-  if (turningCount_ == turnings_.size()) {
-    turnings_.emplace_back();
+  if (headingProfileCount_ == headingProfiles_.size()) {
+    headingProfiles_.emplace_back();
   }
-  lastTurning_ = turningCount_++;
-  Turning& fresh = turnings_[lastTurning_];
+  lastHeadingProfile_ = headingProfileCount_++;
+  HeadingProfile& fresh = headingProfiles_[lastHeadingProfile_];
   fresh.angular = angular;
   fresh.steps.resize(size);
   const double dt = parameters_->simTime / count;
@@ -127,7 +127,7 @@ void TrajectoryGenerator::generate(const BodyTwist& command, DwbTrajectory& traj
   const DwbParameters& p = *parameters_;
   const int count = stepCount(p, command);
   const double dt = p.simTime / count;
-  const std::vector<Step>& turned = turning(command.angular, count);
+  const std::vector<Step>& turned = headingProfile(command.angular, count);
   const std::size_t size = turned.size() + (p.includesLastPoint ? 2 : 1);
   trajectory.step = dt;
   trajectory.poses.resize(size);
@@ -138,12 +138,12 @@ void TrajectoryGenerator::generate(const BodyTwist& command, DwbTrajectory& traj
   Vec2 place = robot_.position;
   trajectory.poses[0] = robot_;
   trajectory.cells[0] = indexOf(place);
-  // Who has reached the command keeps it.
+  // A velocity that has reached the command stays constant.
   double x = isRamp ? speed_.linear : command.linear;
   double y = isRamp ? speed_.lateral : command.lateral;
   for (std::size_t i = 0; i < turned.size(); ++i) {
     const Step& step = turned[i];
-    if (isRamp && (x != command.linear || p.decelLimX > 0.0)) {  // such a "deceleration" drives on
+    if (isRamp && (x != command.linear || p.decelLimX > 0.0)) {  // such a limit accelerates
       x = projectVelocity(x, p.accLimX, p.decelLimX, dt, command.linear);
     }
     if (isRamp && (y != command.lateral || p.decelLimY > 0.0)) {
@@ -157,6 +157,85 @@ void TrajectoryGenerator::generate(const BodyTwist& command, DwbTrajectory& traj
   trajectory.cells.back() = trajectory.cells[turned.size()];
   const auto off = std::find(trajectory.cells.begin(), trajectory.cells.end(), -1);
   trajectory.onMap = static_cast<std::size_t>(off - trajectory.cells.begin());
+}
+
+namespace {
+
+constexpr double kSampleEpsilon = 1e-5;
+
+bool isValidSpeed(const DwbParameters& p, const BodyTwist& twist) {
+  const double squared = twist.linear * twist.linear + twist.lateral * twist.lateral;
+  if (p.maxSpeedXy >= 0.0 && squared > p.maxSpeedXy * p.maxSpeedXy) {
+    return false;
+  }
+  const bool isSlow = p.minSpeedXy >= 0.0 && squared < p.minSpeedXy * p.minSpeedXy;
+  const bool turnsSlowly = p.minSpeedTheta >= 0.0 && std::abs(twist.angular) < p.minSpeedTheta;
+  return !(isSlow && turnsSlowly) && !(squared == 0.0 && twist.angular == 0.0);
+}
+
+}  // namespace
+
+double projectVelocity(double v, double acceleration, double deceleration, double dt,
+                       double target) {
+  return v < target ? std::min(target, v + acceleration * dt)
+                    : std::max(target, v + deceleration * dt);
+}
+
+std::vector<double> axisSamples(const VelocityAxis& axis, double v, double time, int count) {
+  // Like std::clamp, but defined if the bounds are swapped.
+  const double now = v < axis.least ? axis.least : std::min(v, axis.most);
+  const double hi = projectVelocity(now, axis.acceleration, axis.deceleration, time, axis.most);
+  const double lo = projectVelocity(now, axis.acceleration, axis.deceleration, time, axis.least);
+  double increment = 1.0;
+  if (std::abs(hi - lo) >= kSampleEpsilon) {
+    increment = (hi - lo) / (std::max(2, count) - 1);
+  }
+  // An increment below the rounding error of large velocities would not end the loop.
+  const auto most = static_cast<std::size_t>(std::max(2, count)) + 2;
+  std::vector<double> samples;
+  for (double value = lo; !(value > hi + kSampleEpsilon) && samples.size() < most;
+       value += increment) {
+    samples.push_back(value);
+    const double next = value + increment;
+    if (value < 0.0 && next > 0.0 && next <= hi + kSampleEpsilon) {
+      samples.push_back(0.0);
+    }
+    if (!(increment > 0.0)) {
+      break;  // the bounds are swapped
+    }
+  }
+  return samples;
+}
+
+VelocityAxis axisX(const DwbParameters& p) {
+  return {p.minVelX, p.maxVelX, p.accLimX, p.decelLimX};
+}
+
+VelocityAxis axisY(const DwbParameters& p) {
+  return {p.minVelY, p.maxVelY, p.accLimY, p.decelLimY};
+}
+
+VelocityAxis axisTheta(const DwbParameters& p) {
+  return {-p.maxVelTheta, p.maxVelTheta, p.accLimTheta, p.decelLimTheta};
+}
+
+void velocitySamples(const DwbParameters& p, const BodyTwist& now, double time,
+                     std::vector<BodyTwist>& samples) {
+  const std::vector<double> xs = axisSamples(axisX(p), now.linear, time, p.vxSamples);
+  const std::vector<double> ys = axisSamples(axisY(p), now.lateral, time, p.vySamples);
+  const std::vector<double> thetas = axisSamples(axisTheta(p), now.angular, time, p.vthetaSamples);
+  samples.clear();
+  samples.reserve(xs.size() * ys.size() * thetas.size());
+  for (const double x : xs) {
+    for (const double y : ys) {
+      for (const double theta : thetas) {
+        const BodyTwist twist{x, theta, y};
+        if (isValidSpeed(p, twist)) {
+          samples.push_back(twist);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace sim2d::nav2

@@ -7,31 +7,31 @@
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/control/dwb/DwbParameters.h"
 
-/// How a command would go on (dwb_plugins: standard_traj_generator.cpp,
+/// Trajectories that result from commands (dwb_plugins: standard_traj_generator.cpp,
 /// limited_accel_generator.cpp).
 namespace sim2d::nav2 {
 
 struct DwbTrajectory {
-  BodyTwist velocity;        // the command it stands for
-  std::vector<Pose2> poses;  // the robot's first, the last twice with include_last_point
-  std::vector<int> cells;    // of each pose: index in the costmap, -1 off it
-  std::size_t onMap = 0;     // poses before the first off the map
-  double step = 0.0;         // [s] between poses
+  BodyTwist velocity;        // the command of the trajectory
+  std::vector<Pose2> poses;  // robot first; last one twice with include_last_point
+  std::vector<int> cells;    // index in the costmap of each pose, -1 off it
+  std::size_t onMap = 0;     // number of poses before the first one off the map
+  double step = 0.0;         // time between poses [s]
 
-  /// Where it is after `time` [s], in between straight.
+  /// Linearly interpolated pose after `time` [s].
   Pose2 at(double time) const;
 };
 
-/// Poses between the first and the end of a command.
+/// Number of steps from the robot's pose to the end of a trajectory.
 int stepCount(const DwbParameters& parameters, const BodyTwist& command);
 
-/// Makes trajectories of one cycle; buffers are kept.
+/// Generates the trajectories of one cycle; reuses its buffers.
 class TrajectoryGenerator {
  public:
   enum class Kind { Standard, LimitedAccel };
   TrajectoryGenerator(Kind kind, double frequency);
 
-  /// A cycle from here on. The costmap must live through it.
+  /// Starts a cycle. The costmap must outlive it.
   void start(const DwbParameters& parameters, const Pose2& robot, const BodyTwist& speed,
              const Costmap& costmap);
   const std::vector<BodyTwist>& commands() const { return commands_; }
@@ -39,27 +39,54 @@ class TrajectoryGenerator {
 
  private:
   struct Step {
-    double heading;   // [rad] after it
-    double sin, cos;  // of the heading before it
+    double heading;   // [rad], after the step
+    double sin, cos;  // of the heading before the step
   };
-  /// Headings depend on the angular command and the number of steps alone: they are kept.
-  struct Turning {
+  /// Headings depend only on the angular command and the number of steps, and are cached.
+  struct HeadingProfile {
     double angular = 0.0;  // [rad/s]
     std::vector<Step> steps;
   };
-  const std::vector<Step>& turning(double angular, int count);
+  const std::vector<Step>& headingProfile(double angular, int count);
   BodyTwist next(const BodyTwist& velocity, const BodyTwist& command, double dt) const;
 
   Kind kind_;
-  double period_;  // [s] of the controller
+  double period_;  // controller period [s]
   const DwbParameters* parameters_ = nullptr;
   const Costmap* costmap_ = nullptr;
   Pose2 robot_;
   BodyTwist speed_;
   std::vector<BodyTwist> commands_;
-  std::vector<Turning> turnings_;  // those of this cycle come first
-  std::size_t turningCount_ = 0;
-  std::size_t lastTurning_ = 0;
+  std::vector<HeadingProfile> headingProfiles_;  // those of this cycle come first
+  std::size_t headingProfileCount_ = 0;
+  std::size_t lastHeadingProfile_ = 0;
 };
+
+/// Velocities that DWB samples (dwb_plugins: velocity_iterator.hpp, one_d_velocity_iterator.hpp).
+
+/// The velocity nearest to a target that is reachable from v within `dt` [s]; acceleration > 0,
+/// deceleration < 0.
+double projectVelocity(double v, double acceleration, double deceleration, double dt,
+                       double target);
+
+/// Limits of one axis.
+struct VelocityAxis {
+  double least = 0.0, most = 0.0;  // [m/s] or [rad/s]
+  double acceleration = 0.0;       // > 0
+  double deceleration = 0.0;       // < 0
+};
+/// Samples in ascending order: about `count` velocities reachable within `time` [s] from v, plus 0
+/// if the samples skip it.
+std::vector<double> axisSamples(const VelocityAxis& axis, double v, double time, int count);
+
+/// Limits from the parameters; theta's minimum is the negative of its maximum.
+VelocityAxis axisX(const DwbParameters& parameters);
+VelocityAxis axisY(const DwbParameters& parameters);
+VelocityAxis axisTheta(const DwbParameters& parameters);
+
+/// All valid combinations in Nav2's order: theta varies fastest, x slowest. Excludes standing
+/// still. `time` [s] within which they must be reachable.
+void velocitySamples(const DwbParameters& parameters, const BodyTwist& now, double time,
+                     std::vector<BodyTwist>& samples);
 
 }  // namespace sim2d::nav2

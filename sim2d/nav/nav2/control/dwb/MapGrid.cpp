@@ -15,16 +15,16 @@ void MapGrid::clear(int width, int height) {
   height_ = height;
   hasSeeds_ = false;
   const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  values_.assign(cells, kNotYet);
+  values_.assign(cells, kUnvisited);
   isFound_.assign(cells, 0);
   entries_.resize(cells);
-  for (std::size_t pile = nearest_; pile <= farthest_ && waiting_ > 0; ++pile) {
-    piles_[pile] = -1;
+  for (std::size_t bucket = nearest_; bucket <= farthest_ && waiting_ > 0; ++bucket) {
+    buckets_[bucket] = -1;
   }
   const auto side = static_cast<std::size_t>(width);
   const auto other = static_cast<std::size_t>(height);
-  piles_.resize(side * side + other * other + 1, -1);
-  nearest_ = piles_.size();
+  buckets_.resize(side * side + other * other + 1, -1);
+  nearest_ = buckets_.size();
   farthest_ = 0;
   waiting_ = 0;
 }
@@ -40,27 +40,28 @@ void MapGrid::seed(Cell cell) {
 void MapGrid::push(std::int32_t cell, int dx, int dy) {
   const auto index = static_cast<std::size_t>(cell);
   const int squared = dx * dx + dy * dy;
-  const auto pile = static_cast<std::size_t>(squared);
+  const auto bucket = static_cast<std::size_t>(squared);
   isFound_[index] = 1;
-  entries_[index] = {piles_[pile], static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy)};
-  piles_[pile] = cell;
-  nearest_ = std::min(nearest_, pile);
-  farthest_ = std::max(farthest_, pile);
+  entries_[index] = {buckets_[bucket], static_cast<std::int16_t>(dx),
+                     static_cast<std::int16_t>(dy)};
+  buckets_[bucket] = cell;
+  nearest_ = std::min(nearest_, bucket);
+  farthest_ = std::max(farthest_, bucket);
   ++waiting_;
 }
 
 std::int32_t MapGrid::pop() {
-  while (piles_[nearest_] < 0) {
+  while (buckets_[nearest_] < 0) {
     ++nearest_;
   }
-  const std::int32_t cell = piles_[nearest_];
-  piles_[nearest_] = entries_[static_cast<std::size_t>(cell)].next;
+  const std::int32_t cell = buckets_[nearest_];
+  buckets_[nearest_] = entries_[static_cast<std::size_t>(cell)].next;
   --waiting_;
   return cell;
 }
 
-void MapGrid::growTo(std::size_t wanted) {
-  while (waiting_ > 0 && values_[wanted] == kNotYet) {
+void MapGrid::propagateTo(std::size_t wanted) {
+  while (waiting_ > 0 && values_[wanted] == kUnvisited) {
     const std::int32_t cell = pop();
     const auto index = static_cast<std::size_t>(cell);
     const int dx = entries_[index].dx, dy = entries_[index].dy;
@@ -81,7 +82,7 @@ void MapGrid::growTo(std::size_t wanted) {
   }
 }
 
-Path refined(const Path& path, double resolution) {
+Path adjustPlanResolution(const Path& path, double resolution) {
   if (path.empty()) {
     return {};
   }
@@ -106,7 +107,7 @@ Path refined(const Path& path, double resolution) {
 
 std::vector<Cell> pathSeeds(const Path& path, const Costmap& costmap) {
   std::vector<Cell> seeds;
-  for (const Pose2& pose : refined(path, costmap.resolution())) {
+  for (const Pose2& pose : adjustPlanResolution(path, costmap.resolution())) {
     const std::optional<Cell> cell = costmap.worldToCell(pose.position);
     if (cell && costmap.at(*cell) != kNoInformation) {
       seeds.push_back(*cell);

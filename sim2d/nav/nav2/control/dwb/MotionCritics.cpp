@@ -12,7 +12,7 @@ double squaredSpeed(const BodyTwist& twist) {
   return twist.linear * twist.linear + twist.lateral * twist.lateral;
 }
 
-/// At the goal: brake first, then turn on the spot.
+/// Near the goal: first requires braking, then rotation in place.
 class RotateToGoalCritic final : public DwbCritic {
  public:
   explicit RotateToGoalCritic(const DwbCriticSetup& setup)
@@ -34,7 +34,7 @@ class RotateToGoalCritic final : public DwbCritic {
     isRotating_ = isRotating_ || (isInWindow_ && speedSquared_ <= stopped_ * stopped_);
     goalHeading_ = scene.goal.heading;
   }
-  DwbPrice price(const DwbTrajectory& trajectory) override {
+  DwbScore score(const DwbTrajectory& trajectory) override {
     if (!isInWindow_) {
       return 0.0;
     }
@@ -43,21 +43,21 @@ class RotateToGoalCritic final : public DwbCritic {
       if (squared >= speedSquared_) {
         return "Not slowing down near goal.";
       }
-      return squared * parameters_.slowingFactor + turnLeft(trajectory);
+      return squared * parameters_.slowingFactor + remainingTurn(trajectory);
     }
     const BodyTwist& velocity = trajectory.velocity;
     if (std::abs(velocity.linear) > kStandstill || std::abs(velocity.lateral) > kStandstill) {
       return "Nonrotation command near goal.";
     }
-    return turnLeft(trajectory);
+    return remainingTurn(trajectory);
   }
   double scale(double /*resolution*/) const override { return parameters_.scale; }
 
  private:
   static constexpr double kStandstill = 1e-5;          // [m/s]
-  static constexpr double kPathLengthTolerance = 1.0;  // [m]; its key lacks a dot in Nav2
+  static constexpr double kPathLengthTolerance = 1.0;  // [m]; its key in Nav2 lacks a dot
 
-  double turnLeft(const DwbTrajectory& trajectory) const {
+  double remainingTurn(const DwbTrajectory& trajectory) const {
     const double end = parameters_.lookaheadTime >= 0.0
                            ? trajectory.at(parameters_.lookaheadTime).heading
                            : trajectory.poses.back().heading;
@@ -73,11 +73,11 @@ class RotateToGoalCritic final : public DwbCritic {
   double goalHeading_ = 0.0;   // [rad]
 };
 
-/// Signs that an axis has had.
-class AxisTrend {
+/// Tracks the sign of the velocity along one axis.
+class CommandTrend {
  public:
   void reset() { *this = {}; }
-  /// True when the sign flipped: the old one is forbidden now.
+  /// Returns true on a sign change, after which the old sign is forbidden.
   bool update(double velocity) {
     if (velocity == 0.0 || std::isnan(velocity)) {
       return false;
@@ -95,11 +95,11 @@ class AxisTrend {
   bool hasFlipped() const { return isNegativeForbidden_ || isPositiveForbidden_; }
 
  private:
-  int sign_ = 0;  // of the last velocity that was not 0
+  int sign_ = 0;  // sign of the last nonzero velocity
   bool isNegativeForbidden_ = false, isPositiveForbidden_ = false;
 };
 
-/// No to and fro: after a change of sign the old one is illegal until the robot has got on.
+/// Prevents oscillation: after a sign change the old sign is invalid until the robot has moved on.
 class OscillationCritic final : public DwbCritic {
  public:
   explicit OscillationCritic(const DwbCriticSetup& setup) : parameters_(setup.parameters) {}
@@ -113,7 +113,7 @@ class OscillationCritic final : public DwbCritic {
     robot_ = scene.input.robot;
     time_ = scene.input.time;
   }
-  DwbPrice price(const DwbTrajectory& trajectory) override {
+  DwbScore score(const DwbTrajectory& trajectory) override {
     const BodyTwist& velocity = trajectory.velocity;
     if (x_.forbids(velocity.linear) || y_.forbids(velocity.lateral) ||
         theta_.forbids(velocity.angular)) {
@@ -131,20 +131,20 @@ class OscillationCritic final : public DwbCritic {
       flip_ = robot_;
       flipTime_ = time_;
     }
-    if ((x_.hasFlipped() || y_.hasFlipped() || theta_.hasFlipped()) && hasGotOn()) {
+    if ((x_.hasFlipped() || y_.hasFlipped() || theta_.hasFlipped()) && hasProgressed()) {
       reset();
     }
   }
   double scale(double /*resolution*/) const override { return parameters_.scale; }
 
  private:
-  bool hasGotOn() const {
+  bool hasProgressed() const {
     const DwbCriticParameters& p = parameters_;
     const double squared = (robot_.position - flip_.position).squaredNorm();
     if (p.resetDistance >= 0.0 && squared > p.resetDistance * p.resetDistance) {
       return true;
     }
-    // As in Nav2 the headings are subtracted as they are: passing pi counts as a turn.
+    // As in Nav2 headings are subtracted without wrapping: crossing pi counts as a rotation.
     if (p.resetAngle >= 0.0 && std::abs(robot_.heading - flip_.heading) > p.resetAngle) {
       return true;
     }
@@ -152,7 +152,7 @@ class OscillationCritic final : public DwbCritic {
   }
 
   DwbCriticParameters parameters_;
-  AxisTrend x_, y_, theta_;
+  CommandTrend x_, y_, theta_;
   Pose2 robot_, flip_;
   double time_ = 0.0, flipTime_ = 0.0;  // [s]
 };
@@ -160,7 +160,7 @@ class OscillationCritic final : public DwbCritic {
 class PreferForwardCritic final : public DwbCritic {
  public:
   explicit PreferForwardCritic(const DwbCriticSetup& setup) : parameters_(setup.parameters) {}
-  DwbPrice price(const DwbTrajectory& trajectory) override {
+  DwbScore score(const DwbTrajectory& trajectory) override {
     const DwbCriticParameters& p = parameters_;
     const double x = trajectory.velocity.linear, turn = std::abs(trajectory.velocity.angular);
     if (x < 0.0 || (x < p.strafeX && turn < p.strafeTheta)) {
@@ -177,7 +177,7 @@ class PreferForwardCritic final : public DwbCritic {
 class TwirlingDwbCritic final : public DwbCritic {
  public:
   explicit TwirlingDwbCritic(const DwbCriticSetup& setup) : scale_(setup.parameters.scale) {}
-  DwbPrice price(const DwbTrajectory& trajectory) override {
+  DwbScore score(const DwbTrajectory& trajectory) override {
     return std::abs(trajectory.velocity.angular);
   }
   double scale(double /*resolution*/) const override { return scale_; }
@@ -199,25 +199,30 @@ std::vector<DwbCriticType> motionCriticTypes() {
   return {
       {"dwb_critics::RotateToGoalCritic",
        {scale,
-        {"slowing_factor", &P::slowingFactor, "s^2/m^2", "price of speed near the goal"},
+        {"slowing_factor", &P::slowingFactor, "s^2/m^2", "weight of the speed near the goal"},
         {"lookahead_time", &P::lookaheadTime, "s",
-         "whose heading counts; negative: that of the end"}},
+         "time of the pose whose heading is scored; negative: the last pose"}},
        makeMotionCritic<RotateToGoalCritic>},
       {"dwb_critics::OscillationCritic",
        {scale,
         {"oscillation_reset_dist", &P::resetDistance, "m",
-         "so far from the flip it is forgotten; negative: never"},
-        {"oscillation_reset_angle", &P::resetAngle, "rad", "idem, turned"},
-        {"oscillation_reset_time", &P::resetTime, "s", "idem, later"},
+         "distance after a change of direction from which it is forgotten; negative: never"},
+        {"oscillation_reset_angle", &P::resetAngle, "rad",
+         "rotation after a change of direction from which it is forgotten"},
+        {"oscillation_reset_time", &P::resetTime, "s",
+         "time after a change of direction from which it is forgotten"},
         {"x_only_threshold", &P::xOnlyThreshold, "m/s",
-         "faster ahead turns and strafes are not noted; negative: always"}},
+         "forward speed above which rotation and lateral motion are not tracked; negative: always "
+         "tracked"}},
        makeMotionCritic<OscillationCritic>},
       {"dwb_critics::PreferForwardCritic",
        {scale,
-        {"penalty", &P::penalty, "", "price of driving backwards or creeping"},
-        {"strafe_x", &P::strafeX, "m/s", "slower ahead, unless turning, is creeping"},
-        {"strafe_theta", &P::strafeTheta, "rad/s", "turning"},
-        {"theta_scale", &P::thetaScale, "s/rad", "price of turning"}},
+        {"penalty", &P::penalty, "", "cost of driving backwards or very slowly"},
+        {"strafe_x", &P::strafeX, "m/s",
+         "forward speed below which the motion counts as very slow"},
+        {"strafe_theta", &P::strafeTheta, "rad/s",
+         "turn rate above which very slow motion has no cost"},
+        {"theta_scale", &P::thetaScale, "s/rad", "weight of the turn rate"}},
        makeMotionCritic<PreferForwardCritic>},
       {"dwb_critics::TwirlingCritic", {scale}, makeMotionCritic<TwirlingDwbCritic>},
   };

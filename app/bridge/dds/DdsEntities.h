@@ -1,0 +1,182 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+#include <fastdds/dds/topic/TopicDataType.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/bridge/dds/Discovery.h"
+#include "app/bridge/dds/Domain.h"
+#include "app/bridge/dds/Participant.h"
+
+/// DDS entities shared by the endpoints of a participant. Private to this folder.
+namespace bridge {
+
+namespace efd = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+
+Guid guidOf(const rtps::GUID_t& guid);
+
+/// Wakes the spinning thread when data or a match arrives. Notified by DDS threads.
+class WakeSignal : public efd::DataReaderListener {
+ public:
+  void on_data_available(efd::DataReader* /*reader*/) override { notify(); }
+  void on_subscription_matched(efd::DataReader* /*reader*/,
+                               const efd::SubscriptionMatchedStatus& /*status*/) override {
+    notify();
+  }
+  void notify();
+  std::uint64_t count();
+  /// Waits until a notification after `seen`. False: timeout.
+  bool waitAfter(std::uint64_t seen, std::chrono::steady_clock::time_point until);
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable notified_;
+  std::uint64_t count_ = 0;
+};
+
+/// The remote readers matched with a writer. Notifies the signal when the set changes.
+class MatchedReaders : public efd::DataWriterListener {
+ public:
+  explicit MatchedReaders(WakeSignal& wakeSignal) : wakeSignal_(wakeSignal) {}
+  void on_publication_matched(efd::DataWriter* writer,
+                              const efd::PublicationMatchedStatus& status) override;
+  /// If the entity id is unknown: whether any reader of the participant is matched. If the GUID is
+  /// unknown: true.
+  bool has(const rtps::GUID_t& reader);
+
+ private:
+  WakeSignal& wakeSignal_;
+  std::mutex mutex_;
+  std::set<rtps::GUID_t> matched_;
+};
+
+/// An endpoint that `spin` polls for samples.
+class SampleSource {
+ public:
+  virtual ~SampleSource() = default;
+  virtual bool deliverOne() = 0;  // false: no sample
+};
+
+/// The DDS participant with its publisher, subscriber and topics. Endpoints share ownership.
+class DdsEntities {
+ public:
+  static std::shared_ptr<DdsEntities> create(const DomainSettings& settings);
+  ~DdsEntities();
+  DdsEntities(const DdsEntities&) = delete;
+  DdsEntities& operator=(const DdsEntities&) = delete;
+  DdsEntities(DdsEntities&&) = delete;
+  DdsEntities& operator=(DdsEntities&&) = delete;
+
+  // Null on failure.
+  efd::DataWriter* makeWriter(const std::string& topic, const std::string& type, const Qos& qos,
+                              const std::string& userData, MatchedReaders* listener);
+  efd::DataReader* makeReader(const std::string& topic, const std::string& type, const Qos& qos,
+                              const std::string& userData,
+                              efd::DataReaderListener* listener = nullptr);  // null: wake signal
+  void drop(efd::DataWriter* writer);
+  void drop(efd::DataReader* reader);
+
+  Guid guid() const { return guidOf(participant_->guid()); }
+  rtps::GuidPrefix_t prefix() const { return participant_->guid().guidPrefix; }
+  /// The DDS type of a topic in this participant; empty: topic not created.
+  std::string typeOf(const std::string& topic) const;
+
+  DomainSettings settings;
+  RemoteTopics remote;
+  WakeSignal wakeSignal;
+  std::vector<SampleSource*> sources;
+  std::vector<NodeEndpoints> nodes;
+
+ private:
+  DdsEntities() = default;
+  efd::Topic* topicOf(const std::string& name, const std::string& type);
+
+  efd::DomainParticipant* participant_ = nullptr;
+  efd::Publisher* publisher_ = nullptr;
+  efd::Subscriber* subscriber_ = nullptr;
+  std::map<std::string, efd::Topic*> topics_;
+};
+
+using DdsPtr = std::shared_ptr<DdsEntities>;
+
+/// Owns a writer and lists it with its node while it exists.
+class OwnedWriter {
+ public:
+  OwnedWriter(DdsPtr dds, int node, efd::DataWriter* writer);
+  ~OwnedWriter();
+  OwnedWriter(const OwnedWriter&) = delete;
+  OwnedWriter& operator=(const OwnedWriter&) = delete;
+  OwnedWriter(OwnedWriter&&) = delete;
+  OwnedWriter& operator=(OwnedWriter&&) = delete;
+  efd::DataWriter* operator->() const { return writer_; }
+  bool write(const Bytes& bytes, rtps::WriteParams& parameters) const;
+  int matched() const;
+
+ private:
+  DdsPtr dds_;
+  int node_;
+  efd::DataWriter* writer_;
+};
+
+/// Takes the next sample with valid data. False: none.
+bool takeNext(efd::DataReader& reader, Bytes& bytes, efd::SampleInfo& info);
+
+class OwnedReader {
+ public:
+  OwnedReader(DdsPtr dds, int node, efd::DataReader* reader);
+  ~OwnedReader();
+  OwnedReader(const OwnedReader&) = delete;
+  OwnedReader& operator=(const OwnedReader&) = delete;
+  OwnedReader(OwnedReader&&) = delete;
+  OwnedReader& operator=(OwnedReader&&) = delete;
+  efd::DataReader* operator->() const { return reader_; }
+  bool take(Bytes& bytes, efd::SampleInfo& info) const { return takeNext(*reader_, bytes, info); }
+  int matched() const;
+
+ private:
+  DdsPtr dds_;
+  int node_;
+  efd::DataReader* reader_;
+};
+
+/// DDS names of a service, for both RMW implementations.
+struct ServiceNames {
+  std::string requestTopic, replyTopic, requestType, replyType;
+};
+std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNames& names,
+                                   const Qos& qos, Participant::ServiceCallback callback);
+std::unique_ptr<Client> makeClient(const DdsPtr& dds, int node, const ServiceNames& names);
+
+/// A DDS type known only by name. Samples are `Bytes` with the CDR header.
+class RawType : public eprosima::fastdds::dds::TopicDataType {
+ public:
+  explicit RawType(const std::string& name);
+
+  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
+  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override;
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
+  void* createData() override;
+  void deleteData(void* data) override;
+  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle,
+              bool forceMd5) override;
+};
+
+}  // namespace bridge

@@ -1,0 +1,265 @@
+#include "app/bridge/live/FoxglovePublisher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/Definition.h"
+#include "app/bridge/topics/RunMessages.h"
+
+namespace live {
+
+namespace {
+
+struct Float64 {
+  static constexpr const char* kType = "std_msgs/msg/Float64";
+
+  double data = 0;
+
+  template <class Self, class F>
+  static void fields(Self& self, F&& field) {
+    field("data", self.data);
+  }
+};
+
+/// A selection without windows, series and per-robot results: nothing that grows with the run.
+metrics::Selection withoutSeries(metrics::Selection selection) {
+  selection.window = {};
+  selection.series = selection.seriesOnDisk = false;
+  selection.behaviors = selection.behaviorSeries = false;
+  selection.everyRobot = false;
+  return selection;
+}
+
+}  // namespace
+
+RunMetrics::RunMetrics(const sim2d::TraceHeader& header, const metrics::Selection& selection,
+                       const metrics::MetricParameters& parameters)
+    : evaluation_(header, withoutSeries(selection), parameters) {
+  for (const metrics::MetricEntry& entry : selection.entries(metrics::standardRegistry())) {
+    channelOf_[entry.info.key] = channels_.size();
+    channels_.push_back({"/hunavsim/metrics/" + entry.info.key, Float64::kType,
+                         bridge::definition<Float64>(), false});
+  }
+}
+
+void RunMetrics::add(const sim2d::Frame& frame, const std::function<sim2d::TraceHeader()>& header) {
+  const std::vector<int>& ids = frame.humans.id;
+  if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
+    const sim2d::TraceHeader now = header();
+    evaluation_.addHumans(now.humans);
+    for (const sim2d::TraceHuman& human : now.humans) {
+      known_.insert(human.id);
+    }
+  }
+  for (const sim2d::Event& event : frame.events) {
+    evaluation_.note(frame.time, event);
+  }
+  evaluation_.append(frame);
+}
+
+void RunMetrics::publish(const std::function<void(std::size_t, std::string&&)>& publish) const {
+  for (const metrics::MetricResult& result : evaluation_.values()) {
+    const auto channel = channelOf_.find(result.info.key);
+    if (channel != channelOf_.end() && result.value.value) {
+      publish(channel->second, bridge::encode(Float64{*result.value.value}));
+    }
+  }
+}
+
+namespace {
+
+constexpr std::chrono::microseconds kBetweenFrames{16000};  // about the display rate
+constexpr std::chrono::milliseconds kBetweenMetrics{250};   // computing them takes time
+
+constexpr std::size_t kMostWarnings = 5;     // pages may retry with many origins
+constexpr std::size_t kLongestOrigin = 200;  // [B]
+
+/// The robots with planner `teleop`.
+std::vector<RunControl::TeleopRobot> teleopRobots(const sim2d::TraceHeader& header) {
+  std::vector<RunControl::TeleopRobot> driven;
+  for (const sim2d::TraceRobot& robot : header.robots) {
+    if (robot.planner == "teleop") {
+      const bool isFirst = &robot == &header.robots.front();
+      driven.push_back({(isFirst ? "" : "/" + robot.name) + "/cmd_vel", robot.id});
+    }
+  }
+  return driven;
+}
+
+std::string newSessionName() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::to_string(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
+}
+
+}  // namespace
+
+FoxglovePublisher::FoxglovePublisher(app::Session& session, sim2d::World& world,
+                                     const sim2d::Scenario& scenario,
+                                     const std::string& scenarioName,
+                                     const app::MetricsSetup& metrics,
+                                     const FoxglovePublisherSettings& settings)
+    : session_(session),
+      world_(world),
+      topics_(world.header(), bridge::lidarsOf(scenario)),
+      metrics_(world.header(), metrics.selection, metrics.parameters),
+      control_(session, {scenarioName, static_cast<std::int64_t>(world.header().seed), world.dt()},
+               settings.canDrive ? teleopRobots(world.header())
+                                 : std::vector<RunControl::TeleopRobot>()) {}
+
+base::Result<std::unique_ptr<FoxglovePublisher>> FoxglovePublisher::open(
+    const FoxglovePublisherSettings& settings, app::Session& session, sim2d::World& world,
+    const sim2d::Scenario& scenario, const std::string& scenarioName,
+    const app::MetricsSetup& metrics) {
+  std::unique_ptr<FoxglovePublisher> run(
+      new FoxglovePublisher(session, world, scenario, scenarioName, metrics, settings));
+  auto server = FoxgloveServer::listen(run->settingsOf(settings, scenarioName), run->channels());
+  if (!server) {
+    return server.diagnostics();
+  }
+  run->server_ = *std::move(server);
+  world.enableScans(true);
+  session.setRefreshCallback([to = run.get()](const sim2d::Frame& frame) { to->catchUp(frame); });
+  run->server_->start();
+  return base::Result<std::unique_ptr<FoxglovePublisher>>(std::move(run));
+}
+
+FoxglovePublisher::~FoxglovePublisher() {
+  if (server_) {
+    session_.setRefreshCallback({});
+    server_->stop("the run has ended");
+  }
+}
+
+FoxgloveSettings FoxglovePublisher::settingsOf(const FoxglovePublisherSettings& given,
+                                               const std::string& scenarioName) {
+  FoxgloveSettings settings;
+  settings.server.address = given.address;
+  settings.server.port = given.port;
+  settings.server.rules.origins = given.origins;
+  settings.name = "hunavsim: " + scenarioName;
+  settings.session = newSessionName();
+  settings.services = control_.services();
+  settings.clientTopics = control_.clientTopics();
+  settings.parameters = control_.parameters();
+  settings.tick = [this, wantsStop = given.wantsStop] {
+    if (wantsStop && wantsStop()) {
+      session_.stop();
+    }
+  };
+  settings.subscribed = [this] { session_.refresh(); };
+  settings.refused = [this, warn = given.warn](const std::string& origin) {
+    const std::string shown = origin.substr(0, kLongestOrigin);
+    if (warn && warned_.size() < kMostWarnings && warned_.insert(shown).second) {
+      warn(base::warning("live.page-refused", {shown}));
+    }
+  };
+  return settings;
+}
+
+std::vector<Channel> FoxglovePublisher::channels() const {
+  std::vector<Channel> channels;
+  for (const bridge::Topic& topic : topics_.topics()) {
+    channels.push_back({topic.name, std::string(topic.type),
+                        bridge::findType(topic.type)->definition, topic.isLatched});
+  }
+  channels.insert(channels.end(), metrics_.channels().begin(), metrics_.channels().end());
+  return channels;
+}
+
+void FoxglovePublisher::show(const sim2d::Frame& frame) {
+  if (frame.step <= newest_) {
+    return;
+  }
+  newest_ = frame.step;
+  updateHeader(frame);
+  topics_.track(frame);
+  metrics_.add(frame, [this] { return world_.header(); });
+  const Clock::time_point now = Clock::now();
+  if (!publishedAt_ || !isAboveDisplayRate() || now - *publishedAt_ >= kBetweenFrames) {
+    publish(frame, now);
+  }
+}
+
+/// If false, every state is published: single steps, and states slower than the display rate.
+bool FoxglovePublisher::isAboveDisplayRate() const {
+  const std::chrono::duration<double> each(world_.dt() / control_.speed());
+  return !control_.isPaused() && each < kBetweenFrames;
+}
+
+/// Publishes the final metrics.
+void FoxglovePublisher::finish(const sim2d::Frame& frame, const std::string& reason) {
+  const bool isNew = frame.step > newest_;
+  metricsPublishedAt_.reset();
+  publishedAt_.reset();
+  show(frame);
+  if (!isNew) {
+    publish(frame, Clock::now());
+  }
+  server_->stop(reason);
+}
+
+/// Updates the header after a source spawned a person.
+void FoxglovePublisher::updateHeader(const sim2d::Frame& frame) {
+  if (frame.humans.id != knownPeople_) {
+    knownPeople_ = frame.humans.id;
+    topics_.setHeader(world_.header());
+  }
+}
+
+bool FoxglovePublisher::hasMetricSubscribers(const ChannelFilter& filter) const {
+  for (std::size_t i = 0; i < metrics_.channels().size(); ++i) {
+    if (filter(static_cast<ChannelId>(topics_.topics().size() + i + 1))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<FoxgloveServer::Message> FoxglovePublisher::messagesOf(const sim2d::Frame& frame,
+                                                                   const ChannelFilter& filter,
+                                                                   bool withMetrics) {
+  std::vector<FoxgloveServer::Message> messages;
+  const auto add = [&messages](std::size_t channel, std::string&& bytes) {
+    messages.push_back({static_cast<ChannelId>(channel + 1),
+                        std::make_shared<const std::string>(std::move(bytes))});
+  };
+  topics_.publish(
+      frame, [&](std::size_t topic, std::string bytes) { add(topic, std::move(bytes)); },
+      [&](std::size_t topic) { return filter(static_cast<ChannelId>(topic + 1)); });
+  if (withMetrics && hasMetricSubscribers(filter)) {
+    metrics_.publish([&](std::size_t channel, std::string&& bytes) {
+      add(topics_.topics().size() + channel, std::move(bytes));
+    });
+  }
+  return messages;
+}
+
+void FoxglovePublisher::publish(const sim2d::Frame& frame, Clock::time_point now) {
+  const ChannelFilter isWanted = [this](ChannelId channel) { return server_->isWanted(channel); };
+  const bool withMetrics = !metricsPublishedAt_ || now - *metricsPublishedAt_ >= kBetweenMetrics;
+  const auto messages = messagesOf(frame, isWanted, withMetrics);
+  if (withMetrics && hasMetricSubscribers(isWanted)) {
+    metricsPublishedAt_ = now;
+  }
+  server_->publish(static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)), messages);
+  publishedAt_ = now;
+  published_ = frame.step;
+}
+
+void FoxglovePublisher::catchUp(const sim2d::Frame& frame) {
+  if (frame.step > newest_) {
+    return;  // `show` will publish it
+  }
+  if (frame.step > published_) {  // skipped because of the display rate
+    publish(frame, Clock::now());
+  }
+  topics_.resendScans();
+  server_->catchUp(
+      static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)),
+      messagesOf(
+          frame, [this](ChannelId channel) { return server_->isMessageAwaited(channel); }, true));
+}
+
+}  // namespace live

@@ -1,0 +1,301 @@
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/Futures.h"
+#include "app/run/JsonDepthCheck.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+// Futures, and questions for them, as texts between processes.
+namespace app {
+
+namespace {
+
+using FutureJson = nlohmann::json;
+
+FutureJson numbersOf(const std::vector<base::Vec2>& way, int axis) {
+  FutureJson numbers = FutureJson::array();
+  for (const base::Vec2& point : way) {
+    numbers.push_back(std::isfinite(point[axis]) ? FutureJson(point[axis]) : FutureJson());
+  }
+  return numbers;
+}
+
+double numberOf(const FutureJson& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::vector<base::Vec2> wayOf(const FutureJson& x, const FutureJson& y) {
+  std::vector<base::Vec2> way;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    way.emplace_back(numberOf(x.at(k)), numberOf(y.at(k)));
+  }
+  return way;
+}
+
+template <class T>
+void addTo(FutureJson& json, const T& value) {
+  json = value;
+}
+template <class T>
+void addTo(FutureJson& json, const std::optional<T>& value) {
+  json = *value;
+}
+
+template <class T>
+void takeFrom(const FutureJson& json, T& value) {
+  value = json.get<T>();
+}
+template <class T>
+void takeFrom(const FutureJson& json, std::optional<T>& value) {
+  value = json.get<T>();
+}
+
+FutureJson branchJson(const RunBranch& branch) {
+  FutureJson json = {{"step", branch.step}};
+  for (const RunOption& option : kRunOptions) {
+    if ((option.use & RunOption::AtBranch) != 0 && option.isGiven(branch.changes)) {
+      std::visit([&](auto member) { addTo(json[option.name], branch.changes.*member); },
+                 option.member);
+    }
+  }
+  return json;
+}
+
+RunBranch branchOf(const FutureJson& json) {
+  RunBranch branch;
+  branch.step = json.at("step").get<std::int64_t>();
+  for (const RunOption& option : kRunOptions) {
+    if ((option.use & RunOption::AtBranch) != 0 && json.contains(option.name)) {
+      std::visit([&](auto member) { takeFrom(json[option.name], branch.changes.*member); },
+                 option.member);
+    }
+  }
+  return branch;
+}
+
+template <class T>
+void takeKey(const FutureJson& json, const char* key, std::optional<T>& value) {
+  if (json.contains(key)) {
+    takeFrom(json.at(key), value);
+  }
+}
+
+FutureJson mapJson(const sim2d::OccupancyGrid& map) {
+  if (map.isEmpty()) {
+    return FutureJson();
+  }
+  const auto* const cells = reinterpret_cast<const std::uint8_t*>(map.cells().data());
+  return {{"width", map.width()},
+          {"height", map.height()},
+          {"resolution", map.resolution()},
+          {"x", map.origin().position.x()},
+          {"y", map.origin().position.y()},
+          {"heading", map.origin().heading},
+          {"cells", FutureJson::binary({cells, cells + map.cells().size()})}};
+}
+
+/// Null: it has not the cells that it should.
+std::shared_ptr<const sim2d::OccupancyGrid> mapOf(const FutureJson& json) {
+  if (json.is_null()) {
+    return std::make_shared<const sim2d::OccupancyGrid>();
+  }
+  const FutureJson::binary_t& bytes = json.at("cells").get_binary();
+  std::vector<std::int8_t> cells;
+  cells.reserve(bytes.size());
+  for (const std::uint8_t byte : bytes) {
+    cells.push_back(static_cast<std::int8_t>(byte));
+  }
+  const int width = json.at("width").get<int>(), height = json.at("height").get<int>();
+  const double resolution = json.at("resolution").get<double>();
+  const bool isWhole =
+      width > 0 && height > 0 && resolution > 0.0 && std::isfinite(resolution) &&
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) == cells.size();
+  if (!isWhole) {
+    return nullptr;
+  }
+  const base::Pose2 origin{{json.at("x").get<double>(), json.at("y").get<double>()},
+                           json.at("heading").get<double>()};
+  return std::make_shared<const sim2d::OccupancyGrid>(width, height, resolution, origin,
+                                                      std::move(cells));
+}
+
+FutureJson treesJson(const bt::TreeFiles& trees) {
+  FutureJson json = FutureJson::object();
+  for (const auto& [name, tree] : trees) {
+    json[name] = {{"path", tree.path}, {"folder", tree.folder}};
+    if (tree.text) {
+      json[name]["text"] = *tree.text;
+    }
+  }
+  return json;
+}
+
+bt::TreeFiles treesOf(const FutureJson& json) {
+  bt::TreeFiles trees;
+  for (const auto& [name, tree] : json.items()) {
+    bt::TreeSource source(tree.at("path").get<std::string>());
+    source.folder = tree.at("folder").get<std::string>();
+    takeKey(tree, "text", source.text);
+    trees.emplace(name, std::move(source));
+  }
+  return trees;
+}
+
+std::string inputRows(const sim2d::RecordedInputs& inputs) {
+  std::string rows = sim2d::inputsHeader();
+  for (const auto& [step, input] : inputs) {
+    sim2d::appendInputRow(rows, step, input);
+  }
+  return rows;
+}
+
+std::string quirksText(const sim2d::Compatibility& compatibility) {
+  return compatibility.hunav2() ? "hunav2" : base::join(compatibility.names(), ",");
+}
+
+FutureJson optionsJson(const FuturesOptions& options) {
+  return {{"count", options.count}, {"horizon", options.horizon}, {"spread", options.spread},
+          {"jobs", options.jobs},   {"seed", options.seed},       {"gap", options.sampleGap}};
+}
+
+FuturesOptions futureOptionsOf(const FutureJson& json) {
+  FuturesOptions options;
+  options.count = json.at("count").get<int>();
+  options.horizon = json.at("horizon").get<double>();
+  options.spread = json.at("spread").get<double>();
+  options.jobs = json.at("jobs").get<int>();
+  options.seed = json.at("seed").get<long long>();
+  options.sampleGap = json.at("gap").get<double>();
+  return options;
+}
+
+bool areOptions(const FuturesOptions& options) {
+  constexpr double kLeastGap = 1e-3;  // [s]
+  return options.count >= 1 && options.count <= kMaxFutures && options.jobs >= 1 &&
+         options.jobs <= kMaxFutures && options.horizon >= 0.0 &&
+         options.horizon <= kLongestFuture && options.spread >= 0.0 && options.spread <= 1.0 &&
+         options.sampleGap >= kLeastGap && options.sampleGap <= kLongestFuture;
+}
+
+/// Nothing: values that cannot be.
+std::optional<FuturesQuestion> questionFrom(const FutureJson& json) {
+  FuturesQuestion question;
+  Bundle& bundle = question.bundle;
+  bundle.path = json.at("path").get<std::string>();
+  bundle.scenario = std::make_shared<const sim2d::Scenario>(
+      sim2d::readScenarioText(json.at("scenario").get<std::string>(), bundle.path).scenario);
+  bundle.map = mapOf(json.at("map"));
+  bundle.trees = treesOf(json.at("trees"));
+  bundle.settings.exact = json.at("exact").get<bool>();
+  bundle.settings.code = sim2d::ExternalCodePolicy::Refused;
+  const auto quirks = json.at("compat").get<std::string>();
+  const auto compatibility = sim2d::Compatibility::parse(quirks);
+  if (bundle.map == nullptr || (!quirks.empty() && !compatibility)) {
+    return std::nullopt;
+  }
+  if (!quirks.empty()) {
+    bundle.settings.compatibility = *compatibility;
+  }
+  for (const FutureJson& branch : json.at("branches")) {
+    question.branches.push_back(branchOf(branch));
+  }
+  const base::Result<sim2d::RecordedInputs> inputs =
+      sim2d::parseInputs(json.at("inputs").get<std::string>(), "inputs");
+  question.inputs = inputs ? *inputs : sim2d::RecordedInputs();
+  question.at = json.at("at").get<std::int64_t>();
+  question.state = json.at("state").get<std::string>();
+  question.options = futureOptionsOf(json.at("options"));
+  return question.at >= 0 && areOptions(question.options)
+             ? std::optional<FuturesQuestion>(std::move(question))
+             : std::nullopt;
+}
+
+}  // namespace
+
+std::string futureText(const Future& future) {
+  FutureJson json = {{"number", future.number}, {"seed", future.seed}, {"times", future.times}};
+  json["bodies"] = FutureJson::array();
+  for (const auto& [id, way] : future.ways) {
+    json["bodies"].push_back({{"id", id}, {"x", numbersOf(way, 0)}, {"y", numbersOf(way, 1)}});
+  }
+  if (future.contact) {
+    const FutureContact& contact = *future.contact;
+    json["contact"] = {{"time", contact.time},
+                       {"id", contact.id},
+                       {"other", contact.other},
+                       {"x", contact.where.x()},
+                       {"y", contact.where.y()}};
+  }
+  if (!future.failure.empty()) {
+    json["failure"] = future.failure;
+  }
+  return json.dump(-1, ' ', false, FutureJson::error_handler_t::replace);
+}
+
+std::optional<Future> futureOf(const std::string& text) {
+  const FutureJson json = FutureJson::parse(text, nullptr, false);
+  Future future;
+  try {
+    future.number = json.at("number").get<int>();
+    future.seed = json.at("seed").get<long long>();
+    future.times = json.at("times").get<std::vector<double>>();
+    for (const FutureJson& body : json.at("bodies")) {
+      future.ways[body.at("id").get<int>()] = wayOf(body.at("x"), body.at("y"));
+    }
+    if (json.contains("contact")) {
+      const FutureJson& contact = json["contact"];
+      future.contact = FutureContact{contact.at("time").get<double>(),
+                                     contact.at("id").get<int>(),
+                                     contact.at("other").get<int>(),
+                                     {numberOf(contact.at("x")), numberOf(contact.at("y"))}};
+    }
+    future.failure = json.value("failure", std::string());
+  } catch (const FutureJson::exception&) {
+    return std::nullopt;
+  }
+  return future;
+}
+
+std::string questionBytes(const FuturesQuestion& question) {
+  const Bundle& bundle = question.bundle;
+  FutureJson branches = FutureJson::array();
+  for (const RunBranch& branch : question.branches) {
+    branches.push_back(branchJson(branch));
+  }
+  const FutureJson json = {{"path", bundle.path},
+                           {"scenario", sim2d::writeScenario(*bundle.scenario)},
+                           {"map", mapJson(*bundle.map)},
+                           {"trees", treesJson(bundle.trees)},
+                           {"exact", bundle.settings.exact},
+                           {"compat", quirksText(bundle.settings.compatibility)},
+                           {"branches", branches},
+                           {"inputs", inputRows(question.inputs)},
+                           {"at", question.at},
+                           {"state", question.state},
+                           {"options", optionsJson(question.options)}};
+  const std::vector<std::uint8_t> bytes = FutureJson::to_cbor(json);
+  return {bytes.begin(), bytes.end()};
+}
+
+base::Result<FuturesQuestion> questionOf(const std::string& bytes) {
+  JsonDepthCheck shallow;
+  if (!FutureJson::sax_parse(bytes, &shallow, FutureJson::input_format_t::cbor)) {
+    return base::error("futures.bad-question");
+  }
+  const FutureJson json = FutureJson::from_cbor(bytes, true, false);
+  try {
+    if (std::optional<FuturesQuestion> question = questionFrom(json)) {
+      return *std::move(question);
+    }
+  } catch (const FutureJson::exception&) {  // told below
+  }
+  return base::error("futures.bad-question");
+}
+
+}  // namespace app

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <ctime>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+
+namespace app {
+
+/// SHA-256 (FIPS 180-4) in lower-case hexadecimal digits.
+std::string sha256Of(const std::string& bytes);
+/// The hash of a file's content, "-" for standard input; nullopt if it cannot be read.
+std::optional<std::string> sha256OfFile(const std::string& path);
+
+/// The files that a manifest lists in `outputs`, names relative to its folder, with their SHA-256.
+using FileHashes = std::map<std::string, std::string>;
+
+/// Whether a relative name stays inside its folder.
+bool isWithin(const std::string& name);
+
+/// The text of a manifest, a JSON object; "{}" if the file is missing. Error: cannot be read.
+base::Result<std::string> manifestText(const std::string& folder, const char* name);
+base::Result<FileHashes> manifestFiles(const std::string& folder, const char* manifest);
+
+/// Input files for a manifest: [{"path", "sha256"}]; a null hash and a warning for a file that is
+/// missing or unreadable.
+template <class Json>
+Json inputHashes(const std::vector<std::string>& paths, base::Diagnostics& warnings) {
+  Json inputs = Json::array();
+  for (const std::string& path : paths) {
+    const std::optional<std::string> hash = sha256OfFile(path);
+    inputs.push_back({{"path", path}, {"sha256", hash ? Json(*hash) : Json()}});
+    if (!hash) {
+      warnings.push_back(base::warning("file.not-hashed", {}, path));
+    }
+  }
+  return inputs;
+}
+
+/// This file name means standard input.
+constexpr char kStandardInput[] = "-";
+
+/// Finds an input file of a run by name, relative to the working folder, the run folder or its
+/// parent, and by hash.
+std::optional<std::string> findInput(const std::string& named, const std::string& runFolder,
+                                     const std::string& sha256);
+
+/// Whether the file is regular and has the listed hash.
+bool matchesManifest(const std::string& folder, const FileHashes& listed, const std::string& name);
+
+/// Checks that each of these files has the hash listed in manifest.json, or neither exists nor is
+/// listed. No problems without a manifest or a list in it.
+base::Diagnostics checkManifestFiles(const std::string& folder,
+                                     const std::vector<std::string>& names);
+
+/// A file and its content hash.
+struct InputHash {
+  std::string path, sha256;  // empty hash: missing or unreadable
+};
+
+/// Hashes of input files at first use, to detect later changes. One thread.
+class InputFingerprints {
+ public:
+  /// Returns the index of a file and hashes it on first use.
+  std::size_t add(const std::string& path);
+  /// All files by index, as they were at first use.
+  const std::vector<InputHash>& all() const { return files_; }
+
+  /// The files as they were at first use. A file that has changed or is missing is followed by a
+  /// second entry with its present hash. Reads only files that were modified since.
+  std::vector<InputHash> withChanges(const std::vector<std::size_t>& numbers);
+
+  /// The current time of the file system clock.
+  static std::timespec now();
+  /// Whether one of these files was modified at that time or later, so that a reader may have read
+  /// other content than was hashed.
+  bool anyModifiedSince(const std::vector<std::size_t>& numbers, const std::timespec& time) const;
+
+ private:
+  /// Changes whenever a file is written or replaced.
+  struct Stamp {
+    std::timespec time = {};
+    long long size = 0;
+    unsigned long long device = 0, inode = 0;
+    bool operator==(const Stamp& other) const;
+  };
+  static std::optional<Stamp> stampOf(const std::string& path);
+
+  std::vector<InputHash> files_;
+  std::vector<std::optional<Stamp>> stamps_;  // nullopt: the file was missing
+  std::map<std::string, std::size_t> numbers_;
+};
+
+}  // namespace app

@@ -1,0 +1,183 @@
+#include "app/run/RunComparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "metrics/IncrementalEvaluation.h"
+
+namespace app {
+
+namespace {
+
+constexpr double kMinCurveGap = 0.25;  // [s] between two values so far
+constexpr double kMaxCurvePoints = 120.0;
+
+/// Measures a recording state by state.
+class RecordingMeasurer {
+ public:
+  RecordingMeasurer(const sim2d::Recording& recording, const MetricsSetup& setup)
+      : recording_(recording),
+        evaluation_(*recording.header(), wanted(setup), setup.parameters),
+        gap_(std::max(kMinCurveGap, recording.timeOf(recording.size() - 1) / kMaxCurvePoints)) {
+    addNewAgents();
+  }
+
+  /// False: the state is not in memory.
+  bool take(std::size_t index) {
+    const sim2d::FramePtr frame = recording_.frameIfKept(index);
+    if (frame == nullptr) {
+      return false;
+    }
+    const std::vector<int>& ids = frame->humans.id;
+    if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
+      addNewAgents();  // a source spawned an agent
+    }
+    for (;
+         events_ < recording_.events().size() && recording_.events()[events_].first <= frame->step;
+         ++events_) {
+      const auto& [step, event] = recording_.events()[events_];
+      evaluation_.note(static_cast<double>(step) * recording_.header()->dt, event);
+    }
+    evaluation_.append(*frame);
+    times_.push_back(frame->time);
+    if (frame->time >= next_ - 1e-9) {
+      note(frame->time);
+    }
+    return true;
+  }
+
+  RecordingMetrics measures() {
+    RecordingMetrics all;
+    all.results = evaluation_.values();
+    for (const metrics::MetricResult& result : all.results) {
+      const std::optional<metrics::Series>& series = result.value.series;
+      all.curves[result.info.key] = series && series->values.size() == times_.size()
+                                        ? MetricTimeSeries{times_, series->values}
+                                        : std::move(soFar_[result.info.key]);
+    }
+    return all;
+  }
+
+ private:
+  static metrics::Selection wanted(const MetricsSetup& setup) {
+    metrics::Selection selection = setup.selection;
+    selection.window = {};  // values so far, of all pedestrians
+    selection.behaviors = false;
+    return selection;
+  }
+
+  void addNewAgents() {
+    const std::shared_ptr<const sim2d::TraceHeader> header = recording_.header();
+    evaluation_.addHumans(header->humans);
+    for (const sim2d::TraceHuman& human : header->humans) {
+      known_.insert(human.id);
+    }
+  }
+
+  void note(double time) {
+    for (const metrics::MetricResult& result : evaluation_.values()) {
+      MetricTimeSeries& curve = soFar_[result.info.key];
+      curve.times.push_back(time);
+      curve.values.push_back(result.value.value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    next_ = time + gap_;
+  }
+
+  const sim2d::Recording& recording_;
+  metrics::FrameEvaluation evaluation_;
+  const double gap_;  // [s]
+  std::set<int> known_;
+  std::size_t events_ = 0;
+  std::vector<double> times_;
+  std::map<std::string, MetricTimeSeries> soFar_;
+  double next_ = 0.0;
+};
+
+std::map<int, base::Vec2> positionsOf(const sim2d::Frame& frame) {
+  std::map<int, base::Vec2> places;
+  for (const sim2d::BodyColumns* columns :
+       {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
+    for (std::size_t k = 0; k < columns->size(); ++k) {
+      places[columns->id[k]] = {columns->x[k], columns->y[k]};
+    }
+  }
+  return places;
+}
+
+bool areApart(const sim2d::Frame& first, const sim2d::Frame& second, double apart) {
+  const std::map<int, base::Vec2> here = positionsOf(first), there = positionsOf(second);
+  return here.size() != there.size() ||
+         std::any_of(here.begin(), here.end(), [&](const auto& each) {
+           const auto other = there.find(each.first);
+           return other == there.end() || (other->second - each.second).norm() > apart;
+         });
+}
+
+}  // namespace
+
+RecordingMetrics measureRun(const sim2d::Recording& recording, const MetricsSetup& setup,
+                            const base::StopFlagPtr& stop) {
+  RecordingMetrics none;
+  none.isCut = true;
+  const std::size_t size = recording.size();
+  if (size == 0 || recording.first() > 0) {
+    return none;
+  }
+  RecordingMeasurer measurer(recording, setup);
+  for (std::size_t index = 0; index < size; ++index) {
+    stop->check();
+    if (!measurer.take(index)) {
+      return none;
+    }
+  }
+  return measurer.measures();
+}
+
+std::optional<double> ComparedMetric::difference(std::size_t run) const {
+  const std::optional<double>& first = values.front();
+  const std::optional<double>& other = values[run];
+  const bool isKnown = first && other && std::isfinite(*first) && std::isfinite(*other);
+  return isKnown ? std::optional(*other - *first) : std::nullopt;
+}
+
+std::vector<ComparedMetric> compareRecordingMetrics(const std::vector<RecordingMetrics>& runs) {
+  std::vector<ComparedMetric> rows;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (const metrics::MetricResult& result : runs[run].results) {
+      auto row = std::find_if(rows.begin(), rows.end(), [&](const ComparedMetric& each) {
+        return each.info.key == result.info.key;
+      });
+      if (row == rows.end()) {
+        rows.push_back({result.info, std::vector<std::optional<double>>(runs.size())});
+        row = rows.end() - 1;
+      }
+      row->values[run] = result.value.value;
+    }
+  }
+  return rows;
+}
+
+std::optional<double> divergenceTime(const sim2d::Recording& first, const sim2d::Recording& second,
+                                     double apart) {
+  for (std::size_t index = 0; index < first.size(); ++index) {
+    const std::int64_t step = first.stepOf(index);
+    if (second.size() == 0 || step > second.stepOf(second.size() - 1)) {
+      break;
+    }
+    const std::size_t other = second.indexAt(step);
+    if (second.stepOf(other) != step) {
+      continue;
+    }
+    const sim2d::FramePtr here = first.frameIfKept(index), there = second.frameIfKept(other);
+    if (here != nullptr && there != nullptr && areApart(*here, *there, apart)) {
+      return first.timeOf(index);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace app

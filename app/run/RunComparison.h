@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/MetricsSetup.h"
+#include "sim2d/base/StopFlag.h"
+#include "sim2d/trace/Recording.h"
+
+namespace app {
+
+/// A metric over time: its value per sample if it has one, otherwise its value so far.
+struct MetricTimeSeries {
+  std::vector<double> times;   // [s]
+  std::vector<double> values;  // NaN: undefined
+};
+
+/// The metrics of a complete recording.
+struct RecordingMetrics {
+  std::vector<metrics::MetricResult> results;
+  std::map<std::string, MetricTimeSeries> curves;  // by key
+  bool isCut = false;  // the oldest states are not in memory: there are no values
+};
+
+/// Measures all recorded states, for the first robot. Throws `base::Stopped`.
+RecordingMetrics measureRun(const sim2d::Recording& recording, const MetricsSetup& setup,
+                            const base::StopFlagPtr& stop);
+
+/// One metric of several runs.
+struct ComparedMetric {
+  metrics::MetricInfo info;
+  std::vector<std::optional<double>> values;  // one per run; nullopt: undefined or not measured
+
+  /// Value of that run minus that of the first; nullopt unless both are finite.
+  std::optional<double> difference(std::size_t run) const;
+};
+/// The metrics of the first run in its order, then those that only later runs have.
+std::vector<ComparedMetric> compareRecordingMetrics(const std::vector<RecordingMetrics>& runs);
+
+/// The first time [s] at which a body is farther than `apart` [m] from its position in the other
+/// run, or is in only one run; nullopt if that does not happen while both are active. Compares
+/// states that both record.
+std::optional<double> divergenceTime(const sim2d::Recording& first, const sim2d::Recording& second,
+                                     double apart = 1e-3);
+
+}  // namespace app

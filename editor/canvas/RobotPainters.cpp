@@ -1,0 +1,367 @@
+#include "editor/canvas/RobotPainters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <QPainter>
+
+#include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/PixelFrame.h"
+#include "editor/look/Images.h"
+#include "sim2d/base/Math.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kMinLocalizationError = 0.05;              // [m]
+constexpr double kMinHeadingError = 2.0 * base::kPi / 180;  // [rad]
+constexpr double kAhead = 0.5;                              // Duration of a velocity arrow [s].
+constexpr double kWeakest = 0.1, kStrongest = 0.5;          // Opacity of other trajectories.
+
+/// A long-dashed line in the colour of robot perception.
+QPen dashed(const QPainter& painter, const QColor& color, double widthPx) {
+  QPen pen(color, widthPx, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({3.0, 2.0});
+  makeCosmetic(pen, painter);
+  return pen;
+}
+
+}  // namespace
+
+bool isBeamHit(const sim2d::RobotTelemetry::Scan& scan, std::size_t beam) {
+  return scan.distances[beam] < scan.range;
+}
+
+Vec2 beamEnd(const sim2d::RobotTelemetry::Scan& scan, std::size_t beam) {
+  const double angle =
+      scan.sensor.heading + scan.angleMin + static_cast<double>(beam) * scan.angleIncrement;
+  return Pose2{scan.sensor.position, angle}.ahead(scan.distances[beam]);
+}
+
+std::optional<Pose2> divergentPoseEstimate(const sim2d::Frame& frame, std::size_t robot) {
+  const sim2d::RobotTelemetry& senses = (*frame.senses)[robot];
+  if ((senses.bodies.empty() && senses.ways.empty() && !senses.scan) || frame.step == 0) {
+    return std::nullopt;
+  }
+  const double dt = frame.time / static_cast<double>(frame.step);
+  const sim2d::RobotColumns& robots = frame.robots;
+  const Vec2 before(robots.x[robot] - dt * robots.vx[robot],
+                    robots.y[robot] - dt * robots.vy[robot]);
+  const double heading = robots.heading[robot] - dt * robots.omega[robot];
+  const bool isThere =
+      (senses.believed.position - before).norm() < kMinLocalizationError &&
+      std::abs(base::angleDiff(senses.believed.heading, heading)) < kMinHeadingError;
+  return isThere ? std::nullopt : std::optional(senses.believed);
+}
+
+std::vector<double> relativeCosts(const std::vector<sim2d::RobotTelemetry::Candidate>& ways) {
+  std::vector<std::size_t> order(ways.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return ways[a].cost < ways[b].cost; });
+  const auto open = std::count_if(ways.begin(), ways.end(),
+                                  [](const auto& way) { return std::isfinite(way.cost); });
+  std::vector<double> relativeCost(ways.size(), 1.0);
+  for (std::size_t place = 0; place + 1 < static_cast<std::size_t>(open); ++place) {
+    relativeCost[order[place]] = static_cast<double>(place) / static_cast<double>(open - 1);
+  }
+  if (open == 1) {
+    relativeCost[order.front()] = 0.0;
+  }
+  return relativeCost;
+}
+
+void SensePainter::scan(QPainter& painter, const sim2d::RobotTelemetry::Scan& scan) const {
+  const std::size_t stride = 1 + scan.distances.size() / kMaxBeams;
+  QPolygonF seen;
+  QPolygonF hits;
+  seen << toScene(scan.sensor.position);
+  for (std::size_t beam = 0; beam < scan.distances.size(); beam += stride) {
+    const QPointF end = toScene(beamEnd(scan, beam));
+    seen << end;
+    if (isBeamHit(scan, beam)) {
+      hits << end;
+    }
+  }
+  setPenAndBrush(painter, Qt::NoPen, theme_.color(Role::Lidar, theme_.isDark() ? 0.05 : 0.07));
+  painter.drawPolygon(seen);
+  QPen dots(theme_.color(Role::Lidar), 3.0, Qt::SolidLine, Qt::RoundCap);
+  makeCosmetic(dots, painter);
+  painter.setPen(dots);
+  painter.drawPoints(hits);
+}
+
+void SensePainter::ways(QPainter& painter,
+                        const std::vector<sim2d::RobotTelemetry::Candidate>& ways) const {
+  const std::vector<double> relativeCost = relativeCosts(ways);
+  for (const bool isChosenTurn : {false, true}) {  // The chosen trajectory is drawn last.
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      if (ways[i].isChosen != isChosenTurn) {
+        continue;
+      }
+      const double alpha = kStrongest + (kWeakest - kStrongest) * relativeCost[i];
+      const QColor color = ways[i].isChosen ? theme_.color(Role::Accent)
+                           : std::isfinite(ways[i].cost)
+                               ? theme_.color(Role::Accent, alpha)
+                               : theme_.color(Role::Error, kWeakest + 0.15);
+      QPen pen(color, ways[i].isChosen ? 2.5 : 1.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+      makeCosmetic(pen, painter);
+      setPenAndBrush(painter, pen);
+      painter.drawPolyline(toScene(ways[i].points));
+    }
+  }
+}
+
+void SensePainter::tracks(QPainter& painter, const std::vector<sim2d::RobotTelemetry::Body>& bodies,
+                          const Place& place) const {
+  const QColor color = theme_.color(Role::Lidar);
+  for (const sim2d::RobotTelemetry::Body& body : bodies) {
+    const QPointF at = toScene(body.position);
+    const double radius = body.radius + kTrackGap;
+    setPenAndBrush(painter, dashed(painter, color, 1.8));
+    painter.drawEllipse(at, radius, radius);
+    const std::optional<Vec2> truth = place(body);
+    if (truth && (*truth - body.position).norm() > kFarTrack) {
+      painter.drawLine(at, toScene(*truth));
+    }
+    if (body.velocity.norm() > 0.05) {
+      const Vec2 ahead = body.velocity.normalized();
+      const Vec2 tip = body.position + radius * ahead + kAhead * body.velocity;
+      setPenAndBrush(painter, screenPen(painter, color, 1.8));
+      painter.drawLine(toScene(body.position + radius * ahead), toScene(tip));
+    }
+  }
+}
+
+void SensePainter::paintLocalizationError(QPainter& painter, const Vec2& from,
+                                          const Vec2& believed) const {
+  setPenAndBrush(painter, dashed(painter, theme_.color(Role::Lidar), 1.5));
+  painter.drawLine(toScene(from), toScene(believed));
+}
+
+namespace {
+
+constexpr double kUsualShare = 0.9;  // Share of the trajectories within the colour scale.
+constexpr int kFreeCost = 0, kNearCost = 252, kTouchCost = 253, kObstacleCost = 254;
+constexpr int kArcParts = 24;
+constexpr double kAimPx = 6.0;
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto part = [share](double from, double to) { return from + share * (to - from); };
+  return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()),
+                          part(a.blueF(), b.blueF()), part(a.alphaF(), b.alphaF()));
+}
+
+QColor shaded(const char* name, double alpha) {
+  QColor color(name);
+  color.setAlphaF(alpha);
+  return color;
+}
+
+bool hasPlannerData(const sim2d::RobotTelemetry& senses) {
+  return senses.localCosts != nullptr || senses.globalCosts != nullptr || hasCostTerms(senses) ||
+         !senses.lookahead.empty();
+}
+
+}  // namespace
+
+CostScale costScaleOf(const std::vector<sim2d::RobotTelemetry::Candidate>& ways) {
+  CostScale scale;
+  std::vector<double> open;
+  for (const sim2d::RobotTelemetry::Candidate& way : ways) {
+    std::isfinite(way.cost) ? open.push_back(way.cost) : void(++scale.refused);
+  }
+  scale.open = open.size();
+  if (open.empty()) {
+    return scale;
+  }
+  std::sort(open.begin(), open.end());
+  scale.low = open.front();
+  const double last = static_cast<double>(open.size() - 1);
+  scale.high = open[static_cast<std::size_t>(std::ceil(kUsualShare * last))];
+  return scale;
+}
+
+double costShare(const CostScale& scale, double cost) {
+  return scale.high > scale.low
+             ? std::clamp((cost - scale.low) / (scale.high - scale.low), 0.0, 1.0)
+             : 0.0;
+}
+
+QColor trajectoryCostColor(const Theme& theme, double share) {
+  const std::array<QColor, 3> marks = theme.isDark()
+                                          ? std::array<QColor, 3>{"#3C93D6", "#B98AB5", "#EE7A26"}
+                                          : std::array<QColor, 3>{"#0072B2", "#9C5C8F", "#C65600"};
+  return share < 0.5 ? mixed(marks[0], marks[1], 2.0 * share)
+                     : mixed(marks[1], marks[2], 2.0 * share - 1.0);
+}
+
+QColor costColor(const Theme& theme, std::uint8_t cost) {
+  const bool isDark = theme.isDark();
+  if (cost == kFreeCost) {
+    return Qt::transparent;
+  }
+  if (cost <= kNearCost) {
+    const double share = static_cast<double>(cost) / kNearCost;
+    return shaded(isDark ? "#B98AE0" : "#7B3FA0", 0.06 + 0.34 * share);
+  }
+  if (cost == kTouchCost) {
+    return shaded(isDark ? "#B98AE0" : "#7B3FA0", 0.62);
+  }
+  return cost == kObstacleCost ? shaded(isDark ? "#F2C4FF" : "#4A1466", 0.9)
+                               : shaded(isDark ? "#9AA4AE" : "#5F6B76", 0.22);
+}
+
+QImage costImage(const sim2d::CostGrid& grid, const Theme& theme) {
+  std::array<QRgb, 256> colors{};
+  for (std::size_t cost = 0; cost < colors.size(); ++cost) {
+    colors.at(cost) = qPremultiply(costColor(theme, static_cast<std::uint8_t>(cost)).rgba());
+  }
+  QImage image = blankImage({grid.columns, grid.rows}, QImage::Format_ARGB32_Premultiplied);
+  for (int row = 0; row < grid.rows; ++row) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(grid.rows - 1 - row));
+    const std::size_t first =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
+    for (int column = 0; column < grid.columns; ++column) {
+      line[column] = colors.at(grid.costs[first + static_cast<std::size_t>(column)]);
+    }
+  }
+  return image;
+}
+
+QRectF areaOf(const sim2d::CostGrid& grid) {
+  const Vec2 high = grid.origin + grid.resolution * Vec2(grid.columns, grid.rows);
+  return QRectF(toScene(grid.origin), toScene(high)).normalized();
+}
+
+std::vector<Vec2> pursuitArc(const Pose2& robot, const Vec2& target) {
+  const Vec2 to = target - robot.position;
+  const Vec2 ahead = robot.direction();
+  const double x = to.dot(ahead);
+  const double y = ahead.x() * to.y() - ahead.y() * to.x();
+  const double turn = 2.0 * base::atan2(y, x);  // Angle of the whole arc [rad].
+  if (std::abs(y) < 1e-6 || std::abs(turn) > 1.9 * base::kPi) {
+    return {robot.position, target};
+  }
+  const double radius = to.squaredNorm() / (2.0 * y);
+  std::vector<Vec2> points;
+  for (int k = 0; k <= kArcParts; ++k) {
+    const double part = turn * k / kArcParts;
+    const double along = radius * base::sin(part);
+    const double across = radius * (1.0 - base::cos(part));
+    points.push_back(robot.position + along * ahead + across * Vec2(-ahead.y(), ahead.x()));
+  }
+  return points;
+}
+
+bool hasCostTerms(const sim2d::RobotTelemetry& senses) {
+  return std::any_of(senses.ways.begin(), senses.ways.end(),
+                     [](const auto& way) { return !way.scores.empty(); });
+}
+
+std::optional<ObservedPlanner> observedPlanner(const MapScene& scene) {
+  const FrameLayer& layer = scene.frameLayer();
+  const sim2d::Frame* frame = layer.frame();
+  if (frame == nullptr || frame->senses == nullptr) {
+    return std::nullopt;
+  }
+  std::optional<ObservedPlanner> first;
+  const std::vector<EntityId>& selection = scene.document().selection();
+  for (std::size_t i = 0; i < std::min(frame->robots.size(), frame->senses->size()); ++i) {
+    const ObservedPlanner robot{&(*frame->senses)[i], layer.nameOf(frame->robots.id[i])};
+    if (selection.size() == 1 && layer.entityOf(frame->robots.id[i]) == selection.front()) {
+      return robot;
+    }
+    if (!first && hasPlannerData(*robot.senses)) {
+      first = robot;
+    }
+  }
+  return first;
+}
+
+void PlannerPainter::costs(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
+                           const QRectF& hole) const {
+  painter.save();
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+  const QRectF area = areaOf(grid);
+  if (hole.isEmpty()) {
+    painter.drawImage(area, image);
+  } else {
+    QPainterPath around;
+    around.addRect(area);
+    around.addRect(hole & area);
+    painter.setClipPath(around, Qt::IntersectClip);
+    painter.drawImage(area, image);
+  }
+  painter.restore();
+}
+
+void PlannerPainter::edge(QPainter& painter, const sim2d::CostGrid& grid) const {
+  QPen pen(costColor(theme_, kTouchCost), 1.2, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({4.0, 3.0});
+  makeCosmetic(pen, painter);
+  setPenAndBrush(painter, pen);
+  painter.drawRect(areaOf(grid));
+}
+
+void PlannerPainter::line(QPainter& painter, const std::vector<Vec2>& points,
+                          const QPen& pen) const {
+  QPen ink = pen;
+  makeCosmetic(ink, painter);
+  setPenAndBrush(painter, ink);
+  painter.drawPolyline(toScene(points));
+}
+
+void PlannerPainter::ways(QPainter& painter,
+                          const std::vector<sim2d::RobotTelemetry::Candidate>& ways) const {
+  const CostScale scale = costScaleOf(ways);
+  std::vector<std::size_t> order(ways.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return ways[a].cost > ways[b].cost; });
+  const auto pen = [](const QColor& color, double width) {
+    return QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  };
+  for (const std::size_t i : order) {
+    if (ways[i].isChosen) {
+      continue;
+    }
+    const bool isOpen = std::isfinite(ways[i].cost);
+    QColor color = isOpen ? trajectoryCostColor(theme_, costShare(scale, ways[i].cost))
+                          : theme_.color(Role::TextSecondary, 0.3);
+    color.setAlphaF(isOpen ? 0.75 : color.alphaF());
+    line(painter, ways[i].points, pen(color, 1.0));
+  }
+  for (const sim2d::RobotTelemetry::Candidate& way : ways) {
+    if (way.isChosen) {
+      line(painter, way.points, pen(theme_.color(Role::MapFree, 0.9), 5.0));
+      line(painter, way.points, pen(theme_.color(Role::Text), 2.5));
+    }
+  }
+}
+
+void PlannerPainter::aim(QPainter& painter, const sim2d::RobotTelemetry& senses) const {
+  const QColor color = theme_.color(Role::Accent);
+  if (senses.ways.empty() && !senses.lookahead.empty()) {
+    line(painter, pursuitArc(senses.believed, senses.lookahead.front()),
+         QPen(color, 2.0, Qt::SolidLine, Qt::RoundCap));
+  }
+  if (senses.ways.empty() && senses.predicted.size() > 1) {
+    QPen pen(theme_.color(Role::Text), 2.0, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({3.0, 2.0});
+    line(painter, senses.predicted, pen);
+  }
+  for (const Vec2& point : senses.lookahead) {
+    const PixelFrame frame(painter, toScene(point));
+    paintRing(painter, QPen(theme_.color(Role::MapFree), 4.5), kAimPx);
+    paintRing(painter, QPen(color, 2.0), kAimPx);
+    setPenAndBrush(painter, Qt::NoPen, color);
+    painter.drawEllipse(QPointF(), 1.8, 1.8);
+  }
+}
+
+}  // namespace editor

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <QIcon>
+#include <QObject>
+#include <QPainter>
+#include <QString>
+
+#include "editor/document/ScenarioDocument.h"
+#include "editor/look/Theme.h"
+#include "editor/run/SimulationRunner.h"
+
+namespace editor {
+
+/// An event of the run with its description.
+struct RunEvent {
+  std::int64_t step = 0;
+  double time = 0.0;  // [s]
+  sim2d::Event event;
+  QString text;  // "Ana reached Goal 3"
+};
+
+/// The events of the run so far; common source for the list, the timeline and the bubbles.
+class RunEvents : public QObject {
+  Q_OBJECT
+ public:
+  RunEvents(const ScenarioDocument& document, SimulationRunner& runner);
+  const std::vector<RunEvent>& events() const { return events_; }
+
+ Q_SIGNALS:
+  void cleared();
+  void added(int first, int last);
+
+ private:
+  void follow();
+  QString textOf(const sim2d::Event& event) const;
+  QString nameOfAgent(int id) const;
+
+  const ScenarioDocument& document_;
+  SimulationRunner& runner_;
+  std::vector<RunEvent> events_;
+  RecordingPtr recording_;
+  std::size_t read_ = 0;  // Number of events of the recording that have been read.
+};
+
+/// Event marks, distinguished by shape as well as colour.
+enum class EventMark { Pin, Bubble, Diamond, Triangle, Cross, Ring, None };
+constexpr std::size_t kEventMarks = 7;
+EventMark markOfEvent(sim2d::EventKind kind);
+
+/// Draws the mark around `centre`, about 10 px wide.
+void paintEventMark(QPainter& painter, EventMark mark, const QPointF& centre, const Theme& theme);
+QIcon eventIcon(EventMark mark, const Theme& theme);
+
+}  // namespace editor

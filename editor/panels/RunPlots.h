@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QLabel>
+#include <QWidget>
+
+#include "app/run/Futures.h"
+#include "app/run/RunComparison.h"
+#include "editor/look/Theme.h"
+
+class QwtPlot;
+class QwtPlotCurve;
+class QwtPlotGrid;
+class QwtPlotIntervalCurve;
+class QwtPlotMarker;
+
+namespace editor {
+
+/// The probability of a contact over time with its confidence interval, and lines at the shown time
+/// and at the median contact time.
+class ContactProbabilityPlot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ContactProbabilityPlot(const Theme& theme);
+  void setTheme(const Theme& theme);
+  void show(const std::vector<app::ContactChance>& chances, std::optional<double> decisive);
+  void setCursor(double time);  // [s]
+
+ private:
+  QwtPlot* plot_;
+  QwtPlotGrid* grid_;  // The items belong to the plot.
+  QwtPlotIntervalCurve* band_;
+  QwtPlotCurve* curve_;
+  QwtPlotMarker *cursor_, *decisive_;
+};
+
+/// The common plot style: thin axes, seconds on the x axis.
+void stylePlot(QwtPlot& plot, const Theme& theme);
+void layOutPlot(QwtPlot& plot);
+
+}  // namespace editor
+
+class QwtPlot;
+class QwtPlotCurve;
+class QwtPlotGrid;
+class QwtPlotMarker;
+
+namespace editor {
+
+/// One metric of several runs over time, each in its own style.
+class ComparePlot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ComparePlot(const Theme& theme);
+  ~ComparePlot() override;
+  Q_DISABLE_COPY_MOVE(ComparePlot)
+  void setTheme(const Theme& theme);
+  /// Null curve: none. The first line is the shown run.
+  struct Line {
+    const app::MetricTimeSeries* curve = nullptr;
+    int style = -1;  // -1: the shown run.
+  };
+  void show(const QString& name, const QString& unit, const std::vector<Line>& lines);
+  void setCursor(double time);  // [s]
+  std::size_t lines() const { return curves_.size(); }
+
+ private:
+  void applyStyles();
+  Theme theme_;
+  QLabel *title_, *unit_;
+  QwtPlot* plot_;
+  QwtPlotGrid* grid_;  // Belongs to the plot.
+  QwtPlotMarker* cursor_;
+  std::vector<std::unique_ptr<QwtPlotCurve>> curves_;
+  std::vector<int> styles_;
+};
+
+}  // namespace editor

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "editor/canvas/Tool.h"
+#include "sim2d/map/Obstacles.h"
+
+namespace editor {
+
+constexpr int kBehaviorCount = 6;
+
+/// Properties of the people created by brush and fill. Equal recipes give equal people.
+struct CrowdRecipe {
+  std::array<int, kBehaviorCount> mix = {60, 10, 10, 5, 10, 5};  // Weights, in type order.
+  std::optional<sim2d::PersonKind> kind;                         // None: all kinds, mostly adults.
+  bool walks = true;  // Visits goals of the scenario in an individual order.
+  int seed = 1;
+};
+
+/// Tests for free positions: outside walls, unknown cells, obstacles, closed doors, people, robots
+/// and positions already taken. Owns its data; fast on large maps.
+class FreeSpace {
+ public:
+  explicit FreeSpace(const ScenarioDocument& document);
+  bool isFree(const Vec2& place, double radius) const;
+  void take(const Vec2& place, double radius);
+
+ private:
+  using Bucket = std::pair<int, int>;
+  static Bucket bucketOf(const Vec2& place);
+  bool isClearOfWalls(const Vec2& place, double radius) const;
+  std::shared_ptr<const sim2d::OccupancyGrid> map_;
+  sim2d::Obstacles obstacles_;  // Obstacles of the scenario.
+  std::map<Bucket, std::vector<std::pair<Vec2, double>>> taken_;
+};
+
+/// The index of the next person that a recipe draws; it changes when people are added.
+int nextPersonIndex(const ScenarioDocument& document);
+/// Person `index` of a crowd at the origin; kind, body, speed, behaviour and route are drawn by the
+/// recipe. The document assigns names and ids.
+sim2d::Human sampledPerson(const CrowdRecipe& recipe, int index, const sim2d::Scenario& scenario);
+/// Up to `count` people at random positions inside the polygon with random headings; fewer if there
+/// is no free space.
+std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
+                                    const CrowdRecipe& recipe, const ScenarioDocument& document);
+
+/// `count` behaviours with the proportions of the recipe, rounded to whole people, in an order
+/// drawn with its seed.
+std::vector<sim2d::BehaviorType> shuffledBehaviors(const CrowdRecipe& recipe, std::size_t count);
+/// Assigns behaviours to these people, with the parameters that their reactions require: one
+/// command.
+void pushMix(ScenarioDocument& document, const std::vector<EntityId>& people,
+             const CrowdRecipe& recipe);
+
+/// A person with default values, all set explicitly for other programs that read the file.
+sim2d::Human newPerson();
+
+/// Shows people who have not been added yet as discs.
+void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people);
+/// Adds people and selects them: one command; nothing if the list is empty.
+void addCrowd(ScenarioDocument& document, const std::vector<sim2d::Human>& people);
+
+QString peopleText(std::size_t count);       // "1 person", "20 people"
+double roundedToCentimetres(double metres);  // Rounded, to keep the file short.
+
+constexpr double kPersonGap = 0.1;   // Minimum distance between bodies [m].
+constexpr int kLargestCrowd = 2000;  // Per operation.
+
+}  // namespace editor

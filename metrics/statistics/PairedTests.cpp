@@ -1,0 +1,359 @@
+#include "metrics/statistics/PairedTests.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "metrics/statistics/Distributions.h"
+#include "metrics/statistics/Ranks.h"
+
+namespace statistics {
+
+namespace {
+
+constexpr std::size_t kLargestExact = 50;
+constexpr int kMostRanked = 10'000;  // with zeros, limit for an exact test
+
+/// Normal approximation; `sizes`: absolute values of the non-zero differences.
+double normalP(const SignedRank& result, const Numbers& sizes, int rankedZeros) {
+  const double all = result.n + rankedZeros;
+  const double zeros = rankedZeros;
+  const double expected = (all * (all + 1.0) - zeros * (zeros + 1.0)) / 4.0;
+  const double variance = (all * (all + 1.0) * (2.0 * all + 1.0) -
+                           zeros * (zeros + 1.0) * (2.0 * zeros + 1.0) - 0.5 * tieSum(sizes)) /
+                          24.0;
+  const double distance = std::max(0.0, std::abs(result.plus - expected) - 0.5);
+  return variance > 0.0 ? std::min(1.0, 2.0 * normalTail(distance / std::sqrt(variance))) : 1.0;
+}
+
+double exactP(const SignedRank& result, const Numbers& ranks) {
+  return std::min(1.0, 2.0 * signedRankSumCdf(ranks, std::min(result.plus, result.minus)));
+}
+
+double pairMean(const Numbers& sorted, double k) {
+  return orderStatistic([&sorted](double x) { return pairMeansUpTo(sorted, x); }, k, sorted.front(),
+                        sorted.back());
+}
+
+/// Number of pair means outside the interval on each side; negative: n is too small.
+double excludedOnEachSide(std::size_t n, double level) {
+  const double miss = (1.0 - level) / 2.0;
+  if (n <= kLargestExact) {
+    const Numbers cdf = signedRankCdf(static_cast<int>(n));
+    const auto first = std::find_if(cdf.begin(), cdf.end(), [miss](double p) { return p > miss; });
+    return static_cast<double>(first - cdf.begin()) - 1.0;
+  }
+  const auto count = static_cast<double>(n);
+  const double expected = count * (count + 1.0) / 4.0;
+  const double deviation = std::sqrt(count * (count + 1.0) * (2.0 * count + 1.0) / 24.0);
+  return std::floor(expected + normalQuantile(miss) * deviation - 0.5);
+}
+
+}  // namespace
+
+SignedRank signedRank(const Numbers& differences, ZeroRule rule) {
+  Numbers ranked;
+  for (const double difference : differences) {
+    if (rule == ZeroRule::Pratt || difference != 0.0) {
+      ranked.push_back(std::abs(difference));
+    }
+  }
+  const Numbers ranks = midranks(ranked);
+  SignedRank result;
+  Numbers sizes;
+  Numbers counted;  // ranks of non-zero differences
+  std::size_t at = 0;
+  for (const double difference : differences) {
+    if (difference == 0.0) {
+      ++result.zeros;
+      at += rule == ZeroRule::Pratt ? 1 : 0;
+      continue;
+    }
+    (difference > 0.0 ? result.plus : result.minus) += ranks[at];
+    counted.push_back(ranks[at++]);
+    sizes.push_back(std::abs(difference));
+    ++result.n;
+  }
+  const int rankedZeros = rule == ZeroRule::Pratt ? result.zeros : 0;
+  result.isExact = sizes.size() <= kLargestExact && result.n + rankedZeros <= kMostRanked;
+  if (result.n > 0) {
+    result.p = result.isExact ? exactP(result, counted) : normalP(result, sizes, rankedZeros);
+  }
+  return result;
+}
+
+double signTestP(const Numbers& differences) {
+  const auto plus = std::count_if(differences.begin(), differences.end(),
+                                  [](double difference) { return difference > 0.0; });
+  const auto minus = std::count_if(differences.begin(), differences.end(),
+                                   [](double difference) { return difference < 0.0; });
+  const auto fewer = static_cast<double>(std::min(plus, minus));
+  return std::min(1.0, 2.0 * binomialCdf(fewer, static_cast<double>(plus + minus), 0.5));
+}
+
+double pairedShift(const Numbers& differences) {
+  if (differences.empty()) {
+    return kUndefined;
+  }
+  Numbers sorted = differences;
+  std::sort(sorted.begin(), sorted.end());
+  const auto n = static_cast<double>(sorted.size());
+  const double count = n * (n + 1.0) / 2.0;
+  const double below = pairMean(sorted, std::floor((count + 1.0) / 2.0));
+  const double above = pairMean(sorted, std::ceil((count + 1.0) / 2.0));
+  return below + 0.5 * (above - below);
+}
+
+Interval pairedShiftInterval(const Numbers& differences, double level) {
+  const double outside = differences.empty() ? -1.0 : excludedOnEachSide(differences.size(), level);
+  if (outside < 0.0) {
+    return {};
+  }
+  Numbers sorted = differences;
+  std::sort(sorted.begin(), sorted.end());
+  const auto n = static_cast<double>(sorted.size());
+  const double count = n * (n + 1.0) / 2.0;
+  return {pairMean(sorted, outside + 1.0), pairMean(sorted, count - outside)};
+}
+
+namespace {
+
+constexpr std::size_t kMostExactlyStratified = 50;   // differences
+constexpr std::size_t kMostRankedOfStrata = 10'000;  // with zeros, limit for an exact test
+constexpr long long kMostUnits = 100'000;            // limit for integer weights
+
+struct Weights {
+  Numbers each;             // van Elteren's, per stratum
+  bool areIntegers = true;  // otherwise the smallest is 1
+};
+
+Strata withoutEmpty(const Strata& strata) {
+  Strata kept;
+  std::copy_if(strata.begin(), strata.end(), std::back_inserter(kept),
+               [](const Numbers& each) { return !each.empty(); });
+  return kept;
+}
+
+std::size_t countOf(const Strata& strata) {
+  return std::accumulate(strata.begin(), strata.end(), std::size_t{0},
+                         [](std::size_t sum, const Numbers& each) { return sum + each.size(); });
+}
+
+/// Weights of strata of these sizes, as the smallest integers unless they are too large.
+Weights weightsOf(const Strata& strata) {
+  Weights weights;
+  long long common = 1;
+  std::size_t largest = 0;
+  for (const Numbers& each : strata) {
+    common = std::min(std::lcm(common, static_cast<long long>(each.size()) + 1), kMostUnits + 1);
+    largest = std::max(largest, each.size());
+    weights.areIntegers = weights.areIntegers && common <= kMostUnits;
+  }
+  long long shared = 0;
+  for (const Numbers& each : strata) {
+    const auto size = static_cast<long long>(each.size()) + 1;
+    shared = std::gcd(shared, weights.areIntegers ? common / size : 1);
+  }
+  for (const Numbers& each : strata) {
+    const auto size = static_cast<long long>(each.size()) + 1;
+    const long long whole = weights.areIntegers ? common / size / shared : 0;  // exact division
+    weights.each.push_back(weights.areIntegers
+                               ? static_cast<double>(whole)
+                               : static_cast<double>(largest + 1) / static_cast<double>(size));
+  }
+  return weights;
+}
+
+double smallest(const Weights& weights) {
+  return *std::min_element(weights.each.begin(), weights.each.end());
+}
+
+/// Ranks of the non-zero differences, multiplied by the weight of their stratum.
+struct WeightedRanks {
+  Numbers ranks;
+  double plus = 0.0;  // sum over positive differences
+  int zeros = 0;
+};
+
+void addStratum(const Numbers& differences, double weight, WeightedRanks& to) {
+  Numbers sizes;
+  sizes.reserve(differences.size());
+  std::transform(differences.begin(), differences.end(), std::back_inserter(sizes),
+                 [](double difference) { return std::abs(difference); });
+  const Numbers ranks = midranks(sizes);
+  for (std::size_t k = 0; k < differences.size(); ++k) {
+    if (differences[k] == 0.0) {
+      ++to.zeros;
+      continue;
+    }
+    to.ranks.push_back(weight * ranks[k]);
+    to.plus += differences[k] > 0.0 ? to.ranks.back() : 0.0;
+  }
+}
+
+double normalP(const WeightedRanks& all, double correction) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double rank : all.ranks) {
+    sum += rank;
+    squares += rank * rank;
+  }
+  const double distance = std::max(0.0, std::abs(all.plus - 0.5 * sum) - correction);
+  return std::min(1.0, 2.0 * normalTail(distance / (0.5 * std::sqrt(squares))));
+}
+
+double exactP(const WeightedRanks& all) {
+  const double sum = std::accumulate(all.ranks.begin(), all.ranks.end(), 0.0);
+  return std::min(1.0, 2.0 * signedRankSumCdf(all.ranks, std::min(all.plus, sum - all.plus)));
+}
+
+/// Weighted means of pairs of differences within the strata: total weight up to a value.
+class PairMeans {
+ public:
+  PairMeans(const Strata& strata, Numbers weights) : strata_(strata), weights_(std::move(weights)) {
+    for (Numbers& each : strata_) {
+      std::sort(each.begin(), each.end());
+      low_ = std::min(low_, each.front());
+      high_ = std::max(high_, each.back());
+    }
+  }
+
+  double all() const { return upTo(high_); }
+  /// The smallest mean up to which the total weight is at least `weight`.
+  double at(double weight) const {
+    return orderStatistic([this](double x) { return upTo(x); }, weight, low_, high_);
+  }
+
+ private:
+  double upTo(double x) const {
+    double weight = 0.0;
+    for (std::size_t k = 0; k < strata_.size(); ++k) {
+      weight += weights_[k] * pairMeansUpTo(strata_[k], x);
+    }
+    return weight;
+  }
+
+  Strata strata_;  // sorted
+  Numbers weights_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
+/// The largest sum of weighted ranks without ties whose cumulative probability is at most `miss`;
+/// negative: none.
+double exactExclusion(const Strata& strata, const Weights& weights, double miss) {
+  Numbers chances(1, 1.0);
+  for (std::size_t k = 0; k < strata.size(); ++k) {
+    for (std::size_t rank = 1; rank <= strata[k].size(); ++rank) {
+      const std::size_t step = rank * static_cast<std::size_t>(weights.each[k]);
+      chances.resize(chances.size() + step, 0.0);
+      for (std::size_t sum = chances.size(); sum-- > 0;) {
+        chances[sum] = 0.5 * (chances[sum] + (sum >= step ? chances[sum - step] : 0.0));
+      }
+    }
+  }
+  double chance = 0.0;
+  std::size_t sum = 0;
+  while (sum < chances.size() && chance + chances[sum] <= miss) {
+    chance += chances[sum++];
+  }
+  return static_cast<double>(sum) - 1.0;
+}
+
+double excludedOnEachSide(const Strata& strata, const Weights& weights, double level) {
+  const double miss = (1.0 - level) / 2.0;
+  if (countOf(strata) <= kMostExactlyStratified && weights.areIntegers) {
+    return exactExclusion(strata, weights, miss);
+  }
+  double expected = 0.0;
+  double variance = 0.0;
+  for (std::size_t k = 0; k < strata.size(); ++k) {
+    const auto n = static_cast<double>(strata[k].size());
+    const double weight = weights.each[k];
+    expected += weight * n * (n + 1.0) / 4.0;
+    variance += weight * weight * n * (n + 1.0) * (2.0 * n + 1.0) / 24.0;
+  }
+  const double place =
+      expected + normalQuantile(miss) * std::sqrt(variance) - 0.5 * smallest(weights);
+  return std::floor(place);
+}
+
+}  // namespace
+
+StratifiedSignedRank stratifiedSignedRank(const Strata& differences) {
+  const Strata strata = withoutEmpty(differences);
+  StratifiedSignedRank result;
+  result.strata = static_cast<int>(strata.size());
+  if (strata.empty()) {
+    return result;
+  }
+  const Weights weights = weightsOf(strata);
+  WeightedRanks all;
+  for (std::size_t k = 0; k < strata.size(); ++k) {
+    addStratum(strata[k], weights.each[k], all);
+  }
+  result.n = static_cast<int>(all.ranks.size());
+  result.zeros = all.zeros;
+  result.isExact = all.ranks.size() <= kMostExactlyStratified &&
+                   countOf(strata) <= kMostRankedOfStrata && weights.areIntegers;
+  if (result.n > 0) {
+    result.p = result.isExact ? exactP(all) : normalP(all, 0.5 * smallest(weights));
+  }
+  return result;
+}
+
+double stratifiedShift(const Strata& differences) {
+  const Strata strata = withoutEmpty(differences);
+  if (strata.empty()) {
+    return kUndefined;
+  }
+  const PairMeans means(strata, weightsOf(strata).each);
+  constexpr double kMore = 1e-12;  // relative; more than half
+  const double half = 0.5 * means.all();
+  const double below = means.at(half * (1.0 - kMore));
+  const double above = means.at(half * (1.0 + kMore));
+  return below + 0.5 * (above - below);
+}
+
+Interval stratifiedShiftInterval(const Strata& differences, double level) {
+  const Strata strata = withoutEmpty(differences);
+  if (strata.empty()) {
+    return {};
+  }
+  const Weights weights = weightsOf(strata);
+  const double outside = excludedOnEachSide(strata, weights, level);
+  if (outside < 0.0) {
+    return {};
+  }
+  const PairMeans means(strata, weights.each);
+  constexpr double kWeightRounding = 1e-9;  // of weights that are not integers
+  return {means.at(outside + (weights.areIntegers ? 1.0 : kWeightRounding)),
+          means.at(means.all() - outside)};
+}
+
+Interval stratifiedRateInterval(const std::vector<PairedOutcomes>& strata, double level) {
+  double pairs = 0.0;
+  for (const PairedOutcomes& each : strata) {
+    pairs += each.count();
+  }
+  double difference = 0.0;
+  double below = 0.0;
+  double above = 0.0;
+  for (const PairedOutcomes& each : strata) {
+    if (each.count() == 0) {
+      continue;
+    }
+    const double share = each.count() / pairs;
+    const double own = static_cast<double>(each.onlyFirst - each.onlySecond) / each.count();
+    const Interval interval = pairedRateInterval(each, level);
+    difference += share * own;
+    below += std::pow(share * (own - interval.low), 2.0);
+    above += std::pow(share * (interval.high - own), 2.0);
+  }
+  return pairs > 0.0 ? Interval{difference - std::sqrt(below), difference + std::sqrt(above)}
+                     : Interval();
+}
+
+}  // namespace statistics

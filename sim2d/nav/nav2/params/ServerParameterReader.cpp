@@ -1,0 +1,352 @@
+#include "sim2d/nav/nav2/params/ServerParameterReader.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/NodeReader.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr std::array<const char*, 5> kBehaviors = {"Spin", "BackUp", "DriveOnHeading", "Wait",
+                                                   "AssistedTeleop"};
+
+bool hasNode(const ParameterFile& file, const std::string& name) {
+  return std::any_of(file.nodes().begin(), file.nodes().end(),
+                     [&](const NodeParameters& node) { return node.node == name; });
+}
+
+/// The index in kBehaviors of "nav2_behaviors::Spin", or of "nav2_recoveries/Spin" as before
+/// Humble; the size of kBehaviors for other classes.
+std::size_t behaviorOf(const std::string& plugin) {
+  const std::string name = normalizedPluginClass(plugin);
+  for (std::size_t i = 0; i < kBehaviors.size(); ++i) {
+    for (const char* const package : {"nav2_behaviors::", "nav2_recoveries::"}) {
+      if (name == std::string(package) + kBehaviors[i]) {
+        return i;
+      }
+    }
+  }
+  return kBehaviors.size();
+}
+
+/// Nav2 loads these behaviors when `behavior_plugins` is absent.
+std::string defaultBehavior(const NodeReader& node, const std::string& name) {
+  static constexpr std::array<std::pair<const char*, const char*>, 4> kDefaults = {
+      {{"spin", "nav2_behaviors::Spin"},
+       {"backup", "nav2_behaviors::BackUp"},
+       {"drive_on_heading", "nav2_behaviors::DriveOnHeading"},
+       {"wait", "nav2_behaviors::Wait"}}};
+  for (const auto& [behavior, plugin] : kDefaults) {
+    if (name == behavior && !node.has("behavior_plugins")) {
+      return plugin;
+    }
+  }
+  return {};
+}
+
+void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& to) {
+  const std::string plugin = pluginClass(node, name, defaultBehavior(node, name));
+  if (plugin.empty()) {
+    return;
+  }
+  const DriveParameters drive = driveDefaults(node.distro());
+  switch (behaviorOf(plugin)) {
+    case 0:
+      to.hasSpin = true;
+      break;
+    case 1:
+      to.hasBackUp = true;
+      to.backUp = node.read(name + ".", driveKeys(), {}, drive);
+      reportProblems(node, problemsOf(to.backUp, name));
+      break;
+    case 2:
+      to.hasDriveOnHeading = true;
+      to.driveOnHeading = node.read(name + ".", driveKeys(), {}, drive);
+      reportProblems(node, problemsOf(to.driveOnHeading, name));
+      break;
+    case 3:
+      to.hasWait = true;
+      break;
+    case 4:
+      to.hasAssistedTeleop = true;
+      break;
+    default: {
+      std::vector<std::string> known;
+      known.reserve(std::size(kBehaviors));
+      for (const char* const behavior : kBehaviors) {
+        known.push_back(std::string("nav2_behaviors::") + behavior);
+      }
+      if (isMisspelt(plugin, known)) {
+        reportUnknownPlugin(node, name, plugin, known);
+      } else {
+        reportOmittedPlugin(node, name, plugin, "its package is not re-implemented");
+      }
+      node.markIgnored(name + ".", "its class is not implemented");
+    }
+  }
+}
+
+void readBehaviors(NodeReader node, BehaviorSettings& to) {
+  to.server = node.read({}, behaviorKeys(), ignoredBehaviorKeys(), BehaviorParameters());
+  reportProblems(node, problemsOf(to.server));
+  to.backUp = to.driveOnHeading = driveDefaults(node.distro());
+  for (const std::string& name :
+       uniquePluginNames(node, "behavior_plugins", to.server.behaviorPlugins)) {
+    readBehavior(node, name, to);
+  }
+  node.finish();
+}
+
+VelocitySmootherParameters readVelocitySmoother(NodeReader node) {
+  VelocitySmootherParameters smoother = node.read(
+      {}, velocitySmootherKeys(), ignoredVelocitySmootherKeys(), VelocitySmootherParameters());
+  reportProblems(node, problemsOf(smoother));
+  node.finish();
+  return smoother;
+}
+
+MonitorPolygon readShape(NodeReader& node, const std::string& name) {
+  MonitorPolygon shape =
+      node.read(name + ".", monitorPolygonKeys(), ignoredCollisionMonitorKeys(), MonitorPolygon());
+  shape.name = name;
+  for (const std::string& sub : shape.velocityPolygons) {
+    const std::string prefix = base::join({name, sub, ""}, ".");
+    VelocitySubPolygon part = node.read(prefix, velocitySubPolygonKeys(), {}, VelocitySubPolygon());
+    part.name = sub;
+    shape.subPolygons.push_back(std::move(part));
+  }
+  return shape;
+}
+
+CollisionMonitorParameters readCollisionMonitor(NodeReader node) {
+  CollisionMonitorParameters monitor = node.read(
+      {}, collisionMonitorKeys(), ignoredCollisionMonitorKeys(), CollisionMonitorParameters());
+  for (const std::string& name : uniquePluginNames(node, "polygons", monitor.polygons)) {
+    monitor.shapes.push_back(readShape(node, name));
+  }
+  for (const std::string& name :
+       uniquePluginNames(node, "observation_sources", monitor.observationSources)) {
+    MonitorSource source;
+    source.sourceTimeout = monitor.sourceTimeout;
+    source = node.read(name + ".", monitorSourceKeys(), ignoredCollisionMonitorKeys(), source);
+    source.name = name;
+    monitor.sources.push_back(std::move(source));
+  }
+  reportProblems(node, problemsOf(monitor));
+  node.finish();
+  return monitor;
+}
+
+}  // namespace
+
+void readMotionServers(Nav2Parameters& to,
+                       const std::function<NodeReader(const std::string&)>& reader,
+                       const ParameterFile& file) {
+  const bool isPreHumble = hasNode(file, "recoveries_server") && !hasNode(file, "behavior_server");
+  readBehaviors(reader(isPreHumble ? "recoveries_server" : "behavior_server"), to.behaviors);
+  to.velocitySmoother = readVelocitySmoother(reader("velocity_smoother"));
+  if (hasNode(file, "collision_monitor")) {
+    to.collisionMonitor = readCollisionMonitor(reader("collision_monitor"));
+  }
+}
+
+namespace {
+
+/// Reads the keys of one plugin. The costs of classes have the names that semantic_classes lists.
+template <class Parameters>
+void readPlugin(NodeReader& node, const std::string& name, Parameters& parameters) {
+  const std::string prefix = name + ".";
+  parameters = node.read(prefix, keysOf(parameters), {}, parameters);
+  if constexpr (std::is_same_v<Parameters, SemanticScorerParameters>) {
+    for (const std::string& one : parameters.semanticClasses) {
+      parameters.costs[one] = node.value<double>(prefix + one).value_or(0.0);
+    }
+  }
+  if constexpr (std::is_same_v<Parameters, AdjustSpeedLimitParameters>) {
+    node.markIgnored(prefix + "speed_limit_topic",
+                     "the limit is passed to the controller server directly");
+  }
+}
+
+/// Without the list, Nav2 loads the classes of the default names.
+std::string defaultClass(const NodeReader& node, const std::string& list, const std::string& name) {
+  return node.has(list) ? std::string() : "nav2_route::" + name;
+}
+
+template <class Settings, class Find>
+void readPlugins(NodeReader& node, const std::string& list, const std::vector<std::string>& names,
+                 const Find& find, const std::vector<std::string>& known,
+                 std::vector<std::pair<std::string, Settings>>& to) {
+  for (const std::string& name : uniquePluginNames(node, list, names)) {
+    const std::string plugin = pluginClass(node, name, defaultClass(node, list, name));
+    if (plugin.empty()) {
+      continue;
+    }
+    std::optional<Settings> settings = find(plugin);
+    if (!settings) {
+      reportUnknownPlugin(node, name, plugin, known);
+      node.markIgnored(name + ".", "its class is not implemented");
+      continue;
+    }
+    std::visit([&](auto& parameters) { readPlugin(node, name, parameters); }, *settings);
+    to.emplace_back(name, *std::move(settings));
+  }
+}
+
+}  // namespace
+
+RouteSettings readRouteServer(NodeReader node) {
+  RouteSettings route;
+  route.server = node.read({}, routeServerKeys(), ignoredRouteServerKeys(), route.server);
+  reportProblems(node, problemsOf(route.server));
+  readPlugins(node, "edge_cost_functions", route.server.edgeCostFunctions, edgeScorerOf,
+              edgeScorerPlugins(), route.scorers);
+  readPlugins(node, "operations", route.server.operations, routeOperationOf,
+              routeOperationPlugins(), route.operations);
+  node.finish();
+  return route;
+}
+
+namespace {
+
+/// Keys of nav2_map_server's map_server that publishes a mask.
+struct MaskServer {
+  std::string topic = "map", yaml;
+};
+const std::vector<Nav2Key<MaskServer>>& maskServerKeys() {
+  static const std::vector<Nav2Key<MaskServer>> kKeys = {
+      {"topic_name", &MaskServer::topic, "", "Topic of the mask."},
+      {"yaml_filename", &MaskServer::yaml, "", "Mask: YAML file of a map."}};
+  return kKeys;
+}
+
+/// Keys of nav2_map_server's costmap_filter_info_server.
+struct FilterInfo {
+  int type = 0;  // 0 keepout, 1 speed in percent, 2 speed in m/s, 3 binary
+  std::string topic = "costmap_filter_info", maskTopic = "filter_mask";
+  double base = 0.0, multiplier = 1.0;
+};
+const std::vector<Nav2Key<FilterInfo>>& filterInfoKeys() {
+  static const std::vector<Nav2Key<FilterInfo>> kKeys = {
+      {"type", &FilterInfo::type, "", "0 keepout, 1 speed in percent, 2 speed in m/s, 3 binary."},
+      {"filter_info_topic", &FilterInfo::topic, "", "Topic that filters subscribe to."},
+      {"mask_topic", &FilterInfo::maskTopic, "", "Topic of the mask."},
+      {"base", &FilterInfo::base, "", "Value of the filter: base + multiplier * mask."},
+      {"multiplier", &FilterInfo::multiplier, "", "See base."}};
+  return kKeys;
+}
+
+const std::vector<IgnoredKey>& ignoredMaskKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"frame_id", "the frames of all maps are identical"}};
+  return kKeys;
+}
+
+/// "/mask" and "mask" are the same topic for a robot without a namespace.
+std::string topicOf(const std::string& name) {
+  return name.substr(std::min(name.size(), name.find_first_not_of('/')));
+}
+
+bool hasKey(const NodeParameters& node, const char* key) {
+  return std::any_of(node.given.begin(), node.given.end(), [key](const GivenParameter& given) {
+    return given.name == key && !given.isWildcard;
+  });
+}
+
+bool isCostmap(const std::string& node) {
+  return node == "local_costmap" || node == "global_costmap";
+}
+
+class MaskReader {
+ public:
+  MaskReader(const std::function<NodeReader(const std::string&)>& reader,
+             const ParameterFile& file) {
+    std::set<std::string> seen;
+    for (const NodeParameters& node : file.nodes()) {
+      if (isCostmap(node.node) || !seen.insert(node.node).second) {
+        continue;
+      }
+      if (hasKey(node, "filter_info_topic")) {
+        infos_.push_back(read(reader(node.node), filterInfoKeys(), FilterInfo()));
+      } else if (hasKey(node, "yaml_filename") && node.node != "map_server") {
+        servers_.push_back(read(reader(node.node), maskServerKeys(), MaskServer()));
+      }
+    }
+  }
+
+  void assignMasks(std::vector<CostmapPlugin>& filters) const {
+    for (CostmapPlugin& filter : filters) {
+      if (auto* const keepout = std::get_if<KeepoutFilterParameters>(&filter.parameters)) {
+        const FilterInfo* const info = infoOf(keepout->filterInfoTopic, 0, 0);
+        keepout->isMaskPublished = assignMask(keepout->maskFile, info);
+      } else if (auto* const speed = std::get_if<SpeedFilterParameters>(&filter.parameters)) {
+        const FilterInfo* const info = infoOf(speed->filterInfoTopic, 1, 2);
+        speed->isMaskPublished = assignMask(speed->maskFile, info);
+        if (speed->isMaskPublished) {
+          speed->maskBase = info->base;
+          speed->maskMultiplier = info->multiplier;
+          speed->maskIsPercentage = info->type == 1;
+        }
+      } else if (auto* const binary = std::get_if<BinaryFilterParameters>(&filter.parameters)) {
+        const FilterInfo* const info = infoOf(binary->filterInfoTopic, 3, 3);
+        binary->isMaskPublished = assignMask(binary->maskFile, info);
+        if (binary->isMaskPublished) {
+          binary->maskBase = info->base;
+          binary->maskMultiplier = info->multiplier;
+        }
+      }
+    }
+  }
+
+ private:
+  template <class Parameters>
+  static Parameters read(NodeReader node, const std::vector<Nav2Key<Parameters>>& keys,
+                         Parameters parameters) {
+    parameters = node.read({}, keys, ignoredMaskKeys(), std::move(parameters));
+    node.finish();
+    return parameters;
+  }
+
+  /// The filter info on a topic whose type is in [lowest, highest]; Nav2's filters reject other
+  /// types.
+  const FilterInfo* infoOf(const std::string& topic, int lowest, int highest) const {
+    const auto found = std::find_if(infos_.begin(), infos_.end(), [&](const FilterInfo& info) {
+      return topicOf(info.topic) == topicOf(topic) && info.type >= lowest && info.type <= highest;
+    });
+    return found == infos_.end() || topic.empty() ? nullptr : &*found;
+  }
+
+  /// Returns false if no mask was assigned.
+  bool assignMask(std::string& file, const FilterInfo* info) const {
+    if (!file.empty() || info == nullptr) {
+      return false;
+    }
+    const auto found = std::find_if(servers_.begin(), servers_.end(), [&](const MaskServer& each) {
+      return topicOf(each.topic) == topicOf(info->maskTopic);
+    });
+    file = found == servers_.end() ? std::string() : found->yaml;
+    return !file.empty();
+  }
+
+  std::vector<FilterInfo> infos_;
+  std::vector<MaskServer> servers_;
+};
+
+}  // namespace
+
+void readMasks(Nav2Parameters& to, const std::function<NodeReader(const std::string&)>& reader,
+               const ParameterFile& file) {
+  const MaskReader masks(reader, file);
+  masks.assignMasks(to.localCostmap.filters);
+  masks.assignMasks(to.globalCostmap.filters);
+}
+
+}  // namespace sim2d::nav2

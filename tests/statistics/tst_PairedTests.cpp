@@ -1,0 +1,170 @@
+#include <algorithm>
+
+#include <QtTest>
+
+#include "metrics/statistics/PairedTests.h"
+#include "metrics/statistics/Ranks.h"
+#include "tests/statistics/Near.h"
+
+using namespace statistics;
+
+namespace {
+
+/// Depression scores before and after therapy (Hollander & Wolfe 1999, table 3.1; R's
+/// ?wilcox.test).
+const Numbers& therapy() {
+  static const Numbers differences = {1.83 - 0.878, 0.50 - 0.647, 1.62 - 0.598,
+                                      2.48 - 2.05,  1.68 - 1.06,  1.88 - 1.29,
+                                      1.55 - 1.06,  3.06 - 3.14,  1.30 - 1.29};
+  return differences;
+}
+
+/// C4.5 with and without m, AUC times 1000 (Demšar 2006, table 2).
+const Numbers& demsar() {
+  static const Numbers differences = {5, -8, 17, 33, 6, -5, 7, 0, 63, 0, 22, 47, 9, 21};
+  return differences;
+}
+
+/// numpy 1.24: round(default_rng(5).normal(.3, 1, 60), 3).
+const Numbers& sixty() {
+  static const Numbers differences = {
+      -0.502, -1.024, 0.052,  0.72,   1.436,  0.41,   -0.253, -0.485, 1.049,  1.935,
+      0.573,  -0.933, -0.658, 1.9,    0.503,  -1.432, 0.216,  -0.863, -0.329, -0.188,
+      -0.413, 0.853,  0.237,  -0.289, 0.71,   1.13,   -1.343, 0.043,  -0.681, 0.127,
+      -0.989, 0.321,  0.262,  -0.004, -0.748, -0.096, -0.791, -1.055, 0.525,  -0.809,
+      1.47,   1.017,  -1.698, 0.572,  -0.802, 0.333,  0.344,  -1.688, 0.067,  0.044,
+      1.262,  -0.881, 1.038,  -0.799, -0.031, -0.54,  1.749,  0.868,  2.732,  0.942};
+  return differences;
+}
+
+}  // namespace
+
+class PairedTestsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void midranks_ties_shareTheirMean() {
+    QCOMPARE(midranks({3, 1, 3, 2, 3}), Numbers({4, 1, 4, 2, 4}));
+    QCOMPARE(midranks({}), Numbers());
+    QCOMPARE(tieSum({3, 1, 3, 2, 3, 1}), 24.0 + 6.0);
+  }
+
+  /// Largest smaller sums that are significant at 5 % two-sided: the usual table (Wilcoxon & Wilcox
+  /// 1964).
+  void signedRankCdf_criticalValues_areThoseOfTheTable_data() {
+    QTest::addColumn<int>("n");
+    QTest::addColumn<int>("critical");
+    const int rows[][2] = {{6, 0},   {7, 2},   {8, 3},   {9, 5},    {10, 8},  {12, 13},
+                           {15, 25}, {20, 52}, {25, 89}, {30, 137}, {50, 434}};
+    for (const auto& row : rows) {
+      QTest::addRow("%d", row[0]) << row[0] << row[1];
+    }
+  }
+  void signedRankCdf_criticalValues_areThoseOfTheTable() {
+    QFETCH(int, n);
+    QFETCH(int, critical);
+    const Numbers cdf = signedRankCdf(n);
+    const auto at = static_cast<std::size_t>(critical);
+    QVERIFY(cdf[at] <= 0.025);
+    QVERIFY(cdf[at + 1] > 0.025);
+    VERIFY_NEAR(cdf.back(), 1.0, 1e-12);
+  }
+
+  /// H & W: T+ = 40, one-sided p .0195.
+  void signedRank_therapy_isThatOfTheBook() {
+    const SignedRank found = signedRank(therapy());
+    QCOMPARE(found.plus, 40.0);
+    QCOMPARE(found.minus, 5.0);
+    QVERIFY(found.isExact);
+    VERIFY_NEAR(found.p, 0.0390625, 1e-12);
+  }
+
+  /// All 2^12 signs listed: of 16 (Pratt) and 15 (Wilcoxon) the smaller sum is as small.
+  void signedRank_tiesAndZeros_areThoseOfTheList() {
+    const SignedRank pratt = signedRank(demsar(), ZeroRule::Pratt);
+    QCOMPARE(pratt.minus, 10.5);
+    QCOMPARE(pratt.plus, 91.5);  // Demšar counts half of the zeros' ranks too: 93
+    QCOMPARE(pratt.zeros, 2);
+    QVERIFY(pratt.isExact);
+    VERIFY_NEAR(pratt.p, 2.0 * 16.0 / 4096.0, 1e-15);
+    const SignedRank wilcoxon = signedRank(demsar(), ZeroRule::Wilcoxon);
+    QCOMPARE(wilcoxon.minus, 6.5);
+    VERIFY_NEAR(wilcoxon.p, 2.0 * 15.0 / 4096.0, 1e-15);
+  }
+
+  /// By hand: all of one sign is 2 / 2^n, no p is smaller; of {1, 1, -1, 2} four of 16 sums are at
+  /// most 2.
+  void signedRank_tiesAndZerosOfFew_areByHand() {
+    QCOMPARE(signedRank({1, 1, 1, 1, 1}).p, 2.0 / 32.0);
+    QCOMPARE(signedRank({0, 1, 2, 3, 4, 5, 6}).p, 2.0 / 64.0);
+    QCOMPARE(signedRank({0, 0, 0, 0, 2, 2}).p, 2.0 / 4.0);
+    QCOMPARE(signedRank({1, 1, -1, 2}).p, 2.0 * 4.0 / 16.0);
+  }
+
+  /// scipy 1.10.1: wilcoxon(d, zero_method, correction=True, mode='approx').
+  void signedRank_manyWithTies_isThatOfScipy() {
+    const SignedRank many = signedRank(sixty());
+    QCOMPARE(std::min(many.plus, many.minus), 845.0);
+    QVERIFY(!many.isExact);
+    VERIFY_NEAR(many.p, 0.6089089992671246, 1e-9);
+  }
+
+  void signedRank_edgeCases_areAsSaid() {
+    QCOMPARE(signedRank({}).p, 1.0);
+    QCOMPARE(signedRank({0.0, 0.0, 0.0}).p, 1.0);
+    QCOMPARE(signedRank({2.0}).p, 1.0);
+    QCOMPARE(signedRank({1, 2, 3, 4, 5}).p, 2.0 / 32.0);  // all of one sign: 2 / 2^n
+    const SignedRank opposite = signedRank({-1, -2, -3, -4, -5});
+    QCOMPARE(opposite.minus, 15.0);
+    QCOMPARE(opposite.p, 2.0 / 32.0);
+  }
+
+  /// By hand: of the 12 that are not zero 10 are positive,
+  /// so 2 (1 + 12 + 66) / 2^12.
+  void signTestP_byHand_isEqual() {
+    QCOMPARE(signTestP(demsar()), 2.0 * 79.0 / 4096.0);
+    QCOMPARE(signTestP({}), 1.0);
+    QCOMPARE(signTestP({0.0}), 1.0);
+    QCOMPARE(signTestP({1.0, -1.0}), 1.0);
+  }
+
+  /// H & W, examples 3.2 and 3.3: estimate .46, interval of 96 % (.010, .786).
+  void pairedShift_therapy_isThatOfTheBook() {
+    VERIFY_NEAR(pairedShift(therapy()), 0.46, 1e-9);
+    const Interval found = pairedShiftInterval(therapy(), 0.95);  // next possible level: 96.1 %
+    VERIFY_NEAR(found.low, 0.010, 1e-9);
+    VERIFY_NEAR(found.high, 0.786, 1e-9);
+  }
+
+  /// All means of pairs listed and sorted; the places by the normal distribution, by hand:
+  /// 60 * 61 / 4 = 915, √(60 * 61 * 121 / 24) = 135.84, 915 - 1.95996 * 135.84 - 0.5 = 648.3.
+  void pairedShift_manyPairs_isTheOneOfTheList() {
+    Numbers means;
+    const Numbers& values = sixty();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      for (std::size_t j = i; j < values.size(); ++j) {
+        means.push_back(0.5 * (values[i] + values[j]));
+      }
+    }
+    std::sort(means.begin(), means.end());
+    QCOMPARE(means.size(), std::size_t{1830});
+    VERIFY_NEAR(pairedShift(values), 0.5 * (means[914] + means[915]), 1e-12);
+    const Interval found = pairedShiftInterval(values);
+    QCOMPARE(found.low, means[648]);
+    QCOMPARE(found.high, means[1830 - 649]);
+  }
+
+  void pairedShift_edgeCases_areAsSaid() {
+    QVERIFY(std::isnan(pairedShift({})));
+    QCOMPARE(pairedShift({-3.0}), -3.0);
+    QCOMPARE(pairedShift({0.0, 0.0, 0.0}), 0.0);
+    QVERIFY(!pairedShiftInterval({1, 2, 3, 4, 5}).isDefined());
+    QVERIFY(!pairedShiftInterval({}).isDefined());
+    const Interval six = pairedShiftInterval({1, 2, 3, 4, 5, 6});
+    QCOMPARE(six.low, 1.0);
+    QCOMPARE(six.high, 6.0);
+  }
+};
+
+QTEST_APPLESS_MAIN(PairedTestsTest)
+#include "tst_PairedTests.moc"
