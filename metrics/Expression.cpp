@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Lexer.h"
 #include "sim2d/base/Text.h"
 
@@ -69,14 +70,6 @@ const base::LexerRules& formulaLexerRules() {
       false,
       true};
   return kRules;
-}
-
-/// The entry with this name; null: none.
-template <class Entry>
-const Entry* find(const std::vector<Entry>& entries, const std::string& name) {
-  const auto found = std::find_if(entries.begin(), entries.end(),
-                                  [&name](const Entry& entry) { return entry.name == name; });
-  return found == entries.end() ? nullptr : &*found;
 }
 
 template <class... Lists>
@@ -222,7 +215,7 @@ class ExpressionParser {
     if (take("(")) {
       return parseCall(name, begin, depth + 1);
     }
-    if (const VariableName* variable = find(variableNames(), name)) {
+    if (const VariableName* variable = base::findBy(variableNames(), &VariableName::name, name)) {
       expression_.needs_.robot |= variable->needsRobot;
       expression_.needs_.people |= variable->needsPeople;
       return {variable->value, variable->scope, variable->isKnownAtEnd};
@@ -247,13 +240,14 @@ class ExpressionParser {
     if (hasFailed()) {
       return arguments.front();
     }
-    if (const FunctionName* function = find(functionNames(), name)) {
+    if (const FunctionName* function = base::findBy(functionNames(), &FunctionName::name, name)) {
       return callOf(*function, arguments, begin);
     }
-    if (const AggregateName* total = find(aggregateNames(), name)) {
+    if (const AggregateName* total = base::findBy(aggregateNames(), &AggregateName::name, name)) {
       return totalOf(*total, arguments, begin);
     }
-    if (const AggregateName* total = find(peopleAggregateNames(), name)) {
+    if (const AggregateName* total =
+            base::findBy(peopleAggregateNames(), &AggregateName::name, name)) {
       return peopleTotalOf(*total, arguments, begin);
     }
     const auto known = namesOf(functionNames(), aggregateNames(), peopleAggregateNames());

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "metrics/RobotMotion.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/trace/RobotArrival.h"
 
 namespace metrics {
@@ -323,12 +324,8 @@ const MetricResult* Evaluation::find(std::string_view key) const {
 }
 
 const MetricResult* findResult(const std::vector<MetricResult>& results, std::string_view key) {
-  for (const MetricResult& result : results) {
-    if (result.info.key == key) {
-      return &result;
-    }
-  }
-  return nullptr;
+  return base::findIf(results,
+                      [key](const MetricResult& result) { return result.info.key == key; });
 }
 
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim2d/base/ParameterSpec.h"
+#include "sim2d/base/Ranges.h"
 
 namespace metrics {
 
@@ -81,8 +81,11 @@ struct MetricParameters {
 
 /// Description of a parameter; the fallback is the member's default above.
 struct ParameterInfo {
+  ParameterInfo(const char* key, double MetricParameters::*itsMember, const char* unit,
+                const char* help, const char* users = "", base::Range range = base::kWeight);
+
   base::ParameterSpec spec;
-  double MetricParameters::*member = nullptr;
+  double MetricParameters::*member;
   std::string usedBy;  // key prefixes of metrics that use it without naming it in the formula
 };
 const std::vector<ParameterInfo>& parameterInfos();

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {
@@ -191,12 +192,7 @@ void MetricRegistry::sort() {
 }
 
 const MetricEntry* MetricRegistry::find(std::string_view key) const {
-  for (const MetricEntry& entry : entries_) {
-    if (entry.info.key == key) {
-      return &entry;
-    }
-  }
-  return nullptr;
+  return base::findIf(entries_, [key](const MetricEntry& entry) { return entry.info.key == key; });
 }
 
 std::vector<base::ParameterSpec> MetricRegistry::parametersOf(const MetricInfo& info) const {
@@ -207,7 +203,7 @@ std::vector<base::ParameterSpec> MetricRegistry::parametersOf(const MetricInfo& 
   for (const ParameterInfo& parameter : parameterInfos()) {
     const std::vector<std::string> users = base::split(parameter.usedBy, ' ');
     const bool isUser = std::any_of(users.begin(), users.end(), [&info](const std::string& begin) {
-      return !begin.empty() && info.key.compare(0, begin.size(), begin) == 0;
+      return !begin.empty() && base::startsWith(info.key, begin);
     });
     if (isUser || hasWord(info.formula, parameter.spec.key)) {
       parameters.push_back(parameter.spec);

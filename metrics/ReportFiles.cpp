@@ -204,7 +204,7 @@ class EvaluatorFileWriter {
         put(path, header + values);
         return;
       }
-      if (before->compare(0, header.size(), header) == 0) {
+      if (base::startsWith(*before, header)) {
         put(path, *before + values);
         return;
       }

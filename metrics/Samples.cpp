@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "metrics/ShortestPaths.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/RobotArrival.h"
 
@@ -42,12 +43,7 @@ bool hasJumped(const Vec2& before, const Pedestrian& now, const Seam& seam) {
 }
 
 const Pedestrian* findPerson(const Sample& sample, int id) {
-  for (const Pedestrian& person : sample.people) {
-    if (person.id == id) {
-      return &person;
-    }
-  }
-  return nullptr;
+  return base::findBy(sample.people, &Pedestrian::id, id);
 }
 
 namespace {
@@ -74,15 +70,6 @@ std::optional<double> socialFactorOf(const sim2d::TraceHuman& human) {
     }
   }
   return std::nullopt;
-}
-
-const sim2d::TraceRobot* robotOf(const sim2d::TraceHeader& header, int id) {
-  for (const sim2d::TraceRobot& robot : header.robots) {
-    if (robot.id == id) {
-      return &robot;
-    }
-  }
-  return nullptr;
 }
 
 }  // namespace
@@ -142,7 +129,7 @@ RunContext SampleBuilder::context() const {
     standing.setEnabled(door.part, false);
   }
   context.walls = std::make_shared<const sim2d::Obstacles>(std::move(standing));
-  const sim2d::TraceRobot* robot = robotOf(header_, robotId_);
+  const sim2d::TraceRobot* robot = header_.robot(robotId_);
   if (robot == nullptr) {
     return context;
   }
@@ -182,7 +169,7 @@ Sample SampleBuilder::sampleOf(const sim2d::Frame& frame, std::vector<Pedestrian
   setDoors(frame.time);
   Sample sample;
   sample.time = frame.time;
-  const sim2d::TraceRobot* robot = robotOf(header_, robotId_);
+  const sim2d::TraceRobot* robot = header_.robot(robotId_);
   for (std::size_t k = 0; robot != nullptr && k < frame.robots.size(); ++k) {
     if (frame.robots.id[k] == robotId_) {
       copyMotion(frame.robots, k, sample.robot);
@@ -232,7 +219,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// The argument of "time 3.5" or "event say".
 std::string argumentOf(const std::string& text, const std::string& word) {
   const std::string start = word + " ";
-  return text.compare(0, start.size(), start) == 0 ? base::trimmed(text.substr(start.size())) : "";
+  return base::startsWith(text, start) ? base::trimmed(text.substr(start.size())) : "";
 }
 
 std::optional<base::Diagnostic> boundProblem(const std::string& text,

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <utility>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/Types.h"
 
@@ -40,9 +41,7 @@ const char* nodeOriginName(NodeOrigin origin) {
 }
 
 const PortSpec* NodeManifest::port(std::string_view name) const {
-  const auto place = std::find_if(ports.begin(), ports.end(),
-                                  [name](const PortSpec& port) { return port.key == name; });
-  return place == ports.end() ? nullptr : &*place;
+  return base::findBy(ports, &PortSpec::key, name);
 }
 
 void NodeCatalogue::add(NodeManifest manifest) {

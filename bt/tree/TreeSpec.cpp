@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
@@ -65,9 +66,7 @@ bool operator==(const TreeFile& a, const TreeFile& b) {
 }
 
 const TreeSpec* TreeFile::find(std::string_view treeId) const {
-  const auto place = std::find_if(trees.begin(), trees.end(),
-                                  [treeId](const TreeSpec& tree) { return tree.id == treeId; });
-  return place == trees.end() ? nullptr : &*place;
+  return base::findBy(trees, &TreeSpec::id, treeId);
 }
 
 TreeSpec* TreeFile::find(std::string_view treeId) {

@@ -8,6 +8,7 @@
 
 #include "bt/tree/TreeXml.h"
 #include "bt/tree/XmlText.h"
+#include "sim2d/base/Find.h"
 
 namespace bt {
 namespace {
@@ -263,10 +264,8 @@ void TreeRewriter::findComments(const NodeSpec& node, const SourceElement& sourc
 }
 
 const NodeWithComment* TreeRewriter::findNodeWithComment(const NodeSpec& node) const {
-  const auto found =
-      std::find_if(nodesWithComments_.begin(), nodesWithComments_.end(),
-                   [&node](const NodeWithComment& each) { return *each.node == node; });
-  return found == nodesWithComments_.end() ? nullptr : &*found;
+  return base::findIf(nodesWithComments_,
+                      [&node](const NodeWithComment& each) { return *each.node == node; });
 }
 
 /// The lines of a node at a new position, without the last line break. The comments of an equal

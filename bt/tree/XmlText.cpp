@@ -11,6 +11,7 @@
 #include <tinyxml2.h>
 
 #include "bt/tree/PortTextConversion.h"
+#include "sim2d/base/Text.h"
 
 namespace bt {
 namespace {
@@ -73,7 +74,7 @@ std::size_t verbatimLength(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSections = {
       {{"<!--", "-->"}, {"<![CDATA[", "]]>"}}};
   for (const auto& [begin, end] : kSections) {
-    if (text.substr(0, begin.size()) == begin) {
+    if (base::startsWith(text, begin)) {
       const std::size_t at = text.find(end, begin.size());
       return at == std::string_view::npos ? text.size() : at + end.size();
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
@@ -48,14 +49,9 @@ std::error_code errorUnless(bool isDone) {
 
 constexpr std::string_view kTemporarySuffix = ".new-", kBackupSuffix = "-old";
 
-bool endsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 /// The process id in "<file>.new-<process>-<number>", optionally with "-old". None: another name.
 std::optional<long long> writerPidOf(std::string_view name, std::string_view file) {
-  if (name.substr(0, file.size()) != file ||
-      name.substr(file.size(), kTemporarySuffix.size()) != kTemporarySuffix) {
+  if (!startsWith(name, file) || !startsWith(name.substr(file.size()), kTemporarySuffix)) {
     return std::nullopt;
   }
   name.remove_prefix(file.size() + kTemporarySuffix.size());
@@ -79,22 +75,14 @@ class FileLockProbe {
  public:
   explicit FileLockProbe(const std::string& path)
       : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)),
-        isUnlocked_(file_ < 0 ? errno == ENOENT : ::flock(file_, LOCK_EX | LOCK_NB) == 0) {}
-  ~FileLockProbe() {
-    if (file_ >= 0) {
-      ::close(file_);
-    }
-  }
-  FileLockProbe(const FileLockProbe&) = delete;
-  FileLockProbe& operator=(const FileLockProbe&) = delete;
-  FileLockProbe(FileLockProbe&&) = delete;
-  FileLockProbe& operator=(FileLockProbe&&) = delete;
+        isUnlocked_(file_.isOpen() ? ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0
+                                   : errno == ENOENT) {}
 
   /// False: another process holds the lock, or this cannot be determined.
   bool isUnlocked() const { return isUnlocked_; }
 
  private:
-  int file_;
+  FileDescriptor file_;
   bool isUnlocked_;
 };
 
@@ -123,17 +111,17 @@ void removeStaleFiles(const std::string& target) {
   }
 }
 
-/// Creates a file and locks it. Negative: errno has the reason.
-int createLockedFile(const std::string& name) {
-  const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+/// Creates a file and locks it. Not open: errno has the reason.
+FileDescriptor createLockedFile(const std::string& name) {
+  FileDescriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   struct stat made = {};
-  if (file >= 0) {
+  if (file.isOpen()) {
     // File systems without locks also report no lock holder, so nobody removes the file.
-    const bool isTaken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (isTaken || (::fstat(file, &made) == 0 && made.st_nlink == 0)) {  // removed as stale
-      ::close(file);
+    const bool isTaken = ::flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (isTaken ||
+        (::fstat(file.number(), &made) == 0 && made.st_nlink == 0)) {  // removed as stale
+      file.close();
       errno = EEXIST;
-      return -1;
     }
   }
   return file;
@@ -178,11 +166,11 @@ std::error_code AtomicFileWriter::open() {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = stem + std::to_string(attempt);
     descriptor_ = createLockedFile(name);
-    if (descriptor_ >= 0) {
+    if (descriptor_.isOpen()) {
       temporaryPath_ = name;
       struct stat old = {};  // keep the old permissions
       return errorUnless(::stat(targetPath_.c_str(), &old) != 0 ||
-                         ::fchmod(descriptor_, old.st_mode & 07777U) == 0);
+                         ::fchmod(descriptor_.number(), old.st_mode & 07777U) == 0);
     }
     if (errno != EEXIST) {
       break;
@@ -208,7 +196,7 @@ void AtomicFileWriter::flush() {
 std::error_code AtomicFileWriter::write() const {
   std::string_view rest = buffer_;
   while (!rest.empty()) {
-    const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
+    const ssize_t count = ::write(descriptor_.number(), rest.data(), rest.size());
     if (count < 0 && errno != EINTR) {
       return lastError();
     }
@@ -220,7 +208,7 @@ std::error_code AtomicFileWriter::write() const {
 const Diagnostics& AtomicFileWriter::complete() {
   flush();
   if (isOpen()) {
-    note(errorUnless(::fsync(descriptor_) == 0));
+    note(errorUnless(::fsync(descriptor_.number()) == 0));
   }
   return problems_;
 }
@@ -269,11 +257,6 @@ std::error_code AtomicFileWriter::restoreTarget() {
   return {};
 }
 
-bool AtomicFileWriter::close() {
-  const int descriptor = std::exchange(descriptor_, -1);
-  return descriptor < 0 || ::close(descriptor) == 0;
-}
-
 void AtomicFileWriter::removeTemporaryFiles() {
   for (std::string* name : {&temporaryPath_, &backupPath_}) {
     if (!name->empty()) {
@@ -281,7 +264,7 @@ void AtomicFileWriter::removeTemporaryFiles() {
       name->clear();
     }
   }
-  close();  // releases the lock; complete() has synced the data
+  descriptor_.close();  // releases the lock; complete() has synced the data
 }
 
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content) {
@@ -336,28 +319,22 @@ bool ScratchFile::fail() {
 }
 
 bool ScratchFile::openIn(const std::string& folder) {
-  int descriptor = -1;
 #ifdef O_TMPFILE
-  descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  file_ = FileDescriptor(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR));
 #endif
-  if (descriptor < 0) {  // the file system does not support O_TMPFILE
+  if (!file_.isOpen()) {  // the file system does not support O_TMPFILE
     std::string name = folder + "/hunavsim-XXXXXX";
-    descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor < 0) {
+    file_ = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
+    if (!file_.isOpen()) {
       return fail();
     }
     ::unlink(name.c_str());
   }
-  file_.reset(::fdopen(descriptor, "w+b"));
-  if (file_ == nullptr) {
-    fail();
-    ::close(descriptor);
-  }
-  return file_ != nullptr;
+  return true;
 }
 
 bool ScratchFile::open() {
-  if (file_ != nullptr) {
+  if (file_.isOpen()) {
     return true;
   }
   if (!folder_.empty()) {
@@ -370,7 +347,7 @@ bool ScratchFile::open() {
 
 bool ScratchFile::hasFreeSpace(std::size_t size) {
   struct statvfs disk = {};
-  if (minFreeSpace_ <= 0 || ::fstatvfs(fileno(file_.get()), &disk) != 0) {
+  if (minFreeSpace_ <= 0 || ::fstatvfs(file_.number(), &disk) != 0) {
     return true;  // the write reports a full disk
   }
   const double left = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
@@ -397,7 +374,7 @@ bool ScratchFile::overwrite(const Piece& piece, std::string_view bytes) {
   long long place = piece.place;
   while (!bytes.empty()) {
     errno = EIO;  // in case a call writes nothing and sets no error
-    const ssize_t count = pwrite(fileno(file_.get()), bytes.data(), bytes.size(), place);
+    const ssize_t count = pwrite(file_.number(), bytes.data(), bytes.size(), place);
     if (count <= 0 && errno != EINTR) {
       return fail();
     }
@@ -410,17 +387,17 @@ bool ScratchFile::overwrite(const Piece& piece, std::string_view bytes) {
 }
 
 void ScratchFile::prefetch(const Piece& piece) const {
-  if (file_ != nullptr) {
-    ::posix_fadvise(fileno(file_.get()), piece.place, static_cast<off_t>(piece.size),
+  if (file_.isOpen()) {
+    ::posix_fadvise(file_.number(), piece.place, static_cast<off_t>(piece.size),
                     POSIX_FADV_WILLNEED);
   }
 }
 
 bool ScratchFile::read(const Piece& piece, char* to) const {
   std::size_t done = 0;
-  while (file_ && done < piece.size) {
+  while (file_.isOpen() && done < piece.size) {
     const auto place = piece.place + static_cast<long long>(done);
-    const ssize_t count = pread(fileno(file_.get()), to + done, piece.size - done, place);
+    const ssize_t count = pread(file_.number(), to + done, piece.size - done, place);
     if (count <= 0) {
       return false;
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/FileDescriptor.h"
 #include "sim2d/base/Result.h"
 
 /// Atomic writing of files, and temporary files. For a single text use writeFileAtomically
@@ -50,7 +50,7 @@ class AtomicFileWriter {
 
   static Diagnostics replaceAll(const std::vector<FileContent>& files,
                                 const std::vector<std::unique_ptr<AtomicFileWriter>>& made);
-  bool isOpen() const { return problems_.empty() && descriptor_ >= 0; }
+  bool isOpen() const { return problems_.empty() && descriptor_.isOpen(); }
   void note(const std::error_code& error);
   std::error_code open();
   void flush();
@@ -58,13 +58,12 @@ class AtomicFileWriter {
   std::error_code replaceTarget();
   std::error_code backUpTarget();   // links or copies the target to backupPath_
   std::error_code restoreTarget();  // undoes replaceTarget
-  bool close();
   void removeTemporaryFiles();
 
   std::string path_, targetPath_;           // as given; with symbolic links resolved
   std::string buffer_;                      // buffered content
   std::string temporaryPath_, backupPath_;  // paths of the temporary file and of the backup
-  int descriptor_ = -1;
+  FileDescriptor descriptor_;
   Diagnostics problems_;
 };
 
@@ -97,9 +96,6 @@ class ScratchFile {
   const std::error_code& problem() const { return problem_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   bool open();
   bool openIn(const std::string& folder);
   bool hasFreeSpace(std::size_t size);
@@ -107,7 +103,7 @@ class ScratchFile {
 
   std::string folder_;
   long long minFreeSpace_ = 0;
-  std::unique_ptr<std::FILE, Close> file_;  // opened on first use
+  FileDescriptor file_;  // opened on first use
   long long end_ = 0;
   std::error_code problem_;
 };

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim2d/base/Text.h"
+
 namespace base {
 
 /// JSON text, indented by two spaces; `indent` -1: on one line. Bytes that are not UTF-8 (as in
@@ -16,7 +18,7 @@ std::string jsonText(const Json& json, int indent = 2) {
 /// found" gives "key 'labels' not found". Other texts are returned unchanged.
 inline std::string jsonErrorMessage(std::string_view what) {
   constexpr std::string_view kBegin = "[json.exception.", kEnd = "] ";
-  const std::size_t end = what.rfind(kBegin, 0) == 0 ? what.find(kEnd) : std::string_view::npos;
+  const std::size_t end = startsWith(what, kBegin) ? what.find(kEnd) : std::string_view::npos;
   return std::string(end == std::string_view::npos ? what : what.substr(end + kEnd.size()));
 }
 

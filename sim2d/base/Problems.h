@@ -5,8 +5,8 @@
 
 #include "sim2d/base/Result.h"
 
-/// The catalogue of diagnostics. Code names a problem by its id (base::error("scenario.goal-twice",
-/// {goal})); the text here is shown to the user.
+/// The catalogue of diagnostics, compiled in from problems.txt. Code names a problem by its id
+/// (base::error("scenario.goal-twice", {goal})); the text there is shown to the user.
 namespace base {
 
 struct ProblemText {
@@ -14,7 +14,7 @@ struct ProblemText {
   std::string_view text;  // one sentence with placeholders: {name}, {nearest} = " (did you mean
                           // '…'?)", {name?text, shown only with a value, which replaces %}
   /// The input is replaced, left out, or replaced by a default: `--strict` makes this warning an
-  /// error. In the catalogue: `kSubstitution` after the text.
+  /// error. In the catalogue: `(substitution)` after the id.
   bool isSubstitution = false;
 };
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/ParameterSpec.h"
 
 namespace base {
@@ -34,11 +34,7 @@ class Registry {
     return names;
   }
   /// Null: unknown name.
-  const Entry* find(const std::string& name) const {
-    const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                    [&](const Entry& entry) { return entry.name == name; });
-    return found == entries_.end() ? nullptr : &*found;
-  }
+  const Entry* find(const std::string& name) const { return findBy(entries_, &Entry::name, name); }
 
  private:
   std::vector<Entry> entries_;

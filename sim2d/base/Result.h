@@ -22,7 +22,7 @@ struct Diagnostic {
   int column = 0;              // from 1; 0: unknown
   std::string message;         // one sentence, a hint in brackets at the end: text of `code`
   EntityId entity;             // the entity concerned, if any
-  std::string_view code = {};  // an id of Problems.cpp; programs depend on it
+  std::string_view code = {};  // an id of problems.txt; programs depend on it
   std::vector<std::pair<std::string_view, std::string>> values = {};  // values of the placeholders
 
   /// The value of that name; empty if there is none.
@@ -49,7 +49,7 @@ struct ProblemValue {
 };
 using ProblemValues = std::vector<ProblemValue>;
 
-/// Creates a problem of the catalogue (Problems.cpp); `values` fill the placeholders of its text in
+/// Creates a problem of the catalogue (problems.txt); `values` fill the placeholders of its text in
 /// order of first appearance.
 Diagnostic error(std::string_view code, ProblemValues values = {}, std::string file = {},
                  int line = 0, int column = 0);
@@ -92,5 +92,12 @@ class [[nodiscard]] Result {
   std::optional<T> value_;
   Diagnostics diagnostics_;
 };
+
+/// The value with the problems as warnings; without it if one of them is an error.
+template <class T>
+Result<T> resultOf(T value, Diagnostics problems) {
+  return hasErrors(problems) ? Result<T>(std::move(problems))
+                             : Result<T>(std::move(value), std::move(problems));
+}
 
 }  // namespace base

@@ -14,6 +14,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "sim2d/base/FileDescriptor.h"
+
 namespace base {
 namespace {
 
@@ -45,6 +47,80 @@ std::optional<double> parseNotFinite(std::string_view token) {
     return isNegative ? -infinity : infinity;
   }
   return std::nullopt;
+}
+
+/// Length [bytes] of the UTF-8 character at the start (RFC 3629); 0: invalid.
+std::size_t lengthOfCharacter(std::string_view text) {
+  const auto byteAt = [text](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned first = byteAt(0);
+  if (first < 0x80U) {
+    return 1;
+  }
+  const std::size_t length = first >= 0xf0U ? 4 : first >= 0xe0U ? 3 : 2;
+  unsigned code = first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byteAt(i) & 0xc0U) != 0x80U) {
+      return 0;
+    }
+    code = (code << 6U) | (byteAt(i) & 0x3fU);
+  }
+  constexpr std::array<unsigned, 5> kLeast = {0, 0, 0x80U, 0x800U, 0x10000U};
+  const bool isSurrogate = code >= 0xd800U && code < 0xe000U;
+  return first < 0xc0U || first > 0xf4U || code < kLeast[length] || code > 0x10ffffU || isSurrogate
+             ? 0
+             : length;
+}
+
+/// Opening a pipe does not block.
+FileDescriptor openedForReading(const std::string& path) {
+  return FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+}
+
+Diagnostic tooLarge(const std::string& path, std::size_t most) {
+  return error("file.too-large", {most >> 20U}, path);
+}
+
+Diagnostic unreadable(const std::string& path, int error) {
+  return base::error("file.cannot-read", {std::generic_category().message(error)}, path);
+}
+
+/// Reads to the end; `expected`: probable size [bytes].
+Result<std::string> readAll(int descriptor, const std::string& path, std::size_t expected,
+                            std::size_t most) {
+  constexpr std::size_t kReadPiece = std::size_t{1} << 16U;  // [B]
+  std::string content;
+  std::size_t size = 0;
+  while (true) {
+    if (size == content.size()) {
+      content.resize(std::max(size == 0 ? expected + 1 : 2 * size, size + kReadPiece));
+    }
+    const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
+    if (count < 0 && errno != EINTR) {
+      return unreadable(path, errno);
+    }
+    size += count > 0 ? static_cast<std::size_t>(count) : 0;
+    if (size > most) {
+      return tooLarge(path, most);
+    }
+    if (count == 0) {
+      content.resize(size);
+      return content;
+    }
+  }
+}
+
+/// The text, or an error if it is a Git LFS pointer.
+Result<std::string> rejectLfsPointer(Result<std::string> text, const std::string& path) {
+  return text && isLfsPointer(*text) ? error("file.lfs-pointer", {}, path) : std::move(text);
+}
+
+/// Read once and cached, because a run opens its files more than once.
+const Result<std::string>& standardInput() {
+  static const Result<std::string> kText =
+      rejectLfsPointer(readAll(STDIN_FILENO, "-", 0, kMaxRecord), "-");
+  return kText;
 }
 
 }  // namespace
@@ -128,34 +204,6 @@ std::optional<std::string> nearestName(std::string_view word,
   return nearest;
 }
 
-namespace {
-
-/// Length [bytes] of the UTF-8 character at the start (RFC 3629); 0: invalid.
-std::size_t lengthOfCharacter(std::string_view text) {
-  const auto byteAt = [text](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const unsigned first = byteAt(0);
-  if (first < 0x80U) {
-    return 1;
-  }
-  const std::size_t length = first >= 0xf0U ? 4 : first >= 0xe0U ? 3 : 2;
-  unsigned code = first & (0x7fU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byteAt(i) & 0xc0U) != 0x80U) {
-      return 0;
-    }
-    code = (code << 6U) | (byteAt(i) & 0x3fU);
-  }
-  constexpr std::array<unsigned, 5> kLeast = {0, 0, 0x80U, 0x800U, 0x10000U};
-  const bool isSurrogate = code >= 0xd800U && code < 0xe000U;
-  return first < 0xc0U || first > 0xf4U || code < kLeast[length] || code > 0x10ffffU || isSurrogate
-             ? 0
-             : length;
-}
-
-}  // namespace
-
 std::string escapedControls(std::string_view text, std::string_view kept) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string shown;
@@ -214,83 +262,26 @@ std::string toLower(std::string_view text) {
   return result;
 }
 
-namespace {
-
-class OpenFile {
- public:
-  /// Opening a pipe does not block.
-  explicit OpenFile(const std::string& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
-  ~OpenFile() {
-    if (descriptor_ >= 0) {
-      ::close(descriptor_);
-    }
+std::string shellWord(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=-+,@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) {
+    return text;
   }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  OpenFile(OpenFile&&) = delete;
-  OpenFile& operator=(OpenFile&&) = delete;
-
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-Diagnostic tooLarge(const std::string& path, std::size_t most) {
-  return error("file.too-large", {most >> 20U}, path);
-}
-
-Diagnostic unreadable(const std::string& path, int error) {
-  return base::error("file.cannot-read", {std::generic_category().message(error)}, path);
-}
-
-/// Reads to the end; `expected`: probable size [bytes].
-Result<std::string> readAll(int descriptor, const std::string& path, std::size_t expected,
-                            std::size_t most) {
-  constexpr std::size_t kReadPiece = std::size_t{1} << 16U;  // [B]
-  std::string content;
-  std::size_t size = 0;
-  while (true) {
-    if (size == content.size()) {
-      content.resize(std::max(size == 0 ? expected + 1 : 2 * size, size + kReadPiece));
-    }
-    const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
-    if (count < 0 && errno != EINTR) {
-      return unreadable(path, errno);
-    }
-    size += count > 0 ? static_cast<std::size_t>(count) : 0;
-    if (size > most) {
-      return tooLarge(path, most);
-    }
-    if (count == 0) {
-      content.resize(size);
-      return content;
-    }
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   }
+  return quoted + "'";
 }
-
-/// The text, or an error if it is a Git LFS pointer.
-Result<std::string> rejectLfsPointer(Result<std::string> text, const std::string& path) {
-  return text && isLfsPointer(*text) ? error("file.lfs-pointer", {}, path) : std::move(text);
-}
-
-/// Read once and cached, because a run opens its files more than once.
-const Result<std::string>& standardInput() {
-  static const Result<std::string> kText =
-      rejectLfsPointer(readAll(STDIN_FILENO, "-", 0, kMaxRecord), "-");
-  return kText;
-}
-
-}  // namespace
 
 Result<std::string> readTextFile(const std::string& path, std::size_t most) {
   if (path == "-") {
     return standardInput();
   }
-  const OpenFile file(path);
+  const FileDescriptor file = openedForReading(path);
   struct stat about = {};
-  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &about) != 0) {
+  if (!file.isOpen() || ::fstat(file.number(), &about) != 0) {
     return unreadable(path, errno);
   }
   if (S_ISDIR(about.st_mode)) {
@@ -301,14 +292,13 @@ Result<std::string> readTextFile(const std::string& path, std::size_t most) {
   }
   const auto size = static_cast<std::size_t>(std::max<off_t>(about.st_size, 0));
   return size > most ? Result<std::string>(tooLarge(path, most))
-                     : rejectLfsPointer(readAll(file.descriptor(), path, size, most), path);
+                     : rejectLfsPointer(readAll(file.number(), path, size, most), path);
 }
 
 Diagnostics lfsPointerProblem(const std::string& path) {
-  const OpenFile file(path);
+  const FileDescriptor file = openedForReading(path);
   std::array<char, 64> begin{};
-  const ssize_t count =
-      file.descriptor() < 0 ? 0 : ::read(file.descriptor(), begin.data(), begin.size());
+  const ssize_t count = file.isOpen() ? ::read(file.number(), begin.data(), begin.size()) : 0;
   const std::string_view text(begin.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   return isLfsPointer(text) ? Diagnostics{error("file.lfs-pointer", {}, path)} : Diagnostics();
 }

@@ -51,6 +51,14 @@ std::string trimmed(std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);
 std::string join(const std::vector<std::string>& parts, const std::string& separator);
 std::string toLower(std::string_view text);  // ASCII
+inline bool startsWith(std::string_view text, std::string_view begin) {
+  return text.substr(0, begin.size()) == begin;
+}
+inline bool endsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+/// The text as one word of a POSIX shell command, in quotes if it needs them.
+std::string shellWord(const std::string& text);
 inline bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -58,12 +66,10 @@ inline bool isLetter(char c) {  // ASCII
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Git LFS replaces a large file by a short text file until the large file is fetched.
-
-/// Whether the first bytes of a file are those of a pointer.
+/// Git LFS replaces a large file by a short text file, a pointer, until the large file is fetched:
+/// whether the first bytes of a file are those of a pointer.
 inline bool isLfsPointer(std::string_view begin) {
-  constexpr std::string_view kBegin = "version https://git-lfs";
-  return begin.substr(0, kBegin.size()) == kBegin;
+  return startsWith(begin, "version https://git-lfs");
 }
 
 /// For readers that do not use readTextFile (Text.h), which includes this check. Empty: the file is

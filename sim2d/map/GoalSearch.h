@@ -26,7 +26,16 @@ class CellCosts {
     const std::unique_ptr<Tile>& tile = tiles_[cell / kTile];
     return tile ? (*tile)[cell % kTile] : kNone;
   }
-  void set(Terrain::Index index, std::uint32_t cost);
+  void set(Terrain::Index index, std::uint32_t cost) {
+    const auto cell = static_cast<std::size_t>(index);
+    std::unique_ptr<Tile>& tile = tiles_[cell / kTile];
+    if (!tile) {
+      tile = std::make_unique<Tile>();
+      tile->fill(kNone);
+      ++made_;
+    }
+    (*tile)[cell % kTile] = cost;
+  }
   std::size_t bytes() const { return sizeof(tiles_[0]) * tiles_.size() + sizeof(Tile) * made_; }
 
  private:

@@ -32,13 +32,11 @@ bool isNotFinite(const std::string& text) {
   std::string word = base::toLower(text);
   word.erase(0, word.find_first_not_of("+-"));
   word.erase(0, word.find_first_not_of('.'));
-  const auto begins = [&word](std::string_view with) {
-    return std::string_view(word).substr(0, with.size()) == with;
-  };
   const bool isTooLarge = !word.empty() && base::isDigit(word.front()) &&
                           word.find_first_not_of("0123456789.e+-") == std::string::npos &&
                           word.find('e') != std::string::npos;
-  return begins("nan") || begins("inf") || begins("1.#") || isTooLarge;
+  return base::startsWith(word, "nan") || base::startsWith(word, "inf") ||
+         base::startsWith(word, "1.#") || isTooLarge;
 }
 
 const std::vector<std::string>& mapKeys() {
@@ -259,7 +257,7 @@ bool isOtherImage(const fs::path& path) {
   input.read(begin.data(), begin.size());
   const std::string_view text(begin.data(), static_cast<std::size_t>(input.gcount()));
   return std::any_of(std::begin(kBegins), std::end(kBegins),
-                     [text](std::string_view each) { return text.substr(0, each.size()) == each; });
+                     [text](std::string_view each) { return base::startsWith(text, each); });
 }
 
 base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader) {
@@ -306,7 +304,7 @@ base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& l
 }
 
 std::string withHome(const std::string& path) {
-  const char* home = path.compare(0, 2, "~/") == 0 ? std::getenv("HOME") : nullptr;
+  const char* home = base::startsWith(path, "~/") ? std::getenv("HOME") : nullptr;
   return home != nullptr ? home + path.substr(1) : path;
 }
 

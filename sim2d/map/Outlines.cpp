@@ -101,6 +101,35 @@ std::vector<Outline> mitredStrip(const std::vector<Vec2>& line, bool closed, dou
   return isSimple(right) ? std::vector<Outline>{{right}} : std::vector<Outline>{};
 }
 
+constexpr double kTouching = 1e-6;  // [m]; a line that is inside for less only touches
+
+bool isLeftTurn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return base::cross(b - a, c - b) > 0.0;
+}
+
+/// One half of the hull; `begin` to `end` are sorted by x.
+template <class Iterator>
+void appendHalf(Iterator begin, Iterator end, std::vector<Vec2>& hull) {
+  const std::size_t first = hull.size();
+  for (Iterator point = begin; point != end; ++point) {
+    while (hull.size() >= first + 2 && !isLeftTurn(hull[hull.size() - 2], hull.back(), *point)) {
+      hull.pop_back();
+    }
+    hull.push_back(*point);
+  }
+  hull.pop_back();  // first point of the other half
+}
+
+/// The corners from index `from` to `to`, counter-clockwise.
+std::vector<Vec2> alongFrom(const std::vector<Vec2>& polygon, std::size_t from, std::size_t to) {
+  std::vector<Vec2> path = {polygon[from]};
+  while (from != to) {
+    from = from + 1 < polygon.size() ? from + 1 : 0;
+    path.push_back(polygon[from]);
+  }
+  return path;
+}
+
 }  // namespace
 
 std::vector<Vec2> withoutRepeats(const std::vector<Vec2>& line) {
@@ -267,39 +296,6 @@ bool isSimple(const std::vector<Vec2>& polygon) {
   }
   return true;
 }
-
-namespace {
-
-constexpr double kTouching = 1e-6;  // [m]; a line that is inside for less only touches
-
-bool isLeftTurn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return base::cross(b - a, c - b) > 0.0;
-}
-
-/// One half of the hull; `begin` to `end` are sorted by x.
-template <class Iterator>
-void appendHalf(Iterator begin, Iterator end, std::vector<Vec2>& hull) {
-  const std::size_t first = hull.size();
-  for (Iterator point = begin; point != end; ++point) {
-    while (hull.size() >= first + 2 && !isLeftTurn(hull[hull.size() - 2], hull.back(), *point)) {
-      hull.pop_back();
-    }
-    hull.push_back(*point);
-  }
-  hull.pop_back();  // first point of the other half
-}
-
-/// The corners from index `from` to `to`, counter-clockwise.
-std::vector<Vec2> alongFrom(const std::vector<Vec2>& polygon, std::size_t from, std::size_t to) {
-  std::vector<Vec2> path = {polygon[from]};
-  while (from != to) {
-    from = from + 1 < polygon.size() ? from + 1 : 0;
-    path.push_back(polygon[from]);
-  }
-  return path;
-}
-
-}  // namespace
 
 std::vector<Vec2> convexHull(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {

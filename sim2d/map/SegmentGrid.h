@@ -39,10 +39,6 @@ class SegmentGrid {
     return {items_.data() + start_[index], items_.data() + start_[index + 1]};
   }
 
-  /// Calls visit(Bucket, int segment) for all buckets that touch the box.
-  template <class Visit>
-  void visitBox(const Vec2& low, const Vec2& high, Visit visit) const;
-
   /// Calls visit(int segment) for all buckets near the segment.
   template <class Visit>
   void visitAlong(const Segment& segment, Visit visit) const;
@@ -96,7 +92,7 @@ void SegmentGrid::visitBuckets(Bucket low, Bucket high, Visit& visit) const {
   for (int row = std::max(low.row, 0); row <= lastRow; ++row) {
     for (int column = std::max(low.column, 0); column <= lastColumn; ++column) {
       for (const int item : items({column, row})) {
-        visit(Bucket{column, row}, item);
+        visit(item);
       }
     }
   }
@@ -114,13 +110,6 @@ void SegmentGrid::forEachBucketAlong(const Segment& segment, Visit visit) const 
 }
 
 template <class Visit>
-void SegmentGrid::visitBox(const Vec2& low, const Vec2& high, Visit visit) const {
-  if (!isEmpty()) {
-    visitBuckets(bucketAt(low), bucketAt(high), visit);
-  }
-}
-
-template <class Visit>
 void SegmentGrid::visitAlong(const Segment& segment, Visit visit) const {
   forEachBucketAlong(segment, [&](Bucket bucket) {
     for (const int item : items(bucket)) {
@@ -134,7 +123,6 @@ void SegmentGrid::visitNear(const Vec2& point, const double& limit, Visit visit)
   if (isEmpty()) {
     return;
   }
-  auto visitItem = [&](Bucket, int item) { visit(item); };
   const auto [column, row] = bucketAt(point);
   const int beside = std::max({0, -column, column - width_ + 1});
   const int above = std::max({0, -row, row - height_ + 1});
@@ -144,11 +132,11 @@ void SegmentGrid::visitNear(const Vec2& point, const double& limit, Visit visit)
     if ((ring - 1) * size_ > limit) {
       return;
     }
-    visitBuckets({column - ring, row - ring}, {column + ring, row - ring}, visitItem);
+    visitBuckets({column - ring, row - ring}, {column + ring, row - ring}, visit);
     if (ring > 0) {
-      visitBuckets({column - ring, row + ring}, {column + ring, row + ring}, visitItem);
-      visitBuckets({column - ring, row - ring + 1}, {column - ring, row + ring - 1}, visitItem);
-      visitBuckets({column + ring, row - ring + 1}, {column + ring, row + ring - 1}, visitItem);
+      visitBuckets({column - ring, row + ring}, {column + ring, row + ring}, visit);
+      visitBuckets({column - ring, row - ring + 1}, {column - ring, row + ring - 1}, visit);
+      visitBuckets({column + ring, row - ring + 1}, {column + ring, row + ring - 1}, visit);
     }
   }
 }

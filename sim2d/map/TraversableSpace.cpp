@@ -13,10 +13,6 @@ constexpr std::uint32_t kDiagonal = 17;    // 17 / 12: square root of 2, to 0.2 
 constexpr std::uint32_t kKnightMove = 27;  // 27 / 12: square root of 5, to 0.7 %
 constexpr double kMinCellCost = 6.0;
 
-}  // namespace
-
-namespace {
-
 /// Clearance [m] that a body needs.
 double requiredClearance(const OccupancyGrid& grid, double radius) {
   // Next to a wall bodies of any size are excluded; otherwise they could pass where an obstacle
@@ -30,6 +26,23 @@ int uniformRunLength(const DistanceField& field, double clearance, double least)
   constexpr double kAlikeSlack = 4.0;  // [cells]
   const double cells = std::fabs(clearance - least) / field.grid().resolution() - kAlikeSlack;
   return static_cast<int>(std::clamp(cells, 0.0, 1e6));
+}
+
+constexpr double kMoveLimit = 1.0;        // [m], to move a closed start or goal to an open cell
+constexpr double kClearanceSlack = 1e-3;  // [m], tolerance between cell centres
+
+bool hasOpenUnknown(const DistanceField& field, double radius) {
+  const OccupancyGrid& grid = field.grid();
+  for (int row = 0; field.hasUnknown() && row < grid.height(); ++row) {
+    field.stopFlag().check();
+    for (int column = 0; column < grid.width(); ++column) {
+      const Cell cell{column, row};
+      if (field.isUnknown(cell) && cellCostOf(field, radius, cell) != 0) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -102,27 +115,6 @@ UniformTerrain::UniformTerrain(const DistanceField& field, double radius)
                    {1 - 2 * up, kKnightMove, -up, 1 - up},
                    {-1 - 2 * up, kKnightMove, -up, -1 - up}}};
 }
-
-namespace {
-
-constexpr double kMoveLimit = 1.0;        // [m], to move a closed start or goal to an open cell
-constexpr double kClearanceSlack = 1e-3;  // [m], tolerance between cell centres
-
-bool hasOpenUnknown(const DistanceField& field, double radius) {
-  const OccupancyGrid& grid = field.grid();
-  for (int row = 0; field.hasUnknown() && row < grid.height(); ++row) {
-    field.stopFlag().check();
-    for (int column = 0; column < grid.width(); ++column) {
-      const Cell cell{column, row};
-      if (field.isUnknown(cell) && cellCostOf(field, radius, cell) != 0) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-}  // namespace
 
 TraversableSpace::TraversableSpace(std::shared_ptr<const DistanceField> field, double radius)
     : field_(std::move(field)),

@@ -142,16 +142,11 @@ class Exporter {
 
   /// Reports what the target cannot express, one line per kind of object.
   void reportLosses() {
-    const auto lose = [this](const char* what, const std::string& names) {
-      if (!names.empty()) {
-        note(base::warning("export.stays-here", {what, names}));
+    forEachEntityList(scenario(), [this](const char* key, base::EntityKind, const auto& list) {
+      if (const std::string names = namesOf(list); !names.empty()) {
+        note(base::warning("export.stays-here", {key, names}));
       }
-    };
-    lose("robots", namesOf(scenario().robots));
-    lose("obstacles", namesOf(scenario().obstacles));
-    lose("doors", namesOf(scenario().doors));
-    lose("areas", namesOf(scenario().areas));
-    lose("docks", namesOf(scenario().docks));
+    });
     for (const Human& human : scenario().humans) {
       const std::string keys = extensionKeysOf(human);
       if (human.listed && !keys.empty()) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <string_view>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Export.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -11,20 +12,6 @@ namespace sim2d {
 namespace {
 
 constexpr const char* kIsaacPlane = "empty_world";
-
-/// Quotes the text as one word of a shell command.
-std::string shellWord(const std::string& text) {
-  static constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=-+,@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "'";
-  for (const char c : text) {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
-}
 
 TargetInfo wrapper(ExportTarget target, const std::array<std::string, 4>& words, Dialect dialect,
                    double startHeight, std::vector<std::string> worlds) {
@@ -53,24 +40,21 @@ const std::vector<TargetInfo>& exportTargets() {
 }
 
 const TargetInfo* exportTarget(const std::string& name) {
-  const std::vector<TargetInfo>& all = exportTargets();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const TargetInfo& target) { return target.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  return base::findBy(exportTargets(), &TargetInfo::name, name);
 }
 
 std::string TargetInfo::startCommand(const Scenario& scenario) const {
   const std::string map = mapBaseName(scenario.map.value_or(""));
   const std::string file = scenario.yamlBaseName.value_or("") + ".yaml";
   if (target == ExportTarget::Isaac) {
-    return "ros2 run " + package + " hunav_isaac_launcher --config " + shellWord(file) +
+    return "ros2 run " + package + " hunav_isaac_launcher --config " + base::shellWord(file) +
            " --world " + (hasWorld(map) ? map : std::string(kIsaacPlane)) + " --batch";
   }
   const bool hasChoice = !map.empty() && worlds.size() > 1;  // else its default world
-  const std::string world = hasChoice ? " " + shellWord("environment_name:=" + map) : "";
+  const std::string world = hasChoice ? " " + base::shellWord("environment_name:=" + map) : "";
   return launch.empty() ? std::string()
                         : "ros2 launch " + package + " " + launch + world + " " +
-                              shellWord("configuration_file:=" + file) + robotStart(scenario);
+                              base::shellWord("configuration_file:=" + file) + robotStart(scenario);
 }
 
 bool TargetInfo::hasWorld(const std::string& map) const {
@@ -79,9 +63,8 @@ bool TargetInfo::hasWorld(const std::string& map) const {
 
 /// Only the Gazebo Classic launch file takes the robot's start.
 std::string TargetInfo::robotStart(const Scenario& scenario) const {
-  const auto robot = std::find_if(scenario.robots.begin(), scenario.robots.end(),
-                                  [](const Robot& each) { return each.listed; });
-  if (target != ExportTarget::GazeboClassic || robot == scenario.robots.end()) {
+  const Robot* const robot = base::findBy(scenario.robots, &Robot::listed, true);
+  if (target != ExportTarget::GazeboClassic || robot == nullptr) {
     return {};
   }
   const base::Pose2& start = robot->start;

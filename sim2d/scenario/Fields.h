@@ -6,8 +6,10 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/scenario/ResolvedValues.h"
@@ -23,8 +25,7 @@ using base::ParameterSpec;
 using base::ParameterType;
 using base::ParameterValue;
 
-/// The struct with the effective values of a T.
-struct NoResolvedType {};
+/// The struct with the effective values of a T; monostate: none.
 template <class T>
 using Resolved = std::conditional_t<
     std::is_same_v<T, Robot> || std::is_same_v<T, LidarSettings> ||
@@ -33,7 +34,7 @@ using Resolved = std::conditional_t<
     ResolvedRobot,
     std::conditional_t<std::is_same_v<T, Human> || std::is_same_v<T, Behavior> ||
                            std::is_same_v<T, PersonExtension>,
-                       ResolvedHuman, NoResolvedType>>;
+                       ResolvedHuman, std::monostate>>;
 
 /// One key of a T: its description and its member.
 template <class T>
@@ -93,10 +94,8 @@ const Fields<T>& fieldsOf(const FieldTables& tables = fieldTables()) {
 /// nullptr: unknown key.
 template <class T>
 const Field<T>* fieldOf(std::string_view key, const FieldTables& tables = fieldTables()) {
-  const Fields<T>& all = fieldsOf<T>(tables);
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [key](const auto& each) { return each.spec.key == key; });
-  return found == all.end() ? nullptr : &*found;
+  return base::findIf(fieldsOf<T>(tables),
+                      [key](const auto& each) { return each.spec.key == key; });
 }
 
 /// Removes values that equal their default.

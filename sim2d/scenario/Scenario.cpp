@@ -5,6 +5,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"
 
@@ -81,15 +82,11 @@ const GlobalGoal* Scenario::goal(int id) const {
   if (id >= 1 && usual < goals.size() && goals[usual].id == id) {
     return &goals[usual];
   }
-  const auto found =
-      std::find_if(goals.begin(), goals.end(), [id](const GlobalGoal& g) { return g.id == id; });
-  return found == goals.end() ? nullptr : &*found;
+  return base::findBy(goals, &GlobalGoal::id, id);
 }
 
 const Human* Scenario::human(const std::string& name) const {
-  const auto found =
-      std::find_if(humans.begin(), humans.end(), [&](const Human& h) { return h.name == name; });
-  return found == humans.end() ? nullptr : &*found;
+  return base::findBy(humans, &Human::name, name);
 }
 
 const Human* Scenario::humanById(int id) const {
@@ -97,16 +94,9 @@ const Human* Scenario::humanById(int id) const {
   if (id >= 1 && usual < humans.size() && humans[usual].id == id && humans[usual].listed) {
     return &humans[usual];
   }
-  const Human* unlisted = nullptr;
-  for (const Human& human : humans) {
-    if (human.id == id && human.listed) {
-      return &human;
-    }
-    if (human.id == id && unlisted == nullptr) {
-      unlisted = &human;
-    }
-  }
-  return unlisted;
+  const Human* const listed =
+      base::findIf(humans, [id](const Human& human) { return human.id == id && human.listed; });
+  return listed != nullptr ? listed : base::findBy(humans, &Human::id, id);
 }
 
 int Scenario::nextKey() const {

@@ -305,7 +305,7 @@ int largestSkin(const std::string& simulator) {
   if (simulator == "Webots") {
     return 3;
   }
-  return simulator.compare(0, 6, "Gazebo") == 0 ? 8 : 11;
+  return base::startsWith(simulator, "Gazebo") ? 8 : 11;
 }
 
 base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& surroundings,

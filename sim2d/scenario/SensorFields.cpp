@@ -14,53 +14,27 @@ constexpr Range kAngle{-10.0, 10.0};       // [rad]
 constexpr Range kNoise{0.0, kLongestWay};  // [m]
 constexpr Range kShare{0.0, 1.0};
 
-template <class T>
-using MaybeNumber = std::optional<double> T::*;
+/// Makes the rows of numbers that are members of both `Keys`, as written, and `Part`, the effective
+/// values of that sensor.
+template <class Keys, class Part>
+struct NumberRows {
+  Part ResolvedRobot::*part;
+  base::FormHints form;
+  bool hasDefaults = true;  // false: those of the robot type
 
-/// A number that defaults to the robot type's.
-template <class Access>
-FieldBuilder<LidarSettings> lidarNumber(std::string key, MaybeNumber<LidarSettings> member,
-                                        Access access, std::string help, std::string unit,
-                                        Range range) {
-  return field(std::move(key), member, std::move(help), {{}, 3}, std::move(unit), range)
-      .resolvedAt(access);
-}
-
-FieldBuilder<DetectorSettings> detectorNumber(std::string key, MaybeNumber<DetectorSettings> member,
-                                              double DetectorParameters::*parameter,
-                                              std::string help, std::string unit, Range range) {
-  const auto access = [parameter](auto& of) -> auto& {
-    return of.detector.*parameter;
-  };
-  return field(std::move(key), member, std::move(help), {{}, 3}, std::move(unit), range)
-      .resolvedAt(access)
-      .defaultsTo(idealDetector().*parameter);
-}
-
-FieldBuilder<OdometrySettings> odometryNumber(std::string key, MaybeNumber<OdometrySettings> member,
-                                              double OdometryParameters::*parameter,
-                                              std::string help, std::string unit,
-                                              Range range = {0.0, 10.0}) {
-  const auto access = [parameter](auto& of) -> auto& {
-    return of.odometry.*parameter;
-  };
-  return field(std::move(key), member, std::move(help), {{}, 4, 0.001}, std::move(unit), range)
-      .resolvedAt(access)
-      .defaultsTo(0.0);
-}
-
-FieldBuilder<LocalizationSettings> localizationNumber(std::string key,
-                                                      MaybeNumber<LocalizationSettings> member,
-                                                      double LocalizationParameters::*parameter,
-                                                      std::string help, std::string unit,
-                                                      Range range) {
-  const auto access = [parameter](auto& of) -> auto& {
-    return of.localization.*parameter;
-  };
-  return field(std::move(key), member, std::move(help), {{}, 4, 0.01}, std::move(unit), range)
-      .resolvedAt(access)
-      .defaultsTo(LocalizationParameters().*parameter);
-}
+  FieldBuilder<Keys> operator()(std::string key, std::optional<double> Keys::*member,
+                                double Part::*parameter, std::string help, std::string unit,
+                                Range range) const {
+    const auto access = [ part = part, parameter ](auto& of) -> auto& {
+      return of.*part.*parameter;
+    };
+    FieldBuilder<Keys> row =
+        field(std::move(key), member, std::move(help), form, std::move(unit), range)
+            .resolvedAt(access);
+    return hasDefaults ? std::move(row).defaultsTo(ResolvedRobot().*part.*parameter)
+                       : std::move(row);
+  }
+};
 
 /// Corrections are on by default if the localiser has an error.
 double usualCorrectionRate(const LocalizationSettings& of) {
@@ -87,16 +61,6 @@ FieldBuilder<LocalizationSettings> correctionRateField() {
             [](const LocalizationSettings& of, const DesktopSettings& /*desktop*/) {
               return ParameterValue(usualCorrectionRate(of));
             });
-}
-
-FieldBuilder<BatterySettings> batteryNumber(std::string key, MaybeNumber<BatterySettings> member,
-                                            double BatteryParameters::*parameter, std::string help,
-                                            std::string unit, Range range) {
-  const auto access = [parameter](auto& of) -> auto& {
-    return of.battery.*parameter;
-  };
-  return field(std::move(key), member, std::move(help), {{}, 2}, std::move(unit), range)
-      .resolvedAt(access);
 }
 
 /// Velocities are filtered by default if positions are noisy.
@@ -141,104 +105,101 @@ double spanOf(const RobotLidar& lidar) {
 
 Fields<LidarSettings> lidarFields() {
   using Keys = LidarSettings;
+  using Parameters = LidarParameters;
+  const base::FormHints form{{}, 3};
+  const NumberRows<Keys, Parameters> number{&ResolvedRobot::lidar, form, false};
   return {field("beams", &Keys::beams,
                 "Number of beams per scan; 0: no lidar; absent, here and below: that of the robot "
                 "type",
                 {"Beams", 0, 1.0}, {}, {0.0, 60000.0})
               .resolvedAt([](auto& of) -> auto& { return of.lidar.beams; }),
-          lidarNumber("range", &Keys::range, [](auto& of) -> auto& { return of.lidar.range; },
-                      "Maximum range", "m", {0.0, kLongestWay, true}),
-          lidarNumber("rate", &Keys::rate, [](auto& of) -> auto& { return of.lidar.rate; },
-                      "Scans per second", "Hz", {0.0, kMaxPerSecond, true}),
-          lidarNumber(
-              "angle_min", &Keys::angleMin, [](auto& of) -> auto& { return of.lidar.angleMin; },
-              "Angle of the first beam", "rad", kAngle),
-          lidarNumber(
-              "angle_max", &Keys::angleMax, [](auto& of) -> auto& { return of.lidar.angleMax; },
-              "Angle of the last beam; if it is a full turn after the first, the beams are spaced "
-              "evenly",
-              "rad", kAngle),
-          lidarNumber(
-              "x", &Keys::x, [](auto& of) -> auto& { return of.lidar.mount.position.x(); },
-              "Position in the robot's frame: forward", "m", base::kBodyOffsetRange),
-          lidarNumber(
-              "y", &Keys::y, [](auto& of) -> auto& { return of.lidar.mount.position.y(); },
-              "Position in the robot's frame: to the left", "m", base::kBodyOffsetRange),
-          lidarNumber(
-              "h", &Keys::h, [](auto& of) -> auto& { return of.lidar.mount.heading; },
-              "Orientation in the robot's frame", "rad", kAngle)
+          number("range", &Keys::range, &Parameters::range, "Maximum range", "m",
+                 {0.0, kLongestWay, true}),
+          number("rate", &Keys::rate, &Parameters::rate, "Scans per second", "Hz",
+                 {0.0, kMaxPerSecond, true}),
+          number("angle_min", &Keys::angleMin, &Parameters::angleMin, "Angle of the first beam",
+                 "rad", kAngle),
+          number("angle_max", &Keys::angleMax, &Parameters::angleMax,
+                 "Angle of the last beam; if it is a full turn after the first, the beams are "
+                 "spaced evenly",
+                 "rad", kAngle),
+          field("x", &Keys::x, "Position in the robot's frame: forward", form, "m",
+                base::kBodyOffsetRange)
+              .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.position.x(); }),
+          field("y", &Keys::y, "Position in the robot's frame: to the left", form, "m",
+                base::kBodyOffsetRange)
+              .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.position.y(); }),
+          field("h", &Keys::h, "Orientation in the robot's frame", form, "rad", kAngle)
+              .resolvedAt([](auto& of) -> auto& { return of.lidar.mount.heading; })
               .defaultsTo(0.0),
-          lidarNumber(
-              "noise", &Keys::noise, [](auto& of) -> auto& { return of.lidar.noise; },
-              "Standard deviation of a measured distance", "m", kNoise),
+          number("noise", &Keys::noise, &Parameters::noise,
+                 "Standard deviation of a measured distance", "m", kNoise),
           field("legs", &Keys::legs, "The lidar sees people as two legs, else as discs", {"Legs"})
               .resolvedAt([](auto& of) -> auto& { return of.lidar.legs; })
               .defaultsTo(true),
           field("record", &Keys::record, "Write each scan to `scans.csv`", {"Record"})
-              .resolvedAt([](auto& of) -> auto& { return of.recordsScans; })
-              .defaultsTo(false)};
+              .resolvedTo(&ResolvedRobot::recordsScans)};
 }
 
 Fields<DetectorSettings> detectorFields() {
   using Keys = DetectorSettings;
   using Parameters = DetectorParameters;
+  const NumberRows<Keys, Parameters> number{&ResolvedRobot::detector, {{}, 3}};
   return {
       field("kind", &Keys::kind,
             "Detections of the sensors, or the exact state of all bodies everywhere, which ignores "
             "the keys below",
             {"People perception"})
           .words({"sensor", "ground_truth"})
-          .resolvedAt([](auto& of) -> auto& { return of.detectorKind; })
-          .defaultsTo(DetectorKind::Sensor),
-      detectorNumber("range", &Keys::range, &Parameters::range,
-                     "Maximum distance of a detected body's centre", "m", base::kLength),
-      detectorNumber("field", &Keys::field, &Parameters::field,
-                     "Field of view, half of it to either side", "rad",
-                     {0.0, 6.2832, true}),  // a full turn, as rounded in forms
-      detectorNumber("rate", &Keys::rate, &Parameters::rate,
-                     "Detections per second; 0: one per time step", "Hz", {0.0, kMaxPerSecond}),
-      detectorNumber("latency", &Keys::latency, &Parameters::latency,
-                     "Delay between detection and planner", "s", {0.0, 60.0}),
-      detectorNumber("noise", &Keys::noise, &Parameters::noise,
-                     "Standard deviation of each coordinate", "m", kNoise),
-      detectorNumber("misses", &Keys::misses, &Parameters::misses,
-                     "Probability per detection of missing a visible body", {}, kShare),
-      detectorNumber("swaps", &Keys::swaps, &Parameters::swaps,
-                     "Probability per detection of exchanging the ids of two people who are close",
-                     {}, kShare),
-      detectorNumber("swap_distance", &Keys::swapDistance, &Parameters::swapDistance,
-                     "Distance below which the ids of two people may be exchanged", "m",
-                     base::kDistance),
+          .resolvedTo(&ResolvedRobot::detectorKind),
+      number("range", &Keys::range, &Parameters::range,
+             "Maximum distance of a detected body's centre", "m", base::kLength),
+      number("field", &Keys::field, &Parameters::field, "Field of view, half of it to either side",
+             "rad", {0.0, 6.2832, true}),  // a full turn, as rounded in forms
+      number("rate", &Keys::rate, &Parameters::rate, "Detections per second; 0: one per time step",
+             "Hz", {0.0, kMaxPerSecond}),
+      number("latency", &Keys::latency, &Parameters::latency, "Delay between detection and planner",
+             "s", {0.0, 60.0}),
+      number("noise", &Keys::noise, &Parameters::noise, "Standard deviation of each coordinate",
+             "m", kNoise),
+      number("misses", &Keys::misses, &Parameters::misses,
+             "Probability per detection of missing a visible body", {}, kShare),
+      number("swaps", &Keys::swaps, &Parameters::swaps,
+             "Probability per detection of exchanging the ids of two people who are close", {},
+             kShare),
+      number("swap_distance", &Keys::swapDistance, &Parameters::swapDistance,
+             "Distance below which the ids of two people may be exchanged", "m", base::kDistance),
       field("occlusion", &Keys::occlusion, "Walls and other bodies occlude", {"Occlusion"})
           .resolvedAt([](auto& of) -> auto& { return of.detector.isOccluded; })
           .defaultsTo(true),
-      detectorNumber("hidden_share", &Keys::maxOcclusion, &Parameters::maxOcclusion,
-                     "A body of which others occlude more than this share is not detected", {},
-                     kShare),
-      detectorNumber("coast_time", &Keys::coastTime, &Parameters::coastTime,
-                     "A track without detection is deleted after this time; until then it is "
-                     "extrapolated with constant velocity",
-                     "s", base::kTime),
+      number("hidden_share", &Keys::maxOcclusion, &Parameters::maxOcclusion,
+             "A body of which others occlude more than this share is not detected", {}, kShare),
+      number("coast_time", &Keys::coastTime, &Parameters::coastTime,
+             "A track without detection is deleted after this time; until then it is "
+             "extrapolated with constant velocity",
+             "s", base::kTime),
       velocitiesField(),
-      detectorNumber("acceleration_noise", &Keys::accelerationNoise, &Parameters::accelerationPower,
-                     "Kalman filter: power of the acceleration noise of people", "m²/s³",
-                     base::kPositiveWeight)};
+      number("acceleration_noise", &Keys::accelerationNoise, &Parameters::accelerationPower,
+             "Kalman filter: power of the acceleration noise of people", "m²/s³",
+             base::kPositiveWeight)};
 }
 
 Fields<OdometrySettings> odometryFields() {
   using Keys = OdometrySettings;
   using Parameters = OdometryParameters;
-  return {odometryNumber("alpha1", &Keys::alpha1, &Parameters::alpha1,
-                         "Variance of the heading caused by rotation", "rad²/rad"),
-          odometryNumber("alpha2", &Keys::alpha2, &Parameters::alpha2,
-                         "Variance of the heading caused by translation", "rad²/m"),
-          odometryNumber("alpha3", &Keys::alpha3, &Parameters::alpha3,
-                         "Variance of the distance caused by translation", "m²/m"),
-          odometryNumber("alpha4", &Keys::alpha4, &Parameters::alpha4,
-                         "Variance of the distance caused by rotation", "m²/rad"),
-          odometryNumber("drift", &Keys::drift, &Parameters::headingDrift,
-                         "Rotation per metre driven forward that odometry does not measure",
-                         "rad/m", {-10.0, 10.0})};
+  constexpr Range kVariance{0.0, 10.0};
+  const NumberRows<Keys, Parameters> number{&ResolvedRobot::odometry, {{}, 4, 0.001}};
+  return {number("alpha1", &Keys::alpha1, &Parameters::alpha1,
+                 "Variance of the heading caused by rotation", "rad²/rad", kVariance),
+          number("alpha2", &Keys::alpha2, &Parameters::alpha2,
+                 "Variance of the heading caused by translation", "rad²/m", kVariance),
+          number("alpha3", &Keys::alpha3, &Parameters::alpha3,
+                 "Variance of the distance caused by translation", "m²/m", kVariance),
+          number("alpha4", &Keys::alpha4, &Parameters::alpha4,
+                 "Variance of the distance caused by rotation", "m²/rad", kVariance),
+          number("drift", &Keys::drift, &Parameters::headingDrift,
+                 "Rotation per metre driven forward that odometry does not measure", "rad/m",
+                 {-10.0, 10.0})};
 }
 
 Fields<LocalizationSettings> localizationFields() {
@@ -248,35 +209,35 @@ Fields<LocalizationSettings> localizationFields() {
   constexpr Range kOffset{-100.0, 100.0}, kTurn{-3.1416, 3.1416};  // [m], [rad]
   constexpr Range kStep{0.0, 100.0}, kTurnStep{0.0, 3.1416};       // [m], [rad]
   constexpr Range kWait{0.0, 3600.0};                              // [s]
+  const NumberRows<Keys, Parameters> number{&ResolvedRobot::localization, {{}, 4, 0.01}};
   return {
-      localizationNumber("std_x", &Keys::stdX, &Parameters::stdX,
-                         "Standard deviation of the error in x, in the map", "m", kError),
-      localizationNumber("std_y", &Keys::stdY, &Parameters::stdY,
-                         "Standard deviation of the error in y, in the map", "m", kError),
-      localizationNumber("std_yaw", &Keys::stdYaw, &Parameters::stdYaw,
-                         "Standard deviation of the error of the heading", "rad", kTurnError),
-      localizationNumber("correlation_time", &Keys::correlationTime, &Parameters::correlationTime,
-                         "Time constant of the errors; 0: corrections are independent", "s", kWait),
-      localizationNumber("jump_rate", &Keys::jumpRate, &Parameters::jumpRate,
-                         "Mean number of jumps of the estimate per second", "1/s", {0.0, 10.0}),
-      localizationNumber("jump_distance", &Keys::jumpDistance, &Parameters::jumpDistance,
-                         "Length of a jump", "m", kStep),
-      localizationNumber("jump_yaw", &Keys::jumpYaw, &Parameters::jumpYaw,
-                         "Rotation of a jump, in either direction", "rad", kTurnStep),
+      number("std_x", &Keys::stdX, &Parameters::stdX,
+             "Standard deviation of the error in x, in the map", "m", kError),
+      number("std_y", &Keys::stdY, &Parameters::stdY,
+             "Standard deviation of the error in y, in the map", "m", kError),
+      number("std_yaw", &Keys::stdYaw, &Parameters::stdYaw,
+             "Standard deviation of the error of the heading", "rad", kTurnError),
+      number("correlation_time", &Keys::correlationTime, &Parameters::correlationTime,
+             "Time constant of the errors; 0: corrections are independent", "s", kWait),
+      number("jump_rate", &Keys::jumpRate, &Parameters::jumpRate,
+             "Mean number of jumps of the estimate per second", "1/s", {0.0, 10.0}),
+      number("jump_distance", &Keys::jumpDistance, &Parameters::jumpDistance, "Length of a jump",
+             "m", kStep),
+      number("jump_yaw", &Keys::jumpYaw, &Parameters::jumpYaw,
+             "Rotation of a jump, in either direction", "rad", kTurnStep),
       correctionRateField(),
-      localizationNumber("start_x", &Keys::startX, &Parameters::startX,
-                         "Error of the initial pose: x", "m", kOffset),
-      localizationNumber("start_y", &Keys::startY, &Parameters::startY,
-                         "Error of the initial pose: y", "m", kOffset),
-      localizationNumber("start_yaw", &Keys::startYaw, &Parameters::startYaw,
-                         "Error of the initial pose: heading", "rad", kTurn),
-      localizationNumber("initial_pose_time", &Keys::initialPoseTime, &Parameters::initialPoseTime,
-                         "Time of the initial pose; there is no frame map before", "s", kWait),
-      localizationNumber("global_std", &Keys::globalStd, &Parameters::globalStd,
-                         "Standard deviation of x and y after a global localization", "m", kStep),
-      localizationNumber("global_std_yaw", &Keys::globalStdYaw, &Parameters::globalStdYaw,
-                         "Standard deviation of the heading after a global localization", "rad",
-                         kTurnError)};
+      number("start_x", &Keys::startX, &Parameters::startX, "Error of the initial pose: x", "m",
+             kOffset),
+      number("start_y", &Keys::startY, &Parameters::startY, "Error of the initial pose: y", "m",
+             kOffset),
+      number("start_yaw", &Keys::startYaw, &Parameters::startYaw,
+             "Error of the initial pose: heading", "rad", kTurn),
+      number("initial_pose_time", &Keys::initialPoseTime, &Parameters::initialPoseTime,
+             "Time of the initial pose; there is no frame map before", "s", kWait),
+      number("global_std", &Keys::globalStd, &Parameters::globalStd,
+             "Standard deviation of x and y after a global localization", "m", kStep),
+      number("global_std_yaw", &Keys::globalStdYaw, &Parameters::globalStdYaw,
+             "Standard deviation of the heading after a global localization", "rad", kTurnError)};
 }
 
 Fields<BatterySettings> batteryFields() {
@@ -284,30 +245,25 @@ Fields<BatterySettings> batteryFields() {
   using Parameters = BatteryParameters;
   constexpr Range kPower{0.0, 1e5};  // [W]
   constexpr Range kVoltage{0.0, 1000.0, true};
-  const Parameters usual;
-  return {batteryNumber("capacity", &Keys::capacity, &Parameters::capacity,
-                        "Stored energy when full; absent: the battery never runs low", "Wh",
-                        {0.0, 1e6, true}),
-          batteryNumber("level", &Keys::level, &Parameters::level, "State of charge at the start",
-                        "", kShare)
-              .defaultsTo(usual.level),
-          batteryNumber("idle_power", &Keys::idlePower, &Parameters::idlePower,
-                        "Power consumption at standstill", "W", kPower)
-              .defaultsTo(usual.idlePower),
-          batteryNumber("motion_power", &Keys::motionPower, &Parameters::motionPower,
-                        "Additional power consumption at top speed or top turn rate; proportional "
-                        "below",
-                        "W", kPower)
-              .defaultsTo(usual.motionPower),
-          batteryNumber("charge_power", &Keys::chargePower, &Parameters::chargePower,
-                        "Charging power at a charging dock", "W", kPower)
-              .defaultsTo(usual.chargePower),
-          batteryNumber("empty_voltage", &Keys::emptyVoltage, &Parameters::emptyVoltage,
-                        "Voltage of the empty battery", "V", kVoltage)
-              .defaultsTo(usual.emptyVoltage),
-          batteryNumber("full_voltage", &Keys::fullVoltage, &Parameters::fullVoltage,
-                        "Voltage of the full battery; linear in between", "V", kVoltage)
-              .defaultsTo(usual.fullVoltage)};
+  const NumberRows<Keys, Parameters> number{&ResolvedRobot::battery, {{}, 2}};
+  return {
+      field("capacity", &Keys::capacity,
+            "Stored energy when full; absent: the battery never runs low", {{}, 2}, "Wh",
+            {0.0, 1e6, true})
+          .resolvedAt([](auto& of) -> auto& { return of.battery.capacity; }),
+      number("level", &Keys::level, &Parameters::level, "State of charge at the start", "", kShare),
+      number("idle_power", &Keys::idlePower, &Parameters::idlePower,
+             "Power consumption at standstill", "W", kPower),
+      number("motion_power", &Keys::motionPower, &Parameters::motionPower,
+             "Additional power consumption at top speed or top turn rate; proportional "
+             "below",
+             "W", kPower),
+      number("charge_power", &Keys::chargePower, &Parameters::chargePower,
+             "Charging power at a charging dock", "W", kPower),
+      number("empty_voltage", &Keys::emptyVoltage, &Parameters::emptyVoltage,
+             "Voltage of the empty battery", "V", kVoltage),
+      number("full_voltage", &Keys::fullVoltage, &Parameters::fullVoltage,
+             "Voltage of the full battery; linear in between", "V", kVoltage)};
 }
 
 void setLidarFromType(const RobotType& type, ResolvedRobot& to) {

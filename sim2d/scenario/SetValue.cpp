@@ -77,10 +77,10 @@ base::Diagnostics unknownPath(const std::string& path, const TreeReading& readin
   std::vector<std::string> known(reading.loaderPaths.begin(), reading.loaderPaths.end());
   known.insert(known.end(), reading.desktopPaths.begin(), reading.desktopPaths.end());
   const std::vector<Human>& people = reading.file.scenario.humans;
-  if (path.compare(0, 2, "*.") == 0 && !people.empty()) {  // all agents have the same keys
+  if (base::startsWith(path, "*.") && !people.empty()) {  // all agents have the same keys
     const std::string prefix = people.front().name + ".";
     for (const std::string& each : std::vector<std::string>(known)) {
-      if (each.compare(0, prefix.size(), prefix) == 0) {
+      if (base::startsWith(each, prefix)) {
         known.push_back("*." + each.substr(prefix.size()));
       }
     }
@@ -90,9 +90,8 @@ base::Diagnostics unknownPath(const std::string& path, const TreeReading& readin
 
 /// In dialect C a type is a name; a number would trigger the conversion of older formats.
 bool isNumberedType(const std::string& path, const YamlNode& value) {
-  static const std::string kEnd = ".behavior.type";
-  return path.size() > kEnd.size() &&
-         path.compare(path.size() - kEnd.size(), kEnd.size(), kEnd) == 0 &&
+  constexpr std::string_view kEnd = ".behavior.type";
+  return path.size() > kEnd.size() && base::endsWith(path, kEnd) &&
          (!value.isScalar() || base::parseDouble(value.text));
 }
 

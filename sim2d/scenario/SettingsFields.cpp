@@ -109,6 +109,87 @@ void writeThresholds(YamlNode& tree, const MetricsSettings& metrics) {
   }
 }
 
+/// Limit for offsets from the centre and for widths.
+double widestOf(VariationQuantity quantity) {
+  switch (quantity) {
+    case VariationQuantity::StartTime:
+      return base::kTime.high;
+    case VariationQuantity::Start:
+      return 1000.0;  // [m]
+    case VariationQuantity::Heading:
+      return base::kAngleWidth.high;
+    case VariationQuantity::Speed:
+    case VariationQuantity::ReactionTime:
+      return 100.0;  // factor of the given value
+    case VariationQuantity::FirstGoal:
+      break;
+  }
+  return base::kMaxValue;
+}
+
+/// Splits "speed.sd" into map and key; no dot: the map is empty.
+std::pair<std::string, std::string> partsOf(const std::string& key) {
+  const std::size_t dot = key.find('.');
+  return dot == std::string::npos ? std::pair(std::string(), key)
+                                  : std::pair(key.substr(0, dot), key.substr(dot + 1));
+}
+
+/// The description with the key inside its map.
+ParameterSpec innerSpec(const ParameterSpec& spec) {
+  ParameterSpec inner = spec;
+  inner.key = partsOf(spec.key).second;
+  return inner;
+}
+
+template <class M>
+FieldBuilder<VariationSettings> spreadField(VariationQuantity quantity, const char* key,
+                                            M SpreadSettings::*member, std::string help,
+                                            base::FormHints form, Range range) {
+  const VariationInfo& facts = variationInfo(quantity);
+  form.label = std::string(facts.label) + ": " + form.label;
+  constexpr bool kIsNumber = std::is_same_v<M, std::optional<double>>;
+  return FieldBuilder<VariationSettings>(std::string(facts.key) + "." + key, std::move(help),
+                                         std::move(form), kIsNumber ? facts.unit : "", range)
+      .storedAt([ quantity, member ](auto& of) -> auto& { return of.of(quantity).*member; });
+}
+
+/// The ranges of min and max are on opposite sides of the centre, so they cannot conflict.
+void addSpread(VariationQuantity quantity, const std::string& help, Fields<VariationSettings>& to) {
+  const VariationInfo& facts = variationInfo(quantity);
+  const double centre = facts.isFactor ? 1.0 : 0.0;
+  const double widest = widestOf(quantity);
+  const double least = facts.isFactor ? facts.least : -widest;
+  const double most = facts.isFactor ? facts.most : widest;
+  const Range width{0.0, widest};
+  using S = SpreadSettings;
+  to.push_back(
+      spreadField(quantity, "kind", &S::kind, help + "; absent: that of the preset", {"kind"}, {})
+          .words({"none", "normal", "uniform"}));
+  to.push_back(spreadField(quantity, "sd", &S::sd, "Normal: standard deviation",
+                           {"deviation", 2, 0.05}, width));
+  to.push_back(spreadField(quantity, "half_width", &S::halfWidth, "Uniform: half of the width",
+                           {"half width", 2, 0.05}, width));
+  to.push_back(
+      spreadField(quantity, "min", &S::min, "Lower limit", {"minimum", 2, 0.1}, {least, centre}));
+  to.push_back(
+      spreadField(quantity, "max", &S::max, "Upper limit", {"maximum", 2, 0.1}, {centre, most}));
+}
+
+/// Warns about keys without effect: each width belongs to one kind of distribution.
+void warnUnused(YamlMap& view, const SpreadSettings& own, SpreadKind kind) {
+  static const std::vector<std::string> kWords = {"none", "normal", "uniform"};
+  const auto warn = [&](const char* key, bool isGiven, bool isUsed) {
+    if (isGiven && !isUsed) {
+      view.warning(key, "scenario.spread-unused", {key, kWords[static_cast<std::size_t>(kind)]});
+    }
+  };
+  const bool isDrawn = kind != SpreadKind::None;
+  warn("sd", own.sd.has_value(), kind == SpreadKind::Normal);
+  warn("half_width", own.halfWidth.has_value(), kind == SpreadKind::Uniform);
+  warn("min", own.min.has_value(), isDrawn);
+  warn("max", own.max.has_value(), isDrawn);
+}
+
 }  // namespace
 
 const std::vector<std::string>& routeWords() {
@@ -215,91 +296,6 @@ Fields<MetricsSettings> metricsFields() {
 
 /// The key `variation`: a preset, and a map per quantity. The table uses dotted keys for them:
 /// `speed.sd`.
-namespace {
-
-/// Limit for offsets from the centre and for widths.
-double widestOf(VariationQuantity quantity) {
-  switch (quantity) {
-    case VariationQuantity::StartTime:
-      return base::kTime.high;
-    case VariationQuantity::Start:
-      return 1000.0;  // [m]
-    case VariationQuantity::Heading:
-      return base::kAngleWidth.high;
-    case VariationQuantity::Speed:
-    case VariationQuantity::ReactionTime:
-      return 100.0;  // factor of the given value
-    case VariationQuantity::FirstGoal:
-      break;
-  }
-  return base::kMaxValue;
-}
-
-/// Splits "speed.sd" into map and key; no dot: the map is empty.
-std::pair<std::string, std::string> partsOf(const std::string& key) {
-  const std::size_t dot = key.find('.');
-  return dot == std::string::npos ? std::pair(std::string(), key)
-                                  : std::pair(key.substr(0, dot), key.substr(dot + 1));
-}
-
-/// The description with the key inside its map.
-ParameterSpec innerSpec(const ParameterSpec& spec) {
-  ParameterSpec inner = spec;
-  inner.key = partsOf(spec.key).second;
-  return inner;
-}
-
-template <class M>
-FieldBuilder<VariationSettings> spreadField(VariationQuantity quantity, const char* key,
-                                            M SpreadSettings::*member, std::string help,
-                                            base::FormHints form, Range range) {
-  const VariationInfo& facts = variationInfo(quantity);
-  form.label = std::string(facts.label) + ": " + form.label;
-  constexpr bool kIsNumber = std::is_same_v<M, std::optional<double>>;
-  return FieldBuilder<VariationSettings>(std::string(facts.key) + "." + key, std::move(help),
-                                         std::move(form), kIsNumber ? facts.unit : "", range)
-      .storedAt([ quantity, member ](auto& of) -> auto& { return of.of(quantity).*member; });
-}
-
-/// The ranges of min and max are on opposite sides of the centre, so they cannot conflict.
-void addSpread(VariationQuantity quantity, const std::string& help, Fields<VariationSettings>& to) {
-  const VariationInfo& facts = variationInfo(quantity);
-  const double centre = facts.isFactor ? 1.0 : 0.0;
-  const double widest = widestOf(quantity);
-  const double least = facts.isFactor ? facts.least : -widest;
-  const double most = facts.isFactor ? facts.most : widest;
-  const Range width{0.0, widest};
-  using S = SpreadSettings;
-  to.push_back(
-      spreadField(quantity, "kind", &S::kind, help + "; absent: that of the preset", {"kind"}, {})
-          .words({"none", "normal", "uniform"}));
-  to.push_back(spreadField(quantity, "sd", &S::sd, "Normal: standard deviation",
-                           {"deviation", 2, 0.05}, width));
-  to.push_back(spreadField(quantity, "half_width", &S::halfWidth, "Uniform: half of the width",
-                           {"half width", 2, 0.05}, width));
-  to.push_back(
-      spreadField(quantity, "min", &S::min, "Lower limit", {"minimum", 2, 0.1}, {least, centre}));
-  to.push_back(
-      spreadField(quantity, "max", &S::max, "Upper limit", {"maximum", 2, 0.1}, {centre, most}));
-}
-
-/// Warns about keys without effect: each width belongs to one kind of distribution.
-void warnUnused(YamlMap& view, const SpreadSettings& own, SpreadKind kind) {
-  static const std::vector<std::string> kWords = {"none", "normal", "uniform"};
-  const auto warn = [&](const char* key, bool isGiven, bool isUsed) {
-    if (isGiven && !isUsed) {
-      view.warning(key, "scenario.spread-unused", {key, kWords[static_cast<std::size_t>(kind)]});
-    }
-  };
-  const bool isDrawn = kind != SpreadKind::None;
-  warn("sd", own.sd.has_value(), kind == SpreadKind::Normal);
-  warn("half_width", own.halfWidth.has_value(), kind == SpreadKind::Uniform);
-  warn("min", own.min.has_value(), isDrawn);
-  warn("max", own.max.has_value(), isDrawn);
-}
-
-}  // namespace
-
 Fields<VariationSettings> variationFields() {
   Fields<VariationSettings> all;
   all.push_back(field("preset", &VariationSettings::preset,

@@ -59,6 +59,14 @@ std::string treeName(const Scenario& scenario, const Human& human, const FileSea
          "_bt.xml";
 }
 
+/// Omits shapes that are partly out of range; the check reports them.
+std::vector<Outline> withinCoordinateRange(std::vector<Outline> outlines) {
+  const bool isGood = std::all_of(outlines.begin(), outlines.end(), [](const Outline& outline) {
+    return std::all_of(outline.points.begin(), outline.points.end(), base::isWithinCoordinateRange);
+  });
+  return isGood ? std::move(outlines) : std::vector<Outline>();
+}
+
 }  // namespace
 
 std::string baseName(const Scenario& scenario, const std::string& path) {
@@ -83,18 +91,6 @@ std::vector<Outline> outlinesOf(const Obstacle& obstacle) {
 std::vector<Outline> outlinesOf(const Door& door) {
   return wallOutlines({door.from, door.to}, door.thickness.value_or(0.05));
 }
-
-namespace {
-
-/// Omits shapes that are partly out of range; the check reports them.
-std::vector<Outline> withinCoordinateRange(std::vector<Outline> outlines) {
-  const bool isGood = std::all_of(outlines.begin(), outlines.end(), [](const Outline& outline) {
-    return std::all_of(outline.points.begin(), outline.points.end(), base::isWithinCoordinateRange);
-  });
-  return isGood ? std::move(outlines) : std::vector<Outline>();
-}
-
-}  // namespace
 
 Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
                               const base::StopFlagPtr& stop) {

@@ -173,10 +173,6 @@ std::size_t PersonVariation::firstGoal(std::size_t count) const {
   return static_cast<std::size_t>(index) % count;
 }
 
-bool PersonVariation::movesStart() const {
-  return spreadOf(settings_, VariationQuantity::Start).kind != SpreadKind::None;
-}
-
 Vec2 PersonVariation::startOffset(std::uint32_t trial) const {
   const double x = draw(VariationQuantity::Start, 2 * trial);
   return {x, draw(VariationQuantity::Start, 2 * trial + 1)};

@@ -53,7 +53,6 @@ class PersonVariation {
   void apply(ResolvedHuman& person) const;
   /// Index of the first goal in a cyclic list of `count` goals.
   std::size_t firstGoal(std::size_t count) const;
-  bool movesStart() const;
   /// Offset from the given start [m], different for each trial.
   Vec2 startOffset(std::uint32_t trial) const;
 

@@ -25,10 +25,8 @@ std::optional<TouchingBody> bodyIn(const Frame& frame, int id) {
 }
 
 double touchingRadius(const TraceHeader& header, int id) {
-  for (const TraceRobot& robot : header.robots) {
-    if (robot.id == id) {
-      return robot.radius;
-    }
+  if (const TraceRobot* const robot = header.robot(id)) {
+    return robot->radius;
   }
   const TraceHuman* const human = header.human(id);
   return human != nullptr ? human->radius : 0.0;

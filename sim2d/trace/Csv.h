@@ -93,4 +93,19 @@ class CsvTable {
   CsvRow names_, row_;
 };
 
+/// Reads a whole table: calls take(table, rows) for each row. All problems are reported.
+template <class Rows, class Take>
+base::Result<Rows> readCsvTable(const std::string& text, const std::string& file,
+                                const char* columns, Take take) {
+  base::Diagnostics problems;
+  Rows rows;
+  CsvTable table(text, file, problems);
+  if (table.readColumns(columns)) {
+    while (table.next()) {
+      take(table, rows);
+    }
+  }
+  return base::resultOf(std::move(rows), std::move(problems));
+}
+
 }  // namespace sim2d

@@ -51,7 +51,6 @@ struct BodyColumns {
     visit(&T::goal);
   }
 };
-bool operator==(const BodyColumns& a, const BodyColumns& b);
 using RobotColumns = BodyColumns;
 
 struct HumanColumns : BodyColumns {
@@ -65,7 +64,6 @@ struct HumanColumns : BodyColumns {
     visit(&HumanColumns::state);
   }
 };
-bool operator==(const HumanColumns& a, const HumanColumns& b);
 
 /// Components of the force on each person [m/s²] in the step that led to this state; their sum
 /// moved the person. Empty in step 0 and after a failed step.
@@ -81,7 +79,14 @@ struct ForceColumns {
     visit(&T::group);
   }
 };
-bool operator==(const ForceColumns& a, const ForceColumns& b);
+
+/// Compares all columns.
+template <class Columns>
+auto operator==(const Columns& a, const Columns& b) -> decltype(Columns::eachColumn(0), bool()) {
+  bool isSame = true;
+  Columns::eachColumn([&](auto column) { isSame = isSame && a.*column == b.*column; });
+  return isSame;
+}
 
 /// Calls visit(column) for each column.
 template <class Columns, class Visit>
@@ -121,8 +126,12 @@ struct Event {
   int other = 0;
   bool hasOther = false;
   std::string text;
+
+  friend bool operator==(const Event& a, const Event& b) {
+    return a.kind == b.kind && a.id == b.id && a.hasId == b.hasId && a.other == b.other &&
+           a.hasOther == b.hasOther && a.text == b.text;
+  }
 };
-bool operator==(const Event& a, const Event& b);
 
 /// Behaviour-tree nodes whose status changed in a step. In the first step almost all nodes change,
 /// so each change is packed into four bytes.

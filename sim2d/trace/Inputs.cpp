@@ -85,18 +85,7 @@ void appendInputRow(std::string& to, std::int64_t step, const Input& input) {
 }
 
 base::Result<RecordedInputs> parseInputs(const std::string& text, const std::string& file) {
-  base::Diagnostics problems;
-  RecordedInputs inputs;
-  CsvTable table(text, file, problems);
-  if (table.readColumns(kInputColumns)) {
-    while (table.next()) {
-      readRow(table, inputs);
-    }
-  }
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {std::move(inputs), std::move(problems)};
+  return readCsvTable<RecordedInputs>(text, file, kInputColumns, readRow);
 }
 
 }  // namespace sim2d

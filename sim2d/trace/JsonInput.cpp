@@ -12,21 +12,21 @@
 
 namespace sim2d {
 
+base::Diagnostic jsonSyntaxError(std::string_view text, std::size_t byte, const std::string& file) {
+  const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t lineStart = before.rfind('\n') + 1;  // 0: the first line
+  return base::error("trace.not-json", {}, file, static_cast<int>(line),
+                     static_cast<int>(before.size() - lineStart) + 1);
+}
+
 std::optional<nlohmann::json> parseJsonInput(const TrackInput& input) {
   try {
     return nlohmann::json::parse(input.text);
   } catch (const nlohmann::json::parse_error& problem) {
-    const std::size_t at = std::min(problem.byte > 0 ? problem.byte - 1 : 0, input.text.size());
-    const auto begin = input.text.begin();
-    const auto place = begin + static_cast<std::ptrdiff_t>(at);
-    const auto line = std::count(begin, place, '\n');
-    const std::size_t lineEnd = at == 0 ? std::string::npos : input.text.rfind('\n', at - 1);
-    const std::size_t column = lineEnd == std::string::npos ? at + 1 : at - lineEnd;
-    input.problems.push_back(base::error("trace.not-json", {}, input.path,
-                                         static_cast<int>(line) + 1, static_cast<int>(column)));
+    input.problems.push_back(jsonSyntaxError(input.text, problem.byte, input.path));
   } catch (const nlohmann::json::exception& problem) {  // number out of range
-    input.problems.push_back(
-        base::error("tracks.bad-json", {base::jsonErrorMessage(problem.what())}, input.path));
+    input.error("tracks.bad-json", {base::jsonErrorMessage(problem.what())});
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,8 @@
 /// Parses third-party JSON. Private to the folder.
 namespace sim2d {
 
+/// The error of a text that is not JSON, with line and column of the byte (from 1).
+base::Diagnostic jsonSyntaxError(std::string_view text, std::size_t byte, const std::string& file);
 /// None: the text is not JSON, which is reported with line and column.
 std::optional<nlohmann::json> parseJsonInput(const TrackInput& input);
 

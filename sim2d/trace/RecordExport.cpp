@@ -128,9 +128,8 @@ Json gridOf(const OccupancyGrid& map) {
 
 /// The robot's current goal, else its last one.
 Json goalOf(const TraceRobot& robot, int goal) {
-  const auto found = std::find_if(robot.goals.begin(), robot.goals.end(),
-                                  [goal](const TraceGoal& each) { return each.id == goal; });
-  const TraceGoal& meant = found == robot.goals.end() ? robot.goals.back() : *found;
+  const TraceGoal* const found = base::findBy(robot.goals, &TraceGoal::id, goal);
+  const TraceGoal& meant = found == nullptr ? robot.goals.back() : *found;
   return {{"type", "go-to"},
           {"human", nullptr},
           {"x", meant.position.x()},
@@ -189,6 +188,45 @@ Json instantOf(const TraceHeader& header, const RecordSample& sample,
     instant["goal"] = goalOf(robot, body->second.goal);
   }
   return instant;
+}
+
+constexpr double kSameTime = 1e-6;  // fraction of a step
+
+BodySample sampleOf(const BodyColumns& columns, std::size_t k) {
+  return {{{columns.x[k], columns.y[k]}, columns.heading[k]},
+          {columns.vx[k], columns.vy[k]},
+          columns.omega[k],
+          columns.goal[k]};
+}
+
+BodySample between(const BodySample& a, const BodySample& b, double share) {
+  BodySample sample = a;
+  sample.pose.position += share * (b.pose.position - a.pose.position);
+  sample.pose.heading =
+      base::wrapToPi(a.pose.heading + share * base::angleDiff(b.pose.heading, a.pose.heading));
+  sample.velocity += share * (b.velocity - a.velocity);
+  sample.omega += share * (b.omega - a.omega);
+  return sample;
+}
+
+std::map<int, BodySample> bodiesOf(const BodyColumns& columns) {
+  std::map<int, BodySample> bodies;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    bodies.emplace(columns.id[k], sampleOf(columns, k));
+  }
+  return bodies;
+}
+
+/// Only bodies that are in both states.
+std::map<int, BodySample> bodiesBetween(const BodyColumns& a, const BodyColumns& b, double share) {
+  const std::map<int, BodySample> later = bodiesOf(b);
+  std::map<int, BodySample> bodies;
+  for (const auto& [id, body] : bodiesOf(a)) {
+    if (const auto found = later.find(id); found != later.end()) {
+      bodies.emplace(id, between(body, found->second, share));
+    }
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -251,49 +289,6 @@ base::Result<std::string> socnav3Text(const Trace& trace, double rate) {
   text += " \"sequence\": [" + instants + "\n ]\n}\n";
   return {std::move(text), robotsAsPeople(header, ids, 1)};
 }
-
-namespace {
-
-constexpr double kSameTime = 1e-6;  // fraction of a step
-
-BodySample sampleOf(const BodyColumns& columns, std::size_t k) {
-  return {{{columns.x[k], columns.y[k]}, columns.heading[k]},
-          {columns.vx[k], columns.vy[k]},
-          columns.omega[k],
-          columns.goal[k]};
-}
-
-BodySample between(const BodySample& a, const BodySample& b, double share) {
-  BodySample sample = a;
-  sample.pose.position += share * (b.pose.position - a.pose.position);
-  sample.pose.heading =
-      base::wrapToPi(a.pose.heading + share * base::angleDiff(b.pose.heading, a.pose.heading));
-  sample.velocity += share * (b.velocity - a.velocity);
-  sample.omega += share * (b.omega - a.omega);
-  return sample;
-}
-
-std::map<int, BodySample> bodiesOf(const BodyColumns& columns) {
-  std::map<int, BodySample> bodies;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    bodies.emplace(columns.id[k], sampleOf(columns, k));
-  }
-  return bodies;
-}
-
-/// Only bodies that are in both states.
-std::map<int, BodySample> bodiesBetween(const BodyColumns& a, const BodyColumns& b, double share) {
-  const std::map<int, BodySample> later = bodiesOf(b);
-  std::map<int, BodySample> bodies;
-  for (const auto& [id, body] : bodiesOf(a)) {
-    if (const auto found = later.find(id); found != later.end()) {
-      bodies.emplace(id, between(body, found->second, share));
-    }
-  }
-  return bodies;
-}
-
-}  // namespace
 
 RecordSamples::RecordSamples(const Trace& trace, double rate) : trace_(trace), rate_(rate) {
   if (trace.frames.empty()) {

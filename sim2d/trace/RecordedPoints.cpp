@@ -37,6 +37,21 @@ std::optional<std::vector<base::Vec2>> pointsOf(const std::string& text) {
   return points;
 }
 
+void readPoints(CsvTable& row, RecordedPoints& all) {
+  std::int64_t step = 0;
+  int id = 0;
+  const bool isGood = row.read(0, step, id);
+  const bool isRobot = row[2].text == kRobotKind;
+  const std::optional<std::vector<base::Vec2>> points = pointsOf(row[3].text);
+  if (!isRobot && row[2].text != kHumanKind) {
+    row.error(2, "trace.bad-kind", {row[2].text});
+  } else if (!points) {
+    row.error(3, "trace.bad-points");
+  } else if (isGood) {
+    all.add(step, id, isRobot, *points);
+  }
+}
+
 }  // namespace
 
 bool RecordedPoints::isBefore(const Entry& a, const Entry& b) {
@@ -81,30 +96,11 @@ std::string RecordedPoints::csv() const {
 }
 
 base::Result<RecordedPoints> parseRecordedPoints(const std::string& text, const std::string& file) {
-  base::Diagnostics problems;
-  RecordedPoints all;
-  CsvTable table(text, file, problems);
-  if (!table.readColumns(kPointColumns)) {
-    return problems;
+  base::Result<RecordedPoints> all =
+      readCsvTable<RecordedPoints>(text, file, kPointColumns, readPoints);
+  if (all) {
+    all->sort();
   }
-  while (table.next()) {
-    std::int64_t step = 0;
-    int id = 0;
-    const bool isGood = table.read(0, step, id);
-    const bool isRobot = table[2].text == kRobotKind;
-    const std::optional<std::vector<base::Vec2>> points = pointsOf(table[3].text);
-    if (!isRobot && table[2].text != kHumanKind) {
-      table.error(2, "trace.bad-kind", {table[2].text});
-    } else if (!points) {
-      table.error(3, "trace.bad-points");
-    } else if (isGood) {
-      all.add(step, id, isRobot, *points);
-    }
-  }
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  all.sort();
   return all;
 }
 

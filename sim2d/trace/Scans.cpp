@@ -63,18 +63,7 @@ void appendScanRow(std::string& to, const RecordedScan& turn) {
 
 base::Result<std::vector<RecordedScan>> parseScans(const std::string& text,
                                                    const std::string& file) {
-  base::Diagnostics problems;
-  std::vector<RecordedScan> scans;
-  CsvTable table(text, file, problems);
-  if (table.readColumns(kScanColumns)) {
-    while (table.next()) {
-      readScan(table, scans);
-    }
-  }
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {std::move(scans), std::move(problems)};
+  return readCsvTable<std::vector<RecordedScan>>(text, file, kScanColumns, readScan);
 }
 
 }  // namespace sim2d

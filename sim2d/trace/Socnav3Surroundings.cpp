@@ -20,8 +20,7 @@ std::optional<double> finiteNumber(const nlohmann::json& value) {
 }
 
 bool isPlace(double coordinate) {
-  constexpr double kFarthest = 1e9;  // [m]
-  return std::fabs(coordinate) <= kFarthest;
+  return std::fabs(coordinate) <= kFarthestPosition;
 }
 
 /// Parses "[x1, y1, x2, y2]", "[[x1, y1], [x2, y2]]" or an object with x1, y1, x2, y2.
@@ -151,7 +150,7 @@ void takeEach(const nlohmann::json* list, const char* name, const TrackInput& in
     refused += take((*list)[k], k) ? 0U : 1U;
   }
   if (refused > 0) {
-    input.problems.push_back(base::warning("tracks.left-out", {refused, name}, input.path));
+    input.warning("tracks.left-out", {refused, name});
   }
 }
 
@@ -228,7 +227,7 @@ void readSocnav3Surroundings(const std::vector<const nlohmann::json*>& places,
     if (std::optional<OccupancyGrid> map = gridOf(*grid)) {
       file.map = *std::move(map);
     } else {
-      input.problems.push_back(base::warning("tracks.left-out", {1, "grid"}, input.path));
+      input.warning("tracks.left-out", {1, "grid"});
     }
   }
 }

@@ -80,7 +80,7 @@ void TableColumns::read(const CsvRow& header) {
   isHeaderless_ = areNumbered();
   for (const CsvField& field : header) {
     const std::string_view text = field.text;
-    const bool isFirst = names_.empty() && text.substr(0, layout_.prefix.size()) == layout_.prefix;
+    const bool isFirst = names_.empty() && base::startsWith(text, layout_.prefix);
     auto [name, unit] = nameAndUnit(isFirst ? text.substr(layout_.prefix.size()) : text);
     const auto apart = layout_.units.find(base::toLower(name));
     units_.push_back(apart != layout_.units.end() && unit.empty() ? apart->second : unit);
@@ -163,9 +163,8 @@ double TableColumns::unitOf(Column column, double usual) const {
   }
   if (!word.empty() && !unit && !isGivenByUser) {
     const CsvField& place = header_[places_[column]];
-    input_.problems.push_back(base::error("tracks.unknown-unit",
-                                          {word, kQuantities[column], option}, input_.path,
-                                          place.line, place.column));
+    input_.error("tracks.unknown-unit", {word, kQuantities[column], option}, place.line,
+                 place.column);
   }
   return word.empty() ? usual : unit.value_or(usual);
 }
@@ -219,8 +218,7 @@ bool TableColumns::isGiven(Column column) const {
 }
 
 void TableColumns::problem(const char* code, base::ProblemValues values) {
-  input_.problems.push_back(
-      base::error(code, std::move(values), input_.path, layout_.firstLine, 1));
+  input_.error(code, std::move(values), layout_.firstLine, 1);
 }
 
 }  // namespace sim2d

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/map/Outlines.h"
@@ -19,13 +19,23 @@ template <class T, class Visit>
 void forEachMember(T& of, Visit visit) {
   std::decay_t<T>::eachMember([&](const char* name, auto member) { visit(name, of.*member); });
 }
+/// Compares all these members.
+template <class T>
+auto operator==(const T& a, const T& b) -> decltype(T::eachMember(0), bool()) {
+  bool isSame = true;
+  T::eachMember([&](const char*, auto member) { isSame = isSame && a.*member == b.*member; });
+  return isSame;
+}
 
 struct TraceGoal {
   int id = 0;  // of the global goal; 0: a plain point
   Vec2 position = Vec2::Zero();
   double radius = 0.3;  // [m]
+
+  friend bool operator==(const TraceGoal& a, const TraceGoal& b) {
+    return a.id == b.id && a.position == b.position && a.radius == b.radius;
+  }
 };
-bool operator==(const TraceGoal& a, const TraceGoal& b);
 
 struct TraceHuman {
   int id = 0;
@@ -56,7 +66,6 @@ struct TraceHuman {
     visit("parameters", &T::parameters);
   }
 };
-bool operator==(const TraceHuman& a, const TraceHuman& b);
 
 struct TraceRobot {
   int id = -1;
@@ -87,7 +96,6 @@ struct TraceRobot {
     visit("kinematics", &T::kinematics);
   }
 };
-bool operator==(const TraceRobot& a, const TraceRobot& b);
 
 struct TraceObstacle {
   std::string name;  // "map", or name of the obstacle or door
@@ -106,7 +114,6 @@ struct TraceObstacle {
     visit("outlines", &T::outlines);
   }
 };
-bool operator==(const TraceObstacle& a, const TraceObstacle& b);
 
 /// Metric settings of the scenario.
 struct TraceMetrics {
@@ -129,7 +136,6 @@ struct TraceMetrics {
     visit("parameters", &T::parameters);
   }
 };
-bool operator==(const TraceMetrics& a, const TraceMetrics& b);
 
 /// Data of a run that metrics need in addition to the trajectory.
 struct TraceHeader {
@@ -147,11 +153,8 @@ struct TraceHeader {
   TraceMetrics metrics;  // optional in the file, as is wrapX
 
   /// Null: no such id.
-  const TraceHuman* human(int id) const {
-    const auto found = std::find_if(humans.begin(), humans.end(),
-                                    [id](const TraceHuman& each) { return each.id == id; });
-    return found == humans.end() ? nullptr : &*found;
-  }
+  const TraceHuman* human(int id) const { return base::findBy(humans, &TraceHuman::id, id); }
+  const TraceRobot* robot(int id) const { return base::findBy(robots, &TraceRobot::id, id); }
 
   template <class Visit>
   static void eachMember(Visit visit) {
@@ -170,7 +173,6 @@ struct TraceHeader {
     visit("metrics", &T::metrics);
   }
 };
-bool operator==(const TraceHeader& a, const TraceHeader& b);
 
 /// A recorded run.
 struct Trace {

@@ -244,26 +244,13 @@ class JsonReader {
   std::optional<JsonLineIndex> places_;  // created for the first problem
 };
 
-base::Diagnostic syntaxError(const std::string& text, std::size_t byte, const std::string& file) {
-  const std::size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
-  int line = 1;
-  std::size_t lineStart = 0;
-  for (std::size_t k = 0; k < end; ++k) {
-    if (text[k] == '\n') {
-      ++line;
-      lineStart = k + 1;
-    }
-  }
-  return base::error("trace.not-json", {}, file, line, static_cast<int>(end - lineStart) + 1);
-}
-
 /// `reason` ends with the number in quotes: "number overflow parsing '1e999'".
 base::Diagnostic tooLarge(const std::string& text, const std::string& reason,
                           const std::string& file) {
   const std::size_t quote = std::min(reason.find('\''), reason.size());
   const std::string number = reason.substr(std::min(quote + 1, reason.size()));
   const std::size_t at = text.find(number.substr(0, number.find('\'')));
-  const base::Diagnostic place = syntaxError(text, at == std::string::npos ? 0 : at + 1, file);
+  const base::Diagnostic place = jsonSyntaxError(text, at == std::string::npos ? 0 : at + 1, file);
   return base::error("trace.number-too-large", {reason}, file, place.line, place.column);
 }
 
@@ -367,7 +354,7 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
   try {
     root = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    return syntaxError(text, error.byte, file);
+    return jsonSyntaxError(text, error.byte, file);
   } catch (const Json::exception& error) {  // number out of range
     return tooLarge(text, base::jsonErrorMessage(error.what()), file);
   }
@@ -376,10 +363,7 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
     return base::error("trace.no-json-object", {}, file, 1, 1);
   }
   auto header = JsonReader(text, file, problems).part<TraceHeader>(root, "");
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {std::move(header), std::move(problems)};
+  return base::resultOf(std::move(header), std::move(problems));
 }
 
 std::string traceJson(const TraceHeader& header) {

@@ -337,10 +337,7 @@ base::Result<Trace> traceOf(const TraceTexts& texts, Truncation* cut) {
   if (!base::hasErrors(problems) && !(cut != nullptr && cut->isTruncated())) {
     checkEnd(trace, texts.trajectory.path, problems);
   }
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {std::move(trace), std::move(problems)};
+  return base::resultOf(std::move(trace), std::move(problems));
 }
 
 base::Result<Trace> readAnyTrace(const std::string& directory, Truncation* cut) {
@@ -431,10 +428,7 @@ base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& 
       recording->addInput((*inputs)[k].first, (*inputs)[k].second);
     }
   });
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {std::shared_ptr<const Recording>(recording), std::move(problems)};
+  return base::resultOf(std::shared_ptr<const Recording>(recording), std::move(problems));
 }
 
 }  // namespace sim2d

@@ -20,6 +20,33 @@ bool beginsNumber(std::string_view text, std::size_t minus) {
   return (next >= '0' && next <= '9') || next == '.';
 }
 
+/// Step lengths of the bodies under one interpretation of the rows.
+class StepLengths {
+ public:
+  void add(double body, double frame, const Vec2& place) {
+    const auto [at, isNew] = last_.try_emplace(body, Last{frame, place});
+    if (!isNew) {
+      isForward_ = isForward_ && frame > at->second.frame;
+      sum_ += (place - at->second.place).norm();
+      ++count_;
+      at->second = {frame, place};
+    }
+  }
+  bool isForward() const { return isForward_; }
+  std::size_t count() const { return count_; }
+  double mean() const { return sum_ / static_cast<double>(count_); }
+
+ private:
+  struct Last {
+    double frame = 0.0;
+    Vec2 place = Vec2::Zero();
+  };
+  std::map<double, Last> last_;
+  double sum_ = 0.0;
+  std::size_t count_ = 0;
+  bool isForward_ = true;
+};
+
 }  // namespace
 
 std::string_view TextRows::withoutComment(std::string_view line) const {
@@ -156,7 +183,7 @@ double statedRate(const std::vector<std::string>& comments) {
     const std::size_t end = std::min(line.find_first_not_of("0123456789.", begin), line.size());
     const std::string rest = base::trimmed(line.substr(end));
     const bool isNamed = std::any_of(std::begin(kNames), std::end(kNames), [&](const char* name) {
-      return line.compare(0, std::string_view(name).size(), name) == 0;
+      return base::startsWith(line, name);
     });
     if (isNamed || (begin == 0 && rest == "fps")) {
       return base::parseDouble(line.substr(begin, end - begin)).value_or(0.0);
@@ -165,14 +192,28 @@ double statedRate(const std::vector<std::string>& comments) {
   return 0.0;
 }
 
+TrackPoint pointAt(const Word& place, double time, const Vec2& position) {
+  TrackPoint point;
+  point.time = time;
+  point.position = position;
+  point.line = place.line;
+  point.column = place.column;
+  return point;
+}
+
+std::vector<Track> tracksOf(std::map<int, Track> byId) {
+  std::vector<Track> tracks;
+  for (auto& [id, track] : byId) {
+    tracks.push_back(std::move(track));
+  }
+  return tracks;
+}
+
 TrackPoint& FrameTracks::add(int id, long long frame, const Vec2& position, int line, int column) {
   Track& track = tracks_[id];
   track.id = id;
-  TrackPoint& point = track.points.emplace_back();
-  point.time = static_cast<double>(frame);
-  point.position = position;
-  point.line = line;
-  point.column = column;
+  TrackPoint& point =
+      track.points.emplace_back(pointAt({{}, line, column}, static_cast<double>(frame), position));
   const std::size_t count = track.points.size();
   backwards_ += count > 1 && !(track.points[count - 2].time < point.time) ? 1U : 0U;
   return point;
@@ -200,9 +241,7 @@ TrackPoint* FrameTracks::add(WordReader& words, const Word& frame, const Word& i
 TrackFile FrameTracks::finish(const std::string& path, double framesPerSecond) {
   TrackFile file;
   file.file = path;
-  for (auto& [id, track] : tracks_) {
-    file.tracks.push_back(std::move(track));
-  }
+  file.tracks = tracksOf(std::move(tracks_));
   framesToSeconds(file, framesPerSecond);
   return file;
 }
@@ -218,37 +257,6 @@ void framesToSeconds(TrackFile& file, double framesPerSecond) {
     }
   }
 }
-
-namespace {
-
-/// Step lengths of the bodies under one interpretation of the rows.
-class StepLengths {
- public:
-  void add(double body, double frame, const Vec2& place) {
-    const auto [at, isNew] = last_.try_emplace(body, Last{frame, place});
-    if (!isNew) {
-      isForward_ = isForward_ && frame > at->second.frame;
-      sum_ += (place - at->second.place).norm();
-      ++count_;
-      at->second = {frame, place};
-    }
-  }
-  bool isForward() const { return isForward_; }
-  std::size_t count() const { return count_; }
-  double mean() const { return sum_ / static_cast<double>(count_); }
-
- private:
-  struct Last {
-    double frame = 0.0;
-    Vec2 place = Vec2::Zero();
-  };
-  std::map<double, Last> last_;
-  double sum_ = 0.0;
-  std::size_t count_ = 0;
-  bool isForward_ = true;
-};
-
-}  // namespace
 
 bool hasIdsFirst(std::string_view text) {
   constexpr int kMaxRows = 4000;
@@ -281,7 +289,7 @@ bool hasIdsFirst(std::string_view text) {
 std::vector<std::size_t> numberedColumns(const TrackInput& input,
                                          const std::vector<const char*>& names, std::size_t most) {
   const auto problem = [&input](std::string_view code, base::ProblemValues values) {
-    input.problems.push_back(base::error(code, std::move(values), input.path));
+    input.error(code, std::move(values));
   };
   std::vector<std::size_t> columns(names.size());
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -302,10 +310,9 @@ std::vector<std::size_t> numberedColumns(const TrackInput& input,
 }
 
 double rateOf(const TrackInput& input, double stated) {
-  const double given = input.options.framesPerSecond;
-  const double rate = given > 0.0 ? given : stated;
+  const double rate = input.rateOr(stated);
   if (!(rate > 0.0)) {
-    input.problems.push_back(base::error("tracks.no-rate", {}, input.path));
+    input.error("tracks.no-rate");
   }
   return rate;
 }
@@ -324,9 +331,8 @@ void reportAssignedIds(const TrackInput& input, const std::vector<const Track*>&
     told.push_back(track->name + " = " + std::to_string(track->id));
   }
   if (!told.empty()) {
-    input.problems.push_back(base::warning(
-        "tracks.ids-numbered", {base::join(told, ", ") + (numbered.size() > kMaxTold ? " …" : "")},
-        input.path));
+    input.warning("tracks.ids-numbered",
+                  {base::join(told, ", ") + (numbered.size() > kMaxTold ? " …" : "")});
   }
 }
 

@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackImport.h"
 
 /// Shared parts of the format readers, and their registry. Problems are appended to the list given.
@@ -73,6 +75,19 @@ struct TrackInput {
   const std::string& text;
   const TrackImportOptions& options;
   base::Diagnostics& problems;
+
+  /// Adds a problem of this file; line 0: of the whole file.
+  void error(std::string_view code, base::ProblemValues values = {}, int line = 0,
+             int column = 0) const {
+    problems.push_back(base::error(code, std::move(values), path, line, column));
+  }
+  void warning(std::string_view code, base::ProblemValues values = {}) const {
+    problems.push_back(base::warning(code, std::move(values), path));
+  }
+  /// The frame rate given by the user, else the stated one [1/s].
+  double rateOr(double stated) const {
+    return options.framesPerSecond > 0.0 ? options.framesPerSecond : stated;
+  }
 };
 
 /// The beginning of a file, to detect its format.
@@ -84,10 +99,7 @@ struct FilePreview {
 
   /// Whether the first 4096 bytes contain the text.
   bool mentions(std::string_view words) const;
-  bool endsWith(std::string_view end) const {
-    return path.size() >= end.size() &&
-           path.compare(path.size() - end.size(), end.size(), end) == 0;
-  }
+  bool endsWith(std::string_view end) const { return base::endsWith(path, end); }
 };
 
 /// How well a file matches a format; the highest match is used.
@@ -117,6 +129,11 @@ class TrackFormats {
 };
 
 constexpr double kAnnotationStep = 0.4;  // [s], frame interval of ETH, UCY and TrajNet data sets
+
+/// An observation at this place of the source.
+TrackPoint pointAt(const Word& place, double time, const Vec2& position);
+/// In the order of the ids.
+std::vector<Track> tracksOf(std::map<int, Track> byId);
 
 /// Collects observations by body, with frame numbers as times.
 class FrameTracks {

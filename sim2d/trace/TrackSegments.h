@@ -68,4 +68,15 @@ class TrackSegment {
 /// Splits a track at gaps longer than `longest` [s].
 std::vector<TrackSegment> segmentsOf(const Track& track, double longest);
 
+// Problems of tracks. Private to the folder.
+
+/// Reports problems with times, positions, ids and the choice of the robot. Returns the robot;
+/// null: none.
+const Track* checkTracks(const TrackFile& file, const TrackOptions& options,
+                         base::Diagnostics& problems);
+
+/// Limits diagnostics to ten per kind and adds the number of omitted ones: a file read in the wrong
+/// format has one per line.
+base::Diagnostics limitedPerKind(const base::Diagnostics& problems);
+
 }  // namespace sim2d

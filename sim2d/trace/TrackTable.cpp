@@ -22,7 +22,7 @@ class TableReader {
 
   TrackFile read() {
     if (!reader_.next(header_)) {
-      input_.problems.push_back(base::error("tracks.file-empty", {}, input_.path));
+      input_.error("tracks.file-empty");
       return {};
     }
     columns_.read(header_);

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/TrackCheck.h"
 #include "sim2d/trace/TrackSegments.h"
 
 namespace sim2d {

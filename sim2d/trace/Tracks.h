@@ -52,7 +52,8 @@ struct TrackOptions {
   double step = 0.0;              // [s], 0: step of the file
 };
 
-constexpr char kRecordedMap[] = "map";  // name of the map's outlines, replaced by setMap()
+constexpr double kFarthestPosition = 1e9;  // [m] from the origin; map coordinates are below 1e7
+constexpr char kRecordedMap[] = "map";     // name of the map's outlines, replaced by setMap()
 
 /// Links between a recording and its source observations.
 struct TrackLinks {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "sim2d/base/Text.h"
+
 namespace sim2d {
 
 namespace fs = std::filesystem;
@@ -39,7 +41,7 @@ std::string finalOrTemporaryPath(const std::string& folder, const std::string& n
   }
   const std::string stem = name + ".new-";
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (at->path().filename().string().rfind(stem, 0) == 0) {
+    if (base::startsWith(at->path().filename().string(), stem)) {
       return at->path().string();
     }
   }

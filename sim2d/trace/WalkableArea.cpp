@@ -11,8 +11,6 @@
 namespace sim2d {
 namespace {
 
-constexpr double kFarthestPoint = 1e9;  // limit for positions of bodies
-
 class WktReader {
  public:
   explicit WktReader(std::string_view text) : text_(text) {}
@@ -74,7 +72,8 @@ class WktReader {
       words.next(row);
       const auto x = row.size() >= 2 ? base::parseDouble(row[0].text) : std::nullopt;
       const auto y = row.size() >= 2 ? base::parseDouble(row[1].text) : std::nullopt;
-      if (!x || !y || !(std::fabs(*x) <= kFarthestPoint) || !(std::fabs(*y) <= kFarthestPoint)) {
+      if (!x || !y || !(std::fabs(*x) <= kFarthestPosition) ||
+          !(std::fabs(*y) <= kFarthestPosition)) {
         return false;
       }
       points.emplace_back(*x, *y);
@@ -127,7 +126,7 @@ void addWalkableArea(const std::string& wkt, double unit, const TrackInput& inpu
   }
   base::Result<std::vector<Outline>> outlines = walkableOutlines(wkt);
   if (!outlines) {
-    input.problems.push_back(base::warning("tracks.bad-geometry", {}, input.path));
+    input.warning("tracks.bad-geometry");
     return;
   }
   for (Outline& outline : *outlines) {

@@ -22,9 +22,7 @@ const Texts& sources() {
                          QDirIterator::Subdirectories);
       while (files.hasNext()) {
         const QString path = files.next();
-        if (!path.endsWith(QLatin1String("base/Problems.cpp"))) {
-          all[path] = textOf(path);
-        }
+        all[path] = textOf(path);
       }
     }
     return all;

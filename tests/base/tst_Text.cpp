@@ -51,6 +51,8 @@ class TextTest : public QObject {
   void visible_controlCharacters_areEscaped();
   void trimmed_spacesAround_areRemoved();
   void split_separators_keepEmptyParts();
+  void startsWith_endsWith_compareWholeParts();
+  void shellWord_otherCharacters_areQuoted();
   void lowered_ascii_leavesOtherBytes();
 };
 
@@ -218,6 +220,20 @@ void TextTest::visible_controlCharacters_areEscaped() {
 void TextTest::trimmed_spacesAround_areRemoved() {
   QVERIFY(base::trimmed(" \t a b\r\n") == "a b");
   QVERIFY(base::trimmed(" \n ").empty());
+}
+
+void TextTest::startsWith_endsWith_compareWholeParts() {
+  QVERIFY(base::startsWith("cafe.yaml", "cafe"));
+  QVERIFY(!base::startsWith("cafe", "cafe.yaml"));
+  QVERIFY(base::endsWith("cafe.yaml", ".yaml"));
+  QVERIFY(!base::endsWith("yaml", ".yaml"));
+  QVERIFY(base::startsWith("", "") && base::endsWith("a", ""));
+}
+
+void TextTest::shellWord_otherCharacters_areQuoted() {
+  QCOMPARE(base::shellWord("maps/cafe_2:=a,b+c@d%"), std::string("maps/cafe_2:=a,b+c@d%"));
+  QCOMPARE(base::shellWord(""), std::string("''"));
+  QCOMPARE(base::shellWord("it's $1"), std::string("'it'\\''s $1'"));
 }
 
 void TextTest::split_separators_keepEmptyParts() {

@@ -122,7 +122,7 @@ base::Diagnostics WebSocketServer::open() {
     return {base::error("live.no-address", {settings_.address})};
   }
   const addrinfo& place = *found.first;
-  listener_ = sim2d::FileDescriptor(
+  listener_ = base::FileDescriptor(
       ::socket(place.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   setOption(listener_.number(), SOL_SOCKET, SO_REUSEADDR, 1);  // allows an immediate restart
   if (!listener_.isOpen() || ::bind(listener_.number(), place.ai_addr, place.ai_addrlen) != 0 ||
@@ -133,7 +133,7 @@ base::Diagnostics WebSocketServer::open() {
                 : base::error("live.no-port", {settings_.address, port, reasonOf(why)})};
   }
   port_ = portOf(listener_.number());
-  wakeEvent_ = sim2d::FileDescriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  wakeEvent_ = base::FileDescriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (!wakeEvent_.isOpen()) {
     return {base::error("live.no-port", {settings_.address, port, reasonOf(errno)})};
   }
@@ -233,7 +233,7 @@ void WebSocketServer::serve() {
 
 void WebSocketServer::acceptAll(Clock::time_point now) {
   for (int i = 0; i < kMostAccepted; ++i) {
-    sim2d::FileDescriptor socket(
+    base::FileDescriptor socket(
         ::accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (socket.isOpen()) {
       acceptOne(std::move(socket), now);
@@ -246,7 +246,7 @@ void WebSocketServer::acceptAll(Clock::time_point now) {
   }
 }
 
-void WebSocketServer::acceptOne(sim2d::FileDescriptor socket, Clock::time_point now) {
+void WebSocketServer::acceptOne(base::FileDescriptor socket, Clock::time_point now) {
   setOption(socket.number(), IPPROTO_TCP, TCP_NODELAY, 1);
   setOption(socket.number(), SOL_SOCKET, SO_SNDBUF, kSystemBuffer);
   limitUnopened(kMostUnopened - 1);

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/bridge/live/Connection.h"
+#include "sim2d/base/FileDescriptor.h"
 #include "sim2d/base/Result.h"
-#include "sim2d/nav/external/FileDescriptor.h"
 
 namespace live {
 
@@ -72,7 +72,7 @@ class WebSocketServer {
 
  private:
   struct Peer {
-    sim2d::FileDescriptor socket;
+    base::FileDescriptor socket;
     Connection connection;
     bool isOpened = false, isShut = false;
   };
@@ -80,7 +80,7 @@ class WebSocketServer {
   base::Diagnostics open();
   void serve();
   void acceptAll(Clock::time_point now);
-  void acceptOne(sim2d::FileDescriptor socket, Clock::time_point now);
+  void acceptOne(base::FileDescriptor socket, Clock::time_point now);
   /// Closes the oldest unopened connections until at most `most` remain. Returns the number closed.
   std::size_t limitUnopened(std::size_t most);
   bool isFull() const;
@@ -95,7 +95,7 @@ class WebSocketServer {
   const ServerSettings settings_;
   Handler& handler_;
   std::uint16_t port_ = 0;
-  sim2d::FileDescriptor listener_, wakeEvent_;
+  base::FileDescriptor listener_, wakeEvent_;
   std::mutex turnMutex_;  // held while waiting for mutex_, for fairness
   std::mutex mutex_;      // guards the members below
   std::map<Client, Peer> peers_;

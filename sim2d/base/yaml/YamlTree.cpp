@@ -32,8 +32,7 @@ constexpr const char* kAgents = "agents";
 constexpr std::string_view kYamlTags = "tag:yaml.org,2002:";
 
 std::string shortTag(const std::string& tag) {
-  return tag.compare(0, kYamlTags.size(), kYamlTags) == 0 ? "!!" + tag.substr(kYamlTags.size())
-                                                          : tag;
+  return startsWith(tag, kYamlTags) ? "!!" + tag.substr(kYamlTags.size()) : tag;
 }
 
 /// Ends parsing after a reported error.
@@ -265,6 +264,54 @@ std::string withUnixLineEnds(std::string_view text) {
   return result;
 }
 
+/// Checks for tabs before parsing, because the parser's message is less specific. In ROS files only
+/// after a parse error, as tabs inside brackets are valid.
+YamlNode parsedText(const std::string& clean, const std::string& file, const YamlSyntax& rules,
+                    Diagnostics& diagnostics) {
+  Diagnostics tabs, found;
+  findTabs(clean, file, tabs);
+  if (!tabs.empty() && !rules.isRosFile) {
+    append(diagnostics, tabs);
+    return {};
+  }
+  TreeBuilder builder(file, rules, found);
+  parseInto(builder, clean, file, rules, found);
+  append(diagnostics, hasErrors(found) && !tabs.empty() ? tabs : found);
+  return std::move(builder.root);
+}
+
+constexpr std::size_t kMaxCopied = 100000;  // values per file; nested aliases multiply
+constexpr const char* kMergeKey = "<<";
+
+std::size_t sizeOf(const YamlNode& node) {
+  std::size_t size = 1;
+  for (const YamlNode& item : node.items) {
+    size += sizeOf(item);
+  }
+  return size;
+}
+
+bool isMergeKey(const YamlNode& value) {
+  return value.key == kMergeKey && value.keyIsPlain;
+}
+
+/// The maps that a merge key inserts; empty with an error if its value is invalid.
+std::vector<YamlNode> mapsToMerge(YamlNode value, const std::string& file,
+                                  Diagnostics& diagnostics) {
+  std::vector<YamlNode> maps;
+  const bool isListOfMaps =
+      value.isList() && std::all_of(value.items.begin(), value.items.end(),
+                                    [](const YamlNode& item) { return item.isMap(); });
+  if (isListOfMaps) {
+    maps = std::move(value.items);
+  } else if (value.isMap()) {
+    maps.push_back(std::move(value));
+  } else if (!value.isNull()) {
+    diagnostics.push_back(error("yaml.merge-no-map", {}, file, value.keyLine, value.keyColumn));
+  }
+  return maps;
+}
+
 }  // namespace
 
 const YamlNode* YamlNode::find(std::string_view name) const {
@@ -308,26 +355,6 @@ YamlNode stringNode(const std::string& text) {
   return node;
 }
 
-namespace {
-
-/// Checks for tabs before parsing, because the parser's message is less specific. In ROS files only
-/// after a parse error, as tabs inside brackets are valid.
-YamlNode parsedText(const std::string& clean, const std::string& file, const YamlSyntax& rules,
-                    Diagnostics& diagnostics) {
-  Diagnostics tabs, found;
-  findTabs(clean, file, tabs);
-  if (!tabs.empty() && !rules.isRosFile) {
-    append(diagnostics, tabs);
-    return {};
-  }
-  TreeBuilder builder(file, rules, found);
-  parseInto(builder, clean, file, rules, found);
-  append(diagnostics, hasErrors(found) && !tabs.empty() ? tabs : found);
-  return std::move(builder.root);
-}
-
-}  // namespace
-
 YamlNode parseYaml(std::string_view text, const std::string& file, const YamlSyntax& rules,
                    Diagnostics& diagnostics) {
   const std::string clean = withUnixLineEnds(text);
@@ -347,42 +374,6 @@ std::string scalarText(const std::string& yaml) {
   const YamlNode node = parseYaml(yaml, {}, problems);
   return node.isScalar() && !hasErrors(problems) ? node.text : yaml;
 }
-
-namespace {
-
-constexpr std::size_t kMaxCopied = 100000;  // values per file; nested aliases multiply
-constexpr const char* kMergeKey = "<<";
-
-std::size_t sizeOf(const YamlNode& node) {
-  std::size_t size = 1;
-  for (const YamlNode& item : node.items) {
-    size += sizeOf(item);
-  }
-  return size;
-}
-
-bool isMergeKey(const YamlNode& value) {
-  return value.key == kMergeKey && value.keyIsPlain;
-}
-
-/// The maps that a merge key inserts; empty with an error if its value is invalid.
-std::vector<YamlNode> mapsToMerge(YamlNode value, const std::string& file,
-                                  Diagnostics& diagnostics) {
-  std::vector<YamlNode> maps;
-  const bool isListOfMaps =
-      value.isList() && std::all_of(value.items.begin(), value.items.end(),
-                                    [](const YamlNode& item) { return item.isMap(); });
-  if (isListOfMaps) {
-    maps = std::move(value.items);
-  } else if (value.isMap()) {
-    maps.push_back(std::move(value));
-  } else if (!value.isNull()) {
-    diagnostics.push_back(error("yaml.merge-no-map", {}, file, value.keyLine, value.keyColumn));
-  }
-  return maps;
-}
-
-}  // namespace
 
 YamlNode YamlAliases::copyOf(Anchor anchor, YamlNode at, const std::string& file,
                              Diagnostics& diagnostics) {

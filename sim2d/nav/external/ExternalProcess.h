@@ -9,12 +9,14 @@
 #include <thread>
 #include <vector>
 
+#include "sim2d/base/FileDescriptor.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/base/StopFlag.h"
-#include "sim2d/nav/external/FileDescriptor.h"
 #include "sim2d/nav/external/LineChannel.h"
 
 namespace sim2d {
+
+using base::FileDescriptor;
 
 /// A child process in its own process group, connected by pipes to its standard input, output and
 /// error; it inherits no other descriptors. The destructor ends it and all processes of its group;

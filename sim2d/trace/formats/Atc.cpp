@@ -26,22 +26,16 @@ TrackFile readDay(const TrackInput& input) {
                  return;
                }
                begin = tracks.empty() ? *time : begin;
-               TrackPoint point;
-               point.time = *time - begin;  // Unix times exceed the precision
-               point.position = kMillimetre * Vec2(*x, *y);
-               point.velocity = kMillimetre * *speed * base::directionOf(*way);
-               point.heading = *facing;
-               point.line = row[0].line;
-               point.column = row[0].column;
                Track& track = tracks[*id];
                track.id = *id;
-               track.points.push_back(point);
+               TrackPoint& point = track.points.emplace_back(  // Unix times exceed the precision
+                   pointAt(row[0], *time - begin, kMillimetre * Vec2(*x, *y)));
+               point.velocity = kMillimetre * *speed * base::directionOf(*way);
+               point.heading = *facing;
              });
   TrackFile file;
   file.lengthUnit = kMillimetre;
-  for (auto& [id, track] : tracks) {
-    file.tracks.push_back(std::move(track));
-  }
+  file.tracks = tracksOf(std::move(tracks));
   return file;
 }
 

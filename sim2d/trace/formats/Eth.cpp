@@ -16,9 +16,7 @@ TrackFile readObsmat(const TrackInput& input) {
                  point->velocity = Vec2(*vx, *vy);
                }
              });
-  const double given = input.options.framesPerSecond;
-  TrackFile file =
-      tracks.finish(input.path, given > 0.0 ? given : statedRate(leadingComments(input.text)));
+  TrackFile file = tracks.finish(input.path, input.rateOr(statedRate(leadingComments(input.text))));
   readGroupsFile(input, file);
   return file;
 }

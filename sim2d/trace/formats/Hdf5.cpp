@@ -74,7 +74,7 @@ void checkDeclaredSize(hid_t table, hid_t type, hsize_t count, const TrackInput&
   const hsize_t mostRows = most / std::max<hsize_t>(H5Tget_size(type), 1);
   const hsize_t declared = std::max(count, rowsOfChunk(table));
   if (declared > mostRows) {
-    input.problems.push_back(base::error("tracks.too-many-rows", {declared, mostRows}, input.path));
+    input.error("tracks.too-many-rows", {declared, mostRows});
   }
 }
 
@@ -156,7 +156,7 @@ double statedRate(hid_t file, hid_t table, const TrackInput& input) {
       const double found = attributeNumber(of, name);
       if (rate > 0.0 && found > 0.0 && std::abs(found - rate) > kSameRate * rate &&
           !(input.options.framesPerSecond > 0.0)) {
-        input.problems.push_back(base::error("tracks.two-rates", {rate, found}, input.path));
+        input.error("tracks.two-rates", {rate, found});
       }
       rate = rate > 0.0 ? rate : found;
     }
@@ -185,7 +185,7 @@ class TableReader {
     const Handle type(H5Dget_type(table_), H5Tclose);
     const Handle row(rowType(type), H5Tclose);
     if (!row.isGood()) {
-      input_.problems.push_back(base::error("tracks.no-dataset", {}, input_.path));
+      input_.error("tracks.no-dataset");
     } else {
       checkDeclaredSize(table_, type, count, input_);
     }
@@ -205,7 +205,7 @@ class TableReader {
       const Handle memory(H5Screate_simple(1, &block, nullptr), H5Sclose);
       H5Sselect_hyperslab(space, H5S_SELECT_SET, &from, nullptr, &block, nullptr);
       if (H5Dread(table_, row, memory, space, H5P_DEFAULT, rows.data()) < 0) {
-        input_.problems.push_back(base::error("tracks.no-dataset", {}, input_.path));
+        input_.error("tracks.no-dataset");
         return false;
       }
       if (!take(rows)) {
@@ -221,7 +221,7 @@ class TableReader {
     for (const Row& row : rows) {
       const Vec2 place(row.x, row.y);
       if (!place.allFinite() || row.id < 0 || row.id > std::numeric_limits<int>::max()) {
-        input_.problems.push_back(base::error("tracks.out-of-range", {}, input_.path));
+        input_.error("tracks.out-of-range");
         return false;
       }
       tracks_.add(static_cast<int>(row.id), row.frame, unit_ * place, 0, 0);
@@ -237,7 +237,7 @@ class TableReader {
 
 TrackFile readHdf5(const TrackInput& input) {
   if (input.path == "-") {
-    input.problems.push_back(base::error("tracks.needs-file", {"HDF5"}, input.path));
+    input.error("tracks.needs-file", {"HDF5"});
     return {};
   }
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported as diagnostics
@@ -245,7 +245,7 @@ TrackFile readHdf5(const TrackInput& input) {
   const Handle table(file.isGood() ? H5Dopen2(file, "trajectory", H5P_DEFAULT) : -1, H5Dclose);
   const auto count = table.isGood() && isInFile(table) ? countRows(table) : std::nullopt;
   if (!count) {
-    input.problems.push_back(base::error("tracks.no-dataset", {}, input.path));
+    input.error("tracks.no-dataset");
     return {};
   }
   const double unit = statedUnit(table);

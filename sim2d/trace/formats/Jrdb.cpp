@@ -52,13 +52,11 @@ class JrdbReader {
         }
       }
     } catch (const Json::exception& problem) {
-      input_.problems.push_back(
-          base::error("tracks.bad-json", {base::jsonErrorMessage(problem.what())}, input_.path));
+      input_.error("tracks.bad-json", {base::jsonErrorMessage(problem.what())});
       return {};
     }
     reportSkipped();
-    const double given = input_.options.framesPerSecond;
-    TrackFile file = tracks_.finish(input_.path, given > 0.0 ? given : kRate);
+    TrackFile file = tracks_.finish(input_.path, input_.rateOr(kRate));
     for (Track& track : file.tracks) {
       track.name = names_[track.id];  // contains the id
     }
@@ -66,22 +64,19 @@ class JrdbReader {
   }
 
  private:
-  void wrong(const std::string& reason) {
-    input_.problems.push_back(base::error("tracks.bad-json", {reason}, input_.path));
-  }
+  void wrong(const std::string& reason) { input_.error("tracks.bad-json", {reason}); }
 
   void reportSkipped() {
     if (!left_.empty()) {
       const std::vector<std::string> names(others_.begin(), others_.end());
-      input_.problems.push_back(
-          base::warning("tracks.not-people", {left_.size(), base::join(names, ", ")}, input_.path));
+      input_.warning("tracks.not-people", {left_.size(), base::join(names, ", ")});
     }
-    input_.problems.push_back(base::warning("tracks.around-robot", {}, input_.path));
+    input_.warning("tracks.around-robot");
   }
 
   void addBox(long long frame, const Json& label) {
     const std::string name = label.at("label_id").get<std::string>();
-    if (name.rfind("pedestrian", 0) != 0) {
+    if (!base::startsWith(name, "pedestrian")) {
       left_.insert(name);
       others_.insert(name.substr(0, name.find(':')));
       return;

@@ -31,26 +31,21 @@ class JupedsimReader {
     }
     sortByTime();
     TrackFile file;
-    for (auto& [id, track] : tracks_) {
-      file.tracks.push_back(std::move(track));
-    }
+    file.tracks = tracksOf(std::move(tracks_));
     framesToSeconds(file, rate);
     addGeometry(file);
     return file;
   }
 
  private:
-  void error(std::string_view code, base::ProblemValues values = {}) {
-    input_.problems.push_back(base::error(code, std::move(values), input_.path));
-  }
   bool fail() {
-    error("tracks.bad-database", {sqlite3_errmsg(connection_.get())});
+    input_.error("tracks.bad-database", {sqlite3_errmsg(connection_.get())});
     return false;
   }
 
   bool open() {
     if (input_.path == "-") {
-      error("tracks.needs-file", {"SQLite"});
+      input_.error("tracks.needs-file", {"SQLite"});
       return false;
     }
     sqlite3* raw = nullptr;
@@ -58,7 +53,7 @@ class JupedsimReader {
                                      SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, nullptr);
     connection_.reset(raw);
     if (code != SQLITE_OK) {
-      error("tracks.bad-database", {sqlite3_errstr(code)});
+      input_.error("tracks.bad-database", {sqlite3_errstr(code)});
       return false;
     }
     limitQueries(raw, databaseSize(input_.path), budget_);
@@ -83,7 +78,7 @@ class JupedsimReader {
     }
     for (const char* column : {"frame", "id", "pos_x", "pos_y"}) {
       if (!hasColumn("trajectory_data", column)) {
-        error("tracks.no-trajectory-data");
+        input_.error("tracks.no-trajectory-data");
         return false;
       }
     }
@@ -124,14 +119,14 @@ class JupedsimReader {
     int code = sqlite3_step(rows.get());
     for (; code == SQLITE_ROW && input_.problems.size() - before < kMaxProblems; ++row) {
       if (row > mostRows) {
-        error("tracks.more-rows", {mostRows});
+        input_.error("tracks.more-rows", {mostRows});
         return false;
       }
       takeRow(rows.get(), row, hasHeadings);
       code = sqlite3_step(rows.get());
     }
     if (code == SQLITE_INTERRUPT) {
-      error("tracks.too-many-steps", {row});
+      input_.error("tracks.too-many-steps", {row});
       return false;
     }
     return code == SQLITE_DONE || code == SQLITE_ROW ? !base::hasErrors(input_.problems) : fail();
@@ -142,7 +137,7 @@ class JupedsimReader {
     const int type = sqlite3_column_type(rows, column);
     const double value = sqlite3_column_double(rows, column);
     if ((type != SQLITE_INTEGER && type != SQLITE_FLOAT) || !std::isfinite(value)) {
-      error("tracks.bad-cell", {row, sqlite3_column_name(rows, column)});
+      input_.error("tracks.bad-cell", {row, sqlite3_column_name(rows, column)});
       return std::nullopt;
     }
     return value;
@@ -158,7 +153,7 @@ class JupedsimReader {
     }
     constexpr double kLargest = std::numeric_limits<int>::max();
     if (*id < 0.0 || *id > kLargest || *id != std::floor(*id)) {
-      error("tracks.bad-cell", {row, "id"});
+      input_.error("tracks.bad-cell", {row, "id"});
       return;
     }
     Track& track = tracks_[static_cast<int>(*id)];
@@ -186,7 +181,7 @@ class JupedsimReader {
   void addGeometry(TrackFile& file) {
     const std::string count = textOf("SELECT count(*) FROM geometry");
     if (base::parseInt(count).value_or(0) > 1) {
-      input_.problems.push_back(base::warning("tracks.geometries", {count}, input_.path));
+      input_.warning("tracks.geometries", {count});
     }
     std::string wkt = textOf(
         "SELECT geometry.wkt FROM frame_data JOIN geometry ON geometry.hash = "

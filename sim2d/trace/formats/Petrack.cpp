@@ -74,8 +74,7 @@ std::optional<double> statedUnit(const std::vector<std::string>& comments) {
     };
     const std::optional<double> unit = lengthUnitIn(line);
     ofColumns = holds("x") && holds("y") && unit ? unit : ofColumns;
-    const bool isUnit =
-        line.compare(0, 4, "unit") == 0 || (!words.empty() && words.front() == "in");
+    const bool isUnit = base::startsWith(line, "unit") || (!words.empty() && words.front() == "in");
     ofLine = isUnit && unit ? unit : ofLine;
   }
   return ofColumns ? ofColumns : ofLine;
@@ -98,7 +97,7 @@ TrackFile readPetrack(const TrackInput& input) {
   const bool isUnknown = !unit && !(input.options.lengthUnit > 0.0);
   const double stated = statedRate(comments);
   if (isUnknown && !(stated > 0.0) && !(input.options.framesPerSecond > 0.0)) {
-    input.problems.push_back(base::error("tracks.no-rate-or-unit", {}, input.path));
+    input.error("tracks.no-rate-or-unit");
     return {};
   }
   const double rate = rateOf(input, stated);
@@ -107,7 +106,7 @@ TrackFile readPetrack(const TrackInput& input) {
     return {};
   }
   if (isUnknown) {
-    input.problems.push_back(base::warning("tracks.no-unit", {}, input.path));
+    input.warning("tracks.no-unit");
   }
   const std::size_t width = *std::max_element(order.begin(), order.end()) + 1;
   FrameTracks tracks;

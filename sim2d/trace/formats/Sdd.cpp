@@ -40,7 +40,7 @@ void addBox(const std::vector<Word>& row, double unit, WordReader& words, FrameT
 TrackFile readAnnotations(const TrackInput& input) {
   const double unit = input.options.lengthUnit;
   if (!(unit > 0.0)) {
-    input.problems.push_back(base::error("tracks.no-scale", {}, input.path));
+    input.error("tracks.no-scale");
     return {};
   }
   FrameTracks tracks;
@@ -58,11 +58,9 @@ TrackFile readAnnotations(const TrackInput& input) {
              });
   if (!left.empty()) {
     const std::vector<std::string> names(others.begin(), others.end());
-    input.problems.push_back(
-        base::warning("tracks.not-people", {left.size(), base::join(names, ", ")}, input.path));
+    input.warning("tracks.not-people", {left.size(), base::join(names, ", ")});
   }
-  const double given = input.options.framesPerSecond;
-  TrackFile file = tracks.finish(input.path, given > 0.0 ? given : kRate);
+  TrackFile file = tracks.finish(input.path, input.rateOr(kRate));
   file.lengthUnit = unit;
   return file;
 }

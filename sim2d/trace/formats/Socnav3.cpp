@@ -51,8 +51,7 @@ class Socnav3Reader {
     if (!places_) {
       places_.emplace(input_.text);
     }
-    input_.problems.push_back(
-        base::error(code, std::move(values), input_.path, places_->lineOf(list_ + path)));
+    input_.error(code, std::move(values), places_->lineOf(list_ + path));
   }
 
   /// None: missing or not finite, which is reported.
@@ -146,7 +145,7 @@ class Socnav3Reader {
     const Vec2 place(*x, *y);
     if (goal_ && (goal_->position - place).norm() > goal_->radius && !isGoalMoving_) {
       isGoalMoving_ = true;
-      input_.problems.push_back(base::warning("tracks.goal-changes", {}, input_.path));
+      input_.warning("tracks.goal-changes");
     }
     goal_ = TraceGoal{0, place, radius > 0.0 ? radius : kDefaultRadius};
   }

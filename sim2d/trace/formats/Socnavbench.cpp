@@ -17,7 +17,7 @@ TrackFile readSocnavbench(const TrackInput& input) {
   const bool fits = rows.size() == 4 && rows[1].size() == rows[0].size() &&
                     rows[2].size() == rows[0].size() && rows[3].size() == rows[0].size();
   if (!fits) {
-    input.problems.push_back(base::error("tracks.four-lines", {}, input.path));
+    input.error("tracks.four-lines");
     return {};
   }
   const std::vector<std::size_t> order =
@@ -25,8 +25,7 @@ TrackFile readSocnavbench(const TrackInput& input) {
   for (std::size_t k = 0; words.isUsable() && k < rows[0].size(); ++k) {
     tracks.add(words, rows[order[0]][k], rows[order[1]][k], rows[order[2]][k], rows[order[3]][k]);
   }
-  const double rate = input.options.framesPerSecond;
-  return tracks.finish(input.path, rate > 0.0 ? rate : kDefaultRate);
+  return tracks.finish(input.path, input.rateOr(kDefaultRate));
 }
 
 FormatMatch matchFormat(const FilePreview& preview) {

@@ -33,7 +33,7 @@ std::optional<int> numberOf(const std::string& name) {
 }
 
 bool isRobotName(const std::string& name) {
-  return name.rfind("DARKO", 0) == 0 || name.find("obot") != std::string::npos;
+  return base::startsWith(name, "DARKO") || name.find("obot") != std::string::npos;
 }
 
 class ThorReader {
@@ -43,8 +43,7 @@ class ThorReader {
 
   TrackFile read() {
     if (!findTable()) {
-      input_.problems.push_back(base::error(
-          "tracks.no-table", {"Frame, Time, NAME Centroid_X, NAME Centroid_Y …"}, input_.path));
+      input_.error("tracks.no-table", {"Frame, Time, NAME Centroid_X, NAME Centroid_Y …"});
       return {};
     }
     while (words_.isUsable() && rows_.next(row_)) {
@@ -56,8 +55,7 @@ class ThorReader {
       }
     }
     if (!others_.empty()) {
-      input_.problems.push_back(base::warning(
-          "tracks.not-people", {others_.size(), base::join(others_, ", ")}, input_.path));
+      input_.warning("tracks.not-people", {others_.size(), base::join(others_, ", ")});
     }
     assignMissingIds();
     TrackFile file;
@@ -112,8 +110,7 @@ class ThorReader {
 
   void addBody(const std::string& name, std::size_t x,
                const std::map<std::string, std::size_t>& columns) {
-    if (name.size() <= kEnd.size() ||
-        name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) != 0) {
+    if (name.size() <= kEnd.size() || !base::endsWith(name, kEnd)) {
       return;
     }
     const std::string body = name.substr(0, name.size() - kEnd.size());
@@ -121,7 +118,7 @@ class ThorReader {
     if (y == columns.end()) {
       return;
     }
-    if (body.rfind("Helmet_", 0) != 0 && !isRobotName(body)) {
+    if (!base::startsWith(body, "Helmet_") && !isRobotName(body)) {
       others_.push_back(body);
       return;
     }
@@ -167,12 +164,8 @@ class ThorReader {
       const std::optional<double> x = words_.finite(wordOf(bodies_[k].x), "x");
       const std::optional<double> y = words_.finite(wordOf(bodies_[k].y), "y");
       if (x && y) {
-        TrackPoint point;
-        point.time = *time;
-        point.position = kMillimetre * Vec2(*x, *y);
-        point.line = row_[bodies_[k].x].line;
-        point.column = row_[bodies_[k].x].column;
-        tracks_[k].points.push_back(point);
+        tracks_[k].points.push_back(
+            pointAt(wordOf(bodies_[k].x), *time, kMillimetre * Vec2(*x, *y)));
       }
     }
   }

@@ -38,10 +38,6 @@ class TrajnetReader {
   }
 
  private:
-  void error(int line, int column, const char* code) {
-    input_.problems.push_back(base::error(code, {}, input_.path, line, column));
-  }
-
   void readLine(const std::string& text, int line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) {
       return;
@@ -53,24 +49,24 @@ class TrajnetReader {
       } else if (json.is_object() && json.contains("scene")) {
         readScene(json["scene"], line);
       } else {
-        error(line, 1, "tracks.no-scene");
+        input_.error("tracks.no-scene", {}, line, 1);
       }
     } catch (const Json::parse_error& problem) {
-      error(line, static_cast<int>(problem.byte), "trace.not-json");
+      input_.error("trace.not-json", {}, line, static_cast<int>(problem.byte));
     } catch (const Json::exception&) {
-      error(line, 1, "tracks.out-of-range");
+      input_.error("tracks.out-of-range", {}, line, 1);
     }
   }
 
   void readScene(const Json& scene, int line) {
     if (!scene.is_object()) {
-      error(line, 1, "tracks.bad-scene");
+      input_.error("tracks.bad-scene", {}, line, 1);
     } else if (scene.contains("fps")) {
       const double rate = scene["fps"].is_number() ? scene["fps"].get<double>() : 0.0;
       if (!(rate > 0.0) || !std::isfinite(rate)) {
-        error(line, 1, "tracks.bad-rate");
+        input_.error("tracks.bad-rate", {}, line, 1);
       } else if (sceneRate_ > 0.0 && rate != sceneRate_) {
-        error(line, 1, "tracks.rates-differ");
+        input_.error("tracks.rates-differ", {}, line, 1);
       }
       sceneRate_ = rate;
     }
@@ -80,14 +76,14 @@ class TrajnetReader {
     const bool isWhole = track.is_object() && isInteger(track, "f") && isInteger(track, "p") &&
                          isNumber(track, "x") && isNumber(track, "y");
     if (!isWhole) {
-      error(line, 1, "tracks.bad-track");
+      input_.error("tracks.bad-track", {}, line, 1);
       return;
     }
     if (track.contains("prediction_number") && !track["prediction_number"].is_null()) {
       return;  // a predicted position
     }
     if (track["p"].get<long long>() < 0) {
-      error(line, 1, "tracks.negative-id");
+      input_.error("tracks.negative-id", {}, line, 1);
       return;
     }
     tracks_.add(track["p"].get<int>(), track["f"].get<long long>(),
@@ -116,16 +112,14 @@ TrackFile readTrajnetRows(const TrackInput& input) {
   forEachRow(input, kWidth, "frame id x y", [&](WordReader& words, const std::vector<Word>& row) {
     tracks.add(words, row[order[0]], row[order[1]], row[order[2]], row[order[3]]);
   });
-  const double given = input.options.framesPerSecond;
-  return tracks.finish(input.path, given > 0.0 ? given : statedRate(leadingComments(input.text)));
+  return tracks.finish(input.path, input.rateOr(statedRate(leadingComments(input.text))));
 }
 
 TrackFile readTrajnet(const TrackInput& input) {
   const std::size_t first = input.text.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string::npos && input.text[first] == '{';
   if (isJson && !input.options.columns.empty()) {
-    input.problems.push_back(
-        base::error("tracks.fixed-columns", {"trajnet (JSON lines)"}, input.path));
+    input.error("tracks.fixed-columns", {"trajnet (JSON lines)"});
     return {};
   }
   return isJson ? TrajnetReader(input).read() : readTrajnetRows(input);

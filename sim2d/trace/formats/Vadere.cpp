@@ -57,7 +57,7 @@ class VadereReader {
 
   TrackFile read() {
     if (!rows_.next(header_)) {
-      input_.problems.push_back(base::error("tracks.file-empty", {}, input_.path));
+      input_.error("tracks.file-empty");
       return {};
     }
     const std::size_t id = column("pedestrianId");
@@ -111,11 +111,8 @@ class VadereReader {
     Track& track = tracks_[*number];
     track.id = *number;
     for (std::size_t k = 0; k + 2 < values.size(); k += 3) {
-      TrackPoint point;
-      point.time = values[k] * (isStepwise ? step_ : 1.0);
-      point.position = Vec2(values[k + 1], values[k + 2]);
-      point.line = row.front().line;
-      point.column = row.front().column;
+      const TrackPoint point = pointAt(row.front(), values[k] * (isStepwise ? step_ : 1.0),
+                                       Vec2(values[k + 1], values[k + 2]));
       const bool isSame = !isStepwise && !track.points.empty() &&
                           std::fabs(point.time - track.points.back().time) < kSameTime;
       if (!isSame) {
@@ -129,9 +126,7 @@ class VadereReader {
     file.step = isStepwise ? step_ : kDefaultStep;
     file.hasFrameTimes = isStepwise;
     file.isSparse = !isStepwise;
-    for (auto& [id, track] : tracks_) {
-      file.tracks.push_back(std::move(track));
-    }
+    file.tracks = tracksOf(std::move(tracks_));
     return file;
   }
 

@@ -40,8 +40,7 @@ TrackFile readRecord(const TrackInput& input) {
   const std::string_view text = input.text;
   const std::size_t begin = tableIn(text);
   if (begin == std::string_view::npos) {
-    input.problems.push_back(base::error(
-        "tracks.no-table", {"$PEDESTRIAN:SIMSEC;NO;COORDCENTX;COORDCENTY"}, input.path));
+    input.error("tracks.no-table", {"$PEDESTRIAN:SIMSEC;NO;COORDCENTX;COORDCENTY"});
     return {};
   }
   std::string_view comments = text.substr(0, begin);

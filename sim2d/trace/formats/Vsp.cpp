@@ -24,7 +24,7 @@ std::optional<Matrix3> readHomography(const TrackInput& input, bool& isOfPixels)
   }
   if (!text) {
     base::append(input.problems, text.diagnostics());
-    input.problems.push_back(base::error("tracks.no-matrix", {}, input.path));
+    input.error("tracks.no-matrix");
     return std::nullopt;
   }
   WordReader words(path, input.problems);
@@ -64,10 +64,11 @@ Vec2 toWorld(const Matrix3& matrix, double x, double y) {
 class VspReader {
  public:
   VspReader(const TrackInput& input, const Matrix3& matrix)
-      : input_(input), matrix_(matrix), words_(input.path, input.problems), rows_(input.text, '-') {
-    const double rate = input.options.framesPerSecond;
-    rate_ = rate > 0.0 ? rate : kDefaultRate;
-  }
+      : input_(input),
+        matrix_(matrix),
+        words_(input.path, input.problems),
+        rows_(input.text, '-'),
+        rate_(input.rateOr(kDefaultRate)) {}
 
   TrackFile read() {
     TrackFile file;
@@ -95,7 +96,7 @@ class VspReader {
     if (rows_.next(row_)) {
       return true;
     }
-    input_.problems.push_back(base::error("tracks.cut", {what}, input_.path));
+    input_.error("tracks.cut", {what});
     return false;
   }
 
@@ -133,24 +134,19 @@ class VspReader {
   }
 
   void addPoint(Track& track, double frame, const Vec2& position) {
-    TrackPoint point;
-    point.time = frame / rate_;
-    point.position = position;
-    point.line = row_.front().line;
-    point.column = row_.front().column;
-    if (!position.allFinite()) {
+    if (position.allFinite()) {
+      track.points.push_back(pointAt(row_.front(), frame / rate_, position));
+    } else {
       words_.error(row_.front(), "tracks.nowhere");
-      return;
     }
-    track.points.push_back(point);
   }
 
   const TrackInput& input_;
   const Matrix3& matrix_;
   WordReader words_;
   TextRows rows_;
+  double rate_;  // [1/s]
   std::vector<Word> row_;
-  double rate_ = kDefaultRate;
 };
 
 TrackFile readVsp(const TrackInput& input) {

@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace sim2d {
+namespace base {
 
 /// Owns a file descriptor. -1: none.
 class FileDescriptor {
@@ -31,4 +31,4 @@ class FileDescriptor {
   int number_ = -1;
 };
 
-}  // namespace sim2d
+}  // namespace base
