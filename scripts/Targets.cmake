@@ -121,6 +121,32 @@ ${calls}}
   target_sources(${target} PRIVATE ${output})
 endfunction()
 
+# hunav_embed(<target> <namespace> <header> <Name>:<file>…): embeds files of resources/ into the
+# program as const char* const k<Name>Text, which the header declares.
+function(hunav_embed target namespace header)
+  set(texts "")
+  foreach(entry IN LISTS ARGN)
+    string(REPLACE ":" ";" entry ${entry})
+    list(GET entry 0 name)
+    list(GET entry 1 file)
+    set(file ${PROJECT_SOURCE_DIR}/resources/${file})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    string(APPEND texts "const char* const k${name}Text = R\"~~~(${text})~~~\";\n")
+  endforeach()
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_texts.cpp)
+  file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
+"// Written by CMake (scripts/Targets.cmake).
+#include \"${header}\"
+
+namespace ${namespace} {
+
+@texts@
+}  // namespace ${namespace}
+")
+  target_sources(${target} PRIVATE ${output})
+endfunction()
+
 # hunav_apart(<target> <files…>): units of their own, as they use the same names, each for its own.
 function(hunav_apart target)
   set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}

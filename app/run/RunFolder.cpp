@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <type_traits>
 #include <unistd.h>
 
@@ -304,30 +305,15 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
     : world_(world),
       dt_(world.dt()),
       folder_(folder),
-      evaluation_(header, selection, parameters, {known, &world.obstacles()}) {
+      evaluation_(header, selection, parameters, {known, &world.obstacles()}),
+      known_(header) {
   recordEvery_ = header.recordEvery;
-  for (const sim2d::TraceHuman& human : header.humans) {
-    known_.insert(human.id);
-  }
   if (!folder_.empty()) {
     begin(Trajectory, sim2d::headerLine(sim2d::kTrajectoryColumns));
     begin(Events, sim2d::headerLine(sim2d::kEventColumns));
     begin(Trees, sim2d::headerLine(sim2d::kTreeColumns));
     // Allows a killed run to be displayed; finish() reports write errors.
     base::writeFileAtomically(pathIn(folder_, "trace.json"), sim2d::traceJson(header));
-  }
-}
-
-/// Adds agents spawned by sources to the metrics.
-void RunWriter::addNewAgents(const sim2d::Frame& frame) {
-  const std::vector<int>& ids = frame.humans.id;
-  if (std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
-    return;
-  }
-  const std::vector<sim2d::TraceHuman> humans = world_.header().humans;
-  evaluation_.addHumans(humans);
-  for (const sim2d::TraceHuman& human : humans) {
-    known_.insert(human.id);
   }
 }
 
@@ -373,7 +359,9 @@ void RunWriter::append(const sim2d::Frame& frame) {
     evaluation_.note(static_cast<double>(frame.step) * dt_, event);
   }
   if (isRecorded) {
-    addNewAgents(frame);
+    if (known_.addNew(frame)) {  // spawned by a source
+      evaluation_.addHumans(world_.header().humans);
+    }
     evaluation_.append(frame);
   }
   if (files_[Trajectory]) {

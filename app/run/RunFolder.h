@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "metrics/IncrementalEvaluation.h"
 #include "metrics/RunResults.h"
 #include "sim2d/base/Files.h"
+#include "sim2d/trace/KnownPeople.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
 
@@ -61,7 +61,6 @@ class RunWriter : public sim2d::FrameSink {
  private:
   enum File { Trajectory, Events, Trees, Inputs, Scans };
   void begin(File file, std::string_view head);
-  void addNewAgents(const sim2d::Frame& frame);
   void write(const sim2d::Frame& frame, bool isRecorded);
   void writeScans(const std::vector<sim2d::RecordedScan>& scans);
   struct Column {
@@ -78,7 +77,7 @@ class RunWriter : public sim2d::FrameSink {
   std::array<std::optional<base::AtomicFileWriter>, 5> files_;
   metrics::FrameEvaluation evaluation_;
   AdditionalRunWriter* additionalWriter_ = nullptr;
-  std::set<int> known_;  // agents that the metrics know
+  sim2d::KnownPeople known_;  // to the metrics
   metrics::SeriesStorage store_;
   std::vector<Column> columns_;  // in the store
 };

@@ -40,6 +40,9 @@ class AtomicFileWriter {
   void append(std::string_view content);
   /// A write failed: further content is ignored, and finish() returns the error.
   bool hasFailed() const { return !problems_.empty(); }
+  /// Where the content is until finish(), for libraries that write files themselves. Empty: it
+  /// could not be created.
+  const std::string& temporaryPath() const { return temporaryPath_; }
   /// Syncs the content to disk under the temporary name and returns the errors so far.
   const Diagnostics& complete();
   /// Renames the file to its target. Empty: it is written.

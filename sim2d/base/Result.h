@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -68,6 +70,19 @@ Diagnostic outOfRange(const std::string& found, const Range& range);
 const char* severityName(Severity severity);  // "info", "warning", "error"
 bool hasErrors(const Diagnostics& diagnostics);
 void append(Diagnostics& to, const Diagnostics& more);
+
+/// Lets each problem pass once, and at most 1000 different ones.
+class DiagnosticFilter {
+ public:
+  /// `key`: identifies the problem, for example its text.
+  bool isNew(const std::string& key) {
+    constexpr std::size_t kMost = 1000;
+    return keys_.size() < kMost && keys_.insert(key).second;
+  }
+
+ private:
+  std::set<std::string> keys_;
+};
 
 /// A value with optional warnings, or no value and at least one error.
 template <class T>

@@ -17,6 +17,12 @@ void SqliteCloser::operator()(sqlite3_stmt* statement) const {
   sqlite3_finalize(statement);
 }
 
+SqliteStatement prepare(sqlite3* database, const char* sql) {
+  sqlite3_stmt* statement = nullptr;
+  sqlite3_prepare_v2(database, sql, -1, &statement, nullptr);
+  return SqliteStatement(statement);
+}
+
 namespace {
 
 constexpr int kStepsPerCall = 10000;

@@ -7,7 +7,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-/// Owning handles of SQLite.
+/// Owning handles of SQLite; reading of third-party databases.
 namespace sim2d {
 
 struct SqliteCloser {
@@ -17,12 +17,10 @@ struct SqliteCloser {
 using SqliteConnection = std::unique_ptr<sqlite3, SqliteCloser>;
 using SqliteStatement = std::unique_ptr<sqlite3_stmt, SqliteCloser>;
 
-}  // namespace sim2d
+/// Null: an error of the database.
+SqliteStatement prepare(sqlite3* database, const char* sql);
 
-struct sqlite3;
-
-/// Limits for reading third-party databases.
-namespace sim2d {
+// Limits for reading third-party databases.
 
 /// [B] of the file and its write-ahead log ("-wal"), which may contain most of the data.
 std::uint64_t databaseSize(const std::string& path);

@@ -7,8 +7,7 @@
 #include "tests/bridge/LiveClient.h"
 #ifdef HUNAV_ROS2
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/GeometryMessages.h"
-#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
 #include "tests/ros2/Ros2Test.h"
 #endif
 

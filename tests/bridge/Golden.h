@@ -4,7 +4,7 @@
 
 #include <QByteArray>
 
-#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
 
 /// A message of hunav_msgs as the middleware of ROS 2 Humble wrote it (rmw_fastrtps and
 /// rmw_cyclonedds the same bytes), and what it says.

@@ -7,8 +7,7 @@
 
 #include "app/bridge/bag/McapWriter.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/Definition.h"
-#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
 
 /// Recordings as a wrapper of HuNavSim makes them.
 namespace wrapper {
@@ -31,10 +30,9 @@ class Wrapper {
   template <class M>
   void write(const std::string& topic, int sample, const M& message) {
     const auto known = channels_.find(topic);
-    const std::uint16_t channel =
-        known != channels_.end()
-            ? known->second
-            : writer_.addChannel({topic, M::kType, bridge::definition<M>(), {}});
+    const std::uint16_t channel = known != channels_.end()
+                                      ? known->second
+                                      : writer_.addChannel({topic, M::kType, M::kDefinition, {}});
     channels_[topic] = channel;
     writer_.write(channel, timeOfSample(sample), bridge::encode(message));
   }

@@ -16,7 +16,6 @@
 #include "app/bridge/bag/McapFormat.h"
 #include "app/bridge/bag/RunBagWriter.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/Definition.h"
 #include "app/run/RecordedRun.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
@@ -473,9 +472,9 @@ class BagTest : public QObject {
     constexpr std::int64_t kBegin = 1700000000;  // [s]
     McapWriter writer(path("wrapper.mcap"));
     const std::uint16_t people = writer.addChannel(
-        {"/human_states", hunav_msgs::Agents::kType, definition<hunav_msgs::Agents>(), {}});
+        {"/human_states", hunav_msgs::Agents::kType, hunav_msgs::Agents::kDefinition, {}});
     const std::uint16_t robots = writer.addChannel(
-        {"/robot_states", hunav_msgs::Agent::kType, definition<hunav_msgs::Agent>(), {}});
+        {"/robot_states", hunav_msgs::Agent::kType, hunav_msgs::Agent::kDefinition, {}});
     for (int k = 0; k < 20; ++k) {
       hunav_msgs::Agents all;
       all.header.stamp = {static_cast<std::int32_t>(kBegin + k / 10),
@@ -517,7 +516,7 @@ class BagTest : public QObject {
   void evaluate_stampsThatStand_areTold() {
     McapWriter writer(path("stamps.mcap"));
     const std::uint16_t people = writer.addChannel(
-        {"/human_states", hunav_msgs::Agents::kType, definition<hunav_msgs::Agents>(), {}});
+        {"/human_states", hunav_msgs::Agents::kType, hunav_msgs::Agents::kDefinition, {}});
     for (int k = 0; k < 20; ++k) {
       hunav_msgs::Agents all;
       all.agents.emplace_back().id = 1;
@@ -534,9 +533,9 @@ class BagTest : public QObject {
   void evaluate_greatestId_isRead() {
     McapWriter writer(path("ids.mcap"));
     const std::uint16_t people = writer.addChannel(
-        {"/human_states", hunav_msgs::Agents::kType, definition<hunav_msgs::Agents>(), {}});
+        {"/human_states", hunav_msgs::Agents::kType, hunav_msgs::Agents::kDefinition, {}});
     const std::uint16_t robots = writer.addChannel(
-        {"/robot_states", hunav_msgs::Agent::kType, definition<hunav_msgs::Agent>(), {}});
+        {"/robot_states", hunav_msgs::Agent::kType, hunav_msgs::Agent::kDefinition, {}});
     for (int k = 0; k < 10; ++k) {
       hunav_msgs::Agents all;
       all.header.stamp.nanosec = static_cast<std::uint32_t>(k) * 100000000U;

@@ -119,20 +119,6 @@ class CdrTest : public QObject {
     QVERIFY(static_cast<bool>(decode<std_srvs::Empty::Request>(bytesOf("0001000000000000"))));
   }
 
-  void encode_withRequestId_has16BytesMore() {
-    const hunav_msgs::ComputeAgent::Request request{5};
-    const std::string bytes = encode(RequestId{0x1122, 3}, request);
-    QCOMPARE(QByteArray::fromStdString(bytes).toHex(), QByteArray("00010000"
-                                                                  "2211000000000000"
-                                                                  "0300000000000000"
-                                                                  "05000000"));
-    const auto read = decodeRequest<hunav_msgs::ComputeAgent::Request>(bytes);
-    QVERIFY(static_cast<bool>(read));
-    QCOMPARE(read->id.guid, std::uint64_t{0x1122});
-    QCOMPARE(read->id.sequence, std::int64_t{3});
-    QCOMPARE(read->message.id, 5);
-  }
-
   void decode_bigEndian_isTurnedRound() {
     const auto read =
         decode<std_msgs::Header>(bytesOf("00000000"

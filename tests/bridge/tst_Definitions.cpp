@@ -1,10 +1,12 @@
 #include <set>
 
+#include <QProcess>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "app/bridge/messages/AllMessages.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/Definition.h"
+#include "app/bridge/messages/TypeNames.h"
 #include "tests/bridge/Samples.h"
 #include "tests/support/Peers.h"
 
@@ -19,7 +21,7 @@ QJsonObject peerCase() {
   M message{};
   SampleFiller().fill(message);
   return {{QStringLiteral("type"), QLatin1String(M::kType)},
-          {QStringLiteral("definition"), QString::fromStdString(definition<M>())},
+          {QStringLiteral("definition"), QString::fromStdString(M::kDefinition)},
           {QStringLiteral("bytes"),
            QString::fromLatin1(QByteArray::fromStdString(encode(message)).toHex())},
           {QStringLiteral("value"), sampleJson(message)}};
@@ -51,14 +53,15 @@ class DefinitionsTest : public QObject {
 
  private Q_SLOTS:
   void definition_nested_isThereOnce() {
-    QCOMPARE(definition<rosgraph_msgs::Clock>(), "builtin_interfaces/Time clock\n" + kLine +
-                                                     "MSG: builtin_interfaces/Time\n"
-                                                     "int32 sec\n"
-                                                     "uint32 nanosec\n");
+    QCOMPARE(std::string(rosgraph_msgs::Clock::kDefinition), "builtin_interfaces/Time clock\n" +
+                                                                 kLine +
+                                                                 "MSG: builtin_interfaces/Time\n"
+                                                                 "int32 sec\n"
+                                                                 "uint32 nanosec\n");
   }
 
   void definition_agents_isThatOfHunav() {
-    const std::string text = definition<hunav_msgs::Agents>();
+    const std::string text = hunav_msgs::Agents::kDefinition;
     const std::string beginning =
         "std_msgs/Header header\n"
         "hunav_msgs/Agent[] agents\n" +
@@ -106,7 +109,7 @@ class DefinitionsTest : public QObject {
   /// The types of visualization_msgs/msg/Marker as the file of Jazzy has them; ARROW_STRIP came
   /// with it.
   void definition_marker_hasTheConstantsOfJazzy() {
-    const std::string text = definition<visualization_msgs::Marker>();
+    const std::string text = visualization_msgs::Marker::kDefinition;
     QCOMPARE(text.find("int32 ARROW=0\nint32 CUBE=1\nint32 SPHERE=2\nint32 CYLINDER=3\n"
                        "int32 LINE_STRIP=4\nint32 LINE_LIST=5\nint32 CUBE_LIST=6\n"
                        "int32 SPHERE_LIST=7\nint32 POINTS=8\nint32 TEXT_VIEW_FACING=9\n"
@@ -116,23 +119,22 @@ class DefinitionsTest : public QObject {
   }
 
   void definition_boundsAndArrays_areWritten() {
-    const std::string text = definition<rmw_dds_common::NodeEntitiesInfo<16>>();
+    const std::string text = rmw_dds_common::IronNodeEntitiesInfo::kDefinition;
     QVERIFY(text.find("string<=256 node_namespace\n") == 0);
     QVERIFY(text.find("uint8[16] data\n") != std::string::npos);
-    QVERIFY(definition<rcl_interfaces::ParameterDescriptor>().find(
-                "rcl_interfaces/IntegerRange[<=1] integer_range\n") != std::string::npos);
-    QVERIFY(definition<rcl_interfaces::ParameterValue>().find("byte[] byte_array_value\n") !=
-            std::string::npos);
+    QVERIFY(std::string(rcl_interfaces::ParameterDescriptor::kDefinition)
+                .find("rcl_interfaces/IntegerRange[<=1] integer_range\n") != std::string::npos);
+    QVERIFY(std::string(rcl_interfaces::ParameterValue::kDefinition)
+                .find("byte[] byte_array_value\n") != std::string::npos);
   }
 
-  void typeNames_areThoseOfDdsAndOfTexts() {
+  void typeNames_areThoseOfDds() {
     QCOMPARE(ddsTypeName("geometry_msgs/msg/Twist"),
              std::string("geometry_msgs::msg::dds_::Twist_"));
     QCOMPARE(ddsTypeName(hunav_msgs::ComputeAgents::Request::kType),
              std::string("hunav_msgs::srv::dds_::ComputeAgents_Request_"));
     QCOMPARE(ddsTypeName(nav2_msgs::NavigateToPose::SendGoal::Response::kType),
              std::string("nav2_msgs::action::dds_::NavigateToPose_SendGoal_Response_"));
-    QCOMPARE(shortTypeName("nav_msgs/msg/Path"), std::string("nav_msgs/Path"));
   }
 
   void knownTypes_areFoundByName() {
@@ -143,6 +145,31 @@ class DefinitionsTest : public QObject {
     for (const KnownType& each : knownTypes()) {
       QVERIFY2(names.insert(each.type).second, std::string(each.type).c_str());
     }
+  }
+
+  void generator_wrongDefinition_namesTheFile_data() {
+    QTest::addColumn<QByteArray>("definition");
+    QTest::addColumn<QByteArray>("problem");
+    QTest::newRow("type") << QByteArray("flaot32 x\n") << QByteArray("unknown type: flaot32 x");
+    QTest::newRow("line") << QByteArray("float32\n")
+                          << QByteArray("neither field nor constant: float32");
+  }
+  void generator_wrongDefinition_namesTheFile() {
+    QFETCH(const QByteArray, definition);
+    QFETCH(const QByteArray, problem);
+    QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("test_msgs/msg")));
+    QFile file(folder.filePath(QStringLiteral("test_msgs/msg/A.msg")));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(definition) > 0);
+    file.close();
+    QProcess generator;
+    generator.start(QStringLiteral("python3"),
+                    {QStringLiteral(SOURCE_DIR "/app/bridge/messages/generate.py"), folder.path(),
+                     folder.filePath(QStringLiteral("made"))});
+    QVERIFY(generator.waitForFinished());
+    QCOMPARE(generator.exitCode(), 1);
+    const QByteArray told = generator.readAllStandardError();
+    QVERIFY2(told.contains("A.msg: " + problem), told.constData());
   }
 
   void defaults_areThoseOfRos() {

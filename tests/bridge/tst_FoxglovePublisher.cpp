@@ -14,7 +14,7 @@
 
 #include "app/bridge/live/FoxglovePublisher.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
 #include "app/run/Bundle.h"
 #include "tests/bridge/LiveClient.h"
 #include "tests/support/Peers.h"

@@ -304,7 +304,7 @@ void FoxgloveServerTest::subscribe_messageMadeForIt_comesToNobodyElse() {
   second.text(R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":1}]})");
   QTRY_COMPARE(calls.load(), 2);
   QVERIFY(scene.server->isMessageAwaited(1));
-  scene.server->catchUp(7, {{1, shared("again")}});
+  scene.server->publish(7, {{1, shared("again")}}, true);
   QCOMPARE(second.awaitBinary(1), "\x01" + number(9, 4) + number(7, 8) + "again");
   QVERIFY(!scene.server->isMessageAwaited(1));
   scene.publish(8, 1, "two");
@@ -461,14 +461,14 @@ void FoxgloveServerTest::parameters_watched_areTold() {
   client.text(R"({"op":"subscribeParameterUpdates","parameterNames":["paused","factor"]})");
   parameters(client);
   scene.isPaused = true;
-  scene.server->notifyParameters();
+  client.text(R"({"op":"setParameters","parameters":[]})");  // tells what has changed
   QCOMPARE(valuesOf(client.await("parameterValues")),
            QStringLiteral(R"([{"name":"paused","value":true}])"));
   client.text(R"({"op":"unsubscribeParameterUpdates","parameterNames":["paused"]})");
   parameters(client);
   scene.isPaused = false;
   scene.factor = 3.0;
-  scene.server->notifyParameters();
+  client.text(R"({"op":"setParameters","parameters":[]})");  // tells what has changed
   QCOMPARE(valuesOf(client.await("parameterValues")),
            QStringLiteral(R"([{"name":"factor","type":"float64","value":3}])"));
 }

@@ -6,7 +6,7 @@
 
 #include "app/bridge/live/RunControl.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/GeometryMessages.h"
+#include "app/bridge/messages/geometry_msgs.h"
 #include "tests/bridge/ClientFrames.h"
 
 using client::bytesOf;

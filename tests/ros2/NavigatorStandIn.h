@@ -4,9 +4,12 @@
 #include <deque>
 #include <limits>
 
-#include "app/bridge/messages/ActionMessages.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/messages/action_msgs.h"
+#include "app/bridge/messages/nav2_msgs.h"
+#include "app/bridge/messages/nav_msgs.h"
+#include "app/bridge/messages/sensor_msgs.h"
+#include "app/bridge/messages/tf2_msgs.h"
 #include "tests/ros2/Ros2Test.h"
 
 namespace ros2test {
@@ -35,7 +38,7 @@ class NavigatorStandIn {
       response.accepted = true;
       return response;
     });
-    using Result = Action::GetResult<Action::HumbleResult>;
+    using Result = Action::GetResult;
     serve<Result>("navigate_to_pose/_action/get_result", [this](const auto& /*request*/) {
       const int mine = goals_;
       participant_->spinUntil([&] { return hasArrived_ || goals_ != mine || isOver_; },

@@ -5,8 +5,8 @@
 
 #include <QtTest>
 
-#include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/std_msgs.h"
 #include "tests/ros2/Ros2Test.h"
 
 using namespace ros2test;

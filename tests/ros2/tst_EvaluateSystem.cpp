@@ -9,11 +9,10 @@
 #include <QtTest>
 
 #include "app/bridge/bag/Bag.h"
-#include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/HunavMessages.h"
-#include "app/bridge/messages/HunavServices.h"
-#include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/nav_msgs.h"
+#include "app/bridge/messages/std_srvs.h"
 #include "app/bridge/nodes/Recorder.h"
 #include "tests/ros2/Ros2Test.h"
 

@@ -5,8 +5,8 @@
 
 #include "app/bridge/dds/Discovery.h"
 #include "app/bridge/dds/Domain.h"
-#include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/hunav_msgs.h"
 #include "tests/ros2/Ros2Test.h"
 
 using namespace ros2test;

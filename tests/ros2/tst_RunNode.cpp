@@ -2,8 +2,10 @@
 
 #include <QtTest>
 
-#include "app/bridge/messages/BasicMessages.h"
-#include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/messages/nav_msgs.h"
+#include "app/bridge/messages/rosgraph_msgs.h"
+#include "app/bridge/messages/sensor_msgs.h"
+#include "app/bridge/messages/tf2_msgs.h"
 #include "app/bridge/nodes/Node.h"
 #include "app/bridge/nodes/RunNode.h"
 #include "tests/agents/Caller.h"

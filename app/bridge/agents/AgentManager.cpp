@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "app/bridge/agents/AgentMessages.h"
@@ -13,10 +15,9 @@ namespace {
 using hunav_msgs::Agent;
 using hunav_msgs::Agents;
 
-constexpr double kLongestStep = 0.1;        // [s]; the forces are stiff
-constexpr double kLeap = 10.0;              // [s]; the clock was set
-constexpr double kNanosecond = 1e-9;        // [s]
-constexpr std::size_t kMaxReported = 1000;  // distinct problems
+constexpr double kLongestStep = 0.1;  // [s]; the forces are stiff
+constexpr double kLeap = 10.0;        // [s]; the clock was set
+constexpr double kNanosecond = 1e-9;  // [s]
 
 std::string nameOf(const Agent& agent) {
   return "'" + agent.name + "' (id " + std::to_string(agent.id) + ")";
@@ -104,11 +105,7 @@ bool AgentManager::ensureWorld(const Agents& agents) {
     return world_ != nullptr;
   }
   base::Result<std::unique_ptr<sim2d::CoupledWorld>> made = makeWorld(agents);
-  for (const base::Diagnostic& diagnostic : made.diagnostics()) {
-    if (reported_.size() < kMaxReported && reported_.insert(diagnostic.text()).second) {
-      warnings_.push_back(diagnostic);
-    }
-  }
+  noteOnce(made.diagnostics());
   if (!made) {
     hasWorldFailed_ = true;
     warn(base::Severity::Error, "ros2.no-world");
@@ -220,11 +217,7 @@ void AgentManager::step(double dt, std::optional<int> only) {
   }
   base::Diagnostics ofTrees;
   world_->behavior().takeDiagnostics(ofTrees);
-  for (const base::Diagnostic& diagnostic : ofTrees) {
-    if (reported_.size() < kMaxReported && reported_.insert(diagnostic.text()).second) {
-      warnings_.push_back(diagnostic);
-    }
-  }
+  noteOnce(ofTrees);
 }
 
 Agent AgentManager::responseTo(const Agent& asked) const {
@@ -339,10 +332,12 @@ base::Diagnostics AgentManager::takeWarnings() {
 
 void AgentManager::warn(base::Severity severity, std::string_view code,
                         base::ProblemValues values) {
-  base::Diagnostic warning = base::problem(severity, code, std::move(values), bundle_.path);
-  if (reported_.size() < kMaxReported && reported_.insert(warning.text()).second) {
-    warnings_.push_back(std::move(warning));
-  }
+  noteOnce({base::problem(severity, code, std::move(values), bundle_.path)});
+}
+
+void AgentManager::noteOnce(const base::Diagnostics& problems) {
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(warnings_),
+               [this](const base::Diagnostic& each) { return reported_.isNew(each.text()); });
 }
 
 }  // namespace bridge

@@ -4,12 +4,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "app/bridge/agents/StepMessages.h"
-#include "app/bridge/messages/HunavServices.h"
+#include "app/bridge/messages/hunav_msgs.h"
 #include "app/run/Bundle.h"
 #include "sim2d/world/CoupledWorld.h"
 
@@ -68,6 +67,7 @@ class AgentManager {
   void step(double dt, std::optional<int> only);
   hunav_msgs::Agent responseTo(const hunav_msgs::Agent& asked) const;
   void warn(base::Severity severity, std::string_view code, base::ProblemValues values = {});
+  void noteOnce(const base::Diagnostics& problems);
 
   app::Bundle bundle_;
   /// The setup of the world. A world with the same agents can be created from it without checking
@@ -87,7 +87,7 @@ class AgentManager {
   std::optional<hunav_msgs::ComputeAgents::Request> stepped_;  // state before the last step
   std::vector<std::string> sayings_;
   base::Diagnostics warnings_;
-  std::set<std::string> reported_;
+  base::DiagnosticFilter reported_;
 };
 
 }  // namespace bridge

@@ -8,27 +8,9 @@ namespace bridge {
 namespace {
 
 constexpr double kFarthest = 1e6;  // [m]
-constexpr std::int64_t kSecond = 1000000000;
 
 bool isUsable(double value, double most) {
   return std::isfinite(value) && std::fabs(value) <= most;
-}
-
-hunav_msgs::AgentBehavior behaviorOf(const hunav_msgs::AgentBehavior& asked,
-                                     const sim2d::ResolvedHuman& person, bool isActive) {
-  hunav_msgs::AgentBehavior behavior = asked;
-  behavior.type = static_cast<std::uint8_t>(person.behavior);
-  behavior.state =
-      isActive ? hunav_msgs::AgentBehavior::kBehActive1 : hunav_msgs::AgentBehavior::kBehNoActive;
-  behavior.duration = static_cast<float>(person.reactionDuration);
-  behavior.once = person.reactionOnce;
-  behavior.vel = static_cast<float>(person.reactionSpeed);
-  behavior.dist = static_cast<float>(person.noticeDistance);
-  behavior.socialForceFactor = static_cast<float>(person.socialFactor);
-  behavior.goalForceFactor = static_cast<float>(person.goalFactor);
-  behavior.obstacleForceFactor = static_cast<float>(person.obstacleFactor);
-  behavior.otherForceFactor = static_cast<float>(person.otherFactor);
-  return behavior;
 }
 
 }  // namespace
@@ -80,6 +62,18 @@ std::optional<sim2d::CoupledRobot> robotOf(const hunav_msgs::Agent& robot) {
   return known;
 }
 
+void setBehavior(const sim2d::ResolvedHuman& person, hunav_msgs::AgentBehavior& to) {
+  to.type = static_cast<std::uint8_t>(person.behavior);
+  to.duration = static_cast<float>(person.reactionDuration);
+  to.once = person.reactionOnce;
+  to.vel = static_cast<float>(person.reactionSpeed);
+  to.dist = static_cast<float>(person.noticeDistance);
+  to.socialForceFactor = static_cast<float>(person.socialFactor);
+  to.goalForceFactor = static_cast<float>(person.goalFactor);
+  to.obstacleForceFactor = static_cast<float>(person.obstacleFactor);
+  to.otherForceFactor = static_cast<float>(person.otherFactor);
+}
+
 hunav_msgs::Agent responseFor(const hunav_msgs::Agent& asked, const sim2d::CoupledWorld& world,
                               int human) {
   const sim2d::ResolvedHuman& person = world.view().constants(human);
@@ -101,16 +95,16 @@ hunav_msgs::Agent responseFor(const hunav_msgs::Agent& asked, const sim2d::Coupl
   response.radius = static_cast<float>(person.radius);
   response.goalRadius = static_cast<float>(person.goalRadius);
   response.cyclicGoals = person.cyclicGoals;
-  response.behavior = behaviorOf(asked.behavior, person, world.isActive(human));
+  setBehavior(person, response.behavior);
+  response.behavior.state = world.isActive(human) ? hunav_msgs::AgentBehavior::kBehActive1
+                                                  : hunav_msgs::AgentBehavior::kBehNoActive;
   response.closestObs.clear();
   const std::vector<sim2d::GoalItem>& goals = world.control(human).goals;
   if (!goals.empty()) {
     response.goals.clear();
   }
   for (const sim2d::GoalItem& goal : goals) {
-    geometry_msgs::Pose& place = response.goals.emplace_back();
-    place.position.x = goal.position.x();
-    place.position.y = goal.position.y();
+    response.goals.push_back({{goal.position.x(), goal.position.y(), 0.0}, {}});
   }
   return response;
 }
@@ -121,10 +115,6 @@ geometry_msgs::Quaternion quaternionOf(double yaw) {
   turn.z = half.sin;
   turn.w = half.cos;
   return turn;
-}
-
-std::int64_t nanosecondsOf(const builtin_interfaces::Time& stamp) {
-  return stamp.sec * kSecond + stamp.nanosec;
 }
 
 }  // namespace bridge

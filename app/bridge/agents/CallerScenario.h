@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
 #include "app/run/Bundle.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"

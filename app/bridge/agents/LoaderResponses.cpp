@@ -13,28 +13,19 @@ namespace {
 
 using rcl_interfaces::Parameter;
 using rcl_interfaces::ParameterType;
+using rcl_interfaces::ParameterValue;
 using sim2d::Human;
 using sim2d::ResolvedHuman;
 using sim2d::Scenario;
 
 constexpr int kNoSkin = -1;
 
-Parameter named(std::string name, std::uint8_t type) {
+template <class T>
+Parameter parameterOf(std::string name, std::uint8_t type, T ParameterValue::*member, T value) {
   Parameter made;
   made.name = std::move(name);
   made.value.type = type;
-  return made;
-}
-
-Parameter parameterOf(std::string name, std::vector<std::string> values) {
-  Parameter made = named(std::move(name), ParameterType::kParameterStringArray);
-  made.value.stringArrayValue = std::move(values);
-  return made;
-}
-
-Parameter parameterOf(std::string name, const std::vector<int>& values) {
-  Parameter made = named(std::move(name), ParameterType::kParameterIntegerArray);
-  made.value.integerArrayValue.assign(values.begin(), values.end());
+  made.value.*member = std::move(value);
   return made;
 }
 
@@ -66,7 +57,9 @@ void addPerson(const Scenario& scenario, const Human& human, long long seed,
   to.push_back(parameter(of + "init_pose.h", human.initPose.heading));
   to.push_back(parameter(of + "goal_radius", person.goalRadius));
   to.push_back(parameter(of + "cyclic_goals", person.cyclicGoals));
-  to.push_back(parameterOf(of + "goals", human.goals));
+  to.push_back(parameterOf(of + "goals", ParameterType::kParameterIntegerArray,
+                           &ParameterValue::integerArrayValue,
+                           std::vector<std::int64_t>(human.goals.begin(), human.goals.end())));
 }
 
 hunav_msgs::Agent agentOf(const Scenario& scenario, const Human& human, long long seed) {
@@ -85,22 +78,11 @@ hunav_msgs::Agent agentOf(const Scenario& scenario, const Human& human, long lon
   agent.radius = static_cast<float>(person.radius);
   agent.cyclicGoals = person.cyclicGoals;
   agent.goalRadius = static_cast<float>(person.goalRadius);
-  hunav_msgs::AgentBehavior& behavior = agent.behavior;
-  behavior.type = static_cast<std::uint8_t>(person.behavior);
-  behavior.configuration = static_cast<std::uint8_t>(person.configuration);
-  behavior.duration = static_cast<float>(person.reactionDuration);
-  behavior.once = person.reactionOnce;
-  behavior.vel = static_cast<float>(person.reactionSpeed);
-  behavior.dist = static_cast<float>(person.noticeDistance);
-  behavior.socialForceFactor = static_cast<float>(person.socialFactor);
-  behavior.goalForceFactor = static_cast<float>(person.goalFactor);
-  behavior.obstacleForceFactor = static_cast<float>(person.obstacleFactor);
-  behavior.otherForceFactor = static_cast<float>(person.otherFactor);
+  setBehavior(person, agent.behavior);
+  agent.behavior.configuration = static_cast<std::uint8_t>(person.configuration);
   for (const int id : human.goals) {
     if (const sim2d::GlobalGoal* const goal = scenario.goal(id)) {
-      geometry_msgs::Pose& place = agent.goals.emplace_back();
-      place.position.x = goal->position.x();
-      place.position.y = goal->position.y();
+      agent.goals.push_back({{goal->position.x(), goal->position.y(), 0.0}, {}});
     }
   }
   return agent;
@@ -109,27 +91,23 @@ hunav_msgs::Agent agentOf(const Scenario& scenario, const Human& human, long lon
 }  // namespace
 
 Parameter parameter(std::string name, bool value) {
-  Parameter made = named(std::move(name), ParameterType::kParameterBool);
-  made.value.boolValue = value;
-  return made;
+  return parameterOf(std::move(name), ParameterType::kParameterBool, &ParameterValue::boolValue,
+                     value);
 }
 
 Parameter parameter(std::string name, std::int64_t value) {
-  Parameter made = named(std::move(name), ParameterType::kParameterInteger);
-  made.value.integerValue = value;
-  return made;
+  return parameterOf(std::move(name), ParameterType::kParameterInteger,
+                     &ParameterValue::integerValue, value);
 }
 
 Parameter parameter(std::string name, double value) {
-  Parameter made = named(std::move(name), ParameterType::kParameterDouble);
-  made.value.doubleValue = value;
-  return made;
+  return parameterOf(std::move(name), ParameterType::kParameterDouble, &ParameterValue::doubleValue,
+                     value);
 }
 
 Parameter parameter(std::string name, std::string value) {
-  Parameter made = named(std::move(name), ParameterType::kParameterString);
-  made.value.stringValue = std::move(value);
-  return made;
+  return parameterOf(std::move(name), ParameterType::kParameterString, &ParameterValue::stringValue,
+                     std::move(value));
 }
 
 std::vector<Parameter> loaderParameters(const Scenario& scenario, long long seed) {
@@ -140,7 +118,8 @@ std::vector<Parameter> loaderParameters(const Scenario& scenario, long long seed
   all.push_back(parameter("publish_people", scenario.publishPeople.value_or(true)));
   std::vector<std::string> names;
   sim2d::forEachListed(scenario.humans, [&](const Human& human) { names.push_back(human.name); });
-  all.push_back(parameterOf("agents", std::move(names)));
+  all.push_back(parameterOf("agents", ParameterType::kParameterStringArray,
+                            &ParameterValue::stringArrayValue, std::move(names)));
   for (const sim2d::GlobalGoal& goal : scenario.goals) {
     const std::string of = "global_goals." + std::to_string(goal.id);
     all.push_back(parameter(of + ".x", goal.position.x()));

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "app/bridge/messages/HunavServices.h"
-#include "app/bridge/messages/ParameterMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/rcl_interfaces.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace bridge {

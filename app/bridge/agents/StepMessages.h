@@ -3,8 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "app/bridge/messages/HunavServices.h"
-#include "app/bridge/messages/MarkerMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/people_msgs.h"
+#include "app/bridge/messages/tf2_msgs.h"
+#include "app/bridge/messages/visualization_msgs.h"
 #include "sim2d/world/CoupledWorld.h"
 
 namespace bridge {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -19,6 +20,10 @@ struct BagChannel {
   std::string topic, type;  // "/odom", "nav_msgs/msg/Odometry"
   std::string encoding = "cdr";
 };
+
+/// The index of the channel with the same topic and type, which is added if there is none: channels
+/// of one topic, written by several publishers, are merged.
+std::size_t indexOfChannel(const BagChannel& channel, std::vector<BagChannel>& channels);
 
 /// A recording: an MCAP file, a rosbag2 database or a rosbag2 folder. Files are untrusted: lengths
 /// are checked against the file size before memory is allocated. Not thread-safe.
@@ -65,6 +70,13 @@ class BagWriter {
     std::uint64_t messages = 0;
     std::int64_t begin = 0, end = 0;  // [ns], first and last message
     std::map<std::uint16_t, std::uint64_t> perChannel;
+
+    void add(std::uint16_t channel, std::int64_t time) {
+      begin = messages == 0 ? time : std::min(begin, time);
+      end = messages == 0 ? time : std::max(end, time);
+      ++messages;
+      ++perChannel[channel];
+    }
   };
   using Entries = std::vector<std::pair<std::string, std::string>>;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/bridge/messages/visualization_msgs.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"

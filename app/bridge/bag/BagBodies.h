@@ -13,10 +13,11 @@
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/TopicSelection.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/GeometryMessages.h"
-#include "app/bridge/messages/HunavMessages.h"
-#include "app/bridge/messages/MarkerMessages.h"
-#include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/messages/Time.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/nav_msgs.h"
+#include "app/bridge/messages/people_msgs.h"
+#include "app/bridge/messages/tf2_msgs.h"
 #include "sim2d/base/Types.h"
 #include "sim2d/trace/Trace.h"
 
@@ -74,10 +75,6 @@ double shortestDecimal(float value);
 
 constexpr double kNanosecond = 1e-9;  // [s]
 constexpr double kSamePlace = 1e-6;   // [m], precision of positions in messages
-
-inline std::int64_t nanosecondsOf(const builtin_interfaces::Time& stamp) {
-  return std::int64_t{stamp.sec} * 1000000000 + stamp.nanosec;
-}
 
 /// The state of a body at one time, in the map frame.
 struct BagSample {

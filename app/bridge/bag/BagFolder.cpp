@@ -146,7 +146,7 @@ class SplitBag final : public Bag {
     for (const std::unique_ptr<Bag>& file : files_) {
       std::vector<std::size_t>& places = places_.emplace_back();
       for (const BagChannel& channel : file->channels()) {
-        places.push_back(placeOf(channel));
+        places.push_back(indexOfChannel(channel, channels_));
       }
     }
   }
@@ -178,18 +178,6 @@ class SplitBag final : public Bag {
   }
 
  private:
-  std::size_t placeOf(const BagChannel& channel) {
-    const auto known =
-        std::find_if(channels_.begin(), channels_.end(), [&](const BagChannel& other) {
-          return other.topic == channel.topic && other.type == channel.type;
-        });
-    const auto place = static_cast<std::size_t>(known - channels_.begin());
-    if (known == channels_.end()) {
-      channels_.push_back(channel);
-    }
-    return place;
-  }
-
   std::vector<std::unique_ptr<Bag>> files_;
   std::vector<BagChannel> channels_;
   std::vector<std::vector<std::size_t>> places_;  // per file: channel index in channels_
@@ -269,6 +257,17 @@ std::vector<std::string> filesOf(const std::string& folder, base::Diagnostics& p
 }
 
 }  // namespace
+
+std::size_t indexOfChannel(const BagChannel& channel, std::vector<BagChannel>& channels) {
+  const auto known = std::find_if(channels.begin(), channels.end(), [&](const BagChannel& other) {
+    return other.topic == channel.topic && other.type == channel.type;
+  });
+  const auto index = static_cast<std::size_t>(known - channels.begin());
+  if (known == channels.end()) {
+    channels.push_back(channel);
+  }
+  return index;
+}
 
 bool isBag(const std::string& path) {
   return kindOf(path) != Kind::None;

@@ -4,7 +4,6 @@ namespace bridge {
 namespace {
 
 constexpr int kKeepLast = 1, kReliable = 1, kTransientLocal = 1, kVolatile = 2, kAutomatic = 1;
-constexpr int kMetadataVersion = 5;
 constexpr const char* kForEver = "\n    sec: 9223372036\n    nsec: 854775807\n";
 
 /// A double-quoted YAML string.
@@ -21,18 +20,15 @@ std::string quoted(const std::string& text) {
 }
 
 std::string topicLines(const BagTopic& topic) {
-  return "    - topic_metadata:\n"
-         "        name: " +
-         quoted(topic.name) +
-         "\n"
-         "        type: " +
-         quoted(topic.type) +
-         "\n"
-         "        serialization_format: cdr\n"
-         "        offered_qos_profiles: " +
-         quoted(topic.qos) +
-         "\n"
-         "      message_count: " +
+  return R"(    - topic_metadata:
+        name: )" +
+         quoted(topic.name) + R"(
+        type: )" +
+         quoted(topic.type) + R"(
+        serialization_format: cdr
+        offered_qos_profiles: )" +
+         quoted(topic.qos) + R"(
+      message_count: )" +
          std::to_string(topic.messages) + "\n";
 }
 
@@ -54,103 +50,39 @@ std::string bagMetadata(const std::string& file, const std::vector<BagTopic>& to
   const std::string begin = std::to_string(span.begin);
   const std::string length = std::to_string(span.end - span.begin);
   const std::string count = std::to_string(span.messages);
-  std::string text =
-      "rosbag2_bagfile_information:\n  version: " + std::to_string(kMetadataVersion) +
-      "\n"
-      "  storage_identifier: " +
-      storage +
-      "\n"
-      "  duration:\n    nanoseconds: " +
-      length +
-      "\n"
-      "  starting_time:\n    nanoseconds_since_epoch: " +
-      begin +
-      "\n"
-      "  message_count: " +
-      count +
-      "\n"
-      "  topics_with_message_count:\n";
+  std::string text = R"(rosbag2_bagfile_information:
+  version: 5
+  storage_identifier: )" +
+                     storage + R"(
+  duration:
+    nanoseconds: )" + length +
+                     R"(
+  starting_time:
+    nanoseconds_since_epoch: )" +
+                     begin + R"(
+  message_count: )" + count +
+                     R"(
+  topics_with_message_count:
+)";
   for (const BagTopic& topic : topics) {
     text += topic.messages > 0 ? topicLines(topic) : std::string();
   }
-  return text +
-         "  compression_format: \"\"\n"
-         "  compression_mode: \"\"\n"
-         "  relative_file_paths:\n    - " +
-         quoted(file) +
-         "\n"
-         "  files:\n"
-         "    - path: " +
-         quoted(file) +
-         "\n"
-         "      starting_time:\n        nanoseconds_since_epoch: " +
-         begin +
-         "\n"
-         "      duration:\n        nanoseconds: " +
-         length +
-         "\n"
-         "      message_count: " +
+  return text + R"(  compression_format: ""
+  compression_mode: ""
+  relative_file_paths:
+    - )" +
+         quoted(file) + R"(
+  files:
+    - path: )" +
+         quoted(file) + R"(
+      starting_time:
+        nanoseconds_since_epoch: )" +
+         begin + R"(
+      duration:
+        nanoseconds: )" +
+         length + R"(
+      message_count: )" +
          count + "\n";
-}
-
-/// Uses Foxglove's panel types: 3D, Plot, RawMessages.
-std::string foxgloveLayout() {
-  return R"~~~({
-  "configById": {
-    "3D!hunavsim": {
-      "cameraState": {
-        "perspective": false,
-        "distance": 25,
-        "phi": 0,
-        "thetaOffset": 0,
-        "targetOffset": [0, 0, 0],
-        "target": [0, 0, 0],
-        "targetOrientation": [0, 0, 0, 1],
-        "fovy": 45,
-        "near": 0.5,
-        "far": 5000
-      },
-      "followMode": "follow-none",
-      "followTf": "map",
-      "scene": {"transforms": {"showLabel": false, "axisScale": 0.5}},
-      "layers": {"grid": {"layerId": "foxglove.Grid", "visible": true, "frameId": "map"}},
-      "topics": {
-        "/map": {"visible": true, "colorMode": "map"},
-        "/obstacles": {"visible": true},
-        "/markers": {"visible": true},
-        "/scan": {"visible": true, "colorMode": "flat", "flatColor": "#d0632dff"},
-        "/plan": {"visible": true, "type": "line", "lineWidth": 0.08},
-        "/goal_pose": {"visible": true},
-        "/odom": {"visible": false}
-      }
-    },
-    "Plot!hunavsim": {
-      "title": "Speed of the robot",
-      "paths": [
-        {"value": "/robot_states.linear_vel", "enabled": true, "timestampMethod": "receiveTime", "label": "linear [m/s]"},
-        {"value": "/robot_states.angular_vel", "enabled": true, "timestampMethod": "receiveTime", "label": "angular [rad/s]"}
-      ],
-      "showLegend": true,
-      "xAxisVal": "timestamp"
-    },
-    "RawMessages!hunavsim": {"topicPath": "/human_states", "diffEnabled": false}
-  },
-  "globalVariables": {},
-  "userNodes": {},
-  "playbackConfig": {"speed": 1},
-  "layout": {
-    "direction": "row",
-    "first": "3D!hunavsim",
-    "second": {
-      "direction": "column",
-      "first": "Plot!hunavsim",
-      "second": "RawMessages!hunavsim",
-      "splitPercentage": 40
-    },
-    "splitPercentage": 68
-  }
-}
-)~~~";
 }
 
 }  // namespace bridge

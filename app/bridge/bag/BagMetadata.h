@@ -29,7 +29,8 @@ struct BagSpan {
 std::string bagMetadata(const std::string& file, const std::vector<BagTopic>& topics,
                         const BagSpan& span, const std::string& storage = "mcap");
 
-/// A Foxglove layout: the map with people and robots, their speeds, raw messages.
-std::string foxgloveLayout();
+/// A Foxglove layout: the map with people and robots, their speeds, raw messages. The file
+/// resources/foxglove_layout.json, embedded by the build.
+extern const char* const kFoxgloveLayoutText;
 
 }  // namespace bridge

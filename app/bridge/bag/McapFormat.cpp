@@ -50,10 +50,9 @@ McapRecord& McapRecord::counts(const std::map<std::uint16_t, std::uint64_t>& cou
 }
 
 const std::string& McapRecord::finish(std::size_t following) {
-  const std::uint64_t size = bytes_.size() - kRecordHeaderSize + following;
-  for (std::size_t k = 0; k < sizeof(size); ++k) {
-    bytes_[1 + k] = static_cast<char>((size >> (8U * k)) & 0xFFU);
-  }
+  std::string size;
+  base::appendLittleEndian(size, std::uint64_t{bytes_.size() - kRecordHeaderSize + following});
+  bytes_.replace(1, size.size(), size);
   return bytes_;
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/LittleEndian.h"
+
 /// Records of MCAP files (https://mcap.dev/spec): an opcode, an 8-byte length, the content. All
 /// numbers are little-endian.
 namespace bridge {
@@ -40,9 +42,7 @@ class McapRecord {
 
   template <class T>
   McapRecord& number(T value) {
-    for (std::size_t k = 0; k < sizeof(T); ++k) {
-      bytes_ += static_cast<char>((static_cast<std::uint64_t>(value) >> (8U * k)) & 0xFFU);
-    }
+    base::appendLittleEndian(bytes_, value);
     return *this;
   }
   McapRecord& text(std::string_view text);      // 4-byte length
@@ -69,12 +69,7 @@ class McapFields {
 
   template <class T>
   T number() {
-    const std::string_view raw = take(sizeof(T));
-    std::uint64_t value = 0;
-    for (std::size_t k = 0; k < raw.size(); ++k) {
-      value |= std::uint64_t{static_cast<unsigned char>(raw[k])} << (8U * k);
-    }
-    return static_cast<T>(value);
+    return base::littleEndian<T>(take(sizeof(T)));
   }
   std::string_view text() { return take(number<std::uint32_t>()); }
   std::string_view bytes64() { return take(number<std::uint64_t>()); }

@@ -1,19 +1,89 @@
-#include "app/bridge/bag/McapReader.h"
-
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/Compression.h"
+#include "app/bridge/bag/McapFormat.h"
 
 namespace bridge {
 namespace {
 
-constexpr std::uint64_t kFooter = kRecordHeaderSize + 20;  // [B]
+constexpr std::uint64_t kFooter = kRecordHeaderSize + 20;         // [B]
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30U;  // [B], limit per chunk
 
-}  // namespace
+/// Limits for the total decompressed size of a file [B]: a constant, plus a multiple of the file
+/// size. Otherwise a small file could take hours to decompress.
+constexpr std::size_t kMinDecompressionLimit = std::size_t{4} << 30U;
+constexpr std::uint64_t kMaxCompressionRatio = 100;
+
+/// Reads an MCAP file. With a summary, only chunks with wanted channels are read. Without one, or
+/// if the file is truncated, it is scanned from the beginning to the last complete record.
+class McapReader final : public Bag {
+ public:
+  explicit McapReader(const std::string& path);
+  /// Errors: not an MCAP file. Warnings: the file is truncated.
+  base::Diagnostics open();
+
+  const std::vector<BagChannel>& channels() const override { return channels_; }
+  base::Diagnostics read(const std::vector<bool>& channels, const Visit& visit) override;
+  std::string metadata(const std::string& name, const std::string& key) override;
+
+ private:
+  struct Chunk {
+    std::uint64_t place = 0, size = 0;    // of the record, including its header
+    bool isTruncated = false;             // truncated by the end of the file
+    std::vector<std::uint16_t> channels;  // ids of channels with messages
+  };
+  struct RecordPosition {
+    std::uint64_t place = 0;
+    McapOp op = McapOp::Header;
+    std::uint64_t size = 0;  // of the content
+  };
+
+  std::optional<std::string> bytesAt(std::uint64_t place, std::uint64_t size);
+  std::optional<RecordPosition> recordAt(std::uint64_t place);
+  bool readSummary();
+  bool readSummaryRecord(const McapRecordView& piece);
+  void scan();
+  void indexRecord(const RecordPosition& record);
+  void note(const McapRecordView& piece);  // handles schema, channel, metadata
+  void noteMetadata(std::string_view content);
+  std::uint64_t maxDecompressedSize() const {
+    return kMinDecompressionLimit + kMaxCompressionRatio * size_;
+  }
+  bool mayDecompress(std::uint64_t size);
+  std::optional<std::string> decompressChunk(std::string_view chunk, std::uint64_t place);
+  void readTruncatedRecord(std::uint64_t place);
+  std::string beginningOf(const Chunk& chunk);
+  void readChunk(const Chunk& chunk, const Visit& visit, const std::vector<bool>& wanted);
+  /// Returns the number of bytes left, an incomplete record.
+  std::size_t visitMessages(std::string_view records, const Visit& visit,
+                            const std::vector<bool>& wanted) const;
+  void damaged(const char* part, std::uint64_t place);
+
+  std::string path_;
+  std::ifstream file_;
+  std::uint64_t size_ = 0;
+  std::uint64_t decompressedSize_ = 0;  // [B], decompressed in this pass
+  std::vector<BagChannel> channels_;
+  std::map<std::uint16_t, std::size_t> places_;   // channel id -> index in channels_
+  std::map<std::uint16_t, std::string> schemas_;  // id -> type name
+  std::vector<Chunk> chunks_;                     // also messages outside chunks, one entry each
+  bool isIndexed_ = false;
+  std::map<std::string, std::map<std::string, std::string>> metadata_;
+  base::Diagnostics problems_;
+};
 
 McapReader::McapReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
   std::error_code error;
@@ -61,18 +131,6 @@ void McapReader::noteMetadata(std::string_view content) {
   }
 }
 
-/// Channels of one topic, written by several publishers, are merged.
-std::size_t McapReader::placeOf(const BagChannel& channel) {
-  const auto known = std::find_if(channels_.begin(), channels_.end(), [&](const BagChannel& other) {
-    return other.topic == channel.topic && other.type == channel.type;
-  });
-  const auto place = static_cast<std::size_t>(known - channels_.begin());
-  if (known == channels_.end()) {
-    channels_.push_back(channel);
-  }
-  return place;
-}
-
 void McapReader::note(const McapRecordView& piece) {
   McapFields fields(piece.content);
   if (piece.op == McapOp::Schema) {
@@ -86,7 +144,7 @@ void McapReader::note(const McapRecordView& piece) {
     channel.encoding = std::string(fields.text());
     channel.type = schema == schemas_.end() ? std::string() : schema->second;
     if (!fields.hasFailed() && places_.count(id) == 0) {
-      places_[id] = placeOf(channel);
+      places_[id] = indexOfChannel(channel, channels_);
     }
   } else if (piece.op == McapOp::Metadata) {
     noteMetadata(piece.content);
@@ -207,25 +265,21 @@ void McapReader::scan() {
   }
 }
 
-base::Result<std::unique_ptr<Bag>> McapReader::open(const std::string& path) {
-  std::unique_ptr<McapReader> reader(new McapReader(path));  // NOLINT: private constructor
-  const std::optional<std::string> magic = reader->bytesAt(0, kMcapMagic.size());
+base::Diagnostics McapReader::open() {
+  const std::optional<std::string> magic = bytesAt(0, kMcapMagic.size());
   if (!magic || *magic != kMcapMagic) {
-    return base::error("bag.no-bag", {}, path);
+    return {base::error("bag.no-bag", {}, path_)};
   }
-  if (!reader->readSummary()) {
-    reader->scan();
+  if (!readSummary()) {
+    scan();
   }
   base::Diagnostics openProblems;  // damage is reported by read()
-  for (const base::Diagnostic& each : std::exchange(reader->problems_, {})) {
+  for (const base::Diagnostic& each : std::exchange(problems_, {})) {
     if (each.code == "bag.cut" || each.severity == base::Severity::Error) {
       openProblems.push_back(each);
     }
   }
-  if (base::hasErrors(openProblems)) {
-    return openProblems;
-  }
-  return {std::unique_ptr<Bag>(std::move(reader)), std::move(openProblems)};
+  return openProblems;
 }
 
 std::string McapReader::metadata(const std::string& name, const std::string& key) {
@@ -236,16 +290,6 @@ std::string McapReader::metadata(const std::string& name, const std::string& key
   const auto entry = record->second.find(key);
   return entry == record->second.end() ? std::string() : entry->second;
 }
-
-base::Result<std::unique_ptr<Bag>> openMcap(const std::string& path) {
-  return McapReader::open(path);
-}
-
-namespace {
-
-constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30U;  // [B], limit per chunk
-
-}  // namespace
 
 /// False: the total decompressed size is above the limit. This is reported, and reading stops.
 bool McapReader::mayDecompress(std::uint64_t size) {
@@ -380,6 +424,17 @@ base::Diagnostics McapReader::read(const std::vector<bool>& channels, const Visi
     }
   }
   return std::move(problems_);
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<Bag>> openMcap(const std::string& path) {
+  auto reader = std::make_unique<McapReader>(path);
+  base::Diagnostics problems = reader->open();
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::unique_ptr<Bag>(std::move(reader)), std::move(problems)};
 }
 
 }  // namespace bridge

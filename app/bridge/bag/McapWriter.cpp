@@ -18,11 +18,6 @@ std::size_t writtenCount(const List& list) {
 
 }  // namespace
 
-void McapWriter::Span::add(std::int64_t time, bool isFirst) {
-  begin = isFirst ? time : std::min(begin, time);
-  end = isFirst ? time : std::max(end, time);
-}
-
 McapWriter::McapWriter(const std::string& path) : file_(path) {
   append(std::string(kMcapMagic));
   append(
@@ -86,7 +81,7 @@ void McapWriter::write(std::uint16_t channel, std::int64_t time, std::string_vie
   if (!to.isWritten) {
     writeChannelOnce(to, channel);
   }
-  chunkSpan_.add(time, index_.empty());
+  chunkTotals_.add(channel, time);
   index_[channel].emplace_back(time, chunk_.size());
   chunk_ += McapRecord(McapOp::Message)
                 .number(channel)
@@ -95,12 +90,7 @@ void McapWriter::write(std::uint16_t channel, std::int64_t time, std::string_vie
                 .number(time)
                 .finish(message.size());
   chunk_ += message;
-  Span all{totals_.begin, totals_.end};
-  all.add(time, totals_.messages == 0);
-  totals_.begin = all.begin;
-  totals_.end = all.end;
-  ++totals_.messages;
-  ++totals_.perChannel[channel];
+  totals_.add(channel, time);
   if (chunk_.size() >= kChunk) {
     endChunk();
   }
@@ -129,8 +119,8 @@ void McapWriter::endChunk() {
   const std::uint64_t begin = position_;
   const std::string_view packed = compressor_.compress(chunk_);
   append(McapRecord(McapOp::Chunk)
-             .number(chunkSpan_.begin)
-             .number(chunkSpan_.end)
+             .number(chunkTotals_.begin)
+             .number(chunkTotals_.end)
              .number(static_cast<std::uint64_t>(chunk_.size()))
              .number(crc32(chunk_))
              .text("zstd")
@@ -139,8 +129,8 @@ void McapWriter::endChunk() {
   const std::uint64_t end = position_;
   const std::map<std::uint16_t, std::uint64_t> indexes = writeMessageIndexes();
   chunkIndexes_.push_back(McapRecord(McapOp::ChunkIndex)
-                              .number(chunkSpan_.begin)
-                              .number(chunkSpan_.end)
+                              .number(chunkTotals_.begin)
+                              .number(chunkTotals_.end)
                               .number(begin)
                               .number(end - begin)
                               .counts(indexes)
@@ -150,6 +140,7 @@ void McapWriter::endChunk() {
                               .number(static_cast<std::uint64_t>(chunk_.size()))
                               .finish());
   chunk_.clear();
+  chunkTotals_ = {};
   index_.clear();
 }
 

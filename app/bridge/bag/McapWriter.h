@@ -41,10 +41,6 @@ class McapWriter final : public BagWriter {
     std::string type, definition;
     bool isWritten = false;
   };
-  struct Span {
-    std::int64_t begin = 0, end = 0;  // [ns]
-    void add(std::int64_t time, bool isFirst);
-  };
 
   void append(const std::string& record);
   void writeChannelOnce(Channel& channel, std::uint16_t id);
@@ -64,7 +60,7 @@ class McapWriter final : public BagWriter {
   ZstdCompressor compressor_;
   // The current chunk.
   std::string chunk_;
-  Span chunkSpan_;
+  Totals chunkTotals_;
   std::map<std::uint16_t, std::vector<std::pair<std::int64_t, std::uint64_t>>> index_;
   // Records of the summary.
   std::vector<std::string> chunkIndexes_, metadataIndexes_;

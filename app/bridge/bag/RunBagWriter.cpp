@@ -7,7 +7,7 @@
 
 #include "app/bridge/bag/McapWriter.h"
 #include "app/bridge/bag/SqliteBag.h"
-#include "app/bridge/messages/Definition.h"
+#include "app/bridge/messages/TypeNames.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
@@ -130,24 +130,13 @@ BagFolderWriter::BagFolderWriter(const std::string& staging, const sim2d::Scenar
                                  const sim2d::World& world)
     : world_(world),
       path_((fs::path(staging) / kBagFiles[0]).string()),
+      known_(world.header()),
       bag_(path_, world.header(), lidarsOf(scenario)) {
-  for (const sim2d::TraceHuman& human : world.header().humans) {
-    known_.insert(human.id);
-  }
   thread_ = std::thread([this] { writeQueued(); });
 }
 
 BagFolderWriter::~BagFolderWriter() {
   end();
-}
-
-/// Whether the frame contains a new person, spawned by a source.
-bool BagFolderWriter::hasNewPerson(const sim2d::Frame& frame) {
-  bool isNew = false;
-  for (const int id : frame.humans.id) {
-    isNew = known_.insert(id).second || isNew;
-  }
-  return isNew;
 }
 
 void BagFolderWriter::append(const sim2d::Frame& frame) {
@@ -162,7 +151,7 @@ void BagFolderWriter::append(const sim2d::Frame& frame) {
   queued.header.reset();
   if (isRecorded) {
     queued.frame = frame;
-    if (hasNewPerson(frame)) {
+    if (known_.addNew(frame)) {
       queued.header = world_.header();
     }
   } else {
@@ -267,7 +256,7 @@ base::Diagnostics BagFolderWriter::finish(app::OutputFolder& output) {
   }
   const std::string name = fs::path(kBagFiles[0]).filename().string();
   base::append(problems, output.write(kBagFiles[1], bag_.metadata(name)));
-  base::append(problems, output.write(kBagFiles[2], foxgloveLayout()));
+  base::append(problems, output.write(kBagFiles[2], kFoxgloveLayoutText));
   return problems;
 }
 

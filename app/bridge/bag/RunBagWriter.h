@@ -8,7 +8,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "app/bridge/bag/BagMetadata.h"
 #include "app/bridge/topics/RunTopics.h"
 #include "app/run/RunFolder.h"
+#include "sim2d/trace/KnownPeople.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/World.h"
 
@@ -96,7 +96,6 @@ class BagFolderWriter final : public app::AdditionalRunWriter {
     std::vector<QueuedState> states;
     std::size_t count = 0;  // number of valid states
   };
-  bool hasNewPerson(const sim2d::Frame& frame);
   void writeQueued();
   void queueBatch();
   bool next(Batch& batch);
@@ -104,9 +103,9 @@ class BagFolderWriter final : public app::AdditionalRunWriter {
 
   const sim2d::World& world_;
   std::string path_;
-  std::set<int> known_;  // ids of the people in the header
-  Batch currentBatch_;   // used by the run's thread until the batch is full
-  RunBagWriter bag_;     // used by the writer thread until it has ended
+  sim2d::KnownPeople known_;
+  Batch currentBatch_;  // used by the run's thread until the batch is full
+  RunBagWriter bag_;    // used by the writer thread until it has ended
   std::atomic<bool> hasFailed_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;

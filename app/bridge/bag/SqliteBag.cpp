@@ -1,15 +1,10 @@
 #include "app/bridge/bag/SqliteBag.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <string>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -17,17 +12,10 @@
 
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/BagMetadata.h"
-#include "sim2d/base/Files.h"
 #include "sim2d/trace/Sqlite.h"
 
 namespace bridge {
 namespace {
-
-sim2d::SqliteStatement prepared(sqlite3* database, const char* sql) {
-  sqlite3_stmt* statement = nullptr;
-  sqlite3_prepare_v2(database, sql, -1, &statement, nullptr);
-  return sim2d::SqliteStatement(statement);
-}
 
 /// The bytes of a column, valid until the next step.
 std::string_view bytesOf(sqlite3_stmt* statement, int column) {
@@ -47,8 +35,8 @@ class SqliteBagReader final : public Bag {
 
   base::Diagnostics readTopics() {
     sim2d::limitQueries(connection_.get(), sim2d::databaseSize(path_), budget_);
-    const sim2d::SqliteStatement topics =
-        prepared(connection_.get(), "SELECT id, name, type, serialization_format FROM topics");
+    const sim2d::SqliteStatement topics = sim2d::prepare(
+        connection_.get(), "SELECT id, name, type, serialization_format FROM topics");
     if (!topics) {
       return problem();
     }
@@ -66,7 +54,7 @@ class SqliteBagReader final : public Bag {
 
   /// hunavsim stores its metadata in an additional table, which rosbag2 ignores.
   std::string metadata(const std::string& name, const std::string& key) override {
-    const sim2d::SqliteStatement entry = prepared(
+    const sim2d::SqliteStatement entry = sim2d::prepare(
         connection_.get(), "SELECT value FROM hunavsim_metadata WHERE name = ?1 AND key = ?2");
     if (!entry) {
       return {};
@@ -78,7 +66,7 @@ class SqliteBagReader final : public Bag {
   }
 
   base::Diagnostics read(const std::vector<bool>& channels, const Visit& visit) override {
-    const sim2d::SqliteStatement messages = prepared(
+    const sim2d::SqliteStatement messages = sim2d::prepare(
         connection_.get(), "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id");
     if (!messages) {
       return problem();
@@ -137,7 +125,6 @@ constexpr const char* kTables =
     "CREATE TABLE hunavsim_metadata(name TEXT NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL);"
     "INSERT INTO schema VALUES(3, 'humble'); BEGIN";
 constexpr const char* kQosKey = "offered_qos_profiles";
-constexpr std::size_t kPiece = std::size_t{1} << 20U;  // [B]
 
 void bindText(sqlite3_stmt* statement, int place, std::string_view text) {
   sqlite3_bind_text(statement, place, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
@@ -151,57 +138,26 @@ std::string qosOf(const ChannelInfo& channel) {
 
 }  // namespace
 
-SqliteBagWriter::SqliteBagWriter(std::string path) : path_(std::move(path)) {
-  if (createTemporaryFile()) {
-    open();
+SqliteBagWriter::SqliteBagWriter(const std::string& path) : path_(path), file_(path) {
+  if (file_.hasFailed()) {
+    problems_ = file_.complete();
+    return;
   }
-}
-
-SqliteBagWriter::~SqliteBagWriter() {
-  insert_.reset();
-  database_.reset();
-  if (!temporaryPath_.empty()) {
-    ::unlink(temporaryPath_.c_str());
-  }
-}
-
-/// Creates the temporary file in the folder of the final file, so that both are on the same disk.
-bool SqliteBagWriter::createTemporaryFile() {
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-  if (!folder.empty()) {
-    std::filesystem::create_directories(folder, error);
-  }
-  std::string name = path_ + ".XXXXXX";
-  const int descriptor = error ? -1 : ::mkstemp(name.data());
-  if (descriptor < 0) {
-    fail((error ? error : std::error_code(errno, std::generic_category())).message());
-    return false;
-  }
-  ::close(descriptor);
-  temporaryPath_ = std::move(name);
-  return true;
-}
-
-void SqliteBagWriter::open() {
   sqlite3* raw = nullptr;
-  const int code = sqlite3_open_v2(temporaryPath_.c_str(), &raw,
-                                   SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
+  // The file is locked already, and on some file systems a second lock would fail.
+  const int code = sqlite3_open_v2(file_.temporaryPath().c_str(), &raw,
+                                   SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, "unix-none");
   database_.reset(raw);
   check(code, SQLITE_OK);
   run(kTables);
   insert_ = prepared("INSERT INTO messages(topic_id, timestamp, data) VALUES(?1, ?2, ?3)");
 }
 
-void SqliteBagWriter::fail(const std::string& reason) {
-  if (problems_.empty()) {
-    problems_.push_back(base::error("file.cannot-write", {reason}, path_));
-  }
-}
-
 void SqliteBagWriter::check(int code, int wanted) {
-  if (code != wanted) {
-    fail(database_ == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(database_.get()));
+  if (code != wanted && problems_.empty()) {
+    problems_.push_back(base::error(
+        "file.cannot-write",
+        {database_ == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(database_.get())}, path_));
   }
 }
 
@@ -233,10 +189,7 @@ void SqliteBagWriter::write(std::uint16_t channel, std::int64_t time, std::strin
   sqlite3_bind_blob64(insert_.get(), 3, message.data(), message.size(), SQLITE_STATIC);
   check(sqlite3_step(insert_.get()), SQLITE_DONE);
   sqlite3_reset(insert_.get());
-  totals_.begin = totals_.messages == 0 ? time : std::min(totals_.begin, time);
-  totals_.end = totals_.messages == 0 ? time : std::max(totals_.end, time);
-  ++totals_.messages;
-  ++totals_.perChannel[channel];
+  totals_.add(channel, time);
 }
 
 void SqliteBagWriter::addMetadata(const std::string& name, const Entries& entries) {
@@ -280,21 +233,6 @@ void SqliteBagWriter::writeTopics() {
   }
 }
 
-void SqliteBagWriter::moveToFinalPath() {
-  base::AtomicFileWriter file(path_);
-  std::ifstream from(temporaryPath_, std::ios::binary);
-  std::string piece(kPiece, '\0');
-  while (from && !file.hasFailed()) {
-    from.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    file.append(std::string_view(piece).substr(0, static_cast<std::size_t>(from.gcount())));
-  }
-  if (!from.eof()) {
-    fail(std::error_code(errno, std::generic_category()).message());
-    return;
-  }
-  base::append(problems_, file.finish());
-}
-
 base::Diagnostics SqliteBagWriter::finish() {
   writeTopics();
   run("CREATE INDEX timestamp_idx ON messages(timestamp ASC); COMMIT");
@@ -303,7 +241,7 @@ base::Diagnostics SqliteBagWriter::finish() {
     check(sqlite3_close(database_.release()), SQLITE_OK);
   }
   if (!hasFailed()) {
-    moveToFinalPath();
+    problems_ = file_.finish();
   }
   return problems_;
 }

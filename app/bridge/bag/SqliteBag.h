@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/bridge/bag/Bag.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/trace/Sqlite.h"
 
 namespace bridge {
@@ -13,12 +14,7 @@ namespace bridge {
 /// moves to its final path. Not thread-safe.
 class SqliteBagWriter final : public BagWriter {
  public:
-  explicit SqliteBagWriter(std::string path);
-  ~SqliteBagWriter() override;
-  SqliteBagWriter(const SqliteBagWriter&) = delete;
-  SqliteBagWriter& operator=(const SqliteBagWriter&) = delete;
-  SqliteBagWriter(SqliteBagWriter&&) = delete;
-  SqliteBagWriter& operator=(SqliteBagWriter&&) = delete;
+  explicit SqliteBagWriter(const std::string& path);
 
   std::uint16_t addChannel(ChannelInfo channel) override;
   void write(std::uint16_t channel, std::int64_t time, std::string_view message) override;
@@ -28,16 +24,13 @@ class SqliteBagWriter final : public BagWriter {
   const Totals& totals() const override { return totals_; }
 
  private:
-  bool createTemporaryFile();
-  void open();
   void run(const char* sql);
   sim2d::SqliteStatement prepared(const char* sql);
   void check(int code, int wanted);
-  void fail(const std::string& reason);
   void writeTopics();
-  void moveToFinalPath();
 
-  std::string path_, temporaryPath_;  // final path, temporary path
+  std::string path_;
+  base::AtomicFileWriter file_;  // its temporary file is the database
   sim2d::SqliteConnection database_;
   sim2d::SqliteStatement insert_;  // inserts a message
   std::vector<ChannelInfo> channels_;

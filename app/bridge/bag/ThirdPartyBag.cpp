@@ -137,15 +137,8 @@ class ThirdPartyTrace {
   }
 
   static void addParameters(const hunav_msgs::AgentBehavior& behavior, sim2d::TraceHuman& human) {
-    const std::pair<const char*, float> properties[] = {
-        {"duration", behavior.duration},
-        {"vel", behavior.vel},
-        {"dist", behavior.dist},
-        {"goal_force_factor", behavior.goalForceFactor},
-        {"obstacle_force_factor", behavior.obstacleForceFactor},
-        {"social_force_factor", behavior.socialForceFactor},
-        {"other_force_factor", behavior.otherForceFactor}};
-    for (const auto& [key, value] : properties) {
+    for (const auto& [key, member] : kBehaviorParameters) {
+      const float value = behavior.*member;
       if (value > 0.0F && value <= static_cast<float>(kMostFactor)) {
         human.parameters.emplace_back(key, shortestDecimal(value));
       }

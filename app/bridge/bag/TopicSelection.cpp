@@ -4,10 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include "app/bridge/messages/GeometryMessages.h"
-#include "app/bridge/messages/HunavMessages.h"
-#include "app/bridge/messages/MarkerMessages.h"
-#include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/nav_msgs.h"
+#include "app/bridge/messages/people_msgs.h"
+#include "app/bridge/messages/tf2_msgs.h"
+#include "app/bridge/messages/visualization_msgs.h"
 #include "sim2d/base/Text.h"
 
 namespace bridge {

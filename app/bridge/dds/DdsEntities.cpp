@@ -147,6 +147,15 @@ bool MatchedReaders::has(const rtps::GUID_t& reader) {
   });
 }
 
+SampleSource::SampleSource(DdsPtr dds) : dds_(std::move(dds)) {
+  dds_->sources.push_back(this);
+}
+
+SampleSource::~SampleSource() {
+  std::vector<SampleSource*>& all = dds_->sources;
+  all.erase(std::remove(all.begin(), all.end(), this), all.end());
+}
+
 std::shared_ptr<DdsEntities> DdsEntities::create(const DomainSettings& settings) {
   configureMalloc();
   std::shared_ptr<DdsEntities> made(new DdsEntities);
@@ -237,28 +246,13 @@ void DdsEntities::drop(efd::DataReader* reader) {
   subscriber_->delete_datareader(reader);
 }
 
-OwnedWriter::OwnedWriter(DdsPtr dds, int node, efd::DataWriter* writer)
-    : dds_(std::move(dds)), node_(node), writer_(writer) {
-  if (node_ >= 0) {
-    dds_->nodes[static_cast<std::size_t>(node_)].writers.push_back(guidOf(writer_->guid()));
-  }
-}
-
-OwnedWriter::~OwnedWriter() {
-  if (node_ >= 0) {
-    std::vector<Guid>& all = dds_->nodes[static_cast<std::size_t>(node_)].writers;
-    all.erase(std::remove(all.begin(), all.end(), guidOf(writer_->guid())), all.end());
-  }
-  dds_->drop(writer_);
-}
-
 bool OwnedWriter::write(const Bytes& bytes, rtps::WriteParams& parameters) const {
-  return writer_->write(const_cast<Bytes*>(&bytes), parameters);  // NOLINT: DDS only reads it
+  return (*this)->write(const_cast<Bytes*>(&bytes), parameters);  // NOLINT: DDS only reads it
 }
 
 int OwnedWriter::matched() const {
   efd::PublicationMatchedStatus status;
-  writer_->get_publication_matched_status(status);
+  (*this)->get_publication_matched_status(status);
   return status.current_count;
 }
 
@@ -272,24 +266,9 @@ bool takeNext(efd::DataReader& reader, Bytes& bytes, efd::SampleInfo& info) {
   return false;
 }
 
-OwnedReader::OwnedReader(DdsPtr dds, int node, efd::DataReader* reader)
-    : dds_(std::move(dds)), node_(node), reader_(reader) {
-  if (node_ >= 0) {
-    dds_->nodes[static_cast<std::size_t>(node_)].readers.push_back(guidOf(reader_->guid()));
-  }
-}
-
-OwnedReader::~OwnedReader() {
-  if (node_ >= 0) {
-    std::vector<Guid>& all = dds_->nodes[static_cast<std::size_t>(node_)].readers;
-    all.erase(std::remove(all.begin(), all.end(), guidOf(reader_->guid())), all.end());
-  }
-  dds_->drop(reader_);
-}
-
 int OwnedReader::matched() const {
   efd::SubscriptionMatchedStatus status;
-  reader_->get_subscription_matched_status(status);
+  (*this)->get_subscription_matched_status(status);
   return status.current_count;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -19,6 +20,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/bridge/dds/Discovery.h"
@@ -68,11 +70,22 @@ class MatchedReaders : public efd::DataWriterListener {
   std::set<rtps::GUID_t> matched_;
 };
 
-/// An endpoint that `spin` polls for samples.
+class DdsEntities;
+using DdsPtr = std::shared_ptr<DdsEntities>;
+
+/// An endpoint that `spin` polls for samples while it exists.
 class SampleSource {
  public:
-  virtual ~SampleSource() = default;
+  explicit SampleSource(DdsPtr dds);
+  virtual ~SampleSource();
+  SampleSource(const SampleSource&) = delete;
+  SampleSource& operator=(const SampleSource&) = delete;
+  SampleSource(SampleSource&&) = delete;
+  SampleSource& operator=(SampleSource&&) = delete;
   virtual bool deliverOne() = 0;  // false: no sample
+
+ protected:
+  const DdsPtr dds_;
 };
 
 /// The DDS participant with its publisher, subscriber and topics. Endpoints share ownership.
@@ -115,46 +128,53 @@ class DdsEntities {
   std::map<std::string, efd::Topic*> topics_;
 };
 
-using DdsPtr = std::shared_ptr<DdsEntities>;
-
-/// Owns a writer and lists it with its node while it exists.
-class OwnedWriter {
+/// Owns a writer or reader and lists it with its node while it exists.
+template <class Entity, std::vector<Guid> NodeEndpoints::*List>
+class OwnedEntity {
  public:
-  OwnedWriter(DdsPtr dds, int node, efd::DataWriter* writer);
-  ~OwnedWriter();
-  OwnedWriter(const OwnedWriter&) = delete;
-  OwnedWriter& operator=(const OwnedWriter&) = delete;
-  OwnedWriter(OwnedWriter&&) = delete;
-  OwnedWriter& operator=(OwnedWriter&&) = delete;
-  efd::DataWriter* operator->() const { return writer_; }
-  bool write(const Bytes& bytes, rtps::WriteParams& parameters) const;
-  int matched() const;
+  OwnedEntity(DdsPtr dds, int node, Entity* entity)
+      : dds_(std::move(dds)), node_(node), entity_(entity) {
+    if (node_ >= 0) {
+      list().push_back(guidOf(entity_->guid()));
+    }
+  }
+  ~OwnedEntity() {
+    if (node_ >= 0) {
+      list().erase(std::remove(list().begin(), list().end(), guidOf(entity_->guid())),
+                   list().end());
+    }
+    dds_->drop(entity_);
+  }
+  OwnedEntity(const OwnedEntity&) = delete;
+  OwnedEntity& operator=(const OwnedEntity&) = delete;
+  OwnedEntity(OwnedEntity&&) = delete;
+  OwnedEntity& operator=(OwnedEntity&&) = delete;
+  Entity* operator->() const { return entity_; }
+  Entity& operator*() const { return *entity_; }
 
  private:
+  std::vector<Guid>& list() const { return dds_->nodes[static_cast<std::size_t>(node_)].*List; }
+
   DdsPtr dds_;
   int node_;
-  efd::DataWriter* writer_;
+  Entity* entity_;
+};
+
+class OwnedWriter : public OwnedEntity<efd::DataWriter, &NodeEndpoints::writers> {
+ public:
+  using OwnedEntity::OwnedEntity;
+  bool write(const Bytes& bytes, rtps::WriteParams& parameters) const;
+  int matched() const;
 };
 
 /// Takes the next sample with valid data. False: none.
 bool takeNext(efd::DataReader& reader, Bytes& bytes, efd::SampleInfo& info);
 
-class OwnedReader {
+class OwnedReader : public OwnedEntity<efd::DataReader, &NodeEndpoints::readers> {
  public:
-  OwnedReader(DdsPtr dds, int node, efd::DataReader* reader);
-  ~OwnedReader();
-  OwnedReader(const OwnedReader&) = delete;
-  OwnedReader& operator=(const OwnedReader&) = delete;
-  OwnedReader(OwnedReader&&) = delete;
-  OwnedReader& operator=(OwnedReader&&) = delete;
-  efd::DataReader* operator->() const { return reader_; }
-  bool take(Bytes& bytes, efd::SampleInfo& info) const { return takeNext(*reader_, bytes, info); }
+  using OwnedEntity::OwnedEntity;
+  bool take(Bytes& bytes, efd::SampleInfo& info) const { return takeNext(**this, bytes, info); }
   int matched() const;
-
- private:
-  DdsPtr dds_;
-  int node_;
-  efd::DataReader* reader_;
 };
 
 /// DDS names of a service, for both RMW implementations.

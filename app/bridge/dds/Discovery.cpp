@@ -6,38 +6,36 @@
 
 #include "app/bridge/dds/Domain.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/DiscoveryMessages.h"
 #include "app/bridge/messages/TypeNames.h"
+#include "app/bridge/messages/rmw_dds_common.h"
 
 namespace bridge {
 namespace {
 
-constexpr std::size_t kHumbleGid = 24, kLaterGid = 16;  // [bytes]
-
-template <std::size_t Size>
-rmw_dds_common::Gid<Size> gidOf(const Guid& guid) {
-  rmw_dds_common::Gid<Size> gid;
+template <class Gid>
+Gid gidOf(const Guid& guid) {
+  Gid gid;
   std::copy(guid.begin(), guid.end(), gid.data.begin());
   return gid;
 }
 
-template <std::size_t Size>
-std::vector<rmw_dds_common::Gid<Size>> gidsOf(const std::vector<Guid>& guids) {
-  std::vector<rmw_dds_common::Gid<Size>> gids;
-  std::transform(guids.begin(), guids.end(), std::back_inserter(gids), gidOf<Size>);
+template <class Gid>
+std::vector<Gid> gidsOf(const std::vector<Guid>& guids) {
+  std::vector<Gid> gids;
+  std::transform(guids.begin(), guids.end(), std::back_inserter(gids), gidOf<Gid>);
   return gids;
 }
 
-template <std::size_t Size>
+template <class Info, class Gid = decltype(Info::gid)>
 Bytes sampleOf(const Guid& participant, const std::vector<NodeEndpoints>& nodes) {
-  rmw_dds_common::ParticipantEntitiesInfo<Size> info;
-  info.gid = gidOf<Size>(participant);
+  Info info;
+  info.gid = gidOf<Gid>(participant);
   for (const NodeEndpoints& node : nodes) {
-    rmw_dds_common::NodeEntitiesInfo<Size>& entry = info.nodeEntitiesInfoSeq.emplace_back();
+    auto& entry = info.nodeEntitiesInfoSeq.emplace_back();
     entry.nodeNamespace = node.nameSpace;
     entry.nodeName = node.name;
-    entry.readerGidSeq = gidsOf<Size>(node.readers);
-    entry.writerGidSeq = gidsOf<Size>(node.writers);
+    entry.readerGidSeq = gidsOf<Gid>(node.readers);
+    entry.writerGidSeq = gidsOf<Gid>(node.writers);
   }
   return encode(info);
 }
@@ -45,8 +43,9 @@ Bytes sampleOf(const Guid& participant, const std::vector<NodeEndpoints>& nodes)
 }  // namespace
 
 Bytes graphSample(const Guid& participant, const std::vector<NodeEndpoints>& nodes, Distro distro) {
-  return distro == Distro::Humble ? sampleOf<kHumbleGid>(participant, nodes)
-                                  : sampleOf<kLaterGid>(participant, nodes);
+  using namespace rmw_dds_common;
+  return distro == Distro::Humble ? sampleOf<ParticipantEntitiesInfo>(participant, nodes)
+                                  : sampleOf<IronParticipantEntitiesInfo>(participant, nodes);
 }
 
 namespace efd = eprosima::fastdds::dds;

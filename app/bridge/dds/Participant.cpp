@@ -39,20 +39,14 @@ class DdsSubscription : public Subscription, public SampleSource {
  public:
   DdsSubscription(DdsPtr dds, int node, const Qos& qos, efd::DataReader* reader,
                   efd::DataReader* least, Participant::Handler handler)
-      : dds_(std::move(dds)), qos_(qos), handler_(std::move(handler)), reader_(dds_, node, reader) {
+      : SampleSource(std::move(dds)),
+        qos_(qos),
+        handler_(std::move(handler)),
+        reader_(dds_, node, reader) {
     if (least != nullptr) {
       least_ = std::make_unique<OwnedReader>(dds_, node, least);
     }
-    dds_->sources.push_back(this);
   }
-  ~DdsSubscription() override {
-    std::vector<SampleSource*>& all = dds_->sources;
-    all.erase(std::remove(all.begin(), all.end(), this), all.end());
-  }
-  DdsSubscription(const DdsSubscription&) = delete;
-  DdsSubscription& operator=(const DdsSubscription&) = delete;
-  DdsSubscription(DdsSubscription&&) = delete;
-  DdsSubscription& operator=(DdsSubscription&&) = delete;
 
   int matched() const override { return least_ ? least_->matched() : reader_.matched(); }
   bool deliverOne() override {
@@ -78,7 +72,6 @@ class DdsSubscription : public Subscription, public SampleSource {
     return true;
   }
 
-  DdsPtr dds_;
   Qos qos_;
   Participant::Handler handler_;
   OwnedReader reader_;

@@ -4,6 +4,7 @@
 
 #include "app/bridge/dds/DdsEntities.h"
 #include "app/bridge/dds/ServiceReplies.h"
+#include "sim2d/base/LittleEndian.h"
 
 /// Service servers and clients for both encodings of the request identity: rmw_fastrtps sends it
 /// beside the sample (`related_sample_identity`), rmw_cyclonedds as 16 bytes before the fields.
@@ -22,19 +23,12 @@ struct CallId {
   std::int64_t number = 0;
 };
 
-void putNumber(std::uint64_t value, Bytes& to) {
-  for (int shift = 0; shift < 64; shift += 8) {
-    to.push_back(static_cast<char>(value >> shift & 0xffU));
-  }
-}
-
 std::uint64_t numberAt(const Bytes& from, std::size_t at, bool isBigEndian) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const std::size_t shift = 8 * (isBigEndian ? 7 - i : i);
-    value |= static_cast<std::uint64_t>(static_cast<std::uint8_t>(from[at + i])) << shift;
+  Bytes bytes = from.substr(at, sizeof(std::uint64_t));
+  if (isBigEndian) {
+    std::reverse(bytes.begin(), bytes.end());
   }
-  return value;
+  return base::littleEndian<std::uint64_t>(bytes);
 }
 
 /// Removes the 16-byte request identity from the body. Nothing: the body is too short.
@@ -54,8 +48,8 @@ Bytes withCallId(const Bytes& bytes, const CallId& id) {
     return bytes;
   }
   Bytes whole = bytes.substr(0, kHeader);
-  putNumber(id.client, whole);
-  putNumber(static_cast<std::uint64_t>(id.number), whole);
+  base::appendLittleEndian(whole, id.client);
+  base::appendLittleEndian(whole, id.number);
   return whole.append(bytes, kHeader);
 }
 
@@ -90,20 +84,10 @@ class DdsServer : public Server, public SampleSource {
  public:
   DdsServer(DdsPtr dds, int node, efd::DataReader* requests, efd::DataWriter* replies,
             std::unique_ptr<MatchedReaders> matchedReaders, Participant::ServiceCallback callback)
-      : dds_(std::move(dds)),
+      : SampleSource(std::move(dds)),
         callback_(std::move(callback)),
         requests_(dds_, node, requests),
-        replies_(dds_, node, replies, std::move(matchedReaders)) {
-    dds_->sources.push_back(this);
-  }
-  ~DdsServer() override {
-    std::vector<SampleSource*>& all = dds_->sources;
-    all.erase(std::remove(all.begin(), all.end(), this), all.end());
-  }
-  DdsServer(const DdsServer&) = delete;
-  DdsServer& operator=(const DdsServer&) = delete;
-  DdsServer(DdsServer&&) = delete;
-  DdsServer& operator=(DdsServer&&) = delete;
+        replies_(dds_, node, replies, std::move(matchedReaders)) {}
 
   bool deliverOne() override {
     replies_.sendPending();
@@ -144,7 +128,6 @@ class DdsServer : public Server, public SampleSource {
     replies_.send(isReader ? caller.writer_guid() : rtps::GUID_t::unknown(), reply, parameters);
   }
 
-  DdsPtr dds_;
   Participant::ServiceCallback callback_;
   OwnedReader requests_;
   ReplyWriter replies_;

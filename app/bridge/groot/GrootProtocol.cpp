@@ -8,6 +8,7 @@
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/LittleEndian.h"
 #include "sim2d/base/Text.h"
 
 namespace groot {
@@ -110,12 +111,6 @@ enum Kind : char {
   Transitions = 't'
 };
 
-void append(std::string& bytes, std::uint64_t value, int count) {
-  for (int k = 0; k < count; ++k) {
-    bytes.push_back(static_cast<char>(value >> (8 * k) & 0xFFU));
-  }
-}
-
 /// Converts text that is a number or boolean to that type.
 nlohmann::json valueOf(const std::string& text) {
   if (text == "true" || text == "false") {
@@ -185,8 +180,8 @@ void GrootProtocol::set(int node, base::NodeStatus status, double time) {
 std::string GrootProtocol::statuses() const {
   std::string bytes;
   for (std::size_t at = 0; at < encodedStatuses_.size(); ++at) {
-    append(bytes, at + 1, 2);
-    append(bytes, encodedStatuses_[at], 1);
+    base::appendLittleEndian(bytes, at + 1, 2);
+    base::appendLittleEndian(bytes, encodedStatuses_[at], 1);
   }
   return bytes;
 }
@@ -219,9 +214,9 @@ Message GrootProtocol::record(const std::string& word) {
 std::string GrootProtocol::takeTransitions() {
   std::string bytes;
   for (const Transition& each : transitions_) {
-    append(bytes, each.microseconds, 6);
-    append(bytes, each.node, 2);
-    append(bytes, each.status, 1);
+    base::appendLittleEndian(bytes, each.microseconds, 6);
+    base::appendLittleEndian(bytes, each.node);
+    base::appendLittleEndian(bytes, each.status);
   }
   transitions_.clear();
   return bytes;

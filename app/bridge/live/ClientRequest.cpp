@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/bridge/live/LittleEndian.h"
+#include "sim2d/base/LittleEndian.h"
 
 namespace live {
 
@@ -204,12 +204,12 @@ ClientRequest requestOfBytes(std::string_view message) {
   if (message.size() < (isCall ? 12U : 4U)) {
     return request::Refused{"a binary message is truncated"};
   }
-  const std::uint32_t first = littleEndian32(message);
+  const std::uint32_t first = base::littleEndian<std::uint32_t>(message);
   if (!isCall) {
     return request::Publish{first, message.substr(4)};
   }
-  const std::uint32_t call = littleEndian32(message.substr(4));
-  const std::uint32_t length = littleEndian32(message.substr(8));
+  const std::uint32_t call = base::littleEndian<std::uint32_t>(message.substr(4));
+  const std::uint32_t length = base::littleEndian<std::uint32_t>(message.substr(8));
   message.remove_prefix(12);
   if (length > message.size()) {
     return request::Refused{"a binary message is truncated"};

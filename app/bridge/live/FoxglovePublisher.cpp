@@ -5,23 +5,15 @@
 #include <utility>
 
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/Definition.h"
+#include "app/bridge/messages/TypeNames.h"
+#include "app/bridge/messages/std_msgs.h"
 #include "app/bridge/topics/RunMessages.h"
 
 namespace live {
 
 namespace {
 
-struct Float64 {
-  static constexpr const char* kType = "std_msgs/msg/Float64";
-
-  double data = 0;
-
-  template <class Self, class F>
-  static void fields(Self& self, F&& field) {
-    field("data", self.data);
-  }
-};
+using bridge::std_msgs::Float64;
 
 /// A selection without windows, series and per-robot results: nothing that grows with the run.
 metrics::Selection withoutSeries(metrics::Selection selection) {
@@ -39,20 +31,12 @@ RunMetrics::RunMetrics(const sim2d::TraceHeader& header, const metrics::Selectio
     : evaluation_(header, withoutSeries(selection), parameters) {
   for (const metrics::MetricEntry& entry : selection.entries(metrics::standardRegistry())) {
     channelOf_[entry.info.key] = channels_.size();
-    channels_.push_back({"/hunavsim/metrics/" + entry.info.key, Float64::kType,
-                         bridge::definition<Float64>(), false});
+    channels_.push_back(
+        {"/hunavsim/metrics/" + entry.info.key, Float64::kType, Float64::kDefinition, false});
   }
 }
 
-void RunMetrics::add(const sim2d::Frame& frame, const std::function<sim2d::TraceHeader()>& header) {
-  const std::vector<int>& ids = frame.humans.id;
-  if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
-    const sim2d::TraceHeader now = header();
-    evaluation_.addHumans(now.humans);
-    for (const sim2d::TraceHuman& human : now.humans) {
-      known_.insert(human.id);
-    }
-  }
+void RunMetrics::add(const sim2d::Frame& frame) {
   for (const sim2d::Event& event : frame.events) {
     evaluation_.note(frame.time, event);
   }
@@ -106,7 +90,8 @@ FoxglovePublisher::FoxglovePublisher(app::Session& session, sim2d::World& world,
       metrics_(world.header(), metrics.selection, metrics.parameters),
       control_(session, {scenarioName, static_cast<std::int64_t>(world.header().seed), world.dt()},
                settings.canDrive ? teleopRobots(world.header())
-                                 : std::vector<RunControl::TeleopRobot>()) {}
+                                 : std::vector<RunControl::TeleopRobot>()),
+      known_(world.header()) {}
 
 base::Result<std::unique_ptr<FoxglovePublisher>> FoxglovePublisher::open(
     const FoxglovePublisherSettings& settings, app::Session& session, sim2d::World& world,
@@ -175,7 +160,7 @@ void FoxglovePublisher::show(const sim2d::Frame& frame) {
   newest_ = frame.step;
   updateHeader(frame);
   topics_.track(frame);
-  metrics_.add(frame, [this] { return world_.header(); });
+  metrics_.add(frame);
   const Clock::time_point now = Clock::now();
   if (!publishedAt_ || !isAboveDisplayRate() || now - *publishedAt_ >= kBetweenFrames) {
     publish(frame, now);
@@ -202,9 +187,10 @@ void FoxglovePublisher::finish(const sim2d::Frame& frame, const std::string& rea
 
 /// Updates the header after a source spawned a person.
 void FoxglovePublisher::updateHeader(const sim2d::Frame& frame) {
-  if (frame.humans.id != knownPeople_) {
-    knownPeople_ = frame.humans.id;
-    topics_.setHeader(world_.header());
+  if (known_.addNew(frame)) {
+    sim2d::TraceHeader header = world_.header();
+    metrics_.addHumans(header.humans);
+    topics_.setHeader(std::move(header));
   }
 }
 
@@ -256,10 +242,11 @@ void FoxglovePublisher::catchUp(const sim2d::Frame& frame) {
     publish(frame, Clock::now());
   }
   topics_.resendScans();
-  server_->catchUp(
-      static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)),
-      messagesOf(
-          frame, [this](ChannelId channel) { return server_->isMessageAwaited(channel); }, true));
+  const ChannelFilter isAwaited = [this](ChannelId channel) {
+    return server_->isMessageAwaited(channel);
+  };
+  server_->publish(static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)),
+                   messagesOf(frame, isAwaited, true), true);
 }
 
 }  // namespace live

@@ -15,6 +15,7 @@
 #include "app/run/MetricsSetup.h"
 #include "app/run/Session.h"
 #include "metrics/IncrementalEvaluation.h"
+#include "sim2d/trace/KnownPeople.h"
 #include "sim2d/world/World.h"
 
 namespace live {
@@ -28,8 +29,10 @@ class RunMetrics {
              const metrics::MetricParameters& parameters);
 
   const std::vector<Channel>& channels() const { return channels_; }
-  /// Call for each state once, in order. `header` is called if the frame contains a new person.
-  void add(const sim2d::Frame& frame, const std::function<sim2d::TraceHeader()>& header);
+  /// Call before the first frame that contains these people.
+  void addHumans(const std::vector<sim2d::TraceHuman>& humans) { evaluation_.addHumans(humans); }
+  /// Call for each state once, in order.
+  void add(const sim2d::Frame& frame);
   /// Calls tell(index in `channels`, message) for each metric that has a value.
   void publish(const std::function<void(std::size_t, std::string&&)>& publish) const;
 
@@ -37,7 +40,6 @@ class RunMetrics {
   metrics::FrameEvaluation evaluation_;
   std::vector<Channel> channels_;
   std::map<std::string, std::size_t> channelOf_;  // by metric key
-  std::set<int> known_;
 };
 
 struct FoxglovePublisherSettings {
@@ -98,7 +100,7 @@ class FoxglovePublisher {
   bridge::RunTopics topics_;  // channels from 1 on
   RunMetrics metrics_;        // the channels after them
   RunControl control_;
-  std::vector<int> knownPeople_;  // ids of the people known to topics_
+  sim2d::KnownPeople known_;  // to topics_ and metrics_
   std::optional<Clock::time_point> publishedAt_, metricsPublishedAt_;
   std::int64_t newest_ = -1;                // step
   std::int64_t published_ = -1;             // step of the last published state

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/bridge/live/LittleEndian.h"
 #include "app/bridge/live/ServerMessages.h"
+#include "sim2d/base/LittleEndian.h"
 #include "sim2d/base/Text.h"
 
 namespace live {
@@ -62,18 +62,10 @@ bool FoxgloveServer::isWanted(ChannelId channel) const {
   return published.wanted > 0 || published.channel.isLatched;
 }
 
-void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages) {
-  publish(time, messages, false);
-}
-
-void FoxgloveServer::catchUp(std::uint64_t time, const std::vector<Message>& messages) {
-  publish(time, messages, true);
-}
-
 void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages,
                              bool onlyAwaited) {
   std::string clock(1, ServerTime);
-  appendLittleEndian(clock, time);
+  base::appendLittleEndian(clock, time);
   server_->exclusively([&] {
     for (const Message& message : messages) {
       PublishedChannel& published = *publishedChannels_.at(message.channel - 1);
@@ -117,8 +109,8 @@ void FoxgloveServer::sendMessage(Client client, ChannelId channel, ClientSubscri
                                  SendQueue::Kind kind) {
   if (Connection* const connection = server_->find(client)) {
     std::string head(1, MessageData);
-    appendLittleEndian(head, wanted.subscription);
-    appendLittleEndian(head, time);
+    base::appendLittleEndian(head, wanted.subscription);
+    base::appendLittleEndian(head, time);
     connection->sendBinary(head, payload, kind);
     publishedChannels_.at(channel - 1)->awaited -=
         std::exchange(wanted.isMessageAwaited, false) ? 1 : 0;
@@ -139,10 +131,6 @@ void FoxgloveServer::warnOfLoss(Client client, ClientState& state) {
     send(client, statusText(StatusLevel::Warning,
                             "this connection is too slow: older messages are dropped", "slow"));
   }
-}
-
-void FoxgloveServer::notifyParameters() {
-  server_->exclusively([this] { sendParameters(); });
 }
 
 /// Sends changed parameters to the clients that subscribed to them.
@@ -345,9 +333,9 @@ void FoxgloveServer::answer(Client client, const request::CallService& asked) {
     return;
   }
   std::string bytes(1, ServiceResponse);
-  appendLittleEndian(bytes, asked.service);
-  appendLittleEndian(bytes, asked.call);
-  appendLittleEndian(bytes, static_cast<std::uint32_t>(asked.encoding.size()));
+  base::appendLittleEndian(bytes, asked.service);
+  base::appendLittleEndian(bytes, asked.call);
+  base::appendLittleEndian(bytes, static_cast<std::uint32_t>(asked.encoding.size()));
   bytes.append(asked.encoding).append(done.payload);
   if (Connection* const connection = server_->find(client)) {
     connection->sendBinary(bytes, nullptr, SendQueue::Kind::Answer);

@@ -90,16 +90,13 @@ class FoxgloveServer : private WebSocketServer::Handler {
     ChannelId channel = 0;
     SharedBytes payload;  // CDR with encapsulation header
   };
-  /// Publishes messages of one time [ns of simulation time] and the time itself.
-  void publish(std::uint64_t time, const std::vector<Message>& messages);
+  /// Publishes messages of one time [ns of simulation time] and the time itself. `onlyAwaited`:
+  /// only to subscriptions that have received none yet.
+  void publish(std::uint64_t time, const std::vector<Message>& messages, bool onlyAwaited = false);
   /// Whether a subscription to the channel has received no message yet.
   bool isMessageAwaited(ChannelId channel) const {
     return publishedChannels_.at(channel - 1)->awaited > 0;
   }
-  /// Publishes messages of the newest time, only to subscriptions that have received none yet.
-  void catchUp(std::uint64_t time, const std::vector<Message>& messages);
-  /// Call after the program changed a parameter: notifies the clients that subscribed to it.
-  void notifyParameters();
   std::size_t clientCount() const { return clientCount_; }
   bool hadClient() const { return hadClients_; }  // a client has ever connected
 
@@ -142,7 +139,6 @@ class FoxgloveServer : private WebSocketServer::Handler {
   std::string subscribe(Client client, const Subscription& wanted);
   void unsubscribe(ClientState& state, std::uint32_t subscription);
   void sendParameters();
-  void publish(std::uint64_t time, const std::vector<Message>& messages, bool onlyAwaited);
   struct Publication {
     std::uint64_t time;        // [ns]
     const std::string& clock;  // the time as a message, the same for all clients

@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "app/bridge/live/JsonMessage.h"
-#include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/Definition.h"
-#include "app/bridge/messages/GeometryMessages.h"
+#include "app/bridge/messages/geometry_msgs.h"
+#include "app/bridge/messages/std_srvs.h"
 #include "sim2d/world/WorldState.h"
 
 namespace live {
@@ -36,7 +35,7 @@ ServiceAnswer answerOf(std::string_view encoding, bool isFine, const std::string
 
 template <class M>
 Schema schemaOf() {
-  return {M::kType, bridge::definition<M>()};
+  return {M::kType, M::kDefinition};
 }
 
 template <class S>

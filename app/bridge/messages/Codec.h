@@ -224,18 +224,6 @@ class CdrWriter {
   std::size_t position_;   // number of bytes written
 };
 
-/// The header that rmw_cyclonedds puts before the fields of a request and of its response.
-struct RequestId {
-  std::uint64_t guid = 0;
-  std::int64_t sequence = 0;
-
-  template <class Self, class F>
-  static void fields(Self& self, F&& field) {
-    field("guid", self.guid);
-    field("sequence", self.sequence);
-  }
-};
-
 /// Whether bytes after the last field are accepted. Up to three bytes of padding always are.
 enum class TrailingBytes { Refused, Ignored };
 
@@ -246,16 +234,6 @@ std::string encode(const M& message, std::size_t expected = 0) {
   std::string bytes;
   bytes.reserve(expected);
   CdrWriter(bytes).message(message);
-  return bytes;
-}
-
-/// The message preceded by the request identity, as rmw_cyclonedds sends it.
-template <class M>
-std::string encode(const RequestId& id, const M& message) {
-  std::string bytes;
-  CdrWriter writer(bytes);
-  writer.message(id);
-  writer.message(message);
   return bytes;
 }
 
@@ -273,26 +251,6 @@ base::Result<M> decode(std::string_view bytes, TrailingBytes rest = TrailingByte
     return reader.problem(M::kType);
   }
   return message;
-}
-
-template <class M>
-struct Request {
-  RequestId id;
-  M message;
-};
-
-/// Decodes a message preceded by a request identity.
-template <class M>
-base::Result<Request<M>> decodeRequest(std::string_view bytes) {
-  Request<M> request;
-  CdrReader reader(bytes);
-  reader.message(request.id);
-  reader.message(request.message);
-  reader.requireEnd();
-  if (reader.hasFailed()) {
-    return reader.problem(M::kType);
-  }
-  return request;
 }
 
 }  // namespace bridge

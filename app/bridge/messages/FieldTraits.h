@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace bridge {
@@ -70,18 +69,5 @@ struct PackedTraits<M, std::void_t<typename M::PackedElement>> : std::true_type 
 };
 template <class M>
 constexpr bool kIsPacked = PackedTraits<M>::value;
-
-struct ConstantVisitor {
-  template <class T>
-  void operator()(const char* name, T value);
-};
-template <class M, class = void>
-struct ConstantTraits : std::false_type {};
-template <class M>
-struct ConstantTraits<M, std::void_t<decltype(M::constants(std::declval<ConstantVisitor&>()))>>
-    : std::true_type {};
-/// Whether the message has constants.
-template <class M>
-constexpr bool kHasConstants = ConstantTraits<M>::value;
 
 }  // namespace bridge

@@ -1,6 +1,18 @@
 #include "app/bridge/messages/TypeNames.h"
 
+#include <algorithm>
+
+#include "app/bridge/messages/AllMessages.h"
+
 namespace bridge {
+namespace {
+
+template <class... M>
+std::vector<KnownType> typesOf(TypeList<M...> /*list*/) {
+  return {{M::kType, M::kDefinition}...};
+}
+
+}  // namespace
 
 std::string ddsTypeName(std::string_view type) {
   const std::size_t first = type.find('/');
@@ -26,13 +38,15 @@ std::string rosTypeName(std::string_view ddsType) {
   return std::string(ddsType.substr(0, first)) + "/" + std::string(kind) + "/" + std::string(name);
 }
 
-std::string shortTypeName(std::string_view type) {
-  const std::size_t first = type.find('/');
-  const std::size_t last = type.rfind('/');
-  if (first == std::string_view::npos) {
-    return std::string(type);
-  }
-  return std::string(type.substr(0, first)) + std::string(type.substr(last));
+const std::vector<KnownType>& knownTypes() {
+  static const std::vector<KnownType> kTypes = typesOf(AllMessages{});
+  return kTypes;
+}
+
+const KnownType* findType(std::string_view type) {
+  const auto found = std::find_if(knownTypes().begin(), knownTypes().end(),
+                                  [&](const KnownType& known) { return known.type == type; });
+  return found == knownTypes().end() ? nullptr : &*found;
 }
 
 }  // namespace bridge

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bridge {
 
@@ -11,7 +12,14 @@ std::string ddsTypeName(std::string_view type);
 /// The inverse of ddsTypeName. Empty if `ddsType` is not a ROS type name.
 std::string rosTypeName(std::string_view ddsType);
 
-/// The name in message definitions: "geometry_msgs/msg/Twist" -> "geometry_msgs/Twist".
-std::string shortTypeName(std::string_view type);
+/// A supported message, request or response type.
+struct KnownType {
+  std::string_view type;   // "hunav_msgs/msg/Agents"
+  const char* definition;  // in the ros2msg format
+};
+
+/// All supported types, in the order of AllMessages.
+const std::vector<KnownType>& knownTypes();
+const KnownType* findType(std::string_view type);  // null: unknown type
 
 }  // namespace bridge

@@ -1,6 +1,5 @@
 #include "app/bridge/nodes/AgentServer.h"
 
-#include <set>
 #include <utility>
 
 #include "app/bridge/agents/LoaderResponses.h"
@@ -8,8 +7,6 @@
 
 namespace bridge {
 namespace {
-
-constexpr std::size_t kMaxReported = 1000;  // distinct problems
 
 const Qos kServices = Qos::keepLast(100);
 
@@ -61,7 +58,7 @@ class DdsAgentServer final : public AgentServer {
   std::unique_ptr<Participant> participant_;
   AgentManager manager_;
   ReportCallback report_;
-  std::set<std::string> reported_;
+  base::DiagnosticFilter reported_;
   base::Diagnostics startProblems_;
   bool hasStarted_ = false;
   std::uint64_t answered_ = 0;
@@ -164,7 +161,7 @@ void DdsAgentServer::publish(const StepMessages& topics) {
 }
 
 void DdsAgentServer::reportOnce(const base::Diagnostic& diagnostic) {
-  if (reported_.size() >= kMaxReported || !reported_.insert(problemKey(diagnostic)).second) {
+  if (!reported_.isNew(problemKey(diagnostic))) {
     return;
   }
   if (!hasStarted_) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/action_msgs.h"
 
 namespace bridge {
 namespace {
@@ -17,12 +18,12 @@ constexpr const char* kSend = "navigate_to_pose/_action/send_goal";
 constexpr const char* kResult = "navigate_to_pose/_action/get_result";
 
 /// A unique id: the first 8 bytes are random per process, the last 8 bytes are a counter.
-Action::GoalId newId(std::uint64_t count) {
+unique_identifier_msgs::UUID newId(std::uint64_t count) {
   static const std::uint64_t kOwn = [] {
     std::random_device device;
     return (std::uint64_t{device()} << 32U) | device();
   }();
-  Action::GoalId id;
+  unique_identifier_msgs::UUID id;
   constexpr unsigned kByte = 8;
   for (unsigned k = 0; k < kByte; ++k) {
     id.uuid[k] = static_cast<std::uint8_t>(kOwn >> (kByte * k));
@@ -38,26 +39,25 @@ const char* wordOf(std::int8_t status) {
 }
 
 /// The status and Nav2's error text: a code from Iron on, also a message from Jazzy on.
-template <class Result, class Words>
+template <class NavigateToPose, class Words>
 std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Words words) {
   const auto response =
-      decode<typename Action::GetResult<Result>::Response>(bytes, TrailingBytes::Ignored);
+      decode<typename NavigateToPose::GetResult::Response>(bytes, TrailingBytes::Ignored);
   return response ? std::optional(std::pair(response->status, words(response->result)))
                   : std::nullopt;
 }
 
 std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Distro distro) {
   if (distro == Distro::Humble) {
-    return read<Action::HumbleResult>(bytes, [](const auto&) { return std::string(); });
+    return read<Action>(bytes, [](const auto&) { return std::string(); });
   }
-  const auto withText = read<Action::JazzyResult>(bytes, [](const Action::JazzyResult& result) {
+  const auto withText = read<nav2_msgs::JazzyNavigateToPose>(bytes, [](const auto& result) {
     return " (" + std::to_string(result.errorCode) +
            (result.errorMsg.empty() ? "" : ": " + result.errorMsg) + ")";
   });
-  return withText ? withText
-                  : read<Action::IronResult>(bytes, [](const Action::IronResult& result) {
-                      return " (" + std::to_string(result.errorCode) + ")";
-                    });
+  return withText ? withText : read<nav2_msgs::IronNavigateToPose>(bytes, [](const auto& result) {
+    return " (" + std::to_string(result.errorCode) + ")";
+  });
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Dist
 base::Result<std::unique_ptr<GoalSender>> GoalSender::create(Participant& participant, int node,
                                                              Distro distro, ReportCallback report) {
   auto send = participant.client(node, kSend, Action::SendGoal::kType);
-  auto result = participant.client(node, kResult, Action::GetResult<Action::HumbleResult>::kType);
+  auto result = participant.client(node, kResult, Action::GetResult::kType);
   base::Diagnostics problems = send.diagnostics();
   base::append(problems, result.diagnostics());
   if (!send || !result) {
@@ -120,7 +120,7 @@ void GoalSender::readAnswers() {
 
 /// Requested immediately, because Nav2 discards results soon.
 void GoalSender::requestResult() {
-  Action::GetResult<Action::HumbleResult>::Request request;
+  Action::GetResult::Request request;
   request.goalId = id_;
   resultNumber_ = result_->send(encode(request));
 }

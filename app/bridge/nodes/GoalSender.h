@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/bridge/dds/Participant.h"
-#include "app/bridge/messages/ActionMessages.h"
+#include "app/bridge/messages/nav2_msgs.h"
 
 namespace bridge {
 
@@ -45,7 +45,7 @@ class GoalSender {
   std::unique_ptr<Client> send_, result_;
   Distro distro_;
   ReportCallback report_;
-  nav2_msgs::NavigateToPose::GoalId id_;
+  unique_identifier_msgs::UUID id_;
   std::uint64_t sent_ = 0;                            // number of goals sent
   std::optional<geometry_msgs::Point> place_;         // position of the newest goal
   std::int64_t sendNumber_ = -1, resultNumber_ = -1;  // request numbers for the newest goal

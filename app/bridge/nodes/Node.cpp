@@ -1,7 +1,8 @@
 #include "app/bridge/nodes/Node.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include "app/bridge/messages/Time.h"
 
 namespace bridge {
 namespace {
@@ -53,15 +54,6 @@ std::string problemKey(const base::Diagnostic& diagnostic) {
   return isOfBytes && !diagnostic.values.empty()
              ? std::string(diagnostic.code) + diagnostic.values.front().second
              : diagnostic.text();
-}
-
-builtin_interfaces::Time wallTime() {
-  using std::chrono::nanoseconds;
-  constexpr std::int64_t kSecond = 1000000000;
-  const auto since =
-      std::chrono::duration_cast<nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
-          .count();
-  return {static_cast<std::int32_t>(since / kSecond), static_cast<std::uint32_t>(since % kSecond)};
 }
 
 const char* rmwName(Rmw rmw) {
@@ -155,7 +147,7 @@ rcl_interfaces::SetParametersResult Node::set(const Parameters& wanted) {
   }
   result.successful = true;
   rcl_interfaces::ParameterEvent event;
-  event.stamp = wallTime();
+  event.stamp = stampOfNanoseconds(wallClockNanoseconds());
   event.node = fullName_;
   event.changedParameters = wanted;
   events_.publish(event);
@@ -183,7 +175,7 @@ rcl_interfaces::ListParametersResult Node::list(
 
 void Node::log(std::uint8_t level, const std::string& text) {
   rcl_interfaces::Log entry;
-  entry.stamp = wallTime();
+  entry.stamp = stampOfNanoseconds(wallClockNanoseconds());
   entry.level = level;
   entry.name = name_;
   entry.msg = text;

@@ -10,8 +10,7 @@
 
 #include "app/bridge/dds/Participant.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/ParameterMessages.h"
-#include "app/bridge/messages/ParameterServices.h"
+#include "app/bridge/messages/rcl_interfaces.h"
 #include "sim2d/base/Result.h"
 
 namespace bridge {
@@ -139,8 +138,6 @@ class Node {
 /// message.
 std::string problemKey(const base::Diagnostic& diagnostic);
 
-/// The current wall clock time.
-builtin_interfaces::Time wallTime();
 /// The value of RMW_IMPLEMENTATION: "rmw_fastrtps_cpp".
 const char* rmwImplementationName(Rmw rmw);
 const char* rmwName(Rmw rmw);  // "fastrtps", "cyclonedds"

@@ -1,34 +1,26 @@
 #include "app/bridge/nodes/Recorder.h"
 
 #include <algorithm>
-#include <chrono>
 #include <deque>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "app/bridge/agents/LoaderResponses.h"
 #include "app/bridge/bag/McapWriter.h"
 #include "app/bridge/bag/TopicSelection.h"
-#include "app/bridge/messages/BasicMessages.h"
-#include "app/bridge/messages/Definition.h"
-#include "app/bridge/messages/HunavServices.h"
+#include "app/bridge/messages/Time.h"
+#include "app/bridge/messages/TypeNames.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/std_srvs.h"
 #include "app/bridge/nodes/Node.h"
 
 namespace bridge {
 namespace {
 
 constexpr std::size_t kMostTopics = 200;
-constexpr std::size_t kMostCauses = 1000;
 constexpr int kDepth = 1000;  // queued messages per topic
 constexpr std::size_t kMostLatched = 100;
 constexpr std::size_t kMostLatchedBytes = std::size_t{256} << 20U;
-
-std::int64_t nowInNanoseconds() {
-  using std::chrono::nanoseconds;
-  const auto since = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<nanoseconds>(since).count();
-}
 
 /// The newest messages of a latched topic, kept for recordings that start later.
 class LatchedMessages {
@@ -101,7 +93,7 @@ class DdsRecorder final : public Recorder {
   void take(SubscribedTopic& from, const Bytes& bytes);
   void write(SubscribedTopic& from, const Bytes& bytes);
   void reportOnce(const base::Diagnostic& diagnostic) {
-    if (reported_.size() < kMostCauses && reported_.insert(problemKey(diagnostic)).second) {
+    if (reported_.isNew(problemKey(diagnostic))) {
       report_(diagnostic);
     }
   }
@@ -111,7 +103,7 @@ class DdsRecorder final : public Recorder {
   std::unique_ptr<Participant> participant_;
   Services services_;
   ReportCallback report_;
-  std::set<std::string> reported_;
+  base::DiagnosticFilter reported_;
   std::vector<std::unique_ptr<SubscribedTopic>> subscribed_;
   std::size_t processedTopics_ = 0;  // number of remote topics processed
   std::unique_ptr<McapWriter> writer_;
@@ -183,7 +175,7 @@ void DdsRecorder::write(SubscribedTopic& from, const Bytes& bytes) {
                              type == nullptr ? std::string() : std::string(type->definition),
                              {{"offered_qos_profiles", ""}, {"topic_type_hash", ""}}});
   }
-  writer_->write(*from.channel, nowInNanoseconds(), bytes);
+  writer_->write(*from.channel, wallClockNanoseconds(), bytes);
 }
 
 void DdsRecorder::begin(const std::string& path) {

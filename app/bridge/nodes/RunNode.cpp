@@ -2,11 +2,10 @@
 
 #include <cmath>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
-#include "app/bridge/messages/GeometryMessages.h"
+#include "app/bridge/messages/geometry_msgs.h"
 #include "app/bridge/nodes/GoalSender.h"
 #include "app/bridge/nodes/Node.h"
 #include "app/bridge/topics/RunMessages.h"
@@ -59,7 +58,7 @@ class DdsRunNode final : public RunNode {
   void takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
                 const geometry_msgs::Pose& pose);
   void reportOnce(const base::Diagnostic& diagnostic) {
-    if (reported_.insert(problemKey(diagnostic)).second) {
+    if (reported_.isNew(problemKey(diagnostic))) {
       if (hasStarted_) {
         report_(diagnostic);
       } else {
@@ -73,7 +72,7 @@ class DdsRunNode final : public RunNode {
   std::unique_ptr<Participant> participant_;
   RunTopics topics_;
   ReportCallback report_;
-  std::set<std::string> reported_;
+  base::DiagnosticFilter reported_;
   base::Diagnostics startProblems_;
   bool hasStarted_ = false;
   Node node_;
@@ -131,10 +130,8 @@ void DdsRunNode::subscribeCommands() {
 /// In lockstep a command for an earlier state is too late and is ignored.
 void DdsRunNode::takeStamped(const geometry_msgs::TwistStamped& command) {
   const builtin_interfaces::Time& stamp = command.header.stamp;
-  constexpr std::int64_t kSecond = 1000000000;
   const bool isStamped = stamp.sec != 0 || stamp.nanosec != 0;
-  if (settings_.lockstep && isStamped &&
-      stamp.sec * kSecond + stamp.nanosec + kSameStamp < publishedTime_) {
+  if (settings_.lockstep && isStamped && nanosecondsOf(stamp) + kSameStamp < publishedTime_) {
     return;
   }
   takeCommand(command.twist);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/bridge/messages/MarkerMessages.h"
+#include "app/bridge/messages/visualization_msgs.h"
 #include "sim2d/trace/Trace.h"
 
 /// Visualization markers of a run for RViz and Foxglove. Pure functions; thread-safe.

@@ -10,7 +10,6 @@
 namespace bridge {
 namespace {
 
-constexpr std::int64_t kNanoseconds = 1000000000;
 constexpr const char* kTagNames[] = {"id", "group_id", "behavior"};  // of people_msgs/Person
 
 float floatOf(double value) {
@@ -64,22 +63,13 @@ hunav_msgs::AgentBehavior behaviorOf(const sim2d::TraceHuman& human, std::uint8_
   behavior.configuration = static_cast<std::uint8_t>(human.configuration);
   for (const auto& [key, value] : human.parameters) {
     const std::string_view name = key;  // faster: compares lengths first
-    if (name == "duration") {
-      behavior.duration = floatOf(value);
-    } else if (name == "once") {
+    if (name == "once") {
       behavior.once = value != 0.0;
-    } else if (name == "vel") {
-      behavior.vel = floatOf(value);
-    } else if (name == "dist") {
-      behavior.dist = floatOf(value);
-    } else if (name == "social_force_factor") {
-      behavior.socialForceFactor = floatOf(value);
-    } else if (name == "goal_force_factor") {
-      behavior.goalForceFactor = floatOf(value);
-    } else if (name == "obstacle_force_factor") {
-      behavior.obstacleForceFactor = floatOf(value);
-    } else if (name == "other_force_factor") {
-      behavior.otherForceFactor = floatOf(value);
+    }
+    for (const BehaviorParameter& parameter : kBehaviorParameters) {
+      if (name == parameter.key) {
+        behavior.*parameter.member = floatOf(value);
+      }
     }
   }
   return behavior;
@@ -122,18 +112,11 @@ const sim2d::TraceHuman* humanOf(const sim2d::TraceHeader& header,
 }
 
 std::int64_t nanosecondsOf(double seconds) {
-  return std::llround(seconds * static_cast<double>(kNanoseconds));
+  return std::llround(seconds * 1e9);
 }
 
 builtin_interfaces::Time stampOf(double seconds) {
-  const std::int64_t all = nanosecondsOf(seconds);
-  const std::int64_t whole = all / kNanoseconds - (all % kNanoseconds < 0 ? 1 : 0);
-  return {static_cast<std::int32_t>(whole), static_cast<std::uint32_t>(all - whole * kNanoseconds)};
-}
-
-double secondsOf(const builtin_interfaces::Time& stamp) {
-  return static_cast<double>(stamp.sec) +
-         static_cast<double>(stamp.nanosec) / static_cast<double>(kNanoseconds);
+  return stampOfNanoseconds(nanosecondsOf(seconds));
 }
 
 std_msgs::Header headerOf(double seconds, const std::string& frame) {

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/bridge/messages/BasicMessages.h"
-#include "app/bridge/messages/GeometryMessages.h"
-#include "app/bridge/messages/HunavMessages.h"
-#include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/messages/Time.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/nav_msgs.h"
+#include "app/bridge/messages/people_msgs.h"
+#include "app/bridge/messages/sensor_msgs.h"
 #include "sim2d/trace/Trace.h"
 
 /// Conversion of run states to messages. Pure functions of the trace header and a frame;
@@ -17,9 +19,22 @@ namespace bridge {
 
 constexpr const char* kMapFrame = "map";
 
+/// The parameters of a person with a reaction, as they are named in traces.
+struct BehaviorParameter {
+  std::string_view key;
+  float hunav_msgs::AgentBehavior::*member;
+};
+constexpr BehaviorParameter kBehaviorParameters[] = {
+    {"duration", &hunav_msgs::AgentBehavior::duration},
+    {"vel", &hunav_msgs::AgentBehavior::vel},
+    {"dist", &hunav_msgs::AgentBehavior::dist},
+    {"goal_force_factor", &hunav_msgs::AgentBehavior::goalForceFactor},
+    {"obstacle_force_factor", &hunav_msgs::AgentBehavior::obstacleForceFactor},
+    {"social_force_factor", &hunav_msgs::AgentBehavior::socialForceFactor},
+    {"other_force_factor", &hunav_msgs::AgentBehavior::otherForceFactor}};
+
 std::int64_t nanosecondsOf(double seconds);  // rounded
 builtin_interfaces::Time stampOf(double seconds);
-double secondsOf(const builtin_interfaces::Time& stamp);
 std_msgs::Header headerOf(double seconds, const std::string& frame = kMapFrame);
 
 geometry_msgs::Quaternion quaternionFromYaw(double heading);  // rotation about z [rad]

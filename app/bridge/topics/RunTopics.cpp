@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/bridge/messages/rosgraph_msgs.h"
 #include "app/bridge/topics/RunMarkers.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/nav/FrameTransform.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr const char* kFootprint = "base_footprint";
 constexpr const char* kBase = "base_link";
+constexpr const char* kOdometry = "odom";
+constexpr const char* kSensor = "base_scan";
 constexpr double kTimeSlack = 1e-9;  // [s]
 constexpr int kDepthOfTf = 100;
 constexpr int kDepthOfStates = 1;  // as in HuNavSim
@@ -40,12 +43,13 @@ const sim2d::TraceGoal* goalIn(const std::vector<sim2d::TraceGoal>& goals, int i
   return found == goals.end() ? nullptr : &*found;
 }
 
-}  // namespace
-
+/// The transform from `parent` to `child` at `seconds` of simulation time.
 geometry_msgs::TransformStamped transformTo(double seconds, const std::string& parent,
                                             const std::string& child, const base::Pose2& pose) {
   return {headerOf(seconds, parent), child, transformOf(pose)};
 }
+
+}  // namespace
 
 RunTopicsOptions lidarsOf(const sim2d::Scenario& scenario) {
   RunTopicsOptions options;

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/GeometryMessages.h"
-#include "app/bridge/messages/HunavMessages.h"
-#include "app/bridge/messages/MarkerMessages.h"
+#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/messages/people_msgs.h"
+#include "app/bridge/messages/tf2_msgs.h"
+#include "app/bridge/messages/visualization_msgs.h"
 #include "sim2d/base/Types.h"
 #include "sim2d/trace/Trace.h"
 
@@ -147,15 +148,6 @@ class RunTopics {
   std::vector<Robot> robots_;
   std::vector<char> doors_;  // as last published
 };
-
-/// Declarations shared by the sources of RunTopics.
-
-constexpr const char* kOdometry = "odom";
-constexpr const char* kSensor = "base_scan";
-
-/// The transform from `parent` to `child` at `seconds` of simulation time.
-geometry_msgs::TransformStamped transformTo(double seconds, const std::string& parent,
-                                            const std::string& child, const base::Pose2& pose);
 
 /// Context for publishing one frame.
 struct RunTopics::PublishContext {

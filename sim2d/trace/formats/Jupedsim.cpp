@@ -60,19 +60,13 @@ class JupedsimReader {
     return true;
   }
 
-  SqliteStatement prepared(const char* sql) const {
-    sqlite3_stmt* statement = nullptr;
-    sqlite3_prepare_v2(connection_.get(), sql, -1, &statement, nullptr);
-    return SqliteStatement(statement);
-  }
-
   bool hasColumn(const char* table, const char* column) const {
     return sqlite3_table_column_metadata(connection_.get(), nullptr, table, column, nullptr,
                                          nullptr, nullptr, nullptr, nullptr) == SQLITE_OK;
   }
 
   bool checkTable() {
-    const SqliteStatement any = prepared("SELECT count(*) FROM sqlite_master");
+    const SqliteStatement any = prepare(connection_.get(), "SELECT count(*) FROM sqlite_master");
     if (!any || sqlite3_step(any.get()) != SQLITE_ROW) {
       return fail();  // not a database, or damaged
     }
@@ -87,7 +81,7 @@ class JupedsimReader {
 
   /// The first value of the first row as text; empty: none.
   std::string textOf(const char* sql) const {
-    const SqliteStatement statement = prepared(sql);
+    const SqliteStatement statement = prepare(connection_.get(), sql);
     if (!statement || sqlite3_step(statement.get()) != SQLITE_ROW) {
       return {};
     }
@@ -106,8 +100,9 @@ class JupedsimReader {
     const bool hasHeadings =
         hasColumn("trajectory_data", "ori_x") && hasColumn("trajectory_data", "ori_y");
     const SqliteStatement rows =
-        prepared(hasHeadings ? "SELECT frame, id, pos_x, pos_y, ori_x, ori_y FROM trajectory_data"
-                             : "SELECT frame, id, pos_x, pos_y FROM trajectory_data");
+        prepare(connection_.get(),
+                hasHeadings ? "SELECT frame, id, pos_x, pos_y, ori_x, ori_y FROM trajectory_data"
+                            : "SELECT frame, id, pos_x, pos_y FROM trajectory_data");
     if (!rows) {
       return fail();
     }
