@@ -1,7 +1,7 @@
-#include "metrics/AccumulatorSet.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "metrics/IncrementalEvaluation.h"
 
 namespace metrics {
 

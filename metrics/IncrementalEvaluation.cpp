@@ -1,10 +1,12 @@
 #include "metrics/IncrementalEvaluation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "metrics/RobotMotion.h"
 #include "sim2d/base/Find.h"
+#include "sim2d/trace/RecordedPoints.h"
 #include "sim2d/trace/RobotArrival.h"
 
 namespace metrics {
@@ -328,9 +330,12 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
                       [key](const MetricResult& result) { return result.info.key == key; });
 }
 
-base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
-                                  const MetricParameters& parameters) {
-  FrameEvaluation evaluation(trace.header, selection, parameters);
+namespace {
+
+/// Passes the events and frames of a record in the order of time; events before the frame of their
+/// time.
+template <class Note, class Add>
+void replay(const sim2d::Trace& trace, Note note, Add add) {
   auto event = trace.events.begin();
   const auto noteUntil = [&](double time) {
     for (; event != trace.events.end(); ++event) {
@@ -338,15 +343,75 @@ base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& se
       if (itsTime > time + kTimeSlack) {
         return;
       }
-      evaluation.note(itsTime, event->second);
+      note(itsTime, event->second);
     }
   };
   for (const sim2d::Frame& frame : trace.frames) {
     noteUntil(frame.time);
-    evaluation.append(frame);
+    add(frame);
   }
   noteUntil(HUGE_VAL);
+}
+
+void takePoints(const sim2d::RecordedPoints::Range& points, Body& body) {
+  body.obstacles.clear();
+  for (const Vec2& point : points) {
+    body.obstacles.push_back({point, lengthOf(point - body.position), false});
+  }
+}
+
+Sample sampleWithPoints(const sim2d::Frame& frame, const sim2d::RecordedPoints& points,
+                        SampleBuilder& builder) {
+  std::vector<Pedestrian> people = builder.peopleOf(frame);
+  for (Pedestrian& person : people) {
+    if (points.hasPeople()) {
+      takePoints(points.of(frame.step, person.id, false), person);
+    }
+  }
+  Sample sample = builder.sampleOf(frame, std::move(people));
+  if (points.hasRobot()) {
+    Robot& robot = sample.robot;
+    takePoints(points.of(frame.step, robot.id, true), robot);
+    for (const sim2d::Obstacles::Point& point : robot.obstacles) {
+      robot.obstacleDistance =
+          std::min(robot.obstacleDistance.value_or(point.distance), point.distance);
+    }
+  }
+  return sample;
+}
+
+}  // namespace
+
+base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
+                                  const MetricParameters& parameters) {
+  FrameEvaluation evaluation(trace.header, selection, parameters);
+  replay(
+      trace, [&](double time, const sim2d::Event& event) { evaluation.note(time, event); },
+      [&](const sim2d::Frame& frame) { evaluation.append(frame); });
   return evaluation.finish();
+}
+
+/// A record with points has at most one robot.
+base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
+                                  const Selection& selection, const MetricParameters& parameters) {
+  if (points.isEmpty()) {
+    return evaluate(trace, selection, parameters);
+  }
+  SampleBuilder builder(trace.header, selection.robotId);
+  RunContext context = builder.context();
+  context.hasObstacles = context.hasObstacles || points.hasRobot();
+  IncrementalEvaluation running(context, selection, parameters);
+  replay(
+      trace, [&](double time, const sim2d::Event& event) { running.note(time, event); },
+      [&](const sim2d::Frame& frame) { running.add(sampleWithPoints(frame, points, builder)); });
+  base::Result<Evaluation> made = running.finish();
+  const std::vector<sim2d::TraceRobot>& robots = trace.header.robots;
+  for (std::size_t k = 0; made && k < robots.size(); ++k) {
+    if (robots[k].id == selection.robotId) {
+      made->robot = robotNames(robots)[k];
+    }
+  }
+  return made;
 }
 
 }  // namespace metrics

@@ -32,16 +32,6 @@ constexpr std::pair<bool Needs::*, const char*> kNeeds[] = {
 
 }  // namespace
 
-std::string needsText(const Needs& needs) {
-  std::vector<std::string> names;
-  for (const auto& [needed, name] : kNeeds) {
-    if (needs.*needed) {
-      names.emplace_back(name);
-    }
-  }
-  return names.empty() ? "nothing" : base::join(names, ", ");
-}
-
 MetricValue::MetricValue(double number) {
   if (std::isnan(number)) {
     why = "not a number";

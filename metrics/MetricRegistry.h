@@ -29,7 +29,6 @@ struct Needs {
   bool robot = true;
   bool people = false, groups = false, obstacles = false, goal = false, map = false;
 };
-std::string needsText(const Needs& needs);  // "robot, people"; "nothing"
 
 struct MetricInfo {
   std::string key;
@@ -177,7 +176,7 @@ void addAllMetrics(MetricRegistry& to);
 /// The built-in metrics, in order. Immutable, thread-safe.
 const MetricRegistry& standardRegistry();
 
-/// The text of metrics/METRICS.md.
-std::string metricsMarkdown(const MetricRegistry& registry);
+/// The text of metrics/METRICS.md, which the build embeds.
+std::string metricsMarkdown();
 
 }  // namespace metrics

@@ -5,6 +5,7 @@
 
 #include "metrics/Expression.h"
 #include "metrics/Report.h"
+#include "sim2d/base/Ranges.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/DuplicateKeys.h"
 #include "sim2d/base/yaml/YamlEmitter.h"

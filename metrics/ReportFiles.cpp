@@ -1,5 +1,3 @@
-#include "metrics/ReportFiles.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -7,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "metrics/Report.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"

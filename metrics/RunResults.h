@@ -6,8 +6,10 @@
 
 #include "metrics/Report.h"
 
-/// Effect of the robot on people: compares a run with the same run without the robot.
+/// Results of a run besides its metrics.
 namespace metrics {
+
+/// Effect of the robot on people: compares a run with the same run without the robot.
 
 /// Difference with - without robot for one person. Detour and delay are taken up to the last goal
 /// that is reached in both runs, or up to the last common instant if there is none; the other
@@ -50,5 +52,24 @@ class PlanningTime {
 
 /// planning_time_mean, planning_time_std.
 std::vector<MetricInfo> planningTimeInfos();
+
+/// Positions on the robot's path, from the same samples as its metrics. If the record has no robot
+/// with the selected id, its first robot is used.
+
+/// The part of the robot's path that its metrics use, with times from its start; empty: none.
+TimedPath robotPathOf(const sim2d::Trace& trace, const Selection& selection,
+                      const MetricParameters& parameters);
+
+/// The start of a contact of the robot.
+struct RobotContact {
+  double time = 0.0;            // in the record [s]
+  Vec2 place = Vec2::Zero();    // position of the robot
+  std::optional<int> person{};  // null: an obstacle
+};
+
+/// The contacts that `success` counts, in order: with people whose gap falls below
+/// contact_distance, and with obstacles.
+std::vector<RobotContact> robotContacts(const sim2d::Trace& trace, const Selection& selection,
+                                        const MetricParameters& parameters);
 
 }  // namespace metrics

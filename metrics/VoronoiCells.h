@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "metrics/MapFields.h"
 #include "metrics/Samples.h"
-#include "metrics/VisibilityPolygon.h"
 #include "sim2d/map/Obstacles.h"
 
 /// Neighbours and Voronoi cells of points, for the crowd metrics.

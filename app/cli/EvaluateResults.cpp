@@ -8,8 +8,9 @@
 #include "app/bridge/bag/Bag.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ManifestFiles.h"
-#include "metrics/ReportFiles.h"
+#include "metrics/IncrementalEvaluation.h"
 #include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 

@@ -13,9 +13,8 @@
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "metrics/MetricRegistry.h"
-#include "metrics/RecordedObstacles.h"
-#include "metrics/ReportFiles.h"
-#include "metrics/RobotPositions.h"
+#include "metrics/Report.h"
+#include "metrics/RunResults.h"
 #include "sim2d/base/Text.h"
 
 namespace app {

@@ -6,11 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "metrics/statistics/Bootstrap.h"
-#include "metrics/statistics/EffectSizes.h"
 #include "metrics/statistics/PairedTests.h"
-#include "metrics/statistics/SampleSize.h"
-#include "metrics/statistics/SuccessRates.h"
+#include "metrics/statistics/Ranks.h"
+#include "metrics/statistics/Summary.h"
 
 namespace report {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/report/Study.h"
-#include "metrics/statistics/MultipleComparisons.h"
+#include "metrics/statistics/Ranks.h"
 #include "metrics/statistics/Summary.h"
 
 namespace report {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "metrics/RobotPositions.h"
+#include "metrics/RunResults.h"
 #include "sim2d/trace/Trace.h"
 
 namespace report {

@@ -7,7 +7,7 @@
 
 #include "app/report/Figure.h"
 #include "app/report/Study.h"
-#include "metrics/RobotPositions.h"
+#include "metrics/RunResults.h"
 #include "sim2d/trace/Trace.h"
 
 namespace report {

@@ -9,9 +9,9 @@
 
 #include "app/run/ProgramRegistries.h"
 #include "bt/engine/Program.h"
-#include "bt/human/HumanNodes.h"
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeExport.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"

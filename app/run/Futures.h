@@ -8,7 +8,7 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/RunBranch.h"
-#include "metrics/statistics/SuccessRates.h"
+#include "metrics/statistics/Summary.h"
 #include "sim2d/trace/Recording.h"
 
 namespace app {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 

@@ -12,7 +12,7 @@
 #include "app/run/ManifestFiles.h"
 #include "app/run/PlannerFiles.h"
 #include "bt/tree/TreeXml.h"
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "sim2d/trace/Recording.h"
+#include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/Runner.h"
-#include "sim2d/world/TreeBreakpoint.h"
 
 namespace app {
 

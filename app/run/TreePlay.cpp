@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bt/human/HumanContext.h"
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/robot/Nav2Files.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"

@@ -10,8 +10,6 @@
 
 #include "editor/look/Form.h"
 #include "metrics/MetricRegistry.h"
-#include "metrics/statistics/Bootstrap.h"
-#include "metrics/statistics/SuccessRates.h"
 #include "metrics/statistics/Summary.h"
 
 namespace app {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bt/engine/Ticker.h"
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeXml.h"
 
 namespace bt {

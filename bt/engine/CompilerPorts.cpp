@@ -2,7 +2,7 @@
 
 #include "bt/engine/Compiler.h"
 #include "bt/engine/Ticker.h"
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "sim2d/base/Text.h"
 
 /// The part of the compiler that manages blackboards and binds ports, entries and scripts.

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "bt/engine/Script.h"
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 
 namespace bt {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
-#include "bt/human/Breakpoints.h"
+#include "bt/engine/Script.h"
+#include "bt/engine/TreeState.h"
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeLoader.h"
+#include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/StepBuffers.h"
 
 namespace bt {
@@ -18,10 +22,106 @@ namespace bt {
 using base::Diagnostics;
 using base::NodeStatus;
 using sim2d::Intents;
+using sim2d::TreeBreakpoint;
 using sim2d::TreeChanges;
 using sim2d::WorldView;
 
 namespace {
+
+/// Checks trees after their ticks for breakpoints. Not synchronised. A condition on entries that a
+/// tree does not have, or that have no value, is false.
+class Breakpoints {
+ public:
+  /// Breakpoints with problems (checkBreakpoint) are ignored.
+  void set(std::vector<TreeBreakpoint> points);
+  bool isEmpty() const { return watches_.empty(); }
+  /// Call after each tick of this person's tree.
+  void look(int person, const TreeState& tree);
+  /// Resets the state of a person who has a new tree.
+  void forget(int person);
+  /// Returns and clears the first breakpoint hit since the last call.
+  std::optional<sim2d::TreeBreakpointHit> take() { return std::exchange(hit_, std::nullopt); }
+
+ private:
+  /// A breakpoint resolved for one program.
+  struct ResolvedBreakpoint {
+    std::shared_ptr<const std::vector<std::string>> paths;  // keeps the map key unique
+    int node = -1;                                          // -1: no such node
+    std::optional<Script> condition;                        // empty: an entry of it is missing
+  };
+  struct Watch {
+    TreeBreakpoint point;
+    std::map<const Program*, ResolvedBreakpoint> places;
+    std::set<int> people;  // ids of people for whom it currently holds
+  };
+  static const ResolvedBreakpoint& placeIn(Watch& watch, const Program& program);
+  static bool holds(const Watch& watch, const ResolvedBreakpoint& place, const TreeState& tree);
+
+  std::vector<Watch> watches_;
+  std::optional<sim2d::TreeBreakpointHit> hit_;
+};
+
+void Breakpoints::set(std::vector<TreeBreakpoint> points) {
+  watches_.clear();
+  for (TreeBreakpoint& point : points) {
+    if (checkBreakpoint(point).empty()) {
+      watches_.push_back({std::move(point), {}, {}});
+    }
+  }
+}
+
+const Breakpoints::ResolvedBreakpoint& Breakpoints::placeIn(Watch& watch, const Program& program) {
+  const auto [found, isNew] = watch.places.try_emplace(&program);
+  ResolvedBreakpoint& place = found->second;
+  if (!isNew) {
+    return place;
+  }
+  place.paths = program.paths();
+  const auto at = std::find(place.paths->begin(), place.paths->end(), watch.point.path);
+  place.node = at == place.paths->end() ? -1 : static_cast<int>(at - place.paths->begin());
+  bool areKnown = true;
+  const auto slotOf = [&](const std::string& key) {
+    const int slot = program.findSlot(key);
+    areKnown = areKnown && slot >= 0;
+    return std::max(slot, 0);
+  };
+  base::Result<Script> script = compileScript(watch.point.condition, slotOf);
+  if (script && areKnown) {
+    place.condition = *std::move(script);
+  }
+  return place;
+}
+
+bool Breakpoints::holds(const Watch& watch, const ResolvedBreakpoint& place,
+                        const TreeState& tree) {
+  if (place.node < 0) {
+    return false;
+  }
+  const NodeStatus now = tree.statuses()[static_cast<std::size_t>(place.node)];
+  const bool isLike = watch.point.status ? now == *watch.point.status : now != NodeStatus::Idle;
+  return isLike && (watch.point.condition.empty() ||
+                    (place.condition && tree.evaluateCondition(*place.condition).value_or(false)));
+}
+
+void Breakpoints::look(int person, const TreeState& tree) {
+  for (Watch& watch : watches_) {
+    if (watch.point.person.value_or(person) != person) {
+      continue;
+    }
+    const ResolvedBreakpoint& place = placeIn(watch, tree.program());
+    if (!holds(watch, place, tree)) {
+      watch.people.erase(person);
+    } else if (watch.people.insert(person).second && !hit_) {
+      hit_ = {watch.point, person, tree.statuses()[static_cast<std::size_t>(place.node)]};
+    }
+  }
+}
+
+void Breakpoints::forget(int person) {
+  for (Watch& watch : watches_) {
+    watch.people.erase(person);
+  }
+}
 
 /// One person's tree and its last published state.
 struct AgentTree {
@@ -321,11 +421,19 @@ std::unique_ptr<sim2d::HumanBehavior> withInitialState(const sim2d::HumanBehavio
   return dynamic_cast<const TreeBehavior&>(behavior).withInitialState();
 }
 
-Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,
-                               const sim2d::Scenario& scenario) {
-  Diagnostics found;
-  TreeLoader(scenario).load(human, path, found);
-  return found;
+base::Diagnostics checkBreakpoint(const TreeBreakpoint& point) {
+  if (point.condition.empty()) {
+    return {};
+  }
+  const base::Result<Script> script =
+      compileScript(point.condition, [](const std::string& /*key*/) { return 0; });
+  if (!script) {
+    return script.diagnostics();
+  }
+  if (!script->written.empty()) {
+    return {base::error("breakpoint.assigns", {point.condition})};
+  }
+  return {};
 }
 
 }  // namespace bt

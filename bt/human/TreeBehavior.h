@@ -52,14 +52,12 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(
 /// makeTreeBehavior. Nothing is read or compiled again.
 std::unique_ptr<sim2d::HumanBehavior> withInitialState(const sim2d::HumanBehavior& behavior);
 
+/// Problems of a breakpoint's condition: a syntax error, or an assignment.
+base::Diagnostics checkBreakpoint(const sim2d::TreeBreakpoint& point);
+
 /// The tree of a person in such a run, with its includes resolved.
 base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeFiles& files,
                                const sim2d::Scenario& scenario,
                                const sim2d::Compatibility& quirks = {});
-
-/// Loads and checks one person's tree (syntax, then semantics), with the diagnostics of
-/// makeTreeBehavior.
-base::Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,
-                                     const sim2d::Scenario& scenario);
 
 }  // namespace bt

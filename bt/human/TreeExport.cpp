@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bt/human/HumanContext.h"
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 

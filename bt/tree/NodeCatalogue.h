@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim2d/base/ParameterSpec.h"
+#include "sim2d/base/Types.h"
 
 /// Descriptions of all node types, used by the palette, the checks and the compiler. Sources:
 /// BehaviorTree.CPP 4.10 (controls, decorators, its leaves) and HuNavSim 2.0 (nodes for people,
@@ -82,5 +83,24 @@ NodeCatalogue parseNodeCatalogue(std::string_view text, NodeOrigin origin);
 
 /// All controls, decorators and leaves of BehaviorTree.CPP that are supported, including "SubTree".
 NodeCatalogue builtinNodes();
+
+/// Converts port text to values by the rules of BehaviorTree.CPP: a number ends at the first
+/// character that does not belong to it ("5abc" is 5), leading blanks and '+' are rejected, C
+/// locale.
+std::optional<int> intFromText(std::string_view text);
+std::optional<std::int64_t> unsignedFromText(std::string_view text);  // 0 … 4294967295
+std::optional<double> doubleFromText(std::string_view text);
+std::optional<bool> boolFromText(std::string_view text);  // 0 1 true TRUE True false FALSE False
+std::optional<base::NodeStatus> statusFromText(std::string_view text);
+
+/// Splits a queue at ';'. A trailing ';' is ignored.
+std::vector<std::string> splitQueue(std::string_view list);
+
+/// The number that a port of a numeric type reads from this text if the text has further characters
+/// ("1,5" is read as 1). Empty if the whole text is a number or if it contains none.
+std::optional<double> partiallyReadNumber(std::string_view text, PortType type);
+
+/// Whether a port of this type accepts the constant.
+bool isConvertible(std::string_view text, PortType type);
 
 }  // namespace bt

@@ -269,29 +269,30 @@ void collectCalls(const NodeSpec& node, std::set<std::string>& called) {
   }
 }
 
-/// "'A' (line 3), 'B' (line 8)"
-std::string namesWithLines(const std::vector<const TreeTable::Entry*>& trees) {
+std::string firstOf(std::vector<std::string> names) {
   constexpr std::size_t kShown = 5;
-  std::vector<std::string> names;
-  names.reserve(trees.size());
-  for (const TreeTable::Entry* const entry : trees) {
-    names.push_back("'" + entry->tree.id + "' (line " + std::to_string(entry->tree.line) + ")");
-  }
   const bool isLong = names.size() > kShown;
   names.resize(std::min(names.size(), kShown));
   return base::join(names, ", ") + (isLong ? " …" : "");
 }
 
+/// "'A' (line 3), 'B' (line 8)"
+std::string namesWithLines(const std::vector<const TreeTable::Entry*>& trees) {
+  std::vector<std::string> names;
+  names.reserve(trees.size());
+  for (const TreeTable::Entry* const entry : trees) {
+    names.push_back("'" + entry->tree.id + "' (line " + std::to_string(entry->tree.line) + ")");
+  }
+  return firstOf(std::move(names));
+}
+
 /// "'A', 'B'"
 std::string treesOf(const TreeTable& table) {
-  constexpr std::size_t kShown = 5;
   std::vector<std::string> names;
   for (const auto& [id, entry] : table.entries) {
     names.push_back("'" + id + "'");
   }
-  const bool isLong = names.size() > kShown;
-  names.resize(std::min(names.size(), kShown));
-  return base::join(names, ", ") + (isLong ? " …" : "");
+  return firstOf(std::move(names));
 }
 
 base::Diagnostics fileProblems(const TreeTable& table) {

@@ -8,7 +8,7 @@
 
 #include <tinyxml2.h>
 
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
 

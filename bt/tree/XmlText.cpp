@@ -10,7 +10,7 @@
 
 #include <tinyxml2.h>
 
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {

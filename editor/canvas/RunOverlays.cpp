@@ -8,7 +8,7 @@
 #include "bt/human/Perception.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RobotPainters.h"
-#include "metrics/VisibilityPolygon.h"
+#include "metrics/MapFields.h"
 
 namespace editor {
 

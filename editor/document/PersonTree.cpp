@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bt/human/AgentTreeCheck.h"
-#include "bt/human/HumanNodes.h"
 #include "bt/human/TreeGenerator.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 

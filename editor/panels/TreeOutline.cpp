@@ -12,7 +12,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "bt/human/Breakpoints.h"
+#include "bt/human/TreeBehavior.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"

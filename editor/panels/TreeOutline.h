@@ -9,7 +9,7 @@
 #include "editor/look/Theme.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/trace/Recording.h"
-#include "sim2d/world/TreeBreakpoint.h"
+#include "sim2d/world/HumanBehavior.h"
 
 namespace editor {
 

@@ -6,7 +6,7 @@
 
 #include <QHBoxLayout>
 
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "editor/document/PersonTree.h"
 #include "sim2d/base/Text.h"
 

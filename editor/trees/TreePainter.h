@@ -7,7 +7,7 @@
 #include <QPainter>
 
 #include "editor/trees/TreeGraph.h"
-#include "sim2d/world/TreeBreakpoint.h"
+#include "sim2d/world/HumanBehavior.h"
 
 namespace editor {
 

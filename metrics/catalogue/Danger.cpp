@@ -7,7 +7,7 @@ namespace metrics {
 
 namespace {
 
-constexpr double kSmallAngle = 1e-6;  // [rad] smaller angles are noise around 0
+constexpr double kSmallSine = 1e-6;  // smaller sines are noise around 0
 
 /// 1 / time to collision, capped; 0 without a collision course.
 double fearCost(const Body& robot, const Pedestrian& person, const MetricParameters& parameters) {
@@ -34,7 +34,7 @@ double panicCost(const Body& robot, const Body& person, const MetricParameters& 
     const double separation = lengthOf(centres);
     const double sine = std::fabs(base::cross(centres, closing)) / (separation * speed);
     const double miss = separation * sine;
-    return miss > radii && sine > kSmallAngle ? speed / ((miss - radii) * sine) : 0.0;
+    return miss > radii && sine > kSmallSine ? speed / ((miss - radii) * sine) : 0.0;
   }
   // This order of operations reproduces the last digits of the published reference values.
   const double speed2 = closing.squaredNorm();

@@ -12,7 +12,7 @@ bool counts(const Sample& sample, const Pedestrian& person, const MetricParamete
   return parameters.profile == Profile::Corrected || person.id != sample.robot.id;
 }
 
-constexpr double kSmall = 1e-9;  // [m]
+constexpr double kSmallLength = 1e-9;  // [m]
 
 /// Mean of the repulsions by the obstacle points of the body (Helbing and Molnar 1995).
 Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
@@ -20,7 +20,7 @@ Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   for (const sim2d::Obstacles::Point& point : body.obstacles) {
     const Vec2 away = body.position - point.position;
     const double length = away.norm();
-    if (length < kSmall) {
+    if (length < kSmallLength) {
       continue;  // no direction
     }
     const double side = point.inside ? -1.0 : 1.0;

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/Jerk.h"
+#include "metrics/RobotMotion.h"
 #include "metrics/TermStatistics.h"
 
 /// Speeds, accelerations and jerks of the robot, speeds of people.

@@ -7,7 +7,7 @@ namespace metrics {
 namespace {
 
 /// The view of a person who sees the robot.
-struct View {
+struct SeenRobot {
   double proxemic = 0.45;    // d_prox [m]
   double distance = 1.0;     // D [m]
   double angle = 0.0;        // theta [rad]
@@ -16,13 +16,13 @@ struct View {
   double shockRate = 4.0;    // reaction time / recognition time
 };
 
-double visibilityCost(const View& view) {
+double visibilityCost(const SeenRobot& view) {
   return view.proxemic / view.halfField * view.angle / view.distance;
 }
-double shockCost(const View& view) {
+double shockCost(const SeenRobot& view) {
   return std::max(view.proxemic / view.distance * (1.0 - view.shockRate * view.recognition), 0.0);
 }
-double reactCost(const View& view) {
+double reactCost(const SeenRobot& view) {
   return view.proxemic / view.distance * (1.0 - view.recognition);
 }
 
@@ -71,7 +71,7 @@ class SurpriseSum : public PersonCosts {
   void addVisible(const Instant& at, const Pedestrian& person, std::vector<double>& costs) {
     const MetricParameters& parameters = at.parameters;
     const Robot& robot = at.now.robot;
-    View view;
+    SeenRobot view;
     view.proxemic = parameters.surpriseDistance;
     view.angle = person.pair.viewAngle;
     view.halfField = parameters.fieldOfView / 2.0;

@@ -7,7 +7,6 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <limits>
 
@@ -36,22 +35,6 @@ double integrate(Function function, double low, double high, int pieces) {
     sum += bm::quadrature::gauss<double, 15>::integrate(function, from, from + width);
   }
   return sum;
-}
-
-/// P(range of `groups` standard normal numbers <= q).
-double rangeCdf(double q, int groups) {
-  const auto term = [q, groups](double z) {
-    return normalDensity(z) * std::pow(normalCdf(z) - normalCdf(z - q), groups - 1);
-  };
-  return std::min(1.0, groups * integrate(term, -kFar, kFar + std::min(q, kFar), 8));
-}
-
-/// Logarithm of the density of s, the estimate of a standard deviation of 1: freedom * s² is
-/// chi-squared.
-double logSpreadDensity(double s, double freedom) {
-  const double half = freedom / 2.0;
-  return half * std::log(half) + std::log(2.0) - bm::lgamma(half) + (freedom - 1.0) * std::log(s) -
-         half * s * s;
 }
 
 }  // namespace
@@ -102,31 +85,27 @@ double binomialCdf(double successes, double n, double p) {
   return bm::cdf(bm::binomial_distribution<double, Policy>(n, p), std::floor(successes));
 }
 
-double studentizedRangeTail(double q, int groups, double freedom) {
+double rangeTail(double q, int groups) {
   if (!(q > 0.0)) {
     return std::isnan(q) ? kNan : 1.0;
   }
-  if (std::isinf(freedom)) {
-    return std::max(0.0, 1.0 - rangeCdf(q, groups));
-  }
-  const double spread = 8.0 / std::sqrt(2.0 * freedom);  // 8 standard deviations of s
-  const double low = std::max(1e-9, 1.0 - spread);
-  const auto term = [q, groups, freedom](double s) {
-    return std::exp(logSpreadDensity(s, freedom)) * rangeCdf(q * s, groups);
+  const auto term = [q, groups](double z) {
+    return normalDensity(z) * std::pow(normalCdf(z) - normalCdf(z - q), groups - 1);
   };
-  return std::clamp(1.0 - integrate(term, low, 1.0 + spread, 5), 0.0, 1.0);
+  const double cdf = groups * integrate(term, -kFar, kFar + std::min(q, kFar), 8);
+  return std::max(0.0, 1.0 - std::min(1.0, cdf));
 }
 
-double studentizedRangeQuantile(double tail, int groups, double freedom) {
+double rangeQuantile(double tail, int groups) {
   double low = 0.0;
   double high = 4.0;
-  while (studentizedRangeTail(high, groups, freedom) > tail && high < 1e6) {
+  while (rangeTail(high, groups) > tail && high < 1e6) {
     high *= 2.0;
   }
   constexpr int kHalvings = 36;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (low + high);
-    (studentizedRangeTail(middle, groups, freedom) > tail ? low : high) = middle;
+    (rangeTail(middle, groups) > tail ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }

@@ -15,14 +15,11 @@ double fisherTail(double f, double freedom1, double freedom2);
 /// P(X <= successes) for n trials with probability p; negative: 0.
 double binomialCdf(double successes, double n, double p);
 
-/// P(Q > q) for the studentized range of `groups` means with `freedom` degrees of freedom of the
-/// variance estimate (infinite: known variance). Integrated numerically, error below 1e-7: P(Q <= q
-/// | inf) = k ∫ φ(z) [Φ(z) - Φ(z - q)]^(k-1) dz, averaged over the chi distribution of the standard
-/// deviation for finite freedom (Copenhaver & Holland 1988, equations 1 and 2). q <= 0: 1. groups
-/// >= 2.
-double studentizedRangeTail(double q, int groups, double freedom);
-/// The quantile q for an upper tail probability, as in tables of the studentized range. tail in (0,
-/// 1).
-double studentizedRangeQuantile(double tail, int groups, double freedom);
+/// P(Q > q) for the range of `groups` standard normal numbers, that is, the studentized range with
+/// infinite freedom. Integrated numerically, error below 1e-7: P(Q <= q) = k ∫ φ(z) [Φ(z) -
+/// Φ(z - q)]^(k-1) dz (Copenhaver & Holland 1988, equation 1). q <= 0: 1. groups >= 2.
+double rangeTail(double q, int groups);
+/// The quantile q for an upper tail probability in (0, 1), as in tables.
+double rangeQuantile(double tail, int groups);
 
 }  // namespace statistics

@@ -14,113 +14,6 @@ namespace statistics {
 
 namespace {
 
-constexpr std::size_t kLargestExact = 50;
-constexpr int kMostRanked = 10'000;  // with zeros, limit for an exact test
-
-/// Normal approximation; `sizes`: absolute values of the non-zero differences.
-double normalP(const SignedRank& result, const Numbers& sizes, int rankedZeros) {
-  const double all = result.n + rankedZeros;
-  const double zeros = rankedZeros;
-  const double expected = (all * (all + 1.0) - zeros * (zeros + 1.0)) / 4.0;
-  const double variance = (all * (all + 1.0) * (2.0 * all + 1.0) -
-                           zeros * (zeros + 1.0) * (2.0 * zeros + 1.0) - 0.5 * tieSum(sizes)) /
-                          24.0;
-  const double distance = std::max(0.0, std::abs(result.plus - expected) - 0.5);
-  return variance > 0.0 ? std::min(1.0, 2.0 * normalTail(distance / std::sqrt(variance))) : 1.0;
-}
-
-double exactP(const SignedRank& result, const Numbers& ranks) {
-  return std::min(1.0, 2.0 * signedRankSumCdf(ranks, std::min(result.plus, result.minus)));
-}
-
-double pairMean(const Numbers& sorted, double k) {
-  return orderStatistic([&sorted](double x) { return pairMeansUpTo(sorted, x); }, k, sorted.front(),
-                        sorted.back());
-}
-
-/// Number of pair means outside the interval on each side; negative: n is too small.
-double excludedOnEachSide(std::size_t n, double level) {
-  const double miss = (1.0 - level) / 2.0;
-  if (n <= kLargestExact) {
-    const Numbers cdf = signedRankCdf(static_cast<int>(n));
-    const auto first = std::find_if(cdf.begin(), cdf.end(), [miss](double p) { return p > miss; });
-    return static_cast<double>(first - cdf.begin()) - 1.0;
-  }
-  const auto count = static_cast<double>(n);
-  const double expected = count * (count + 1.0) / 4.0;
-  const double deviation = std::sqrt(count * (count + 1.0) * (2.0 * count + 1.0) / 24.0);
-  return std::floor(expected + normalQuantile(miss) * deviation - 0.5);
-}
-
-}  // namespace
-
-SignedRank signedRank(const Numbers& differences, ZeroRule rule) {
-  Numbers ranked;
-  for (const double difference : differences) {
-    if (rule == ZeroRule::Pratt || difference != 0.0) {
-      ranked.push_back(std::abs(difference));
-    }
-  }
-  const Numbers ranks = midranks(ranked);
-  SignedRank result;
-  Numbers sizes;
-  Numbers counted;  // ranks of non-zero differences
-  std::size_t at = 0;
-  for (const double difference : differences) {
-    if (difference == 0.0) {
-      ++result.zeros;
-      at += rule == ZeroRule::Pratt ? 1 : 0;
-      continue;
-    }
-    (difference > 0.0 ? result.plus : result.minus) += ranks[at];
-    counted.push_back(ranks[at++]);
-    sizes.push_back(std::abs(difference));
-    ++result.n;
-  }
-  const int rankedZeros = rule == ZeroRule::Pratt ? result.zeros : 0;
-  result.isExact = sizes.size() <= kLargestExact && result.n + rankedZeros <= kMostRanked;
-  if (result.n > 0) {
-    result.p = result.isExact ? exactP(result, counted) : normalP(result, sizes, rankedZeros);
-  }
-  return result;
-}
-
-double signTestP(const Numbers& differences) {
-  const auto plus = std::count_if(differences.begin(), differences.end(),
-                                  [](double difference) { return difference > 0.0; });
-  const auto minus = std::count_if(differences.begin(), differences.end(),
-                                   [](double difference) { return difference < 0.0; });
-  const auto fewer = static_cast<double>(std::min(plus, minus));
-  return std::min(1.0, 2.0 * binomialCdf(fewer, static_cast<double>(plus + minus), 0.5));
-}
-
-double pairedShift(const Numbers& differences) {
-  if (differences.empty()) {
-    return kUndefined;
-  }
-  Numbers sorted = differences;
-  std::sort(sorted.begin(), sorted.end());
-  const auto n = static_cast<double>(sorted.size());
-  const double count = n * (n + 1.0) / 2.0;
-  const double below = pairMean(sorted, std::floor((count + 1.0) / 2.0));
-  const double above = pairMean(sorted, std::ceil((count + 1.0) / 2.0));
-  return below + 0.5 * (above - below);
-}
-
-Interval pairedShiftInterval(const Numbers& differences, double level) {
-  const double outside = differences.empty() ? -1.0 : excludedOnEachSide(differences.size(), level);
-  if (outside < 0.0) {
-    return {};
-  }
-  Numbers sorted = differences;
-  std::sort(sorted.begin(), sorted.end());
-  const auto n = static_cast<double>(sorted.size());
-  const double count = n * (n + 1.0) / 2.0;
-  return {pairMean(sorted, outside + 1.0), pairMean(sorted, count - outside)};
-}
-
-namespace {
-
 constexpr std::size_t kMostExactlyStratified = 50;   // differences
 constexpr std::size_t kMostRankedOfStrata = 10'000;  // with zeros, limit for an exact test
 constexpr long long kMostUnits = 100'000;            // limit for integer weights
@@ -354,6 +247,51 @@ Interval stratifiedRateInterval(const std::vector<PairedOutcomes>& strata, doubl
   }
   return pairs > 0.0 ? Interval{difference - std::sqrt(below), difference + std::sqrt(above)}
                      : Interval();
+}
+
+namespace {
+
+/// Normal quantiles of the two-sided level and of the power.
+std::pair<double, double> quantilesOf(const Power& power) {
+  return {normalQuantile(1.0 - power.level / 2.0), normalQuantile(power.power)};
+}
+
+}  // namespace
+
+double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power) {
+  const double difference = onlyFirst - onlySecond;
+  const double discordant = onlyFirst + onlySecond;
+  if (!(difference != 0.0) || std::isnan(difference)) {
+    return kUndefined;
+  }
+  const auto [z, zPower] = quantilesOf(power);
+  const double spread = std::max(0.0, discordant - difference * difference);
+  const double sum = z * std::sqrt(discordant) + zPower * std::sqrt(spread);
+  const double fewest = std::floor(1.0 - std::log2(power.level)) + 1.0;  // 2 / 2^n < level
+  return std::max(fewest, std::ceil(sum * sum / (difference * difference)));
+}
+
+double pairsForSignedRank(double chancePositive, const Power& power) {
+  if (std::isnan(chancePositive) || chancePositive == 0.5) {
+    return kUndefined;
+  }
+  const auto [z, zPower] = quantilesOf(power);
+  const double distance = chancePositive - 0.5;
+  return std::ceil((z + zPower) * (z + zPower) / (3.0 * distance * distance));
+}
+
+double chanceOfPositiveSum(Numbers differences) {
+  if (differences.size() < 2) {
+    return kUndefined;
+  }
+  std::sort(differences.begin(), differences.end());
+  const auto n = static_cast<double>(differences.size());
+  double positive = 0.0;
+  for (auto each = differences.begin(); each != differences.end(); ++each) {
+    const auto [from, to] = std::equal_range(each + 1, differences.end(), -*each);
+    positive += 0.5 * static_cast<double>(to - from) + static_cast<double>(differences.end() - to);
+  }
+  return positive / (n * (n - 1.0) / 2.0);
 }
 
 }  // namespace statistics

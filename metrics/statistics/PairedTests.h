@@ -2,47 +2,11 @@
 
 #include <vector>
 
-#include "metrics/statistics/SuccessRates.h"
 #include "metrics/statistics/Summary.h"
 
-/// Tests on paired differences of two options that ran on the same seeds.
+/// Tests of two options on the same seeds of one or several strata (scenarios): differences are
+/// ranked within their stratum, so that the spread of one stratum does not affect another.
 namespace statistics {
-
-/// Treatment of zero differences in the signed-rank test.
-enum class ZeroRule {
-  Pratt,    // ranked, then dropped (Pratt 1959); used in reports
-  Wilcoxon  // dropped before ranking (Wilcoxon 1945)
-};
-
-struct SignedRank {
-  int n = 0;  // non-zero differences
-  int zeros = 0;
-  double plus = 0.0;     // sum of ranks of positive differences
-  double minus = 0.0;    // of negative differences
-  double p = 1.0;        // two-sided
-  bool isExact = false;  // exact distribution used
-};
-
-/// Wilcoxon's signed-rank test, two-sided. Exact for n <= 50 (and 10 000 including zeros): the
-/// distribution of signs given the ranks, with or without ties and zeros; otherwise the normal
-/// approximation with the variance for ties and zeros and a continuity correction of 0.5 (Hollander
-/// & Wolfe 1999, 3.1; Pratt 1959). n = 0: p = 1.
-SignedRank signedRank(const Numbers& differences, ZeroRule rule = ZeroRule::Pratt);
-
-/// Two-sided p value of the sign test without zeros (Conover 1999, 3.4). No differences left: 1.
-double signTestP(const Numbers& differences);
-
-/// Hodges-Lehmann estimate: median of the means of all pairs of differences, including each with
-/// itself (Hodges & Lehmann 1963; Hollander & Wolfe 1999, 3.2). n = 0: NaN.
-double pairedShift(const Numbers& differences);
-/// Confidence interval of pairedShift() (Hollander & Wolfe 1999, 3.3), from the exact distribution
-/// of the signed-rank sum for n <= 50, otherwise from the normal approximation. Ties and zeros are
-/// kept. Undefined if n is too small (95 %: n < 6).
-Interval pairedShiftInterval(const Numbers& differences, double level = 0.95);
-
-/// Two options on the same seeds of several strata (scenarios): differences are ranked within their
-/// stratum, so that the spread of one stratum does not affect another. With one stratum the results
-/// are those of Paired.h.
 
 /// Paired differences, one list per stratum; empty lists are ignored.
 using Strata = std::vector<Numbers>;
@@ -74,5 +38,25 @@ Interval stratifiedShiftInterval(const Strata& differences, double level = 0.95)
 /// the intervals of the strata (pairedRateInterval) are combined by the squares of their distances
 /// from the estimates (Yan & Su 2010, Stat. Biopharm. Res. 2, 323-335). No pairs: undefined.
 Interval stratifiedRateInterval(const std::vector<PairedOutcomes>& strata, double level = 0.95);
+
+/// Required numbers of seeds, estimated from completed runs.
+
+struct Power {
+  double level = 0.05;  // two-sided
+  double power = 0.8;
+};
+
+/// Pairs required for McNemar's test: (z √d + z' √(d - δ²))² / δ², δ the difference of the shares
+/// of pairs in which only the first and only the second succeeds, d their sum (Connor 1987,
+/// Biometrics 43), rounded up; at least the number with which the exact test can reach the level, 6
+/// for 5 %. Equal or undefined shares: NaN.
+double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power = {});
+
+/// Pairs required for the signed-rank test: (z + z')² / (3 (p' - 1/2)²), rounded up (Noether 1987,
+/// JASA 82, equation 8), p' the probability that the sum of two differences is positive. p' = 1/2
+/// or undefined: NaN.
+double pairsForSignedRank(double chancePositive, const Power& power = {});
+/// Estimate of p': share of pairs of differences with a positive sum, ties count half. n < 2: NaN.
+double chanceOfPositiveSum(Numbers differences);
 
 }  // namespace statistics

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
-/// Statistics of one sample. Callers must exclude NaN, in this and all other headers of the folder;
-/// results are NaN if the sample is too small. Pure functions, thread-safe.
+/// Statistics of one sample, and of success rates. Callers must exclude NaN, in this and all other
+/// headers of the folder; results are NaN if the sample is too small. Pure functions, thread-safe.
 namespace statistics {
 
 using Numbers = std::vector<double>;
@@ -36,5 +37,39 @@ Interval meanInterval(const Numbers& values, double level = 0.95);
 /// (Conover 1999, 3.2; Hollander & Wolfe 1999, 3.6). Its coverage is at least `level`; ties
 /// increase it. Undefined if n is too small (95 %: n < 6).
 Interval medianInterval(Numbers values, double level = 0.95);
+
+/// Wilson's score interval without continuity correction (Wilson 1927; method 3 of Newcombe 1998,
+/// Statist. Med. 17). n = 0: undefined. For 0 and n successes one end is exactly 0 or 1.
+Interval wilsonInterval(int successes, int n, double level = 0.95);
+
+/// Paired outcomes of two options.
+struct PairedOutcomes {
+  int both = 0, onlyFirst = 0, onlySecond = 0, neither = 0;
+  int count() const { return both + onlyFirst + onlySecond + neither; }
+};
+
+/// Interval for the difference of rates, first - second, from the Wilson intervals of both and
+/// their correlation (method 10 of Newcombe 1998, Statist. Med. 17, 2635-2650). No pairs:
+/// undefined.
+Interval pairedRateInterval(const PairedOutcomes& outcomes, double level = 0.95);
+
+/// McNemar's exact test (Conover 1999, 3.5): two-sided p value of `onlyFirst` pairs in which only
+/// the first succeeds against `onlySecond`; twice the smaller binomial tail, at most 1. No
+/// discordant pairs: 1.
+double mcNemarP(int onlyFirst, int onlySecond);
+
+struct BootstrapOptions {
+  double level = 0.95;
+  int resamples = 2000;
+  std::uint64_t seed = 1;  // equal seeds give equal intervals
+};
+
+/// Bias-corrected and accelerated bootstrap interval (Efron 1987, Better bootstrap confidence
+/// intervals, JASA 82, equations 2.3 and 6.6; Efron & Tibshirani 1993, 14.3) of the mean: z0 from
+/// the share of resamples below the estimate (half of those equal to it, up to rounding),
+/// acceleration from the jackknife, ends as quantiles of type 7. Draws are
+/// base::DrawPurpose::Bootstrap of (seed, resample, index). n < 2: undefined. All values or all
+/// resamples equal: zero width at the estimate.
+Interval bootstrapMeanInterval(const Numbers& values, const BootstrapOptions& options = {});
 
 }  // namespace statistics

@@ -1,7 +1,6 @@
 #include "sim2d/world/CoupledWorld.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace sim2d {
@@ -133,8 +132,6 @@ bool CoupledWorld::step(double dt, std::optional<int> only) {
   intents_.reset();
   behavior_->decide(view_, intents_);
   goals_.afterDecide(model_, state_, intents_, view_);
-  std::move(intents_.events().begin(), intents_.events().end(), std::back_inserter(state_.events));
-  intents_.events().clear();
   motion_.chooseDirections(frozen_, intents_, state_);
   motion_.compute(frozen_, intents_, state_, forces_);
   if (!isSound()) {

@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "sim2d/world/PersonGoals.h"
 #include "sim2d/world/PersonMotion.h"
 #include "sim2d/world/World.h"
 #include "sim2d/world/WorldInternal.h"
-#include "sim2d/world/WorldStateView.h"
 
 namespace sim2d {
 

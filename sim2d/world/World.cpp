@@ -259,8 +259,6 @@ void RunningWorld::decide() {
   behavior_->decide(view_, intents_);
   applyHolds();
   goals_.afterDecide(model_, state_, intents_, view_);
-  std::move(intents_.events().begin(), intents_.events().end(), std::back_inserter(state_.events));
-  intents_.events().clear();
 }
 
 /// Their trees keep running; only the motion is replaced.

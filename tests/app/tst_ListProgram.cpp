@@ -6,7 +6,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "tests/app/RunFiles.h"

@@ -4,7 +4,7 @@
 
 #include <QtTest>
 
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 #include "tests/metrics/MetricCases.h"
 #include "tests/metrics/SampledRun.h"
 

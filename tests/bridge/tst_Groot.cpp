@@ -14,7 +14,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/Session.h"
 #include "bt/engine/TreeState.h"
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "tests/bridge/LiveClient.h"
 #include "tests/support/Mutator.h"

@@ -17,8 +17,9 @@
 #include "app/bridge/messages/nav_msgs.h"
 #include "app/bridge/messages/people_msgs.h"
 #include "app/run/RecordedRun.h"
-#include "metrics/RecordedObstacles.h"
+#include "metrics/Report.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/RecordedPoints.h"
 #include "tests/bridge/BagRun.h"
 #include "tests/bridge/WrapperBag.h"
 

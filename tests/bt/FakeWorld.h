@@ -12,7 +12,7 @@
 #include "bt/engine/Program.h"
 #include "bt/engine/TreeState.h"
 #include "bt/human/HumanContext.h"
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/world/HumanBehavior.h"
 

@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "bt/human/ActiveBranch.h"
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 
 using base::NodeStatus;
 

@@ -1,8 +1,8 @@
 #include <QtTest>
 
 #include "bt/human/BehaviorBlocks.h"
-#include "bt/human/HumanNodes.h"
 #include "bt/human/TreeGenerator.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 
 using bt::Block;

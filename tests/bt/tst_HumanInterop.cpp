@@ -2,8 +2,6 @@
 #include <QtTest>
 
 #include "bt/engine/Program.h"
-#include "bt/human/AgentTreeCheck.h"
-#include "bt/human/HumanNodes.h"
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeGenerator.h"
 #include "bt/human/TreeLoader.h"
@@ -57,8 +55,9 @@ class HumanInteropTest : public QObject {
       QVERIFY2(bt::compile(*table, library), qPrintable(tree));
       QVERIFY2(bt::treeGoals(*table) == human.goals, qPrintable(tree));
       ++compared;
-      for (const base::Diagnostic& found :
-           bt::checkAgentTreeFile(tree.toStdString(), human, reading.scenario)) {
+      base::Diagnostics problems;
+      bt::TreeLoader(reading.scenario).load(human, tree.toStdString(), problems);
+      for (const base::Diagnostic& found : problems) {
         QWARN(found.text().c_str());
         QVERIFY(found.severity != base::Severity::Error);
       }

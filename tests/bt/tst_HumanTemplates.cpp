@@ -2,9 +2,8 @@
 #include <QtTest>
 
 #include "bt/engine/Program.h"
-#include "bt/human/AgentTreeCheck.h"
-#include "bt/human/HumanNodes.h"
 #include "bt/human/TreeGenerator.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ResolvedValues.h"

@@ -1,6 +1,6 @@
 #include <QtTest/QtTest>
 
-#include "bt/tree/PortTextConversion.h"
+#include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeSpec.h"
 
 /// Editing of trees, and text of ports as values.

@@ -7,7 +7,7 @@
 
 #include "DocumentChecks.h"
 #include "SmallScenario.h"
-#include "bt/human/TreeBehavior.h"
+#include "bt/human/TreeLoader.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
 #include "sim2d/base/Text.h"
@@ -196,8 +196,9 @@ class OwnTreesTest : public QObject {
     again.checkNow();
     const std::vector<std::string> told = textsOf(again.issues());
     for (const int id : {1, 2}) {
-      const base::Diagnostics wanted = bt::checkAgentTreeFile(
-          room.treePath(id), *again.scenario().humanById(id), again.scenario());
+      base::Diagnostics wanted;
+      bt::TreeLoader(again.scenario())
+          .load(*again.scenario().humanById(id), room.treePath(id), wanted);
       QVERIFY(!wanted.empty());
       for (const std::string& one : textsOf(wanted)) {
         QVERIFY2(std::count(told.begin(), told.end(), one) > 0, one.c_str());

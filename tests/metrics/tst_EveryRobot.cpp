@@ -2,7 +2,7 @@
 
 #include "MetricCases.h"
 #include "metrics/IncrementalEvaluation.h"
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 
 using namespace metrics;
 

@@ -2,7 +2,7 @@
 #include <QtTest>
 
 #include "VectorFile.h"
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 #include "sim2d/base/Text.h"
 
 using metrics::Evaluation;

@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "HandMade.h"
-#include "metrics/Jerk.h"
+#include "metrics/RobotMotion.h"
 
 using namespace metrics;
 using namespace handmade;

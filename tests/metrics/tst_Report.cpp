@@ -2,7 +2,7 @@
 #include <QtTest>
 
 #include "MetricCases.h"
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 #include "sim2d/base/Text.h"
 
 using namespace metrics;

@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "HandMade.h"
-#include "metrics/RobotPositions.h"
+#include "metrics/RunResults.h"
 
 using namespace metrics;
 using namespace handmade;

@@ -1,7 +1,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 #include "sim2d/base/Text.h"
 #include "tests/metrics/MetricCases.h"
 

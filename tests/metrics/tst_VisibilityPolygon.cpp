@@ -6,7 +6,7 @@
 
 #include <QtTest>
 
-#include "metrics/VisibilityPolygon.h"
+#include "metrics/MapFields.h"
 #include "sim2d/map/Obstacles.h"
 #include "sim2d/nav/Observation.h"
 

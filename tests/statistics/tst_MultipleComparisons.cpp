@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "metrics/statistics/MultipleComparisons.h"
+#include "metrics/statistics/Ranks.h"
 #include "tests/statistics/Near.h"
 
 using namespace statistics;
@@ -108,12 +108,9 @@ class MultipleComparisonsTest : public QObject {
   }
 
   /// Demšar 2006, 3.2.4: 1.25 at 5 % and 1.12 at 10 %, with these 14 data sets.
-  void nemenyiP_demsar_agreesWithTheDifference() {
+  void nemenyiDifference_demsar_isThatOfThePaper() {
     VERIFY_NEAR(nemenyiDifference(4, 14, 0.95), 1.25, 0.005);
     VERIFY_NEAR(nemenyiDifference(4, 14, 0.90), 1.12, 0.005);
-    const double difference = nemenyiDifference(4, 14);
-    VERIFY_NEAR(nemenyiP(1.0, 1.0 + difference, 4, 14), 0.05, 1e-8);
-    QCOMPARE(nemenyiP(2.0, 2.0, 4, 14), 1.0);
   }
 };
 

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "metrics/statistics/SampleSize.h"
+#include "metrics/statistics/PairedTests.h"
 #include "tests/statistics/Near.h"
 
 using namespace statistics;

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "metrics/statistics/SuccessRates.h"
+#include "metrics/statistics/Summary.h"
 #include "tests/statistics/Near.h"
 
 using namespace statistics;

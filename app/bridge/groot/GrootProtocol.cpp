@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bt/engine/Program.h"
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/LittleEndian.h"
 #include "sim2d/base/Text.h"

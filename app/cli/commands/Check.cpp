@@ -11,7 +11,7 @@
 #include "app/run/Export.h"
 #include "app/run/Nav2Robots.h"
 #include "bt/engine/Program.h"
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"

@@ -14,7 +14,7 @@
 #include "app/cli/ParameterPage.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ProgramRegistries.h"
-#include "bt/human/HumanNodes.h"
+#include "bt/human/TreeLoader.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
@@ -293,7 +293,7 @@ std::string modelsPage() {
 
 /// The lists that have a Markdown page, by their names on the command line.
 std::map<std::string, std::function<std::string()>> pages() {
-  return {{"metrics", [] { return metrics::metricsMarkdown(metrics::standardRegistry()); }},
+  return {{"metrics", [] { return metrics::metricsMarkdown(); }},
           {"keys", [] { return sim2d::keysMarkdown(); }},
           {"planners", plannersPage},
           {"models", modelsPage}};

@@ -17,7 +17,7 @@
 #include "app/run/RunReplay.h"
 #include "app/run/Session.h"
 #include "app/run/Simulation.h"
-#include "metrics/ReportFiles.h"
+#include "metrics/Report.h"
 #include "metrics/RunResults.h"
 #include "sim2d/base/Text.h"
 

@@ -1,9 +1,47 @@
 #include "bt/human/HumanContext.h"
 
-/// Decorators and conditions about time; Cooldown and IsTimeBetween do not exist in HuNavSim.
+/// Stops, decorators and conditions about time; Cooldown and IsTimeBetween do not exist in
+/// HuNavSim.
 namespace bt {
 
 namespace {
+
+template <bool frozen>
+void setFrozen(HumanContext& context, AgentIndex human) {
+  context.control(human).frozen = frozen;
+}
+
+struct Stop {
+  std::int64_t startStep;
+  int human;
+  bool wasFrozen;
+  double duration;  // [s]
+};
+
+NodeStatus startStop(LeafContext& leaf, AgentIndex human, double duration) {
+  HumanContext& context = humanOf(leaf);
+  bool& frozen = context.control(human).frozen;
+  const bool wasFrozen = frozen && !context.hasQuirk(11);
+  frozen = true;
+  return begin(leaf, Stop{leaf.step(), human, wasFrozen, duration});
+}
+
+NodeStatus runStop(LeafContext& leaf) {
+  const Stop& memory = leaf.memory<Stop>();
+  if (!leaf.hasElapsed(memory.startStep, memory.duration)) {
+    return NodeStatus::Running;
+  }
+  humanOf(leaf).control(memory.human).frozen = memory.wasFrozen;
+  return NodeStatus::Success;
+}
+
+void haltStop(LeafContext& leaf) {
+  HumanContext& context = humanOf(leaf);
+  if (!context.hasQuirk(11)) {
+    const Stop& memory = leaf.memory<Stop>();
+    context.control(memory.human).frozen = memory.wasFrozen;
+  }
+}
 
 struct Pause {
   std::int64_t startStep;
@@ -66,6 +104,13 @@ NodeStatus isTimeBetween(LeafContext& leaf) {
 }
 
 constexpr const char* kNodes = R"(
+Action StopMovement|Walking|The person stops walking to goals until ResumeMovement; reactions still move the person.
+agent_id
+Action ResumeMovement|Walking|Ends the effect of StopMovement.
+agent_id
+Action StopAndWaitTimerAction|Timing|Stands still for some time.
+agent_id
+wait_duration duration default 5.0|Duration.
 Decorator TimeDelay|Timing|Fails until the delay is over, then runs the child; the delay restarts after each run of the child.
 delay duration default 1.0|Time before the child is run.
 Condition TimeExpiredCondition|Timing|Adds `ts` in each tick and succeeds when the sum has reached `seconds`; then it restarts, or with only_once succeeds from then on.
@@ -83,6 +128,10 @@ until duration needed suggest 60.0|End of the interval.
 
 void addTiming(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addAction(*nodes.find("StopMovement"), withPorts<setFrozen<true>, 0>);
+  to.addAction(*nodes.find("ResumeMovement"), withPorts<setFrozen<false>, 0>);
+  to.addStateful<Stop>(*nodes.find("StopAndWaitTimerAction"),
+                       {withPorts<startStop, 0, 1>, runStop, haltStop});
   to.addDecorator<Pause>(*nodes.find("TimeDelay"), {tickDelay, resetPause});
   to.addCondition<double>(*nodes.find("TimeExpiredCondition"), isExpired);
   to.addDecorator<Pause>(*nodes.find("Cooldown"), {tickCooldown});

@@ -1,5 +1,3 @@
-#include "sim2d/world/crowd/CrowdCells.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,6 +5,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "sim2d/world/StepBuffers.h"
+#include "sim2d/world/crowd/CrowdForces.h"
 
 namespace sim2d {
 namespace {
@@ -25,7 +24,7 @@ int cellsIn(double length, double cell) {
   return static_cast<int>(length / cell) + 1;
 }
 
-int clampedCell(double value, int count) {
+int boundedCell(double value, int count) {
   return static_cast<int>(std::max(0.0, std::min(value, static_cast<double>(count - 1))));
 }
 
@@ -95,7 +94,7 @@ void CrowdCells::rebuild(const std::vector<Walker>& walkers, const std::vector<c
 
 int CrowdCells::cellAt(const Vec2& position) const {
   const Vec2 place = (position - origin_).cwiseQuotient(cell_);
-  return clampedCell(place.y(), height_) * width_ + clampedCell(place.x(), width_);
+  return boundedCell(place.y(), height_) * width_ + boundedCell(place.x(), width_);
 }
 
 void CrowdCells::fillColumns(const std::vector<Walker>& walkers, const std::vector<double>& room,
@@ -123,8 +122,8 @@ CrowdSpan* CrowdCells::writeSpans(float x, float y, float radius, CrowdSpan* to,
   const float reach = radius + slack_;
   const auto height = static_cast<float>(cell_.y());
   const auto perWidth = static_cast<float>(1.0 / cell_.x());
-  const int bottom = clampedCell((up - reach) / height, height_);
-  const int top = clampedCell((up + reach) / height, height_);
+  const int bottom = boundedCell((up - reach) / height, height_);
+  const int top = boundedCell((up + reach) / height, height_);
   const Rows middle(right * perWidth);
   const Rows lastColumn(static_cast<float>(width_ - 1));
   const Rows zero(0.0F);

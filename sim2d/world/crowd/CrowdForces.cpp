@@ -1,11 +1,14 @@
 #include "sim2d/world/crowd/CrowdForces.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <xmmintrin.h>
 
 #include "sim2d/world/StepBuffers.h"
+#include "sim2d/world/crowd/CrowdKernel.h"
 
 namespace sim2d {
 namespace {
@@ -13,7 +16,7 @@ namespace {
 constexpr double kForceCutOff = 5e-5;            // of k_s; forces below are ignored
 constexpr std::size_t kBatch = 16;               // people
 constexpr std::size_t kForceSlice = 2 * kBatch;  // people per work slice
-constexpr std::size_t kLookSlice = 256;          // people
+constexpr std::size_t kKnownSlice = 256;         // people
 constexpr std::size_t kMostCandidates = 8192;    // per batch, except batches of one person
 
 // Discretisation of a reach:
@@ -194,7 +197,7 @@ void CrowdForces::computeSlots(const CrowdState& crowd, std::size_t begin, std::
 /// Also zeroes the forces of people who feel none.
 bool CrowdForces::updateForceModels(const CrowdState& crowd, WorkerPool& workers) {
   std::atomic<bool> hasNew{false};
-  workers.parallelFor(known_.size(), kLookSlice,
+  workers.parallelFor(known_.size(), kKnownSlice,
                       [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
                         bool isNew = false;
                         for (std::size_t i = begin; i < end; ++i) {
@@ -357,6 +360,30 @@ Vec2 CrowdForces::coincidentForce(const CrowdState& crowd, std::size_t slot, con
     }
   }
   return force;
+}
+
+const char* simdLevelName(SimdLevel path) {
+  constexpr std::array<const char*, 3> kNames = {"SSE2", "AVX2", "AVX-512"};
+  return kNames[static_cast<std::size_t>(path)];
+}
+
+bool isSimdLevelSupported(SimdLevel path) {
+  const std::array<bool, 3> isThere = {true, __builtin_cpu_supports("avx2") != 0,
+                                       __builtin_cpu_supports("avx512f") != 0};
+  return isThere[static_cast<std::size_t>(path)];
+}
+
+SimdLevel fastestSimdLevel() {
+  if (isSimdLevelSupported(SimdLevel::Avx512)) {
+    return SimdLevel::Avx512;
+  }
+  return isSimdLevelSupported(SimdLevel::Avx2) ? SimdLevel::Avx2 : SimdLevel::Sse2;
+}
+
+CrowdKernel crowdKernelFor(SimdLevel path) {
+  constexpr std::array<CrowdKernel (*)(), 3> kKernels = {crowdKernelSse2, crowdKernelAvx2,
+                                                         crowdKernelAvx512};
+  return kKernels[static_cast<std::size_t>(path)]();
 }
 
 }  // namespace sim2d

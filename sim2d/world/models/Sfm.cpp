@@ -3,10 +3,10 @@
 namespace sim2d {
 namespace {
 
-constexpr double kNegligible = 1e-4;     // of k_s; smaller terms are skipped in a crowd
-constexpr double kMinForce = 1e-6;       // [m/s²]; smaller forces of one body are always ignored
-constexpr std::size_t kSmallCrowd = 64;  // crowds up to this size sum all pairs
-constexpr double kGroupTurnWidth = 0.1;  // [rad]; prevents members side by side from circling
+constexpr double kNegligible = 1e-4;  // of k_s; smaller terms are skipped in a crowd
+constexpr double kMinForce = 1e-6;    // [m/s²]; smaller forces of one body are always ignored
+constexpr std::size_t kAllPairsCrowd = 64;  // crowds up to this size sum all pairs
+constexpr double kGroupTurnWidth = 0.1;     // [rad]; prevents members side by side from circling
 
 ForceParameters parametersOf(const ResolvedHuman& person, bool isOriginal) {
   ForceParameters parameters;
@@ -58,7 +58,7 @@ class Sfm : public PedestrianModel {
  private:
   Vec2 socialTerm(const Situation& situation) const {
     const bool sumsAll =
-        situation.exact || (!situation.crowdForce && situation.others.size() <= kSmallCrowd);
+        situation.exact || (!situation.crowdForce && situation.others.size() <= kAllPairsCrowd);
     Vec2 sum = situation.crowdForce.value_or(Vec2::Zero());
     for (const Walker& other : situation.others) {
       if (!sumsAll && isNegligible(parameters_, situation.self, other, cutOff_)) {
