@@ -28,8 +28,7 @@ constexpr std::size_t kMaxTagLength = 100;
 /// network and must not lead to other folders.
 bool isFolderName(const std::string& tag) {
   const auto isFine = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '.';
+    return base::isLetter(c) || base::isDigit(c) || c == '_' || c == '-' || c == '.';
   };
   return !tag.empty() && tag.size() <= kMaxTagLength && tag.front() != '.' &&
          std::all_of(tag.begin(), tag.end(), isFine);

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "app/bridge/bag/Bag.h"
+#include "app/run/RunSpec.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -14,42 +14,45 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Errors for given options of trajectory files; `code` says where they do not apply. Bags take
+/// some of them.
+base::Diagnostics givenFileOptions(const EvaluateOptions& options, const char* code, bool isBag) {
+  struct FileOption {
+    const char* word;
+    bool isGiven;
+    bool isForBags = false;
+  };
+  const FileOption all[] = {{"--format", !options.format.empty()},
+                            {"--columns", !options.columns.empty()},
+                            {"--fps", options.framesPerSecond.has_value()},
+                            {"--unit", !options.unit.empty()},
+                            {"--time-unit", !options.timeUnit.empty()},
+                            {"--degrees", options.degrees},
+                            {"--radius", options.radius.has_value()},
+                            {"--dt", options.step.has_value(), true},
+                            {"--robot-goal", options.robotGoal.has_value(), true}};
+  base::Diagnostics wrong;
+  for (const FileOption& option : all) {
+    if (option.isGiven && !(isBag && option.isForBags)) {
+      wrong.push_back(base::error(code, {option.word}));
+    }
+  }
+  return wrong;
+}
+
 /// Checks options that apply only to bags, or not to bags.
 base::Diagnostics checkBagOptions(const EvaluateOptions& options, bridge::BagTopicOptions& use) {
+  const bool isBag = isBagSource(options);
   base::Diagnostics wrong;
-  if (!options.topics.empty() && !isBagSource(options)) {
+  if (!options.topics.empty() && !isBag) {
     wrong.push_back(base::error("option.only-bags", {"--topics"}));
   }
-  const std::pair<const char*, bool> given[] = {
-      {"--format", !options.format.empty()},          {"--columns", !options.columns.empty()},
-      {"--fps", options.framesPerSecond.has_value()}, {"--unit", !options.unit.empty()},
-      {"--time-unit", !options.timeUnit.empty()},     {"--degrees", options.degrees},
-      {"--radius", options.radius.has_value()}};
-  for (const auto& [word, isGiven] : given) {
-    if (isGiven && isBagSource(options)) {
-      wrong.push_back(base::error("option.not-for-bags", {word}));
-    }
+  if (isBag) {
+    base::append(wrong, givenFileOptions(options, "option.not-for-bags", true));
   }
   const base::Result<bridge::BagTopicOptions> read = bridge::parseBagTopicOptions(options.topics);
   base::append(wrong, read.diagnostics());
   use = read ? *read : use;
-  return wrong;
-}
-
-/// Checks options that apply only to third-party files.
-base::Diagnostics checkForeignOptions(const EvaluateOptions& options) {
-  const std::pair<const char*, bool> given[] = {
-      {"--format", !options.format.empty()},          {"--columns", !options.columns.empty()},
-      {"--fps", options.framesPerSecond.has_value()}, {"--unit", !options.unit.empty()},
-      {"--time-unit", !options.timeUnit.empty()},     {"--degrees", options.degrees},
-      {"--radius", options.radius.has_value()},       {"--dt", options.step.has_value()},
-      {"--robot-goal", options.robotGoal.has_value()}};
-  base::Diagnostics wrong;
-  for (const auto& [word, isGiven] : given) {
-    if (isGiven) {
-      wrong.push_back(base::error("option.only-foreign", {word}));
-    }
-  }
   return wrong;
 }
 
@@ -122,8 +125,9 @@ bool isBagSource(const EvaluateOptions& options) {
 }
 
 base::Diagnostics parseEvaluateOptions(const EvaluateOptions& options, SourceOptions& parsed) {
-  base::Diagnostics wrong =
-      isRunFolder(options.source) ? checkForeignOptions(options) : base::Diagnostics();
+  base::Diagnostics wrong = isRunFolder(options.source)
+                                ? givenFileOptions(options, "option.only-foreign", false)
+                                : base::Diagnostics();
   base::append(wrong, parseForeignOptions(options, parsed.reading, parsed.tracks));
   base::append(wrong, checkBagOptions(options, parsed.use));
   return wrong;

@@ -74,14 +74,13 @@ std::vector<std::string> inputsOf(const EvaluateOptions& options) {
 
 /// Error if `evaluate` would remove the results of a run or a batch.
 base::Diagnostics checkNotOtherRun(const EvaluateOptions& options) {
-  const std::string manifest = (fs::path(options.output) / "manifest.json").string();
   std::error_code ignored;  // a missing file is not lost
-  if (!fs::exists(manifest, ignored) || writesIntoSource(options) || options.force) {
+  if (!fs::exists(pathIn(options.output, Manifest::kName), ignored) || writesIntoSource(options) ||
+      options.force) {
     return {};
   }
-  const base::Result<std::string> text = base::readTextFile(manifest);
-  const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
-  return json.is_object() && json.value("kind", nlohmann::json()) == "evaluation"
+  const base::Result<Manifest> manifest = readManifest(options.output);
+  return manifest && manifest->kind == "evaluation"
              ? base::Diagnostics()
              : base::Diagnostics{base::error("file.other-run", {}, options.output)};
 }

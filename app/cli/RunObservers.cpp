@@ -53,21 +53,36 @@ std::optional<Session::Observer> liveView(const RunObservers& guests, Session& s
 }
 
 #ifdef HUNAV_ROS2
+using Report = std::function<void(const base::Diagnostic&)>;
+
+/// The node of a run, whose robots then scan.
+base::Result<std::unique_ptr<bridge::RunNode>> createNode(const RunOnRos2Options& options,
+                                                          const sim2d::Scenario& scenario,
+                                                          sim2d::World& world,
+                                                          const std::function<bool()>& wantsStop,
+                                                          const Report& report) {
+  const base::Result<bridge::DomainSettings> domain = domainSettingsOf(options.ros2);
+  if (!domain) {
+    return domain.diagnostics();
+  }
+  auto node = bridge::RunNode::create(
+      world.header(), bridge::lidarsOf(scenario),
+      {*domain, options.stamped, options.lockstep, options.sendsGoals, wantsStop}, report);
+  if (node) {
+    world.enableScans(true);
+  }
+  return node;
+}
+
 std::optional<Session::Observer> topics(const RunObservers& guests, sim2d::World& world,
                                         const Bundle& bundle) {
-  const base::Result<bridge::DomainSettings> domain = domainSettingsOf({});
-  reportAny(guests, domain.diagnostics());
-  if (!domain) {
-    return std::nullopt;
-  }
-  auto made = bridge::RunNode::create(
-      world.header(), bridge::lidarsOf(*bundle.scenario), {*domain},
+  auto made = createNode(
+      {}, *bundle.scenario, world, {},
       [report = guests.report](const base::Diagnostic& diagnostics) { report({diagnostics}); });
   reportAny(guests, made.diagnostics());
   if (!made) {
     return std::nullopt;
   }
-  world.enableScans(true);
   const std::shared_ptr<bridge::RunNode> node = *std::move(made);
   return Session::Observer{[node](const sim2d::Frame& frame) { node->publishState(frame); },
                            [node](const sim2d::Frame& frame) { return node->inputs(frame); }};
@@ -103,14 +118,6 @@ std::vector<Session::Observer> attachObservers(const RunObservers& guests, Sessi
 #endif
   return there;
 }
-
-}  // namespace app
-
-#ifdef HUNAV_ROS2
-#include "app/bridge/nodes/RunNode.h"
-#endif
-
-namespace app {
 
 void addRunOnRos2Options(CLI::App& command, RunOnRos2Options& options) {
   addRos2Options(command, options.ros2,
@@ -152,14 +159,10 @@ std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Options& options,
   if (!options.ros2.ros2) {
     return nullptr;
   }
-  const base::Result<bridge::DomainSettings> domain = domainSettingsOf(options.ros2);
-  requireFine(domain.diagnostics());
-  base::Result<std::unique_ptr<bridge::RunNode>> node = bridge::RunNode::create(
-      world.header(), bridge::lidarsOf(scenario),
-      {*domain, options.stamped, options.lockstep, options.sendsGoals, wasInterrupted},
-      [](const base::Diagnostic& diagnostic) { printDiagnostics({diagnostic}); });
+  auto node =
+      createNode(options, scenario, world, wasInterrupted,
+                 [](const base::Diagnostic& diagnostic) { printDiagnostics({diagnostic}); });
   requireFine(node.diagnostics());
-  world.enableScans(true);
   session.setSpeed(1.0);
   session.steer([&to = **node](const sim2d::Frame& frame) { return to.inputs(frame); });
   return std::make_unique<Ros2RunPublisher>(*std::move(node), world);

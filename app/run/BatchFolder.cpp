@@ -8,7 +8,6 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/ManifestFiles.h"
-#include "app/run/OutputFolder.h"
 #include "app/run/ResultFiles.h"
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Text.h"
@@ -19,45 +18,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string fileIn(const std::string& folder, const char* name) {
-  return (fs::path(folder) / name).string();
-}
-
-bool pathExists(const std::string& path) {
-  std::error_code ignored;
-  return fs::exists(fs::symlink_status(path, ignored));
-}
+constexpr const char* kResults = "results.csv";
+constexpr const char* kDatabase = "results.sqlite";
 
 /// The largest number of runs that earlier batches had in this folder; nullopt if the manifest is
 /// not of a batch.
-base::Result<std::optional<std::size_t>> batchRunCount(const std::string& folder) {
-  const base::Result<std::string> text = manifestText(folder, "manifest.json");
-  if (!text) {
-    return text.diagnostics();
-  }
-  const auto manifest = nlohmann::json::parse(*text);
+std::optional<std::size_t> batchRunCount(const Manifest& manifest) {
+  const auto json = nlohmann::json::parse(manifest.text);
   std::optional<std::size_t> most;
   for (const char* key : {"runs", "replaces"}) {
-    const auto runs = manifest.find(key);
-    if (runs != manifest.end() && runs->is_number_unsigned()) {
+    const auto runs = json.find(key);
+    if (runs != json.end() && runs->is_number_unsigned()) {
       most = std::max(most.value_or(0), runs->get<std::size_t>());
     }
   }
   return most;
-}
-
-/// Error if results.csv differs from the one that the earlier batch wrote. While it is being
-/// replaced, no manifest lists it.
-base::Diagnostics checkResultsUnchanged(const std::string& folder) {
-  const base::Result<FileHashes> listed = manifestFiles(folder, "manifest.json");
-  if (!listed) {
-    return listed.diagnostics();
-  }
-  const std::string results = fileIn(folder, "results.csv");
-  const bool isOther =
-      pathExists(results) && !listed->empty() && !matchesManifest(folder, *listed, "results.csv");
-  return isOther ? base::Diagnostics{base::error("file.is-in-the-way", {}, results)}
-                 : base::Diagnostics();
 }
 
 using NumberedRuns = std::vector<std::pair<std::size_t, std::string>>;
@@ -66,10 +41,9 @@ using NumberedRuns = std::vector<std::pair<std::size_t, std::string>>;
 base::Result<NumberedRuns> numberedRuns(const std::string& runs) {
   NumberedRuns found;
   std::error_code error;
-  if (!fs::is_directory(fs::symlink_status(runs, error))) {
+  if (!fs::is_directory(statusOf(runs))) {
     return found;
   }
-  error.clear();
   for (fs::directory_iterator at(runs, error), end; !error && at != end; at.increment(error)) {
     const auto run = base::parseInt(at->path().filename().string());
     if (run && *run >= 0) {
@@ -84,24 +58,20 @@ base::Result<NumberedRuns> numberedRuns(const std::string& runs) {
 
 /// The paths that would be overwritten and do not belong to an earlier batch. With `force`, only
 /// those that are never replaced: links, and files in place of folders.
-base::Diagnostics foreignFilesIn(const std::string& folder, std::size_t runCount, bool force) {
+base::Diagnostics foreignFilesIn(const OutputFolder& output, std::size_t runCount, bool force) {
   constexpr std::size_t kMaxReported = 5;
-  const base::Result<std::optional<std::size_t>> former = batchRunCount(folder);
-  if (!former) {
-    return former.diagnostics();
-  }
-  std::optional<std::size_t> known = *former;
-  if (!known && ResultStore::isResultDatabase(fileIn(folder, "results.sqlite"))) {
+  const std::string& folder = output.path();
+  std::optional<std::size_t> known = batchRunCount(output.manifest());
+  if (!known && ResultStore::isResultDatabase(pathIn(folder, kDatabase))) {
     known = runCount;
   }
-  for (const char* name : {"manifest.json", "results.csv", "results.sqlite"}) {
-    if (!known && !force && pathExists(fileIn(folder, name))) {
-      return {base::error("batch.stranger", {}, fileIn(folder, name))};
+  for (const char* name : {Manifest::kName, kResults, kDatabase}) {
+    if (!known && !force && entryExists(pathIn(folder, name))) {
+      return {base::error("batch.stranger", {}, pathIn(folder, name))};
     }
   }
-  const std::string runs = fileIn(folder, "runs");
-  std::error_code error;
-  if (fs::is_symlink(fs::symlink_status(runs, error))) {
+  const std::string runs = pathIn(folder, "runs");
+  if (fs::is_symlink(statusOf(runs))) {
     return {base::error("batch.no-folder", {}, runs)};
   }
   const auto folders = numberedRuns(runs);
@@ -119,6 +89,12 @@ base::Diagnostics foreignFilesIn(const std::string& folder, std::size_t runCount
       problems.push_back(
           base::error(isFolder ? "batch.stranger" : "batch.no-folder", {}, *stranger));
     }
+  }
+  // While the batch is incomplete, no manifest lists its results.
+  const std::string results = pathIn(folder, kResults);
+  if (!force && !output.manifest().outputs.empty() && entryExists(results) &&
+      !output.manifest().matches(folder, kResults)) {
+    problems.push_back(base::error("file.is-in-the-way", {}, results));
   }
   return problems;
 }
@@ -139,20 +115,6 @@ base::Diagnostic firstDifference(const Study& was, const Study& now) {
 void removeQuietly(const std::string& path) {
   std::error_code ignored;  // a remaining file is overwritten later
   fs::remove(path, ignored);
-}
-
-/// Removes temporary files of processes that have ended.
-void removeTemporaryFiles(const std::string& folder) {
-  std::error_code error;
-  std::vector<std::string> unfinished;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const auto target = targetOfTemporary(at->path().filename().string());
-    const bool isOwnFile = target && (*target == "manifest.json" || *target == "results.csv");
-    if (isOwnFile && fs::is_regular_file(at->symlink_status(error))) {
-      unfinished.push_back(at->path().string());
-    }
-  }
-  std::for_each(unfinished.begin(), unfinished.end(), removeQuietly);
 }
 
 /// By path, without the experiment.
@@ -237,17 +199,14 @@ base::Diagnostics studyDifferences(const Study& was, const Study& now) {
 base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& folder,
                                                              const Study& study,
                                                              ExistingBatch earlier) {
-  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::createAndAcquire(folder);
-  if (!lock) {
-    return lock.diagnostics();
+  // Forced, because foreignFilesIn() decides what may be overwritten.
+  base::Result<std::unique_ptr<OutputFolder>> output = OutputFolder::open(folder, true);
+  if (!output) {
+    return output.diagnostics();
   }
-  std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
-  removeTemporaryFiles(folder);
+  std::unique_ptr<BatchFolder> batch(new BatchFolder(*std::move(output)));
   base::Diagnostics problems =
-      foreignFilesIn(folder, study.runs, earlier == ExistingBatch::Replace);
-  if (earlier != ExistingBatch::Replace) {
-    base::append(problems, checkResultsUnchanged(folder));
-  }
+      foreignFilesIn(*batch->output_, study.runs, earlier == ExistingBatch::Replace);
   if (!base::hasErrors(problems)) {
     problems = batch->resumeExisting(study, earlier);
   }
@@ -262,8 +221,8 @@ base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& 
 
 /// Takes over the store of an earlier batch if it is to be resumed.
 base::Diagnostics BatchFolder::resumeExisting(const Study& study, ExistingBatch earlier) {
-  const std::string path = fileIn(folder_, "results.sqlite");
-  if (!pathExists(path) || earlier == ExistingBatch::Replace) {
+  const std::string path = pathIn(output_->path(), kDatabase);
+  if (!entryExists(path) || earlier == ExistingBatch::Replace) {
     return {};
   }
   base::Result<std::unique_ptr<ResultStore>> store = ResultStore::open(path);
@@ -274,16 +233,16 @@ base::Diagnostics BatchFolder::resumeExisting(const Study& study, ExistingBatch 
   if (earlier == ExistingBatch::Refuse) {
     const std::size_t runs = found.study().shard.runCount(found.study().runs);
     return found.isComplete() ? base::Diagnostics()
-                              : base::Diagnostics{base::error("batch.unfinished",
-                                                              {found.finished(), runs}, folder_)};
+                              : base::Diagnostics{base::error(
+                                    "batch.unfinished", {found.finished(), runs}, output_->path())};
   }
   base::Diagnostics problems = studyDifferences(found.study(), study);
   if (problems.empty()) {
     problems = changedInputFiles(found.study(), study);
   }
   if (problems.empty() && found.study().shard.number != study.shard.number) {
-    problems.push_back(base::error("batch.other-shard",
-                                   {found.study().shard.text(), study.shard.text()}, folder_));
+    problems.push_back(base::error(
+        "batch.other-shard", {found.study().shard.text(), study.shard.text()}, output_->path()));
   }
   if (problems.empty()) {
     problems = (*store)->removeFailed(earlier == ExistingBatch::Retry);
@@ -300,19 +259,14 @@ base::Diagnostics BatchFolder::resumeExisting(const Study& study, ExistingBatch 
 /// The manifest is written first, so that the folder is that of a batch even if this one is
 /// interrupted.
 base::Diagnostics BatchFolder::begin(const Study& study) {
-  const base::Result<std::optional<std::size_t>> earlier = batchRunCount(folder_);
-  if (!earlier) {
-    return earlier.diagnostics();
-  }
-  const std::size_t former = earlier->value_or(0);
-  base::Diagnostics problems = base::writeFileAtomically(
-      fileIn(folder_, "manifest.json"), emptyManifest(study, former));  // kept if killed below
+  const std::size_t former = batchRunCount(output_->manifest()).value_or(0);
+  base::Diagnostics problems =
+      output_->commit(emptyManifest(study, former), OutputFolder::EarlierFiles::Removed);
   if (base::hasErrors(problems)) {
     return problems;
   }
-  for (const char* name :
-       {"results.csv", "results.sqlite", "results.sqlite-wal", "results.sqlite-journal"}) {
-    removeQuietly(fileIn(folder_, name));
+  for (const char* name : {kResults, kDatabase, "results.sqlite-wal", "results.sqlite-journal"}) {
+    removeQuietly(pathIn(output_->path(), name));
   }
   const auto folders = numberedRuns(runsFolder());
   if (!folders) {
@@ -327,7 +281,7 @@ base::Diagnostics BatchFolder::begin(const Study& study) {
     return problems;
   }
   base::Result<std::unique_ptr<ResultStore>> store =
-      ResultStore::create(fileIn(folder_, "results.sqlite"), study);
+      ResultStore::create(pathIn(output_->path(), kDatabase), study);
   if (!store) {
     return store.diagnostics();
   }
@@ -336,11 +290,16 @@ base::Diagnostics BatchFolder::begin(const Study& study) {
 }
 
 std::string BatchFolder::runsFolder() const {
-  return fileIn(folder_, "runs");
+  return pathIn(output_->path(), "runs");
 }
 
 std::string BatchFolder::resultsFile() const {
-  return fileIn(folder_, "results.csv");
+  return pathIn(output_->path(), kResults);
+}
+
+std::string BatchFolder::manifest() const {
+  const base::Result<Manifest> manifest = readManifest(output_->path());
+  return manifest ? manifest->text : std::string();
 }
 
 std::vector<std::size_t> BatchFolder::missing() const {
@@ -361,7 +320,7 @@ base::Diagnostics BatchFolder::removeIncompleteRuns() const {
   base::Diagnostics problems = folders.diagnostics();
   for (const auto& [run, path] : folders ? *folders : NumberedRuns()) {
     const auto contains = [&place = path](const char* name) {
-      return pathExists((fs::path(place) / name).string());
+      return entryExists(pathIn(place, name));
     };
     if (run < store_->study().runs &&
         (!store_->has(run) || !(contains("manifest.json") || contains("trace.json")))) {
@@ -370,8 +329,7 @@ base::Diagnostics BatchFolder::removeIncompleteRuns() const {
       const auto lock = FolderLock::acquire(path);  // the destructor removes the file
     }
   }
-  std::error_code ignored;
-  if (fs::is_directory(fs::symlink_status(runsFolder(), ignored))) {
+  if (fs::is_directory(statusOf(runsFolder()))) {
     removeQuietly(runsFolder());  // has no effect while runs are kept in it
   }
   return problems;
@@ -379,32 +337,32 @@ base::Diagnostics BatchFolder::removeIncompleteRuns() const {
 
 base::Diagnostics BatchFolder::finish() {
   const base::Diagnostics removalProblems = removeIncompleteRuns();
-  const std::string manifest = fileIn(folder_, "manifest.json");
-  // While results.csv is replaced, no manifest lists it: if killed here, the batch can be resumed.
   base::Diagnostics problems =
-      base::writeFileAtomically(manifest, emptyManifest(store_->study(), 0));
+      output_->withFinalPaths(writeResults(*store_, pathIn(output_->staging(), kResults)));
+  const base::Result<std::string> manifest = batchManifest(*store_);
+  base::append(problems, manifest.diagnostics());
   if (!base::hasErrors(problems)) {
-    problems = writeResults(*store_, resultsFile());
-  }
-  if (!base::hasErrors(problems)) {
-    const std::optional<std::string> hash = sha256OfFile(resultsFile());
-    const base::Result<std::string> text =
-        hash ? batchManifest(*store_, *hash)
-             : base::error("file.cannot-read", {"it is missing or damaged"}, resultsFile());
-    manifest_ = text ? *text : std::string();
-    problems = text ? base::writeFileAtomically(manifest, manifest_) : text.diagnostics();
+    problems = output_->commit(*manifest, OutputFolder::EarlierFiles::Removed);
   }
   base::append(problems, store_->close());
   base::append(problems, removalProblems);
   return problems;
 }
 
-base::Result<std::unique_ptr<ResultStore>> readResults(const std::string& folder) {
-  const std::string path = fileIn(folder, "results.sqlite");
-  if (!pathExists(path)) {
+base::Result<LockedResults> readResults(const std::string& folder) {
+  const std::string path = pathIn(folder, kDatabase);
+  if (!entryExists(path)) {
     return base::error("batch.no-results", {}, folder);
   }
-  return ResultStore::open(path);
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder);
+  if (!lock) {
+    return lock.diagnostics();
+  }
+  base::Result<std::unique_ptr<ResultStore>> store = ResultStore::open(path);
+  if (!store) {
+    return store.diagnostics();
+  }
+  return LockedResults{*std::move(lock), *std::move(store)};
 }
 
 }  // namespace app

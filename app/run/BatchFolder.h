@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/run/Experiment.h"
-#include "app/run/FolderLock.h"
+#include "app/run/OutputFolder.h"
 #include "app/run/ResultStore.h"
 
 namespace app {
@@ -41,22 +41,24 @@ class BatchFolder {
   /// Writes results.csv and manifest.json of the stored runs and removes incomplete run folders.
   /// Call once, at the end.
   base::Diagnostics finish();
-  std::string manifest() const { return manifest_; }  // after finish()
+  std::string manifest() const;  // its text, after finish()
 
  private:
-  BatchFolder(std::string folder, std::unique_ptr<FolderLock> lock)
-      : folder_(std::move(folder)), lock_(std::move(lock)) {}
+  explicit BatchFolder(std::unique_ptr<OutputFolder> output) : output_(std::move(output)) {}
   base::Diagnostics resumeExisting(const Study& study, ExistingBatch earlier);
   base::Diagnostics begin(const Study& study);
   base::Diagnostics removeIncompleteRuns() const;
 
-  std::string folder_;
-  std::unique_ptr<FolderLock> lock_;
-  std::unique_ptr<ResultStore> store_;  // declared after the lock: closed before it
-  std::string manifest_;
+  std::unique_ptr<OutputFolder> output_;
+  std::unique_ptr<ResultStore> store_;  // declared after the folder: closed before its lock
 };
 
-/// Opens the store of a batch folder for reading.
-base::Result<std::unique_ptr<ResultStore>> readResults(const std::string& folder);
+/// The results in a batch folder that this process has locked.
+struct LockedResults {
+  std::unique_ptr<FolderLock> lock;
+  std::unique_ptr<ResultStore> store;  // declared after the lock: closed before it
+};
+/// Opens the results of a batch folder for reading. Errors: none, damaged, or in use.
+base::Result<LockedResults> readResults(const std::string& folder);
 
 }  // namespace app

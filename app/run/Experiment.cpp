@@ -38,10 +38,7 @@ class Reader {
 
  private:
   void error(const YamlNode& node, base::Diagnostic problem) {
-    problem.file = experiment_.path;
-    problem.line = node.line;
-    problem.column = node.column;
-    errors_.push_back(std::move(problem));
+    tell({located(node, std::move(problem))});
   }
   void error(const YamlNode& node, const char* code, base::ProblemValues values = {}) {
     error(node, base::error(code, std::move(values)));

@@ -17,12 +17,6 @@ namespace {
 
 using base::YamlNode;
 
-base::Diagnostic placed(const YamlNode& node, base::Diagnostic problem) {
-  problem.line = node.line;
-  problem.column = node.column;
-  return problem;
-}
-
 const sim2d::Robot* firstRobotOf(const sim2d::Scenario& scenario) {
   const auto& robots = scenario.robots;
   const auto found = std::find_if(robots.begin(), robots.end(),
@@ -72,7 +66,7 @@ class ValueCheck {
  private:
   bool isToldTwice(const ExperimentValue& value, const YamlNode& node) {
     const auto tell = [&](base::Diagnostic problem) {
-      problems_.push_back(placed(base::keyNode(node), std::move(problem)));
+      problems_.push_back(located(base::keyNode(node), std::move(problem)));
       return true;
     };
     if (value.path == "seed") {
@@ -147,7 +141,7 @@ class ValueCheck {
                    values.end());
     }
     if (told.insert(std::move(key)).second) {
-      problems_.push_back(placed(item, problem));
+      problems_.push_back(located(item, problem));
     }
   }
 
@@ -167,7 +161,7 @@ void warnOfSeeds(const Experiment& experiment, const std::vector<ExperimentTrial
   }
   for (const ExperimentTrial& trial : trials) {
     if (!trial.dependsOnSeed()) {
-      warnings.push_back(placed(
+      warnings.push_back(located(
           seeds, base::warning("experiment.seeds-alike", {experiment.scenarios[trial.number()]})));
     }
   }
@@ -179,7 +173,7 @@ void warnOfTwice(const YamlNode& list, base::Diagnostics& warnings) {
   for (std::size_t k = 0; list.isList() && k < list.items.size(); ++k) {
     const YamlNode& item = list.items[k];
     if (item.isScalar() && !seen.insert(item.text).second) {
-      warnings.push_back(placed(item, base::warning("experiment.twice", {item.text})));
+      warnings.push_back(located(item, base::warning("experiment.twice", {item.text})));
     }
   }
 }

@@ -84,12 +84,6 @@ double truncatedNormal(const std::array<double, 4>& numbers, const Draws& draws)
   return near;
 }
 
-base::Diagnostic at(const YamlNode& node, base::Diagnostic problem) {
-  problem.line = node.line;
-  problem.column = node.column;
-  return problem;
-}
-
 /// Reads exactly `count` finite numbers.
 bool readNumbers(const YamlNode& list, std::size_t count, ExperimentValue& value) {
   if (!list.isList() || list.items.size() != count) {
@@ -221,7 +215,7 @@ base::Result<ExperimentValue> readExperimentValue(const YamlNode& node) {
     return value;
   }
   if (!node.isMap() || node.items.size() != 1) {
-    return at(node, base::error("experiment.values-no-list", {node.key}));
+    return located(node, base::error("experiment.values-no-list", {node.key}));
   }
   const YamlNode& list = node.items.front();
   std::vector<std::string> known;
@@ -229,12 +223,12 @@ base::Result<ExperimentValue> readExperimentValue(const YamlNode& node) {
     known.emplace_back(way.name);
     if (list.key == way.name) {
       return way.read(list, value) ? base::Result<ExperimentValue>(value)
-                                   : at(list, base::error(way.problem));
+                                   : located(list, base::error(way.problem));
     }
   }
-  return at(base::keyNode(list),
-            base::error("experiment.unknown-draw",
-                        {list.key, base::join(known, ", "), base::nearestName(list.key, known)}));
+  return located(base::keyNode(list),
+                 base::error("experiment.unknown-draw", {list.key, base::join(known, ", "),
+                                                         base::nearestName(list.key, known)}));
 }
 
 namespace {
@@ -274,6 +268,12 @@ std::string experimentValueText(const ExperimentValue& value) {
       return "{choice: " + list + "}";
   }
   return list;
+}
+
+base::Diagnostic located(const YamlNode& node, base::Diagnostic problem) {
+  problem.line = node.line;
+  problem.column = node.column;
+  return problem;
 }
 
 std::string valueText(const YamlNode& node) {

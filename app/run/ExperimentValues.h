@@ -39,6 +39,9 @@ base::Result<ExperimentValue> readExperimentValue(const base::YamlNode& node);
 /// The text of a value in `values`: "[pursuit, dwa]", "{uniform: [0.0, 1.0]}".
 std::string experimentValueText(const ExperimentValue& value);
 
+/// The problem with the line and column of a node.
+base::Diagnostic located(const base::YamlNode& node, base::Diagnostic problem);
+
 /// The YAML text of a value, lists and maps in one line.
 std::string valueText(const base::YamlNode& node);
 

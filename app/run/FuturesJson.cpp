@@ -14,14 +14,17 @@
 // Futures, and questions for them, as texts between processes.
 namespace app {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FuturesOptions, count, horizon, spread, jobs, seed, sampleGap)
+
 namespace {
 
 using FutureJson = nlohmann::json;
 
+/// NaN becomes null in the text.
 FutureJson numbersOf(const std::vector<base::Vec2>& way, int axis) {
   FutureJson numbers = FutureJson::array();
   for (const base::Vec2& point : way) {
-    numbers.push_back(std::isfinite(point[axis]) ? FutureJson(point[axis]) : FutureJson());
+    numbers.push_back(point[axis]);
   }
   return numbers;
 }
@@ -159,22 +162,6 @@ std::string quirksText(const sim2d::Compatibility& compatibility) {
   return compatibility.hunav2() ? "hunav2" : base::join(compatibility.names(), ",");
 }
 
-FutureJson optionsJson(const FuturesOptions& options) {
-  return {{"count", options.count}, {"horizon", options.horizon}, {"spread", options.spread},
-          {"jobs", options.jobs},   {"seed", options.seed},       {"gap", options.sampleGap}};
-}
-
-FuturesOptions futureOptionsOf(const FutureJson& json) {
-  FuturesOptions options;
-  options.count = json.at("count").get<int>();
-  options.horizon = json.at("horizon").get<double>();
-  options.spread = json.at("spread").get<double>();
-  options.jobs = json.at("jobs").get<int>();
-  options.seed = json.at("seed").get<long long>();
-  options.sampleGap = json.at("gap").get<double>();
-  return options;
-}
-
 bool areOptions(const FuturesOptions& options) {
   constexpr double kLeastGap = 1e-3;  // [s]
   return options.count >= 1 && options.count <= kMaxFutures && options.jobs >= 1 &&
@@ -210,7 +197,7 @@ std::optional<FuturesQuestion> questionFrom(const FutureJson& json) {
   question.inputs = inputs ? *inputs : sim2d::RecordedInputs();
   question.at = json.at("at").get<std::int64_t>();
   question.state = json.at("state").get<std::string>();
-  question.options = futureOptionsOf(json.at("options"));
+  question.options = json.at("options").get<FuturesOptions>();
   return question.at >= 0 && areOptions(question.options)
              ? std::optional<FuturesQuestion>(std::move(question))
              : std::nullopt;
@@ -278,7 +265,7 @@ std::string questionBytes(const FuturesQuestion& question) {
                            {"inputs", inputRows(question.inputs)},
                            {"at", question.at},
                            {"state", question.state},
-                           {"options", optionsJson(question.options)}};
+                           {"options", question.options}};
   const std::vector<std::uint8_t> bytes = FutureJson::to_cbor(json);
   return {bytes.begin(), bytes.end()};
 }

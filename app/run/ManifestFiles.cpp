@@ -18,6 +18,9 @@
 
 namespace app {
 
+namespace fs = std::filesystem;
+using ManifestFileJson = nlohmann::json;
+
 namespace {
 
 /// Incremental SHA-256.
@@ -27,7 +30,7 @@ class Sha256 {
     [[maybe_unused]] const int isGood = EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr);
     assert(isGood == 1);  // OpenSSL always provides this hash
   }
-  void add(const char* bytes, std::size_t count) { EVP_DigestUpdate(context_.get(), bytes, count); }
+  void add(std::string_view bytes) { EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()); }
   std::string finish() {
     std::array<unsigned char, 32> digest{};
     EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr);
@@ -50,8 +53,23 @@ class Sha256 {
 
 std::string sha256Of(const std::string& bytes) {
   Sha256 hash;
-  hash.add(bytes.data(), bytes.size());
+  hash.add(bytes);
   return hash.finish();
+}
+
+bool readPieces(const std::string& path, const std::function<void(std::string_view)>& take) {
+  constexpr std::size_t kPieceSize = std::size_t{1} << 16U;  // [B]
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) {
+    return false;  // reading a pipe could block
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> piece(kPieceSize);
+  while (file) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    take({piece.data(), static_cast<std::size_t>(file.gcount())});
+  }
+  return file.eof();
 }
 
 std::optional<std::string> sha256OfFile(const std::string& path) {
@@ -59,32 +77,10 @@ std::optional<std::string> sha256OfFile(const std::string& path) {
     const base::Result<std::string> text = base::readTextFile(path);
     return text ? std::optional(sha256Of(*text)) : std::nullopt;
   }
-  constexpr std::size_t kBlockSize = std::size_t{1} << 16U;  // [B]
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    return std::nullopt;  // reading a pipe could block
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::vector<char> piece(kBlockSize);
   Sha256 hash;
-  while (file) {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    hash.add(piece.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  return file.eof() ? std::optional(hash.finish()) : std::nullopt;
+  const bool isRead = readPieces(path, [&hash](std::string_view piece) { hash.add(piece); });
+  return isRead ? std::optional(hash.finish()) : std::nullopt;
 }
-
-namespace fs = std::filesystem;
-using OutputListJson = nlohmann::json;
-
-namespace {
-
-fs::file_status statusIn(const std::string& folder, const std::string& name) {
-  std::error_code ignored;  // an inaccessible file counts as missing
-  return fs::symlink_status(fs::path(folder) / name, ignored);
-}
-
-}  // namespace
 
 bool isWithin(const std::string& name) {
   const fs::path path(name);
@@ -92,35 +88,56 @@ bool isWithin(const std::string& name) {
          std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
 }
 
-base::Result<std::string> manifestText(const std::string& folder, const char* name) {
-  if (!fs::is_regular_file(statusIn(folder, name))) {
-    return std::string("{}");
-  }
-  base::Result<std::string> text = base::readTextFile((fs::path(folder) / name).string());
-  return !text || OutputListJson::parse(*text, nullptr, false).is_object()
-             ? text
-             : base::Result<std::string>(std::string("{}"));
+std::string pathIn(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
 }
 
-base::Result<FileHashes> manifestFiles(const std::string& folder, const char* name) {
-  const base::Result<std::string> text = manifestText(folder, name);
+fs::file_status statusOf(const std::string& path) {
+  std::error_code ignored;
+  return fs::symlink_status(path, ignored);
+}
+
+bool entryExists(const std::string& path) {
+  return fs::exists(statusOf(path));
+}
+
+base::Result<Manifest> readManifest(const std::string& folder, const char* name) {
+  const std::string path = pathIn(folder, name);
+  Manifest manifest;
+  if (!fs::is_regular_file(statusOf(path))) {
+    return manifest;
+  }
+  base::Result<std::string> text = base::readTextFile(path);
   if (!text) {
     return text.diagnostics();
   }
-  const OutputListJson manifest = OutputListJson::parse(*text);
-  FileHashes listed;
-  const auto outputs = manifest.find("outputs");
-  for (const OutputListJson& output :
-       outputs != manifest.end() && outputs->is_array() ? *outputs : OutputListJson()) {
-    const OutputListJson path =
-        output.is_object() ? output.value("path", OutputListJson()) : OutputListJson();
-    const OutputListJson hash =
-        output.is_object() ? output.value("sha256", OutputListJson()) : OutputListJson();
-    if (path.is_string() && hash.is_string() && isWithin(path.get<std::string>())) {
-      listed[path.get<std::string>()] = hash.get<std::string>();
+  const ManifestFileJson json = ManifestFileJson::parse(*text, nullptr, false);
+  if (!json.is_object()) {
+    return manifest;
+  }
+  manifest.text = *std::move(text);
+  const auto textOf = [](const ManifestFileJson& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? std::optional(found->get<std::string>())
+                                                       : std::nullopt;
+  };
+  manifest.kind = textOf(json, "kind").value_or("");
+  const auto outputs = json.find("outputs");
+  manifest.listsOutputs = outputs != json.end() && outputs->is_array();
+  for (const ManifestFileJson& output : manifest.listsOutputs ? *outputs : ManifestFileJson()) {
+    const std::optional<std::string> file = textOf(output, "path"), hash = textOf(output, "sha256");
+    if (file && hash && isWithin(*file)) {
+      manifest.outputs[*file] = *hash;
     }
   }
-  return listed;
+  return manifest;
+}
+
+bool Manifest::matches(const std::string& folder, const std::string& name) const {
+  const auto found = outputs.find(name);
+  const std::string path = pathIn(folder, name);
+  return found != outputs.end() && fs::is_regular_file(statusOf(path)) &&
+         sha256OfFile(path) == found->second;
 }
 
 std::optional<std::string> findInput(const std::string& named, const std::string& runFolder,
@@ -138,28 +155,18 @@ std::optional<std::string> findInput(const std::string& named, const std::string
   return std::nullopt;
 }
 
-bool matchesManifest(const std::string& folder, const FileHashes& listed, const std::string& name) {
-  const auto found = listed.find(name);
-  return found != listed.end() && fs::is_regular_file(statusIn(folder, name)) &&
-         sha256OfFile((fs::path(folder) / name).string()) == found->second;
-}
-
 base::Diagnostics checkManifestFiles(const std::string& folder,
                                      const std::vector<std::string>& names) {
-  const base::Result<std::string> text = manifestText(folder, "manifest.json");
-  const base::Result<FileHashes> read = manifestFiles(folder, "manifest.json");
-  if (!text || !read) {
-    return text ? read.diagnostics() : text.diagnostics();
+  const base::Result<Manifest> manifest = readManifest(folder);
+  if (!manifest) {
+    return manifest.diagnostics();
   }
-  const bool hasList = OutputListJson::parse(*text)
-                           .value("outputs", OutputListJson())
-                           .is_array();  // the list may be empty
-  const FileHashes& listed = *read;
   base::Diagnostics problems;
   for (const std::string& name : names) {
-    const bool isMeant = listed.count(name) != 0 || fs::exists(statusIn(folder, name));
-    if (hasList && isMeant && !matchesManifest(folder, listed, name)) {
-      problems.push_back(base::error("trace.other-run", {}, (fs::path(folder) / name).string()));
+    const std::string path = pathIn(folder, name);
+    const bool isMeant = manifest->outputs.count(name) != 0 || entryExists(path);
+    if (manifest->listsOutputs && isMeant && !manifest->matches(folder, name)) {
+      problems.push_back(base::error("trace.other-run", {}, path));
     }
   }
   return problems;

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <ctime>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -14,6 +17,8 @@ namespace app {
 std::string sha256Of(const std::string& bytes);
 /// The hash of a file's content, "-" for standard input; nullopt if it cannot be read.
 std::optional<std::string> sha256OfFile(const std::string& path);
+/// Reads a regular file piece by piece. False: it cannot be read.
+bool readPieces(const std::string& path, const std::function<void(std::string_view)>& take);
 
 /// The files that a manifest lists in `outputs`, names relative to its folder, with their SHA-256.
 using FileHashes = std::map<std::string, std::string>;
@@ -21,9 +26,31 @@ using FileHashes = std::map<std::string, std::string>;
 /// Whether a relative name stays inside its folder.
 bool isWithin(const std::string& name);
 
-/// The text of a manifest, a JSON object; "{}" if the file is missing. Error: cannot be read.
-base::Result<std::string> manifestText(const std::string& folder, const char* name);
-base::Result<FileHashes> manifestFiles(const std::string& folder, const char* manifest);
+/// The path of an entry of a folder.
+std::string pathIn(const std::string& folder, const std::string& name);
+/// The status of an entry itself, not of the target of a link. An inaccessible entry counts as
+/// missing.
+std::filesystem::file_status statusOf(const std::string& path);
+/// Whether there is an entry of any kind with this path.
+bool entryExists(const std::string& path);
+
+/// A manifest as far as it concerns folders.
+struct Manifest {
+  static constexpr const char* kName = "manifest.json";
+  static constexpr const char* kHiddenName =
+      ".hunavsim-manifest.json";  // in folders of other programs
+
+  std::string text = "{}";  // a JSON object, empty if the file is missing or is something else
+  std::string kind;         // "evaluation" and others; empty for runs and batches
+  bool listsOutputs = false;
+  FileHashes outputs;
+
+  /// Whether the file of the folder is regular and has the listed hash.
+  bool matches(const std::string& folder, const std::string& name) const;
+};
+
+/// Reads the manifest of a folder. Error: it cannot be read.
+base::Result<Manifest> readManifest(const std::string& folder, const char* name = Manifest::kName);
 
 /// Input files for a manifest: [{"path", "sha256"}]; a null hash and a warning for a file that is
 /// missing or unreadable.
@@ -47,9 +74,6 @@ constexpr char kStandardInput[] = "-";
 /// parent, and by hash.
 std::optional<std::string> findInput(const std::string& named, const std::string& runFolder,
                                      const std::string& sha256);
-
-/// Whether the file is regular and has the listed hash.
-bool matchesManifest(const std::string& folder, const FileHashes& listed, const std::string& name);
 
 /// Checks that each of these files has the hash listed in manifest.json, or neither exists nor is
 /// listed. No problems without a manifest or a list in it.

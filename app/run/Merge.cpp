@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 struct Part {
   std::string folder;
-  std::unique_ptr<FolderLock> lock;
-  std::unique_ptr<ResultStore> store;
+  LockedResults results;
+  const ResultStore& store() const { return *results.store; }
 };
 
 /// The study of the given folders; shards by number.
@@ -28,26 +28,14 @@ class ShardSet {
  public:
   base::Diagnostics add(const std::string& folder) {
     std::error_code ignored;
-    if (!fs::exists(fs::path(folder) / "results.sqlite", ignored)) {
-      return {base::error("batch.no-results", {}, folder)};
-    }
     for (const auto& [number, part] : parts_) {  // this process already has its lock
       if (fs::equivalent(part.folder, folder, ignored)) {
         return {
-            base::error("merge.twice", {part.store->study().shard.text(), part.folder}, folder)};
+            base::error("merge.twice", {part.store().study().shard.text(), part.folder}, folder)};
       }
     }
-    Part part;
-    part.folder = folder;
-    base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder);
-    base::Result<std::unique_ptr<ResultStore>> store =
-        lock ? readResults(folder) : base::Result<std::unique_ptr<ResultStore>>(lock.diagnostics());
-    if (!store) {
-      return store.diagnostics();
-    }
-    part.lock = *std::move(lock);
-    part.store = *std::move(store);
-    return place(std::move(part));
+    base::Result<LockedResults> results = readResults(folder);
+    return results ? place({folder, *std::move(results)}) : results.diagnostics();
   }
 
   /// Reports missing shards.
@@ -71,7 +59,7 @@ class ShardSet {
 
  private:
   base::Diagnostics place(Part part) {
-    const Study& study = part.store->study();
+    const Study& study = part.store().study();
     base::Diagnostics problems;
     if (!parts_.empty()) {
       for (base::Diagnostic problem : studyDifferences(study_, study)) {
@@ -85,10 +73,10 @@ class ShardSet {
     if (const auto found = parts_.find(study.shard.number); found != parts_.end()) {
       return {base::error("merge.twice", {study.shard.text(), found->second.folder}, part.folder)};
     }
-    if (!part.store->isComplete()) {
+    if (!part.store().isComplete()) {
       problems.push_back(base::error(
           "merge.incomplete",
-          {study.shard.text(), part.store->finished(), study.shard.runCount(study.runs)},
+          {study.shard.text(), part.store().finished(), study.shard.runCount(study.runs)},
           part.folder));
     }
     addToStudy(study);
@@ -116,19 +104,12 @@ class ShardSet {
   Study study_;
 };
 
-base::Diagnostics copyFile(const fs::path& from, const fs::path& to) {
-  constexpr std::size_t kBlockSize = std::size_t{1} << 16U;  // [B]
-  std::ifstream file(from, std::ios::binary);
-  base::AtomicFileWriter copy(to.string());
-  std::vector<char> piece(kBlockSize);
-  while (file && !copy.hasFailed()) {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    copy.append({piece.data(), static_cast<std::size_t>(file.gcount())});
-  }
-  if (!copy.hasFailed() && !file.eof()) {
-    return {base::error("file.cannot-read", {"it is missing or damaged"}, from.string())};
-  }
-  return copy.finish();
+base::Diagnostics copyFile(const std::string& from, const std::string& to) {
+  base::AtomicFileWriter copy(to);
+  const bool isRead = readPieces(from, [&copy](std::string_view piece) { copy.append(piece); });
+  return isRead || copy.hasFailed() ? copy.finish()
+                                    : base::Diagnostics{base::error(
+                                          "file.cannot-read", {"it is missing or damaged"}, from)};
 }
 
 /// Copies kept run folders; trace.json last, because it makes a folder a run.
@@ -153,7 +134,7 @@ base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
   base::Diagnostics problems;
   for (const fs::path& file : files) {
     if (problems.empty()) {
-      problems = copyFile(runs / file, fs::path(to) / file);
+      problems = copyFile((runs / file).string(), (fs::path(to) / file).string());
     }
   }
   return problems;
@@ -162,7 +143,7 @@ base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
 base::Diagnostics join(const ShardSet& parts, BatchFolder& output) {
   base::Diagnostics problems;
   for (const auto& [number, part] : parts.all()) {
-    const base::Diagnostics unreadable = part.store->forEach([&](const StoredRun& stored) {
+    const base::Diagnostics unreadable = part.store().forEach([&](const StoredRun& stored) {
       if (problems.empty()) {
         problems = output.add(stored);
       }

@@ -24,14 +24,15 @@ bool isNav2(const sim2d::Robot& robot) {
   return robot.planner == sim2d::kNav2Planner;
 }
 
+/// Without topics.
 sim2d::Nav2Config choiceOf(const sim2d::Robot& robot) {
-  return {robot.nav2Params, robot.nav2Tree.value_or(""), robot.nav2Distro, robot.nav2Values,
-          robot.nav2Topics.value_or("")};
+  return {robot.nav2Params, robot.nav2Tree.value_or(""), robot.nav2Distro, robot.nav2Values};
 }
 
 bt::Nav2Loaded loadedFor(const sim2d::Robot& robot, const std::string& scenarioPath) {
-  return bt::loadNav2(choiceOf(robot), plannerFolderOf(scenarioPath), robot.name,
-                      shippedNav2Folders());
+  sim2d::Nav2Config choice = choiceOf(robot);
+  choice.topics = robot.nav2Topics.value_or("");
+  return bt::loadNav2(choice, plannerFolderOf(scenarioPath), robot.name, shippedNav2Folders());
 }
 
 }  // namespace
@@ -180,10 +181,6 @@ base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Br
   return found;
 }
 
-base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
-  return checkNav2Files({path}, branch);
-}
-
 base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch) {
   sim2d::nav2::Nav2Parameters parameters;
   parameters.distro = branch.value_or(sim2d::nav2::Distro::Main);
@@ -206,9 +203,7 @@ namespace {
 using sim2d::nav2::EffectiveKey;
 
 bt::Nav2Loaded loadParameters(const sim2d::Robot& robot, const std::string& scenarioPath) {
-  const sim2d::Nav2Config choice{robot.nav2Params, robot.nav2Tree.value_or(""), robot.nav2Distro,
-                                 robot.nav2Values};
-  return bt::loadNav2Parameters(choice, plannerFolderOf(scenarioPath), robot.name,
+  return bt::loadNav2Parameters(choiceOf(robot), plannerFolderOf(scenarioPath), robot.name,
                                 shippedNav2Folders());
 }
 
@@ -321,9 +316,7 @@ void takeFootprint(const sim2d::nav2::Polygon& corners, sim2d::Robot& robot) {
 }  // namespace
 
 base::Result<sim2d::Robot> withNav2Body(sim2d::Robot robot, const std::string& scenarioPath) {
-  const sim2d::Nav2Config choice{robot.nav2Params, {}, robot.nav2Distro, robot.nav2Values};
-  const bt::Nav2Loaded loaded = bt::loadNav2Parameters(choice, plannerFolderOf(scenarioPath),
-                                                       robot.name, shippedNav2Folders());
+  const bt::Nav2Loaded loaded = loadParameters(robot, scenarioPath);
   if (base::hasErrors(loaded.problems)) {
     return loaded.problems;
   }

@@ -66,8 +66,6 @@ using Nav2Branch = std::optional<sim2d::nav2::Distro>;
 /// Checks parameter files and single values (`name:=value`), read as one in their order: all errors
 /// and warnings. Without a branch, it is guessed from them.
 base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Branch branch = {});
-/// Checks one file.
-base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch = {});
 /// Checks a navigator's tree without parameters. Without a branch, nodes of all branches are
 /// accepted.
 base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch = {});

@@ -16,21 +16,15 @@ namespace app {
 
 /// Writes the files of one command into a folder: all or none, one process at a time, without
 /// overwriting files that hunavsim did not create. The files are written to
-/// `.hunavsim-new-<process>`, which commit() renames to `.hunavsim-commit`: from then on the new
-/// files count. They are moved to their places, manifest.json last, which lists them with their
-/// hashes. If the process is killed during that, the next process that opens or reads the folder
-/// completes it. Only files with the hash listed in manifest.json are replaced or removed. Names
-/// are relative to the folder. One thread.
+/// `.hunavsim-new-<process>`, which commit() renames to `.hunavsim-commit` and moves to their
+/// places (FolderLock); manifest.json lists them with their hashes. Only files with the hash listed
+/// there are replaced or removed. Names are relative to the folder. One thread.
 class OutputFolder {
  public:
-  static constexpr const char* kManifest = "manifest.json";
-  static constexpr const char* kHiddenManifest =
-      ".hunavsim-manifest.json";  // in folders of other programs
-
   /// Creates the folder and takes its lock. Error: locked by another process, which is named, or
   /// not writable. `force`: files that hunavsim did not create may be overwritten.
   static base::Result<std::unique_ptr<OutputFolder>> open(const std::string& folder, bool force,
-                                                          const char* manifest = kManifest);
+                                                          const char* manifest = Manifest::kName);
   /// Without commit() the folder is unchanged.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -42,6 +36,8 @@ class OutputFolder {
   /// overwritten.
   base::Diagnostics conflictingFiles(const std::vector<std::string>& names) const;
   const std::string& path() const { return folder_; }
+  /// The manifest that the folder had at open(), or of the last commit.
+  const Manifest& manifest() const { return former_; }
   /// The folder for new files until commit().
   const std::string& staging() const { return staging_; }
   /// Error: the name is outside the folder.
@@ -59,8 +55,9 @@ class OutputFolder {
   /// With EarlierFiles::Kept: these earlier files are removed nevertheless, unless written again.
   void removeOnCommit(const std::vector<std::string>& names) { removedOnCommit_ = names; }
   /// Moves all files of the staging folder to their places. `manifest`: a JSON object, to which the
-  /// list of files is added; with EarlierFiles::Kept, the earlier manifest stays with a new list.
-  /// Errors: nothing has changed, unless a rename fails.
+  /// list of files is added as "outputs"; with EarlierFiles::Kept, the earlier manifest stays with
+  /// a new list. Errors: nothing has changed, unless a rename fails. More files may be written and
+  /// committed afterwards.
   base::Diagnostics commit(const std::string& manifest, EarlierFiles earlier);
 
  private:
@@ -72,7 +69,7 @@ class OutputFolder {
   bool force_, isNew_;
   const char* manifest_;
   std::unique_ptr<FolderLock> lock_;
-  FileHashes listed_;     // of the manifest at open()
+  Manifest former_;
   FileHashes newHashes_;  // of new files
   std::vector<std::string> removedOnCommit_;
 };
@@ -93,16 +90,5 @@ base::Diagnostics writeFile(const std::string& file, const std::string& content,
 /// Adds a written file to the hidden manifest. `kind`: of the command, for a new manifest. Waits
 /// for other processes that do the same.
 base::Diagnostics recordOutputFile(const std::string& file, const char* kind);
-
-/// Whether the name is a lock, staging or commit entry, not a result.
-bool isInternalEntry(const std::string& name);
-
-/// The target name of a temporary file (base::AtomicFileWriter) that a killed process left; nullopt
-/// for other names.
-std::optional<std::string> targetOfTemporary(const std::string& name);
-
-/// Completes the commit of a killed process before the folder is read. Error: another process
-/// writes to the folder, or the commit cannot be completed.
-base::Diagnostics completeCommit(const std::string& folder);
 
 }  // namespace app

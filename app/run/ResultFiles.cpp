@@ -101,6 +101,7 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
   if (study.shard.count > 1) {
     json["shard"] = study.shard.text();
   }
+  json["outputs"] = Json::array();  // filled by OutputFolder::commit()
   return json;
 }
 
@@ -180,9 +181,8 @@ std::string headerJson(const ResultStore& store) {
       .dump();
 }
 
-base::Result<std::string> batchManifest(const ResultStore& store, const std::string& resultsHash) {
+base::Result<std::string> batchManifest(const ResultStore& store) {
   Json json = manifestOf(store.study(), store.finished(), store.failed());
-  json["outputs"] = Json::array({{{"path", "results.csv"}, {"sha256", resultsHash}}});
   if (!store.study().drawn.empty()) {
     base::Result<Json> drawn = drawnJson(store);
     if (!drawn) {
@@ -190,16 +190,15 @@ base::Result<std::string> batchManifest(const ResultStore& store, const std::str
     }
     json["drawn"] = *std::move(drawn);
   }
-  return base::jsonText(json) + "\n";
+  return base::jsonText(json);
 }
 
 std::string emptyManifest(const Study& study, std::size_t former) {
   Json json = manifestOf(study, 0, 0);
-  json["outputs"] = Json::array();
   if (former > study.runs) {
     json["replaces"] = former;
   }
-  return base::jsonText(json) + "\n";
+  return base::jsonText(json);
 }
 
 }  // namespace app

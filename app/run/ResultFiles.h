@@ -18,11 +18,11 @@ std::string rowJson(const Study& study, const StoredRun& run);
 /// The message before the rows: {"runs", "finished"} of the shard.
 std::string headerJson(const ResultStore& store);
 
-/// manifest.json of a batch: the program, input files, run counts, and drawn values per scenario
-/// and seed.
-base::Result<std::string> batchManifest(const ResultStore& store, const std::string& resultsHash);
-/// The manifest before any run, without output files. `former`: number of runs of the batch that is
-/// replaced in this folder.
+/// manifest.json of a batch, without its output files: the program, input files, run counts, and
+/// drawn values per scenario and seed.
+base::Result<std::string> batchManifest(const ResultStore& store);
+/// The manifest before any run. `former`: number of runs of the batch that is replaced in this
+/// folder.
 std::string emptyManifest(const Study& study, std::size_t former);
 
 }  // namespace app

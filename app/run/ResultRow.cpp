@@ -10,9 +10,13 @@
 
 namespace app {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InputHash, path, sha256)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ResultRow, ok, failedBy, reason, simulated, fields, inputs)
+
 namespace {
 
 using Json = nlohmann::ordered_json;
+using RowJson = nlohmann::json;
 
 constexpr const char* kFalse = "False";  // as in results.csv
 
@@ -136,39 +140,17 @@ ResultRow rowOf(const base::Diagnostics& problems) {
 }
 
 std::string serializeRow(const ResultRow& row) {
-  Json json = {{"ok", row.ok}, {"reason", row.reason}, {"simulated", row.simulated}};
-  if (row.failedBy == FailedBy::Machine) {
-    json["by_machine"] = true;
-  }
-  json["fields"] = Json::object();
-  for (const auto& [column, field] : row.fields) {
-    json["fields"][column] = field;
-  }
-  json["inputs"] = Json::array();
-  for (const InputHash& input : row.inputs) {
-    json["inputs"].push_back({input.path, input.sha256});
-  }
-  return base::jsonText(json, -1);
+  return base::jsonText(RowJson(row), -1);
 }
 
 ResultRow parseRow(const std::string& text) {
-  ResultRow row;
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("fields")) {
+  try {
+    return RowJson::parse(text).get<ResultRow>();
+  } catch (const RowJson::exception&) {
+    ResultRow row;
     row.reason = "the worker process returned no result";
     return row;
   }
-  row.ok = json.value("ok", false);
-  row.failedBy = json.value("by_machine", false) ? FailedBy::Machine : FailedBy::Run;
-  row.reason = json.value("reason", "");
-  row.simulated = json.value("simulated", "");
-  for (const auto& [column, field] : json["fields"].items()) {
-    row.fields.emplace_back(column, field.get<std::string>());
-  }
-  for (const Json& input : json.value("inputs", Json::array())) {
-    row.inputs.push_back({input.at(0).get<std::string>(), input.at(1).get<std::string>()});
-  }
-  return row;
 }
 
 }  // namespace app

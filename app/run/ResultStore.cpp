@@ -9,12 +9,40 @@
 #include <utility>
 
 #include <nlohmann/json.hpp>
+#include <sqlite3.h>
 
-#include "app/run/SqlStatement.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
+
+/// A prepared SQL statement (RAII).
+struct SqlStatement {
+  SqlStatement(sqlite3* database, const char* sql) {
+    sqlite3_prepare_v2(database, sql, -1, &prepared, nullptr);
+  }
+  ~SqlStatement() { sqlite3_finalize(prepared); }
+  SqlStatement(const SqlStatement&) = delete;
+  SqlStatement& operator=(const SqlStatement&) = delete;
+  SqlStatement(SqlStatement&&) = delete;
+  SqlStatement& operator=(SqlStatement&&) = delete;
+
+  bool step() const { return sqlite3_step(prepared) == SQLITE_ROW; }
+  void bind(int place, const std::string& text) const {
+    sqlite3_bind_text(prepared, place, text.data(), static_cast<int>(text.size()),
+                      SQLITE_TRANSIENT);  // NOLINT: a macro of the library
+  }
+  void bind(int place, long long number) const { sqlite3_bind_int64(prepared, place, number); }
+  std::string text(int column) const {
+    const auto* const bytes =
+        static_cast<const char*>(static_cast<const void*>(sqlite3_column_text(prepared, column)));
+    const int size = sqlite3_column_bytes(prepared, column);
+    return bytes != nullptr ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
+  }
+  long long number(int column) const { return sqlite3_column_int64(prepared, column); }
+
+  sqlite3_stmt* prepared = nullptr;
+};
 
 namespace {
 
@@ -34,29 +62,17 @@ const char* const kTables =
 const char* const kMachineTable =
     "CREATE TABLE IF NOT EXISTS machine_failures(run INTEGER PRIMARY KEY);";
 
-Json textsJson(const std::vector<std::string>& texts) {
-  Json json = Json::array();
-  for (const std::string& text : texts) {
-    json.push_back(text);
-  }
-  return json;
+std::string textsJson(const std::vector<std::string>& texts) {
+  return base::jsonText(Json(texts), -1);
 }
 
-std::string textsJsonText(const std::vector<std::string>& texts) {
-  return base::jsonText(textsJson(texts), -1);
-}
-
-std::vector<std::string> textsOf(const std::string& text) {
-  std::vector<std::string> texts;
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_array()) {
-    return texts;
+/// Empty for other JSON, of a damaged database.
+std::vector<std::string> textsOf(const std::string& json) {
+  try {
+    return Json::parse(json).get<std::vector<std::string>>();
+  } catch (const Json::exception&) {
+    return {};
   }
-  texts.reserve(json.size());
-  for (const Json& each : json) {
-    texts.push_back(each.is_string() ? each.get<std::string>() : std::string());
-  }
-  return texts;
 }
 
 std::string fieldsText(const ResultRow& row) {
@@ -132,8 +148,8 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
       {"path", study.experimentPath},
       {"text", study.experiment},
       {"sha256", study.inputs.empty() ? std::string() : study.inputs.front().sha256},
-      {"columns", textsJsonText(study.paths)},
-      {"drawn", textsJsonText(study.drawn)},
+      {"columns", textsJson(study.paths)},
+      {"drawn", textsJson(study.drawn)},
       {"runs", std::to_string(study.runs)},
       {"shard", std::to_string(study.shard.number)},
       {"shards", std::to_string(study.shard.count)},
@@ -362,7 +378,7 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
   to.bind(1, static_cast<long long>(run.run));
   to.bind(2, run.scenario);
   to.bind(3, run.seed);
-  to.bind(4, textsJsonText(run.values));
+  to.bind(4, textsJson(run.values));
   to.bind(5, std::string(run.row.ok ? "ok" : "failed"));
   to.bind(6, run.row.reason);
   to.bind(7, run.row.simulated);

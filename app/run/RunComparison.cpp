@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <set>
 #include <utility>
-
-#include "metrics/IncrementalEvaluation.h"
 
 namespace app {
 
@@ -15,87 +11,6 @@ namespace {
 
 constexpr double kMinCurveGap = 0.25;  // [s] between two values so far
 constexpr double kMaxCurvePoints = 120.0;
-
-/// Measures a recording state by state.
-class RecordingMeasurer {
- public:
-  RecordingMeasurer(const sim2d::Recording& recording, const MetricsSetup& setup)
-      : recording_(recording),
-        evaluation_(*recording.header(), wanted(setup), setup.parameters),
-        gap_(std::max(kMinCurveGap, recording.timeOf(recording.size() - 1) / kMaxCurvePoints)) {
-    addNewAgents();
-  }
-
-  /// False: the state is not in memory.
-  bool take(std::size_t index) {
-    const sim2d::FramePtr frame = recording_.frameIfKept(index);
-    if (frame == nullptr) {
-      return false;
-    }
-    const std::vector<int>& ids = frame->humans.id;
-    if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
-      addNewAgents();  // a source spawned an agent
-    }
-    for (;
-         events_ < recording_.events().size() && recording_.events()[events_].first <= frame->step;
-         ++events_) {
-      const auto& [step, event] = recording_.events()[events_];
-      evaluation_.note(static_cast<double>(step) * recording_.header()->dt, event);
-    }
-    evaluation_.append(*frame);
-    times_.push_back(frame->time);
-    if (frame->time >= next_ - 1e-9) {
-      note(frame->time);
-    }
-    return true;
-  }
-
-  RecordingMetrics measures() {
-    RecordingMetrics all;
-    all.results = evaluation_.values();
-    for (const metrics::MetricResult& result : all.results) {
-      const std::optional<metrics::Series>& series = result.value.series;
-      all.curves[result.info.key] = series && series->values.size() == times_.size()
-                                        ? MetricTimeSeries{times_, series->values}
-                                        : std::move(soFar_[result.info.key]);
-    }
-    return all;
-  }
-
- private:
-  static metrics::Selection wanted(const MetricsSetup& setup) {
-    metrics::Selection selection = setup.selection;
-    selection.window = {};  // values so far, of all pedestrians
-    selection.behaviors = false;
-    return selection;
-  }
-
-  void addNewAgents() {
-    const std::shared_ptr<const sim2d::TraceHeader> header = recording_.header();
-    evaluation_.addHumans(header->humans);
-    for (const sim2d::TraceHuman& human : header->humans) {
-      known_.insert(human.id);
-    }
-  }
-
-  void note(double time) {
-    for (const metrics::MetricResult& result : evaluation_.values()) {
-      MetricTimeSeries& curve = soFar_[result.info.key];
-      curve.times.push_back(time);
-      curve.values.push_back(result.value.value.value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
-    next_ = time + gap_;
-  }
-
-  const sim2d::Recording& recording_;
-  metrics::FrameEvaluation evaluation_;
-  const double gap_;  // [s]
-  std::set<int> known_;
-  std::size_t events_ = 0;
-  std::vector<double> times_;
-  std::map<std::string, MetricTimeSeries> soFar_;
-  double next_ = 0.0;
-};
 
 std::map<int, base::Vec2> positionsOf(const sim2d::Frame& frame) {
   std::map<int, base::Vec2> places;
@@ -117,7 +32,74 @@ bool areApart(const sim2d::Frame& first, const sim2d::Frame& second, double apar
          });
 }
 
+metrics::Selection cumulative(metrics::Selection selection) {
+  selection.window = {};  // values so far, of all pedestrians
+  selection.behaviors = false;
+  return selection;
+}
+
 }  // namespace
+
+RecordingMeasurer::RecordingMeasurer(const sim2d::TraceHeader& header, metrics::Selection selection,
+                                     const metrics::MetricParameters& parameters,
+                                     std::function<double(double time)> gap)
+    : evaluation_(header, cumulative(std::move(selection)), parameters), gap_(std::move(gap)) {
+  addAgents(header.humans);
+}
+
+void RecordingMeasurer::addAgents(const std::vector<sim2d::TraceHuman>& humans) {
+  evaluation_.addHumans(humans);
+  for (const sim2d::TraceHuman& human : humans) {
+    known_.insert(human.id);
+  }
+}
+
+void RecordingMeasurer::addValues(double time) {
+  for (const metrics::MetricResult& result : evaluation_.values()) {
+    MetricTimeSeries& curve = soFar_[result.info.key];
+    curve.times.push_back(time);
+    curve.values.push_back(result.value.value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  next_ = time + gap_(time);
+}
+
+bool RecordingMeasurer::takeNext(const sim2d::Recording& recording) {
+  const sim2d::FramePtr frame = recording.frameIfKept(times_.size());
+  if (frame == nullptr) {
+    return false;
+  }
+  const std::vector<int>& ids = frame->humans.id;
+  if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
+    addAgents(recording.header()->humans);  // a source spawned an agent
+  }
+  const std::size_t happened = recording.events().size();
+  for (; events_ < happened && recording.events()[events_].first <= frame->step; ++events_) {
+    const auto& [step, event] = recording.events()[events_];
+    evaluation_.note(static_cast<double>(step) * recording.header()->dt, event);
+  }
+  evaluation_.append(*frame);
+  times_.push_back(frame->time);
+  if (gap_ && frame->time >= next_ - 1e-9) {
+    addValues(frame->time);
+  }
+  return true;
+}
+
+std::map<std::string, MetricTimeSeries> RecordingMeasurer::curves(
+    const std::vector<metrics::MetricResult>& results) const {
+  std::map<std::string, MetricTimeSeries> found;
+  for (const metrics::MetricResult& result : results) {
+    const std::optional<metrics::Series>& series = result.value.series;
+    const auto soFar = soFar_.find(result.info.key);
+    MetricTimeSeries& curve = found[result.info.key];
+    if (series && series->values.size() == times_.size()) {
+      curve = {times_, series->values};
+    } else if (soFar != soFar_.end()) {
+      curve = soFar->second;
+    }
+  }
+  return found;
+}
 
 RecordingMetrics measureRun(const sim2d::Recording& recording, const MetricsSetup& setup,
                             const base::StopFlagPtr& stop) {
@@ -127,14 +109,19 @@ RecordingMetrics measureRun(const sim2d::Recording& recording, const MetricsSetu
   if (size == 0 || recording.first() > 0) {
     return none;
   }
-  RecordingMeasurer measurer(recording, setup);
-  for (std::size_t index = 0; index < size; ++index) {
+  const double gap = std::max(kMinCurveGap, recording.timeOf(size - 1) / kMaxCurvePoints);
+  RecordingMeasurer measurer(*recording.header(), setup.selection, setup.parameters,
+                             [gap](double /*time*/) { return gap; });
+  while (measurer.taken() < size) {
     stop->check();
-    if (!measurer.take(index)) {
+    if (!measurer.takeNext(recording)) {
       return none;
     }
   }
-  return measurer.measures();
+  RecordingMetrics all;
+  all.results = measurer.results();
+  all.curves = measurer.curves(all.results);
+  return all;
 }
 
 std::optional<double> ComparedMetric::difference(std::size_t run) const {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/run/MetricsSetup.h"
+#include "metrics/IncrementalEvaluation.h"
 #include "sim2d/base/StopFlag.h"
 #include "sim2d/trace/Recording.h"
 
@@ -15,6 +18,37 @@ namespace app {
 struct MetricTimeSeries {
   std::vector<double> times;   // [s]
   std::vector<double> values;  // NaN: undefined
+};
+
+/// Measures a recording state by state, complete or while it grows. Not synchronised.
+class RecordingMeasurer {
+ public:
+  /// The selection without its window and behaviour types. `gap`: from a value so far at this time
+  /// to the next one in a curve [s]; null: no curves.
+  RecordingMeasurer(const sim2d::TraceHeader& header, metrics::Selection selection,
+                    const metrics::MetricParameters& parameters,
+                    std::function<double(double time)> gap);
+
+  /// Measures the next state. False: it is no longer in memory.
+  bool takeNext(const sim2d::Recording& recording);
+  /// Number of states measured.
+  std::size_t taken() const { return times_.size(); }
+  std::vector<metrics::MetricResult> results() const { return evaluation_.values(); }
+  /// The curves of these results, by key.
+  std::map<std::string, MetricTimeSeries> curves(
+      const std::vector<metrics::MetricResult>& results) const;
+
+ private:
+  void addAgents(const std::vector<sim2d::TraceHuman>& humans);
+  void addValues(double time);
+
+  metrics::FrameEvaluation evaluation_;
+  std::function<double(double)> gap_;
+  std::set<int> known_;        // agents that were passed to the metrics
+  std::size_t events_ = 0;     // that were passed to the metrics
+  std::vector<double> times_;  // of all states [s]
+  std::map<std::string, MetricTimeSeries> soFar_;
+  double next_ = 0.0;  // time of the next values so far [s]
 };
 
 /// The metrics of a complete recording.

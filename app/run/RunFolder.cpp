@@ -27,10 +27,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kStatusNames[] = {"finished", "failed", "interrupted"};  // of RunStatus
 
-std::string pathIn(const std::string& folder, const std::string& name) {
-  return (fs::path(folder) / name).string();
-}
-
 Json programJson() {
   return {{"version", programVersion()}, {"commit", programCommit()}};
 }
@@ -198,10 +194,12 @@ bool isFileOfOtherRobot(const std::string& name) {
   return isTable && fs::path(name).extension() == ".csv";
 }
 
+/// The files of the recording first, those of RunWriter::File in its order.
 constexpr const char* kRunFiles[] = {"trajectory.csv", "events.csv",        "trees.csv",
-                                     "inputs.csv",     "scans.csv",         "metrics.json",
-                                     "metrics.csv",    "steps.csv",         "trace.json",
+                                     "inputs.csv",     "scans.csv",         "trace.json",
+                                     "metrics.json",   "metrics.csv",       "steps.csv",
                                      "manifest.json",  "counterfactual.csv"};
+constexpr std::size_t kRecordingFiles = 6;
 
 /// Whether an entry is a file of a run or a temporary file for one.
 bool isRunFile(const fs::directory_entry& entry, bool ofEarlierBatch = true) {
@@ -293,9 +291,7 @@ base::Diagnostics removeRunFolder(const std::string& runFolder) {
 }
 
 void RunWriter::begin(File file, std::string_view head) {
-  constexpr const char* kNames[] = {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv",
-                                    "scans.csv"};
-  files_[file].emplace(pathIn(folder_, kNames[file])).append(head);
+  files_[file].emplace(pathIn(folder_, kRunFiles[file])).append(head);
 }
 
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
@@ -331,7 +327,7 @@ void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
   rows.clear();
   sim2d::appendTreeRows(rows, frame.step, frame.treeChanges);
   files_[Trees]->append(rows);
-  if (!frame.inputs.empty() && !hasInputs()) {
+  if (!frame.inputs.empty() && !files_[Inputs]) {
     begin(Inputs, sim2d::inputsHeader());
   }
   for (const sim2d::Input& input : frame.inputs) {
@@ -343,7 +339,7 @@ void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
 }
 
 void RunWriter::writeScans(const std::vector<sim2d::RecordedScan>& scans) {
-  if (!scans.empty() && !hasScans()) {
+  if (!scans.empty() && !files_[Scans]) {
     begin(Scans, sim2d::scansHeader());
   }
   for (const sim2d::RecordedScan& scan : scans) {
@@ -472,8 +468,8 @@ base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, R
 }
 
 base::Diagnostics checkRunFiles(const std::string& runFolder) {
-  return checkManifestFiles(runFolder, {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv",
-                                        "scans.csv", "trace.json"});
+  const std::vector<std::string> names(kRunFiles, kRunFiles + kRecordingFiles);
+  return checkManifestFiles(runFolder, names);
 }
 
 base::Result<sim2d::Trace> readRun(const std::string& runFolder) {

@@ -51,8 +51,6 @@ class RunWriter : public sim2d::FrameSink {
   base::Result<metrics::Evaluation> evaluation();
   /// Writes steps.csv of one robot of the evaluation.
   base::Diagnostics writeSteps(const std::string& path, const metrics::Evaluation& ofRobot);
-  bool hasInputs() const { return files_[Inputs].has_value(); }  // external inputs occurred
-  bool hasScans() const { return files_[Scans].has_value(); }    // a robot records its lidar
   /// A file could not be written, so the run should stop.
   bool hasFailed() const;
   /// Closes the files and renames them to their final names, which do not exist before.

@@ -43,11 +43,11 @@ std::string findRecorded(const std::string& path, const fs::path& folder) {
 }
 
 base::Result<ManifestOfRun> readRunManifest(const std::string& folder) {
-  const base::Result<std::string> text = manifestText(folder, "manifest.json");
-  if (!text) {
-    return text.diagnostics();
+  const base::Result<Manifest> read = readManifest(folder);
+  if (!read) {
+    return read.diagnostics();
   }
-  const ManifestJson manifest = ManifestJson::parse(*text, nullptr, false);
+  const ManifestJson manifest = ManifestJson::parse(read->text);
   ManifestOfRun run;
   std::vector<std::string> words, paths;
   try {

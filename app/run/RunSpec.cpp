@@ -222,26 +222,18 @@ bool RunOption::isGiven(const RunSpec& spec) const {
 }
 
 std::vector<std::string> RunOption::texts(const RunSpec& spec) const {
-  return std::visit(
-      [&spec](auto of) -> std::vector<std::string> {
-        using Value = std::decay_t<decltype(spec.*of)>;
-        if constexpr (std::is_same_v<Value, bool>) {
-          return {};
-        } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-          return spec.*of;
-        } else if constexpr (std::is_same_v<Value, std::string>) {
-          return {spec.*of};
-        } else if constexpr (std::is_same_v<Value, int>) {
-          return {std::to_string(spec.*of)};
-        } else if constexpr (std::is_same_v<Value, std::optional<std::string>>) {
-          return {*(spec.*of)};
-        } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
-          return {base::formatDouble(*(spec.*of))};
-        } else {
-          return {std::to_string(*(spec.*of))};
-        }
-      },
-      member);
+  if (const auto* const list = std::get_if<std::vector<std::string> RunSpec::*>(&member)) {
+    return spec.**list;
+  }
+  const base::ParameterValue value = valueOf(*this, spec);
+  if (const auto* const text = std::get_if<std::string>(&value)) {
+    return {*text};
+  }
+  if (const auto* const number = std::get_if<double>(&value)) {
+    return {base::formatDouble(*number)};
+  }
+  const auto* const integer = std::get_if<long long>(&value);
+  return integer != nullptr ? std::vector{std::to_string(*integer)} : std::vector<std::string>();
 }
 
 std::vector<std::string> commandLineOf(const RunSpec& spec) {

@@ -67,7 +67,7 @@ struct RunOption {
   base::Range rangeOfValue() const;
   Names choices() const;  // empty: any text
   bool isGiven(const RunSpec& spec) const;
-  /// As the command line writes it: no text for a flag; several for a list.
+  /// Of a given option, as the command line writes it: no text for a flag; several for a list.
   std::vector<std::string> texts(const RunSpec& spec) const;
 };
 

@@ -148,17 +148,9 @@ void Session::runCreatedWorld(const base::Result<std::unique_ptr<sim2d::World>>&
 
 /// Destroys the observers when it returns or throws.
 sim2d::RunResult Session::runWithObservers(sim2d::World& world, std::vector<Observer> guests) {
-  struct ObserverCleanup {
-    std::vector<Observer>& guests;
-    explicit ObserverCleanup(std::vector<Observer>& all) : guests(all) {}
-    ~ObserverCleanup() { guests.clear(); }
-    ObserverCleanup(const ObserverCleanup&) = delete;
-    ObserverCleanup& operator=(const ObserverCleanup&) = delete;
-    ObserverCleanup(ObserverCleanup&&) = delete;
-    ObserverCleanup& operator=(ObserverCleanup&&) = delete;
-  };
   observers_ = std::move(guests);
-  const ObserverCleanup leave(observers_);
+  const std::unique_ptr<std::vector<Observer>, void (*)(std::vector<Observer>*)> leave(
+      &observers_, [](std::vector<Observer>* all) { all->clear(); });
   const auto show = [this](const sim2d::Frame& frame) {
     for (const Observer& guest : observers_) {
       guest.watch(frame);

@@ -15,26 +15,8 @@ namespace app {
 
 namespace {
 
-/// The open database and the lock of its folder; the members are destroyed in reverse order.
-struct OpenStore {
-  std::unique_ptr<FolderLock> lock;
-  std::unique_ptr<ResultStore> store;
-};
-
 bool isIn(const QString& folder, const char* name) {
   return QFileInfo::exists(QDir(folder).filePath(QLatin1String(name)));
-}
-
-base::Result<OpenStore> openStore(const QString& folder) {
-  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder.toStdString());
-  if (!lock) {
-    return lock.diagnostics();
-  }
-  base::Result<std::unique_ptr<ResultStore>> store = readResults(folder.toStdString());
-  if (!store) {
-    return store.diagnostics();
-  }
-  return OpenStore{*std::move(lock), *std::move(store)};
 }
 
 /// The first problem: "results.sqlite: the results cannot be read …".
@@ -140,7 +122,7 @@ QString withChoices(const QString& problem) {
 RestoredStudy restoredStudyIn(const QString& folder) {
   QString trouble;
   if (isIn(folder, "results.sqlite")) {
-    const base::Result<OpenStore> opened = openStore(folder);
+    const base::Result<LockedResults> opened = readResults(folder.toStdString());
     if (opened) {
       return restoredFrom(*opened->store);
     }
@@ -160,7 +142,7 @@ QString resumeObstacle(const QString& folder, const std::string& experiment) {
                                  .arg(name))
                : QString();
   }
-  const base::Result<OpenStore> opened = openStore(folder);
+  const base::Result<LockedResults> opened = readResults(folder.toStdString());
   if (!opened) {
     return textOf(opened.diagnostics());
   }

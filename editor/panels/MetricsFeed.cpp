@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace editor {
 
@@ -52,69 +51,24 @@ QString metricText(const metrics::MetricResult& result) {
 
 /// Used by one thread at a time: by the worker while it is busy, else by the GUI thread.
 struct MetricsFeed::Work {
-  std::unique_ptr<metrics::FrameEvaluation> live;
-  std::set<int> known;        // People already passed to the metrics.
-  std::size_t events = 0;     // Number of events already passed to the metrics.
-  std::vector<double> times;  // Times of all frames [s].
-  bool hasTracks = true;
+  app::RecordingMeasurer measurer;
   bool isCut = false;  // A state was dropped before it was measured.
-  std::map<std::string, MetricCurve> tracks;
-  double nextPoint = 0.0;
-
-  void meet(const std::vector<sim2d::TraceHuman>& humans) {
-    live->addHumans(humans);
-    for (const sim2d::TraceHuman& human : humans) {
-      known.insert(human.id);
-    }
-  }
-
-  void note(double time, const std::vector<metrics::MetricResult>& results) {
-    for (const metrics::MetricResult& result : results) {
-      MetricCurve& track = tracks[result.info.key];
-      track.times.push_back(time);
-      track.values.push_back(result.value.value.value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
-    nextPoint = time + std::max(kMinGap, time * kGapShare);
-  }
 
   /// Returns false if the next state has been dropped.
   bool takeNext(const sim2d::Recording& recording) {
-    const FramePtr frame = recording.frameIfKept(times.size());
-    if (frame == nullptr) {
-      isCut = true;
-      return false;
-    }
-    const std::vector<int>& ids = frame->humans.id;
-    if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known.count(id) > 0; })) {
-      meet(recording.header()->humans);  // A source has spawned a person.
-    }
-    const std::size_t happened = recording.events().size();
-    for (; events < happened && recording.events()[events].first <= frame->step; ++events) {
-      const auto& [step, event] = recording.events()[events];
-      live->note(static_cast<double>(step) * recording.header()->dt, event);
-    }
-    live->append(*frame);
-    times.push_back(frame->time);
-    if (hasTracks && frame->time >= nextPoint - 1e-9) {
-      note(frame->time, live->values());
-    }
-    return true;
+    isCut = !measurer.takeNext(recording);
+    return !isCut;
   }
 
   MetricSnapshot append(const sim2d::Recording& recording) {
-    const std::size_t end = std::min(recording.size(), times.size() + kMaxFrames);
-    while (!isCut && times.size() < end && takeNext(recording)) {
+    const std::size_t end = std::min(recording.size(), measurer.taken() + kMaxFrames);
+    while (!isCut && measurer.taken() < end && takeNext(recording)) {
     }
     MetricSnapshot snapshot;
     snapshot.isCut = isCut;
-    snapshot.frames = isCut ? recording.size() : times.size();
-    snapshot.results = isCut ? withoutValues(live->values()) : live->values();
-    for (const metrics::MetricResult& result : snapshot.results) {
-      const std::optional<metrics::Series>& series = result.value.series;
-      snapshot.curves[result.info.key] = series && series->values.size() == times.size()
-                                             ? MetricCurve{times, series->values}
-                                             : tracks[result.info.key];
-    }
+    snapshot.frames = isCut ? recording.size() : measurer.taken();
+    snapshot.results = isCut ? withoutValues(measurer.results()) : measurer.results();
+    snapshot.curves = measurer.curves(snapshot.results);
     return snapshot;
   }
 };
@@ -216,16 +170,12 @@ void MetricsFeed::begin() {
     return;
   }
   metrics::Selection wanted = selection();
-  wanted.window = {};  // Cumulative values for all people.
-  wanted.behaviors = false;
   wanted.robotId = robot();
-  makeWork_ = [wanted, header = recording_->header(), parameters = found->parameters] {
-    auto work = std::make_shared<Work>();
-    work->live = std::make_unique<metrics::FrameEvaluation>(*header, wanted, parameters);
-    work->meet(header->humans);
-    return work;
+  makeWork_ = [wanted, header = recording_->header(),
+               parameters = found->parameters](const CurveGap& gap) {
+    return std::make_shared<Work>(Work{{*header, wanted, parameters, gap}});
   };
-  work_ = makeWork_();
+  work_ = makeWork_([](double time) { return std::max(kMinGap, time * kGapShare); });
 }
 
 /// The shown state if it is not the newest one.
@@ -278,17 +228,16 @@ void MetricsFeed::lookBack() {
   // Only one task at a time uses the work; begin() waits for it.
   pastTask_.start([this, index = *index, recording = recording_, make = makeWork_,
                    stop = base::StopFlagPtr(pastStop_)] {
-    if (pastWork_ == nullptr || pastWork_->isCut || pastWork_->times.size() > index + 1) {
-      pastWork_ = make();
-      pastWork_->hasTracks = false;
+    if (pastWork_ == nullptr || pastWork_->isCut || pastWork_->measurer.taken() > index + 1) {
+      pastWork_ = make({});
     }
-    while (pastWork_->times.size() <= index) {
+    while (pastWork_->measurer.taken() <= index) {
       stop->check();
       if (!pastWork_->takeNext(*recording)) {  // The start of the run has been dropped.
         return Past{index, {}};
       }
     }
-    return Past{index, pastWork_->live->values()};
+    return Past{index, pastWork_->measurer.results()};
   });
 }
 

@@ -11,18 +11,14 @@
 #include <QObject>
 
 #include "app/run/MetricsSetup.h"
+#include "app/run/RunComparison.h"
 #include "editor/document/LatestTask.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/run/SimulationRunner.h"
-#include "metrics/IncrementalEvaluation.h"
 
 namespace editor {
 
-/// A metric over the run: its value per sample if it has one, else its cumulative value.
-struct MetricCurve {
-  std::vector<double> times;  // [s]
-  std::vector<double> values;
-};
+using MetricCurve = app::MetricTimeSeries;
 
 /// The metrics at one time of the run.
 struct MetricSnapshot {
@@ -79,8 +75,9 @@ class MetricsFeed : public QObject {
   const ScenarioDocument& document_;
   SimulationRunner& runner_;
   std::optional<metrics::Selection> selection_;
-  int robot_ = -1;                                   // The chosen robot; the run may not have it.
-  std::function<std::shared_ptr<Work>()> makeWork_;  // Creates the work of this run in any thread.
+  int robot_ = -1;  // The chosen robot; the run may not have it.
+  using CurveGap = std::function<double(double time)>;
+  std::function<std::shared_ptr<Work>(const CurveGap&)> makeWork_;  // Of this run, in any thread.
   std::shared_ptr<Work> work_;
   RecordingPtr recording_;
   MetricSnapshot snapshot_;

@@ -78,6 +78,8 @@ class BatchFolderTest : public QObject {
       });
       QVERIFY(code == 0 || code == 9);
       const std::string where = "call " + std::to_string(kills);
+      QVERIFY2(app::completeCommit(folder()).empty(), where.c_str());
+      QVERIFY2(app::checkManifestFiles(folder(), {"results.csv"}).empty(), where.c_str());
       QVERIFY2(work(0, 3, ExistingBatch::Resume), where.c_str());
       QVERIFY2(textOf("results.csv") == expected, where.c_str());
       QVERIFY2(textOf("manifest.json").find("\"finished\": 3") != std::string::npos, where.c_str());

@@ -295,7 +295,7 @@ class FuturesTest : public QObject {
     row("/at", "-1");
     row("/options/count", "1000000000");
     row("/options/jobs", "0");
-    row("/options/gap", "0.0");
+    row("/options/sampleGap", "0.0");
     row("/options/horizon", "1e300");
     row("/options/spread", "-1.0");
     row("/branches", "3");

@@ -31,7 +31,7 @@ class Nav2CheckTest : public QObject {
  private:
   base::Diagnostics checked(const std::string& text, app::Nav2Branch branch = {}) {
     const std::string path = folder_.filePath(QStringLiteral("nav2_params.yaml")).toStdString();
-    return base::writeFileAtomically(path, text).empty() ? app::checkNav2File(path, branch)
+    return base::writeFileAtomically(path, text).empty() ? app::checkNav2Files({path}, branch)
                                                          : base::Diagnostics();
   }
 
@@ -222,8 +222,8 @@ void Nav2CheckTest::shippedTrees_haveNoProblems() {
 }
 
 void Nav2CheckTest::noFile_isAnError() {
-  QVERIFY(base::hasErrors(app::checkNav2File("nowhere/nav2_params.yaml")));
-  QVERIFY(base::hasErrors(app::checkNav2File("/dev/zero")));
+  QVERIFY(base::hasErrors(app::checkNav2Files({"nowhere/nav2_params.yaml"})));
+  QVERIFY(base::hasErrors(app::checkNav2Files({"/dev/zero"})));
 }
 
 void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
@@ -269,7 +269,7 @@ void Nav2CheckTest::fieldFile_isTakenAsRos2Takes() {
   QFETCH(QString, name);
   QFETCH(QString, told);
   const std::string path = SOURCE_DIR "/tests/data/nav2/" + name.toStdString() + ".yaml";
-  const base::Diagnostics found = app::checkNav2File(path);
+  const base::Diagnostics found = app::checkNav2Files({path});
   const std::string words = wordsOf(found);
   QVERIFY2(told.isEmpty() || words.find(path + told.toStdString()) != std::string::npos,
            words.c_str());

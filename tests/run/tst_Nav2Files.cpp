@@ -271,7 +271,7 @@ void Nav2FilesTest::check_tree_thatIsNotFound_isReported() {
             kController +
                 "bt_navigator:\n  ros__parameters:\n    default_nav_through_poses_bt_xml: "
                 "nowhere.xml\n");
-  const std::string text = textsOf(app::checkNav2File(params));
+  const std::string text = textsOf(app::checkNav2Files({params}));
   QVERIFY2(text.find(params + ":8:39: warning: bt_navigator: default_nav_through_poses_bt_xml: "
                               "'nowhere.xml' was not found") != std::string::npos,
            text.c_str());

@@ -292,7 +292,7 @@ void Nav2RoutesTest::mask_thatIsNotThere_isAnError() {
                  "      filters: [\"keepout_filter\"]\n      keepout_filter:\n"
                  "        plugin: \"nav2_costmap_2d::KeepoutFilter\"\n"
                  "        mask_file: \"nowhere.yaml\"\n");
-  const base::Diagnostics found = app::checkNav2File(params);
+  const base::Diagnostics found = app::checkNav2Files({params});
   QVERIFY(base::hasErrors(found));
   QVERIFY(std::any_of(found.begin(), found.end(), [](const base::Diagnostic& problem) {
     return problem.file.find("nowhere.yaml") != std::string::npos;
@@ -356,9 +356,9 @@ void Nav2RoutesTest::speedMask_byTopics_countsAsTheServerSays() {
 }
 
 void Nav2RoutesTest::mask_ofAServerThatIsNotThere_isAWarning() {
-  const base::Diagnostics found =
-      app::checkNav2File(withServers("nav2_lost_mask", "keepout", "nav2_costmap_2d::KeepoutFilter",
-                                     maskServers("keepout", 0, "/home/robot/lost_mask.yaml")));
+  const base::Diagnostics found = app::checkNav2Files(
+      {withServers("nav2_lost_mask", "keepout", "nav2_costmap_2d::KeepoutFilter",
+                   maskServers("keepout", 0, "/home/robot/lost_mask.yaml"))});
   QVERIFY(!base::hasErrors(found));
   QVERIFY(std::any_of(found.begin(), found.end(), [](const base::Diagnostic& problem) {
     return problem.code == "nav2.mask-not-found";

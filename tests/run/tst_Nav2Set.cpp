@@ -149,7 +149,7 @@ void Nav2SetTest::files_areAccepted_data() {
 /// No errors, and no key that nothing reads.
 void Nav2SetTest::files_areAccepted() {
   QFETCH(QString, name);
-  const base::Diagnostics problems = app::checkNav2File(writtenFile(caseOf(name)));
+  const base::Diagnostics problems = app::checkNav2Files({writtenFile(caseOf(name))});
   QVERIFY2(errorsIn(problems).empty(), errorsIn(problems).c_str());
   for (const base::Diagnostic& problem : problems) {
     const bool isUnread =
@@ -160,7 +160,7 @@ void Nav2SetTest::files_areAccepted() {
 
 void Nav2SetTest::lattice_fileBesideTheParameters_isRead() {
   const std::string path = latticeParameters("lattice_good", latticeText());
-  const base::Diagnostics problems = app::checkNav2File(path);
+  const base::Diagnostics problems = app::checkNav2Files({path});
   QVERIFY2(errorsIn(problems).empty(), errorsIn(problems).c_str());
   QVERIFY(std::none_of(problems.begin(), problems.end(), [](const base::Diagnostic& each) {
     return each.code == "nav2.treated-as";
@@ -172,7 +172,8 @@ void Nav2SetTest::lattice_badFile_isAnError() {
   std::string text = latticeText();
   text.replace(text.find("\"end_angle_index\": 0"), 20, "\"end_angle_index\": 7");
   for (const std::string& json : {text, std::string("{"), std::string("[1]"), std::string()}) {
-    const base::Diagnostics problems = app::checkNav2File(latticeParameters("lattice_bad", json));
+    const base::Diagnostics problems =
+        app::checkNav2Files({latticeParameters("lattice_bad", json)});
     QVERIFY(std::any_of(problems.begin(), problems.end(), [](const base::Diagnostic& each) {
       return each.code == "nav2.bad-lattice" && each.severity == base::Severity::Error;
     }));

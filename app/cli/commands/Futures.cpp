@@ -27,7 +27,7 @@ namespace {
 struct FuturesWords {
   std::string moment;  // RUN@SECONDS, or "-": a question on the standard input
   FuturesOptions futures;
-  std::vector<std::string> moves, set;
+  std::vector<std::string> set;
   std::string planner;
 };
 

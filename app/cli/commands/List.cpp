@@ -42,10 +42,7 @@ struct Entry {
   Json details = Json::object();
 };
 
-Json boundJson(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
+/// Infinite limits become null.
 Json parameterJson(const base::ParameterSpec& spec) {
   const double* const fallback = std::get_if<double>(&spec.fallback);
   const std::string* const text = std::get_if<std::string>(&spec.fallback);
@@ -55,8 +52,8 @@ Json parameterJson(const base::ParameterSpec& spec) {
                       : text != nullptr   ? Json(*text)
                                           : Json()},
           {"unit", spec.unit},
-          {"minimum", boundJson(spec.range.low)},
-          {"maximum", boundJson(spec.range.high)},
+          {"minimum", spec.range.low},
+          {"maximum", spec.range.high},
           {"description", spec.help},
           {"source", spec.source}};
 }
@@ -155,8 +152,8 @@ Json portJson(const bt::PortSpec& port) {
           {"required", port.required},
           {"default", port.fallbackText() ? Json(*port.fallbackText()) : Json()},
           {"unit", port.unit},
-          {"minimum", boundJson(port.range.low)},
-          {"maximum", boundJson(port.range.high)},
+          {"minimum", port.range.low},
+          {"maximum", port.range.high},
           {"description", port.help}};
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,23 +69,12 @@ constexpr double kMaxGifRate = 50.0;       // maximum frame rate of GIF viewers 
 constexpr double kFilmRate = 20.0;         // [1/s]
 
 std::optional<Kind> pictureKindOf(const std::string& ending) {
-  if (ending == ".png") {
-    return Kind::Picture;
-  }
-  if (ending == ".svg" || ending == ".pdf") {
-    return Kind::Vectors;
-  }
-  if (ending == ".html") {
-    return Kind::Page;
-  }
-  if (ending == ".mcap" || ending == ".db3") {
-    return Kind::Bag;
-  }
-  if (ending == ".ndjson") {
-    return Kind::Trajnet;
-  }
-  if (ending == ".json") {
-    return Kind::Socnav3;
+  static const std::map<std::string, Kind> kKinds = {
+      {".png", Kind::Picture},    {".svg", Kind::Vectors}, {".pdf", Kind::Vectors},
+      {".html", Kind::Page},      {".mcap", Kind::Bag},    {".db3", Kind::Bag},
+      {".ndjson", Kind::Trajnet}, {".json", Kind::Socnav3}};
+  if (const auto found = kKinds.find(ending); found != kKinds.end()) {
+    return found->second;
   }
   return Movie::isSupported(ending) ? std::optional(Kind::Film) : std::nullopt;
 }
@@ -157,12 +147,10 @@ std::vector<double> stripTimes(const std::string& words, const sim2d::Trace& tra
   constexpr int kMaxInstants = 24;
   std::vector<double> times;
   bool isFine = true;
-  for (std::size_t from = 0; from <= words.size();) {
-    const std::size_t comma = std::min(words.find(',', from), words.size());
-    const std::optional<double> time = base::parseDouble(words.substr(from, comma - from));
+  for (const std::string& word : base::split(words, ',')) {
+    const std::optional<double> time = base::parseDouble(word);
     isFine = isFine && time && *time >= 0.0 && std::isfinite(*time);
     times.push_back(time.value_or(0.0));
-    from = comma + 1;
   }
   const bool isCount = times.size() == 1;
   const bool isWhole = isCount && times.front() == std::floor(times.front());

@@ -33,23 +33,20 @@ struct ReportOptions {
 /// Error if the batch has no results.csv yet because it is running or was killed. Empty if
 /// results.csv exists or there is no batch.
 base::Diagnostics checkBatchFinished(const std::string& folder) {
-  std::error_code ignored;
-  const fs::path place(folder);
-  if (fs::exists(fs::symlink_status(place / "results.csv", ignored)) ||
-      !ResultStore::isResultDatabase((place / "results.sqlite").string())) {
+  if (base::Diagnostics problems = completeCommit(folder); !problems.empty()) {
+    return problems;
+  }
+  if (entryExists(pathIn(folder, "results.csv")) ||
+      !ResultStore::isResultDatabase(pathIn(folder, "results.sqlite"))) {
     return {};
   }
-  const base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::acquire(folder);
-  if (!lock) {
-    const bool isRunning = lock.diagnostics().front().code == "batch.locked";
+  const base::Result<LockedResults> results = readResults(folder);
+  if (!results) {
+    const bool isRunning = results.diagnostics().front().code == "batch.locked";
     return isRunning ? base::Diagnostics{base::error("report.batch-runs", {}, folder)}
-                     : lock.diagnostics();
+                     : results.diagnostics();
   }
-  const base::Result<std::unique_ptr<ResultStore>> store = readResults(folder);
-  if (!store) {
-    return store.diagnostics();
-  }
-  const Study& study = (*store)->study();
+  const Study& study = results->store->study();
   std::vector<std::string> words = {"hunavsim", "batch", study.experimentPath,
                                     "-o",       folder,  "--resume"};
   if (study.shard.count > 1) {
@@ -63,7 +60,8 @@ base::Diagnostics checkBatchFinished(const std::string& folder) {
   }
   return {base::error(
       "report.batch-cut",
-      {(*store)->finished(), study.shard.runCount(study.runs), report::shellText(words)}, folder)};
+      {results->store->finished(), study.shard.runCount(study.runs), report::shellText(words)},
+      folder)};
 }
 
 /// "path_length=2,success=1". Reports values that are not numbers >= 0.
@@ -135,12 +133,12 @@ std::vector<base::FileContent> filesOf(const report::Report& report, bool withPd
 
 /// Figures and tables of an earlier report, which may contain other metrics.
 base::Result<std::vector<std::string>> earlierFiles(const std::string& folder) {
-  const base::Result<FileHashes> listed = manifestFiles(folder, OutputFolder::kHiddenManifest);
-  if (!listed) {
-    return listed.diagnostics();
+  const base::Result<Manifest> manifest = readManifest(folder, Manifest::kHiddenName);
+  if (!manifest) {
+    return manifest.diagnostics();
   }
   std::vector<std::string> names;
-  for (const auto& [name, hash] : *listed) {
+  for (const auto& [name, hash] : manifest->outputs) {
     if (name.rfind("figures/", 0) == 0 || name.rfind("tables/", 0) == 0) {
       names.push_back(name);
     }

@@ -68,20 +68,19 @@ std::string csvOf(const std::vector<Row>& rows) {
 
 std::string jsonOf(const std::vector<Row>& rows) {
   Json all = Json::array();
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  for (const Row& row : rows) {
+  for (const Row& row : rows) {  // numbers that are not finite become null
     all.push_back({{"name", row.test},
                    {"model", row.model},
                    {"quantity", row.quantity.name},
                    {"unit", row.quantity.unit},
                    {"summary", row.summary()},
                    {"seeds", row.values.size()},
-                   {"value", number(row.value)},
-                   {"least", number(row.quantity.least)},
-                   {"most", number(row.quantity.most)},
+                   {"value", row.value},
+                   {"least", row.quantity.least},
+                   {"most", row.quantity.most},
                    {"pass", row.passes()}});
     for (const double value : row.values) {
-      all.back()["values"].push_back(number(value));
+      all.back()["values"].push_back(value);
     }
     if (!row.problem.empty()) {
       all.back()["why"] = row.problem;
@@ -200,7 +199,7 @@ std::unique_ptr<OutputFolder> openOutput(const ValidateOptions& options) {
     return nullptr;
   }
   base::Result<std::unique_ptr<OutputFolder>> output =
-      OutputFolder::open(options.output, options.force, OutputFolder::kHiddenManifest);
+      OutputFolder::open(options.output, options.force, Manifest::kHiddenName);
   requireFine(output.diagnostics());
   requireFine((*output)->conflictingFiles({kTableFile, kJsonFile}));
   return *std::move(output);
