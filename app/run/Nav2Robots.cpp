@@ -9,7 +9,6 @@
 #include "app/run/DataPaths.h"
 #include "app/run/PlannerFiles.h"
 #include "bt/robot/Nav2Files.h"
-#include "bt/robot/Nav2ParamFiles.h"
 #include "bt/robot/Nav2Report.h"
 #include "bt/robot/Nav2Servers.h"
 #include "sim2d/base/Text.h"

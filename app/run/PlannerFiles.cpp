@@ -9,7 +9,6 @@
 #include "sim2d/nav/external/CodePermission.h"
 #include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/nav/external/ExternalProcess.h"
-#include "sim2d/nav/external/PrintableText.h"
 #include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioFile.h"
 

@@ -9,7 +9,7 @@
 #include "app/run/RunSpec.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/StudyPanel.h"
-#include "sim2d/nav/external/PrintableText.h"
+#include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {

@@ -14,6 +14,7 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
+#include "sim2d/nav/nav2/global/SmacLatticePlanner.h"
 #include "sim2d/nav/nav2/params/ReferencedFiles.h"
 
 namespace bt {

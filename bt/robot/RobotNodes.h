@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "bt/engine/NodeLibrary.h"
 #include "bt/robot/NavigatorHost.h"
@@ -28,6 +30,46 @@ inline NavigatorHost& robotOf(const LeafContext& leaf) {
 /// The path number in an input port; 0 if missing.
 inline PathId pathOf(const LeafContext& leaf, int port) {
   return leaf.get<int>(port).value_or(0);
+}
+
+/// The text of an input port; empty if missing.
+inline std::string textOf(const LeafContext& leaf, int port) {
+  return leaf.text(port).value_or("");
+}
+
+/// The status of a node that waits for an action. Cancelled counts as success, as in Nav2.
+inline base::NodeStatus statusOf(const RobotOutcome& outcome) {
+  if (outcome.state == RobotOutcome::State::Running) {
+    return base::NodeStatus::Running;
+  }
+  return outcome.state == RobotOutcome::State::Failed ? base::NodeStatus::Failure
+                                                      : base::NodeStatus::Success;
+}
+
+/// Cancels an action when its node is halted.
+template <RobotAction action>
+void cancelAction(LeafContext& leaf) {
+  robotOf(leaf).cancel(action);
+}
+
+/// A node that cancels an action.
+template <RobotAction action>
+base::NodeStatus cancelNow(LeafContext& leaf) {
+  robotOf(leaf).cancel(action);
+  return base::NodeStatus::Success;
+}
+
+/// Memory of a node that outputs a path.
+struct OutputMemory {
+  PathId last;  // last output
+};
+
+/// Writes an output. An unchanged path keeps its number, so that its users see no new path.
+inline base::NodeStatus setPathOutput(LeafContext& leaf, int port, sim2d::nav2::Path path) {
+  PathId& last = leaf.memory<OutputMemory>().last;
+  last = robotOf(leaf).paths().addUnlessEqual(std::move(path), last);
+  leaf.set<int>(port, static_cast<int>(last));
+  return base::NodeStatus::Success;
 }
 
 /// The Nav2 distributions in which a node has a port, as a mask for `sim2d::nav2::includesDistro`;

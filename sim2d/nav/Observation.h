@@ -24,6 +24,11 @@ struct LaserScan {
   double range = 30.0;            // [m]; the distance of beams without a hit
   std::vector<double> distances;  // [m]
   Pose2 mapToOdom;                // of the robot at this time; see `Observation`
+
+  /// Direction of a beam in the frame of `sensor.position` [rad], not wrapped.
+  double angle(std::size_t beam) const {
+    return sensor.heading + angleMin + static_cast<double>(beam) * angleIncrement;
+  }
 };
 
 enum class BodyKind : std::uint8_t { Person, Robot };

@@ -140,6 +140,12 @@ class Planner {
   virtual std::string manifestJson() const { return {}; }
 };
 
+/// Stands still; replaces a planner that must not be started.
+class IdlePlanner : public Planner {
+ public:
+  base::Result<BodyTwist> command(const Observation&) override { return BodyTwist{}; }
+};
+
 /// Arguments for constructing a planner.
 struct PlannerSetup {
   std::string robot;  // name of the robot, for error messages

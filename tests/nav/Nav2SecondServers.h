@@ -13,7 +13,6 @@
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/control/GoalCheckers.h"
-#include "sim2d/nav/nav2/control/ProgressChecker.h"
 #include "sim2d/nav/nav2/servers/CollisionMonitor.h"
 #include "sim2d/nav/nav2/servers/VelocitySmoother.h"
 

@@ -3,7 +3,6 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/control/GoalCheckers.h"
-#include "sim2d/nav/nav2/control/ProgressChecker.h"
 
 using namespace sim2d::nav2;
 using base::Vec2;

@@ -711,16 +711,16 @@ void LayeredCostmapTest::keys_tables_haveDifferentNames() {
     return !names.empty() && names.size() == keys.size();
   };
   QVERIFY(areDifferent(costmapKeys()));
-  QVERIFY(areDifferent(staticLayerKeys()));
+  QVERIFY(areDifferent(keysOf(StaticLayerParameters())));
   QVERIFY(areDifferent(observationSourceKeys()));
-  QVERIFY(areDifferent(obstacleLayerKeys()));
-  QVERIFY(areDifferent(voxelLayerKeys()));
-  QVERIFY(areDifferent(inflationLayerKeys()));
-  QVERIFY(areDifferent(socialLayerKeys()));
+  QVERIFY(areDifferent(keysOf(ObstacleLayerParameters())));
+  QVERIFY(areDifferent(keysOf(VoxelLayerParameters())));
+  QVERIFY(areDifferent(keysOf(InflationLayerParameters())));
+  QVERIFY(areDifferent(keysOf(SocialLayerParameters())));
   QVERIFY(areDifferent(ignoredCostmapKeys()));
   QVERIFY(areDifferent(ignoredLayerKeys()));
   VoxelLayerParameters voxels;  // a key of the base has its member
-  for (const Nav2Key<VoxelLayerParameters>& key : voxelLayerKeys()) {
+  for (const Nav2Key<VoxelLayerParameters>& key : keysOf(VoxelLayerParameters())) {
     if (std::string(key.name) == "combination_method") {
       voxels.*std::get<int VoxelLayerParameters::*>(key.member) = 2;
     }
@@ -765,18 +765,18 @@ void LayeredCostmapTest::keys_defaults_areThoseOfNav2sCode() {
                        "m; inf_is_valid false; marking true; clearing false; obstacle_max_range "
                        "2.5 m; obstacle_min_range 0 m; raytrace_max_range 3 m; "
                        "raytrace_min_range 0 m; "));
-  QCOMPARE(textOf(voxelLayerKeys(), VoxelLayerParameters()),
+  QCOMPARE(textOf(keysOf(VoxelLayerParameters()), VoxelLayerParameters()),
            std::string("enabled true; footprint_clearing_enabled true; min_obstacle_height 0 m; "
                        "max_obstacle_height 2 m; combination_method 1; observation_sources ''; "
                        "origin_z 0 m; z_resolution 0.2 m; z_voxels 10; mark_threshold 0; "));
-  QCOMPARE(textOf(inflationLayerKeys(), InflationLayerParameters()),
+  QCOMPARE(textOf(keysOf(InflationLayerParameters()), InflationLayerParameters()),
            std::string("enabled true; inflation_radius 0.55 m; cost_scaling_factor 10 m; "
                        "inflate_unknown false; inflate_around_unknown false; "
                        "custom_inscribed_radius -1 m; "));
-  QCOMPARE(textOf(staticLayerKeys(), StaticLayerParameters()),
+  QCOMPARE(textOf(keysOf(StaticLayerParameters()), StaticLayerParameters()),
            std::string("enabled true; footprint_clearing_enabled false; "
                        "restore_cleared_footprint true; "));
-  QCOMPARE(textOf(keepoutFilterKeys(), KeepoutFilterParameters()),
+  QCOMPARE(textOf(keysOf(KeepoutFilterParameters()), KeepoutFilterParameters()),
            std::string("enabled true; override_lethal_cost false; lethal_override_cost 252; "
                        "filter_info_topic ''; mask_file ''; "));  // the last is ours
 }

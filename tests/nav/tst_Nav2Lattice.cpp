@@ -21,6 +21,7 @@ class Nav2LatticeTest : public QObject {
   void plan_wall_isGoneAround();
   void plan_backward_onlyWhereItIsAllowed();
   void plan_turnOnTheSpot_isUsedWhereNothingElseFits();
+  void plan_goalAmongCosts_isReachedByACurve();
   void plan_failures();
   void lattice_withoutItsFile_isSmacHybrid();
 };
@@ -99,8 +100,7 @@ void Nav2LatticeTest::cost_ofPrimitives_byHand() {
   const Costmap costmap(20, 20, 0.05, {0.0, 0.0});
   const PlanRequest request(costmap, {}, {});
   ObstacleHeuristic obstacles;
-  const LatticeSearch search(
-      {parameters, Distro::Jazzy, *parameters.lattice, costmap, request, obstacles});
+  const LatticeSearch search(parameters, Distro::Jazzy, request, obstacles);
   const auto isNear = [](double a, double b) { return std::abs(a - b) < 1e-9; };
   const auto& prims = parameters.lattice->primitives[0];
   const double arc = 0.2 * kQuarter / 0.05;
@@ -155,6 +155,23 @@ void Nav2LatticeTest::plan_backward_onlyWhereItIsAllowed() {
   QVERIFY(goesBackward(either.path));
   QVERIFY(costs::lengthOf(either.path) < 0.7);
   QVERIFY(costs::lengthOf(forward.path) > 1.5);
+}
+
+/// A curve may exceed the maximum cost at its end: the same path as with the exception for short
+/// curves (1 m is less than a circle, 1.26 m), which would accept it anyway.
+void Nav2LatticeTest::plan_goalAmongCosts_isReachedByACurve() {
+  Costmap costmap(100, 100, 0.05, {0.0, 0.0});
+  for (int row = 40; row < 60; ++row) {
+    for (int column = 56; column < 66; ++column) {
+      costmap.set({column, row}, 240);
+    }
+  }
+  const Pose2 start{{2.02, 2.52}, 0.0}, goal{{3.02, 2.56}, 0.0};
+  SmacLatticeParameters parameters = parametersOf();
+  const Path path = planned(parameters, costmap, start, goal).path;
+  parameters.analyticExpansionMaxCostOverride = true;
+  QVERIFY(path.size() > 2);
+  QCOMPARE(path, planned(parameters, costmap, start, goal).path);
 }
 
 /// A dead end of 0.3 m: no arc fits, the robot turns round where it stands.

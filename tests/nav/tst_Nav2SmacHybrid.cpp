@@ -7,7 +7,6 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/costmap/Footprint.h"
-#include "sim2d/nav/nav2/global/HybridSearch.h"
 #include "sim2d/nav/nav2/global/SmacCommon.h"
 #include "sim2d/nav/nav2/global/SmacHybridPlanner.h"
 #include "tests/nav/CostmapSketch.h"

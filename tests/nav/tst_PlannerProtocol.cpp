@@ -5,8 +5,8 @@
 
 #include <QtTest>
 
+#include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/nav/external/ExternalPlanner.h"
-#include "sim2d/nav/external/PrintableText.h"
 #include "tests/nav/ExternalScene.h"
 
 using namespace external;

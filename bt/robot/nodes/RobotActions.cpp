@@ -14,10 +14,6 @@ using base::NodeStatus;
 using sim2d::nav2::Distro;
 using State = RobotOutcome::State;
 
-std::string textOf(const LeafContext& leaf, int port) {
-  return leaf.text(port).value_or("");
-}
-
 void setPath(LeafContext& leaf, int port, PathId path) {
   leaf.set<int>(port, static_cast<int>(path));
 }
@@ -27,19 +23,6 @@ struct ActionMemory {
   PathId path;
   std::uint64_t names;  // hash of the chosen servers' names
 };
-
-/// A node requests its server on start and ends with it. Cancelled counts as success.
-NodeStatus statusOf(const RobotOutcome& outcome) {
-  if (outcome.state == State::Running) {
-    return NodeStatus::Running;
-  }
-  return outcome.state == State::Failed ? NodeStatus::Failure : NodeStatus::Success;
-}
-
-template <RobotAction action>
-void cancelAction(LeafContext& leaf) {
-  robotOf(leaf).cancel(action);
-}
 
 // ComputePathToPose and ComputePathThroughPoses. Ports 0: goal or goals, 1: start, 2: planner, 3:
 // use_start or, for several goals, index of the last one reached (out), 4: path (out), 5: error
@@ -216,12 +199,6 @@ NodeStatus awaitBehavior(LeafContext& leaf) {
 }
 
 // Cancelling actions and clearing costmaps
-
-template <RobotAction action>
-NodeStatus cancelNow(LeafContext& leaf) {
-  robotOf(leaf).cancel(action);
-  return NodeStatus::Success;
-}
 
 /// Ports 0: service, 1: plugins, then distance [m], pose. The service name selects the costmap.
 template <ClearRequest::Extent extent>

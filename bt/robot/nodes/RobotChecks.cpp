@@ -35,8 +35,8 @@ NodeStatus isPathValid(LeafContext& leaf) {
 NodeStatus validatePath(LeafContext& leaf) {
   PathCheck check = checkOf(leaf);
   check.lookahead = leaf.getOr<double>(4, -1.0);
-  check.layer = leaf.text(5).value_or("");
-  check.footprint = leaf.text(6).value_or("");
+  check.layer = textOf(leaf, 5);
+  check.footprint = textOf(leaf, 6);
   check.stopsAtFirst = leaf.getOr<bool>(7, true);
   NavigatorHost& robot = robotOf(leaf);
   PathCheckResult result = robot.checkPath(check);

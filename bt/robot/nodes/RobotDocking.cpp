@@ -10,29 +10,13 @@ namespace {
 using base::NodeStatus;
 using State = RobotOutcome::State;
 
-std::string textOf(const LeafContext& leaf, int port) {
-  return leaf.text(port).value_or("");
-}
-
-template <RobotAction action>
-void cancelAction(LeafContext& leaf) {
-  robotOf(leaf).cancel(action);
-}
-
-template <RobotAction action>
-NodeStatus cancelNow(LeafContext& leaf) {
-  robotOf(leaf).cancel(action);
-  return NodeStatus::Success;
-}
-
-/// Ports from `first`: error code, message. Cancelled counts as success, as in all Nav2 actions.
-NodeStatus statusOf(LeafContext& leaf, const RobotOutcome& outcome, int first) {
-  if (outcome.state == State::Running) {
-    return NodeStatus::Running;
+/// Ports from `first`: error code, message.
+NodeStatus statusWithError(LeafContext& leaf, const RobotOutcome& outcome, int first) {
+  if (outcome.state != State::Running) {
+    leaf.set<int>(first, outcome.errorCode);
+    leaf.set<std::string_view>(first + 1, outcome.errorText);
   }
-  leaf.set<int>(first, outcome.errorCode);
-  leaf.set<std::string_view>(first + 1, outcome.errorText);
-  return outcome.state == State::Failed ? NodeStatus::Failure : NodeStatus::Success;
+  return statusOf(outcome);
 }
 
 // DockRobot. Ports 0: use_dock_id, 1: dock_id, 2: dock_pose, 3: dock_type, 4: max_staging_time,
@@ -61,7 +45,7 @@ NodeStatus awaitDocking(LeafContext& leaf) {
     leaf.set<bool>(8, outcome.state == State::Succeeded);
     leaf.set<int>(9, outcome.retries);
   }
-  return statusOf(leaf, outcome, 6);
+  return statusWithError(leaf, outcome, 6);
 }
 
 // UndockRobot. Ports 0: dock_type, 1: max_undocking_time; out 2: error code, 3: message,
@@ -80,7 +64,7 @@ NodeStatus awaitUndocking(LeafContext& leaf) {
   if (outcome.state != State::Running) {
     leaf.set<bool>(4, outcome.state == State::Succeeded);
   }
-  return statusOf(leaf, outcome, 2);
+  return statusWithError(leaf, outcome, 2);
 }
 
 // FollowObject. Ports 0: pose_topic, 1: tracked_frame, 2: max_duration; out 3: error code,
@@ -100,7 +84,7 @@ NodeStatus awaitFollowing(LeafContext& leaf) {
   if (outcome.state != State::Running) {
     leaf.set<double>(5, outcome.duration);
   }
-  return statusOf(leaf, outcome, 3);
+  return statusWithError(leaf, outcome, 3);
 }
 
 // AssistedTeleop. Ports 0: time_allowance, 1: is_recovery; out 2: error code, 3: message.
@@ -117,7 +101,7 @@ NodeStatus beginTeleop(LeafContext& leaf) {
 }
 
 NodeStatus awaitTeleop(LeafContext& leaf) {
-  return statusOf(leaf, robotOf(leaf).outcome(RobotAction::AssistedTeleop), 2);
+  return statusWithError(leaf, robotOf(leaf).outcome(RobotAction::AssistedTeleop), 2);
 }
 
 // Battery conditions. A robot without a battery publishes nothing: both are false.

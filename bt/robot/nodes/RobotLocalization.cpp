@@ -20,7 +20,7 @@ struct FoundMemory {
 NodeStatus transformAvailable(LeafContext& leaf) {
   auto& memory = leaf.memory<FoundMemory>();
   if (!memory.wasFound) {
-    const std::string parent = leaf.text(0).value_or(""), child = leaf.text(1).value_or("");
+    const std::string parent = textOf(leaf, 0), child = textOf(leaf, 1);
     memory.wasFound = robotOf(leaf).canTransform(parent, child);
   }
   return memory.wasFound ? NodeStatus::Success : NodeStatus::Failure;

@@ -16,7 +16,7 @@ template <RobotAction action>
 NodeStatus begin(LeafContext& leaf) {
   RobotRequest request;
   request.path = pathOf(leaf, 0);
-  request.tree = leaf.text(1).value_or("");
+  request.tree = textOf(leaf, 1);
   robotOf(leaf).begin(action, request);
   return NodeStatus::Running;
 }
@@ -24,17 +24,11 @@ NodeStatus begin(LeafContext& leaf) {
 template <RobotAction action>
 NodeStatus await(LeafContext& leaf) {
   const RobotOutcome outcome = robotOf(leaf).outcome(action);
-  if (outcome.state == State::Running) {
-    return NodeStatus::Running;
+  if (outcome.state != State::Running) {
+    leaf.set<int>(2, outcome.errorCode);
+    leaf.set<std::string_view>(3, outcome.errorText);
   }
-  leaf.set<int>(2, outcome.errorCode);
-  leaf.set<std::string_view>(3, outcome.errorText);
-  return outcome.state == State::Failed ? NodeStatus::Failure : NodeStatus::Success;
-}
-
-template <RobotAction action>
-void end(LeafContext& leaf) {
-  robotOf(leaf).cancel(action);
+  return statusOf(outcome);
 }
 
 constexpr const char* kNodes = R"(
@@ -53,7 +47,7 @@ error_code_id error_msg server_name server_timeout
 
 template <RobotAction action>
 void add(NodeLibrary& to, const NodeManifest& manifest) {
-  to.addStateful(manifest, {begin<action>, await<action>, end<action>});
+  to.addStateful(manifest, {begin<action>, await<action>, cancelAction<action>});
 }
 
 }  // namespace

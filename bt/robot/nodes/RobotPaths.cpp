@@ -17,18 +17,6 @@ using base::Pose2;
 using base::Vec2;
 using sim2d::nav2::Path;
 
-struct OutputMemory {
-  PathId last;  // last output
-};
-
-/// Writes an output. An unchanged path keeps its number, so that its users see no new path.
-NodeStatus setPathOutput(LeafContext& leaf, int port, Path path) {
-  PathId& last = leaf.memory<OutputMemory>().last;
-  last = robotOf(leaf).paths().addUnlessEqual(std::move(path), last);
-  leaf.set<int>(port, static_cast<int>(last));
-  return NodeStatus::Success;
-}
-
 /// Ports 0: distance [m], 1: path, 2: result. Removes poses within the straight-line distance of
 /// the end; the new end faces the old one.
 NodeStatus truncatePath(LeafContext& leaf) {

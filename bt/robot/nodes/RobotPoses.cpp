@@ -16,18 +16,6 @@ using base::NodeStatus;
 using base::Pose2;
 using sim2d::nav2::Path;
 
-struct OutputMemory {
-  PathId last;  // last output
-};
-
-/// Writes an output. An unchanged path keeps its number, so that its users see no new path.
-NodeStatus setPathOutput(LeafContext& leaf, int port, Path path) {
-  PathId& last = leaf.memory<OutputMemory>().last;
-  last = robotOf(leaf).paths().addUnlessEqual(std::move(path), last);
-  leaf.set<int>(port, static_cast<int>(last));
-  return NodeStatus::Success;
-}
-
 /// Ports 0: path, 1: index, negative from the end, 2: pose (out).
 NodeStatus poseFromPath(LeafContext& leaf) {
   const Path& path = robotOf(leaf).paths().get(pathOf(leaf, 0));

@@ -55,11 +55,10 @@ NodeStatus beginRoute(LeafContext& leaf) {
 
 NodeStatus awaitRoute(LeafContext& leaf) {
   const RobotOutcome outcome = robotOf(leaf).outcome(RobotAction::ComputeRoute);
-  if (outcome.state == State::Running) {
-    return NodeStatus::Running;
+  if (outcome.state != State::Running) {
+    setOutputs(leaf, outcome);
   }
-  setOutputs(leaf, outcome);
-  return outcome.state == State::Failed ? NodeStatus::Failure : NodeStatus::Success;
+  return statusOf(outcome);
 }
 
 NodeStatus beginTrack(LeafContext& leaf) {
@@ -84,7 +83,7 @@ NodeStatus awaitTrack(LeafContext& leaf) {
     leaf.set<double>(15, outcome.duration);
   }
   if (outcome.state != State::Running) {
-    return outcome.state == State::Failed ? NodeStatus::Failure : NodeStatus::Success;
+    return statusOf(outcome);
   }
   const RobotRequest request = requestOf(leaf);
   const RouteMemory now = memoryOf(request);
@@ -95,16 +94,6 @@ NodeStatus awaitTrack(LeafContext& leaf) {
     robot.begin(RobotAction::ComputeAndTrackRoute, request);
   }
   return NodeStatus::Running;
-}
-
-template <RobotAction action>
-void cancelRoute(LeafContext& leaf) {
-  robotOf(leaf).cancel(action);
-}
-
-NodeStatus cancelTracking(LeafContext& leaf) {
-  robotOf(leaf).cancel(RobotAction::ComputeAndTrackRoute);
-  return NodeStatus::Success;
 }
 
 /// Ports 0: route, 1: goals (out).
@@ -157,11 +146,12 @@ void addRobotRoutes(NodeLibrary& to) {
   const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   to.addStateful(manifest("ComputeRoute"),
-                 {beginRoute, awaitRoute, cancelRoute<RobotAction::ComputeRoute>});
+                 {beginRoute, awaitRoute, cancelAction<RobotAction::ComputeRoute>});
   to.addStateful<RouteMemory>(
       manifest("ComputeAndTrackRoute"),
-      {beginTrack, awaitTrack, cancelRoute<RobotAction::ComputeAndTrackRoute>});
-  to.addAction(manifest("CancelComputeAndTrackRoute"), cancelTracking);
+      {beginTrack, awaitTrack, cancelAction<RobotAction::ComputeAndTrackRoute>});
+  to.addAction(manifest("CancelComputeAndTrackRoute"),
+               cancelNow<RobotAction::ComputeAndTrackRoute>);
   to.addAction(manifest("ExtractRouteNodesAsGoals"), extractNodes);
 }
 

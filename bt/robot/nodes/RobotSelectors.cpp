@@ -12,9 +12,9 @@ using base::NodeStatus;
 /// Ports 0: topic, 1: default, 2: choice (out). The last message, or the default before the first
 /// one.
 NodeStatus choose(LeafContext& leaf) {
-  const TopicMessage message = robotOf(leaf).lastMessage(leaf.text(0).value_or(""));
+  const TopicMessage message = robotOf(leaf).lastMessage(textOf(leaf, 0));
   const std::string chosen =
-      message.number > 0 && !message.text.empty() ? message.text : leaf.text(1).value_or("");
+      message.number > 0 && !message.text.empty() ? message.text : textOf(leaf, 1);
   if (chosen.empty()) {
     return NodeStatus::Failure;
   }

@@ -12,7 +12,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/nav/external/ExternalProcess.h"
-#include "sim2d/nav/external/PrintableText.h"
 
 namespace sim2d {
 namespace {

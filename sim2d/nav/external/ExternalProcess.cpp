@@ -21,7 +21,6 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/external/CommandLine.h"
-#include "sim2d/nav/external/PrintableText.h"
 
 namespace sim2d {
 namespace {
@@ -321,7 +320,7 @@ int connectTo(const std::string& path, const base::StopFlag& stop, FileDescripto
 }  // namespace
 
 bool ExternalProcess::isSocket(const std::string& command) {
-  return command.compare(0, kSocketPrefix.size(), kSocketPrefix) == 0;
+  return base::startsWith(command, kSocketPrefix);
 }
 
 base::Result<std::unique_ptr<ExternalProcess>> ExternalProcess::start(const std::string& command,

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/nav/external/ExternalPlanner.h"
-#include "sim2d/nav/external/PrintableText.h"
 
 namespace sim2d {
 namespace {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
+
 namespace sim2d {
 
 bool isMppiSimdLevelSupported(MppiSimdLevel path) {
@@ -21,6 +23,12 @@ MppiSimdLevel fastestMppiSimdLevel() {
 MppiKernel mppiKernelFor(MppiSimdLevel path) {
   constexpr std::array<MppiKernel (*)(), 3> kKernels = {mppiKernelSse2, mppiKernelAvx2,
                                                         mppiKernelAvx512};
+  return kKernels[static_cast<std::size_t>(path)]();
+}
+
+nav2::TrajectoryKernel nav2::trajectoryKernelOf(MppiSimdLevel path) {
+  constexpr std::array<TrajectoryKernel (*)(), 3> kKernels = {
+      trajectoryKernelSse2, trajectoryKernelAvx2, trajectoryKernelAvx512};
   return kKernels[static_cast<std::size_t>(path)]();
 }
 

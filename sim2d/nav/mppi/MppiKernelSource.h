@@ -198,12 +198,7 @@ inline float weightedSum(const float* weights, const float* values, int count) {
     }
     store(columns + lane, sum);
   }
-  for (int half = kMppiColumns / 2; half > 0; half /= 2) {
-    for (int i = 0; i < half; ++i) {
-      columns[i] = columns[i] + columns[i + half];
-    }
-  }
-  return columns[0];
+  return sumOfColumns(columns);
 }
 
 }  // namespace

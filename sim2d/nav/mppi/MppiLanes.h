@@ -4,6 +4,8 @@
 
 #include <xsimd/xsimd.hpp>
 
+#include "sim2d/nav/mppi/MppiKernel.h"
+
 /// One register of floats of the instruction set for which this file is compiled. Only operations
 /// that IEEE 754 rounds correctly are used, neither fused nor approximate ones, so that every set
 /// gives identical bits. Everything except xsimd, whose types carry the instruction set in their
@@ -39,6 +41,16 @@ inline Lanes clamped(Lanes a, Lanes low, Lanes high) {
 }
 inline Lanes positivePart(Lanes a) {
   return max(a, fill(0.0F));
+}
+
+/// Adds kMppiColumns partial sums, always in the same order; overwrites them.
+inline float sumOfColumns(float* columns) {
+  for (int half = kMppiColumns / 2; half > 0; half /= 2) {
+    for (int i = 0; i < half; ++i) {
+      columns[i] = columns[i] + columns[i + half];
+    }
+  }
+  return columns[0];
 }
 
 /// High and low halves of the products of 32-bit words with one word.

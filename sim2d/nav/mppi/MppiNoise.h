@@ -60,19 +60,27 @@ inline Lanes sineOfTurn(Lanes a) {
                    z * (fill(81.6024764F) + z * (fill(-76.5811726F) + z * fill(39.7598271F)))));
 }
 
+struct LaneDirection {
+  Lanes cosine, sine;
+};
+
+/// Cosine and sine of an angle [turns] in [-1/2, 1/2].
+inline LaneDirection directionOfTurn(Lanes turn) {
+  const Lanes folded = abs(turn) - fill(0.25F);              // [-1/4, 1/4]
+  const Lanes sine = sineOfTurn(fill(0.25F) - abs(folded));  // of |turn|
+  return {sineOfTurn(fill(0.0F) - folded), sine | (turn & fill(-0.0F))};
+}
+
 /// Two independent standard normal numbers.
 struct NormalPair {
   Lanes first, second;
 };
 
 inline NormalPair normalsOf(LaneWords forRadius, LaneWords forTurn) {
-  const Lanes u = fill(2.0F) - fromOneToTwo(forRadius);   // (0, 1]
-  const Lanes turn = fromOneToTwo(forTurn) - fill(1.5F);  // [-1/2, 1/2)
+  const Lanes u = fill(2.0F) - fromOneToTwo(forRadius);  // (0, 1]
+  const LaneDirection direction = directionOfTurn(fromOneToTwo(forTurn) - fill(1.5F));
   const Lanes radius = sqrt(positivePart(fill(-2.0F) * logOf(u)));
-  const Lanes folded = abs(turn) - fill(0.25F);              // [-1/4, 1/4]
-  const Lanes sine = sineOfTurn(fill(0.25F) - abs(folded));  // of |turn|
-  const Lanes sign = turn & fill(-0.0F);
-  return {radius * sineOfTurn(fill(0.0F) - folded), radius * (sine | sign)};
+  return {radius * direction.cosine, radius * direction.sine};
 }
 
 /// Normal numbers of one register of samples for all steps: steps 2 k and 2 k + 1 come from block

@@ -41,9 +41,12 @@ void mppiControlCost(const std::vector<float>& mean, double gamma, double deviat
 }
 
 std::vector<float> savitzkyGolay(const std::vector<float>& sequence,
-                                 const std::array<float, 4>& sent) {
-  constexpr std::array<float, 9> kTaps = {-21.0F, 14.0F, 39.0F, 54.0F, 59.0F,
-                                          54.0F,  39.0F, 14.0F, -21.0F};  // over 231
+                                 const std::array<float, 4>& sent, int order) {
+  constexpr std::array<float, 9> kQuadratic = {-21.0F, 14.0F, 39.0F, 54.0F, 59.0F,
+                                               54.0F,  39.0F, 14.0F, -21.0F};
+  constexpr std::array<float, 9> kMean = {1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F};
+  const std::array<float, 9>& taps = order == 1 ? kMean : kQuadratic;
+  const float divisor = order == 1 ? 9.0F : 231.0F;  // sum of the taps
   std::vector<float> padded(sent.begin(), sent.end());
   padded.reserve(sequence.size() + 8);
   padded.insert(padded.end(), sequence.begin(), sequence.end());
@@ -51,10 +54,10 @@ std::vector<float> savitzkyGolay(const std::vector<float>& sequence,
   std::vector<float> result(sequence.size());
   for (std::size_t i = 0; i < sequence.size(); ++i) {
     float sum = 0.0F;
-    for (std::size_t tap = 0; tap < kTaps.size(); ++tap) {
-      sum += kTaps[tap] * padded[i + tap];
+    for (std::size_t tap = 0; tap < taps.size(); ++tap) {
+      sum += taps[tap] * padded[i + tap];
     }
-    result[i] = sum / 231.0F;
+    result[i] = sum / divisor;
   }
   return result;
 }

@@ -19,11 +19,11 @@ void mppiWeights(const float* costs, int count, double temperature, float* weigh
 void mppiControlCost(const std::vector<float>& mean, double gamma, double deviation, double keep,
                      std::vector<float>& pull);
 
-/// The filter of Savitzky & Golay 1964: at each step the least-squares quadratic over nine steps.
-/// `sent`: the last four commands before the first step, oldest first; the last step is repeated
-/// beyond the end.
+/// The filter of Savitzky & Golay 1964: at each step the least-squares quadratic over nine steps,
+/// or with `order` 1 their mean. `sent`: the last four commands before the first step, oldest
+/// first; the last step is repeated beyond the end.
 std::vector<float> savitzkyGolay(const std::vector<float>& sequence,
-                                 const std::array<float, 4>& sent);
+                                 const std::array<float, 4>& sent, int order = 2);
 
 /// The sequence shifted by `steps` >= 0, interpolated linearly, with the last value held.
 std::vector<float> shifted(const std::vector<float>& sequence, double steps);

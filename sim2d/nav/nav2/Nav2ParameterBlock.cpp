@@ -56,4 +56,30 @@ base::Diagnostic wrongType(const std::string& key, const Nav2Value& wanted,
   return base::error("nav2.wrong-type", {key, nav2TypeName(wanted), nav2TypeName(found)});
 }
 
+bool ParameterChecks::require(bool isRight, const std::string& key, const char* wanted) {
+  if (!isRight) {
+    problems_.push_back(base::error("nav2.bad-parameter", {prefix_ + key, wanted}));
+  }
+  return isRight;
+}
+
+bool ParameterChecks::within(const std::string& key, double value, const base::Range& range,
+                             const std::string& wanted) {
+  if (!range.contains(value)) {
+    problems_.push_back(base::error("nav2.wrong-value", {prefix_ + key, value, wanted}));
+  }
+  return range.contains(value);
+}
+
+void invertPositiveDecelerations(
+    std::initializer_list<std::pair<const char*, double*>> decelerations,
+    base::Diagnostics& problems) {
+  for (const auto& [key, value] : decelerations) {
+    if (*value > 0.0) {
+      problems.push_back(base::warning("nav2.positive-deceleration", {key, *value}));
+      *value = -*value;
+    }
+  }
+}
+
 }  // namespace sim2d::nav2

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/Result.h"
 
 /// Parameters of Nav2 as tables: each component is a plain struct with the defaults of Nav2's code
@@ -45,6 +48,25 @@ struct Nav2Key {
   const char* meaning;  // a sentence
   unsigned distros = kAllDistros;
 };
+
+/// Appends the keys of the same struct or of one of its bases.
+template <class Parameters, class Base>
+void appendKeys(std::vector<Nav2Key<Parameters>>& keys, const std::vector<Nav2Key<Base>>& more) {
+  for (const Nav2Key<Base>& key : more) {
+    std::visit(
+        [&](auto member) {
+          keys.push_back({key.name, member, key.unit, key.meaning, key.distros});
+        },
+        key.member);
+  }
+}
+/// All keys of several tables, in this order.
+template <class Parameters, class... Tables>
+std::vector<Nav2Key<Parameters>> joinedKeys(const Tables&... tables) {
+  std::vector<Nav2Key<Parameters>> keys;
+  (appendKeys(keys, tables), ...);
+  return keys;
+}
 
 /// A known key without effect in this program, and the reason: "TF is not used".
 struct IgnoredKey {
@@ -94,6 +116,42 @@ bool isMisspelt(const std::string& found, const std::vector<std::string>& known)
 
 /// The error for a value whose type is not the key's; ROS 2 rejects such a value at start.
 base::Diagnostic wrongType(const std::string& key, const Nav2Value& wanted, const Nav2Value& found);
+
+/// Numbers that a parameter may have, and the text that says so: "0 to 100 s".
+struct NumberRange {
+  base::Range range;
+  const char* wanted;
+};
+
+/// Checks the values of parameters. Each check returns whether the value is right; otherwise it
+/// adds an error at the key.
+class ParameterChecks {
+ public:
+  /// `prefix` ("FollowPath.") precedes the keys of errors.
+  explicit ParameterChecks(base::Diagnostics& problems, std::string prefix = {})
+      : problems_(problems), prefix_(std::move(prefix)) {}
+
+  /// The error names what is wanted.
+  bool require(bool isRight, const std::string& key, const char* wanted);
+  bool require(const std::string& key, double value, const NumberRange& allowed) {
+    return require(allowed.range.contains(value), key, allowed.wanted);
+  }
+  /// The error also names the value.
+  bool within(const std::string& key, double value, const NumberRange& allowed) {
+    return within(key, value, allowed.range, allowed.wanted);
+  }
+  bool within(const std::string& key, double value, const base::Range& range,
+              const std::string& wanted);
+
+ private:
+  base::Diagnostics& problems_;
+  std::string prefix_;
+};
+
+/// Inverts positive decelerations, with a warning, as Nav2 does.
+void invertPositiveDecelerations(
+    std::initializer_list<std::pair<const char*, double*>> decelerations,
+    base::Diagnostics& problems);
 
 // Not inlined: when inlined, GCC 12 reports false array-bounds warnings for small structs.
 template <class Parameters, class Value>

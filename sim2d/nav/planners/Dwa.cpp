@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/Ranges.h"
+#include "sim2d/base/Registry.h"
 #include "sim2d/nav/CostToGo.h"
 #include "sim2d/nav/DriveKinematics.h"
-#include "sim2d/nav/DwaParameters.h"
 #include "sim2d/nav/FootprintGap.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/RobotRoute.h"
@@ -34,6 +35,70 @@ constexpr double kBrakingStartInterval =
     0.4;  // [s] between the tested moments of starting to brake
 constexpr int kDisplayedArcs = 40;
 constexpr double kNotAdmissible = std::numeric_limits<double>::infinity();
+
+/// Parameters of the dynamic window planner.
+struct DwaParameters {
+  double linearSamples = 20.0;
+  double angularSamples = 20.0;
+  double window = 0.25;    // [s]
+  double horizon = 2.0;    // [s]
+  double step = 0.1;       // [s]
+  double margin = 0.1;     // [m]
+  double clearance = 0.6;  // [m]
+  double goalWeight = 1.0;
+  double headingWeight = 0.4;
+  double clearanceWeight = 0.3;
+  double velocityWeight = 0.1;
+  double smoothnessWeight = 0.05;
+  double slowDistance = 0.8;  // [m]
+  double slowShare = 0.4;
+  double standingSpeed = 0.25;   // [m/s]
+  double patience = 4.0;         // [s]
+  double reverseDistance = 0.4;  // [m]
+};
+
+base::ParameterTable<DwaParameters> dwaTable() {
+  using P = DwaParameters;
+  constexpr base::Range kCount{1.0, 200.0};
+  constexpr base::Range kShare{0.0, 1.0};
+  const char* const fox = "Fox, Burgard & Thrun 1997";
+  base::ParameterTable<P> table;
+  table
+      .addCount(&P::linearSamples, "linear_samples", kCount,
+                "Sampled speeds; omnidirectional: the total number of samples is distributed "
+                "evenly.")
+      .addCount(&P::angularSamples, "angular_samples", kCount, "Sampled turn rates for each speed.")
+      .add(&P::window, "window", "s", {0.01, 2.0},
+           "Time within which a sampled velocity must be reachable.", std::string(fox) + ", 0.25")
+      .add(&P::horizon, "horizon", "s", {0.2, 10.0},
+           "Time for which arcs are simulated; longer if braking takes longer.")
+      .add(&P::step, "step", "s", {0.02, 0.5}, "Time between two checks along an arc.")
+      .add(&P::margin, "margin", "m", base::kDistance, "Minimum distance to walls and people.")
+      .add(&P::clearance, "clearance", "m", {0.01, 5.0},
+           "Clearance above which more clearance does not improve the score of an arc.")
+      .add(&P::goalWeight, "goal_weight", "", base::kWeight,
+           "Weight of the remaining path length at the end of an arc.")
+      .add(&P::headingWeight, "heading_weight", "", base::kWeight,
+           "Weight of the remaining rotation at the position where the robot would stop if it "
+           "braked.",
+           fox)
+      .add(&P::clearanceWeight, "clearance_weight", "", base::kWeight,
+           "Weight of missing clearance along an arc.", fox)
+      .add(&P::velocityWeight, "velocity_weight", "", base::kWeight,
+           "Weight of the difference to the maximum speed.", fox)
+      .add(&P::smoothnessWeight, "smoothness_weight", "", base::kWeight,
+           "Weight of the difference from the last command.")
+      .add(&P::slowDistance, "slow_distance", "m", base::kDistance,
+           "Gap to a person ahead below which the robot slows down.")
+      .add(&P::slowShare, "slow_share", "", kShare, "Share of the maximum speed close to a person.")
+      .add(&P::standingSpeed, "standing_speed", "m/s", base::kSpeed,
+           "People below this speed count as standing: the path leads around them.")
+      .add(&P::patience, "patience", "s", base::kTimeSpan,
+           "Time without progress after which the robot backs off and tries again.")
+      .add(&P::reverseDistance, "reverse_distance", "m", base::kDistance,
+           "Distance that it backs off.");
+  return table;
+}
 
 bool isInWindow(const TwistWindow& window, const BodyTwist& twist) {
   return twist.linear >= window.lowLinear && twist.linear <= window.highLinear &&

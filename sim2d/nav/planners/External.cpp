@@ -3,7 +3,6 @@
 
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/external/ExternalPlanner.h"
-#include "sim2d/nav/external/IdlePlanner.h"
 
 namespace sim2d {
 namespace {

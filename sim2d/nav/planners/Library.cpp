@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/external/IdlePlanner.h"
 #include "sim2d/nav/external/LibraryPlanner.h"
 
 namespace sim2d {

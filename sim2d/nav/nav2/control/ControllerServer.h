@@ -11,7 +11,6 @@
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/control/GoalCheckers.h"
 #include "sim2d/nav/nav2/control/PathHandler.h"
-#include "sim2d/nav/nav2/control/ProgressChecker.h"
 
 namespace sim2d::nav2 {
 

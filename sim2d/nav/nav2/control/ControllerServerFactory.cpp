@@ -43,8 +43,8 @@ ServerSlots slotsOf(const ControllerServerParameters& p, Distro distro) {
 Nav2ParameterBlock subBlock(const Nav2ParameterBlock& node, const std::string& name) {
   Nav2ParameterBlock block;
   const std::string prefix = name + ".";
-  for (auto at = node.lower_bound(prefix);
-       at != node.end() && at->first.compare(0, prefix.size(), prefix) == 0; ++at) {
+  for (auto at = node.lower_bound(prefix); at != node.end() && base::startsWith(at->first, prefix);
+       ++at) {
     block.emplace(at->first.substr(prefix.size()), at->second);
   }
   return block;
@@ -231,11 +231,10 @@ base::Result<std::unique_ptr<ControllerServer>> makeControllerServer(const Nav2P
   made.parameters =
       applyBlock(ControllerServerParameters(), controllerServerKeys(), node, distro, problems);
   constexpr double kMaxFrequency = 1000.0;  // [Hz]
-  const bool isRate = made.parameters.frequency > 0.0 && made.parameters.frequency <= kMaxFrequency;
+  const bool isRate = ParameterChecks(problems).within(
+      "controller_frequency", made.parameters.frequency, {0.0, kMaxFrequency, true},
+      "above 0, up to " + base::formatDouble(kMaxFrequency));
   if (!isRate) {
-    problems.push_back(
-        base::error("nav2.wrong-value", {"controller_frequency", made.parameters.frequency,
-                                         "above 0, up to " + base::formatDouble(kMaxFrequency)}));
     made.parameters.frequency = 20.0;
   }
   ControllerSetup common;

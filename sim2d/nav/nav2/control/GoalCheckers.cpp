@@ -9,12 +9,26 @@
 #include <vector>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 
 namespace sim2d::nav2 {
 namespace {
 
 using GoalCheckerKey = Nav2Key<GoalCheckerParameters>;
+
+template <class Parameters>
+bool isYawReached(const Parameters& parameters, const GoalQuery& query) {
+  const double turn = std::abs(base::angleDiff(query.goal.heading, query.robot.heading));
+  const double tolerance = parameters.yawTolerance;
+  return turn <= tolerance || (parameters.isSymmetric && base::kPi - turn <= tolerance);
+}
+
+template <class Parameters>
+bool isStopped(const Parameters& parameters, const BodyTwist& speed) {
+  return std::abs(speed.angular) <= parameters.rotStoppedVelocity &&
+         Vec2(speed.linear, speed.lateral).norm() <= parameters.transStoppedVelocity;
+}
 
 /// The three standard checkers, which differ only in one condition.
 class StandardGoalChecker final : public GoalChecker {
@@ -31,7 +45,8 @@ class StandardGoalChecker final : public GoalChecker {
     if (kind_ == Kind::Position) {
       return true;
     }
-    return isYawReached(query) && (kind_ == Kind::Simple || isStopped(query.speed));
+    return isYawReached(parameters_, query) &&
+           (kind_ == Kind::Simple || isStopped(parameters_, query.speed));
   }
   bool isXyReached(const GoalQuery& query) override {
     if (distro_ >= Distro::Lyrical && query.pathLength > parameters_.pathLengthTolerance) {
@@ -51,152 +66,11 @@ class StandardGoalChecker final : public GoalChecker {
   double yawTolerance() const override { return parameters_.yawTolerance; }
 
  private:
-  bool isYawReached(const GoalQuery& query) const {
-    const double turn = std::abs(base::angleDiff(query.goal.heading, query.robot.heading));
-    const double tolerance = parameters_.yawTolerance;
-    return turn <= tolerance || (parameters_.isSymmetric && base::kPi - turn <= tolerance);
-  }
-  bool isStopped(const BodyTwist& speed) const {
-    return std::abs(speed.angular) <= parameters_.rotStoppedVelocity &&
-           Vec2(speed.linear, speed.lateral).norm() <= parameters_.transStoppedVelocity;
-  }
-
   Kind kind_;
   Distro distro_;
   GoalCheckerParameters parameters_;
   bool isXyLatched_ = false;
 };
-
-struct GoalCheckerType {
-  const char* plugin;
-  StandardGoalChecker::Kind kind;
-};
-constexpr GoalCheckerType kGoalCheckers[] = {
-    {"nav2_controller::SimpleGoalChecker", StandardGoalChecker::Kind::Simple},
-    {"nav2_controller::StoppedGoalChecker", StandardGoalChecker::Kind::Stopped},
-    {"nav2_controller::PositionGoalChecker", StandardGoalChecker::Kind::Position},
-    {"dwb_plugins::SimpleGoalChecker", StandardGoalChecker::Kind::Simple},
-    {"dwb_plugins::StoppedGoalChecker", StandardGoalChecker::Kind::Stopped},
-};
-
-constexpr char kAxis[] = "nav2_controller::AxisGoalChecker";
-constexpr char kAdaptive[] = "nav2_controller::AdaptiveToleranceGoalChecker";
-
-/// Creates a checker with the values of a block, or returns their problems.
-template <class Parameters, class Make>
-base::Result<std::unique_ptr<GoalChecker>> makeChecker(
-    const std::vector<Nav2Key<Parameters>>& table, const Nav2ParameterBlock& block, Distro distro,
-    Make make) {
-  base::Diagnostics problems;
-  const auto parameters = applyBlock(Parameters(), table, block, distro, problems);
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {make(parameters), std::move(problems)};
-}
-
-}  // namespace
-
-const std::vector<GoalCheckerKey>& goalCheckerKeys() {
-  using P = GoalCheckerParameters;
-  static const std::vector<GoalCheckerKey> kKeys = {
-      {"xy_goal_tolerance", &P::xyTolerance, "m", "maximum distance to the goal"},
-      {"yaw_goal_tolerance", &P::yawTolerance, "rad", "maximum heading difference to the goal"},
-      {"stateful", &P::isStateful, "", "a reached position stays reached until a new path"},
-      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is accepted too"},
-      {"path_length_tolerance", &P::pathLengthTolerance, "m",
-       "the goal is not reached while the remaining local path is longer", kSinceLyrical},
-      {"rot_stopped_velocity", &P::rotStoppedVelocity, "rad/s",
-       "lower speeds count as standing (StoppedGoalChecker)"},
-      {"trans_stopped_velocity", &P::transStoppedVelocity, "m/s",
-       "lower speeds count as standing (StoppedGoalChecker)"},
-  };
-  return kKeys;
-}
-
-const std::vector<IgnoredKey>& ignoredGoalCheckerKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
-      {"xy_goal_tolerance_buffer", "not re-implemented: treated as 0", kSinceLyrical},
-  };
-  return kKeys;
-}
-
-Nav2KeyTable goalCheckerKeysOf(const std::string& plugin) {
-  static const std::vector<std::pair<std::string, std::vector<std::string>>> kUnreadKeys = {
-      {"SimpleGoalChecker", {"rot_stopped_velocity", "trans_stopped_velocity"}},
-      {"StoppedGoalChecker", {}},
-      {"PositionGoalChecker",
-       {"yaw_goal_tolerance", "symmetric_yaw_tolerance", "rot_stopped_velocity",
-        "trans_stopped_velocity"}}};
-  Nav2KeyTable keys;
-  addKeyRows(keys, goalCheckerKeys(), GoalCheckerParameters());
-  addIgnoredKeys(keys, ignoredGoalCheckerKeys());
-  const std::string name = normalizedPluginClass(plugin);
-  if (name == kAxis || name == kAdaptive) {
-    Nav2KeyTable own;
-    if (name == kAxis) {
-      addKeyRows(own, axisGoalKeys(), AxisGoalParameters());
-    } else {
-      addKeyRows(own, adaptiveGoalKeys(), AdaptiveGoalParameters());
-      addIgnoredKeys(own, ignoredGoalCheckerKeys());
-    }
-    return own;
-  }
-  for (const auto& [type, unread] : kUnreadKeys) {
-    const std::string end = "::" + type;
-    if (name.size() < end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0) {
-      continue;
-    }
-    keys.rows.erase(std::remove_if(keys.rows.begin(), keys.rows.end(),
-                                   [&unread = unread](const Nav2KeyTable::Row& row) {
-                                     return std::find(unread.begin(), unread.end(), row.name) !=
-                                            unread.end();
-                                   }),
-                    keys.rows.end());
-  }
-  return keys;
-}
-
-std::vector<std::string> goalCheckerPlugins(Distro /*distro*/) {
-  std::vector<std::string> names;
-  for (const GoalCheckerType& type : kGoalCheckers) {
-    names.emplace_back(type.plugin);
-  }
-  names.insert(names.end(), {kAxis, kAdaptive});
-  return names;
-}
-
-base::Result<std::unique_ptr<GoalChecker>> makeGoalChecker(const std::string& plugin, Distro distro,
-                                                           const Nav2ParameterBlock& block) {
-  if (normalizedPluginClass(plugin) == kAxis) {
-    return makeChecker(axisGoalKeys(), block, distro,
-                       [distro](const AxisGoalParameters& parameters) {
-                         return makeAxisGoalChecker(parameters, distro);
-                       });
-  }
-  if (normalizedPluginClass(plugin) == kAdaptive) {
-    return makeChecker(adaptiveGoalKeys(), block, distro,
-                       [](const AdaptiveGoalParameters& parameters) {
-                         return makeAdaptiveGoalChecker(parameters);
-                       });
-  }
-  for (const GoalCheckerType& type : kGoalCheckers) {
-    if (normalizedPluginClass(plugin) != type.plugin) {
-      continue;
-    }
-    base::Diagnostics problems;
-    const auto parameters =
-        applyBlock(GoalCheckerParameters(), goalCheckerKeys(), block, distro, problems);
-    if (base::hasErrors(problems)) {
-      return problems;
-    }
-    return {std::make_unique<StandardGoalChecker>(type.kind, distro, parameters),
-            std::move(problems)};
-  }
-  return unknownPlugin(plugin, goalCheckerPlugins(distro));
-}
-
-namespace {
 
 /// Unit direction of the path's end; the goal's heading without a path.
 Vec2 endDirection(const GoalQuery& query, double distance, Distro distro) {
@@ -259,9 +133,7 @@ class AdaptiveGoalChecker final : public GoalChecker {
       return false;
     }
     isLatched_ = isLatched_ || parameters_.isStateful;
-    const double turn = std::abs(base::angleDiff(query.goal.heading, query.robot.heading));
-    const double tolerance = parameters_.yawTolerance;
-    return turn <= tolerance || (parameters_.isSymmetric && base::kPi - turn <= tolerance);
+    return isYawReached(parameters_, query);
   }
   bool isXyReached(const GoalQuery& query) override {
     if (query.pathLength > parameters_.pathLengthTolerance) {
@@ -280,11 +152,8 @@ class AdaptiveGoalChecker final : public GoalChecker {
   }
   /// Counts consecutive checks in which the robot is stopped within the coarse tolerance.
   void countStagnation(const GoalQuery& query) {
-    const bool isStopped =
-        std::abs(query.speed.angular) <= parameters_.rotStoppedVelocity &&
-        Vec2(query.speed.linear, query.speed.lateral).norm() <= parameters_.transStoppedVelocity;
     const bool isNear = distanceOf(query) <= parameters_.coarseTolerance;
-    stagnant_ = isStopped && isNear ? stagnant_ + 1 : 0;
+    stagnant_ = isNear && isStopped(parameters_, query.speed) ? stagnant_ + 1 : 0;
   }
 
   AdaptiveGoalParameters parameters_;
@@ -292,7 +161,127 @@ class AdaptiveGoalChecker final : public GoalChecker {
   int stagnant_ = 0;
 };
 
+struct GoalCheckerType {
+  const char* plugin;
+  StandardGoalChecker::Kind kind;
+};
+constexpr GoalCheckerType kGoalCheckers[] = {
+    {"nav2_controller::SimpleGoalChecker", StandardGoalChecker::Kind::Simple},
+    {"nav2_controller::StoppedGoalChecker", StandardGoalChecker::Kind::Stopped},
+    {"nav2_controller::PositionGoalChecker", StandardGoalChecker::Kind::Position},
+    {"dwb_plugins::SimpleGoalChecker", StandardGoalChecker::Kind::Simple},
+    {"dwb_plugins::StoppedGoalChecker", StandardGoalChecker::Kind::Stopped},
+};
+
+constexpr char kAxis[] = "nav2_controller::AxisGoalChecker";
+constexpr char kAdaptive[] = "nav2_controller::AdaptiveToleranceGoalChecker";
+
+/// Creates a checker with the values of a block, or returns their problems.
+template <class Checker, class Parameters, class Make>
+base::Result<std::unique_ptr<Checker>> makeChecker(const std::vector<Nav2Key<Parameters>>& table,
+                                                   const Nav2ParameterBlock& block, Distro distro,
+                                                   Make make) {
+  base::Diagnostics problems;
+  const auto parameters = applyBlock(Parameters(), table, block, distro, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::unique_ptr<Checker>(make(parameters)), std::move(problems)};
+}
+
 }  // namespace
+
+const std::vector<GoalCheckerKey>& goalCheckerKeys() {
+  using P = GoalCheckerParameters;
+  static const std::vector<GoalCheckerKey> kKeys = {
+      {"xy_goal_tolerance", &P::xyTolerance, "m", "maximum distance to the goal"},
+      {"yaw_goal_tolerance", &P::yawTolerance, "rad", "maximum heading difference to the goal"},
+      {"stateful", &P::isStateful, "", "a reached position stays reached until a new path"},
+      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "the opposite heading is accepted too"},
+      {"path_length_tolerance", &P::pathLengthTolerance, "m",
+       "the goal is not reached while the remaining local path is longer", kSinceLyrical},
+      {"rot_stopped_velocity", &P::rotStoppedVelocity, "rad/s",
+       "lower speeds count as standing (StoppedGoalChecker)"},
+      {"trans_stopped_velocity", &P::transStoppedVelocity, "m/s",
+       "lower speeds count as standing (StoppedGoalChecker)"},
+  };
+  return kKeys;
+}
+
+const std::vector<IgnoredKey>& ignoredGoalCheckerKeys() {
+  static const std::vector<IgnoredKey> kKeys = {
+      {"xy_goal_tolerance_buffer", "not re-implemented: treated as 0", kSinceLyrical},
+  };
+  return kKeys;
+}
+
+Nav2KeyTable goalCheckerKeysOf(const std::string& plugin) {
+  static const std::vector<std::pair<std::string, std::vector<std::string>>> kUnreadKeys = {
+      {"SimpleGoalChecker", {"rot_stopped_velocity", "trans_stopped_velocity"}},
+      {"StoppedGoalChecker", {}},
+      {"PositionGoalChecker",
+       {"yaw_goal_tolerance", "symmetric_yaw_tolerance", "rot_stopped_velocity",
+        "trans_stopped_velocity"}}};
+  Nav2KeyTable keys;
+  const std::string name = normalizedPluginClass(plugin);
+  if (name == kAxis) {
+    addKeyRows(keys, axisGoalKeys(), AxisGoalParameters());
+    return keys;
+  }
+  addIgnoredKeys(keys, ignoredGoalCheckerKeys());
+  if (name == kAdaptive) {
+    addKeyRows(keys, adaptiveGoalKeys(), AdaptiveGoalParameters());
+    return keys;
+  }
+  addKeyRows(keys, goalCheckerKeys(), GoalCheckerParameters());
+  for (const auto& [type, unread] : kUnreadKeys) {
+    if (!base::endsWith(name, "::" + type)) {
+      continue;
+    }
+    keys.rows.erase(std::remove_if(keys.rows.begin(), keys.rows.end(),
+                                   [&unread = unread](const Nav2KeyTable::Row& row) {
+                                     return std::find(unread.begin(), unread.end(), row.name) !=
+                                            unread.end();
+                                   }),
+                    keys.rows.end());
+  }
+  return keys;
+}
+
+std::vector<std::string> goalCheckerPlugins(Distro /*distro*/) {
+  std::vector<std::string> names;
+  for (const GoalCheckerType& type : kGoalCheckers) {
+    names.emplace_back(type.plugin);
+  }
+  names.insert(names.end(), {kAxis, kAdaptive});
+  return names;
+}
+
+base::Result<std::unique_ptr<GoalChecker>> makeGoalChecker(const std::string& plugin, Distro distro,
+                                                           const Nav2ParameterBlock& block) {
+  const std::string name = normalizedPluginClass(plugin);
+  if (name == kAxis) {
+    return makeChecker<GoalChecker>(axisGoalKeys(), block, distro,
+                                    [distro](const AxisGoalParameters& given) {
+                                      return std::make_unique<AxisGoalChecker>(given, distro);
+                                    });
+  }
+  if (name == kAdaptive) {
+    return makeChecker<GoalChecker>(adaptiveGoalKeys(), block, distro,
+                                    [](const AdaptiveGoalParameters& given) {
+                                      return std::make_unique<AdaptiveGoalChecker>(given);
+                                    });
+  }
+  for (const GoalCheckerType& type : kGoalCheckers) {
+    if (name == type.plugin) {
+      return makeChecker<GoalChecker>(
+          goalCheckerKeys(), block, distro, [&](const GoalCheckerParameters& given) {
+            return std::make_unique<StandardGoalChecker>(type.kind, distro, given);
+          });
+    }
+  }
+  return unknownPlugin(plugin, goalCheckerPlugins(distro));
+}
 
 const std::vector<Nav2Key<AxisGoalParameters>>& axisGoalKeys() {
   using P = AxisGoalParameters;
@@ -336,13 +325,72 @@ const std::vector<Nav2Key<AdaptiveGoalParameters>>& adaptiveGoalKeys() {
   return kKeys;
 }
 
-std::unique_ptr<GoalChecker> makeAxisGoalChecker(const AxisGoalParameters& parameters,
-                                                 Distro distro) {
-  return std::make_unique<AxisGoalChecker>(parameters, distro);
+namespace {
+
+struct ProgressCheckerType {
+  const char* plugin;
+  ProgressChecker::Kind kind;
+  unsigned distros;
+};
+constexpr ProgressCheckerType kProgressCheckers[] = {
+    {"nav2_controller::SimpleProgressChecker", ProgressChecker::Kind::Simple, kAllDistros},
+    {"nav2_controller::PoseProgressChecker", ProgressChecker::Kind::Pose, kAllDistros},
+};
+
+}  // namespace
+
+bool ProgressChecker::check(const Pose2& robot, double time) {
+  if (!baseline_ || hasMoved(robot)) {
+    baseline_ = robot;
+    baselineTime_ = time;
+    return true;
+  }
+  return time - baselineTime_ <= parameters_.movementTimeAllowance;
 }
 
-std::unique_ptr<GoalChecker> makeAdaptiveGoalChecker(const AdaptiveGoalParameters& parameters) {
-  return std::make_unique<AdaptiveGoalChecker>(parameters);
+bool ProgressChecker::hasMoved(const Pose2& robot) const {
+  if ((robot.position - baseline_->position).norm() > parameters_.movementRadius) {
+    return true;
+  }
+  return kind_ == Kind::Pose &&
+         std::abs(base::angleDiff(robot.heading, baseline_->heading)) > parameters_.movementAngle;
+}
+
+const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys() {
+  using P = ProgressCheckerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"required_movement_radius", &P::movementRadius, "m",
+       "radius that the robot must leave to make progress"},
+      {"required_movement_angle", &P::movementAngle, "rad",
+       "a rotation by more than this is progress too (PoseProgressChecker)"},
+      {"movement_time_allowance", &P::movementTimeAllowance, "s",
+       "maximum time without progress; longer is a failure"},
+  };
+  return kKeys;
+}
+
+std::vector<std::string> progressCheckerPlugins(Distro distro) {
+  std::vector<std::string> names;
+  for (const ProgressCheckerType& type : kProgressCheckers) {
+    if (includesDistro(type.distros, distro)) {
+      names.emplace_back(type.plugin);
+    }
+  }
+  return names;
+}
+
+base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(
+    const std::string& plugin, Distro distro, const Nav2ParameterBlock& block) {
+  for (const ProgressCheckerType& type : kProgressCheckers) {
+    if (normalizedPluginClass(plugin) != type.plugin || !includesDistro(type.distros, distro)) {
+      continue;
+    }
+    return makeChecker<ProgressChecker>(
+        progressCheckerKeys(), block, distro, [&](const ProgressCheckerParameters& given) {
+          return std::make_unique<ProgressChecker>(type.kind, given);
+        });
+  }
+  return unknownPlugin(plugin, progressCheckerPlugins(distro));
 }
 
 }  // namespace sim2d::nav2

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,11 @@ std::vector<std::string> goalCheckerPlugins(Distro distro);
 /// Goal checkers that Nav2 has since Lyrical: one with tolerances along and across the path, and
 /// one with a fine and a coarse tolerance, of which the latter applies to a stagnant robot.
 
-/// Keys of nav2_controller::AxisGoalChecker.
+/// Keys of nav2_controller::AxisGoalChecker, which splits the robot's offset from the goal into
+/// components along and across the end of the local path (direction from a pose at least
+/// `directionDistance` before the goal; before main from the second to last pose). Both components
+/// must be below their tolerances. With `isOvershootValid` a robot beyond the goal is within the
+/// tolerance along the path. With fewer than two poses the goal's heading is the direction.
 struct AxisGoalParameters {
   double alongTolerance = 0.25;      // [m]
   double acrossTolerance = 0.25;     // [m]
@@ -63,7 +68,9 @@ struct AxisGoalParameters {
 };
 const std::vector<Nav2Key<AxisGoalParameters>>& axisGoalKeys();
 
-/// Keys of nav2_controller::AdaptiveToleranceGoalChecker.
+/// Keys of nav2_controller::AdaptiveToleranceGoalChecker: the position is reached within the fine
+/// tolerance, or within the coarse one once the robot has been stopped there (both stopped
+/// velocities) for `stagnationCycles` consecutive checks.
 struct AdaptiveGoalParameters {
   double fineTolerance = 0.10;         // [m]
   double coarseTolerance = 0.25;       // [m]
@@ -77,16 +84,37 @@ struct AdaptiveGoalParameters {
 };
 const std::vector<Nav2Key<AdaptiveGoalParameters>>& adaptiveGoalKeys();
 
-/// Splits the robot's offset from the goal into components along and across the end of the local
-/// path (direction from a pose at least `directionDistance` before the goal; before main from the
-/// second to last pose). Both components must be below their tolerances. With `isOvershootValid` a
-/// robot beyond the goal is within the tolerance along the path. With fewer than two poses the
-/// goal's heading is the direction.
-std::unique_ptr<GoalChecker> makeAxisGoalChecker(const AxisGoalParameters& parameters,
-                                                 Distro distro);
+struct ProgressCheckerParameters {
+  double movementRadius = 0.5;          // [m]
+  double movementAngle = 0.5;           // [rad], PoseProgressChecker
+  double movementTimeAllowance = 10.0;  // [s]
+};
+const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys();
 
-/// The position is reached within the fine tolerance, or within the coarse one once the robot has
-/// been stopped there (both stopped velocities) for `stagnationCycles` consecutive checks.
-std::unique_ptr<GoalChecker> makeAdaptiveGoalChecker(const AdaptiveGoalParameters& parameters);
+/// Checks whether the robot makes progress: nav2_controller::SimpleProgressChecker, and
+/// PoseProgressChecker, for which rotation counts as well.
+class ProgressChecker {
+ public:
+  enum class Kind { Simple, Pose };
+  ProgressChecker(Kind kind, const ProgressCheckerParameters& parameters)
+      : kind_(kind), parameters_(parameters) {}
+
+  void reset() { baseline_.reset(); }
+  /// False if the robot has stayed within the movement radius longer than allowed. `time` [s].
+  bool check(const Pose2& robot, double time);
+
+ private:
+  bool hasMoved(const Pose2& robot) const;
+
+  Kind kind_;
+  ProgressCheckerParameters parameters_;
+  std::optional<Pose2> baseline_;
+  double baselineTime_ = 0.0;  // [s]
+};
+
+base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(const std::string& plugin,
+                                                                   Distro distro,
+                                                                   const Nav2ParameterBlock& block);
+std::vector<std::string> progressCheckerPlugins(Distro distro);
 
 }  // namespace sim2d::nav2

@@ -57,16 +57,13 @@ base::Result<std::unique_ptr<Controller>> makeGraceful(const ControllerSetup& se
   base::Diagnostics problems;
   const auto parameters = applyBlock(gracefulDefaults(setup.distro), gracefulKeys(), setup.block,
                                      setup.distro, problems);
-  const std::pair<const char*, double> positive[] = {
-      {"slowdown_radius", parameters.slowdownRadius},
-      {"v_linear_max", parameters.maxLinear},
-      {"in_place_collision_resolution", parameters.inPlaceResolution},
-      {"footprint_scaling_step", parameters.footprintScalingStep}};
-  for (const auto& [key, value] : positive) {
-    if (!(value > 0.0)) {
-      problems.push_back(base::error("nav2.wrong-value", {key, value, "above 0"}));
-    }
-  }
+  ParameterChecks checks(problems);
+  checks.within("slowdown_radius", parameters.slowdownRadius, base::kPositive, "above 0");
+  checks.within("v_linear_max", parameters.maxLinear, base::kPositive, "above 0");
+  checks.within("in_place_collision_resolution", parameters.inPlaceResolution, base::kPositive,
+                "above 0");
+  checks.within("footprint_scaling_step", parameters.footprintScalingStep, base::kPositive,
+                "above 0");
   if (base::hasErrors(problems)) {
     return problems;
   }

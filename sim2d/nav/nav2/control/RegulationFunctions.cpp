@@ -105,12 +105,8 @@ PursuitKeys otherKeysOfPursuit() {
 }  // namespace
 
 const std::vector<Nav2Key<PursuitParameters>>& pursuitKeys() {
-  static const PursuitKeys kKeys = [] {
-    PursuitKeys keys = speedKeysOfPursuit();
-    const PursuitKeys others = otherKeysOfPursuit();
-    keys.insert(keys.end(), others.begin(), others.end());
-    return keys;
-  }();
+  static const PursuitKeys kKeys =
+      joinedKeys<PursuitParameters>(speedKeysOfPursuit(), otherKeysOfPursuit());
   return kKeys;
 }
 

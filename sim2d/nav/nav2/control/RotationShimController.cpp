@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/ControllerUtils.h"
 #include "sim2d/nav/nav2/control/PathHandler.h"
 
@@ -23,7 +24,7 @@ Nav2ParameterBlock primaryBlock(const Nav2ParameterBlock& block, Distro distro) 
   Nav2ParameterBlock inner = block;
   const std::string prefix = kPrimaryPrefix;
   for (const auto& [key, value] : block) {
-    if (distro >= Distro::Lyrical && key.compare(0, prefix.size(), prefix) == 0) {
+    if (distro >= Distro::Lyrical && base::startsWith(key, prefix)) {
       inner[key.substr(prefix.size())] = value;
     }
   }
@@ -49,10 +50,8 @@ base::Result<std::unique_ptr<Controller>> makeShim(const ControllerSetup& setup)
     return problems;
   }
   constexpr double kMaxTurnDuration = 100.0;  // [s]
-  if (!(parameters.simulateAheadTime <= kMaxTurnDuration)) {
-    problems.push_back(base::error(
-        "nav2.wrong-value", {"simulate_ahead_time", parameters.simulateAheadTime, "up to 100 s"}));
-  }
+  ParameterChecks(problems).within("simulate_ahead_time", parameters.simulateAheadTime,
+                                   {-HUGE_VAL, kMaxTurnDuration}, "up to 100 s");
   ControllerSetup inner = setup;
   inner.block = primaryBlock(setup.block, setup.distro);
   auto primary = controllerRegistry().make(parameters.primary, inner);

@@ -110,6 +110,45 @@ void mergeWindow(const Costmap& from, const CellWindow& window, CombinationMetho
   }
 }
 
+void mergeWindow(const Costmap& from, const CellWindow& window, int combinationMethod,
+                 Costmap& into) {
+  if (combinationMethod >= 0 && combinationMethod <= 2) {
+    mergeWindow(from, window, static_cast<CombinationMethod>(combinationMethod), into);
+  }
+}
+
+void clearCells(Costmap& costmap, const Vec2& low, const Vec2& high, bool isInverted,
+                std::uint8_t cost) {
+  const Cell from = nearestCell(costmap, low), to = nearestCell(costmap, high);
+  for (int row = 0; row < costmap.height(); ++row) {
+    const bool isInRows = row > from.row && row < to.row;
+    for (int column = 0; column < costmap.width(); ++column) {
+      if ((isInRows && column > from.column && column < to.column) != isInverted) {
+        costmap.set({column, row}, cost);
+      }
+    }
+  }
+}
+
+void CostmapLayer::moveWithRobot(Costmap& grid, const Observation& observation,
+                                 const Costmap& master, std::uint8_t cost) const {
+  if (context_.isRolling) {
+    moveOrigin(grid, observation.pose.position - 0.5 * nav2SizeOf(master), cost);
+  }
+}
+
+Polygon CostmapLayer::clearedFootprint(bool isCleared, const Observation& observation,
+                                       CostmapBounds& bounds) const {
+  if (!isCleared) {
+    return {};
+  }
+  Polygon footprint = transformed(context_.footprint.corners, observation.pose);
+  for (const Vec2& corner : footprint) {
+    bounds.touch(corner);
+  }
+  return footprint;
+}
+
 void fillPolygon(Costmap& costmap, const Polygon& polygon, std::uint8_t cost) {
   std::vector<Cell> corners;
   for (const Vec2& corner : polygon) {

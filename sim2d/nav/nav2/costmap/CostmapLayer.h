@@ -38,6 +38,10 @@ inline CostmapBounds unboundedBounds() {
 /// Cells from (left, bottom) inclusive to (right, top) exclusive.
 struct CellWindow {
   int left = 0, bottom = 0, right = 0, top = 0;
+
+  bool contains(Cell cell) const {
+    return cell.column >= left && cell.column < right && cell.row >= bottom && cell.row < top;
+  }
 };
 
 /// The mask of a filter (nav2 CostmapFilterInfo): occupancy -> base + multiplier * value.
@@ -105,6 +109,14 @@ class CostmapLayer {
 
  protected:
   const CostmapContext& context() const { return context_; }
+  /// Moves the layer's grid to the window of a costmap that moves with the robot; new cells get
+  /// `cost`.
+  void moveWithRobot(Costmap& grid, const Observation& observation, const Costmap& master,
+                     std::uint8_t cost) const;
+  /// The area under the robot in world frame, which the layer clears and which is added to the
+  /// bounds; empty if the layer does not clear.
+  Polygon clearedFootprint(bool isCleared, const Observation& observation,
+                           CostmapBounds& bounds) const;
 
  private:
   std::string name_;
@@ -131,6 +143,12 @@ void fillWindow(Costmap& costmap, const CellWindow& window, std::uint8_t cost);
 enum class CombinationMethod : std::uint8_t { Overwrite, Maximum, MaximumOfKnown, Copy };
 void mergeWindow(const Costmap& from, const CellWindow& window, CombinationMethod way,
                  Costmap& into);
+/// The same with the value of a parameter file; values other than 0, 1, 2 have no effect.
+void mergeWindow(const Costmap& from, const CellWindow& window, int combinationMethod,
+                 Costmap& into);
+/// Sets the cells strictly between two corners, or all others if `isInverted`.
+void clearCells(Costmap& costmap, const Vec2& low, const Vec2& high, bool isInverted,
+                std::uint8_t cost);
 
 /// Fills a convex polygon in world frame including its edges. No effect if a corner is off the map.
 void fillPolygon(Costmap& costmap, const Polygon& polygon, std::uint8_t cost);

@@ -212,22 +212,26 @@ std::vector<std::string> layerTypes();
 
 // Key tables. They do not contain the sources of obstacle layers; `<name>.` precedes each key.
 const std::vector<Nav2Key<CostmapParameters>>& costmapKeys();
-const std::vector<Nav2Key<StaticLayerParameters>>& staticLayerKeys();
+const std::vector<Nav2Key<StaticLayerParameters>>& keysOf(const StaticLayerParameters&);
 const std::vector<Nav2Key<ObservationSource>>& observationSourceKeys();
-const std::vector<Nav2Key<ObstacleLayerParameters>>& obstacleLayerKeys();
-const std::vector<Nav2Key<VoxelLayerParameters>>& voxelLayerKeys();
-const std::vector<Nav2Key<InflationLayerParameters>>& inflationLayerKeys();
-const std::vector<Nav2Key<SocialLayerParameters>>& socialLayerKeys();
-const std::vector<Nav2Key<KeepoutFilterParameters>>& keepoutFilterKeys();
-const std::vector<Nav2Key<SpeedFilterParameters>>& speedFilterKeys();
-const std::vector<Nav2Key<LegacyInflationLayerParameters>>& legacyInflationLayerKeys();
-const std::vector<Nav2Key<AsymmetricInflationLayerParameters>>& asymmetricInflationLayerKeys();
-const std::vector<Nav2Key<DenoiseLayerParameters>>& denoiseLayerKeys();
-const std::vector<Nav2Key<RangeSensorLayerParameters>>& rangeSensorLayerKeys();
+const std::vector<Nav2Key<ObstacleLayerParameters>>& keysOf(const ObstacleLayerParameters&);
+const std::vector<Nav2Key<VoxelLayerParameters>>& keysOf(const VoxelLayerParameters&);
+const std::vector<Nav2Key<InflationLayerParameters>>& keysOf(const InflationLayerParameters&);
+const std::vector<Nav2Key<SocialLayerParameters>>& keysOf(const SocialLayerParameters&);
+const std::vector<Nav2Key<KeepoutFilterParameters>>& keysOf(const KeepoutFilterParameters&);
+const std::vector<Nav2Key<SpeedFilterParameters>>& keysOf(const SpeedFilterParameters&);
+const std::vector<Nav2Key<LegacyInflationLayerParameters>>& keysOf(
+    const LegacyInflationLayerParameters&);
+const std::vector<Nav2Key<AsymmetricInflationLayerParameters>>& keysOf(
+    const AsymmetricInflationLayerParameters&);
+const std::vector<Nav2Key<DenoiseLayerParameters>>& keysOf(const DenoiseLayerParameters&);
+const std::vector<Nav2Key<RangeSensorLayerParameters>>& keysOf(const RangeSensorLayerParameters&);
 const std::vector<Nav2Key<SpatioTemporalVoxelSource>>& spatioTemporalVoxelSourceKeys();
-const std::vector<Nav2Key<SpatioTemporalVoxelLayerParameters>>& spatioTemporalVoxelLayerKeys();
-const std::vector<Nav2Key<PluginContainerLayerParameters>>& pluginContainerLayerKeys();
-const std::vector<Nav2Key<BinaryFilterParameters>>& binaryFilterKeys();
+const std::vector<Nav2Key<SpatioTemporalVoxelLayerParameters>>& keysOf(
+    const SpatioTemporalVoxelLayerParameters&);
+const std::vector<Nav2Key<PluginContainerLayerParameters>>& keysOf(
+    const PluginContainerLayerParameters&);
+const std::vector<Nav2Key<BinaryFilterParameters>>& keysOf(const BinaryFilterParameters&);
 const std::vector<IgnoredKey>&
 ignoredSpatioTemporalVoxelKeys();  // of a spatio-temporal voxel layer
 const std::vector<IgnoredKey>& ignoredSpatioTemporalVoxelSourceKeys();  // of one of its sources

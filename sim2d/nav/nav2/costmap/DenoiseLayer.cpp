@@ -12,11 +12,6 @@ std::size_t windowIndex(const CellWindow& window, Cell cell) {
          static_cast<std::size_t>(cell.column - window.left);
 }
 
-bool isWithin(const CellWindow& window, Cell cell) {
-  return cell.column >= window.left && cell.column < window.right && cell.row >= window.bottom &&
-         cell.row < window.top;
-}
-
 }  // namespace
 
 void DenoiseLayer::updateCosts(Costmap& master, const CellWindow& window) {
@@ -50,7 +45,7 @@ void DenoiseLayer::findGroup(const Costmap& master, const CellWindow& window, Ce
       for (int across = -1; across <= 1; ++across) {
         const bool isDiagonal = std::abs(up) + std::abs(across) == 2;
         const Cell next{group_[i].column + across, group_[i].row + up};
-        if ((isDiagonal && parameters_.groupConnectivityType == 4) || !isWithin(window, next) ||
+        if ((isDiagonal && parameters_.groupConnectivityType == 4) || !window.contains(next) ||
             seen_[windowIndex(window, next)] != 0 || !isObstacle(master.at(next))) {
           continue;
         }

@@ -9,6 +9,7 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/map/Outlines.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -54,13 +55,6 @@ class PolygonParser {
 
   std::string_view rest_;
 };
-
-double segmentDistance(const Vec2& from, const Vec2& to) {  // from the origin
-  const Vec2 way = to - from;
-  const double length = way.squaredNorm();
-  const double share = length > 0.0 ? std::clamp(-from.dot(way) / length, 0.0, 1.0) : 0.0;
-  return (from + share * way).norm();
-}
 
 double paddingSign(double value) {
   return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
@@ -115,22 +109,14 @@ base::Result<Polygon> readPolygon(std::string_view text) {
   return *std::move(polygon);
 }
 
-std::string polygonText(const Polygon& polygon) {
-  std::string text = "[";
-  for (const Vec2& corner : polygon) {
-    text += text.size() > 1 ? ", [" : "[";
-    text += base::formatDouble(corner.x()) + ", " + base::formatDouble(corner.y()) + "]";
-  }
-  return text + "]";
-}
-
 double inscribedRadius(const Polygon& polygon) {
   if (polygon.empty()) {
     return 0.0;
   }
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    least = std::min(least, segmentDistance(polygon[i], polygon[(i + 1) % polygon.size()]));
+    least = std::min(
+        least, distanceToSegment({polygon[i], polygon[(i + 1) % polygon.size()]}, Vec2::Zero()));
   }
   return least;
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,8 +28,6 @@ Polygon transformed(const Polygon& polygon, const Pose2& pose);
 /// Parses "[[x, y], [x, y], …]" with at least three corners. Errors: invalid syntax, a corner that
 /// is not a pair of numbers, fewer corners.
 base::Result<Polygon> readPolygon(std::string_view text);
-/// The inverse of readPolygon: "[[0.1, -0.2], …]".
-std::string polygonText(const Polygon& polygon);
 
 /// Minimum distance of the edges, and maximum distance of the corners, from the origin [m]; 0
 /// without corners.

@@ -42,11 +42,6 @@ InflationCostFunction costFunctionOf(const InflationLayerParameters& parameters,
 constexpr int kBlock = 8;          // columns processed together
 constexpr int kMaxRadius16 = 127;  // [cells]; (r + 1)² + r² fits 16 bits
 
-bool isInside(const CellWindow& window, Cell cell) {
-  return cell.column >= window.left && cell.column < window.right && cell.row >= window.bottom &&
-         cell.row < window.top;
-}
-
 int blockCount(const CellWindow& window) {
   return (window.right - window.left + kBlock - 1) / kBlock;
 }
@@ -147,7 +142,7 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
         continue;
       }
       isSeen = 1;
-      if (isInside(window, cell)) {
+      if (window.contains(cell)) {
         master.set(cell, raisedCost(master.at(cell), costs_[bin]));
       }
       enqueue({{cell.column - 1, cell.row}, spread.source}, bin);

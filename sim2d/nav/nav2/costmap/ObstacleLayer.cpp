@@ -46,9 +46,7 @@ void ObservationBuffer::observe(const LaserScan& scan) {
         }
         distance = scan.range - kInfiniteMargin;
       }
-      const double angle =
-          scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.angleIncrement;
-      cloud.points.push_back(cloud.origin + distance * base::directionOf(angle));
+      cloud.points.push_back(cloud.origin + distance * base::directionOf(scan.angle(i)));
     }
   }
   clouds_.push_front(std::move(cloud));
@@ -162,10 +160,7 @@ void ObstacleLayer::observe(const Observation& observation) {
 
 void ObstacleLayer::updateBounds(const Observation& observation, const Costmap& master,
                                  CostmapBounds& bounds) {
-  if (context().isRolling) {
-    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master),
-               context().defaultCost());
-  }
+  moveWithRobot(grid_, observation, master, context().defaultCost());
   if (!parameters_.enabled) {
     return;
   }
@@ -187,13 +182,7 @@ void ObstacleLayer::updateBounds(const Observation& observation, const Costmap& 
       }
     }
   }
-  footprint_.clear();
-  if (parameters_.footprintClearingEnabled) {
-    footprint_ = transformed(context().footprint.corners, observation.pose);
-    for (const Vec2& corner : footprint_) {
-      bounds.touch(corner);
-    }
-  }
+  footprint_ = clearedFootprint(parameters_.footprintClearingEnabled, observation, bounds);
 }
 
 void ObstacleLayer::updateCosts(Costmap& master, const CellWindow& window) {
@@ -205,19 +194,7 @@ void ObstacleLayer::updateCosts(Costmap& master, const CellWindow& window) {
     wasReset_ = false;
   }
   fillPolygon(grid_, footprint_, kFreeSpace);
-  switch (parameters_.combinationMethod) {
-    case 0:
-      mergeWindow(grid_, window, CombinationMethod::Overwrite, master);
-      break;
-    case 1:
-      mergeWindow(grid_, window, CombinationMethod::Maximum, master);
-      break;
-    case 2:
-      mergeWindow(grid_, window, CombinationMethod::MaximumOfKnown, master);
-      break;
-    default:  // no effect, as in Nav2
-      break;
-  }
+  mergeWindow(grid_, window, parameters_.combinationMethod, master);
 }
 
 void ObstacleLayer::reset(double time) {
@@ -230,16 +207,7 @@ void ObstacleLayer::reset(double time) {
 }
 
 void ObstacleLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted) {
-  const Cell from = nearestCell(grid_, low);
-  const Cell to = nearestCell(grid_, high);
-  for (int row = 0; row < grid_.height(); ++row) {
-    const bool isInRows = row > from.row && row < to.row;
-    for (int column = 0; column < grid_.width(); ++column) {
-      if ((isInRows && column > from.column && column < to.column) != isInverted) {
-        grid_.set({column, row}, kNoInformation);
-      }
-    }
-  }
+  clearCells(grid_, low, high, isInverted, kNoInformation);
   isCurrent_ = false;
   extraBounds_.touch(grid_.origin());
   extraBounds_.touch(grid_.origin() + nav2SizeOf(grid_));

@@ -25,10 +25,7 @@ void PluginContainerLayer::observe(const Observation& observation) {
 
 void PluginContainerLayer::updateBounds(const Observation& observation, const Costmap& master,
                                         CostmapBounds& bounds) {
-  if (context().isRolling) {
-    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master),
-               context().defaultCost());
-  }
+  moveWithRobot(grid_, observation, master, context().defaultCost());
   if (!parameters_.enabled) {
     return;
   }
@@ -45,19 +42,7 @@ void PluginContainerLayer::updateCosts(Costmap& master, const CellWindow& window
   for (const auto& layer : layers_) {
     layer->updateCosts(grid_, window);
   }
-  switch (parameters_.combinationMethod) {
-    case 0:
-      mergeWindow(grid_, window, CombinationMethod::Overwrite, master);
-      break;
-    case 1:
-      mergeWindow(grid_, window, CombinationMethod::Maximum, master);
-      break;
-    case 2:
-      mergeWindow(grid_, window, CombinationMethod::MaximumOfKnown, master);
-      break;
-    default:  // no effect, as in Nav2
-      break;
-  }
+  mergeWindow(grid_, window, parameters_.combinationMethod, master);
 }
 
 void PluginContainerLayer::reset(double time) {

@@ -40,9 +40,7 @@ Cell unboundedCell(const Costmap& costmap, const Vec2& place) {
 double minDistanceInCone(const LaserScan& scan, double heading) {
   double least = scan.range;
   for (std::size_t i = 0; i < scan.distances.size(); ++i) {
-    const double angle =
-        scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.angleIncrement;
-    if (std::abs(base::angleDiff(angle, heading)) <= kConeAngle / 2.0) {
+    if (std::abs(base::angleDiff(scan.angle(i), heading)) <= kConeAngle / 2.0) {
       least = std::min(least, scan.distances[i]);
     }
   }
@@ -96,10 +94,7 @@ void RangeSensorLayer::observe(const Observation& observation) {
 
 void RangeSensorLayer::updateBounds(const Observation& observation, const Costmap& master,
                                     CostmapBounds& bounds) {
-  if (context().isRolling) {
-    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master),
-               costOf(kUnknownProbability));
-  }
+  moveWithRobot(grid_, observation, master, costOf(kUnknownProbability));
   for (const RangeReading& reading : readings_) {
     applyReading(reading);
     lastReading_ = observation.time;
@@ -152,15 +147,7 @@ void RangeSensorLayer::reset(double time) {
 }
 
 void RangeSensorLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted) {
-  const Cell from = nearestCell(grid_, low), to = nearestCell(grid_, high);
-  for (int row = 0; row < grid_.height(); ++row) {
-    const bool isInRows = row > from.row && row < to.row;
-    for (int column = 0; column < grid_.width(); ++column) {
-      if ((isInRows && column > from.column && column < to.column) != isInverted) {
-        grid_.set({column, row}, costOf(kUnknownProbability));
-      }
-    }
-  }
+  clearCells(grid_, low, high, isInverted, costOf(kUnknownProbability));
   touched_.touch(grid_.origin());
   touched_.touch(grid_.origin() + nav2SizeOf(grid_));
 }

@@ -52,10 +52,7 @@ void SpatioTemporalVoxelLayer::observe(const Observation& observation) {
 
 void SpatioTemporalVoxelLayer::updateBounds(const Observation& observation, const Costmap& master,
                                             CostmapBounds& bounds) {
-  if (context().isRolling) {
-    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master),
-               context().defaultCost());
-  }
+  moveWithRobot(grid_, observation, master, context().defaultCost());
   if (!parameters_.enabled) {
     return;
   }
@@ -72,13 +69,7 @@ void SpatioTemporalVoxelLayer::updateBounds(const Observation& observation, cons
   }
   isCurrent_ = areFresh && !wasReset_;
   updateGrid(bounds);
-  footprint_.clear();
-  if (parameters_.updateFootprintEnabled) {
-    footprint_ = transformed(context().footprint.corners, observation.pose);
-    for (const Vec2& corner : footprint_) {
-      bounds.touch(corner);
-    }
-  }
+  footprint_ = clearedFootprint(parameters_.updateFootprintEnabled, observation, bounds);
 }
 
 void SpatioTemporalVoxelLayer::updateCosts(Costmap& master, const CellWindow& window) {

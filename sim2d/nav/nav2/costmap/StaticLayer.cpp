@@ -93,13 +93,7 @@ void StaticLayer::updateBounds(const Observation& observation, const Costmap& /*
     bounds.touch(grid_.cellToWorld({0, 0}));  // centres, as in Nav2
     bounds.touch(grid_.cellToWorld({grid_.width(), grid_.height()}));
   }
-  footprint_.clear();
-  if (parameters_.footprintClearingEnabled) {
-    footprint_ = transformed(context().footprint.corners, observation.pose);
-    for (const Vec2& corner : footprint_) {
-      bounds.touch(corner);
-    }
-  }
+  footprint_ = clearedFootprint(parameters_.footprintClearingEnabled, observation, bounds);
 }
 
 void StaticLayer::updateCosts(Costmap& master, const CellWindow& window) {

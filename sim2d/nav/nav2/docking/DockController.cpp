@@ -1,10 +1,10 @@
 #include "sim2d/nav/nav2/docking/DockController.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/FrameTransform.h"
+#include "sim2d/nav/nav2/control/ControllerUtils.h"
 #include "sim2d/nav/nav2/control/GracefulParameters.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
@@ -46,14 +46,8 @@ bool DockController::isFree(const DockControllerInput& view, const Pose2& target
 }
 
 BodyTwist DockController::rotation(double angle, double turnRate, double dt) const {
-  const double sign = angle > 0.0 ? 1.0 : -1.0;
-  const double reach = parameters_.rotationAcceleration * dt;
-  double omega = std::clamp(sign * parameters_.rotationSpeed, turnRate - reach, turnRate + reach);
-  const double stopping = std::sqrt(2.0 * parameters_.rotationAcceleration * std::fabs(angle));
-  if (std::fabs(omega) > stopping) {
-    omega = sign * stopping;
-  }
-  return {0.0, omega};
+  return {0.0, rotationVelocity({parameters_.rotationSpeed, parameters_.rotationAcceleration},
+                                angle, turnRate, dt)};
 }
 
 }  // namespace sim2d::nav2

@@ -38,12 +38,6 @@ std::vector<Nav2Key<P>> controllerKeys() {
   };
 }
 
-template <class P>
-std::vector<Nav2Key<P>> with(std::vector<Nav2Key<P>> keys, const std::vector<Nav2Key<P>>& more) {
-  keys.insert(keys.end(), more.begin(), more.end());
-  return keys;
-}
-
 std::vector<IgnoredKey> ignoredControllerKeys() {
   return {{"controller.costmap_topic", "the local costmap is used", kSinceJazzy},
           {"controller.footprint_topic", "the footprint of the local costmap is used", kSinceJazzy},
@@ -55,43 +49,23 @@ std::vector<IgnoredKey> ignoredControllerKeys() {
 }
 
 constexpr double kUnlimited = std::numeric_limits<double>::max();
+constexpr NumberRange kAboveZero{{0.0, kUnlimited, true}, "above 0"};
+constexpr NumberRange kZeroOrMore{{0.0, kUnlimited}, "0 or more"};
+constexpr NumberRange kShare{{0.0, 1.0}, "0 to 1"};
+constexpr NumberRange kCommandRate{{0.0, 1000.0, true}, "above 0, up to 1000 Hz"};
 
-/// The allowed range of a key.
-template <class P>
-struct Limit {
-  const char* key;
-  double P::*member;
-  double low, high;
-  bool isAbove;  // excludes low itself
-  const char* wanted;
-};
-
-template <class P, std::size_t n>
-void check(const P& parameters, const Limit<P> (&limits)[n], base::Diagnostics& problems) {
-  for (const Limit<P>& limit : limits) {
-    const double value = parameters.*limit.member;
-    const bool isFine =
-        (limit.isAbove ? value > limit.low : value >= limit.low) && value <= limit.high;
-    if (!isFine) {
-      problems.push_back(base::error("nav2.bad-parameter", {limit.key, limit.wanted}));
-    }
-  }
-}
-
-void checkController(const DockControllerParameters& parameters, base::Diagnostics& problems) {
-  using P = DockControllerParameters;
-  static constexpr Limit<P> kLimits[] = {
-      {"controller.slowdown_radius", &P::slowdownRadius, 0.0, kUnlimited, true, "above 0"},
-      {"controller.v_linear_max", &P::maxLinear, 0.0, kUnlimited, true, "above 0"},
-      {"controller.v_linear_min", &P::minLinear, 0.0, kUnlimited, false, "0 or more"},
-      {"controller.v_angular_max", &P::maxAngular, 0.0, kUnlimited, true, "above 0"},
-      {"controller.deceleration_max", &P::maxDeceleration, 0.0, kUnlimited, true, "above 0"},
-      {"controller.projection_time", &P::projectionTime, 0.0, 100.0, false, "0 to 100 s"},
-      {"controller.simulation_time_step", &P::simulationTimeStep, 0.01, 100.0, false,
-       "0.01 to 100 s"},
-      {"controller.rotate_to_heading_max_angular_accel", &P::rotationAcceleration, 0.0, kUnlimited,
-       true, "above 0"}};
-  check(parameters, kLimits, problems);
+void checkController(const DockControllerParameters& parameters, ParameterChecks& checks) {
+  checks.require("controller.slowdown_radius", parameters.slowdownRadius, kAboveZero);
+  checks.require("controller.v_linear_max", parameters.maxLinear, kAboveZero);
+  checks.require("controller.v_linear_min", parameters.minLinear, kZeroOrMore);
+  checks.require("controller.v_angular_max", parameters.maxAngular, kAboveZero);
+  checks.require("controller.deceleration_max", parameters.maxDeceleration, kAboveZero);
+  checks.require("controller.projection_time", parameters.projectionTime,
+                 {{0.0, 100.0}, "0 to 100 s"});
+  checks.require("controller.simulation_time_step", parameters.simulationTimeStep,
+                 {{0.01, 100.0}, "0.01 to 100 s"});
+  checks.require("controller.rotate_to_heading_max_angular_accel", parameters.rotationAcceleration,
+                 kAboveZero);
 }
 
 }  // namespace
@@ -112,33 +86,34 @@ GracefulParameters lawOf(const DockControllerParameters& controller) {
 
 const std::vector<Nav2Key<DockingServerParameters>>& dockingServerKeys() {
   using P = DockingServerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = with<P>(
-      {{"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands.", kSinceJazzy},
-       {"initial_perception_timeout", &P::initialPerceptionTimeout, "s",
-        "Maximum time to detect the dock before the approach.", kSinceJazzy},
-       {"wait_charge_timeout", &P::waitChargeTimeout, "s", "Maximum wait for charging to begin.",
-        kSinceJazzy},
-       {"dock_approach_timeout", &P::dockApproachTimeout, "s", "Maximum duration of the approach.",
-        kSinceJazzy},
-       {"rotate_to_dock_timeout", &P::rotateToDockTimeout, "s",
-        "Maximum duration of the rotation to the dock.", kSinceKilted},
-       {"undock_linear_tolerance", &P::undockLinearTolerance, "m",
-        "Distance to the staging pose within which the robot has undocked.", kSinceJazzy},
-       {"undock_angular_tolerance", &P::undockAngularTolerance, "rad",
-        "Maximum heading difference to the staging pose.", kSinceJazzy},
-       {"rotation_angular_tolerance", &P::rotationAngularTolerance, "rad",
-        "Angle within which the rotation to the dock ends.", kSinceKilted},
-       {"dock_prestaging_tolerance", &P::dockPrestagingTolerance, "m",
-        "Distance to the staging pose within which the robot does not drive there first.",
-        kSinceJazzy},
-       {"max_retries", &P::maxRetries, "", "Maximum number of repetitions of a failed approach.",
-        kSinceJazzy},
-       {"dock_backwards", &P::dockBackwards, "", "Whether the robot docks backwards.",
-        kJazzy | kKilted},
-       {"dock_plugins", &P::dockPlugins, "", "Names of the dock plugins.", kSinceJazzy},
-       {"docks", &P::docks, "", "Names of the docks.", kSinceJazzy},
-       {"dock_database", &P::dockDatabase, "", "File with docks that replaces the key docks.",
-        kSinceJazzy}},
+  static const std::vector<Nav2Key<P>> kKeys = joinedKeys<P>(
+      std::vector<Nav2Key<P>>{
+          {"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands.", kSinceJazzy},
+          {"initial_perception_timeout", &P::initialPerceptionTimeout, "s",
+           "Maximum time to detect the dock before the approach.", kSinceJazzy},
+          {"wait_charge_timeout", &P::waitChargeTimeout, "s", "Maximum wait for charging to begin.",
+           kSinceJazzy},
+          {"dock_approach_timeout", &P::dockApproachTimeout, "s",
+           "Maximum duration of the approach.", kSinceJazzy},
+          {"rotate_to_dock_timeout", &P::rotateToDockTimeout, "s",
+           "Maximum duration of the rotation to the dock.", kSinceKilted},
+          {"undock_linear_tolerance", &P::undockLinearTolerance, "m",
+           "Distance to the staging pose within which the robot has undocked.", kSinceJazzy},
+          {"undock_angular_tolerance", &P::undockAngularTolerance, "rad",
+           "Maximum heading difference to the staging pose.", kSinceJazzy},
+          {"rotation_angular_tolerance", &P::rotationAngularTolerance, "rad",
+           "Angle within which the rotation to the dock ends.", kSinceKilted},
+          {"dock_prestaging_tolerance", &P::dockPrestagingTolerance, "m",
+           "Distance to the staging pose within which the robot does not drive there first.",
+           kSinceJazzy},
+          {"max_retries", &P::maxRetries, "", "Maximum number of repetitions of a failed approach.",
+           kSinceJazzy},
+          {"dock_backwards", &P::dockBackwards, "", "Whether the robot docks backwards.",
+           kJazzy | kKilted},
+          {"dock_plugins", &P::dockPlugins, "", "Names of the dock plugins.", kSinceJazzy},
+          {"docks", &P::docks, "", "Names of the docks.", kSinceJazzy},
+          {"dock_database", &P::dockDatabase, "", "File with docks that replaces the key docks.",
+           kSinceJazzy}},
       controllerKeys<P>());
   return kKeys;
 }
@@ -177,14 +152,15 @@ std::vector<Nav2Key<DockPluginParameters>> commonDockKeys() {
 
 const std::vector<Nav2Key<DockPluginParameters>>& dockPluginKeys() {
   using P = DockPluginParameters;
-  static const std::vector<Nav2Key<P>> kKeys =
-      with<P>({{"charging_threshold", &P::chargingThreshold, "A",
-                "Current above which the robot is charging.", kSinceJazzy},
-               {"use_battery_status", &P::usesBatteryStatus, "",
-                "Whether the battery state determines that the robot is charging; else it is "
-                "charging when docked.",
-                kSinceJazzy}},
-              commonDockKeys());
+  static const std::vector<Nav2Key<P>> kKeys = joinedKeys<P>(
+      std::vector<Nav2Key<P>>{
+          {"charging_threshold", &P::chargingThreshold, "A",
+           "Current above which the robot is charging.", kSinceJazzy},
+          {"use_battery_status", &P::usesBatteryStatus, "",
+           "Whether the battery state determines that the robot is charging; else it is "
+           "charging when docked.",
+           kSinceJazzy}},
+      commonDockKeys());
   return kKeys;
 }
 
@@ -263,40 +239,31 @@ const std::vector<IgnoredKey>& ignoredFollowingServerKeys() {
 }
 
 base::Diagnostics problemsOf(const DockingServerParameters& parameters) {
-  using P = DockingServerParameters;
-  static constexpr Limit<P> kLimits[] = {
-      {"controller_frequency", &P::controllerFrequency, 0.0, 1000.0, true,
-       "above 0, up to 1000 Hz"},
-      {"undock_linear_tolerance", &P::undockLinearTolerance, 0.0, kUnlimited, true, "above 0"},
-      {"undock_angular_tolerance", &P::undockAngularTolerance, 0.0, kUnlimited, true, "above 0"}};
   base::Diagnostics problems;
-  check(parameters, kLimits, problems);
-  checkController(parameters, problems);
+  ParameterChecks checks(problems);
+  checks.require("controller_frequency", parameters.controllerFrequency, kCommandRate);
+  checks.require("undock_linear_tolerance", parameters.undockLinearTolerance, kAboveZero);
+  checks.require("undock_angular_tolerance", parameters.undockAngularTolerance, kAboveZero);
+  checkController(parameters, checks);
   return problems;
 }
 
 base::Diagnostics problemsOf(const FollowingServerParameters& parameters) {
-  using P = FollowingServerParameters;
-  static constexpr Limit<P> kLimits[] = {
-      {"controller_frequency", &P::controllerFrequency, 0.0, 1000.0, true,
-       "above 0, up to 1000 Hz"},
-      {"desired_distance", &P::desiredDistance, 0.0, kUnlimited, false, "0 or more"},
-      {"filter_coef", &P::filterCoef, 0.0, 1.0, false, "0 to 1"}};
   base::Diagnostics problems;
-  check(parameters, kLimits, problems);
-  checkController(parameters, problems);
+  ParameterChecks checks(problems);
+  checks.require("controller_frequency", parameters.controllerFrequency, kCommandRate);
+  checks.require("desired_distance", parameters.desiredDistance, kZeroOrMore);
+  checks.require("filter_coef", parameters.filterCoef, kShare);
+  checkController(parameters, checks);
   return problems;
 }
 
 base::Diagnostics problemsOf(const DockPluginParameters& plugin) {
   base::Diagnostics problems;
-  if (!(plugin.filterCoef >= 0.0 && plugin.filterCoef <= 1.0)) {
-    problems.push_back(base::error("nav2.bad-parameter", {plugin.name + ".filter_coef", "0 to 1"}));
-  }
-  if (plugin.direction != "forward" && plugin.direction != "backward") {
-    problems.push_back(base::error("nav2.bad-parameter",
-                                   {plugin.name + ".dock_direction", "forward or backward"}));
-  }
+  ParameterChecks checks(problems, plugin.name + ".");
+  checks.require("filter_coef", plugin.filterCoef, kShare);
+  checks.require(plugin.direction == "forward" || plugin.direction == "backward", "dock_direction",
+                 "forward or backward");
   return problems;
 }
 

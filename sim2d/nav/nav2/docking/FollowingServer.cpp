@@ -10,7 +10,7 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr double kBeyondTarget = 0.25;  // [m], control target behind the kept pose
-constexpr double kSamePlace = 1e-6;     // [m]
+constexpr double kSameObject = 1e-6;    // [m]
 
 }  // namespace
 
@@ -30,8 +30,8 @@ void FollowingServer::follow(const FollowGoal& goal, double time) {
 Pose2 FollowingServer::poseAtDistance(const Pose2& object, const Vec2& robot, double distance) {
   const Vec2 line = object.position - robot;
   const double length = line.norm();
-  return length < kSamePlace ? object
-                             : Pose2{object.position - distance / length * line, object.heading};
+  return length < kSameObject ? object
+                              : Pose2{object.position - distance / length * line, object.heading};
 }
 
 /// Returns false if the last detection is too old.

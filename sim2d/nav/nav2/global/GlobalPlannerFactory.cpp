@@ -1,10 +1,12 @@
 #include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
 
+#include <algorithm>
 #include <cassert>
 
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/global/NavfnPlanner.h"
 #include "sim2d/nav/nav2/global/PlannerParameters.h"
-#include "sim2d/nav/nav2/global/PluginMatch.h"
 #include "sim2d/nav/nav2/global/Smac2DPlanner.h"
 #include "sim2d/nav/nav2/global/SmacHybridPlanner.h"
 #include "sim2d/nav/nav2/global/SmacLatticePlanner.h"
@@ -97,24 +99,8 @@ PluginLookup<GlobalPlannerParameters> globalPlannerPlugin(const std::string& cla
 SmacHybridParameters hybridFallback(const SmacLatticeParameters& lattice, Distro distro) {
   SmacHybridParameters hybrid =
       std::get<SmacHybridParameters>(plannerDefaults(kSmacHybrid, distro));
-  static_cast<SmacParameters&>(hybrid) = static_cast<const SmacParameters&>(lattice);
-  hybrid.tolerance = lattice.tolerance;
-  hybrid.maxPlanningTime = lattice.maxPlanningTime;
+  static_cast<SmacPoseParameters&>(hybrid) = lattice;
   hybrid.motionModelForSearch = lattice.allowReverseExpansion ? "REEDS_SHEPP" : "DUBIN";
-  hybrid.smoothPath = lattice.smoothPath;
-  hybrid.reversePenalty = lattice.reversePenalty;
-  hybrid.changePenalty = lattice.changePenalty;
-  hybrid.nonStraightPenalty = lattice.nonStraightPenalty;
-  hybrid.costPenalty = lattice.costPenalty;
-  hybrid.retrospectivePenalty = lattice.retrospectivePenalty;
-  hybrid.useQuadraticCostPenalty = lattice.useQuadraticCostPenalty;
-  hybrid.cacheObstacleHeuristic = lattice.cacheObstacleHeuristic;
-  hybrid.downsampleObstacleHeuristic = lattice.downsampleObstacleHeuristic;
-  hybrid.analyticExpansionRatio = lattice.analyticExpansionRatio;
-  hybrid.analyticExpansionMaxLength = lattice.analyticExpansionMaxLength;
-  hybrid.analyticExpansionMaxCost = lattice.analyticExpansionMaxCost;
-  hybrid.analyticExpansionMaxCostOverride = lattice.analyticExpansionMaxCostOverride;
-  hybrid.goalHeadingMode = lattice.goalHeadingMode;
   return hybrid;
 }
 
@@ -155,6 +141,35 @@ ThroughPosesResult planThroughPoses(GlobalPlanner& planner, PlanRequest request,
   }
   result.isComplete = true;
   return result;
+}
+
+namespace {
+
+/// "nav2_navfn_planner::NavfnPlanner" -> "NavfnPlanner".
+std::string bareClassName(const std::string& name) {
+  const std::size_t colons = name.rfind("::");
+  return colons == std::string::npos ? name : name.substr(colons + 2);
+}
+
+}  // namespace
+
+PluginMatch matchPlugin(const std::string& className, const std::vector<std::string>& available,
+                        const std::vector<UnavailablePlugin>& unavailable) {
+  const std::string name = normalizedPluginClass(className);
+  if (std::find(available.begin(), available.end(), name) != available.end()) {
+    return {true, name, ""};
+  }
+  for (const UnavailablePlugin& known : unavailable) {
+    if (known.name == name) {
+      return {false, known.nearest, known.why};
+    }
+  }
+  for (const std::string& each : available) {  // the same class name in another package
+    if (bareClassName(each) == bareClassName(name)) {
+      return {false, each, ""};
+    }
+  }
+  return {false, base::nearestName(name, available).value_or(""), ""};
 }
 
 }  // namespace sim2d::nav2

@@ -3,8 +3,8 @@
 #include <cassert>
 
 #include "sim2d/nav/nav2/global/ConstrainedSmoother.h"
+#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
 #include "sim2d/nav/nav2/global/PlannerParameters.h"
-#include "sim2d/nav/nav2/global/PluginMatch.h"
 #include "sim2d/nav/nav2/global/SavitzkyGolaySmoother.h"
 #include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 

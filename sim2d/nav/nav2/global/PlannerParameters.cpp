@@ -9,12 +9,18 @@ namespace sim2d::nav2 {
 namespace {
 
 template <class Parameters>
-void addSmacKeys(std::vector<Nav2Key<Parameters>>& keys) {
-  using P = Parameters;
-  const std::vector<Nav2Key<P>> common = {
-      {"downsample_costmap", &P::downsampleCostmap, "", "plans on a coarser map"},
-      {"downsampling_factor", &P::downsamplingFactor, "",
-       "number of map cells along the side of a coarser cell"},
+using Keys = std::vector<Nav2Key<Parameters>>;
+
+Keys<SmacParameters> downsamplingKeys() {
+  using P = SmacParameters;
+  return {{"downsample_costmap", &P::downsampleCostmap, "", "plans on a coarser map"},
+          {"downsampling_factor", &P::downsamplingFactor, "",
+           "number of map cells along the side of a coarser cell"}};
+}
+
+Keys<SmacParameters> searchAndSmootherKeys() {
+  using P = SmacParameters;
+  return {
       {"allow_unknown", &P::allowUnknown, "", "allows paths through unknown cells"},
       {"max_iterations", &P::maxIterations, "",
        "maximum number of expanded nodes; 0 or less: no limit"},
@@ -33,7 +39,52 @@ void addSmacKeys(std::vector<Nav2Key<Parameters>>& keys) {
       {"smoother.refinement_num", &P::smootherRefinementNum, "",
        "number of repetitions of the refinement", kSinceJazzy},
   };
-  keys.insert(keys.end(), common.begin(), common.end());
+}
+
+Keys<SmacPoseParameters> poseLimitKeys() {
+  using P = SmacPoseParameters;
+  return {
+      {"tolerance", &P::tolerance, "m", "maximum distance from the goal to the end of the path"},
+      {"max_planning_time", &P::maxPlanningTime, "s",
+       "time limit, replaced by a limit of 100 000 nodes per second"}};
+}
+
+Keys<SmacPoseParameters> motionPenaltyKeys() {
+  using P = SmacPoseParameters;
+  return {
+      {"smooth_path", &P::smoothPath, "", "smooths the path"},
+      {"reverse_penalty", &P::reversePenalty, "", "cost factor of backward primitives"},
+      {"change_penalty", &P::changePenalty, "", "cost of a change of the turning direction"},
+      {"non_straight_penalty", &P::nonStraightPenalty, "", "cost factor of primitives that turn"}};
+}
+
+/// `later`: the branches that have the newer two of these keys.
+Keys<SmacPoseParameters> costKeys(unsigned later) {
+  using P = SmacPoseParameters;
+  return {
+      {"cost_penalty", &P::costPenalty, "", "weight of the cells' costs"},
+      {"retrospective_penalty", &P::retrospectivePenalty, "",
+       "share by which the length of early primitives is reduced"},
+      {"use_quadratic_cost_penalty", &P::useQuadraticCostPenalty, "", "uses squared costs", later},
+      {"cache_obstacle_heuristic", &P::cacheObstacleHeuristic, "",
+       "keeps the obstacle heuristic of a goal when the map changes"},
+      {"downsample_obstacle_heuristic", &P::downsampleObstacleHeuristic, "",
+       "computes the obstacle heuristic on a coarser map", later}};
+}
+
+Keys<SmacPoseParameters> expansionKeys() {
+  using P = SmacPoseParameters;
+  return {{"analytic_expansion_ratio", &P::analyticExpansionRatio, "",
+           "larger values try the analytic expansion to the goal less often"},
+          {"analytic_expansion_max_length", &P::analyticExpansionMaxLength, "m",
+           "maximum length of the analytic expansion"},
+          {"analytic_expansion_max_cost", &P::analyticExpansionMaxCost, "",
+           "maximum cost in the analytic expansion, which may exceed it only in its last part",
+           kSinceJazzy},
+          {"analytic_expansion_max_cost_override", &P::analyticExpansionMaxCostOverride, "",
+           "ignores that maximum cost if the expansion is shorter than a full circle", kSinceJazzy},
+          {"goal_heading_mode", &P::goalHeadingMode, "", "DEFAULT, BIDIRECTIONAL or ALL_DIRECTION",
+           kSinceKilted}};
 }
 
 }  // namespace
@@ -69,123 +120,52 @@ const std::vector<Nav2Key<ThetaStarParameters>>& keysOf(const ThetaStarParameter
 
 const std::vector<Nav2Key<Smac2DParameters>>& keysOf(const Smac2DParameters&) {
   using P = Smac2DParameters;
-  static const std::vector<Nav2Key<P>> kKeys = [] {
-    std::vector<Nav2Key<P>> keys = {
-        {"tolerance", &P::tolerance, "m", "maximum distance from the goal to the end of the path"},
-        {"max_planning_time", &P::maxPlanningTime, "s",
-         "time limit, replaced by a limit of 1 000 000 nodes per second"},
-        {"cost_travel_multiplier", &P::costTravelMultiplier, "",
-         "weight of a cell's cost relative to its length"},
-        {"use_final_approach_orientation", &P::useFinalApproachOrientation, "",
-         "the last heading is that of the path, not of the goal"},
-    };
-    addSmacKeys(keys);
-    return keys;
-  }();
+  static const Keys<P> kKeys =
+      joinedKeys<P>(Keys<P>{{"tolerance", &P::tolerance, "m",
+                             "maximum distance from the goal to the end of the path"},
+                            {"max_planning_time", &P::maxPlanningTime, "s",
+                             "time limit, replaced by a limit of 1 000 000 nodes per second"},
+                            {"cost_travel_multiplier", &P::costTravelMultiplier, "",
+                             "weight of a cell's cost relative to its length"},
+                            {"use_final_approach_orientation", &P::useFinalApproachOrientation, "",
+                             "the last heading is that of the path, not of the goal"}},
+                    downsamplingKeys(), searchAndSmootherKeys());
   return kKeys;
 }
 
 const std::vector<Nav2Key<SmacHybridParameters>>& keysOf(const SmacHybridParameters&) {
   using P = SmacHybridParameters;
-  static const std::vector<Nav2Key<P>> kKeys = [] {
-    std::vector<Nav2Key<P>> keys = {
-        {"tolerance", &P::tolerance, "m", "maximum distance from the goal to the end of the path"},
-        {"max_planning_time", &P::maxPlanningTime, "s",
-         "time limit, replaced by a limit of 100 000 nodes per second"},
-        {"motion_model_for_search", &P::motionModelForSearch, "", "DUBIN or REEDS_SHEPP"},
-        {"minimum_turning_radius", &P::minimumTurningRadius, "m",
-         "minimum turning radius of the robot"},
-        {"angle_quantization_bins", &P::angleQuantizationBins, "",
-         "number of headings in the search"},
-        {"allow_primitive_interpolation", &P::allowPrimitiveInterpolation, "",
-         "adds primitives for all angles up to the sharpest one", kSinceJazzy},
-        {"smooth_path", &P::smoothPath, "", "smooths the path"},
-        {"reverse_penalty", &P::reversePenalty, "", "cost factor of backward primitives"},
-        {"change_penalty", &P::changePenalty, "", "cost of a change of the turning direction"},
-        {"non_straight_penalty", &P::nonStraightPenalty, "", "cost factor of primitives that turn"},
-        {"cost_penalty", &P::costPenalty, "", "weight of the cells' costs"},
-        {"retrospective_penalty", &P::retrospectivePenalty, "",
-         "share by which the length of early primitives is reduced"},
-        {"use_quadratic_cost_penalty", &P::useQuadraticCostPenalty, "", "uses squared costs",
-         kSinceJazzy},
-        {"cache_obstacle_heuristic", &P::cacheObstacleHeuristic, "",
-         "keeps the obstacle heuristic of a goal when the map changes"},
-        {"downsample_obstacle_heuristic", &P::downsampleObstacleHeuristic, "",
-         "computes the obstacle heuristic on a coarser map", kSinceJazzy},
-        {"lookup_table_size", &P::lookupTableSize, "m",
-         "side length of the square around the goal in which the distance heuristic uses curve "
-         "lengths"},
-        {"analytic_expansion_ratio", &P::analyticExpansionRatio, "",
-         "larger values try the analytic expansion to the goal less often"},
-        {"analytic_expansion_max_length", &P::analyticExpansionMaxLength, "m",
-         "maximum length of the analytic expansion"},
-        {"analytic_expansion_max_cost", &P::analyticExpansionMaxCost, "",
-         "maximum cost in the analytic expansion, which may exceed it only in its last part",
-         kSinceJazzy},
-        {"analytic_expansion_max_cost_override", &P::analyticExpansionMaxCostOverride, "",
-         "ignores that maximum cost if the expansion is shorter than a full circle", kSinceJazzy},
-        {"goal_heading_mode", &P::goalHeadingMode, "", "DEFAULT, BIDIRECTIONAL or ALL_DIRECTION",
-         kSinceKilted},
-        {"coarse_search_resolution", &P::coarseSearchResolution, "",
-         "step between the goal headings that are tried first", kSinceKilted},
-    };
-    addSmacKeys(keys);
-    return keys;
-  }();
+  static const Keys<P> kKeys = joinedKeys<P>(
+      poseLimitKeys(),
+      Keys<P>{{"motion_model_for_search", &P::motionModelForSearch, "", "DUBIN or REEDS_SHEPP"},
+              {"minimum_turning_radius", &P::minimumTurningRadius, "m",
+               "minimum turning radius of the robot"},
+              {"angle_quantization_bins", &P::angleQuantizationBins, "",
+               "number of headings in the search"},
+              {"allow_primitive_interpolation", &P::allowPrimitiveInterpolation, "",
+               "adds primitives for all angles up to the sharpest one", kSinceJazzy}},
+      motionPenaltyKeys(), costKeys(kSinceJazzy),
+      Keys<P>{
+          {"lookup_table_size", &P::lookupTableSize, "m",
+           "side length of the square around the goal in which the distance heuristic uses curve "
+           "lengths"}},
+      expansionKeys(),
+      Keys<P>{{"coarse_search_resolution", &P::coarseSearchResolution, "",
+               "step between the goal headings that are tried first", kSinceKilted}},
+      downsamplingKeys(), searchAndSmootherKeys());
   return kKeys;
 }
 
 const std::vector<Nav2Key<SmacLatticeParameters>>& keysOf(const SmacLatticeParameters&) {
   using P = SmacLatticeParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"tolerance", &P::tolerance, "m", "maximum distance from the goal to the end of the path"},
-      {"max_planning_time", &P::maxPlanningTime, "s",
-       "time limit, replaced by a limit of 100 000 nodes per second"},
-      {"lattice_filepath", &P::latticeFilepath, "", "file of the motion primitives (JSON)"},
-      {"allow_reverse_expansion", &P::allowReverseExpansion, "", "also uses backward primitives"},
-      {"smooth_path", &P::smoothPath, "", "smooths the path"},
-      {"reverse_penalty", &P::reversePenalty, "", "cost factor of backward primitives"},
-      {"change_penalty", &P::changePenalty, "", "cost of a change of the turning direction"},
-      {"non_straight_penalty", &P::nonStraightPenalty, "", "cost factor of primitives that turn"},
-      {"rotation_penalty", &P::rotationPenalty, "", "cost of rotation in place"},
-      {"cost_penalty", &P::costPenalty, "", "weight of the cells' costs"},
-      {"retrospective_penalty", &P::retrospectivePenalty, "",
-       "share by which the length of early primitives is reduced"},
-      {"use_quadratic_cost_penalty", &P::useQuadraticCostPenalty, "", "uses squared costs",
-       kSinceLyrical},
-      {"cache_obstacle_heuristic", &P::cacheObstacleHeuristic, "",
-       "keeps the obstacle heuristic of a goal when the map changes"},
-      {"downsample_obstacle_heuristic", &P::downsampleObstacleHeuristic, "",
-       "computes the obstacle heuristic on a coarser map", kSinceLyrical},
-      {"analytic_expansion_ratio", &P::analyticExpansionRatio, "",
-       "larger values try the analytic expansion to the goal less often"},
-      {"analytic_expansion_max_length", &P::analyticExpansionMaxLength, "m",
-       "maximum length of the analytic expansion"},
-      {"analytic_expansion_max_cost", &P::analyticExpansionMaxCost, "",
-       "maximum cost in the analytic expansion, which may exceed it only in its last part",
-       kSinceJazzy},
-      {"analytic_expansion_max_cost_override", &P::analyticExpansionMaxCostOverride, "",
-       "ignores that maximum cost if the expansion is shorter than a full circle", kSinceJazzy},
-      {"goal_heading_mode", &P::goalHeadingMode, "", "DEFAULT, BIDIRECTIONAL or ALL_DIRECTION",
-       kSinceKilted},
-      {"allow_unknown", &P::allowUnknown, "", "allows paths through unknown cells"},
-      {"max_iterations", &P::maxIterations, "",
-       "maximum number of expanded nodes; 0 or less: no limit"},
-      {"max_on_approach_iterations", &P::maxOnApproachIterations, "",
-       "maximum number of expanded nodes after the goal is within the tolerance"},
-      {"terminal_checking_interval", &P::terminalCheckingInterval, "",
-       "number of nodes between two checks for cancellation", kSinceJazzy},
-      {"smoother.tolerance", &P::smootherTolerance, "m",
-       "total change in an iteration below which smoothing ends"},
-      {"smoother.max_iterations", &P::smootherMaxIterations, "",
-       "maximum number of iterations of the smoother"},
-      {"smoother.w_data", &P::smootherWData, "", "weight of the attraction to the original path"},
-      {"smoother.w_smooth", &P::smootherWSmooth, "",
-       "weight of the attraction to the midpoint of the neighbouring poses"},
-      {"smoother.do_refinement", &P::smootherDoRefinement, "", "smooths the result again"},
-      {"smoother.refinement_num", &P::smootherRefinementNum, "",
-       "number of repetitions of the refinement", kSinceJazzy},
-  };
+  static const Keys<P> kKeys = joinedKeys<P>(
+      poseLimitKeys(),
+      Keys<P>{{"lattice_filepath", &P::latticeFilepath, "", "file of the motion primitives (JSON)"},
+              {"allow_reverse_expansion", &P::allowReverseExpansion, "",
+               "also uses backward primitives"}},
+      motionPenaltyKeys(),
+      Keys<P>{{"rotation_penalty", &P::rotationPenalty, "", "cost of rotation in place"}},
+      costKeys(kSinceLyrical), expansionKeys(), searchAndSmootherKeys());
   return kKeys;
 }
 
@@ -317,48 +297,53 @@ std::vector<std::string> plannerErrors(const Smac2DParameters& parameters) {
   return errors.take();
 }
 
-std::vector<std::string> plannerErrors(const SmacHybridParameters& parameters) {
+namespace {
+
+/// One of `hybrid` and `lattice` is null.
+std::vector<std::string> poseErrors(const SmacPoseParameters& given,
+                                    const SmacHybridParameters* hybrid,
+                                    const SmacLatticeParameters* lattice) {
   ValueErrors errors;
-  errors.range("tolerance", parameters.tolerance, 0.0, kFarTolerance)
-      .range("max_planning_time", parameters.maxPlanningTime, 0.0, kMaxWeight)
-      .oneOf("motion_model_for_search", parameters.motionModelForSearch, {"DUBIN", "REEDS_SHEPP"})
-      .oneOf("goal_heading_mode", parameters.goalHeadingMode,
-             {"DEFAULT", "BIDIRECTIONAL", "ALL_DIRECTION"})
-      .range("minimum_turning_radius", parameters.minimumTurningRadius, 0.0, kFarTolerance)
-      .range("angle_quantization_bins", parameters.angleQuantizationBins, 4.0, 720.0)
-      .range("reverse_penalty", parameters.reversePenalty, 0.0, kMaxWeight)
-      .range("change_penalty", parameters.changePenalty, 0.0, kMaxWeight)
-      .range("non_straight_penalty", parameters.nonStraightPenalty, 0.0, kMaxWeight)
-      .range("cost_penalty", parameters.costPenalty, 0.0, kMaxWeight)
-      .range("retrospective_penalty", parameters.retrospectivePenalty, 0.0, 1.0)
-      .range("lookup_table_size", parameters.lookupTableSize, 0.0, kMaxWeight)
-      .range("analytic_expansion_ratio", parameters.analyticExpansionRatio, 1e-3, kMaxWeight)
-      .range("analytic_expansion_max_length", parameters.analyticExpansionMaxLength, 0.0,
-             kMaxWeight)
-      .range("analytic_expansion_max_cost", parameters.analyticExpansionMaxCost, 0.0, 255.0)
-      .range("coarse_search_resolution", parameters.coarseSearchResolution, 1.0, 720.0);
-  addSmacErrors(parameters, errors);
+  errors.range("tolerance", given.tolerance, 0.0, kFarTolerance)
+      .range("max_planning_time", given.maxPlanningTime, 0.0, kMaxWeight);
+  if (hybrid != nullptr) {
+    errors.oneOf("motion_model_for_search", hybrid->motionModelForSearch, {"DUBIN", "REEDS_SHEPP"});
+  }
+  errors.oneOf("goal_heading_mode", given.goalHeadingMode,
+               {"DEFAULT", "BIDIRECTIONAL", "ALL_DIRECTION"});
+  if (hybrid != nullptr) {
+    errors.range("minimum_turning_radius", hybrid->minimumTurningRadius, 0.0, kFarTolerance)
+        .range("angle_quantization_bins", hybrid->angleQuantizationBins, 4.0, 720.0);
+  }
+  errors.range("reverse_penalty", given.reversePenalty, 0.0, kMaxWeight)
+      .range("change_penalty", given.changePenalty, 0.0, kMaxWeight)
+      .range("non_straight_penalty", given.nonStraightPenalty, 0.0, kMaxWeight);
+  if (lattice != nullptr) {
+    errors.range("rotation_penalty", lattice->rotationPenalty, 0.0, kMaxWeight);
+  }
+  errors.range("cost_penalty", given.costPenalty, 0.0, kMaxWeight)
+      .range("retrospective_penalty", given.retrospectivePenalty, 0.0, 1.0);
+  if (hybrid != nullptr) {
+    errors.range("lookup_table_size", hybrid->lookupTableSize, 0.0, kMaxWeight);
+  }
+  errors.range("analytic_expansion_ratio", given.analyticExpansionRatio, 1e-3, kMaxWeight)
+      .range("analytic_expansion_max_length", given.analyticExpansionMaxLength, 0.0, kMaxWeight)
+      .range("analytic_expansion_max_cost", given.analyticExpansionMaxCost, 0.0, 255.0);
+  if (hybrid != nullptr) {
+    errors.range("coarse_search_resolution", hybrid->coarseSearchResolution, 1.0, 720.0);
+  }
+  addSmacErrors(given, errors);
   return errors.take();
 }
 
+}  // namespace
+
+std::vector<std::string> plannerErrors(const SmacHybridParameters& parameters) {
+  return poseErrors(parameters, &parameters, nullptr);
+}
+
 std::vector<std::string> plannerErrors(const SmacLatticeParameters& parameters) {
-  ValueErrors errors;
-  errors.range("tolerance", parameters.tolerance, 0.0, kFarTolerance)
-      .range("max_planning_time", parameters.maxPlanningTime, 0.0, kMaxWeight)
-      .oneOf("goal_heading_mode", parameters.goalHeadingMode,
-             {"DEFAULT", "BIDIRECTIONAL", "ALL_DIRECTION"})
-      .range("reverse_penalty", parameters.reversePenalty, 0.0, kMaxWeight)
-      .range("change_penalty", parameters.changePenalty, 0.0, kMaxWeight)
-      .range("non_straight_penalty", parameters.nonStraightPenalty, 0.0, kMaxWeight)
-      .range("rotation_penalty", parameters.rotationPenalty, 0.0, kMaxWeight)
-      .range("cost_penalty", parameters.costPenalty, 0.0, kMaxWeight)
-      .range("retrospective_penalty", parameters.retrospectivePenalty, 0.0, 1.0)
-      .range("analytic_expansion_ratio", parameters.analyticExpansionRatio, 1e-3, kMaxWeight)
-      .range("analytic_expansion_max_length", parameters.analyticExpansionMaxLength, 0.0,
-             kMaxWeight)
-      .range("analytic_expansion_max_cost", parameters.analyticExpansionMaxCost, 0.0, 255.0);
-  addSmacErrors(parameters, errors);
-  return errors.take();
+  return poseErrors(parameters, nullptr, &parameters);
 }
 
 }  // namespace sim2d::nav2

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
-#include "sim2d/nav/nav2/global/Lattice.h"
 
 /// Parameters of the global planners; the defaults are those of Nav2's code in Jazzy
 /// (`planner_server/…`, GlobalPlannerFactory.h provides those of other distributions).
@@ -59,49 +58,47 @@ struct Smac2DParameters : SmacParameters {
 };
 constexpr double kSmac2DPerSecond = 1e6;  // iterations
 
-/// nav2_smac_planner::SmacPlannerHybrid: A* over poses that a car can reach.
-struct SmacHybridParameters : SmacParameters {
-  double tolerance = 0.25;                     // [m]
-  double maxPlanningTime = 5.0;                // [s], see above
-  std::string motionModelForSearch = "DUBIN";  // or "REEDS_SHEPP"
-  double minimumTurningRadius = 0.4;           // R [m]
-  int angleQuantizationBins = 72;
-  bool allowPrimitiveInterpolation = false;  // turns of every angle up to the sharpest
+/// Common parameters of the Smac planners that search over poses.
+struct SmacPoseParameters : SmacParameters {
+  double tolerance = 0.25;       // [m]
+  double maxPlanningTime = 5.0;  // [s], see above
   bool smoothPath = true;
   double reversePenalty = 2.0, changePenalty = 0.0, nonStraightPenalty = 1.2;  // factors
   double costPenalty = 2.0, retrospectivePenalty = 0.015;
   bool useQuadraticCostPenalty = false;
   bool cacheObstacleHeuristic = false;
   bool downsampleObstacleHeuristic = true;
-  double lookupTableSize = 20.0;  // [m] side of the square around the goal with cached lengths
   double analyticExpansionRatio = 3.5;
   double analyticExpansionMaxLength = 3.0;  // [m]
   double analyticExpansionMaxCost = 200.0;
   bool analyticExpansionMaxCostOverride = false;
   std::string goalHeadingMode = "DEFAULT";  // or "BIDIRECTIONAL", "ALL_DIRECTION"
-  int coarseSearchResolution = 1;
 };
 constexpr double kSmacHybridPerSecond = 1e5;  // iterations
 
+/// nav2_smac_planner::SmacPlannerHybrid: A* over poses that a car can reach.
+struct SmacHybridParameters : SmacPoseParameters {
+  std::string motionModelForSearch = "DUBIN";  // or "REEDS_SHEPP"
+  double minimumTurningRadius = 0.4;           // R [m]
+  int angleQuantizationBins = 72;
+  bool allowPrimitiveInterpolation = false;  // turns of every angle up to the sharpest
+  double lookupTableSize = 20.0;  // [m] side of the square around the goal with cached lengths
+  int coarseSearchResolution = 1;
+};
+
+struct Lattice;
+
 /// nav2_smac_planner::SmacPlannerLattice: A* over the motion primitives of a file.
-struct SmacLatticeParameters : SmacParameters {
-  double tolerance = 0.25;       // [m]
-  double maxPlanningTime = 5.0;  // [s], see above
+struct SmacLatticeParameters : SmacPoseParameters {
+  SmacLatticeParameters() {
+    changePenalty = 0.05;
+    nonStraightPenalty = 1.05;
+  }
+
   std::string latticeFilepath;
   std::shared_ptr<const Lattice> lattice;  // not a key: content of that file; null: not read
   bool allowReverseExpansion = false;
-  bool smoothPath = true;
-  double reversePenalty = 2.0, changePenalty = 0.05, nonStraightPenalty = 1.05;  // factors
   double rotationPenalty = 5.0;  // for a turn in place
-  double costPenalty = 2.0, retrospectivePenalty = 0.015;
-  bool useQuadraticCostPenalty = false;
-  bool cacheObstacleHeuristic = false;
-  bool downsampleObstacleHeuristic = true;
-  double analyticExpansionRatio = 3.5;
-  double analyticExpansionMaxLength = 3.0;  // [m]
-  double analyticExpansionMaxCost = 200.0;
-  bool analyticExpansionMaxCostOverride = false;
-  std::string goalHeadingMode = "DEFAULT";  // or "BIDIRECTIONAL", "ALL_DIRECTION"
 };
 
 /// Parameters of planner_server itself.

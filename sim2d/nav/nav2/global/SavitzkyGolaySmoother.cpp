@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 
@@ -12,11 +13,7 @@ constexpr int kDefaultWindow = 7, kDefaultOrder = 3;
 constexpr std::size_t kMinFilteredPoses = 9;  // number of poses minus 1
 
 double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    sum += a[i] * b[i];
-  }
-  return sum;
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 }  // namespace

@@ -9,13 +9,7 @@
 #include "sim2d/nav/nav2/mppi/MppiCritics.h"
 
 namespace sim2d::nav2 {
-namespace {
-
-float criticFloat(double value) {
-  return static_cast<float>(value);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 bool MppiCritics::evaluateConstraint(CriticCall& call) {
   using Model = ConstraintProblem::Model;
@@ -59,8 +53,7 @@ bool MppiCritics::evaluateGoalAngle(CriticCall& call) {
   if (!settings.isEnabled || !isNear(call.scene, settings.threshold)) {
     return false;
   }
-  const float yaw =
-      distro_ == Distro::Humble ? pathYaw_.back() : criticFloat(call.scene.goal.heading);
+  const float yaw = distro_ == Distro::Humble ? pathYaw_.back() : toFloat(call.scene.goal.heading);
   kernel_.goalAngle(yaw, settings.isSymmetric, call.batch, sinkOf(call, settings));
   return true;
 }
@@ -91,8 +84,7 @@ bool MppiCritics::isTooOccupied(CriticCall& call, int reached) {
   float blocked = 0.0F;
   for (int i = first; i < reached; ++i) {
     blocked += isValid(call, i) ? 0.0F : 1.0F;
-    if (blocked > 2.0F &&
-        blocked / range > criticFloat(settings_.pathAlign.maxPathOccupancyRatio)) {
+    if (blocked > 2.0F && blocked / range > toFloat(settings_.pathAlign.maxPathOccupancyRatio)) {
       return true;
     }
   }
@@ -200,7 +192,7 @@ bool MppiCritics::evaluateDeadband(CriticCall& call) {
   DeadbandProblem problem;
   constexpr std::size_t kOrder[kTrajectoryAxes] = {0, 2, 1};  // the order of the key is vx, vy, wz
   for (std::size_t axis = 0; axis < kTrajectoryAxes; ++axis) {
-    problem.deadband[axis] = std::abs(criticFloat(settings.velocities[kOrder[axis]]));
+    problem.deadband[axis] = std::abs(toFloat(settings.velocities[kOrder[axis]]));
   }
   problem.isHolonomic = motion_ == MppiMotion::Omni;
   problem.dt = dt_;
@@ -211,10 +203,6 @@ bool MppiCritics::evaluateDeadband(CriticCall& call) {
 namespace {
 
 constexpr int kCostValues = 256;
-
-float costFloat(double value) {
-  return static_cast<float>(value);
-}
 
 float edgeCostAt(const void* scene, float x, float y, float yaw) {
   const auto& seen = *static_cast<const MppiScene*>(scene);
@@ -234,8 +222,8 @@ void fillObstacleDistances(double scaling, double inscribed, std::vector<float>&
   for (int cost = 1; cost < kCostValues; ++cost) {
     const auto at = static_cast<std::size_t>(cost);
     const double beyond = -base::log(cost / 253.0) / scaling;
-    centre[at] = costFloat(beyond);
-    edge[at] = costFloat(inscribed + beyond);
+    centre[at] = toFloat(beyond);
+    edge[at] = toFloat(inscribed + beyond);
   }
 }
 
@@ -247,12 +235,12 @@ CollisionProblem MppiCritics::collisionOf(const CriticCall& call, bool considers
   problem.cells.costs = cells_.data();
   problem.cells.columns = costmap.width();
   problem.cells.rows = costmap.height();
-  problem.cells.x = costFloat(costmap.origin().x());
-  problem.cells.y = costFloat(costmap.origin().y());
-  problem.cells.resolution = costFloat(costmap.resolution());
+  problem.cells.x = toFloat(costmap.origin().x());
+  problem.cells.y = toFloat(costmap.origin().y());
+  problem.cells.resolution = toFloat(costmap.resolution());
   problem.tracksUnknown = call.scene.shape.tracksUnknown;
   problem.considersFootprint = considersFootprint;
-  problem.possible = costFloat(circumscribedCost(call.scene.shape));
+  problem.possible = toFloat(circumscribedCost(call.scene.shape));
   problem.footprintCost = {edgeCostAt, &call.scene};
   problem.hits = hits_.data();
   return problem;
@@ -271,16 +259,16 @@ bool MppiCritics::evaluateCost(CriticCall& call) {
   }
   CostProblem problem;
   problem.collision = collisionOf(call, settings.considersFootprint);
-  problem.collisionCost = costFloat(settings.collisionCost);
-  problem.criticalCost = costFloat(settings.criticalCost);
-  problem.nearCollisionCost = costFloat(settings.nearCollisionCost);
+  problem.collisionCost = toFloat(settings.collisionCost);
+  problem.criticalCost = toFloat(settings.criticalCost);
+  problem.nearCollisionCost = toFloat(settings.nearCollisionCost);
   problem.isNearGoal = isNear(call.scene, settings.nearGoalDistance);
   problem.pointStep = settings.pointStep;
   // Jazzy omits the last pose if the number of steps is not a multiple of the stride.
   problem.points = distro_ == Distro::Jazzy ? std::max(1, call.batch.steps / settings.pointStep)
                                             : (call.batch.steps - 1) / settings.pointStep + 1;
   ScoreSink sink = sinkOf(call, settings);
-  sink.weight = costFloat(settings.weight / 254.0);
+  sink.weight = toFloat(settings.weight / 254.0);
   kernel_.cost(problem, call.batch, sink);
   updateFailureFlag(call);
   return true;
@@ -300,9 +288,9 @@ bool MppiCritics::evaluateObstacles(CriticCall& call) {
   repulsions_.resize(hits_.size());
   ObstaclesProblem problem;
   problem.collision = collisionOf(call, settings.considersFootprint);
-  problem.collisionCost = costFloat(settings.collisionCost);
-  problem.margin = costFloat(settings.marginDistance);
-  problem.inflationRadius = costFloat(radius);
+  problem.collisionCost = toFloat(settings.collisionCost);
+  problem.margin = toFloat(settings.marginDistance);
+  problem.inflationRadius = toFloat(radius);
   problem.hasInflation = radius != 0.0 && scaling != 0.0;
   problem.isNearGoal = isNear(call.scene, settings.nearGoalDistance);
   problem.repelsOutsideOnly = isHumble;
@@ -318,8 +306,8 @@ bool MppiCritics::evaluateObstacles(CriticCall& call) {
 
 void MppiCritics::addObstacles(const CriticCall& call) {
   const ObstaclesSettings& settings = settings_.obstacles;
-  const auto critical = costFloat(settings.criticalWeight);
-  const auto repelling = costFloat(settings.repulsionWeight);
+  const auto critical = toFloat(settings.criticalWeight);
+  const auto repelling = toFloat(settings.repulsionWeight);
   const auto steps = static_cast<float>(call.batch.steps);
   const float least =
       distro_ == Distro::Humble

@@ -6,23 +6,23 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr char kEnabled[] = "whether the critic is enabled";
+constexpr char kCriticEnabled[] = "whether the critic is enabled";
 constexpr char kPower[] = "exponent of the cost";
 constexpr char kWeight[] = "factor of the cost";
 
 /// Common keys of the critics, followed by the critic's own.
 template <class Settings>
-std::vector<Nav2Key<Settings>> criticKeys(std::vector<Nav2Key<Settings>> own,
+std::vector<Nav2Key<Settings>> criticKeys(const std::vector<Nav2Key<Settings>>& own,
                                           bool hasWeight = true) {
   std::vector<Nav2Key<Settings>> keys = {
-      {"enabled", static_cast<bool Settings::*>(&Settings::isEnabled), "", kEnabled},
+      {"enabled", static_cast<bool Settings::*>(&Settings::isEnabled), "", kCriticEnabled},
       {"cost_power", static_cast<int Settings::*>(&Settings::power), "", kPower},
   };
   if (hasWeight) {
     keys.push_back(
         {"cost_weight", static_cast<double Settings::*>(&Settings::weight), "", kWeight});
   }
-  keys.insert(keys.end(), own.begin(), own.end());
+  appendKeys(keys, own);
   return keys;
 }
 

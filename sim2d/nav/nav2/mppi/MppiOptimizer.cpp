@@ -12,13 +12,8 @@
 namespace sim2d::nav2 {
 namespace {
 
-float optimizerFloat(double value) {
-  return static_cast<float>(value);
-}
-
 MppiControl controlOf(const BodyTwist& twist) {
-  return {optimizerFloat(twist.linear), optimizerFloat(twist.angular),
-          optimizerFloat(twist.lateral)};
+  return {toFloat(twist.linear), toFloat(twist.angular), toFloat(twist.lateral)};
 }
 
 /// The random stream of a robot.
@@ -34,8 +29,8 @@ MppiNoise noiseOf(const MppiOptimizerSetup& setup) {
 
 MppiOptimizer::MppiOptimizer(const MppiConfiguration& mppi, const MppiOptimizerSetup& setup)
     : mppi_(mppi),
-      dt_(optimizerFloat(mppi.settings.modelDt)),
-      period_(optimizerFloat(setup.period)),
+      dt_(toFloat(mppi.settings.modelDt)),
+      period_(toFloat(setup.period)),
       isShifting_(mppiShiftOf(setup.period, mppi.settings.modelDt) == MppiShift::Shifts),
       kernel_(trajectoryKernelOf(setup.path)),
       base_(mppiLimitsOf(mppi.settings)),
@@ -51,8 +46,8 @@ MppiOptimizer::MppiOptimizer(const MppiConfiguration& mppi, const MppiOptimizerS
 
 void MppiOptimizer::setRollout() {
   const MppiSettings& settings = mppi_.settings;
-  const MppiControl deviations = {optimizerFloat(settings.vxStd), optimizerFloat(settings.wzStd),
-                                  optimizerFloat(settings.vyStd)};
+  const MppiControl deviations = {toFloat(settings.vxStd), toFloat(settings.wzStd),
+                                  toFloat(settings.vyStd)};
   rollout_.dt = dt_;
   rollout_.isHolonomic = isHolonomic();
   rollout_.isLimited = mppi_.distro != Distro::Humble;
@@ -62,7 +57,7 @@ void MppiOptimizer::setRollout() {
     const float variance = deviations[axis] * deviations[axis];
     rollout_.least[axis] = dt_ * base_.least[axis];
     rollout_.most[axis] = dt_ * base_.most[axis];
-    rollout_.controlCost[axis] = variance > 0.0F ? optimizerFloat(settings.gamma) / variance : 0.0F;
+    rollout_.controlCost[axis] = variance > 0.0F ? toFloat(settings.gamma) / variance : 0.0F;
   }
   if (isMain()) {
     const double delays[] = {settings.vxDelay, settings.wzDelay, settings.vyDelay};
@@ -74,9 +69,8 @@ void MppiOptimizer::setRollout() {
 }
 
 void MppiOptimizer::drawNoise() {
-  const MppiControl deviations = {optimizerFloat(mppi_.settings.vxStd),
-                                  optimizerFloat(mppi_.settings.wzStd),
-                                  optimizerFloat(mppi_.settings.vyStd)};
+  const MppiControl deviations = {toFloat(mppi_.settings.vxStd), toFloat(mppi_.settings.wzStd),
+                                  toFloat(mppi_.settings.vyStd)};
   kernel_.draw(noise_, deviations.data(), isHolonomic() ? 3 : 2, columns_.view());
   ++noise_.call;
 }
@@ -152,9 +146,9 @@ void MppiOptimizer::begin(const MppiScene& scene) {
   if (!isHolonomic()) {
     speed_[2] = 0.0F;
   }
-  rollout_.x = optimizerFloat(scene.robot.position.x());
-  rollout_.y = optimizerFloat(scene.robot.position.y());
-  rollout_.yaw = optimizerFloat(scene.robot.heading);
+  rollout_.x = toFloat(scene.robot.position.x());
+  rollout_.y = toFloat(scene.robot.position.y());
+  rollout_.yaw = toFloat(scene.robot.heading);
   std::copy(speed_.begin(), speed_.end(), rollout_.speed);
   std::fill(costs_.begin(), costs_.end(), 0.0F);
   critics_.begin(scene);

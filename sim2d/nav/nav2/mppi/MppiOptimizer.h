@@ -36,7 +36,6 @@ class MppiOptimizer {
   void reset();
   void setSpeedLimit(double limit, bool isPercentage);
 
-  bool isShifting() const { return isShifting_; }
   const MppiSequence& sequence() const { return sequence_; }
   /// Results of the last call. The trajectory of the optimal sequence, beginning after the first
   /// step.

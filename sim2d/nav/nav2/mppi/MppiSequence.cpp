@@ -17,33 +17,15 @@ float limited(float value, float low, float high) {
   return std::min(high, std::max(low, value));
 }
 
-/// Mean of nine elements, padded like the Savitzky-Golay filter.
-std::vector<float> meanOfNine(const std::vector<float>& sequence,
-                              const std::array<float, 4>& sent) {
-  std::vector<float> padded(sent.begin(), sent.end());
-  padded.insert(padded.end(), sequence.begin(), sequence.end());
-  padded.insert(padded.end(), 4, sequence.back());
-  std::vector<float> result(sequence.size());
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    float sum = 0.0F;
-    for (std::size_t tap = 0; tap < 9; ++tap) {
-      sum += padded[i + tap];
-    }
-    result[i] = sum / 9.0F;
-  }
-  return result;
-}
-
 }  // namespace
 
 MppiLimits mppiLimitsOf(const MppiSettings& settings) {
-  const auto single = [](double value) { return static_cast<float>(value); };
   MppiLimits limits;
-  limits.low = {single(settings.vxMin), single(-settings.wzMax), single(-settings.vyMax)};
-  limits.high = {single(settings.vxMax), single(settings.wzMax), single(settings.vyMax)};
-  limits.least = {single(settings.axMin), single(-settings.azMax), single(settings.ayMin)};
-  limits.most = {single(settings.axMax), single(settings.azMax), single(settings.ayMax)};
-  limits.turningRadius = single(settings.minTurningRadius);
+  limits.low = {toFloat(settings.vxMin), toFloat(-settings.wzMax), toFloat(-settings.vyMax)};
+  limits.high = {toFloat(settings.vxMax), toFloat(settings.wzMax), toFloat(settings.vyMax)};
+  limits.least = {toFloat(settings.axMin), toFloat(-settings.azMax), toFloat(settings.ayMin)};
+  limits.most = {toFloat(settings.axMax), toFloat(settings.azMax), toFloat(settings.ayMax)};
+  limits.turningRadius = toFloat(settings.minTurningRadius);
   return limits;
 }
 
@@ -126,7 +108,7 @@ bool filterSequence(MppiSequence& sequence, const std::array<MppiControl, 4>& se
     const std::array<float, 4> before = {sent[0][axis], sent[1][axis], sent[2][axis],
                                          sent[3][axis]};
     const float last = controls.back();
-    controls = order == 1 ? meanOfNine(controls, before) : savitzkyGolay(controls, before);
+    controls = savitzkyGolay(controls, before, order);
     controls.back() = last;
   }
   return true;

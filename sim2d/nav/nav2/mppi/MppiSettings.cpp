@@ -47,80 +47,68 @@ std::string motionPluginOf(const std::string& model) {
   return "mppi::" + model + "MotionModel";
 }
 
-/// Collects errors of invalid values.
-class MppiValueCheck {
- public:
-  explicit MppiValueCheck(base::Diagnostics& problems) : problems_(problems) {}
+constexpr NumberRange kPositiveNumber{{std::numeric_limits<double>::min(), 1e6}, "greater than 0"};
+constexpr NumberRange kZeroOrMoreNumber{{0.0, 1e6}, "0 or more"};
+constexpr NumberRange kZeroOrLessNumber{{-1e6, 0.0}, "0 or less"};
+constexpr NumberRange kDeviation{{0.0, 100.0}, "0 to 100"};
 
-  void within(const std::string& key, double value, double low, double high, const char* wanted) {
-    if (!(value >= low && value <= high)) {
-      problems_.push_back(base::error("nav2.wrong-value", {key, value, wanted}));
-    }
-  }
-  void positive(const std::string& key, double value) {
-    within(key, value, std::numeric_limits<double>::min(), 1e6, "greater than 0");
-  }
-  void notNegative(const std::string& key, double value) {
-    within(key, value, 0.0, 1e6, "0 or more");
-  }
-  /// Checked only if each of the three counts is valid.
-  void work(const MppiSettings& settings) {
-    const double points =
-        static_cast<double>(settings.batchSize) * settings.timeSteps * settings.iterationCount;
-    if (!base::hasErrors(problems_) && !(points <= kMaxPoints)) {
-      problems_.push_back(base::error(
-          "nav2.too-much-work", {"batch_size", settings.batchSize, "time_steps and iteration_count",
-                                 points, "points per call", kMaxPoints}));
-    }
-  }
-  void count(const std::string& key, int value, int least, int most) {
-    const std::string range = std::to_string(least) + " to " + std::to_string(most);
-    within(key, value, least, most, range.c_str());
-  }
+void checkCount(ParameterChecks& checks, const std::string& key, int value, int least, int most) {
+  checks.within(key, value, {static_cast<double>(least), static_cast<double>(most)},
+                std::to_string(least) + " to " + std::to_string(most));
+}
 
- private:
-  base::Diagnostics& problems_;
-};
-
-/// Checks the values that the motion model reads; other values have no effect.
-void checkMotion(const MppiConfiguration& mppi, MppiValueCheck& check) {
-  const MppiSettings& settings = mppi.settings;
-  if (mppi.motion == MppiMotion::Omni) {
-    check.notNegative("vy_max", settings.vyMax);
-    check.notNegative("ay_max", settings.ayMax);
-    check.within("ay_min", settings.ayMin, -1e6, 0.0, "0 or less");
-    check.within("vy_std", settings.vyStd, 0.0, 100.0, "0 to 100");
-    check.notNegative("model_delay_vy", settings.vyDelay);
-  } else if (mppi.motion == MppiMotion::Ackermann) {
-    const std::string block =
-        mppi.distro >= Distro::Lyrical ? settings.motionModel : "AckermannConstraints";
-    check.positive(block + ".min_turning_r", settings.minTurningRadius);
+/// Checked only if each of the three counts is valid.
+void checkWork(const MppiSettings& settings, base::Diagnostics& problems) {
+  const double points =
+      static_cast<double>(settings.batchSize) * settings.timeSteps * settings.iterationCount;
+  if (!base::hasErrors(problems) && !(points <= kMaxPoints)) {
+    problems.push_back(base::error(
+        "nav2.too-much-work", {"batch_size", settings.batchSize, "time_steps and iteration_count",
+                               points, "points per call", kMaxPoints}));
   }
 }
 
-void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
-  check.count("time_steps", settings.timeSteps, 2, kMaxMppiSteps);
-  check.count("batch_size", settings.batchSize, 1, kMaxTrajectories);
-  check.count("iteration_count", settings.iterationCount, 1, 1000);
-  check.work(settings);
-  check.count("retry_attempt_limit", settings.retryAttemptLimit, 0, 1000);
-  check.count("sgf_order", settings.sgfOrder, 1, 2);
-  check.positive("model_dt", settings.modelDt);
-  check.positive("temperature", settings.temperature);
-  check.notNegative("gamma", settings.gamma);
-  check.positive("vx_max", settings.vxMax);
-  check.notNegative("wz_max", settings.wzMax);
+/// Checks the values that the motion model reads; other values have no effect.
+void checkMotion(const MppiConfiguration& mppi, ParameterChecks& checks) {
+  const MppiSettings& settings = mppi.settings;
+  if (mppi.motion == MppiMotion::Omni) {
+    checks.within("vy_max", settings.vyMax, kZeroOrMoreNumber);
+    checks.within("ay_max", settings.ayMax, kZeroOrMoreNumber);
+    checks.within("ay_min", settings.ayMin, kZeroOrLessNumber);
+    checks.within("vy_std", settings.vyStd, kDeviation);
+    checks.within("model_delay_vy", settings.vyDelay, kZeroOrMoreNumber);
+  } else if (mppi.motion == MppiMotion::Ackermann) {
+    const std::string block =
+        mppi.distro >= Distro::Lyrical ? settings.motionModel : "AckermannConstraints";
+    checks.within(block + ".min_turning_r", settings.minTurningRadius, kPositiveNumber);
+  }
+}
+
+void checkOptimizer(const MppiSettings& settings, ParameterChecks& checks,
+                    base::Diagnostics& problems) {
+  checkCount(checks, "time_steps", settings.timeSteps, 2, kMaxMppiSteps);
+  checkCount(checks, "batch_size", settings.batchSize, 1, kMaxTrajectories);
+  checkCount(checks, "iteration_count", settings.iterationCount, 1, 1000);
+  checkWork(settings, problems);
+  checkCount(checks, "retry_attempt_limit", settings.retryAttemptLimit, 0, 1000);
+  checkCount(checks, "sgf_order", settings.sgfOrder, 1, 2);
+  checks.within("model_dt", settings.modelDt, kPositiveNumber);
+  checks.within("temperature", settings.temperature, kPositiveNumber);
+  checks.within("gamma", settings.gamma, kZeroOrMoreNumber);
+  checks.within("vx_max", settings.vxMax, kPositiveNumber);
+  checks.within("wz_max", settings.wzMax, kZeroOrMoreNumber);
   const double mostBack = settings.vxMax > 0.0 ? settings.vxMax : 1e6;  // else vx_max is invalid
-  check.within("vx_min", settings.vxMin, -1e6, mostBack, "vx_max or less");
-  check.notNegative("ax_max", settings.axMax);
-  check.notNegative("az_max", settings.azMax);
-  check.within("ax_min", settings.axMin, -1e6, 0.0, "0 or less");
-  check.within("vx_std", settings.vxStd, 0.0, 100.0, "0 to 100");
-  check.within("wz_std", settings.wzStd, 0.0, 100.0, "0 to 100");
-  check.notNegative("model_delay_vx", settings.vxDelay);
-  check.notNegative("model_delay_wz", settings.wzDelay);
-  check.notNegative("TrajectoryValidator.collision_lookahead_time", settings.collisionLookahead);
-  check.positive("prune_distance", settings.pruneDistance);
+  checks.within("vx_min", settings.vxMin, {-1e6, mostBack}, "vx_max or less");
+  checks.within("ax_max", settings.axMax, kZeroOrMoreNumber);
+  checks.within("az_max", settings.azMax, kZeroOrMoreNumber);
+  checks.within("ax_min", settings.axMin, kZeroOrLessNumber);
+  checks.within("vx_std", settings.vxStd, kDeviation);
+  checks.within("wz_std", settings.wzStd, kDeviation);
+  checks.within("model_delay_vx", settings.vxDelay, kZeroOrMoreNumber);
+  checks.within("model_delay_wz", settings.wzDelay, kZeroOrMoreNumber);
+  checks.within("TrajectoryValidator.collision_lookahead_time", settings.collisionLookahead,
+                kZeroOrMoreNumber);
+  checks.within("prune_distance", settings.pruneDistance, kPositiveNumber);
 }
 
 void checkFinite(const Nav2ParameterBlock& block, base::Diagnostics& problems) {
@@ -132,24 +120,24 @@ void checkFinite(const Nav2ParameterBlock& block, base::Diagnostics& problems) {
   }
 }
 
-void checkCritics(const MppiCriticSettings& critics, MppiValueCheck& check) {
+void checkCritics(const MppiCriticSettings& critics, ParameterChecks& checks) {
   visitCritics(critics, [&](const char* name, const auto& critic, const auto& /*keys*/) {
     const std::string prefix = std::string(name) + ".";
-    check.count(prefix + "cost_power", critic.power, 0, 100);
-    check.within(prefix + "cost_weight", critic.weight, -1e9, 1e9, "a finite number");
+    checkCount(checks, prefix + "cost_power", critic.power, 0, 100);
+    checks.within(prefix + "cost_weight", critic.weight, {-1e9, 1e9}, "a finite number");
   });
-  check.count("CostCritic.trajectory_point_step", critics.cost.pointStep, 1, kMaxMppiSteps);
-  check.count("PathAlignCritic.trajectory_point_step", critics.pathAlign.pointStep, 1,
-              kMaxMppiSteps);
-  check.count("PathAlignCritic.offset_from_furthest", critics.pathAlign.offsetFromFurthest, 0,
-              kMaxTrajectories);
-  check.count("PathFollowCritic.offset_from_furthest", critics.pathFollow.offsetFromFurthest, 0,
-              kMaxTrajectories);
-  check.count("PathAngleCritic.offset_from_furthest", critics.pathAngle.offsetFromFurthest, 0,
-              kMaxTrajectories);
-  check.count("PathAngleCritic.mode", critics.pathAngle.mode, 0, 2);
-  check.within("VelocityDeadbandCritic.deadband_velocities (size)",
-               static_cast<double>(critics.deadband.velocities.size()), 3.0, 3.0, "3");
+  checkCount(checks, "CostCritic.trajectory_point_step", critics.cost.pointStep, 1, kMaxMppiSteps);
+  checkCount(checks, "PathAlignCritic.trajectory_point_step", critics.pathAlign.pointStep, 1,
+             kMaxMppiSteps);
+  checkCount(checks, "PathAlignCritic.offset_from_furthest", critics.pathAlign.offsetFromFurthest,
+             0, kMaxTrajectories);
+  checkCount(checks, "PathFollowCritic.offset_from_furthest", critics.pathFollow.offsetFromFurthest,
+             0, kMaxTrajectories);
+  checkCount(checks, "PathAngleCritic.offset_from_furthest", critics.pathAngle.offsetFromFurthest,
+             0, kMaxTrajectories);
+  checkCount(checks, "PathAngleCritic.mode", critics.pathAngle.mode, 0, 2);
+  checks.within("VelocityDeadbandCritic.deadband_velocities (size)",
+                static_cast<double>(critics.deadband.velocities.size()), {3.0, 3.0}, "3");
 }
 
 std::vector<std::string> knownCritics() {
@@ -207,18 +195,6 @@ void readMotion(const Nav2ParameterBlock& block, MppiConfiguration& mppi,
     return;
   }
   mppi.motion = static_cast<MppiMotion>(found - known.begin());
-}
-
-/// Nav2 inverts positive decelerations, with a warning.
-void fixDecelerationSigns(MppiSettings& settings, base::Diagnostics& problems) {
-  const std::pair<const char*, double*> limits[] = {{"ax_min", &settings.axMin},
-                                                    {"ay_min", &settings.ayMin}};
-  for (const auto& [key, limit] : limits) {
-    if (*limit > 0.0) {
-      problems.push_back(base::warning("nav2.positive-deceleration", {key, *limit}));
-      *limit = -*limit;
-    }
-  }
 }
 
 }  // namespace
@@ -313,13 +289,14 @@ base::Result<MppiConfiguration> readMppi(const Nav2ParameterBlock& block, Distro
   visitCritics(mppi.critics, [&](const char* name, auto& critic, const auto& keys) {
     critic = applyBlock(critic, keys, block, distro, problems, std::string(name) + ".");
   });
-  fixDecelerationSigns(mppi.settings, problems);
+  invertPositiveDecelerations({{"ax_min", &mppi.settings.axMin}, {"ay_min", &mppi.settings.ayMin}},
+                              problems);
   readMotion(block, mppi, problems);
   checkFinite(block, problems);
-  MppiValueCheck check(problems);
-  checkOptimizer(mppi.settings, check);
-  checkMotion(mppi, check);
-  checkCritics(mppi.critics, check);
+  ParameterChecks checks(problems);
+  checkOptimizer(mppi.settings, checks, problems);
+  checkMotion(mppi, checks);
+  checkCritics(mppi.critics, checks);
   checkCriticNames(mppi.settings.critics, problems);
   if (mppi.settings.critics.empty()) {
     problems.push_back(base::warning("nav2.mppi-no-critics"));

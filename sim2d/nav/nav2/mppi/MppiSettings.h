@@ -12,6 +12,11 @@
 /// Parameters of Nav2's MPPI (nav2_mppi_controller::MPPIController).
 namespace sim2d::nav2 {
 
+/// The vectorized code computes in single precision.
+constexpr float toFloat(double value) {
+  return static_cast<float>(value);
+}
+
 enum class MppiMotion : std::uint8_t { DiffDrive, Omni, Ackermann };
 
 struct MppiSettings {

@@ -44,18 +44,11 @@ inline void drawTrajectoryNoise(const MppiNoise& noise, const float* deviations,
   });
 }
 
-struct LaneDirection {
-  Lanes cosine, sine;
-};
-
 /// Sine and cosine of any angle [rad]; error 1e-7 plus that of the angle itself.
 inline LaneDirection directionOfLanes(Lanes angle) {
   const Lanes whole = fill(12582912.0F);  // 1.5 * 2^23: adding it rounds to an integer
   const Lanes turns = angle * fill(0.159154943F);
-  const Lanes turn = turns - ((turns + whole) - whole);  // [-1/2, 1/2]
-  const Lanes folded = abs(turn) - fill(0.25F);          // [-1/4, 1/4]
-  const Lanes sine = sineOfTurn(fill(0.25F) - abs(folded));
-  return {sineOfTurn(fill(0.0F) - folded), sine | (turn & fill(-0.0F))};
+  return directionOfTurn(turns - ((turns + whole) - whole));
 }
 
 /// The reachable velocity nearest to `wanted`: a robot driving forward may gain `most` and lose
@@ -172,13 +165,7 @@ inline void meanOfControls(const TrajectoryBatch& batch, const float* weights, i
     }
   }
   for (int step = 0; step < batch.steps; ++step) {
-    float* const columns = sums + static_cast<std::ptrdiff_t>(step) * kMppiColumns;
-    for (int half = kMppiColumns / 2; half > 0; half /= 2) {
-      for (int i = 0; i < half; ++i) {
-        columns[i] = columns[i] + columns[i + half];
-      }
-    }
-    sequence[step] = columns[0];
+    sequence[step] = sumOfColumns(sums + static_cast<std::ptrdiff_t>(step) * kMppiColumns);
   }
 }
 

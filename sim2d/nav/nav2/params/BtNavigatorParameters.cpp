@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+
+#include "sim2d/base/Text.h"
 
 namespace sim2d::nav2 {
 
@@ -84,9 +87,8 @@ const char* ignoredNodeReason(const std::string& node) {
   if (found != kNodes.end()) {
     return found->why;
   }
-  const std::string end = "_rclcpp_node";
-  const bool isInternalNode =
-      node.size() > end.size() && node.compare(node.size() - end.size(), end.size(), end) == 0;
+  constexpr std::string_view kEnd = "_rclcpp_node";
+  const bool isInternalNode = node.size() > kEnd.size() && base::endsWith(node, kEnd);
   return isInternalNode ? "an infrastructure node without effect on the robot" : nullptr;
 }
 

@@ -1,5 +1,3 @@
-#include "sim2d/nav/nav2/params/CostmapParameterReader.h"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -13,57 +11,10 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
+#include "sim2d/nav/nav2/params/ServerParameterReader.h"
 
 namespace sim2d::nav2 {
 namespace {
-
-const std::vector<Nav2Key<StaticLayerParameters>>& keysOf(const StaticLayerParameters&) {
-  return staticLayerKeys();
-}
-const std::vector<Nav2Key<ObstacleLayerParameters>>& keysOf(const ObstacleLayerParameters&) {
-  return obstacleLayerKeys();
-}
-const std::vector<Nav2Key<VoxelLayerParameters>>& keysOf(const VoxelLayerParameters&) {
-  return voxelLayerKeys();
-}
-const std::vector<Nav2Key<InflationLayerParameters>>& keysOf(const InflationLayerParameters&) {
-  return inflationLayerKeys();
-}
-const std::vector<Nav2Key<SocialLayerParameters>>& keysOf(const SocialLayerParameters&) {
-  return socialLayerKeys();
-}
-const std::vector<Nav2Key<KeepoutFilterParameters>>& keysOf(const KeepoutFilterParameters&) {
-  return keepoutFilterKeys();
-}
-const std::vector<Nav2Key<SpeedFilterParameters>>& keysOf(const SpeedFilterParameters&) {
-  return speedFilterKeys();
-}
-
-const std::vector<Nav2Key<LegacyInflationLayerParameters>>& keysOf(
-    const LegacyInflationLayerParameters&) {
-  return legacyInflationLayerKeys();
-}
-const std::vector<Nav2Key<AsymmetricInflationLayerParameters>>& keysOf(
-    const AsymmetricInflationLayerParameters&) {
-  return asymmetricInflationLayerKeys();
-}
-const std::vector<Nav2Key<DenoiseLayerParameters>>& keysOf(const DenoiseLayerParameters&) {
-  return denoiseLayerKeys();
-}
-const std::vector<Nav2Key<RangeSensorLayerParameters>>& keysOf(const RangeSensorLayerParameters&) {
-  return rangeSensorLayerKeys();
-}
-const std::vector<Nav2Key<SpatioTemporalVoxelLayerParameters>>& keysOf(
-    const SpatioTemporalVoxelLayerParameters&) {
-  return spatioTemporalVoxelLayerKeys();
-}
-const std::vector<Nav2Key<PluginContainerLayerParameters>>& keysOf(
-    const PluginContainerLayerParameters&) {
-  return pluginContainerLayerKeys();
-}
-const std::vector<Nav2Key<BinaryFilterParameters>>& keysOf(const BinaryFilterParameters&) {
-  return binaryFilterKeys();
-}
 
 /// Splits a text at blanks and removes duplicate names.
 std::vector<std::string> sourceNames(NodeReader& node, const std::string& prefix,

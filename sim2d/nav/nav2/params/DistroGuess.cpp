@@ -71,8 +71,7 @@ bool usesSlashPluginNames(const std::string& node) {
 void scorePluginSpelling(const NodeParameters& node, const GivenParameter& given, bool& isScored,
                          DistroScores& scores) {
   constexpr std::string_view kEnd = ".plugin";
-  const bool isPlugin = given.name.size() > kEnd.size() &&
-                        given.name.compare(given.name.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+  const bool isPlugin = given.name.size() > kEnd.size() && base::endsWith(given.name, kEnd);
   if (isScored || !isPlugin || !usesSlashPluginNames(node.node)) {
     return;
   }

@@ -1,5 +1,3 @@
-#include "sim2d/nav/nav2/params/DockingParameterReader.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,14 +11,10 @@
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
 #include "sim2d/nav/nav2/params/ReferencedFiles.h"
+#include "sim2d/nav/nav2/params/ServerParameterReader.h"
 
 namespace sim2d::nav2 {
 namespace {
-
-bool fileHas(const ParameterFile& file, const std::string& name) {
-  return std::any_of(file.nodes().begin(), file.nodes().end(),
-                     [&](const NodeParameters& node) { return node.node == name; });
-}
 
 // ---- docking_server
 
@@ -221,14 +215,14 @@ void readWaypointFollower(NodeReader node, WaypointFollowerParameters& to) {
 
 void readDocking(Nav2Parameters& to, const std::function<NodeReader(const std::string&)>& reader,
                  const ParameterFile& file) {
-  if (fileHas(file, "docking_server")) {
+  if (file.hasNode("docking_server")) {
     to.dockingServer = readDockingServer(reader("docking_server"), file.file(), to.notes.onlyKeys,
                                          to.notes.problems);
   }
-  if (fileHas(file, "following_server")) {
+  if (file.hasNode("following_server")) {
     to.followingServer = readFollowingServer(reader("following_server"));
   }
-  if (fileHas(file, "waypoint_follower")) {
+  if (file.hasNode("waypoint_follower")) {
     readWaypointFollower(reader("waypoint_follower"), to.waypointFollower.emplace());
   }
 }

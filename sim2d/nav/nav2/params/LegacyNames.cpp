@@ -40,10 +40,6 @@ constexpr std::array<LegacyName, 5> kLegacyTypes = {
 constexpr std::array<std::pair<const char*, const char*>, 2> kLegacyRanges = {
     {{".obstacle_range", ".obstacle_max_range"}, {".raytrace_range", ".raytrace_max_range"}}};
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 /// The value as a list: Foxy names its single goal checker by a string.
 base::YamlNode asList(const base::YamlNode& value) {
   if (!value.isScalar()) {
@@ -97,7 +93,7 @@ void renameRanges(NodeReader& node, std::vector<std::string>& renamed) {
   std::vector<std::pair<std::string, std::string>> found;
   for (const GivenParameter& given : node.parameters().given) {
     for (const auto& [from, to] : kLegacyRanges) {
-      if (endsWith(given.name, from) && !hasOwnRangeKey(node, given.name)) {
+      if (base::endsWith(given.name, from) && !hasOwnRangeKey(node, given.name)) {
         const std::size_t kept = given.name.size() - std::string(from).size();
         found.emplace_back(given.name, given.name.substr(0, kept) + to);
       }
@@ -165,7 +161,7 @@ std::vector<std::string> blocksOf(const NodeReader& node, const std::string& lis
 
 /// Lists that a server needs to do anything.
 bool isRequiredList(const std::string& name) {
-  return endsWith(name, "_plugins");
+  return base::endsWith(name, "_plugins");
 }
 
 /// A list that counts as absent; `placeholder` is empty for a list without names.

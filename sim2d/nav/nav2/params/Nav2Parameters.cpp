@@ -10,9 +10,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
-#include "sim2d/nav/nav2/params/CostmapParameterReader.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
-#include "sim2d/nav/nav2/params/DockingParameterReader.h"
 #include "sim2d/nav/nav2/params/LegacyNames.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
 #include "sim2d/nav/nav2/params/PluginReplacement.h"
@@ -33,7 +31,7 @@ constexpr const char* kGlobalCostmap = "global_costmap";
 class Nav2FileReader {
  public:
   Nav2FileReader(const ParameterFile& file, const Nav2ReadOptions& options, Nav2Parameters& to)
-      : file_(file), options_(options), to_(to), isPreHumble_(hasPreHumbleNode(file)) {
+      : file_(file), options_(options), to_(to), isPreHumble_(file.hasNode("recoveries_server")) {
     to_.notes.onlyKeys = options.onlyKeys;
   }
 
@@ -62,11 +60,6 @@ class Nav2FileReader {
     renameLegacyKeys(made, isPreHumble_);
     fillMissingLists(made);
     return made;
-  }
-
-  static bool hasPreHumbleNode(const ParameterFile& file) {
-    return std::any_of(file.nodes().begin(), file.nodes().end(),
-                       [](const NodeParameters& node) { return node.node == "recoveries_server"; });
   }
 
   void readCostmaps() {
@@ -214,10 +207,7 @@ class Nav2FileReader {
   /// Without this node there is no graph, so its plugins have no effect.
   void readRoutes() {
     constexpr const char* kRouteServer = "route_server";
-    const bool isThere =
-        std::any_of(file_.nodes().begin(), file_.nodes().end(),
-                    [&](const NodeParameters& node) { return node.node == kRouteServer; });
-    if (isThere) {
+    if (file_.hasNode(kRouteServer)) {
       to_.route = readRouteServer(reader(kRouteServer));
     }
   }

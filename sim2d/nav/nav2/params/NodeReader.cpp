@@ -20,10 +20,6 @@
 namespace sim2d::nav2 {
 namespace {
 
-bool beginsWith(const std::string& text, const std::string& with) {
-  return text.compare(0, with.size(), with) == 0;
-}
-
 /// Parameters of every node or of every server of Nav2, without effect in this program.
 constexpr std::array<IgnoredKey, 21> kIgnoredInAllNodes = {{
     {"use_sim_time", "time is always simulated"},
@@ -110,7 +106,7 @@ NodeReader::NodeReader(NodeParameters parameters, Distro distro, ParameterNotes&
 Nav2ParameterBlock NodeReader::given(const std::string& prefix) const {
   Nav2ParameterBlock block;
   for (const GivenParameter& parameter : parameters_.given) {
-    if (beginsWith(parameter.name, prefix) && !parameter.isPlaceholder) {
+    if (base::startsWith(parameter.name, prefix) && !parameter.isPlaceholder) {
       if (auto value = toRosValue(*parameter.value)) {
         block[parameter.name.substr(prefix.size())] = *std::move(value);
       }
@@ -202,7 +198,7 @@ void NodeReader::markIgnored(const std::string& name, const std::string& why, un
     known_.push_back(name);
   }
   for (const GivenParameter& given : parameters_.given) {
-    if (given.name == name || (isBlock && beginsWith(given.name, name))) {
+    if (given.name == name || (isBlock && base::startsWith(given.name, name))) {
       recordUse(given, isHere ? KeyUse::Ignored : KeyUse::OtherDistro,
                 isHere ? why : "a key of " + distroTitles(distros));
     }
@@ -236,7 +232,7 @@ void NodeReader::keepOnly(const std::string& prefix, const Nav2KeyTable& keys,
                           const std::string& why) {
   std::vector<std::string> others;
   for (const GivenParameter& given : parameters_.given) {
-    if (!beginsWith(given.name, prefix) || given.name == prefix + "plugin") {
+    if (!base::startsWith(given.name, prefix) || given.name == prefix + "plugin") {
       continue;
     }
     const std::string key = given.name.substr(prefix.size());
@@ -284,7 +280,7 @@ void NodeReader::ignoreUnlistedBlocks() {
   constexpr std::string_view kEnd = ".plugin";
   for (const GivenParameter& given : parameters_.given) {
     const std::size_t end = given.name.size() - std::min(given.name.size(), kEnd.size());
-    if (given.name.substr(end) == kEnd && end > 0 && readNames_.count(given.name) == 0) {
+    if (base::endsWith(given.name, kEnd) && end > 0 && readNames_.count(given.name) == 0) {
       const std::string block = given.name.substr(0, end);
       markIgnored(block + ".", "no list of plugins names " + block);
     }
@@ -301,7 +297,8 @@ void NodeReader::reportUnknownKeys() {
     const std::string block = unknownBlock(given.name);
     std::size_t count = 0;
     for (const GivenParameter& other : parameters_.given) {
-      if (!block.empty() && beginsWith(other.name, block) && readNames_.count(other.name) == 0) {
+      if (!block.empty() && base::startsWith(other.name, block) &&
+          readNames_.count(other.name) == 0) {
         recordUse(other, KeyUse::Unknown, {});
         ++count;
       }
@@ -328,7 +325,9 @@ void NodeReader::reportUnknownKeys() {
 std::string NodeReader::unknownBlock(const std::string& name) const {
   for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
     std::string block = name.substr(0, dot + 1);
-    const auto isWithin = [&block](const std::string& other) { return beginsWith(other, block); };
+    const auto isWithin = [&block](const std::string& other) {
+      return base::startsWith(other, block);
+    };
     const auto asked = readNames_.lower_bound(block);
     const bool isAsked = asked != readNames_.end() && isWithin(*asked);
     if (!isAsked && std::none_of(known_.begin(), known_.end(), isWithin)) {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -86,21 +85,9 @@ class NodeReader {
                   const std::vector<IgnoredKey>& ignored, Parameters parameters) {
     Nav2KeyTable keys;
     addIgnoredKeys(keys, ignored);
-    for (const Nav2Key<Parameters>& key : table) {
-      visitMember(parameters, key, [&](const auto& value) {
-        keys.rows.push_back({key.name, Nav2Value(value), key.unit, key.meaning, key.distros});
-      });
-    }
-    const Nav2ParameterBlock block = read(prefix, keys);
-    for (const Nav2Key<Parameters>& key : table) {
-      const auto given = block.find(key.name);
-      if (given != block.end() && includesDistro(key.distros, distro_)) {
-        visitMember(parameters, key, [&](auto& value) {
-          value = std::get<std::decay_t<decltype(value)>>(given->second);
-        });
-      }
-    }
-    return parameters;
+    addKeyRows(keys, table, parameters);
+    base::Diagnostics none;  // wrong types are reported here
+    return applyBlock(std::move(parameters), table, read(prefix, keys), distro_, none);
   }
   /// One string, list of strings or number; nullopt when it is absent or has a wrong type
   /// (reported).
@@ -145,18 +132,6 @@ class NodeReader {
   void finish();
 
  private:
-  /// Calls `visit` with the member of a key. Skips members that cannot be in the struct because of
-  /// its size, for which GCC would warn.
-  template <class Parameters, class Visit>
-  static void visitMember(Parameters& parameters, const Nav2Key<Parameters>& key, Visit visit) {
-    std::visit(
-        [&](auto member) {
-          if constexpr (sizeof(parameters.*member) <= sizeof(Parameters)) {
-            visit(parameters.*member);
-          }
-        },
-        key.member);
-  }
   void recordUse(const GivenParameter& parameter, KeyUse use, std::string why);
   /// A warning with the default that is used instead.
   void reportPlaceholder(GivenParameter& given, const Nav2Value& fallback);

@@ -104,6 +104,11 @@ std::vector<const NodeParameters*> ParameterFile::nodesOf(std::string_view node,
   return counting;
 }
 
+bool ParameterFile::hasNode(std::string_view name) const {
+  return std::any_of(nodes_.begin(), nodes_.end(),
+                     [name](const NodeParameters& node) { return node.node == name; });
+}
+
 NodeParameters ParameterFile::parametersOf(std::string_view node, const std::string& robot) const {
   std::vector<const NodeParameters*> parts = nodesOf(kWildcardNode, robot);
   const std::vector<const NodeParameters*> own = nodesOf(node, robot);
@@ -175,8 +180,9 @@ std::optional<ParameterOverride> parameterOverride(const std::string& text) {
                            text.substr(separator + std::string_view(kAssignmentSeparator).size())};
 }
 
-bool looksLikeNav2(std::string_view text) {
-  static constexpr std::array<std::string_view, 11> kNodes = {"controller_server",
+namespace {
+
+constexpr std::array<std::string_view, 11> kWellKnownNodes = {"controller_server",
                                                               "planner_server",
                                                               "bt_navigator",
                                                               "local_costmap",
@@ -187,11 +193,15 @@ bool looksLikeNav2(std::string_view text) {
                                                               "collision_monitor",
                                                               "recoveries_server",
                                                               "amcl"};
+
+}  // namespace
+
+bool looksLikeNav2(std::string_view text) {
   if (text.find("hunav_loader") != std::string_view::npos) {
     return false;
   }
   const bool hasParameters = text.find("ros__parameters") != std::string_view::npos;
-  return std::any_of(kNodes.begin(), kNodes.end(), [&](std::string_view node) {
+  return std::any_of(kWellKnownNodes.begin(), kWellKnownNodes.end(), [&](std::string_view node) {
     const std::string block = std::string(node) + ":";  // ros__parameters is missing
     return hasParameters ? text.find(node) != std::string_view::npos
                          : text.substr(0, block.size()) == block ||
@@ -363,8 +373,7 @@ class NodeSearch {
     const std::string own = "/" + node.node;
     if (node.nameSpace == node.node || node.nameSpace == own) {
       node.nameSpace.clear();
-    } else if (node.nameSpace.size() > own.size() &&
-               node.nameSpace.compare(node.nameSpace.size() - own.size(), own.size(), own) == 0) {
+    } else if (base::endsWith(node.nameSpace, own)) {
       node.nameSpace.resize(node.nameSpace.size() - own.size());
     }
     const std::size_t word = node.nameSpace.find_first_not_of('/');
@@ -398,11 +407,7 @@ void setParameter(std::vector<GivenParameter>& to, GivenParameter parameter) {
 }
 
 bool isNav2Node(const std::string& name) {
-  static constexpr std::array<std::string_view, 10> kNodes = {
-      "controller_server", "planner_server",   "bt_navigator",    "local_costmap",
-      "global_costmap",    "behavior_server",  "smoother_server", "velocity_smoother",
-      "collision_monitor", "recoveries_server"};
-  return std::find(kNodes.begin(), kNodes.end(), name) != kNodes.end() ||
+  return std::find(kWellKnownNodes.begin(), kWellKnownNodes.end(), name) != kWellKnownNodes.end() ||
          ignoredNodeReason(name) != nullptr;
 }
 

@@ -62,6 +62,7 @@ class ParameterFile {
   /// Adds a file after the present ones.
   void append(const ParameterFile& later);
   const std::vector<NodeParameters>& nodes() const { return nodes_; }  // in the file's order
+  bool hasNode(std::string_view name) const;
   /// All parameters of the node of this name, beginning with those for all nodes. Nodes in the
   /// namespace `robot` win over nodes in other namespaces, which are skipped if such a node exists.
   NodeParameters parametersOf(std::string_view node, const std::string& robot = {}) const;

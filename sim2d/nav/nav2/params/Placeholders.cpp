@@ -69,10 +69,8 @@ bool isPlaceholderPart(std::string_view text) {
 bool isListOfPlugins(const std::string& name) {
   static constexpr std::array<std::string_view, 4> kEnds = {"plugins", "critics", "filters",
                                                             "polygons"};
-  return std::any_of(kEnds.begin(), kEnds.end(), [&name](std::string_view end) {
-    return name.size() >= end.size() &&
-           name.compare(name.size() - end.size(), end.size(), end) == 0;
-  });
+  return std::any_of(kEnds.begin(), kEnds.end(),
+                     [&name](std::string_view end) { return base::endsWith(name, end); });
 }
 
 bool isPlaceholderText(std::string_view text) {

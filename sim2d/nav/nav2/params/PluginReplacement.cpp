@@ -13,7 +13,6 @@
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/control/GoalCheckers.h"
 #include "sim2d/nav/nav2/control/PathHandler.h"
-#include "sim2d/nav/nav2/control/ProgressChecker.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 

@@ -31,10 +31,6 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(path, none);
 }
 
-bool beginsWith(std::string_view text, std::string_view with) {
-  return text.substr(0, with.size()) == with;
-}
-
 /// The position after the last "$(…)" or "${…}", or 0 without one. An unclosed one extends to the
 /// end.
 std::size_t endOfPlaceholders(std::string_view text) {
@@ -55,7 +51,7 @@ std::size_t endOfPlaceholders(std::string_view text) {
 /// The package name in "package://pkg/…" and "$(find-pkg-share pkg)…".
 std::string packageOf(std::string_view named) {
   constexpr std::string_view kUrl = "package://";
-  if (beginsWith(named, kUrl)) {
+  if (base::startsWith(named, kUrl)) {
     const std::string_view rest = named.substr(kUrl.size());
     return std::string(rest.substr(0, rest.find('/')));
   }
@@ -152,14 +148,14 @@ std::string normal(const fs::path& path) {
 
 std::string pathWithoutSubstitution(std::string_view named) {
   constexpr std::string_view kPackage = "package://", kFile = "file://";
-  if (beginsWith(named, kPackage)) {
+  if (base::startsWith(named, kPackage)) {
     const std::size_t slash = named.find('/', kPackage.size());
     return slash == std::string_view::npos ? std::string() : std::string(named.substr(slash + 1));
   }
-  if (beginsWith(named, kFile)) {
+  if (base::startsWith(named, kFile)) {
     return std::string(named.substr(kFile.size()));
   }
-  const std::size_t end = beginsWith(named, "~/") ? 1 : endOfPlaceholders(named);
+  const std::size_t end = base::startsWith(named, "~/") ? 1 : endOfPlaceholders(named);
   if (end == 0) {
     return std::string(named);
   }

@@ -18,11 +18,6 @@ namespace {
 constexpr std::array<const char*, 5> kBehaviors = {"Spin", "BackUp", "DriveOnHeading", "Wait",
                                                    "AssistedTeleop"};
 
-bool hasNode(const ParameterFile& file, const std::string& name) {
-  return std::any_of(file.nodes().begin(), file.nodes().end(),
-                     [&](const NodeParameters& node) { return node.node == name; });
-}
-
 /// The index in kBehaviors of "nav2_behaviors::Spin", or of "nav2_recoveries/Spin" as before
 /// Humble; the size of kBehaviors for other classes.
 std::size_t behaviorOf(const std::string& plugin) {
@@ -150,10 +145,10 @@ CollisionMonitorParameters readCollisionMonitor(NodeReader node) {
 void readMotionServers(Nav2Parameters& to,
                        const std::function<NodeReader(const std::string&)>& reader,
                        const ParameterFile& file) {
-  const bool isPreHumble = hasNode(file, "recoveries_server") && !hasNode(file, "behavior_server");
+  const bool isPreHumble = file.hasNode("recoveries_server") && !file.hasNode("behavior_server");
   readBehaviors(reader(isPreHumble ? "recoveries_server" : "behavior_server"), to.behaviors);
   to.velocitySmoother = readVelocitySmoother(reader("velocity_smoother"));
-  if (hasNode(file, "collision_monitor")) {
+  if (file.hasNode("collision_monitor")) {
     to.collisionMonitor = readCollisionMonitor(reader("collision_monitor"));
   }
 }

@@ -9,6 +9,7 @@
 
 #include <queue>
 
+#include "sim2d/map/Outlines.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
@@ -100,14 +101,6 @@ void dropFirst(Route& route, const RouteGraph& graph) {
 
 }  // namespace
 
-Vec2 nearestPointOnSegment(const Vec2& from, const Vec2& to, const Vec2& place) {
-  const Vec2 along = to - from;
-  const double length = along.squaredNorm();
-  const double share =
-      length > 0.0 ? std::clamp((place - from).dot(along) / length, 0.0, 1.0) : 0.0;
-  return from + share * along;
-}
-
 std::vector<std::size_t> nearestNodes(const RouteGraph& graph, const Vec2& place,
                                       std::size_t count) {
   std::vector<std::size_t> nodes(graph.nodes.size());
@@ -157,7 +150,7 @@ Route pruneRoute(Route route, const RouteGraph& graph, const RouteRequest& reque
   }
   const RouteEdge& first = graph.edges[route.edges.front()];
   const Vec2 begin = graph.nodes[first.from].place, next = graph.nodes[first.to].place;
-  const Vec2 on = nearestPointOnSegment(begin, next, request.start.position);
+  const Vec2 on = closestOnSegment({begin, next}, request.start.position);
   const Vec2 past = request.start.position - begin;
   if (normalizedDot(next - begin, past) > kEpsilon &&
       past.norm() > parameters.minPruneDistFromStart &&
@@ -173,7 +166,7 @@ Route pruneRoute(Route route, const RouteGraph& graph, const RouteRequest& reque
   const RouteEdge& last = graph.edges[route.edges.back()];
   const Vec2 before = graph.nodes[last.from].place, end = graph.nodes[last.to].place;
   const Vec2 back = request.goal.position - end;
-  const Vec2 onLast = nearestPointOnSegment(before, end, request.goal.position);
+  const Vec2 onLast = closestOnSegment({before, end}, request.goal.position);
   if (normalizedDot(end - before, back) < -kEpsilon &&
       back.norm() > parameters.minPruneDistFromGoal &&
       (onLast - request.goal.position).norm() <= parameters.maxPruneDistFromEdge) {

@@ -35,7 +35,4 @@ std::optional<std::size_t> nodeOfPose(const RouteGraph& graph, const Vec2& place
 Route pruneRoute(Route route, const RouteGraph& graph, const RouteRequest& request, bool isFirst,
                  const RouteServerParameters& parameters, ContinuedEdge& continued);
 
-/// The point of a segment nearest to a position [m].
-Vec2 nearestPointOnSegment(const Vec2& from, const Vec2& to, const Vec2& place);
-
 }  // namespace sim2d::nav2

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <variant>
 
+#include "sim2d/map/Outlines.h"
 #include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
@@ -116,8 +117,8 @@ std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
   const auto inFrame = [&frame](const Vec2& place) -> Vec2 {
     return toFrame(frame, {place, 0.0}).position;
   };
-  Vec2 from = nearestPointOnSegment(placeOf(scene.graph.edges[edge].from),
-                                    placeOf(scene.graph.edges[edge].to), scene.robot);
+  Vec2 from = closestOnSegment(
+      {placeOf(scene.graph.edges[edge].from), placeOf(scene.graph.edges[edge].to)}, scene.robot);
   double left = monitor.maxCollisionDist;
   auto next = static_cast<std::size_t>(scene.state.edge + std::ptrdiff_t{1});
   while (left > 0.0) {

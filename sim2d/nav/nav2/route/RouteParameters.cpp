@@ -213,16 +213,12 @@ std::optional<RouteOperationSettings> routeOperationOf(const std::string& plugin
 
 base::Diagnostics problemsOf(const RouteServerParameters& parameters) {
   base::Diagnostics problems;
-  const auto require = [&problems](bool isRight, const char* key, const char* wanted) {
-    if (!isRight) {
-      problems.push_back(base::error("nav2.bad-parameter", {key, wanted}));
-    }
-  };
+  ParameterChecks checks(problems);
   constexpr double kMinDensity = 1e-3;  // [m], smaller steps make paths too large
-  require(parameters.pathDensity >= kMinDensity, "path_density", "at least 0.001 m");
-  require(parameters.smoothingRadius > 0.0, "smoothing_radius", "above 0 m");
-  require(parameters.trackerUpdateRate > 0.0, "tracker_update_rate", "above 0 Hz");
-  require(parameters.numNearestNodes > 0, "num_nearest_nodes", "above 0");
+  checks.require(parameters.pathDensity >= kMinDensity, "path_density", "at least 0.001 m");
+  checks.require(parameters.smoothingRadius > 0.0, "smoothing_radius", "above 0 m");
+  checks.require(parameters.trackerUpdateRate > 0.0, "tracker_update_rate", "above 0 Hz");
+  checks.require(parameters.numNearestNodes > 0, "num_nearest_nodes", "above 0");
   return problems;
 }
 

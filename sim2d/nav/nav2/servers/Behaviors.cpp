@@ -83,26 +83,19 @@ const std::vector<Nav2Key<DriveParameters>>& driveKeys() {
 base::Diagnostics problemsOf(const BehaviorParameters& parameters) {
   constexpr double kMaxFrequency = 1000.0, kMaxLookahead = 100.0;
   base::Diagnostics problems;
-  if (!(parameters.cycleFrequency > 0.0 && parameters.cycleFrequency <= kMaxFrequency)) {
-    problems.push_back(
-        base::error("nav2.bad-parameter", {"cycle_frequency", "above 0, up to 1000 Hz"}));
-  }
-  if (!(parameters.simulateAheadTime >= 0.0 && parameters.simulateAheadTime <= kMaxLookahead)) {
-    problems.push_back(base::error("nav2.bad-parameter", {"simulate_ahead_time", "0 to 100 s"}));
-  }
+  ParameterChecks checks(problems);
+  checks.require("cycle_frequency", parameters.cycleFrequency,
+                 {{0.0, kMaxFrequency, true}, "above 0, up to 1000 Hz"});
+  checks.require("simulate_ahead_time", parameters.simulateAheadTime,
+                 {{0.0, kMaxLookahead}, "0 to 100 s"});
   return problems;
 }
 
 base::Diagnostics problemsOf(const DriveParameters& parameters, const std::string& name) {
   base::Diagnostics problems;
-  if (!(parameters.accelerationLimit >= 0.0)) {
-    problems.push_back(
-        base::error("nav2.bad-parameter", {name + ".acceleration_limit", "0 or more"}));
-  }
-  if (!(parameters.decelerationLimit <= 0.0)) {
-    problems.push_back(
-        base::error("nav2.bad-parameter", {name + ".deceleration_limit", "0 or less"}));
-  }
+  ParameterChecks checks(problems, name + ".");
+  checks.require(parameters.accelerationLimit >= 0.0, "acceleration_limit", "0 or more");
+  checks.require(parameters.decelerationLimit <= 0.0, "deceleration_limit", "0 or less");
   return problems;
 }
 

@@ -26,7 +26,7 @@ double speedAlong(const BodyTwist& twist) {
   return std::sqrt(twist.linear * twist.linear + twist.lateral * twist.lateral);
 }
 
-constexpr int kMaxPoints = 1000000;  // larger than any scan
+constexpr int kMaxScanPoints = 1000000;  // larger than any scan
 
 constexpr std::array<const char*, 3> kShapeTypes = {"polygon", "circle", "velocity_polygon"};
 constexpr std::array<const char*, 5> kActionTypes = {"none", "stop", "slowdown", "limit",
@@ -69,19 +69,13 @@ bool isInRange(const VelocitySubPolygon& part, const BodyTwist& command, bool is
 }
 
 /// The number of steps is checked only if both times are valid.
-void checkApproach(const MonitorPolygon& shape, base::Diagnostics& problems) {
+void checkApproach(const MonitorPolygon& shape, ParameterChecks& checks,
+                   base::Diagnostics& problems) {
   constexpr double kMinStep = 1e-3, kMaxDuration = 1000.0, kMaxSteps = 1000.0;
-  const bool isStep =
-      shape.simulationTimeStep >= kMinStep && shape.simulationTimeStep <= kMaxDuration;
-  const bool isTime = shape.timeBeforeCollision > 0.0 && shape.timeBeforeCollision <= kMaxDuration;
-  if (!isStep) {
-    problems.push_back(base::error("nav2.bad-parameter",
-                                   {shape.name + ".simulation_time_step", "0.001 to 1000 s"}));
-  }
-  if (!isTime) {
-    problems.push_back(base::error(
-        "nav2.bad-parameter", {shape.name + ".time_before_collision", "above 0, up to 1000 s"}));
-  }
+  const bool isStep = checks.require("simulation_time_step", shape.simulationTimeStep,
+                                     {{kMinStep, kMaxDuration}, "0.001 to 1000 s"});
+  const bool isTime = checks.require("time_before_collision", shape.timeBeforeCollision,
+                                     {{0.0, kMaxDuration, true}, "above 0, up to 1000 s"});
   const double steps = shape.timeBeforeCollision / shape.simulationTimeStep;
   if (isStep && isTime && steps > kMaxSteps) {
     problems.push_back(base::error(
@@ -91,19 +85,16 @@ void checkApproach(const MonitorPolygon& shape, base::Diagnostics& problems) {
 }
 
 void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
-  const auto require = [&shape, &problems](bool isRight, const char* key, const char* wanted) {
-    if (!isRight) {
-      problems.push_back(base::error("nav2.bad-parameter", {shape.name + "." + key, wanted}));
-    }
-  };
-  require(isShapeName(shape.type, kShapeTypes), "type", "polygon, circle or velocity_polygon");
-  require(isShapeName(shape.actionType, kActionTypes), "action_type",
-          "stop, slowdown, limit, approach or none");
+  ParameterChecks checks(problems, shape.name + ".");
+  checks.require(isShapeName(shape.type, kShapeTypes), "type",
+                 "polygon, circle or velocity_polygon");
+  checks.require(isShapeName(shape.actionType, kActionTypes), "action_type",
+                 "stop, slowdown, limit, approach or none");
   if (shape.type == "circle") {
-    require(shape.radius > 0.0, "radius", "above 0");
+    checks.require(shape.radius > 0.0, "radius", "above 0");
   }
   if (shape.type == "velocity_polygon") {
-    require(!shape.subPolygons.empty(), "velocity_polygons", "a list of names");
+    checks.require(!shape.subPolygons.empty(), "velocity_polygons", "a list of names");
     for (const VelocitySubPolygon& part : shape.subPolygons) {
       base::append(problems, readPolygon(part.points).diagnostics());
     }
@@ -111,11 +102,11 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
   if (shape.type == "polygon" && shape.pointList.empty() && !shape.points.empty()) {
     base::append(problems, readPolygon(shape.points).diagnostics());
   }
-  require(
+  checks.require(
       shape.pointList.size() % 2 == 0 && (shape.pointList.empty() || shape.pointList.size() >= 6),
       "points", "at least three pairs of numbers");
   if (shape.actionType == "approach") {
-    checkApproach(shape, problems);
+    checkApproach(shape, checks, problems);
   }
 }
 
@@ -250,7 +241,7 @@ CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
     Shape shape;
     shape.keys = keys;
     if (distro == Distro::Humble) {
-      shape.keys.minPoints = std::min(keys.maxPoints, kMaxPoints) + 1;
+      shape.keys.minPoints = std::min(keys.maxPoints, kMaxScanPoints) + 1;
     }
     shape.isCircle = keys.type == "circle";
     setCorners(shape, keys.type == "polygon" ? shapeCorners(keys, footprint) : Polygon{});
@@ -309,10 +300,8 @@ bool CollisionMonitor::gatherPoints(const Observation& observation) {
   }
   for (std::size_t i = 0; i < scan->distances.size(); ++i) {
     if (scan->distances[i] < scan->range) {
-      const double angle =
-          scan->sensor.heading + scan->angleMin + static_cast<double>(i) * scan->angleIncrement;
-      points_.push_back(observation.pose.toLocal(scan->sensor.position +
-                                                 scan->distances[i] * base::directionOf(angle)));
+      points_.push_back(observation.pose.toLocal(
+          scan->sensor.position + scan->distances[i] * base::directionOf(scan->angle(i))));
     }
   }
   return true;

@@ -57,16 +57,13 @@ const std::vector<IgnoredKey>& ignoredVelocitySmootherKeys() {
 
 base::Diagnostics problemsOf(const VelocitySmootherParameters& parameters) {
   base::Diagnostics problems;
-  const auto require = [&problems](bool isRight, const char* key, const char* wanted) {
-    if (!isRight) {
-      problems.push_back(base::error("nav2.bad-parameter", {key, wanted}));
-    }
-  };
+  ParameterChecks checks(problems);
   constexpr double kMaxFrequency = 1000.0;  // [Hz]
-  require(parameters.smoothingFrequency > 0.0 && parameters.smoothingFrequency <= kMaxFrequency,
-          "smoothing_frequency", "above 0, up to 1000 Hz");
-  require(parameters.feedback == "OPEN_LOOP" || parameters.feedback == "CLOSED_LOOP", "feedback",
-          "OPEN_LOOP or CLOSED_LOOP");
+  checks.require(
+      parameters.smoothingFrequency > 0.0 && parameters.smoothingFrequency <= kMaxFrequency,
+      "smoothing_frequency", "above 0, up to 1000 Hz");
+  checks.require(parameters.feedback == "OPEN_LOOP" || parameters.feedback == "CLOSED_LOOP",
+                 "feedback", "OPEN_LOOP or CLOSED_LOOP");
   const std::pair<const char*, const std::vector<double>*> lists[] = {
       {"max_velocity", &parameters.maxVelocity},
       {"min_velocity", &parameters.minVelocity},
@@ -74,16 +71,16 @@ base::Diagnostics problemsOf(const VelocitySmootherParameters& parameters) {
       {"max_decel", &parameters.maxDecel},
       {"deadband_velocity", &parameters.deadbandVelocity}};
   for (const auto& [key, values] : lists) {
-    require(values->size() == 3, key, "three numbers");
+    checks.require(values->size() == 3, key, "three numbers");
   }
   if (base::hasErrors(problems)) {
     return problems;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    require(parameters.maxAccel[axis] >= 0.0, "max_accel", "0 or more on each axis");
-    require(parameters.maxDecel[axis] <= 0.0, "max_decel", "0 or less on each axis");
-    require(parameters.minVelocity[axis] <= 0.0, "min_velocity", "0 or less on each axis");
-    require(parameters.maxVelocity[axis] >= 0.0, "max_velocity", "0 or more on each axis");
+    checks.require(parameters.maxAccel[axis] >= 0.0, "max_accel", "0 or more on each axis");
+    checks.require(parameters.maxDecel[axis] <= 0.0, "max_decel", "0 or less on each axis");
+    checks.require(parameters.minVelocity[axis] <= 0.0, "min_velocity", "0 or less on each axis");
+    checks.require(parameters.maxVelocity[axis] >= 0.0, "max_velocity", "0 or more on each axis");
   }
   return problems;
 }

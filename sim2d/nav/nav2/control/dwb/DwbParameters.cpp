@@ -144,48 +144,22 @@ void checkWorkload(const DwbParameters& p, base::Diagnostics& problems) {
   }
 }
 
-/// A parameter with a fixed range.
-struct DwbLimit {
-  const char* key;
-  double value, low, high;
-  const char* wanted;
-};
-
 /// Limits that depend on several parameters are checked only if each of them is valid.
 void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
-  constexpr double kFine = 1e-4, kFast = 1000.0;
-  const DwbLimit limits[] = {
-      {"sim_time", p.simTime, kFine, 1000.0, "0.0001 to 1000 s"},
-      {"time_granularity", p.timeGranularity, kFine, 1000.0, "0.0001 to 1000 s"},
-      {"linear_granularity", p.linearGranularity, kFine, 1000.0, "0.0001 to 1000 m"},
-      {"angular_granularity", p.angularGranularity, kFine, 1000.0, "0.0001 to 1000 rad"},
-      {"min_vel_x", p.minVelX, -kFast, kFast, "within 1000 m/s"},
-      {"max_vel_x", p.maxVelX, -kFast, kFast, "within 1000 m/s"},
-      {"min_vel_y", p.minVelY, -kFast, kFast, "within 1000 m/s"},
-      {"max_vel_y", p.maxVelY, -kFast, kFast, "within 1000 m/s"},
-      {"max_vel_theta", p.maxVelTheta, -kFast, kFast, "within 1000 rad/s"}};
-  bool areValid = true;
-  for (const DwbLimit& limit : limits) {
-    if (!(limit.value >= limit.low && limit.value <= limit.high)) {
-      problems.push_back(base::error("nav2.wrong-value", {limit.key, limit.value, limit.wanted}));
-      areValid = false;
-    }
-  }
+  constexpr base::Range kFine{1e-4, 1000.0}, kFast{-1000.0, 1000.0};
+  ParameterChecks checks(problems);
+  bool areValid = checks.within("sim_time", p.simTime, kFine, "0.0001 to 1000 s");
+  areValid &= checks.within("time_granularity", p.timeGranularity, kFine, "0.0001 to 1000 s");
+  areValid &= checks.within("linear_granularity", p.linearGranularity, kFine, "0.0001 to 1000 m");
+  areValid &=
+      checks.within("angular_granularity", p.angularGranularity, kFine, "0.0001 to 1000 rad");
+  areValid &= checks.within("min_vel_x", p.minVelX, kFast, "within 1000 m/s");
+  areValid &= checks.within("max_vel_x", p.maxVelX, kFast, "within 1000 m/s");
+  areValid &= checks.within("min_vel_y", p.minVelY, kFast, "within 1000 m/s");
+  areValid &= checks.within("max_vel_y", p.maxVelY, kFast, "within 1000 m/s");
+  areValid &= checks.within("max_vel_theta", p.maxVelTheta, kFast, "within 1000 rad/s");
   if (areValid) {
     checkWorkload(p, problems);
-  }
-}
-
-/// Main inverts positive decelerations; earlier branches use them unchanged.
-void fixDecelerationSigns(DwbParameters& p, base::Diagnostics& problems) {
-  const std::pair<const char*, double*> limits[] = {{"decel_lim_x", &p.decelLimX},
-                                                    {"decel_lim_y", &p.decelLimY},
-                                                    {"decel_lim_theta", &p.decelLimTheta}};
-  for (const auto& [key, limit] : limits) {
-    if (*limit > 0.0) {
-      problems.push_back(base::warning("nav2.positive-deceleration", {key, *limit}));
-      *limit = -*limit;
-    }
   }
 }
 
@@ -242,11 +216,9 @@ DwbController::NamedCritic makeCritic(const std::string& name, const ControllerS
         {name + ".aggregation_type", "'" + values.aggregation + "'", "last, sum or product"}));
   }
   constexpr double kMaxPointDistance = 1000.0;  // [m]
-  if (!(std::abs(values.forwardPointDistance) <= kMaxPointDistance)) {
-    problems.push_back(base::error(
-        "nav2.wrong-value",
-        {name + ".forward_point_distance", values.forwardPointDistance, "within 1000 m"}));
-  }
+  ParameterChecks(problems, name + ".")
+      .within("forward_point_distance", values.forwardPointDistance,
+              {-kMaxPointDistance, kMaxPointDistance}, "within 1000 m");
   return {name, type->make({values, parameters, setup.distro})};
 }
 
@@ -257,7 +229,11 @@ base::Result<std::unique_ptr<Controller>> makeDwb(const ControllerSetup& setup) 
   made.distro = setup.distro;
   made.frequency = setup.frequency;
   if (setup.distro >= Distro::Lyrical) {
-    fixDecelerationSigns(made.parameters, problems);
+    DwbParameters& p = made.parameters;  // earlier branches use them unchanged
+    invertPositiveDecelerations({{"decel_lim_x", &p.decelLimX},
+                                 {"decel_lim_y", &p.decelLimY},
+                                 {"decel_lim_theta", &p.decelLimTheta}},
+                                problems);
   }
   checkDwbNumbers(made.parameters, problems);
   made.generator = generatorKind(made.parameters.generator, problems);

@@ -1,9 +1,0 @@
-#include "sim2d/nav/nav2/mppi/TrajectoryKernelSource.h"
-
-namespace sim2d::nav2 {
-
-TrajectoryKernel trajectoryKernelSse2() {
-  return compiledTrajectoryKernel();
-}
-
-}  // namespace sim2d::nav2
