@@ -4,21 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <QFileInfo>
-#include <qwt_legend.h>
-#include <qwt_plot.h>
-#include <qwt_plot_canvas.h>
-#include <qwt_plot_curve.h>
-#include <qwt_plot_grid.h>
-#include <qwt_plot_marker.h>
-#include <qwt_plot_renderer.h>
-#include <qwt_scale_draw.h>
-#include <qwt_scale_engine.h>
-#include <qwt_scale_widget.h>
-#include <qwt_symbol.h>
-
 #include "bt/human/TreeBehavior.h"
-#include "editor/look/Theme.h"
 #include "sim2d/world/World.h"
 
 namespace app {
@@ -236,129 +222,68 @@ double plainStepSeconds(const Scenario& scenario, double atLeastSeconds) {
 
 namespace {
 
-using editor::Role;
+using Anchor = report::Figure::Anchor;
 
-constexpr double kTickMs = 50.0;               // [ms] of simulated time
-constexpr int kDotsPerInch = 144;              // twice the text size of a screen
-const QSizeF kMillimetres = {254.0, 142.875};  // 1440 x 810 dots
-
-/// Labels 10, 100, 1 000 … with thin spaces.
-class PowerOfTenLabels : public QwtScaleDraw {
- public:
-  QwtText label(double value) const override {
-    const QLocale plain = QLocale::c();
-    QString text = plain.toString(value, 'g', 12);
-    for (int at = text.size() - 3; at > 0 && value >= 1000.0; at -= 3) {
-      text.insert(at, QChar(0x202f));
-    }
-    return text;
-  }
+/// The times of one kind, with the roles of their line and dots.
+struct Series {
+  double BenchPoint::*time;
+  const char *line, *dot;
+  std::string name;
 };
 
-QwtText titled(const QString& text, const QFont& font, const QColor& color) {
-  QwtText title(text);
-  title.setFont(font);
-  title.setColor(color);
-  return title;
-}
-
-void setAxes(QwtPlot& plot, const editor::Theme& theme) {
-  const QColor words = theme.color(Role::TextSecondary);
-  plot.setAxisTitle(QwtPlot::xBottom, titled(QStringLiteral("people"), theme.font(9.0), words));
-  plot.setAxisTitle(QwtPlot::yLeft,
-                    titled(QStringLiteral("time per 50 ms step [ms]"), theme.font(9.0), words));
-  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
-    plot.setAxisScaleEngine(axis, new QwtLogScaleEngine);
-    plot.setAxisScaleDraw(axis, new PowerOfTenLabels);
-    plot.setAxisMaxMinor(axis, 0);
-    plot.setAxisFont(axis, theme.font(8.5));
-    plot.axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
-  }
-}
-
-void addCurve(QwtPlot& plot, const QString& name, const QVector<QPointF>& samples,
-              const QPen& pen) {
-  auto* curve = new QwtPlotCurve(name);
-  curve->setSamples(samples);
-  curve->setPen(pen);
-  curve->setRenderHint(QwtPlotItem::RenderAntialiased);
-  curve->setLegendAttribute(QwtPlotCurve::LegendShowLine);
-  curve->setLegendIconSize(QSize(24, 8));
-  if (pen.style() == Qt::SolidLine) {
-    curve->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, pen.color(), Qt::NoPen, QSize(6, 6)));
-  }
-  curve->setItemAttribute(QwtPlotItem::Legend, !name.isEmpty());
-  curve->attach(&plot);
-}
-
-QVector<QPointF> samplesOf(const std::vector<BenchPoint>& points, double BenchPoint::*time) {
-  QVector<QPointF> samples;
+void drawSeries(report::Figure& figure, const report::Scale& across, const report::Scale& up,
+                const std::vector<BenchPoint>& points, const Series& series) {
+  std::vector<Vec2> line;
   for (const BenchPoint& point : points) {
-    samples.push_back({static_cast<double>(point.people), point.*time});
-  }
-  return samples;
-}
-
-/// Measured values as a solid line, extrapolated ones dashed.
-void addPlain(QwtPlot& plot, const std::vector<BenchPoint>& points, const QColor& color) {
-  QVector<QPointF> measured;
-  QVector<QPointF> scaled;
-  for (const BenchPoint& point : points) {
-    const QPointF sample(point.people, point.plain);
-    if (!point.isScaled) {
-      measured.push_back(sample);
-      scaled.clear();
+    line.emplace_back(across.at(point.people), up.at(point.*series.time));
+    if (series.time != &BenchPoint::plain || !point.isScaled) {
+      figure.disc(line.back().x(), line.back().y(), 3.0, series.dot);
     }
-    scaled.push_back(sample);
   }
-  addCurve(plot, QStringLiteral("forces, naive sum over all pairs"), measured, QPen(color, 2.0));
-  addCurve(plot, {}, scaled, QPen(color, 2.0, Qt::DashLine));
-}
-
-void addRealTime(QwtPlot& plot, const editor::Theme& theme) {
-  auto* line = new QwtPlotMarker;
-  line->setLineStyle(QwtPlotMarker::HLine);
-  line->setLinePen(theme.color(Role::TextSecondary), 1.0, Qt::DotLine);
-  line->setYValue(kTickMs);
-  line->setLabel(
-      titled(QStringLiteral("real time"), theme.font(8.5), theme.color(Role::TextSecondary)));
-  line->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
-  line->attach(&plot);
+  figure.polyline(line, series.line, 2.0);
 }
 
 }  // namespace
 
-bool drawBench(const std::vector<BenchPoint>& points, const QString& machine, const QString& file) {
-  const editor::Theme theme = editor::Theme::light();
-  QwtPlot plot(titled(machine, theme.font(10.0, QFont::DemiBold), theme.color(Role::Text)));
-  plot.setCanvasBackground(theme.color(Role::Panel));
-  QPalette colors = plot.palette();
-  colors.setColor(QPalette::Window, theme.color(Role::Panel));
-  colors.setColor(QPalette::Text, theme.color(Role::TextSecondary));
-  colors.setColor(QPalette::WindowText, theme.color(Role::FieldEdge));
-  plot.setPalette(colors);
-  plot.setFont(theme.font(9.0));
-  static_cast<QwtPlotCanvas*>(plot.canvas())->setFrameStyle(QFrame::NoFrame);
-  setAxes(plot, theme);
-  auto* grid = new QwtPlotGrid;
-  grid->setPen(theme.color(Role::Line), 1.0);
-  grid->attach(&plot);
-  addPlain(plot, points, theme.color(Role::TextSecondary));
-  addCurve(plot, QStringLiteral("full step with trees, bodies and lidar"),
-           samplesOf(points, &BenchPoint::whole), QPen(theme.color(Role::Text), 2.0));
-  addCurve(plot, QStringLiteral("forces only"), samplesOf(points, &BenchPoint::forces),
-           QPen(theme.color(Role::Accent), 2.4));
-  addRealTime(plot, theme);
-  auto* legend = new QwtLegend;
-  legend->setFont(theme.font(9.0));
-  plot.insertLegend(legend, QwtPlot::BottomLegend);
-  plot.setContentsMargins(12, 10, 16, 10);
-  plot.resize(720, 405);
-  plot.replot();
-  QwtPlotRenderer renderer;
-  renderer.setDiscardFlag(QwtPlotRenderer::DiscardCanvasFrame);
-  renderer.renderDocument(&plot, file, kMillimetres, kDotsPerInch);
-  return QFileInfo(file).size() > 0;
+report::Figure benchFigure(const std::vector<BenchPoint>& points, const std::string& machine) {
+  constexpr double kTickMs = 50.0;  // [ms] of simulated time
+  constexpr double kWidth = 720.0;
+  constexpr double kHeight = 405.0;
+  double low = kTickMs;
+  double high = kTickMs;
+  for (const BenchPoint& point : points) {
+    low = std::min({low, point.whole, point.forces, point.plain});
+    high = std::max({high, point.whole, point.forces, point.plain});
+  }
+  const report::Scale across{1.0 * points.front().people, 1.0 * points.back().people, 64.0,
+                             kWidth - 28.0, true};
+  const report::Scale up{std::pow(10.0, std::floor(std::log10(low))),
+                         std::pow(10.0, std::ceil(std::log10(high))), kHeight - 72.0, 56.0, true};
+  report::Figure figure("bench", kWidth, kHeight);
+  figure.text(0.5 * kWidth, 20.0, machine, "ink", Anchor::Middle, 12.5);
+  figure.text(8.0, 42.0, "time per 50 ms step [ms]", "dim");
+  for (const double people : report::axisTicks(across)) {
+    figure.line(across.at(people), up.from, across.at(people), up.to, "grid");
+  }
+  report::verticalAxis(figure, up, report::axisTicks(up), across.from, across.to);
+  report::horizontalAxis(figure, across, up.from);
+  figure.text(across.to, up.from + 32.0, "people", "dim", Anchor::End);
+  figure.line(across.from, up.at(kTickMs), across.to, up.at(kTickMs), "axis");
+  figure.text(across.from + 4.0, up.at(kTickMs) - 4.0, "real time", "dim", Anchor::Start, 10.0);
+  const Series all[] = {
+      {&BenchPoint::plain, "zero", "dim", "forces, naive sum over all pairs (dots: measured)"},
+      {&BenchPoint::whole, "line", "ink", "full step with trees, bodies and lidar"},
+      {&BenchPoint::forces, "accent", "heat", "forces only"}};
+  double left = 12.0;  // of a legend entry [px]
+  for (const Series& series : all) {
+    constexpr double kSample = 24.0;
+    constexpr double kLetter = 5.7;
+    drawSeries(figure, across, up, points, series);
+    figure.line(left, kHeight - 16.0, left + kSample, kHeight - 16.0, series.line, 2.0);
+    figure.text(left + kSample + 6.0, kHeight - 12.0, series.name, "dim", Anchor::Start, 10.0);
+    left += kSample + 24.0 + kLetter * static_cast<double>(series.name.size());
+  }
+  return figure;
 }
 
 }  // namespace app

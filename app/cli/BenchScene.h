@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <QString>
-
+#include "app/report/Figure.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/world/World.h"
 
@@ -42,8 +41,7 @@ struct BenchPoint {
   double plain = 0.0;     // the same forces over all pairs [ms]
   bool isScaled = false;  // `plain` is extrapolated from a smaller size
 };
-/// Plots times per step over the number of people, both axes logarithmic; format by file extension:
-/// .png, .svg or .pdf. False if it cannot be written. Requires a QApplication.
-bool drawBench(const std::vector<BenchPoint>& points, const QString& machine, const QString& file);
+/// Times per step over the number of people, both axes logarithmic; at least two sizes.
+report::Figure benchFigure(const std::vector<BenchPoint>& points, const std::string& machine);
 
 }  // namespace app

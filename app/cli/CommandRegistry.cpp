@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <QApplication>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHash>
@@ -107,17 +106,13 @@ void CommandRegistry::addOutputOptions() {
 
 namespace {
 
-/// Files of pictures are the same whatever screen somebody has.
-void prepareDrawing(Drawing drawing) {
-  if (drawing == Drawing::Pictures) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    qputenv("QT_FONT_DPI", "96");
-    for (const char* scale : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS",
-                              "QT_AUTO_SCREEN_SCALE_FACTOR", "QT_ENABLE_HIGHDPI_SCALING"}) {
-      qunsetenv(scale);
-    }
-  } else if (drawing != Drawing::None && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
+/// Makes pictures independent of the screen of the user.
+void prepareDrawing() {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  qputenv("QT_FONT_DPI", "96");
+  for (const char* scale : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS",
+                            "QT_AUTO_SCREEN_SCALE_FACTOR", "QT_ENABLE_HIGHDPI_SCALING"}) {
+    qunsetenv(scale);
   }
 }
 
@@ -132,18 +127,10 @@ int CommandRegistry::start(Invocation given) const {
     return default_(given);
   }
   const Command& command = commands_.at(chosen.front()->get_name());
-  const Drawing drawing = command.drawing();
-  prepareDrawing(drawing);
-  if (drawing != Drawing::None) {
+  if (command.drawing() == Drawing::Pictures) {
+    prepareDrawing();
     requireMemory(kForFonts);
-  }
-  switch (drawing) {
-    case Drawing::Widgets:
-      return within<QApplication>(given, command.action);
-    case Drawing::Pictures:
-      return within<QGuiApplication>(given, command.action);
-    case Drawing::None:
-      break;
+    return within<QGuiApplication>(given, command.action);
   }
   return within<QCoreApplication>(given, command.action);
 }

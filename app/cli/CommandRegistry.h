@@ -19,9 +19,9 @@ namespace app {
 /// Exit codes of the program.
 enum ExitCode { ExitFine = 0, ExitRunFailed = 1, ExitBadInput = 2, ExitWrongCommandLine = 64 };
 
-/// What Qt a command needs: none but its core, pictures, or pictures of widgets. Pictures need no
+/// The Qt libraries that a command needs: only the core, or also those for pictures, which need no
 /// display.
-enum class Drawing { None, Pictures, Widgets };
+enum class Drawing { None, Pictures };
 
 /// Thrown by a command that ends before its last line.
 struct CommandEnd {

@@ -6,7 +6,6 @@
 
 #include <QPainterPath>
 
-#include "editor/canvas/FrameLayer.h"
 #include "editor/look/Images.h"
 #include "sim2d/trace/ContactMarks.h"
 
@@ -199,13 +198,10 @@ void FigureMap::paintObstacles() const {
   }
 }
 
-/// Of an agent.
 editor::Look FigureMap::lookOf(int id) const {
-  const std::vector<sim2d::TraceHuman>& humans = trace_.header.humans;
-  const auto found = std::find_if(humans.begin(), humans.end(),
-                                  [id](const auto& human) { return human.id == id; });
-  return editor::lookOf(found != humans.end() ? static_cast<sim2d::BehaviorType>(found->behavior)
-                                              : sim2d::BehaviorType::Regular);
+  const sim2d::TraceHuman* const human = trace_.header.human(id);
+  return human != nullptr ? editor::lookOf(static_cast<sim2d::BehaviorType>(human->behavior))
+                          : editor::Look::Regular;
 }
 QColor FigureMap::colorOf(int id) const {
   return id < 0 ? theme_.color(Role::RobotLine) : theme_.line(lookOf(id));
@@ -256,11 +252,8 @@ void FigureMap::paintStart(const Track& track) const {
 /// The index of the drawn position; nullopt: the body is not present.
 std::optional<std::size_t> FigureMap::positionIndexOf(const Track& track) const {
   const std::size_t count = track.countUntil(time_);
-  const auto next =
-      std::upper_bound(trace_.frames.begin(), trace_.frames.end(), time_,
-                       [](double time, const sim2d::Frame& frame) { return time < frame.time; });
-  const bool isSeen = count > 0 && next != trace_.frames.begin() &&
-                      (isWhole_ || track.times[count - 1] >= (next - 1)->time);
+  const bool isSeen =
+      count > 0 && (isWhole_ || track.times[count - 1] >= trace_.frames[currentFrame()].time);
   return isSeen ? std::optional(count - 1) : std::nullopt;
 }
 double FigureMap::radiusOf(const Track& track) const {

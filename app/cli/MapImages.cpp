@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <QtGlobal>
+
 #include "editor/document/QtImageLoader.h"
 
 namespace app {
@@ -30,10 +32,7 @@ class SilencedStderr {
       ::close(kept_);
     }
   }
-  SilencedStderr(const SilencedStderr&) = delete;
-  SilencedStderr& operator=(const SilencedStderr&) = delete;
-  SilencedStderr(SilencedStderr&&) = delete;
-  SilencedStderr& operator=(SilencedStderr&&) = delete;
+  Q_DISABLE_COPY_MOVE(SilencedStderr)
 
  private:
   int kept_;

@@ -18,6 +18,7 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QSvgGenerator>
+#include <QSvgRenderer>
 
 #include "editor/look/Images.h"
 #include "sim2d/base/Files.h"
@@ -90,6 +91,29 @@ std::string pdfOf(const QSizeF& size, const Paint& paint) {
   return bytes.toStdString();
 }
 
+std::pair<QSizeF, Paint> paintingOf(const report::Figure& figure) {
+  const auto renderer =
+      std::make_shared<QSvgRenderer>(QByteArray::fromStdString(figure.standalone()));
+  const QSizeF size = renderer->defaultSize();
+  return {size, [renderer, size](QPainter& painter) {
+            renderer->render(&painter, {QPointF(), size});
+          }};
+}
+
+std::string figureFile(const report::Figure& figure, const std::string& ending, double scale) {
+  if (ending == ".svg") {
+    return figure.standalone();
+  }
+  const auto [size, paint] = paintingOf(figure);
+  if (ending == ".pdf") {
+    return pdfOf(size, paint);
+  }
+  return pngOf(scale * size, [scale, paint = paint](QPainter& painter) {
+    painter.scale(scale, scale);
+    paint(painter);
+  });
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,10 +148,7 @@ class GifMovie : public Movie {
   GifMovie(std::string path, double framesPerSecond)
       : path_(std::move(path)), framesPerSecond_(framesPerSecond) {}
   ~GifMovie() override { close(); }
-  GifMovie(const GifMovie&) = delete;
-  GifMovie& operator=(const GifMovie&) = delete;
-  GifMovie(GifMovie&&) = delete;
-  GifMovie& operator=(GifMovie&&) = delete;
+  Q_DISABLE_COPY_MOVE(GifMovie)
 
   base::Diagnostics add(const QImage& frame) override {
     if (file_ == nullptr && !begin(frame)) {
@@ -213,18 +234,10 @@ class GifMovie : public Movie {
   double frames_ = 0.0;
 };
 
-QStringList codecOf(const std::string& ending) {
-  if (ending == ".webm") {
-    return {QStringLiteral("-c:v"),    QStringLiteral("libvpx-vp9"), QStringLiteral("-b:v"),
-            QStringLiteral("0"),       QStringLiteral("-crf"),       QStringLiteral("32"),
-            QStringLiteral("-row-mt"), QStringLiteral("1")};
-  }
-  if (ending == ".webp") {
-    return {QStringLiteral("-c:v"), QStringLiteral("libwebp_anim"), QStringLiteral("-quality"),
-            QStringLiteral("80"),   QStringLiteral("-loop"),        QStringLiteral("0")};
-  }
-  return {QStringLiteral("-c:v"), QStringLiteral("libx264"),   QStringLiteral("-crf"),
-          QStringLiteral("20"),   QStringLiteral("-movflags"), QStringLiteral("+faststart")};
+QString codecOf(const std::string& ending) {
+  return ending == ".webm"   ? QStringLiteral("-c:v libvpx-vp9 -b:v 0 -crf 32 -row-mt 1")
+         : ending == ".webp" ? QStringLiteral("-c:v libwebp_anim -quality 80 -loop 0")
+                             : QStringLiteral("-c:v libx264 -crf 20 -movflags +faststart");
 }
 
 /// Pipes frames to ffmpeg, which writes a temporary file.
@@ -241,10 +254,7 @@ class FfmpegMovie : public Movie {
     }
     QFile::remove(QString::fromStdString(temporaryPath_));
   }
-  FfmpegMovie(const FfmpegMovie&) = delete;
-  FfmpegMovie& operator=(const FfmpegMovie&) = delete;
-  FfmpegMovie(FfmpegMovie&&) = delete;
-  FfmpegMovie& operator=(FfmpegMovie&&) = delete;
+  Q_DISABLE_COPY_MOVE(FfmpegMovie)
 
   base::Diagnostics add(const QImage& frame) override {
     if (process_.state() == QProcess::NotRunning && !start(frame.size())) {
@@ -275,30 +285,20 @@ class FfmpegMovie : public Movie {
 
  private:
   bool start(const QSize& size) {
-    const QStringList from = {QStringLiteral("-loglevel"),
-                              QStringLiteral("error"),
-                              QStringLiteral("-y"),
-                              QStringLiteral("-f"),
-                              QStringLiteral("rawvideo"),
-                              QStringLiteral("-pix_fmt"),
-                              QStringLiteral("bgra"),
-                              QStringLiteral("-s"),
-                              QStringLiteral("%1x%2").arg(size.width()).arg(size.height()),
-                              QStringLiteral("-r"),
-                              QString::number(framesPerSecond_),
-                              QStringLiteral("-i"),
-                              QStringLiteral("-")};
-    const QStringList to = {QStringLiteral("-pix_fmt"),
-                            QStringLiteral("yuv420p"),
-                            QStringLiteral("-fflags"),
-                            QStringLiteral("+bitexact"),
-                            QStringLiteral("-flags:v"),
-                            QStringLiteral("+bitexact"),
-                            QStringLiteral("-f"),
-                            QString::fromStdString(endingOf(path_).substr(1)),
-                            QStringLiteral("file:") + QString::fromStdString(temporaryPath_)};
+    const std::string ending = endingOf(path_);
+    const QString words =
+        QStringLiteral(
+            "-loglevel error -y -f rawvideo -pix_fmt bgra -s %1x%2 -r %3 -i - %4 -pix_fmt yuv420p "
+            "-fflags +bitexact -flags:v +bitexact -f %5")
+            .arg(size.width())
+            .arg(size.height())
+            .arg(framesPerSecond_)
+            .arg(codecOf(ending), QString::fromStdString(ending.substr(1)));
     process_.setProcessChannelMode(QProcess::MergedChannels);
-    process_.start(QStringLiteral("ffmpeg"), from + codecOf(endingOf(path_)) + to);
+    process_.start(
+        QStringLiteral("ffmpeg"),
+        words.split(QLatin1Char(' ')) +
+            QStringList{QStringLiteral("file:") + QString::fromStdString(temporaryPath_)});
     return process_.waitForStarted();
   }
   base::Diagnostics failure() {
@@ -317,10 +317,6 @@ class FfmpegMovie : public Movie {
 };
 
 }  // namespace
-
-bool Movie::isSupported(const std::string& ending) {
-  return ending == ".gif" || ending == ".mp4" || ending == ".webm" || ending == ".webp";
-}
 
 base::Result<std::unique_ptr<Movie>> Movie::begin(const std::string& path, double framesPerSecond) {
   std::error_code ignored;  // an impossible folder is reported when the file is written

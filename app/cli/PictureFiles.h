@@ -3,12 +3,15 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <QSizeF>
 #include <QString>
 
+#include "app/report/Figure.h"
 #include "sim2d/base/Result.h"
 
+class QImage;
 class QPainter;
 
 /// Renders pictures to the bytes of a file, which are reproducible. Pixels are those of CSS, 96 per
@@ -23,11 +26,10 @@ std::string svgOf(const QSizeF& size, const QString& title, const Paint& paint);
 /// One page of that size, with embedded fonts.
 std::string pdfOf(const QSizeF& size, const Paint& paint);
 
-}  // namespace app
-
-class QImage;
-
-namespace app {
+/// The size of a figure of a report, and a function that paints it.
+std::pair<QSizeF, Paint> paintingOf(const report::Figure& figure);
+/// The bytes of such a figure as ".svg", ".pdf" or ".png". `scale`: image pixels per pixel.
+std::string figureFile(const report::Figure& figure, const std::string& ending, double scale = 1.0);
 
 /// A film that is written frame by frame. The output file appears only at finish(), complete. One
 /// thread.
@@ -38,14 +40,10 @@ class Movie {
   /// writable.
   static base::Result<std::unique_ptr<Movie>> begin(const std::string& path,
                                                     double framesPerSecond);
-  static bool isSupported(const std::string& ending);
 
   Movie() = default;
   virtual ~Movie() = default;
-  Movie(const Movie&) = delete;
-  Movie& operator=(const Movie&) = delete;
-  Movie(Movie&&) = delete;
-  Movie& operator=(Movie&&) = delete;
+  Q_DISABLE_COPY_MOVE(Movie)
 
   /// All frames of the same size, with even sides.
   virtual base::Diagnostics add(const QImage& frame) = 0;

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/cli/FigureLegend.h"
-#include "app/cli/FigureMap.h"
-
 namespace app {
 
 namespace {
@@ -15,75 +12,58 @@ constexpr double kMaxMapHeight = 1.4;  // maximum map height relative to the pic
 
 }  // namespace
 
-class RunPicture::Painting {
- public:
-  Painting(const sim2d::Trace& trace, const PictureLayout& layout)
-      : seed_(trace.header.seed),
-        sizes_(layout.width),
-        text_(layout.textAsOutlines),
-        map_(trace, sizes_, text_, layout.options),
-        legend_(trace, map_, sizes_, text_),
-        key_(map_, sizes_, text_, layout.options) {
-    const double margin = sizes_.margin();
-    const double width = layout.width - 2.0 * margin - sizes_.legend();
-    map_.place(QRectF(0.0, 0.0, width, kMaxMapHeight * layout.width));  // scale for arrows of key_
-    const double below = sizes_.isNarrow ? legend_.heightBelow(width) : 0.0;
-    const double rest = 2.0 * margin + sizes_.foot() + key_.height(width) + below;
-    const double most = layout.height ? *layout.height - rest : kMaxMapHeight * layout.width;
-    const double scale = std::min(width / map_.world().width(), most / map_.world().height());
-    const double beside = sizes_.isNarrow ? 0.0 : legend_.heightBeside() - 2.0 * margin;
-    const double high = layout.height ? most : std::max(scale * map_.world().height(), beside);
-    map_.place(QRectF(margin, margin, width, high));
-    size_ = QSizeF(layout.width, layout.height ? *layout.height : std::ceil(high + rest));
-  }
+RunFigure::RunFigure(const sim2d::Trace& trace, const FigureSizes& sizes, bool textAsOutlines,
+                     const FigureOptions& options)
+    : seed_(trace.header.seed),
+      sizes_(sizes),
+      text_(textAsOutlines),
+      map_(trace, sizes_, text_, options),
+      legend_(trace, map_, sizes_, text_),
+      key_(map_, sizes_, text_, options) {}
 
-  QSizeF size() const { return size_; }
+void RunFigure::paintGround(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(QRectF(QPointF(), size_), Qt::white);
+}
 
-  void paint(QPainter& painter, std::optional<double> time) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(QRectF(QPointF(), size_), Qt::white);
-    map_.paint(painter, time);
-    const double left = map_.drawnLeft();
-    const double width = size_.width() - sizes_.margin() - sizes_.legend() - left;
-    double y = map_.mapRect().bottom();
-    map_.paintScale(painter, {left, y + 0.6 * sizes_.foot()});
-    y += sizes_.foot();
-    key_.paint(painter, {left, y}, width);
-    y += key_.height(width);
-    const double now = std::min(time.value_or(map_.lastTime()), map_.lastTime());
-    const QString when = QStringLiteral("%1 s · seed %2").arg(now, 0, 'f', 1).arg(seed_);
-    if (sizes_.isNarrow) {
-      legend_.paintBelow(painter, {left, y}, width, when);
-      return;
-    }
-    const QString stands =
-        time ? QStringLiteral("○ start   bodies drawn at %1 s").arg(now, 0, 'f', 1)
-             : QStringLiteral("○ start   bodies drawn at the end");
-    legend_.paintBeside(painter, {size_.width() - sizes_.legend(), sizes_.margin()},
-                        size_.height() - sizes_.margin() - 0.4 * sizes_.foot(), when, stands);
-  }
-
- private:
-  const long long seed_;
-  const FigureSizes sizes_;
-  const FigureText text_;
-  FigureMap map_;
-  const FigureLegend legend_;
-  const OverlayLegend key_;
-  QSizeF size_;
-};
+double RunFigure::paintFoot(QPainter& painter, const QPointF& leftTop, double width) const {
+  map_.paintScale(painter, leftTop + QPointF(0.0, 0.6 * sizes_.foot()));
+  const QPointF below = leftTop + QPointF(0.0, sizes_.foot());
+  key_.paint(painter, below, width);
+  return below.y() + key_.height(width);
+}
 
 RunPicture::RunPicture(const sim2d::Trace& trace, const PictureLayout& layout)
-    : painting_(std::make_unique<Painting>(trace, layout)) {}
-
-RunPicture::~RunPicture() = default;
-
-QSizeF RunPicture::size() const {
-  return painting_->size();
+    : RunFigure(trace, FigureSizes(layout.width), layout.textAsOutlines, layout.options) {
+  const double margin = sizes_.margin();
+  const double width = layout.width - 2.0 * margin - sizes_.legend();
+  map_.place(QRectF(0.0, 0.0, width, kMaxMapHeight * layout.width));  // scale for arrows of key_
+  const double below = sizes_.isNarrow ? legend_.heightBelow(width) : 0.0;
+  const double rest = 2.0 * margin + sizes_.foot() + key_.height(width) + below;
+  const double most = layout.height ? *layout.height - rest : kMaxMapHeight * layout.width;
+  const double scale = std::min(width / map_.world().width(), most / map_.world().height());
+  const double beside = sizes_.isNarrow ? 0.0 : legend_.heightBeside() - 2.0 * margin;
+  const double high = layout.height ? most : std::max(scale * map_.world().height(), beside);
+  map_.place(QRectF(margin, margin, width, high));
+  size_ = QSizeF(layout.width, layout.height ? *layout.height : std::ceil(high + rest));
 }
 
 void RunPicture::paint(QPainter& painter, std::optional<double> time) {
-  painting_->paint(painter, time);
+  paintGround(painter);
+  map_.paint(painter, time);
+  const double left = map_.drawnLeft();
+  const double width = size_.width() - sizes_.margin() - sizes_.legend() - left;
+  const double y = paintFoot(painter, {left, map_.mapRect().bottom()}, width);
+  const double now = std::min(time.value_or(map_.lastTime()), map_.lastTime());
+  const QString when = QStringLiteral("%1 s · seed %2").arg(now, 0, 'f', 1).arg(seed_);
+  if (sizes_.isNarrow) {
+    legend_.paintBelow(painter, {left, y}, width, when);
+    return;
+  }
+  const QString stands = time ? QStringLiteral("○ start   bodies drawn at %1 s").arg(now, 0, 'f', 1)
+                              : QStringLiteral("○ start   bodies drawn at the end");
+  legend_.paintBeside(painter, {size_.width() - sizes_.legend(), sizes_.margin()},
+                      size_.height() - sizes_.margin() - 0.4 * sizes_.foot(), when, stands);
 }
 
 using editor::Role;
@@ -92,10 +72,6 @@ namespace {
 
 constexpr double kCellGap = 10.0;         // [px] between two maps
 constexpr double kMaxStripHeight = 0.95;  // maximum height of all maps relative to the width
-
-FigureSizes narrowSizes() {
-  return FigureSizes(0.0);
-}
 
 /// Names would be illegible at this size; colours and marks identify the bodies.
 FigureOptions withoutNames(FigureOptions options) {
@@ -149,13 +125,8 @@ std::vector<double> equidistantTimes(const sim2d::Trace& trace, int count) {
 
 RunStrip::RunStrip(const sim2d::Trace& trace, const PictureLayout& layout,
                    std::vector<double> times)
-    : seed_(trace.header.seed),
-      times_(withinRun(std::move(times), trace)),
-      sizes_(narrowSizes()),
-      text_(layout.textAsOutlines),
-      map_(trace, sizes_, text_, withoutNames(layout.options)),
-      legend_(trace, map_, sizes_, text_),
-      key_(map_, sizes_, text_, layout.options) {
+    : RunFigure(trace, FigureSizes(0.0), layout.textAsOutlines, withoutNames(layout.options)),
+      times_(withinRun(std::move(times), trace)) {
   const double width = layout.width - 2.0 * sizes_.margin();
   const double tall = map_.world().height() / map_.world().width();
   columns_ = bestColumns(times_.size(), width, tall, sizes_.row());
@@ -181,8 +152,7 @@ QRectF RunStrip::cellOf(std::size_t k) const {
 }
 
 void RunStrip::paint(QPainter& painter) {
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(QRectF(QPointF(), size_), Qt::white);
+  paintGround(painter);
   const editor::Theme& theme = text_.theme();
   for (std::size_t k = 0; k < times_.size(); ++k) {
     const QRectF cell = cellOf(k);
@@ -199,11 +169,7 @@ void RunStrip::paint(QPainter& painter) {
   }
   const double left = sizes_.margin();
   const double width = size_.width() - 2.0 * left;
-  double y = cellOf(times_.size() - 1).bottom();
-  map_.paintScale(painter, {left, y + 0.6 * sizes_.foot()});
-  y += sizes_.foot();
-  key_.paint(painter, {left, y}, width);
-  y += key_.height(width);
+  const double y = paintFoot(painter, {left, cellOf(times_.size() - 1).bottom()}, width);
   legend_.paintBelow(painter, {left, y}, width, QStringLiteral("seed %1").arg(seed_));
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,54 +12,55 @@
 
 namespace app {
 
-/// The picture of a run for a paper: map and obstacles on white, trajectories that fade from light
-/// to full, starts as rings, goals as pins, legend and scale. One thread; requires a
-/// QGuiApplication. The trace must outlive it.
-class RunPicture {
+/// The parts of a figure of a run, and its foot: scale bar, legends.
+class RunFigure {
  public:
-  RunPicture(const sim2d::Trace& trace, const PictureLayout& layout);
-  ~RunPicture();
-  RunPicture(const RunPicture&) = delete;
-  RunPicture& operator=(const RunPicture&) = delete;
-  RunPicture(RunPicture&&) = delete;
-  RunPicture& operator=(RunPicture&&) = delete;
-
-  QSizeF size() const;  // [px]
-  /// Paints the state at this time [s]; nullopt: the whole run, with all bodies at their last
-  /// positions.
-  void paint(QPainter& painter, std::optional<double> time = {});
-
- private:
-  class Painting;
-  std::unique_ptr<Painting> painting_;
-};
-
-/// Several instants of a run side by side, (a), (b), …, with a common scale and legend. One thread;
-/// requires a QGuiApplication. The trace must outlive it.
-class RunStrip {
- public:
-  /// `times` [s], in display order; at least one. The height follows from them.
-  RunStrip(const sim2d::Trace& trace, const PictureLayout& layout, std::vector<double> times);
-  ~RunStrip() = default;
-  Q_DISABLE_COPY_MOVE(RunStrip)  // members refer to each other
-
+  Q_DISABLE_COPY_MOVE(RunFigure)         // members refer to each other
   QSizeF size() const { return size_; }  // [px]
-  void paint(QPainter& painter);
-  int columns() const { return columns_; }
 
- private:
-  QRectF cellOf(std::size_t k) const;
+ protected:
+  RunFigure(const sim2d::Trace& trace, const FigureSizes& sizes, bool textAsOutlines,
+            const FigureOptions& options);
+  ~RunFigure() = default;
+
+  void paintGround(QPainter& painter) const;
+  /// Paints scale bar and legend of the overlays below `leftTop`; returns their lower edge.
+  double paintFoot(QPainter& painter, const QPointF& leftTop, double width) const;
 
   const long long seed_;
-  const std::vector<double> times_;
   const FigureSizes sizes_;
   const FigureText text_;
   FigureMap map_;
   const FigureLegend legend_;
   const OverlayLegend key_;
+  QSizeF size_;
+};
+
+/// The picture of a run for a paper: map and obstacles on white, trajectories that fade from light
+/// to full, starts as rings, goals as pins, legend and scale. One thread; requires a
+/// QGuiApplication. The trace must outlive it.
+class RunPicture : public RunFigure {
+ public:
+  RunPicture(const sim2d::Trace& trace, const PictureLayout& layout);
+  /// Paints the state at this time [s]; nullopt: the whole run, with all bodies at their last
+  /// positions.
+  void paint(QPainter& painter, std::optional<double> time = {});
+};
+
+/// Several instants of a run side by side, (a), (b), …, with a common scale and legend. One thread;
+/// requires a QGuiApplication. The trace must outlive it.
+class RunStrip : public RunFigure {
+ public:
+  /// `times` [s], in display order; at least one. The height follows from them.
+  RunStrip(const sim2d::Trace& trace, const PictureLayout& layout, std::vector<double> times);
+  void paint(QPainter& painter);
+
+ private:
+  QRectF cellOf(std::size_t k) const;
+
+  const std::vector<double> times_;
   int columns_ = 1;
   QSizeF cell_;  // [px], of one map
-  QSizeF size_;
 };
 
 /// `count` equidistant times from the start to the end of the run.

@@ -37,14 +37,7 @@ struct Plane {
   Scale across, up;
 
   void draw(Figure& figure, const Metric& x, const Metric& y) const {
-    const std::vector<double> at = ticks(up.low, up.high, 5);
-    const double step = at.size() > 1 ? at[1] - at[0] : 1.0;
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
-    for (const double tick : at) {
-      figure.line(across.from, up.at(tick), across.to, up.at(tick), "grid");
-      figure.text(across.from - 8.0, up.at(tick) + 4.0, numberText(tick, decimals), "dim",
-                  Anchor::End, 10.0);
-    }
+    verticalAxis(figure, up, ticks(up.low, up.high, 5), across.from, across.to);
     horizontalAxis(figure, across, up.from);
     figure.text(across.to, up.from + 34.0, titleOf(x) + betterText(x, "←", "→"), "ink",
                 Anchor::End);

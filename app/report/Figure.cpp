@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "app/report/Markup.h"
 #include "sim2d/base/Text.h"
@@ -27,21 +28,9 @@ constexpr RoleColors kRoles[] = {
     {"ground", "fill=\"#FFFFFF\" stroke=\"#D8DCE0\""},
     {"wall", "fill=\"#2B2F33\" fill-rule=\"evenodd\""},
     {"solid", "fill=\"#D3D8DC\" stroke=\"#838E98\" stroke-width=\"0.6\" fill-rule=\"evenodd\""},
-    {"s0", "stroke=\"#0072B2\" fill=\"none\""},
-    {"s1", "stroke=\"#C65600\" fill=\"none\""},
-    {"s2", "stroke=\"#008A64\" fill=\"none\""},
-    {"s3", "stroke=\"#B35C8D\" fill=\"none\""},
-    {"s4", "stroke=\"#B57A00\" fill=\"none\""},
-    {"s5", "stroke=\"#2389C4\" fill=\"none\""},
-    {"s6", "stroke=\"#6B6B6B\" fill=\"none\""},
-    {"f0", "fill=\"#0072B2\""},
-    {"f1", "fill=\"#C65600\""},
-    {"f2", "fill=\"#008A64\""},
-    {"f3", "fill=\"#B35C8D\""},
-    {"f4", "fill=\"#B57A00\""},
-    {"f5", "fill=\"#2389C4\""},
-    {"f6", "fill=\"#6B6B6B\""},
 };
+constexpr const char* kOptionShades[kOptionColors] = {"#0072B2", "#C65600", "#008A64", "#B35C8D",
+                                                      "#B57A00", "#2389C4", "#6B6B6B"};
 
 std::string classOf(const std::string& role) {
   return " class=\"" + role + "\"";
@@ -51,13 +40,54 @@ std::string opacityOf(double opacity) {
   return opacity < 1.0 ? " opacity=\"" + plainNumber(opacity, 2) + "\"" : std::string();
 }
 
-std::string polygonPath(double x, double y, const std::vector<base::Vec2>& corners, double size) {
-  std::string path;
-  for (const base::Vec2& corner : corners) {
-    path += (path.empty() ? "M" : "L") + pixel(x + corner.x() * size) + " " +
-            pixel(y + corner.y() * size);
+/// ` name="value"` for each of the names.
+std::string pixels(std::initializer_list<std::pair<const char*, double>> values) {
+  std::string attributes;
+  for (const auto& [name, value] : values) {
+    attributes += std::string(" ") + name + "=\"" + pixel(value) + "\"";
   }
-  return path + "Z";
+  return attributes;
+}
+
+using Corners = std::vector<base::Vec2>;
+
+/// The corners of the mark of an option, in units of its size; none: a disc.
+const Corners& markCorners(std::size_t option) {
+  static const Corners kMarks[kOptionColors] = {
+      {},
+      {{-.9, -.9}, {.9, -.9}, {.9, .9}, {-.9, .9}},
+      {{0, -1.25}, {1.25, 0}, {0, 1.25}, {-1.25, 0}},
+      {{0, -1.2}, {1.1, .8}, {-1.1, .8}},
+      {{0, 1.2}, {1.1, -.8}, {-1.1, -.8}},
+      {{-.5, -1}, {.5, -1}, {1.1, 0}, {.5, 1}, {-.5, 1}, {-1.1, 0}},
+      {{-.4, -1.2},
+       {.4, -1.2},
+       {.4, -.4},
+       {1.2, -.4},
+       {1.2, .4},
+       {.4, .4},
+       {.4, 1.2},
+       {-.4, 1.2},
+       {-.4, .4},
+       {-1.2, .4},
+       {-1.2, -.4},
+       {-.4, -.4}}};
+  return kMarks[option % kOptionColors];
+}
+
+/// The data of a path through the points.
+std::string pathThrough(const std::vector<base::Vec2>& points) {
+  std::string path;
+  for (const base::Vec2& point : points) {
+    path += (path.empty() ? "M" : "L") + pixel(point.x()) + " " + pixel(point.y());
+  }
+  return path;
+}
+
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
 }
 
 }  // namespace
@@ -81,84 +111,51 @@ std::string pixel(double value) {
 void Figure::text(double x, double y, const std::string& words, const char* role, Anchor anchor,
                   double size) {
   const char* anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-  content_ += "<text x=\"" + pixel(x) + "\" y=\"" + pixel(y) + "\" font-size=\"" + pixel(size) +
-              "\"" + anchors[static_cast<int>(anchor)] + classOf(role) + ">" + escaped(words) +
+  content_ += "<text" + pixels({{"x", x}, {"y", y}, {"font-size", size}}) +
+              anchors[static_cast<int>(anchor)] + classOf(role) + ">" + escaped(words) +
               "</text>\n";
 }
 
 void Figure::line(double x1, double y1, double x2, double y2, const std::string& role,
                   double width) {
-  content_ += "<line x1=\"" + pixel(x1) + "\" y1=\"" + pixel(y1) + "\" x2=\"" + pixel(x2) +
-              "\" y2=\"" + pixel(y2) + "\" stroke-width=\"" + pixel(width) + "\"" + classOf(role) +
-              "/>\n";
+  content_ += "<line" +
+              pixels({{"x1", x1}, {"y1", y1}, {"x2", x2}, {"y2", y2}, {"stroke-width", width}}) +
+              classOf(role) + "/>\n";
 }
 
 void Figure::rect(double x, double y, double width, double height, const std::string& role,
                   double opacity) {
-  content_ += "<rect x=\"" + pixel(x) + "\" y=\"" + pixel(y) + "\" width=\"" + pixel(width) +
-              "\" height=\"" + pixel(height) + "\"" + opacityOf(opacity) + classOf(role) + "/>\n";
+  content_ += "<rect" + pixels({{"x", x}, {"y", y}, {"width", width}, {"height", height}}) +
+              opacityOf(opacity) + classOf(role) + "/>\n";
 }
 
 void Figure::disc(double x, double y, double radius, const std::string& role, double opacity) {
-  content_ += "<circle cx=\"" + pixel(x) + "\" cy=\"" + pixel(y) + "\" r=\"" + pixel(radius) +
-              "\"" + opacityOf(opacity) + classOf(role) + "/>\n";
+  content_ += "<circle" + pixels({{"cx", x}, {"cy", y}, {"r", radius}}) + opacityOf(opacity) +
+              classOf(role) + "/>\n";
 }
 
 void Figure::path(const std::string& path, const std::string& role, double width, double opacity) {
-  content_ += "<path d=\"" + path + "\" stroke-width=\"" + pixel(width) + "\"" +
-              opacityOf(opacity) + classOf(role) + "/>\n";
+  content_ += "<path d=\"" + path + "\"" + pixels({{"stroke-width", width}}) + opacityOf(opacity) +
+              classOf(role) + "/>\n";
 }
 
 void Figure::polyline(const std::vector<base::Vec2>& points, const std::string& role, double width,
                       double opacity) {
-  std::string lines;
-  for (const base::Vec2& point : points) {
-    lines += (lines.empty() ? "M" : "L") + pixel(point.x()) + " " + pixel(point.y());
-  }
   if (points.size() > 1) {
-    path(lines, role, width, opacity);
+    path(pathThrough(points), role, width, opacity);
   }
 }
 
 void Figure::mark(double x, double y, std::size_t option, double size) {
-  const std::string role = fillOf(option);
-  switch (option % kOptionColors) {
-    case 0:
-      disc(x, y, size, role);
-      break;
-    case 1:
-      path(polygonPath(x, y, {{-.9, -.9}, {.9, -.9}, {.9, .9}, {-.9, .9}}, size), role, 0.0);
-      break;
-    case 2:
-      path(polygonPath(x, y, {{0, -1.25}, {1.25, 0}, {0, 1.25}, {-1.25, 0}}, size), role, 0.0);
-      break;
-    case 3:
-      path(polygonPath(x, y, {{0, -1.2}, {1.1, .8}, {-1.1, .8}}, size), role, 0.0);
-      break;
-    case 4:
-      path(polygonPath(x, y, {{0, 1.2}, {1.1, -.8}, {-1.1, -.8}}, size), role, 0.0);
-      break;
-    case 5:
-      path(polygonPath(x, y, {{-.5, -1}, {.5, -1}, {1.1, 0}, {.5, 1}, {-.5, 1}, {-1.1, 0}}, size),
-           role, 0.0);
-      break;
-    default:
-      path(polygonPath(x, y,
-                       {{-.4, -1.2},
-                        {.4, -1.2},
-                        {.4, -.4},
-                        {1.2, -.4},
-                        {1.2, .4},
-                        {.4, .4},
-                        {.4, 1.2},
-                        {-.4, 1.2},
-                        {-.4, .4},
-                        {-1.2, .4},
-                        {-1.2, -.4},
-                        {-.4, -.4}},
-                       size),
-           role, 0.0);
+  Corners corners = markCorners(option);
+  if (corners.empty()) {
+    disc(x, y, size, fillOf(option));
+    return;
   }
+  for (base::Vec2& corner : corners) {
+    corner = base::Vec2(x + corner.x() * size, y + corner.y() * size);
+  }
+  path(pathThrough(corners) + "Z", fillOf(option), 0.0);
 }
 
 void Figure::define(const std::string& id, const std::string& path, const std::string& role) {
@@ -167,15 +164,15 @@ void Figure::define(const std::string& id, const std::string& path, const std::s
 }
 
 void Figure::use(const std::string& id, double x, double y) {
-  content_ += "<use xlink:href=\"#" + name_ + "-" + escaped(id) + "\" x=\"" + pixel(x) + "\" y=\"" +
-              pixel(y) + "\"/>\n";
+  content_ += "<use xlink:href=\"#" + name_ + "-" + escaped(id) + "\"" +
+              pixels({{"x", x}, {"y", y}}) + "/>\n";
 }
 
 void Figure::beginClip(double x, double y, double width, double height) {
   const std::string id = name_ + "-clip" + std::to_string(clips_++);
-  definitions_ += "<clipPath id=\"" + id + "\"><rect x=\"" + pixel(x) + "\" y=\"" + pixel(y) +
-                  "\" width=\"" + pixel(width) + "\" height=\"" + pixel(height) +
-                  "\"/></clipPath>\n";
+  definitions_ += "<clipPath id=\"" + id + "\"><rect" +
+                  pixels({{"x", x}, {"y", y}, {"width", width}, {"height", height}}) +
+                  "/></clipPath>\n";
   content_ += "<g clip-path=\"url(#" + id + ")\">\n";
 }
 
@@ -184,8 +181,7 @@ std::string Figure::whole(const std::string& attributes) const {
   std::string text =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 " +
-      size + "\" width=\"" + pixel(width_) + "\" height=\"" + pixel(height_) + "\"" + attributes +
-      ">\n";
+      size + "\"" + pixels({{"width", width_}, {"height", height_}}) + attributes + ">\n";
   if (!definitions_.empty()) {
     text += "<defs>\n" + definitions_ + "</defs>\n";
   }
@@ -199,22 +195,29 @@ std::string Figure::markup() const {
 std::string Figure::standalone() const {
   std::string text = whole(" font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\"");
   for (const RoleColors& role : kRoles) {
-    const std::string from = classOf(role.role);
-    const std::string to = std::string(" ") + role.attributes;
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-      text.replace(at, from.size(), to);
-    }
+    replaceAll(text, classOf(role.role), std::string(" ") + role.attributes);
+  }
+  for (std::size_t option = 0; option < kOptionColors; ++option) {
+    const std::string shade = std::string("=\"") + kOptionShades[option] + "\"";
+    replaceAll(text, classOf(strokeOf(option)), " stroke" + shade + " fill=\"none\"");
+    replaceAll(text, classOf(fillOf(option)), " fill" + shade);
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + text;
 }
 
-std::vector<double> ticks(double low, double high, int count) {
-  const double rough = (high - low) / std::max(1, count);
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  double step = 10.0 * power;
-  for (const double nice : {5.0, 2.0, 1.0}) {
-    step = nice * power >= rough * 0.999 ? nice * power : step;
+double tickStep(double length, int most) {
+  const double least = length / std::max(1, most);
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double nice : {1.0, 2.0, 5.0}) {
+    if (nice * power >= least * 0.999) {
+      return nice * power;
+    }
   }
+  return 10.0 * power;
+}
+
+std::vector<double> ticks(double low, double high, int count) {
+  const double step = tickStep(high - low, count);
   std::vector<double> found;
   constexpr int kMostTicks = 12;
   const double first = std::ceil(low / step - 1e-9);
@@ -239,7 +242,23 @@ Scale paddedScale(double low, double high, double from, double to) {
   return {low - room, high + room, from, to};
 }
 
+namespace {
+
+std::vector<double> powersOfTen(double low, double high) {
+  std::vector<double> powers;
+  for (double power = std::pow(10.0, std::ceil(std::log10(low) - 1e-9));
+       power <= high * (1.0 + 1e-9); power *= 10.0) {
+    powers.push_back(power);
+  }
+  return powers;
+}
+
+}  // namespace
+
 std::vector<double> axisTicks(const Scale& scale) {
+  if (scale.isLogarithmic) {
+    return powersOfTen(scale.low, scale.high);
+  }
   constexpr double kRoom = 60.0;  // [px], space for a number
   const int most = std::max(2, static_cast<int>((scale.to - scale.from) / kRoom));
   std::vector<double> at = ticks(scale.low, scale.high, most);
@@ -255,17 +274,36 @@ std::vector<double> axisTicks(const Scale& scale) {
   return at;
 }
 
+std::vector<std::string> tickTexts(const Scale& scale, const std::vector<double>& at) {
+  std::vector<std::string> texts;
+  texts.reserve(at.size());
+  for (const double tick : at) {
+    const double step = scale.isLogarithmic ? tick : at.size() > 1 ? at[1] - at[0] : 1.0;
+    const double decimals = std::ceil(-std::log10(step) - 1e-9);
+    texts.push_back(numberText(tick, std::clamp(static_cast<int>(decimals), 0, 6)));
+  }
+  return texts;
+}
+
 void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent) {
   figure.line(scale.from, y, scale.to, y, "axis");
   const std::vector<double> at = axisTicks(scale);
-  const double step = at.size() > 1 ? at[1] - at[0] : 1.0;
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
-  for (const double tick : at) {
-    const double x = scale.at(tick);
+  const std::vector<std::string> texts = tickTexts(scale, at);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double x = scale.at(at[k]);
     figure.line(x, y, x, y + 4.0, "axis");
-    figure.text(x, y + 15.0,
-                asPercent ? numberText(100.0 * tick, 0) + " %" : numberText(tick, decimals), "dim",
+    figure.text(x, y + 15.0, asPercent ? percentText(at[k]) : texts[k], "dim",
                 Figure::Anchor::Middle, 10.0);
+  }
+}
+
+void verticalAxis(Figure& figure, const Scale& scale, const std::vector<double>& at, double left,
+                  double right) {
+  const std::vector<std::string> texts = tickTexts(scale, at);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double y = scale.at(at[k]);
+    figure.line(left, y, right, y, "grid");
+    figure.text(left - 8.0, y + 4.0, texts[k], "dim", Figure::Anchor::End, 10.0);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
@@ -19,7 +20,6 @@ class Figure {
       : name_(std::move(name)), width_(width), height_(height) {}
 
   const std::string& name() const { return name_; }
-  bool isEmpty() const { return content_.empty(); }
   std::string caption;  // plain text
 
   enum class Anchor { Start, Middle, End };
@@ -61,20 +61,33 @@ std::string strokeOf(std::size_t option);  // role of the option's lines
 std::string fillOf(std::size_t option);    // role of the option's areas
 std::string pixel(double value);           // at most one decimal
 
-/// A linear scale from numbers to pixels.
+/// A scale from numbers to pixels.
 struct Scale {
-  double low = 0.0, high = 1.0;   // range of numbers
+  double low = 0.0, high = 1.0;   // range of numbers; logarithmic: both above 0
   double from = 0.0, to = 100.0;  // range of pixels
-  double at(double value) const { return from + (value - low) / (high - low) * (to - from); }
+  bool isLogarithmic = false;
+  double at(double value) const {
+    const double share =
+        isLogarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+    return from + share * (to - from);
+  }
 };
+/// The smallest 1, 2 or 5 times a power of ten of which at most `most` fit into `length`.
+double tickStep(double length, int most);
 /// About `count` round numbers within [low, high], at most 12.
 std::vector<double> ticks(double low, double high, int count);
 /// A scale for [low, high] with a margin; never empty.
 Scale paddedScale(double low, double high, double from, double to);
-/// The ticks of a horizontal axis: as many as fit, at least two.
+/// The ticks of a horizontal axis: as many as fit, at least two. Of a logarithmic axis: the powers
+/// of ten.
 std::vector<double> axisTicks(const Scale& scale);
+/// The numbers at ticks, with the decimals that their distance requires.
+std::vector<std::string> tickTexts(const Scale& scale, const std::vector<double>& at);
 /// Draws an axis with numbers below a panel.
 void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent = false);
+/// Draws a line across a panel at each tick, with its number on the left.
+void verticalAxis(Figure& figure, const Scale& scale, const std::vector<double>& at, double left,
+                  double right);
 
 /// Shortens the text to at most `most` characters; an ellipsis marks the cut.
 std::string shortened(const std::string& text, std::size_t most);

@@ -1,14 +1,45 @@
-#include "app/report/MapFigures.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
+
+#include "app/report/Markup.h"
+#include "app/report/RunPictures.h"
 
 namespace report {
 
 namespace {
+
+constexpr std::size_t kMostPanels = 24;
+constexpr double kPanelHead = 20.0;  // [px], height of the title
+
+/// The transform from world to pixels of a map panel.
+struct MapPanel {
+  double left = 0.0, top = 0.0, scale = 1.0;  // px, px, px/m
+  base::Vec2 low = base::Vec2::Zero(), high = base::Vec2::Zero();
+
+  base::Vec2 at(const base::Vec2& world) const {
+    return {left + (world.x() - low.x()) * scale, top + (high.y() - world.y()) * scale};
+  }
+  double width() const { return (high.x() - low.x()) * scale; }
+  double height() const { return (high.y() - low.y()) * scale; }
+};
+
+/// Draws the walls and shapes of a map. They are defined once and reused in each panel.
+class FloorPlans {
+ public:
+  FloorPlans(Figure& figure, double width, double height)
+      : figure_(figure), width_(width), height_(height) {}
+
+  MapPanel draw(const std::string& name, const FloorPlan& floorPlan, double left, double top);
+
+ private:
+  Figure& figure_;
+  double width_, height_;
+  std::map<std::string, std::size_t> known_;
+};
 
 MapPanel panelFor(const FloorPlan& floorPlan, double left, double top, double width,
                   double height) {
@@ -36,8 +67,6 @@ std::string outlinePath(const std::vector<sim2d::Outline>& outlines, const MapPa
   return path;
 }
 
-}  // namespace
-
 MapPanel FloorPlans::draw(const std::string& name, const FloorPlan& floorPlan, double left,
                           double top) {
   const MapPanel origin = panelFor(floorPlan, 0.0, 0.0, width_, height_);
@@ -56,18 +85,18 @@ MapPanel FloorPlans::draw(const std::string& name, const FloorPlan& floorPlan, d
   return panel;
 }
 
+/// The height including the title; the map is at least 60 px and at most `most` tall.
 double panelHeightOf(const FloorPlan& floorPlan, double width, double most) {
   const base::Vec2 size = floorPlan.high - floorPlan.low;
   return kPanelHead + std::clamp(width * size.y() / size.x(), 60.0, most);
 }
 
+/// " (the first 24 of 30 scenarios)"; empty if all are shown.
 std::string truncationNote(std::size_t shown, std::size_t all, const char* what) {
   return shown < all ? " (the first " + std::to_string(shown) + " of " + std::to_string(all) + " " +
                            what + ")"
                      : std::string();
 }
-
-namespace {
 
 using Squares = std::map<std::pair<int, int>, int>;  // contacts per square
 
@@ -112,10 +141,6 @@ void heatLegend(Figure& figure, double top, int most) {
   }
 }
 
-std::string withNumber(std::size_t count, const std::string& word) {
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
-
 /// The contacts of all runs in one scenario.
 struct ContactMap {
   std::string scenario;
@@ -150,11 +175,11 @@ std::string contactsCaption(const RunPictures& pictures, std::size_t shown, std:
   const std::size_t others = pictures.floorPlans.size() - all;
   return "Positions of the robot at the start of contacts with people (gap below contact_distance "
          "of the metrics) or obstacles, in " +
-         withNumber(pictures.runs.size(), "recorded run") +
+         counted(pictures.runs.size(), "recorded run") +
          "; more intense colour of a 0.5 m square means more contacts, on the same scale in all "
          "maps" +
          truncationNote(shown, all, "scenarios with contacts") + "." +
-         (others == 0 ? "" : " No contacts in " + withNumber(others, "other scenario") + ".");
+         (others == 0 ? "" : " No contacts in " + counted(others, "other scenario") + ".");
 }
 
 constexpr double kMapHeight = 420.0;  // [px], maximum height of a map
@@ -193,7 +218,7 @@ std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pict
   grid.forEach([&](std::size_t index, double left, double top) {
     const ContactMap& map = maps[index];
     const std::string name = shortened(map.scenario.substr(study.commonPrefixLength), 60);
-    figure.text(left, top + 12.0, name + ": " + withNumber(map.count, "contact"));
+    figure.text(left, top + 12.0, name + ": " + counted(map.count, "contact"));
     const FloorPlan& floorPlan = pictures.floorPlans.at(map.scenario);
     heatSquares(figure, floorPlans.draw(map.scenario, floorPlan, left, top + kPanelHead),
                 map.squares, most);

@@ -1,6 +1,8 @@
 #include "app/report/Markup.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "sim2d/base/Text.h"
@@ -67,13 +69,50 @@ std::string rounded(double value, int decimals) {
   return (isNegative ? "-" : "") + digits;
 }
 
-std::string withAsciiMinus(std::string text) {
-  const std::string minus = "−";
-  for (std::size_t at = 0; (at = text.find(minus, at)) != std::string::npos; ++at) {
-    text.replace(at, minus.size(), "-");
+/// Replaces each text that is the first of a pair by the second of it.
+template <class Pairs>
+std::string substituted(std::string_view text, const Pairs& pairs) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const auto found = std::find_if(std::begin(pairs), std::end(pairs), [&](const auto& pair) {
+      return text.compare(at, pair.first.size(), pair.first) == 0;
+    });
+    if (found == std::end(pairs)) {
+      result += text[at++];
+    } else {
+      result += found->second;
+      at += found->first.size();
+    }
   }
-  return text;
+  return result;
 }
+
+using TextPair = std::pair<std::string_view, std::string_view>;
+
+constexpr TextPair kAsciiMinus[] = {{"−", "-"}};
+constexpr TextPair kInScripts[] = {{"<", "\\u003c"}, {">", "\\u003e"}, {"&", "\\u0026"}};
+constexpr TextPair kInLatex[] = {{"&", "\\&"},
+                                 {"%", "\\%"},
+                                 {"$", "\\$"},
+                                 {"#", "\\#"},
+                                 {"_", "\\_"},
+                                 {"{", "\\{"},
+                                 {"}", "\\}"},
+                                 {"~", "\\textasciitilde{}"},
+                                 {"^", "\\textasciicircum{}"},
+                                 {"\\", "\\textbackslash{}"},
+                                 {"<", "$<$"},
+                                 {">", "$>$"},
+                                 {"−", "$-$"},
+                                 {"–", "--"},
+                                 {"²", "$^2$"},
+                                 {"³", "$^3$"},
+                                 {"†", "$^\\dagger$"},
+                                 {"δ", "$\\delta$"},
+                                 {"×", "$\\times$"},
+                                 {"χ", "$\\chi$"},
+                                 {"∞", "$\\infty$"}};
 
 std::string cellHtml(const Table::Cell& cell, const Table::Column& column) {
   std::string content = cell.markup.empty() ? escaped(cell.text) : cell.markup;
@@ -115,48 +154,11 @@ std::string escaped(std::string_view text) {
 }
 
 std::string scriptSafe(std::string_view json) {
-  std::string result;
-  result.reserve(json.size());
-  for (const char c : json) {
-    result += c == '<'   ? "\\u003c"
-              : c == '>' ? "\\u003e"
-              : c == '&' ? "\\u0026"
-                         : std::string(1, c);
-  }
-  return result;
+  return substituted(json, kInScripts);
 }
 
 std::string latexText(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) {
-      result += '\\';
-      result += c;
-    } else if (c == '~' || c == '^' || c == '\\') {
-      result += c == '~'   ? "\\textasciitilde{}"
-                : c == '^' ? "\\textasciicircum{}"
-                           : "\\textbackslash{}";
-    } else if (c == '<' || c == '>') {
-      result += c == '<' ? "$<$" : "$>$";
-    } else {
-      result += c;
-    }
-  }
-  const auto replace = [&result](const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = result.find(from, at)) != std::string::npos; at += to.size()) {
-      result.replace(at, from.size(), to);
-    }
-  };
-  replace("−", "$-$");
-  replace("–", "--");
-  replace("²", "$^2$");
-  replace("³", "$^3$");
-  replace("†", "$^\\dagger$");
-  replace("δ", "$\\delta$");
-  replace("×", "$\\times$");
-  replace("χ", "$\\chi$");
-  replace("∞", "$\\infty$");
-  return result;
+  return substituted(text, kInLatex);
 }
 
 std::string numberText(double value, int decimals) {
@@ -169,6 +171,10 @@ std::string numberText(double value, int decimals) {
 
 std::string plainNumber(double value, int decimals) {
   return std::isnan(value) ? std::string() : rounded(value, decimals);
+}
+
+std::string percentText(double share) {
+  return numberText(100.0 * share, 0) + " %";
 }
 
 std::string pValueText(double p) {
@@ -185,6 +191,15 @@ std::string element(const char* name, const std::string& attributes, const std::
 
 std::string paragraph(const std::string& words, const std::string& attributes) {
   return element("p", attributes, escaped(words)) + "\n";
+}
+
+std::string filled(std::string_view pattern,
+                   const std::vector<std::pair<std::string_view, std::string>>& values) {
+  std::vector<std::pair<std::string, std::string_view>> pairs;
+  for (const auto& [name, value] : values) {
+    pairs.emplace_back("{{" + std::string(name) + "}}", value);
+  }
+  return substituted(pattern, pairs);
 }
 
 std::string counted(std::size_t count, const std::string& word) {
@@ -282,8 +297,8 @@ std::string tableCsv(const Table& table) {
   for (const std::vector<Table::Cell>& row : table.rows) {
     rows.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) {
-      add(k, row[k].csv.empty() ? withAsciiMinus(row[k].text) : row[k].csv,
-          withAsciiMinus(row[k].below), row[k].note);
+      add(k, row[k].csv.empty() ? substituted(row[k].text, kAsciiMinus) : row[k].csv,
+          substituted(row[k].below, kAsciiMinus), row[k].note);
     }
   }
   return csvText(rows);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Helpers for HTML, XML, LaTeX and CSV text.
@@ -20,12 +21,17 @@ std::string latexText(std::string_view text);
 std::string numberText(double value, int decimals);
 /// As numberText with an ASCII minus, for files: "-1.50". NaN: empty.
 std::string plainNumber(double value, int decimals);
+std::string percentText(double share);  // "95 %"
 /// A p value: "< 0.001", "0.012", "1".
 std::string pValueText(double p);
 /// An XML element: "<name attributes>content</name>", or "<name attributes/>" without content.
 std::string element(const char* name, const std::string& attributes, const std::string& content);
 /// Plain text as a <p> element; `attributes` start with a space.
 std::string paragraph(const std::string& words, const std::string& attributes = {});
+/// Replaces each placeholder {{name}} of a template by its value. Values are not searched for
+/// placeholders; a placeholder without a value is kept.
+std::string filled(std::string_view pattern,
+                   const std::vector<std::pair<std::string_view, std::string>>& values);
 /// A count with its noun: "1 run", "2 runs".
 std::string counted(std::size_t count, const std::string& word);
 

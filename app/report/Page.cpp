@@ -5,15 +5,124 @@
 #include <set>
 #include <utility>
 
-#include "app/report/PageSections.h"
+#include "app/report/PageTexts.h"
 #include "app/report/PlayerPage.h"
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
+#include "app/run/DataPaths.h"
 #include "app/run/ResultRow.h"
+#include "sim2d/base/Text.h"
 
 namespace report {
 
 namespace {
+
+/// The names of the options with this standing, without the leaders.
+std::vector<std::string> namesOf(const Study& study, const MetricComparison& comparison,
+                                 RelativeToBest standing) {
+  std::vector<std::string> names;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    if (!comparison.isBestOrTied(option) && comparison.relativeToBest[option] == standing) {
+      names.push_back(study.options[option]);
+    }
+  }
+  return names;
+}
+
+std::string namesText(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 6;
+  return names.size() > kMostNames ? std::to_string(names.size()) + " others"
+                                   : escaped(base::join(names, ", "));
+}
+
+/// The result of a comparison as a sentence (markup); empty: nothing was compared. "Path length:
+/// best is dwa (7.1 m), better than pursuit; not clearly different from mppi."
+std::string findingMarkup(const Study& study, const MetricComparison& comparison) {
+  if (!comparison.best) {
+    return {};
+  }
+  const Metric& metric = study.metrics[comparison.metric];
+  const double best = comparison.estimates[*comparison.best].mean;
+  std::vector<std::string> leaders;  // the best and those equal to it
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    if (comparison.isBestOrTied(option)) {
+      leaders.push_back(study.options[option]);
+    }
+  }
+  const std::vector<std::string> beaten = namesOf(study, comparison, RelativeToBest::Worse);
+  const std::vector<std::string> close = namesOf(study, comparison, RelativeToBest::NotDifferent);
+  const std::vector<std::string> ahead = namesOf(study, comparison, RelativeToBest::Better);
+  const std::vector<std::string> pieces = namesOf(study, comparison, RelativeToBest::NeverSucceeds);
+  const int decimals = decimalsFor(comparison.estimates, metric.isRate);
+  const std::string unit = metric.unit.empty() || metric.unit == "-" ? "" : " " + metric.unit;
+  std::string words = element("b", "", escaped(metric.name)) +
+                      (leaders.size() == 1 ? ": best is " : ": best are ") +
+                      escaped(base::join(leaders, ", ")) + " (" +
+                      escaped(estimateText(metric, best, decimals) + unit) + ")";
+  const bool beatsAll = close.empty() && ahead.empty() && pieces.empty() && beaten.size() > 1;
+  const char* between = ", ";
+  const auto add = [&](const std::vector<std::string>& names, const std::string& more) {
+    words += names.empty() ? "" : between + more;
+    between = names.empty() ? between : "; ";
+  };
+  add(beaten, "better than " + (beatsAll ? "all others" : namesText(beaten)));
+  add(close, "not significantly different from " + namesText(close));
+  add(ahead, "but " + namesText(ahead) + (ahead.size() == 1 ? " is" : " are") +
+                 " better on the same cases and seeds");
+  add(pieces, namesText(pieces) +
+                  (pieces.size() == 1 ? " never succeeds and is" : " never succeed and are") +
+                  " excluded");
+  return words + ".";
+}
+
+/// The seeds: "1 to 20", or a list.
+std::string seedsText(const Study& study) {
+  std::set<long long> seeds;
+  for (const Results::Run& run : study.results.runs) {
+    seeds.insert(run.seed);
+  }
+  const long long span = *seeds.rbegin() - *seeds.begin() + 1;
+  if (seeds.size() > 2 && span == static_cast<long long>(seeds.size())) {
+    return std::to_string(*seeds.begin()) + " to " + std::to_string(*seeds.rbegin());
+  }
+  std::vector<std::string> words;
+  words.reserve(seeds.size());
+  for (const long long seed : seeds) {
+    words.push_back(std::to_string(seed));
+  }
+  return base::join(words, ", ");
+}
+
+/// The markup of the methods section: procedures with references, versions and inputs, and the
+/// commands. `blocks`: number of blocks; `command`: the command line of this report.
+std::string methodsMarkup(const Study& study, std::size_t blocks,
+                          const std::vector<std::string>& command) {
+  std::string facts;
+  const auto fact = [&facts](const std::string& name, const std::string& value) {
+    if (!value.empty()) {
+      facts += element("dt", "", escaped(name)) +
+               element("dd", "", element("code", "", escaped(value))) + "\n";
+    }
+  };
+  fact("Batch created by", study.version.empty()
+                               ? std::string("unknown (no manifest)")
+                               : "hunavsim " + study.version + " " + study.commit);
+  fact("Report created by", "hunavsim " + app::programVersion() + " " + app::programCommit());
+  fact("results.csv", study.resultsHash);
+  for (const Study::Input& input : study.inputs) {
+    fact(input.path, input.sha256);
+  }
+  fact("Seeds", seedsText(study));
+  fact("Drawn per scenario and seed", base::join(study.drawn, ", "));
+  fact("Part of a study", study.shard.empty() ? "" : "shard " + study.shard);
+  const std::string batch =
+      study.inputs.empty() ? std::string() : shellText(study.batchCommand()) + "\n";
+  return filled(kMethodsText, {{"level", levelText(study.level)},
+                               {"resamples", std::to_string(study.resamples)},
+                               {"blocks", std::to_string(blocks)},
+                               {"facts", facts},
+                               {"commands", escaped(batch + shellText(command))}});
+}
 
 /// Creates the page of a study section by section.
 class PageBuilder {
@@ -59,12 +168,12 @@ class PageBuilder {
     findFailures();
     pictures_ = readRunPictures(study_, failures_);
     report_.problems = pictures_.problems;
-    writeTitle();
+    writeNotes();
   }
 
   void writePage() {
     report_.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
-    report_.html = htmlPage(study_.title, head_ + navigation() + body_, hasPlayer_);
+    report_.html = htmlPage(study_.title, head() + body_, hasPlayer_);
   }
 
   /// Finds the runs that ended with an error or without success.
@@ -88,12 +197,30 @@ class PageBuilder {
     body_ += "<h2 id=\"" + id + "\">" + escaped(title) + "</h2>\n";
   }
 
-  std::string navigation() const {
+  std::string head() const {
     std::string links;
     for (const auto& [id, title] : sections_) {
       links += "<a href=\"#" + id + "\">" + escaped(title) + "</a> ";
     }
-    return "<nav>" + links + "</nav>\n";
+    return filled(kStudyText, {{"title", escaped(study_.title)},
+                               {"lead", escaped(leadText())},
+                               {"notes", notes_},
+                               {"links", links}});
+  }
+
+  /// The sentence below the title.
+  std::string leadText() const {
+    std::set<long long> seeds;
+    std::set<std::string> scenarios;
+    for (const Results::Run& run : study_.results.runs) {
+      seeds.insert(run.seed);
+      scenarios.insert(run.scenario);
+    }
+    const std::string compared =
+        std::to_string(study_.options.size()) + " options of " + study_.compared + " compared";
+    return counted(study_.runCount(), "run") + " of " + counted(scenarios.size(), "scenario") +
+           " with " + counted(seeds.size(), "seed") +
+           (study_.options.size() > 1 ? ", " + compared : "") + ".";
   }
 
   void add(const std::optional<Figure>& figure) {
@@ -113,28 +240,14 @@ class PageBuilder {
     body_ += tableHtml(*table, htmlClass);
   }
 
-  void writeTitle() {
-    std::set<long long> seeds;
-    std::set<std::string> scenarios;
-    for (const Results::Run& run : study_.results.runs) {
-      seeds.insert(run.seed);
-      scenarios.insert(run.scenario);
-    }
-    head_ += element("h1", "", escaped(study_.title)) + "\n";
-    std::string lead = counted(study_.runCount(), "run") + " of " +
-                       counted(scenarios.size(), "scenario") + " with " +
-                       counted(seeds.size(), "seed");
-    if (study_.options.size() > 1) {
-      lead += ", " + std::to_string(study_.options.size()) + " options of " + study_.compared +
-              " compared";
-    }
-    head_ += paragraph(lead + ".", " class=\"lead\"");
+  void writeNotes() {
     if (!study_.shard.empty()) {
-      head_ += paragraph("This report contains only the runs of shard " + study_.shard +
-                         " of the study; merge joins all shards.");
+      notes_ += paragraph("This report contains only the runs of shard " + study_.shard +
+                          " of the study; merge joins all shards.");
     }
     if (study_.status == "interrupted") {
-      head_ += paragraph("The batch was interrupted; this report contains only the finished runs.");
+      notes_ +=
+          paragraph("The batch was interrupted; this report contains only the finished runs.");
     }
     writeSeedWarning();
     std::string findings;
@@ -145,7 +258,7 @@ class PageBuilder {
       }
     }
     if (!findings.empty()) {
-      head_ += element("ul", "", "\n" + findings) + "\n";
+      notes_ += element("ul", "", "\n" + findings) + "\n";
     }
   }
 
@@ -155,7 +268,7 @@ class PageBuilder {
     if (constant == 0) {
       return;
     }
-    head_ += paragraph(
+    notes_ += paragraph(
         "In " + counted(constant, "combination") +
             " of option and case, all seeds gave the same values. These runs are counted as "
             "independent, but they are not: confidence intervals and p values are too small. Make "
@@ -312,7 +425,7 @@ class PageBuilder {
   std::vector<std::size_t> failures_;
   RunPictures pictures_;
   Report report_;
-  std::string head_, body_;
+  std::string notes_, body_;
   std::vector<std::pair<std::string, std::string>> sections_;
   bool hasSuccessMetric_ = false, hasPlayer_ = false;
 };

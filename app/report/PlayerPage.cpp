@@ -19,19 +19,13 @@ namespace {
 
 constexpr double kFineStep = 0.1;  // [s], sample interval of a single-run page
 
-std::string replaced(std::string text, const std::string& hole, const std::string& by) {
-  const std::size_t at = text.find(hole);
-  return at == std::string::npos ? text : text.replace(at, hole.size(), by);
-}
-
 }  // namespace
 
 std::string htmlPage(const std::string& title, const std::string& body, bool withPlayer) {
-  std::string page = kPageText;
-  page = replaced(page, "{{title}}", escaped(title));
-  page = replaced(page, "{{style}}", kStyleText);
-  page = replaced(page, "{{script}}", std::string(kReportText) + (withPlayer ? kPlayerText : ""));
-  return replaced(page, "{{body}}", body);  // last, because it may contain placeholders
+  return filled(kPageText, {{"title", escaped(title)},
+                            {"style", kStyleText},
+                            {"script", std::string(kReportText) + (withPlayer ? kPlayerText : "")},
+                            {"body", body}});
 }
 
 std::string playerMarkup(const std::vector<std::string>& runs) {
@@ -39,33 +33,23 @@ std::string playerMarkup(const std::vector<std::string>& runs) {
   for (const std::string& run : runs) {
     data += (data.empty() ? "" : ",\n") + scriptSafe(run);
   }
-  return "<div class=\"player\">\n<header><select aria-label=\"Run\"></select>"
-         "<b>Run</b><span>&#160;</span></header>\n"
-         "<canvas></canvas>\n<div class=\"controls\"><button type=\"button\" "
-         "class=\"toggle\">Play</button><input type=\"range\" min=\"0\" max=\"1\" value=\"0\" "
-         "aria-label=\"Time\"/><output>0</output><select aria-label=\"Speed\">"
-         "<option value=\"0.5\">0.5×</option><option value=\"1\" selected=\"selected\">1×</option>"
-         "<option value=\"2\">2×</option><option value=\"4\">4×</option>"
-         "<option value=\"10\">10×</option></select></div>\n<ul class=\"events\"></ul>\n</div>\n"
-         "<script type=\"application/json\" id=\"replays\">[" +
-         data + "]</script>\n";
+  return filled(kPlayerPageText, {{"runs", data}});
 }
 
 std::string playerPage(const sim2d::Trace& trace,
                        const std::vector<metrics::RobotContact>& contacts,
                        const std::string& title) {
+  const std::size_t people = trace.header.humans.size();
   const double seconds = trace.frames.empty() ? 0.0 : trace.frames.back().time;
+  const std::string about = (people == 1 ? "1 person" : std::to_string(people) + " people") + ", " +
+                            counted(trace.header.robots.size(), "robot") + ", " +
+                            numberText(seconds, 1) + " s, seed " +
+                            std::to_string(trace.header.seed) + ".";
   const std::string body =
-      element("h1", "", escaped(title)) + "\n" +
-      paragraph((trace.header.humans.size() == 1
-                     ? std::string("1 person")
-                     : std::to_string(trace.header.humans.size()) + " people") +
-                    ", " + counted(trace.header.robots.size(), "robot") + ", " +
-                    numberText(seconds, 1) + " s, seed " + std::to_string(trace.header.seed) + ".",
-                " class=\"lead\"") +
-      playerMarkup({playerJson(trace, contacts, {title}, kFineStep)}) +
-      paragraph("Created by hunavsim " + app::programVersion() + " " + app::programCommit() + ".",
-                " class=\"lead\"");
+      filled(kRunText, {{"title", escaped(title)},
+                        {"about", escaped(about)},
+                        {"player", playerMarkup({playerJson(trace, contacts, {title}, kFineStep)})},
+                        {"version", escaped(app::programVersion() + " " + app::programCommit())}});
   return htmlPage(title, body, true);
 }
 

@@ -12,6 +12,17 @@ namespace {
 
 constexpr std::size_t kFewPairs = 3;  // up to this number, all pairs are displayed
 
+/// Draws the option names beside their rows, within this width [px].
+void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight,
+                 double width) {
+  constexpr double kGap = 10.0;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    const double y = top + (static_cast<double>(option) + 0.5) * rowHeight;
+    figure.text(left + width - kGap, y + 4.0, nameOfOption(study, option, width - kGap), "ink",
+                Figure::Anchor::End);
+  }
+}
+
 /// A panel with one row per option: dot and interval.
 void intervalPanel(Figure& figure, const Study& study, const MetricComparison& comparison,
                    double left, double top, double width) {
@@ -54,16 +65,13 @@ std::optional<Figure> intervalPanels(const Study& study,
   if (chosen.empty()) {
     return std::nullopt;
   }
-  PanelGrid grid;
-  grid.count = chosen.size();
-  grid.panelHeight = kTitle + 22.0 * static_cast<double>(study.options.size()) + kAxis;
-  grid.columns = columnsOfPanels(grid.count, namesWidth(study, grid.width));
-  grid.gap = 20.0;
-  Figure figure(name, grid.width, grid.height());
-  grid.forEach([&](std::size_t k, double left, double top) {
-    intervalPanel(figure, study, *chosen[k], left, top, grid.panelWidth());
-  });
-  return figure;
+  return panels(
+      name, chosen.size(), kTitle + 22.0 * static_cast<double>(study.options.size()) + kAxis,
+      columnsOfPanels(chosen.size(), namesWidth(study, PanelGrid().width)),
+      [&](Figure& figure, std::size_t k, double left, double top, double width) {
+        intervalPanel(figure, study, *chosen[k], left, top, width);
+      },
+      20.0);
 }
 
 /// Draws a box plot (Tukey): quartiles, median, whiskers to the farthest values within 1.5
@@ -245,25 +253,11 @@ std::string nameOfOption(const Study& study, std::size_t option, double room) {
   return shortened(study.options[option], static_cast<std::size_t>(room / kLetter));
 }
 
-void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight,
-                 double width) {
-  constexpr double kGap = 10.0;
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    const double y = top + (static_cast<double>(option) + 0.5) * rowHeight;
-    figure.text(left + width - kGap, y + 4.0, nameOfOption(study, option, width - kGap), "ink",
-                Figure::Anchor::End);
-  }
-}
-
 void panelTitle(Figure& figure, const std::string& title, double left, double top) {
   constexpr std::size_t kTitleLength = 46;
   constexpr double kSize = 11.5;
   figure.text(left, top + 12.0, shortened(title, kTitleLength), "ink", Figure::Anchor::Start,
               kSize);
-}
-
-std::string percentText(double share) {
-  return numberText(100.0 * share, 0) + " %";
 }
 
 std::string levelText(double level) {

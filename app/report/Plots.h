@@ -62,14 +62,10 @@ double namesWidth(const Study& study, double most);
 /// The number of columns for `count` panels with option names of `names` px: two if the names leave
 /// more than half of a panel.
 int columnsOfPanels(std::size_t count, double names);
-/// Draws the option names beside their rows, within this width [px].
-void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight,
-                 double width);
 void panelTitle(Figure& figure, const std::string& title, double left, double top);
 /// The option name, shortened to the width [px].
 std::string nameOfOption(const Study& study, std::size_t option, double room);
-std::string percentText(double share);  // "95 %"
-std::string levelText(double level);    // "95 %", "97.5 %"
+std::string levelText(double level);  // "95 %", "97.5 %"
 /// Draws all values, or an evenly spaced selection of the sorted values, as dots with vertical
 /// jitter.
 void stripPlot(Figure& figure, const Numbers& values, const Scale& scale, double y, double height,
@@ -79,12 +75,13 @@ constexpr double kMostNames = 0.6;  // share of a panel's width
 
 /// Draws panels of one height in columns: draw(figure, index, left, top, width).
 template <class Draw>
-Figure panels(const char* name, std::size_t count, double height, int columns, Draw draw) {
+Figure panels(const char* name, std::size_t count, double height, int columns, Draw draw,
+              double gap = 24.0) {
   PanelGrid grid;
   grid.count = count;
   grid.panelHeight = height;
   grid.columns = columns;
-  grid.gap = 24.0;
+  grid.gap = gap;
   Figure figure(name, grid.width, grid.height());
   grid.forEach([&](std::size_t k, double left, double top) {
     draw(figure, k, left, top, grid.panelWidth());

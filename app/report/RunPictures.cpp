@@ -194,15 +194,6 @@ FloorPlan floorPlanOf(const sim2d::Trace& trace) {
   return floorPlan;
 }
 
-const RunPicture* RunPictures::of(std::size_t run) const {
-  for (const RunPicture& picture : runs) {
-    if (picture.run == run) {
-      return &picture;
-    }
-  }
-  return nullptr;
-}
-
 RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& failures) {
   RunPictures pictures;
   const std::vector<std::size_t> chosen = chosenRuns(study, failures, pictures);

@@ -48,8 +48,6 @@ struct RunPictures {
   std::size_t kept = 0;                         // number of kept run folders
   std::size_t keptFailures = 0;                 // kept run folders without success
   base::Diagnostics problems;                   // warnings: unreadable folders
-
-  const RunPicture* of(std::size_t run) const;
 };
 
 /// Reads kept run folders: first those of `failures` and of runs with contacts, then some per case

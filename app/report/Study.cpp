@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/StudyBuilder.h"
 #include "app/run/Experiment.h"
 #include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"

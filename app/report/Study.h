@@ -82,6 +82,10 @@ struct Study {
 /// is a warning.
 base::Result<Study> readStudy(const StudyOptions& studyOptions);
 
+/// Selects the compared options, cases and metrics: sets all members of `study` that follow from
+/// its results, the drawn values and the command line options. Errors: invalid options.
+base::Diagnostics selectCompared(const StudyOptions& studyOptions, Study& study);
+
 /// Joins arguments to a shell command with quoting.
 std::string shellText(const std::vector<std::string>& words);
 

@@ -1,5 +1,3 @@
-#include "app/report/StudyBuilder.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "app/report/Comparison.h"
+#include "app/report/Study.h"
 #include "app/run/ResultRow.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"

@@ -31,6 +31,17 @@ std::string countNote(const Study& study, const Estimate& estimate, std::size_t 
              : std::string();
 }
 
+/// A formatted interval: "[1.21, 1.80]"; empty if undefined.
+std::string intervalText(const Metric& metric, const Interval& interval, int decimals) {
+  if (!interval.isDefined()) {
+    return {};
+  }
+  const double scale = metric.isRate ? 100.0 : 1.0;
+  const int places = metric.isRate ? 0 : decimals;
+  return "[" + numberText(scale * interval.low, places) + ", " +
+         numberText(scale * interval.high, places) + "]";
+}
+
 Cell estimateCell(const Study& study, const MetricComparison& comparison, std::size_t option,
                   bool median, int decimals) {
   const Metric& metric = study.metrics[comparison.metric];
@@ -178,20 +189,7 @@ std::vector<std::string> summaryRow(const Study& study, std::size_t metric, cons
 }  // namespace
 
 std::string estimateText(const Metric& metric, double value, int decimals) {
-  if (metric.isRate && !std::isnan(value)) {
-    return numberText(100.0 * value, 0) + " %";
-  }
-  return numberText(value, decimals);
-}
-
-std::string intervalText(const Metric& metric, const Interval& interval, int decimals) {
-  if (!interval.isDefined()) {
-    return {};
-  }
-  const double scale = metric.isRate ? 100.0 : 1.0;
-  const int places = metric.isRate ? 0 : decimals;
-  return "[" + numberText(scale * interval.low, places) + ", " +
-         numberText(scale * interval.high, places) + "]";
+  return metric.isRate && !std::isnan(value) ? percentText(value) : numberText(value, decimals);
 }
 
 Table resultsTable(const Study& study, const Comparisons& comparisons,

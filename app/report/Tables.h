@@ -34,7 +34,5 @@ std::string allMetricsCsv(const Study& study);
 
 /// A formatted value: "1.50", "93 %".
 std::string estimateText(const Metric& metric, double value, int decimals);
-/// A formatted interval: "[1.21, 1.80]"; empty if undefined.
-std::string intervalText(const Metric& metric, const Interval& interval, int decimals);
 
 }  // namespace report

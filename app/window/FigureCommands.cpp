@@ -11,9 +11,9 @@
 #include <QImage>
 #include <QMimeData>
 
-#include "app/cli/MetricPlot.h"
 #include "app/cli/PictureFiles.h"
 #include "app/cli/RunPicture.h"
+#include "app/report/TimePlot.h"
 #include "editor/look/Images.h"
 #include "editor/panels/MetricsDock.h"
 
@@ -26,7 +26,7 @@ constexpr double kPxPerMm = 96.0 / 25.4;     // as in CSS
 constexpr double kSharp = 300.0 / 96.0;      // PNG pixels per CSS pixel
 constexpr std::size_t kMostStates = 400000;  // body states per figure
 
-PictureLayout paperLayout(FigureOptions options = {}) {
+PictureLayout paperLayout(FigureOptions options) {
   PictureLayout layout;
   layout.width = kTwoColumns * kPxPerMm;
   layout.textAsOutlines = true;
@@ -35,7 +35,7 @@ PictureLayout paperLayout(FigureOptions options = {}) {
 }
 
 /// The figure as pixels for office programs and as vectors for drawing programs.
-std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const QString& title,
+std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const std::string& svg,
                                         const Paint& paint) {
   QImage image = editor::blankImage((size * kSharp).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -47,8 +47,7 @@ std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const QString& title
   image.setDotsPerMeterY(11811);
   auto data = std::make_unique<QMimeData>();
   data->setImageData(image);
-  data->setData(QStringLiteral("image/svg+xml"),
-                QByteArray::fromStdString(svgOf(size, title, paint)));
+  data->setData(QStringLiteral("image/svg+xml"), QByteArray::fromStdString(svg));
   return data;
 }
 
@@ -121,9 +120,10 @@ void FigureCommands::copyMap() {
   }
   const sim2d::Trace trace = figureTrace(*recording, frame->time);
   RunPicture picture(trace, paperLayout(options()));
-  auto data = copiedFigure(picture.size(), QString::fromStdString(trace.header.scenario),
-                           [&](QPainter& painter) { picture.paint(painter, frame->time); });
-  QGuiApplication::clipboard()->setMimeData(data.release());
+  const Paint paint = [&](QPainter& painter) { picture.paint(painter, frame->time); };
+  const std::string svg =
+      svgOf(picture.size(), QString::fromStdString(trace.header.scenario), paint);
+  QGuiApplication::clipboard()->setMimeData(copiedFigure(picture.size(), svg, paint).release());
   Q_EMIT message(tr("Copied the map at %1 s as PNG and SVG").arg(frame->time, 0, 'f', 1));
 }
 
@@ -144,16 +144,15 @@ void FigureCommands::copyPlot() {
   if (result == nullptr || recording == nullptr) {
     return;
   }
-  const QString name = QString::fromStdString(result->info.name);
-  const QString caption = QStringLiteral("%1 · seed %2")
-                              .arg(QString::fromStdString(recording->header()->scenario))
-                              .arg(recording->header()->seed);
-  const MetricPlot plot({{name, QString::fromStdString(result->info.unit), curve->second.times,
-                          curve->second.values}},
-                        paperLayout(), caption);
-  QGuiApplication::clipboard()->setMimeData(
-      copiedFigure(plot.size(), name, [&](QPainter& painter) { plot.paint(painter); }).release());
-  Q_EMIT message(tr("Copied the plot of “%1” as PNG and SVG").arg(name));
+  const std::string caption =
+      recording->header()->scenario + " · seed " + std::to_string(recording->header()->seed);
+  const report::Figure plot = report::timePlot(
+      {{result->info.name, result->info.unit, curve->second.times, curve->second.values}},
+      kTwoColumns * kPxPerMm, caption);
+  const auto [size, paint] = paintingOf(plot);
+  QGuiApplication::clipboard()->setMimeData(copiedFigure(size, plot.standalone(), paint).release());
+  Q_EMIT message(
+      tr("Copied the plot of “%1” as PNG and SVG").arg(QString::fromStdString(result->info.name)));
 }
 
 }  // namespace app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/OverlayPainter.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/EditCommands.h"
@@ -256,7 +257,7 @@ RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint,
 
 void paintSpaces(QPainter& painter, const Vec2& at, QColor color) {
   painter.setPen(Qt::NoPen);
-  for (const auto& [reach, alpha] : {std::pair(3.6, 0.05), {1.2, 0.10}, {0.45, 0.18}}) {
+  for (const auto& [reach, alpha] : kHallZones) {
     color.setAlphaF(alpha);
     painter.setBrush(color);
     painter.drawEllipse(toScene(at), reach, reach);

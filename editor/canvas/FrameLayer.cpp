@@ -466,23 +466,6 @@ void FrameLayer::paintPush(QPainter& painter) const {
   painter.drawText(box, Qt::AlignCenter, words);
 }
 
-std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
-  const auto found = std::find(frame.humans.id.begin(), frame.humans.id.end(), humanId);
-  const auto i = static_cast<std::size_t>(found - frame.humans.id.begin());
-  const sim2d::ForceColumns& forces = frame.forces;
-  const bool isComplete = i < forces.goal.size() && i < forces.social.size() &&
-                          i < forces.obstacle.size() && i < forces.group.size();
-  if (found == frame.humans.id.end() || !isComplete) {
-    return {};
-  }
-  const Vec2 total = forces.goal[i] + forces.social[i] + forces.obstacle[i] + forces.group[i];
-  return {{QStringLiteral("Goal"), Role::ForceGoal, forces.goal[i]},
-          {QStringLiteral("People"), Role::ForceSocial, forces.social[i]},
-          {QStringLiteral("Obstacles"), Role::ForceObstacle, forces.obstacle[i]},
-          {QStringLiteral("Group"), Role::ForceGroup, forces.group[i]},
-          {QStringLiteral("Total"), Role::ForceTotal, total}};
-}
-
 void FrameLayer::paintTrails(QPainter& painter) const {
   const double seconds = trailSeconds(bodies_.size(), options().trailSeconds);
   for (const auto& [id, trail] : trails_.all()) {

@@ -116,9 +116,6 @@ class FrameLayer : public FullLayer {
   std::vector<Hearing> hearings_;
 };
 
-/// The force terms on a person as drawn on the canvas, in legend order. The last one is the sum.
-/// Empty if the frame has no forces or does not contain the person.
-std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId);
 constexpr std::size_t kMaxTerms = 40;  // With more people, only the total is drawn.
 
 }  // namespace editor

@@ -77,7 +77,6 @@ class Occupied {
 
 constexpr double kMarkPx = 9.0;
 constexpr double kMarkGapPx = 5.0;
-constexpr double kHaloPx = 3.5;
 constexpr double kPadPx = 2.0;
 constexpr double kEdgePx = kHaloPx + 1.0;  // Distance between a name and the edge of the window.
 constexpr std::size_t kMaxPictures = 4000;
@@ -102,19 +101,10 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
   const QFontMetricsF metrics(font);
   const QPointF baseline(box.left() + kPadPx + markSpace(label), box.top() + metrics.ascent());
   const QColor ground = theme.color(Role::MapFree, 0.9);
-  setPenAndBrush(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(textOutline(baseline, font, label.text));
-  painter.setFont(font);
-  painter.setPen(theme.color(Role::Text));
-  painter.drawText(baseline, label.text);
+  paintHaloText(painter, baseline, font, label.text, ground, theme.color(Role::Text));
   if (!label.detail.isEmpty()) {
-    const QPointF second(box.left() + kPadPx, baseline.y() + metrics.height());
-    const QFont soft = detailFont(theme);
-    setPenAndBrush(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(textOutline(second, soft, label.detail));
-    painter.setFont(soft);
-    painter.setPen(theme.color(Role::TextSecondary));
-    painter.drawText(second, label.detail);
+    paintHaloText(painter, {box.left() + kPadPx, baseline.y() + metrics.height()},
+                  detailFont(theme), label.detail, ground, theme.color(Role::TextSecondary));
   }
   if (label.mark) {
     const QPointF centre(box.left() + kPadPx + 0.5 * kMarkPx,

@@ -21,8 +21,6 @@ constexpr double kPlatePad = 10.0;
 constexpr double kPlateMargin = 12.0;
 constexpr double kSampleGap = 8.0;
 
-using LegendSample = std::function<void(QPainter&, const QRectF&)>;
-
 /// The single selected person.
 std::optional<int> watchedPerson(const MapScene& scene) {
   const std::vector<EntityId>& selection = scene.document().selection();
@@ -64,13 +62,6 @@ LegendRow scaleRow(double metresPerUnit, double pixelsPerMetre, const QString& u
     painter.drawLine(QPointF(box.left(), y - 4.0), QPointF(box.left(), y));
     painter.drawLine(QPointF(box.left() + length, y - 4.0), QPointF(box.left() + length, y));
   };
-  return row;
-}
-
-LegendRow noteRow(const QString& label) {
-  LegendRow row;
-  row.label = label;
-  row.isNote = true;
   return row;
 }
 
@@ -173,16 +164,7 @@ LegendPart densityPart(const MapScene& scene) {
   LegendPart part{QObject::tr("People per m²"), {}};
   LegendRow bar;
   bar.value = QStringLiteral("%1").arg(most > 0.0 ? most : 0.5, 0, 'g', 3);
-  bar.sample = [&theme](QPainter& painter, const QRectF& box) {
-    const QRectF place(box.left(), box.top() + 5.0, 118.0, 10.0);
-    painter.fillRect(place, theme.color(Role::MapFree));
-    for (int x = 0; x < 118; ++x) {
-      painter.fillRect(QRectF(place.left() + x, place.top(), 1.0, place.height()),
-                       densityColor(theme, (x + 0.5) / 118.0));
-    }
-    setPenAndBrush(painter, QPen(theme.color(Role::Line), 1.0));
-    painter.drawRect(place);
-  };
+  bar.sample = rampSample(theme, [&theme](double share) { return densityColor(theme, share); });
   part.rows.push_back(bar);
   part.rows.push_back(
       noteRow(QObject::tr("exp(−d²/R²)/πR², R = %1 m").arg(metrics::kDensityRadius)));
@@ -196,14 +178,9 @@ LegendPart planPart(const MapScene& scene) {
     part.rows.push_back(noteRow(QObject::tr("newest step only")));
     return part;
   }
-  part.rows.push_back(
-      {QObject::tr("Remaining path"), {}, [color](QPainter& painter, const QRectF& box) {
-         QPen pen(color, 1.4, Qt::CustomDashLine, Qt::FlatCap);
-         pen.setDashPattern({4.0, 2.5});
-         painter.setPen(pen);
-         painter.drawLine(QPointF(box.left(), box.center().y()),
-                          QPointF(box.right(), box.center().y()));
-       }});
+  QPen pen(color, 1.4, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({4.0, 2.5});
+  part.rows.push_back({QObject::tr("Remaining path"), {}, strokeSample(pen)});
   return part;
 }
 
@@ -226,6 +203,31 @@ LegendPart thoughtPart() {
 }
 
 }  // namespace
+
+LegendRow noteRow(const QString& label) {
+  return {label, {}, {}, true};
+}
+
+LegendSample strokeSample(const QPen& pen) {
+  return [pen](QPainter& painter, const QRectF& box) {
+    painter.setPen(pen);
+    painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
+  };
+}
+
+LegendSample rampSample(const Theme& theme, const std::function<QColor(double)>& colorOf) {
+  return [&theme, colorOf](QPainter& painter, const QRectF& box) {
+    constexpr int kRampPx = 118;
+    const QRectF place(box.left(), box.top() + 5.0, kRampPx, 10.0);
+    painter.fillRect(place, theme.color(Role::MapFree));
+    for (int x = 0; x < kRampPx; ++x) {
+      painter.fillRect(QRectF(place.left() + x, place.top(), 1.0, place.height()),
+                       colorOf((x + 0.5) / kRampPx));
+    }
+    setPenAndBrush(painter, QPen(theme.color(Role::Line), 1.0));
+    painter.drawRect(place);
+  };
+}
 
 bool needsLegend(const MapScene& scene) {
   const CanvasOptions& on = scene.options();

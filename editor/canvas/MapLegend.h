@@ -11,17 +11,25 @@ namespace editor {
 
 class MapView;
 
+/// Draws the sample of a legend entry in a box of 20 x 20 px.
+using LegendSample = std::function<void(QPainter&, const QRectF&)>;
+
 /// A legend entry for colours or signs of the run overlays.
 struct LegendRow {
   QString label, value;  // Value text on the right with tabular digits.
-  /// Draws the sample in a box of 20 x 20 px; none: the text starts at the left.
-  std::function<void(QPainter&, const QRectF&)> sample;
-  bool isNote = false;  // In a softer colour, for missing information.
+  LegendSample sample;   // None: the text starts at the left.
+  bool isNote = false;   // In a softer colour, for missing information.
 };
 struct LegendPart {
   QString title;
   std::vector<LegendRow> rows;
 };
+
+LegendRow noteRow(const QString& label);
+/// A horizontal line.
+LegendSample strokeSample(const QPen& pen);
+/// A colour bar, wider than the box. `colorOf`: the colour for a share of its length, 0 … 1.
+LegendSample rampSample(const Theme& theme, const std::function<QColor(double)>& colorOf);
 
 /// The legend of all active overlays; empty without a run. `pixelsPerMetre`: zoom of the view, for
 /// arrow scales.

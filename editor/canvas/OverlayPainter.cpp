@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include <QObject>
 
@@ -40,12 +39,6 @@ constexpr Shade kDarkShades[] = {{0.0, "#6B2A12", 0.0},
                                  {0.75, "#E69F00", 0.70},
                                  {1.0, "#F7E87A", 0.80}};
 
-QColor mixedShade(const QColor& a, const QColor& b, double share) {
-  const auto part = [share](double from, double to) { return from + share * (to - from); };
-  return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()),
-                          part(a.blueF(), b.blueF()), part(a.alphaF(), b.alphaF()));
-}
-
 QColor shadeColor(const Shade& shade) {
   QColor color(shade.color);
   color.setAlphaF(shade.alpha);
@@ -63,6 +56,23 @@ QPolygonF PictureTransform::at(const std::vector<Vec2>& world) const {
   return points;
 }
 
+std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
+  const auto found = std::find(frame.humans.id.begin(), frame.humans.id.end(), humanId);
+  const auto i = static_cast<std::size_t>(found - frame.humans.id.begin());
+  const sim2d::ForceColumns& forces = frame.forces;
+  const bool isComplete = i < forces.goal.size() && i < forces.social.size() &&
+                          i < forces.obstacle.size() && i < forces.group.size();
+  if (found == frame.humans.id.end() || !isComplete) {
+    return {};
+  }
+  const Vec2 total = forces.goal[i] + forces.social[i] + forces.obstacle[i] + forces.group[i];
+  return {{QStringLiteral("Goal"), Role::ForceGoal, forces.goal[i]},
+          {QStringLiteral("People"), Role::ForceSocial, forces.social[i]},
+          {QStringLiteral("Obstacles"), Role::ForceObstacle, forces.obstacle[i]},
+          {QStringLiteral("Group"), Role::ForceGroup, forces.group[i]},
+          {QStringLiteral("Total"), Role::ForceTotal, total}};
+}
+
 QColor densityColor(const Theme& theme, double share) {
   const Shade* const shades = theme.isDark() ? kDarkShades : kLightShades;
   const Shade* const end = shades + std::size(kLightShades);
@@ -70,8 +80,8 @@ QColor densityColor(const Theme& theme, double share) {
   const Shade* const next =
       std::find_if(shades + 1, end - 1, [place](const Shade& each) { return place <= each.share; });
   const Shade& last = *(next - 1);
-  return mixedShade(shadeColor(last), shadeColor(*next),
-                    (place - last.share) / (next->share - last.share));
+  return mixed(shadeColor(last), shadeColor(*next),
+               (place - last.share) / (next->share - last.share));
 }
 
 double densityScale(double peak, double before) {
@@ -121,8 +131,7 @@ void OverlayPainter::density(const metrics::DensityField& field, const QImage& i
 }
 
 void OverlayPainter::hallZones(const Vec2& at, QColor color, bool withSocial) const {
-  const std::pair<double, double> zones[] = {{3.6, 0.05}, {1.2, 0.10}, {0.45, 0.18}};
-  for (const auto& [reach, alpha] : zones) {
+  for (const auto& [reach, alpha] : kHallZones) {
     if (reach > 2.0 && !withSocial) {
       continue;
     }

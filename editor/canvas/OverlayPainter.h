@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <QImage>
@@ -38,6 +39,9 @@ struct ForceArrow {
   Role color = Role::ForceTotal;
   base::Vec2 force = base::Vec2::Zero();  // [m/s²]
 };
+/// The force terms on a person in legend order; the last one is the sum. Empty if the frame has no
+/// forces or does not contain the person.
+std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId);
 constexpr double kMetresPerForce = 0.6;     // Length of 1 m/s² on the map.
 constexpr double kMetresPerVelocity = 0.8;  // Length of 1 m/s on the map.
 
@@ -81,6 +85,8 @@ class OverlayPainter {
   QRectF box_;  // Null: everywhere.
 };
 
+/// Radius [m] and opacity of Hall's zones.
+constexpr std::pair<double, double> kHallZones[] = {{3.6, 0.05}, {1.2, 0.10}, {0.45, 0.18}};
 constexpr double kGaussianLevels[] = {0.2, 0.6};
 
 /// The colour for a share of the scale, 0 … 1. Denser values contrast more with the background,

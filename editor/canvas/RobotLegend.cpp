@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <tuple>
 
 #include "editor/canvas/FrameLayer.h"
@@ -13,11 +12,6 @@
 namespace editor {
 
 namespace {
-
-void sampleLine(QPainter& painter, const QRectF& box, const QPen& pen) {
-  setPenAndBrush(painter, pen);
-  painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
-}
 
 /// Perception of the single selected robot in the shown frame.
 const sim2d::RobotTelemetry* sensesOfSelected(const MapScene& scene) {
@@ -41,9 +35,7 @@ void addWayRows(std::vector<LegendRow>& rows, const Theme& theme) {
       {QObject::tr("Candidate (pale: costly)"), theme.color(Role::Accent, 0.5), 1.2},
       {QObject::tr("Would collide"), theme.color(Role::Error, 0.6), 1.2}};
   for (const auto& [label, color, width] : kinds) {
-    rows.push_back({label, {}, [pen = QPen(color, width)](QPainter& painter, const QRectF& box) {
-                      sampleLine(painter, box, pen);
-                    }});
+    rows.push_back({label, {}, strokeSample(QPen(color, width))});
   }
 }
 
@@ -100,30 +92,7 @@ bool isLidarChosen(const MapScene& scene) {
 
 namespace {
 
-constexpr double kRampPx = 118.0;
-
-using PlannerSample = std::function<void(QPainter&, const QRectF&)>;
-
-LegendRow plannerNote(const QString& label) {
-  return {label, {}, {}, true};
-}
-
-/// A colour bar with the end value beside it.
-template <class ColorOf>
-PlannerSample rampSample(const Theme& theme, ColorOf colorOf) {
-  return [&theme, colorOf](QPainter& painter, const QRectF& box) {
-    const QRectF place(box.left(), box.top() + 5.0, kRampPx, 10.0);
-    painter.fillRect(place, theme.color(Role::MapFree));
-    for (int x = 0; x < static_cast<int>(kRampPx); ++x) {
-      painter.fillRect(QRectF(place.left() + x, place.top(), 1.0, place.height()),
-                       colorOf((x + 0.5) / kRampPx));
-    }
-    setPenAndBrush(painter, QPen(theme.color(Role::Line), 1.0));
-    painter.drawRect(place);
-  };
-}
-
-PlannerSample cellSample(const Theme& theme, std::uint8_t cost) {
+LegendSample cellSample(const Theme& theme, std::uint8_t cost) {
   return [&theme, cost](QPainter& painter, const QRectF& box) {
     const QRectF place = box.adjusted(3.0, 3.0, -3.0, -3.0);
     painter.fillRect(place, theme.color(Role::MapFree));
@@ -132,14 +101,7 @@ PlannerSample cellSample(const Theme& theme, std::uint8_t cost) {
   };
 }
 
-PlannerSample strokeSample(const QPen& pen) {
-  return [pen](QPainter& painter, const QRectF& box) {
-    painter.setPen(pen);
-    painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
-  };
-}
-
-PlannerSample aimSample(const Theme& theme) {
+LegendSample aimSample(const Theme& theme) {
   return [&theme](QPainter& painter, const QRectF& box) {
     paintRing(painter, QPen(theme.color(Role::Accent), 2.0), 6.0, box.center());
     setPenAndBrush(painter, Qt::NoPen, theme.color(Role::Accent));
@@ -148,7 +110,7 @@ PlannerSample aimSample(const Theme& theme) {
 }
 
 /// A bar for the share of the total cost.
-PlannerSample shareSample(const Theme& theme, double share) {
+LegendSample shareSample(const Theme& theme, double share) {
   return [&theme, share](QPainter& painter, const QRectF& box) {
     const QRectF whole(box.left(), box.center().y() - 3.0, box.width(), 6.0);
     painter.fillRect(whole, theme.color(Role::Line, 0.7));
@@ -169,7 +131,7 @@ LegendPart costPart(const MapScene& scene) {
   LegendPart part{robot ? QObject::tr("Costs of %1").arg(robot->name) : QObject::tr("Costs"), {}};
   const bool isKnown = robot && (robot->senses->localCosts || robot->senses->globalCosts);
   if (!isKnown) {
-    part.rows.push_back(plannerNote(QObject::tr("newest step, Nav2 only")));
+    part.rows.push_back(noteRow(QObject::tr("newest step, Nav2 only")));
     return part;
   }
   LegendRow ramp;

@@ -150,12 +150,6 @@ constexpr int kFreeCost = 0, kNearCost = 252, kTouchCost = 253, kObstacleCost = 
 constexpr int kArcParts = 24;
 constexpr double kAimPx = 6.0;
 
-QColor mixed(const QColor& a, const QColor& b, double share) {
-  const auto part = [share](double from, double to) { return from + share * (to - from); };
-  return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()),
-                          part(a.blueF(), b.blueF()), part(a.alphaF(), b.alphaF()));
-}
-
 QColor shaded(const char* name, double alpha) {
   QColor color(name);
   color.setAlphaF(alpha);

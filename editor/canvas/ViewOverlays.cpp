@@ -85,12 +85,8 @@ void paintScaleBar(QPainter& painter, const OverlayContext& context) {
   const QFontMetricsF metrics(font);
   const QString words = lengthText(metres);
   const QPointF at(left + 0.5 * (length - metrics.horizontalAdvance(words)), bottom - 7.0);
-  painter.setPen(
-      QPen(theme.color(Role::CanvasOutside, 0.8), 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(textOutline(at, font, words));
-  painter.setFont(font);
-  painter.setPen(theme.color(Role::Text));
-  painter.drawText(at, words);
+  paintHaloText(painter, at, font, words, theme.color(Role::CanvasOutside, 0.8),
+                theme.color(Role::Text));
 }
 
 void paintRulers(QPainter& painter, const OverlayContext& context) {

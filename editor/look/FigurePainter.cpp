@@ -138,6 +138,16 @@ QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QStri
   return path;
 }
 
+void paintHaloText(QPainter& painter, const QPointF& baseline, const QFont& font,
+                   const QString& text, const QColor& halo, const QColor& color) {
+  painter.setPen(QPen(halo, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(textOutline(baseline, font, text));
+  painter.setFont(font);
+  painter.setPen(color);
+  painter.drawText(baseline, text);
+}
+
 void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const {
   const double r = figure.radiusPx;
   const QPen outline = outlinePen(theme_.outline(figure.look), r);

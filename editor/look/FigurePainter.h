@@ -37,6 +37,11 @@ QIcon drawnIcon(int sizePx, const std::function<void(QPainter&)>& draw,
 /// on what was drawn before.
 QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QString& text);
 
+constexpr double kHaloPx = 3.5;  // Width of the line around a text.
+/// Draws text with a halo, so that it is legible on the map.
+void paintHaloText(QPainter& painter, const QPointF& baseline, const QFont& font,
+                   const QString& text, const QColor& halo, const QColor& color);
+
 /// Draws figures identically on the canvas, in lists, thumbnails and reports. Figures are centred
 /// at the painter's origin; one unit = one pixel, y down.
 class FigurePainter {

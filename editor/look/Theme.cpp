@@ -54,12 +54,6 @@ constexpr std::array<QRgb, kLookCount> kLightLines = {
 constexpr std::array<QRgb, kLookCount> kDarkLines = {0xFF3C93D6, 0xFFA3A3A3, 0xFFE69F00, 0xFFDB96BC,
                                                      0xFF7CCBF5, 0xFFEE7A26, 0xFF1DB98B};
 
-QColor mixed(const QColor& a, const QColor& b, double part) {
-  const auto channel = [part](double x, double y) { return x + (y - x) * part; };
-  return QColor::fromRgbF(channel(a.redF(), b.redF()), channel(a.greenF(), b.greenF()),
-                          channel(a.blueF(), b.blueF()));
-}
-
 double linear(double channel) {
   return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
@@ -173,6 +167,12 @@ QFont Theme::figureFont(double points) const {
   QFont result = font(points);
   result.setStyleStrategy(QFont::PreferQuality);
   return result;
+}
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto part = [share](double from, double to) { return from + share * (to - from); };
+  return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()),
+                          part(a.blueF(), b.blueF()), part(a.alphaF(), b.alphaF()));
 }
 
 double contrastRatio(const QColor& a, const QColor& b) {

@@ -84,6 +84,8 @@ class Theme {
   bool isDark_;
 };
 
+/// The colour, including alpha, between `a` (share 0) and `b` (share 1).
+QColor mixed(const QColor& a, const QColor& b, double share);
 /// WCAG contrast ratio, 1 … 21.
 double contrastRatio(const QColor& a, const QColor& b);
 

@@ -47,7 +47,7 @@ CompareTable::CompareTable(PanelContext& context)
     : context_(context),
       stack_(new QStackedLayout(this)),
       table_(new QTableWidget(this)),
-      plot_(new ComparePlot(context.theme())),
+      plot_(new MetricPlot(context.theme())),
       task_([this](Measured measured) { deliver(std::move(measured)); }) {
   styleTable(*table_, tr("Metrics of the runs"));
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // Needed for five runs.
@@ -69,7 +69,7 @@ CompareTable::CompareTable(PanelContext& context)
       plot_->setCursor(frame->time);
     }
   });
-  connect(&context, &PanelContext::themeChanged, plot_, &ComparePlot::setTheme);
+  connect(&context, &PanelContext::themeChanged, plot_, &MetricPlot::setTheme);
 }
 
 CompareTable::~CompareTable() {
@@ -215,7 +215,7 @@ void CompareTable::showSelected() {
   } else {
     chosen_ = rows_[static_cast<std::size_t>(row)].info.key;
   }
-  std::vector<ComparePlot::Line> lines;
+  std::vector<MetricPlot::Line> lines;
   if (row < 0) {
     plot_->show({}, {}, lines);
     return;

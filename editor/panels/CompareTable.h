@@ -31,7 +31,7 @@ class CompareTable : public QWidget {
   void compare(std::vector<Run> runs);
   bool isBusy() const { return task_.isBusy(); }
   QTableWidget& table() const { return *table_; }
-  ComparePlot& plot() const { return *plot_; }
+  MetricPlot& plot() const { return *plot_; }
   /// The times at which the other runs diverge from the first, as text; empty: no comparison.
   QString divergences() const { return divergences_; }
 
@@ -54,7 +54,7 @@ class CompareTable : public QWidget {
   PanelContext& context_;
   QStackedLayout* stack_;
   QTableWidget* table_;
-  ComparePlot* plot_;
+  MetricPlot* plot_;
   QString divergences_;
   Measured shown_;
   std::vector<app::ComparedMetric> rows_;

@@ -8,25 +8,17 @@
 #include <QPainter>
 #include <QScopedValueRollback>
 #include <QStyledItemDelegate>
-#include <qwt_plot.h>
-#include <qwt_plot_canvas.h>
-#include <qwt_plot_curve.h>
-#include <qwt_plot_grid.h>
-#include <qwt_plot_marker.h>
-#include <qwt_scale_div.h>
-#include <qwt_scale_draw.h>
-#include <qwt_scale_widget.h>
 
 #include "editor/look/Form.h"
 #include "editor/panels/MetricsChoice.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/RunPlots.h"
 
 namespace editor {
 
 namespace {
 
-constexpr int kMinMargin = 12;  // Right margin of a plot [px].
 constexpr int kCellPadding = 20;
 constexpr int kMinPlotWidth = 520;  // Minimum width for showing the plot [px].
 constexpr int kMinSparklineWidth = 340;
@@ -36,13 +28,8 @@ constexpr int kChoiceWidth = 280;
 /// Columns of the live table.
 enum MetricColumn { NameColumn, NowColumn, UnitColumn, SparklineColumn, MetricColumns };
 
-class SecondsDraw : public QwtScaleDraw {
- public:
-  QwtText label(double value) const override { return QwtText(QStringLiteral("%1 s").arg(value)); }
-};
-
 /// The finite points of a curve scaled to a rectangle; empty if there are fewer than two.
-QPolygonF sparkline(const MetricCurve& curve, const QRectF& place) {
+QPolygonF sparkline(const app::MetricTimeSeries& curve, const QRectF& place) {
   double low = 0.0;
   double high = 0.0;
   bool any = false;
@@ -71,12 +58,12 @@ QPolygonF sparkline(const MetricCurve& curve, const QRectF& place) {
   return line;
 }
 
-const MetricCurve* curveOf(const MetricSnapshot& snapshot, const std::string& key) {
+const app::MetricTimeSeries* curveOf(const MetricSnapshot& snapshot, const std::string& key) {
   const auto found = snapshot.curves.find(key);
   return found == snapshot.curves.end() ? nullptr : &found->second;
 }
 
-bool hasCurve(const MetricCurve& curve) {
+bool hasCurve(const app::MetricTimeSeries& curve) {
   return std::any_of(curve.values.begin(), curve.values.end(),
                      [](double value) { return std::isfinite(value) && value != 0.0; });
 }
@@ -93,106 +80,6 @@ QString tooltipOf(const metrics::MetricResult& result) {
 
 }  // namespace
 
-MetricPlot::MetricPlot(const Theme& theme)
-    : title_(new QLabel(this)),
-      unit_(secondaryLabel({}, this)),
-      plot_(new QwtPlot(this)),
-      grid_(new QwtPlotGrid),
-      curve_(new QwtPlotCurve),
-      cursor_(new QwtPlotMarker) {
-  title_->setWordWrap(true);
-  auto* top = configuredLayout(new QHBoxLayout, {12, 6, 12, 0}, -1);
-  top->addWidget(title_, 1);
-  top->addWidget(unit_, 0, Qt::AlignTop);
-  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 4}, 0);
-  layout->addLayout(top);
-  layout->addWidget(plot_, 1);
-  layOut();
-  setTheme(theme);
-  setMinimumWidth(180);
-}
-
-void MetricPlot::layOut() {
-  plot_->setMinimumSize(120, 60);
-  plot_->setFrameShape(QFrame::NoFrame);
-  static_cast<QwtPlotCanvas*>(plot_->canvas())->setFrameStyle(QFrame::NoFrame);
-  plot_->setAxisScaleDraw(QwtPlot::xBottom, new SecondsDraw);
-  plot_->setAxisMaxMajor(QwtPlot::xBottom, 5);
-  plot_->setAxisMaxMajor(QwtPlot::yLeft, 4);
-  plot_->setAxisMaxMinor(QwtPlot::xBottom, 0);
-  plot_->setAxisMaxMinor(QwtPlot::yLeft, 0);
-  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
-    plot_->axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
-    plot_->axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 3);
-  }
-  grid_->enableX(false);
-  grid_->attach(plot_);
-  curve_->setRenderHint(QwtPlotItem::RenderAntialiased);
-  curve_->attach(plot_);
-  cursor_->setLineStyle(QwtPlotMarker::VLine);
-  cursor_->attach(plot_);
-}
-
-void MetricPlot::setTheme(const Theme& theme) {
-  title_->setFont(theme.font(9.5, QFont::DemiBold));
-  plot_->setCanvasBackground(theme.color(Role::Panel));
-  QPalette colors = plot_->palette();
-  colors.setColor(QPalette::Window, theme.color(Role::Panel));
-  colors.setColor(QPalette::WindowText, theme.color(Role::FieldEdge));
-  colors.setColor(QPalette::Text, theme.color(Role::TextSecondary));
-  plot_->setPalette(colors);
-  plot_->setAutoFillBackground(true);
-  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
-    plot_->axisWidget(axis)->setPalette(colors);
-    plot_->setAxisFont(axis, theme.font(8.0));
-  }
-  grid_->setPen(theme.color(Role::Line), 1.0);
-  curve_->setPen(theme.color(Role::Accent), 1.8);
-  cursor_->setLinePen(theme.color(Role::TextSecondary), 1.0, Qt::DashLine);
-  plot_->replot();
-}
-
-void MetricPlot::show(const metrics::MetricResult* result, const MetricCurve* curve) {
-  title_->setText(result != nullptr ? QString::fromStdString(result->info.name) : QString());
-  unit_->setText(result != nullptr ? QString::fromStdString(result->info.unit) : QString());
-  QVector<QPointF> points;
-  if (curve != nullptr) {
-    for (std::size_t i = 0; i < curve->times.size(); ++i) {
-      if (std::isfinite(curve->values[i])) {
-        points.push_back({curve->times[i], curve->values[i]});
-      }
-    }
-  }
-  curve_->setSamples(points);
-  const bool any = !points.isEmpty();
-  const double end = curve != nullptr && !curve->times.empty() ? curve->times.back() : 1.0;
-  plot_->setAxisScale(QwtPlot::xBottom, 0.0, std::max(end, 1.0));
-  reserveEnd();
-  if (any) {
-    plot_->setAxisAutoScale(QwtPlot::yLeft);
-  } else {
-    plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0);
-  }
-  plot_->replot();
-}
-
-/// Reserves space for half of the last label beyond the end of the axis.
-void MetricPlot::reserveEnd() {
-  plot_->updateAxes();
-  const QList<double> ticks = plot_->axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
-  if (ticks.isEmpty()) {
-    return;
-  }
-  const QString last = plot_->axisScaleDraw(QwtPlot::xBottom)->label(ticks.back()).text();
-  const QFontMetrics metrics(plot_->axisFont(QwtPlot::xBottom));
-  plot_->setContentsMargins(0, 0, std::max(kMinMargin, metrics.horizontalAdvance(last) / 2 + 4), 0);
-}
-
-void MetricPlot::setCursor(double time) {
-  cursor_->setXValue(time);
-  plot_->replot();
-}
-
 /// Draws the curve since the start as a sparkline.
 class SparklineDelegate : public QStyledItemDelegate {
  public:
@@ -204,7 +91,7 @@ class SparklineDelegate : public QStyledItemDelegate {
              const QModelIndex& index) const override {
     QStyledItemDelegate::paint(painter, option, index);
     const std::string key = index.data(Qt::UserRole).toString().toStdString();
-    const MetricCurve* curve = curveOf(feed_.snapshot(), key);
+    const app::MetricTimeSeries* curve = curveOf(feed_.snapshot(), key);
     if (curve == nullptr) {
       return;
     }
@@ -449,11 +336,11 @@ int MetricsDock::rowOf(const std::string& key) const {
 /// The first row with a curve, else 0.
 int MetricsDock::firstWithCurve() const {
   const MetricSnapshot& snapshot = feed_.snapshot();
-  const auto found = std::find_if(snapshot.results.begin(), snapshot.results.end(),
-                                  [&](const metrics::MetricResult& result) {
-                                    const MetricCurve* curve = curveOf(snapshot, result.info.key);
-                                    return curve != nullptr && hasCurve(*curve);
-                                  });
+  const auto found = std::find_if(
+      snapshot.results.begin(), snapshot.results.end(), [&](const metrics::MetricResult& result) {
+        const app::MetricTimeSeries* curve = curveOf(snapshot, result.info.key);
+        return curve != nullptr && hasCurve(*curve);
+      });
   return found == snapshot.results.end() ? 0 : static_cast<int>(found - snapshot.results.begin());
 }
 
@@ -465,8 +352,10 @@ std::string MetricsDock::selectedKey() const {
 void MetricsDock::showSelected() {
   const std::string key = selectedKey();
   const int row = rowOf(key);
-  plot_->show(row < 0 ? nullptr : &feed_.shown()[static_cast<std::size_t>(row)],
-              curveOf(feed_.snapshot(), key));
+  const metrics::MetricInfo info =
+      row < 0 ? metrics::MetricInfo() : feed_.shown()[static_cast<std::size_t>(row)].info;
+  plot_->show(QString::fromStdString(info.name), QString::fromStdString(info.unit),
+              {MetricPlot::Line{curveOf(feed_.snapshot(), key)}});
 }
 
 void addMetricsDock(PanelRegistry& to) {

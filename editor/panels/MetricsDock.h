@@ -10,35 +10,11 @@
 #include "editor/look/Theme.h"
 #include "editor/panels/MetricsFeed.h"
 
-class QwtPlot;
-class QwtPlotCurve;
-class QwtPlotGrid;
-class QwtPlotMarker;
-
 namespace editor {
 
+class MetricPlot;
 class MetricsChoice;
 class SparklineDelegate;
-
-/// One metric over time, with a line at the shown time.
-class MetricPlot : public QWidget {
-  Q_OBJECT
- public:
-  explicit MetricPlot(const Theme& theme);
-  void setTheme(const Theme& theme);
-  void show(const metrics::MetricResult* result, const MetricCurve* curve);
-  void setCursor(double time);  // [s]
-
- private:
-  void layOut();
-  void reserveEnd();
-  QLabel* title_;
-  QLabel* unit_;
-  QwtPlot* plot_;
-  QwtPlotGrid* grid_;  // The items belong to the plot.
-  QwtPlotCurve* curve_;
-  QwtPlotMarker* cursor_;
-};
 
 /// The live table of metrics with a sparkline for each, and a plot of the selected metric.
 class MetricsDock : public QWidget {

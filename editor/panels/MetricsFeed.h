@@ -18,13 +18,12 @@
 
 namespace editor {
 
-using MetricCurve = app::MetricTimeSeries;
-
 /// The metrics at one time of the run.
 struct MetricSnapshot {
   std::size_t frames = 0;
   std::vector<metrics::MetricResult> results;
-  std::map<std::string, MetricCurve> curves;
+  /// Metrics over the run, by key: the value per sample if there is one, else the cumulative value.
+  std::map<std::string, app::MetricTimeSeries> curves;
   bool isCut = false;  // States were dropped before being measured, so there are no values.
 };
 

@@ -22,7 +22,7 @@ namespace editor {
 
 namespace {
 
-constexpr double kAhead = 10.0;  // Initial time range without data [s].
+constexpr double kEmptyRange = 10.0;  // Initial time range without data [s].
 
 class UnitDraw : public QwtScaleDraw {
  public:
@@ -36,8 +36,7 @@ class UnitDraw : public QwtScaleDraw {
   QString unit_;
 };
 
-}  // namespace
-
+/// Thin axes, seconds on the x axis.
 void layOutPlot(QwtPlot& plot) {
   constexpr int kRightMargin = 20;  // Half of the last label extends beyond the axis [px].
   plot.setMinimumSize(120, 60);
@@ -68,6 +67,8 @@ void stylePlot(QwtPlot& plot, const Theme& theme) {
     plot.setAxisFont(axis, theme.font(8.0));
   }
 }
+
+}  // namespace
 
 ContactProbabilityPlot::ContactProbabilityPlot(const Theme& theme)
     : plot_(new QwtPlot(this)),
@@ -137,12 +138,12 @@ void ContactProbabilityPlot::show(const std::vector<app::ContactChance>& chances
 void ContactProbabilityPlot::setCursor(double time) {
   cursor_->setXValue(time);
   if (curve_->dataSize() == 0) {
-    plot_->setAxisScale(QwtPlot::xBottom, time, time + kAhead);
+    plot_->setAxisScale(QwtPlot::xBottom, time, time + kEmptyRange);
   }
   plot_->replot();
 }
 
-ComparePlot::ComparePlot(const Theme& theme)
+MetricPlot::MetricPlot(const Theme& theme)
     : theme_(theme),
       title_(new QLabel(this)),
       unit_(secondaryLabel({}, this)),
@@ -165,9 +166,9 @@ ComparePlot::ComparePlot(const Theme& theme)
   setMinimumWidth(180);
 }
 
-ComparePlot::~ComparePlot() = default;
+MetricPlot::~MetricPlot() = default;
 
-void ComparePlot::setTheme(const Theme& theme) {
+void MetricPlot::setTheme(const Theme& theme) {
   theme_ = theme;
   title_->setFont(theme.font(9.5, QFont::DemiBold));
   stylePlot(*plot_, theme);
@@ -177,7 +178,7 @@ void ComparePlot::setTheme(const Theme& theme) {
   plot_->replot();
 }
 
-void ComparePlot::applyStyles() {
+void MetricPlot::applyStyles() {
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     QPen pen(theme_.color(Role::Accent), 2.0);
     if (styles_[k] >= 0) {
@@ -191,7 +192,7 @@ void ComparePlot::applyStyles() {
   }
 }
 
-void ComparePlot::show(const QString& name, const QString& unit, const std::vector<Line>& lines) {
+void MetricPlot::show(const QString& name, const QString& unit, const std::vector<Line>& lines) {
   title_->setText(name);
   unit_->setText(unit);
   curves_.clear();
@@ -219,6 +220,7 @@ void ComparePlot::show(const QString& name, const QString& unit, const std::vect
   }
   applyStyles();
   plot_->setAxisScale(QwtPlot::xBottom, 0.0, end);
+  reserveEnd();
   if (any) {
     plot_->setAxisAutoScale(QwtPlot::yLeft);
   } else {
@@ -227,7 +229,20 @@ void ComparePlot::show(const QString& name, const QString& unit, const std::vect
   plot_->replot();
 }
 
-void ComparePlot::setCursor(double time) {
+/// Reserves space for half of the last label beyond the end of the axis.
+void MetricPlot::reserveEnd() {
+  constexpr int kMinMargin = 12;  // [px]
+  plot_->updateAxes();
+  const QList<double> ticks = plot_->axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+  if (ticks.isEmpty()) {
+    return;
+  }
+  const QString last = plot_->axisScaleDraw(QwtPlot::xBottom)->label(ticks.back()).text();
+  const QFontMetrics metrics(plot_->axisFont(QwtPlot::xBottom));
+  plot_->setContentsMargins(0, 0, std::max(kMinMargin, metrics.horizontalAdvance(last) / 2 + 4), 0);
+}
+
+void MetricPlot::setCursor(double time) {
   cursor_->setXValue(time);
   plot_->replot();
 }

@@ -36,26 +36,14 @@ class ContactProbabilityPlot : public QWidget {
   QwtPlotMarker *cursor_, *decisive_;
 };
 
-/// The common plot style: thin axes, seconds on the x axis.
-void stylePlot(QwtPlot& plot, const Theme& theme);
-void layOutPlot(QwtPlot& plot);
-
-}  // namespace editor
-
-class QwtPlot;
-class QwtPlotCurve;
-class QwtPlotGrid;
-class QwtPlotMarker;
-
-namespace editor {
-
-/// One metric of several runs over time, each in its own style.
-class ComparePlot : public QWidget {
+/// One metric of one or several runs over time, each run in its own style, with a line at the shown
+/// time.
+class MetricPlot : public QWidget {
   Q_OBJECT
  public:
-  explicit ComparePlot(const Theme& theme);
-  ~ComparePlot() override;
-  Q_DISABLE_COPY_MOVE(ComparePlot)
+  explicit MetricPlot(const Theme& theme);
+  ~MetricPlot() override;
+  Q_DISABLE_COPY_MOVE(MetricPlot)
   void setTheme(const Theme& theme);
   /// Null curve: none. The first line is the shown run.
   struct Line {
@@ -68,6 +56,7 @@ class ComparePlot : public QWidget {
 
  private:
   void applyStyles();
+  void reserveEnd();
   Theme theme_;
   QLabel *title_, *unit_;
   QwtPlot* plot_;

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "app/report/Markup.h"
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
+#include "app/report/TimePlot.h"
 
 using namespace report;
 
@@ -88,6 +90,12 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(scriptSafe("\"</script>&\""), std::string("\"\\u003c/script\\u003e\\u0026\""));
   }
 
+  void filled_values_areNotSearched() {
+    const std::vector<std::pair<std::string_view, std::string>> values = {{"x", "{{y}}"},
+                                                                          {"y", "2"}};
+    QCOMPARE(filled("{{x}} {{y}} {{z}}", values), std::string("{{y}} 2 {{z}}"));
+  }
+
   void numberText_rounding_isToTheNearest() {
     QCOMPARE(numberText(1.005, 1), std::string("1.0"));
     QCOMPARE(numberText(-0.04, 1), std::string("0.0"));
@@ -146,6 +154,52 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(paddedScale(1.0, 0.0, 0.0, 10.0).high, 1.0);  // nothing to show
     const Scale zeros = scaleOfValues({0.0, 0.0}, 0.0, 136.0);
     QCOMPARE(axisTicks(zeros), std::vector<double>({0.0, 1.0}));  // no contacts below none
+  }
+
+  void tickStep_isOneTwoOrFive() {
+    QCOMPARE(tickStep(1.0, 4), 0.5);
+    QCOMPARE(tickStep(10.0, 4), 5.0);
+    QCOMPARE(tickStep(7.9, 4), 2.0);
+    QCOMPARE(tickStep(60.0, 6), 10.0);
+    QCOMPARE(tickStep(0.035, 4), 0.01);
+  }
+
+  void logarithmicScale_ticks_arePowersOfTen() {
+    const Scale scale{0.02, 2000.0, 0.0, 500.0, true};
+    const std::vector<double> at = axisTicks(scale);
+    QCOMPARE(at.size(), std::size_t(5));
+    QVERIFY(tickTexts(scale, at) == (std::vector<std::string>{"0.1", "1", "10", "100", "1000"}));
+    QVERIFY(std::abs(scale.at(2.0) - 200.0) < 1e-9);  // two of five decades
+  }
+
+  /// A value that is undefined leaves a gap: two lines.
+  void timePlot_undefinedValues_areGaps() {
+    TimeCurve curve{"Speed", "m/s", {}, {}};
+    for (int k = 0; k < 11; ++k) {
+      curve.times.push_back(0.1 * k);
+      curve.values.push_back(k == 5 ? std::nan("") : 0.1 * k);
+    }
+    const auto linesOf = [](const TimeCurve& drawn) {
+      return QByteArray::fromStdString(timePlot({drawn}, 321.0).standalone())
+          .count("stroke=\"#0072B2\"");
+    };
+    QCOMPARE(linesOf(curve), 2);
+    curve.values[5] = 0.5;
+    QCOMPARE(linesOf(curve), 1);
+  }
+
+  /// The axis of 0.3 to 1.9 begins at 0; the numbers of extreme values do not end the program.
+  void timePlot_axis_hasWholeSteps() {
+    const TimeCurve curve{"Speed", "m/s", {0.0, 1.0}, {0.3, 1.9}};
+    const std::string svg = timePlot({curve}, 642.0, "caption", 0.5).standalone();
+    for (const char* text :
+         {">0.0<", ">0.5<", ">2.0<", ">Speed [m/s]<", ">time [s]<", ">caption<"}) {
+      QVERIFY2(svg.find(text) != std::string::npos, text);
+    }
+    for (const double value : {0.0, -1.0, 1e308, -1e308}) {
+      QVERIFY(timePlot({{"x", "", {0.0, 1.0}, {value, -value}}}, 321.0).markup().size() > 500);
+    }
+    QVERIFY(timePlot({{"x", "", {}, {}}}, 321.0).markup().size() > 500);
   }
 
   void shortened_utf8_cutsNoCharacter() {

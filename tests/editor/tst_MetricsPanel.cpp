@@ -9,6 +9,7 @@
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/Playback.h"
+#include "editor/panels/RunPlots.h"
 #include "editor/run/SimulationRunner.h"
 
 using editor::MetricsDock;
@@ -68,10 +69,10 @@ class MetricsPanelTest : public QObject {
     plot.QWidget::show();
     QVERIFY(QTest::qWaitForWindowExposed(&plot));
     for (const double end : {5.0, 60.0, 1000.0}) {
-      editor::MetricCurve curve;
+      app::MetricTimeSeries curve;
       curve.times = {0.0, end};
       curve.values = {0.0, 1.0};
-      plot.show(nullptr, &curve);
+      plot.show({}, {}, {editor::MetricPlot::Line{&curve}});
       QCoreApplication::processEvents();
       const QImage picture = plot.grab().toImage();
       const QRgb ground = editor::Theme::light().color(editor::Role::Panel).rgb();

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <malloc.h>
@@ -17,6 +18,7 @@
 #include "app/cli/BenchScene.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/PictureFiles.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Lidar.h"
@@ -327,16 +329,21 @@ int benchCommand(const BenchOptions& options, const Invocation& given) {
         "after people have walked at most a seventh of the square. kB/person: increase of peak "
         "memory per person, from the creation of the scenario to the tenth step.");
   }
-  const QString picture = QString::fromStdString(options.picture);
-  if (!picture.isEmpty() && !drawBench(*points, QString::fromStdString(machineName()), picture)) {
-    printError("cannot write " + options.picture);
-    return ExitRunFailed;
+  if (!options.picture.empty()) {
+    constexpr double kSharp = 2.0;  // image pixels per pixel
+    const std::string ending = std::filesystem::path(options.picture).extension().string();
+    if (!base::writeFileAtomically(options.picture,
+                                   figureFile(benchFigure(*points, machineName()), ending, kSharp))
+             .empty()) {
+      printError("cannot write " + options.picture);
+      return ExitRunFailed;
+    }
   }
   return ExitFine;
 }
 
 Drawing drawingOf(const BenchOptions& options) {
-  return options.picture.empty() ? Drawing::None : Drawing::Widgets;
+  return options.picture.empty() ? Drawing::None : Drawing::Pictures;
 }
 
 /// Returns an error text, empty if the file name is valid.

@@ -16,10 +16,10 @@
 #include "app/bridge/bag/RunBagWriter.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/MetricPlot.h"
 #include "app/cli/PictureFiles.h"
 #include "app/cli/RunPicture.h"
 #include "app/report/PlayerPage.h"
+#include "app/report/TimePlot.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/OutputFolder.h"
 #include "app/run/RecordedRun.h"
@@ -68,15 +68,14 @@ constexpr double kFilmWidth = 1280.0;      // [px]
 constexpr double kMaxGifRate = 50.0;       // maximum frame rate of GIF viewers [1/s]
 constexpr double kFilmRate = 20.0;         // [1/s]
 
-std::optional<Kind> pictureKindOf(const std::string& ending) {
+/// The kinds of files, by extension.
+const std::map<std::string, Kind>& kindsOfFiles() {
   static const std::map<std::string, Kind> kKinds = {
-      {".png", Kind::Picture},    {".svg", Kind::Vectors}, {".pdf", Kind::Vectors},
-      {".html", Kind::Page},      {".mcap", Kind::Bag},    {".db3", Kind::Bag},
-      {".ndjson", Kind::Trajnet}, {".json", Kind::Socnav3}};
-  if (const auto found = kKinds.find(ending); found != kKinds.end()) {
-    return found->second;
-  }
-  return Movie::isSupported(ending) ? std::optional(Kind::Film) : std::nullopt;
+      {".png", Kind::Picture}, {".svg", Kind::Vectors},    {".pdf", Kind::Vectors},
+      {".gif", Kind::Film},    {".mp4", Kind::Film},       {".webm", Kind::Film},
+      {".webp", Kind::Film},   {".html", Kind::Page},      {".mcap", Kind::Bag},
+      {".db3", Kind::Bag},     {".ndjson", Kind::Trajnet}, {".json", Kind::Socnav3}};
+  return kKinds;
 }
 
 std::string endingOf(const RenderOptions& options) {
@@ -162,7 +161,7 @@ std::vector<double> stripTimes(const std::string& words, const sim2d::Trace& tra
 }
 
 /// The series of these metrics over the run, with the settings of its scenario.
-std::vector<PlotCurve> plotCurves(const std::string& keys, const sim2d::Trace& trace) {
+std::vector<report::TimeCurve> plotCurves(const std::string& keys, const sim2d::Trace& trace) {
   MetricsSetup setup;
   base::Diagnostics wrong;
   base::Diagnostics problems = readMetricsSetup(trace.header, setup);
@@ -175,15 +174,14 @@ std::vector<PlotCurve> plotCurves(const std::string& keys, const sim2d::Trace& t
   const base::Result<metrics::Evaluation> evaluation =
       metrics::evaluate(trace, setup.selection, setup.parameters);
   requireFine(evaluation.diagnostics());
-  std::vector<PlotCurve> curves;
+  std::vector<report::TimeCurve> curves;
   for (const metrics::MetricResult& result : evaluation->results) {
     if (!result.value.series) {
       problems.push_back(base::error("option.plot-series", {result.info.key}));
       continue;
     }
-    curves.push_back({QString::fromStdString(result.info.name),
-                      QString::fromStdString(result.info.unit), evaluation->times,
-                      result.value.series->values});
+    curves.push_back(
+        {result.info.name, result.info.unit, evaluation->times, result.value.series->values});
   }
   requireFine(problems, ExitWrongCommandLine);
   return curves;
@@ -202,12 +200,11 @@ std::string fileOf(const RenderOptions& options, const sim2d::Trace& trace, cons
 std::string bytesOf(const RenderOptions& options, const sim2d::Trace& trace,
                     const PictureLayout& layout) {
   if (!options.plot.empty()) {
-    const QString caption = QStringLiteral("%1 · seed %2")
-                                .arg(QString::fromStdString(trace.header.scenario))
-                                .arg(trace.header.seed);
-    const MetricPlot plot(plotCurves(options.plot, trace), layout, caption);
-    return fileOf(options, trace, plot.size(),
-                  [&](QPainter& painter) { plot.paint(painter, options.at); });
+    const std::string caption =
+        trace.header.scenario + " · seed " + std::to_string(trace.header.seed);
+    return figureFile(
+        report::timePlot(plotCurves(options.plot, trace), layout.width, caption, options.at),
+        endingOf(options));
   }
   if (!options.strip.empty()) {
     RunStrip strip(trace, layout, stripTimes(options.strip, trace));
@@ -318,13 +315,14 @@ void drawRun(const RenderOptions& options, Kind kind, bool quiet) {
 }
 
 int renderCommand(const RenderOptions& options, const Invocation& given) {
-  const std::optional<Kind> kind = pictureKindOf(endingOf(options));
-  if (!kind) {
+  const auto found = kindsOfFiles().find(endingOf(options));
+  if (found == kindsOfFiles().end()) {
     requireFine({base::error("option.picture-format", {endingOf(options)}, options.output)},
                 ExitWrongCommandLine);
   }
-  requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
-  drawRun(options, *kind, given.quiet);
+  const Kind kind = found->second;
+  requireFine(wrongOptions(options, kind), ExitWrongCommandLine);
+  drawRun(options, kind, given.quiet);
   requireFine(recordOutputFile(options.output, "render"));
   if (given.json) {
     print(base::jsonText(nlohmann::ordered_json{{"written", {options.output}}}) + "\n");

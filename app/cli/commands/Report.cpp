@@ -3,9 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <QPainter>
-#include <QSvgRenderer>
-
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/PictureFiles.h"
@@ -104,21 +101,13 @@ base::Diagnostics parseReportOptions(const ReportOptions& options,
   return problems;
 }
 
-/// A figure on a page of its size.
-std::string pdfOfFigure(const std::string& svg) {
-  QSvgRenderer renderer(QByteArray::fromStdString(svg));
-  const QSizeF size = renderer.defaultSize();
-  return pdfOf(size, [&](QPainter& painter) { renderer.render(&painter, {QPointF(), size}); });
-}
-
 /// All files of a report, relative to its folder.
 std::vector<base::FileContent> filesOf(const report::Report& report, bool withPdf) {
   std::vector<base::FileContent> files = {{"report.html", report.html}};
   for (const report::Figure& figure : report.figures) {
-    const std::string svg = figure.standalone();
-    files.push_back({"figures/" + figure.name() + ".svg", svg});
+    files.push_back({"figures/" + figure.name() + ".svg", figure.standalone()});
     if (withPdf) {
-      files.push_back({"figures/" + figure.name() + ".pdf", pdfOfFigure(svg)});
+      files.push_back({"figures/" + figure.name() + ".pdf", figureFile(figure, ".pdf")});
     }
   }
   for (const report::Table& table : report.tables) {

@@ -16,9 +16,8 @@ namespace sim2d::nav2 {
 
 class SmacPoseSearch {
  public:
-  /// Hybrid: analytic expansions start from the earliest possible ancestor; a curve may exceed the
-  /// maximum cost only at its end; too many nodes are a timeout. Lattice: a curve may exceed that
-  /// cost only at its beginning; a search that ends with no open node is no timeout.
+  /// Hybrid: analytic expansions start from the earliest possible ancestor; too many nodes are a
+  /// timeout. Lattice: a search that ends with no open node is no timeout.
   enum class Kind : std::uint8_t { Hybrid, Lattice };
 
   /// All references must outlive the search.
