@@ -61,6 +61,12 @@ class LiveClient {
   void text(const std::string& json) { write(frame(0x81, json)); }
   void binary(const std::string& bytes) { write(frame(0x82, bytes)); }
 
+  /// All bytes until the other side ends the connection.
+  std::string rest() {
+    awaitEnd();
+    return in_;
+  }
+
   /// The answer of HTTP to a request with these lines more.
   std::string request(const std::string& lines = {},
                       const std::string& protocol = "foxglove.websocket.v1") {

@@ -127,19 +127,14 @@ GrootServer::~GrootServer() {
 
 void GrootServer::serve() {
   while (!isStopping_) {
-    serveOne();
+    const Message request = receive(sockets_->answers.get());
+    if (!request.empty()) {
+      hadRequest_ = true;
+      Message answer;
+      change([&](GrootProtocol& run) { answer = run.answer(request); });
+      send(sockets_->answers.get(), answer);
+    }
   }
-}
-
-void GrootServer::serveOne() {
-  const Message request = receive(sockets_->answers.get());
-  if (request.empty()) {
-    return;
-  }
-  hadRequest_ = true;
-  Message answer;
-  change([&](GrootProtocol& run) { answer = run.answer(request); });
-  send(sockets_->answers.get(), answer);
 }
 
 namespace {

@@ -40,11 +40,10 @@ class GrootServer {
   struct Sockets;
   GrootServer(std::unique_ptr<Sockets> sockets, std::uint16_t port, GrootProtocol run);
   void serve();
-  void serveOne();
 
   std::unique_ptr<Sockets> sockets_;  // used by the thread
   std::uint16_t port_ = 0;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   GrootProtocol run_;
   std::atomic<bool> hadRequest_{false};
   std::atomic<bool> isStopping_{false};

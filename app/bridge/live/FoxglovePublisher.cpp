@@ -32,7 +32,7 @@ RunMetrics::RunMetrics(const sim2d::TraceHeader& header, const metrics::Selectio
   for (const metrics::MetricEntry& entry : selection.entries(metrics::standardRegistry())) {
     channelOf_[entry.info.key] = channels_.size();
     channels_.push_back(
-        {"/hunavsim/metrics/" + entry.info.key, Float64::kType, Float64::kDefinition, false});
+        {"/hunavsim/metrics/" + entry.info.key, {Float64::kType, Float64::kDefinition}, false});
   }
 }
 
@@ -122,7 +122,7 @@ FoxgloveSettings FoxglovePublisher::settingsOf(const FoxglovePublisherSettings& 
   FoxgloveSettings settings;
   settings.server.address = given.address;
   settings.server.port = given.port;
-  settings.server.rules.origins = given.origins;
+  settings.server.origins = given.origins;
   settings.name = "hunavsim: " + scenarioName;
   settings.session = newSessionName();
   settings.services = control_.services();
@@ -146,8 +146,9 @@ FoxgloveSettings FoxglovePublisher::settingsOf(const FoxglovePublisherSettings& 
 std::vector<Channel> FoxglovePublisher::channels() const {
   std::vector<Channel> channels;
   for (const bridge::Topic& topic : topics_.topics()) {
-    channels.push_back({topic.name, std::string(topic.type),
-                        bridge::findType(topic.type)->definition, topic.isLatched});
+    channels.push_back({topic.name,
+                        {std::string(topic.type), bridge::findType(topic.type)->definition},
+                        topic.isLatched});
   }
   channels.insert(channels.end(), metrics_.channels().begin(), metrics_.channels().end());
   return channels;
@@ -169,8 +170,8 @@ void FoxglovePublisher::show(const sim2d::Frame& frame) {
 
 /// If false, every state is published: single steps, and states slower than the display rate.
 bool FoxglovePublisher::isAboveDisplayRate() const {
-  const std::chrono::duration<double> each(world_.dt() / control_.speed());
-  return !control_.isPaused() && each < kBetweenFrames;
+  const std::chrono::duration<double> each(world_.dt() / session_.speed());
+  return !session_.isPaused() && each < kBetweenFrames;
 }
 
 /// Publishes the final metrics.
@@ -214,7 +215,7 @@ std::vector<FoxgloveServer::Message> FoxglovePublisher::messagesOf(const sim2d::
   topics_.publish(
       frame, [&](std::size_t topic, std::string bytes) { add(topic, std::move(bytes)); },
       [&](std::size_t topic) { return filter(static_cast<ChannelId>(topic + 1)); });
-  if (withMetrics && hasMetricSubscribers(filter)) {
+  if (withMetrics) {
     metrics_.publish([&](std::size_t channel, std::string&& bytes) {
       add(topics_.topics().size() + channel, std::move(bytes));
     });
@@ -224,12 +225,14 @@ std::vector<FoxgloveServer::Message> FoxglovePublisher::messagesOf(const sim2d::
 
 void FoxglovePublisher::publish(const sim2d::Frame& frame, Clock::time_point now) {
   const ChannelFilter isWanted = [this](ChannelId channel) { return server_->isWanted(channel); };
-  const bool withMetrics = !metricsPublishedAt_ || now - *metricsPublishedAt_ >= kBetweenMetrics;
-  const auto messages = messagesOf(frame, isWanted, withMetrics);
-  if (withMetrics && hasMetricSubscribers(isWanted)) {
+  const bool withMetrics =
+      (!metricsPublishedAt_ || now - *metricsPublishedAt_ >= kBetweenMetrics) &&
+      hasMetricSubscribers(isWanted);
+  if (withMetrics) {
     metricsPublishedAt_ = now;
   }
-  server_->publish(static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)), messages);
+  server_->publish(static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)),
+                   messagesOf(frame, isWanted, withMetrics));
   publishedAt_ = now;
   published_ = frame.step;
 }
@@ -246,7 +249,8 @@ void FoxglovePublisher::catchUp(const sim2d::Frame& frame) {
     return server_->isMessageAwaited(channel);
   };
   server_->publish(static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)),
-                   messagesOf(frame, isAwaited, true), true);
+                   messagesOf(frame, isAwaited, hasMetricSubscribers(isAwaited)),
+                   FoxgloveServer::Recipients::Awaiting);
 }
 
 }  // namespace live

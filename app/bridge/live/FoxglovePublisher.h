@@ -85,7 +85,7 @@ class FoxglovePublisher {
   void updateHeader(const sim2d::Frame& frame);
   using ChannelFilter = std::function<bool(ChannelId)>;
   void publish(const sim2d::Frame& frame, Clock::time_point now);
-  /// The messages of the frame that are subscribed to, with those of the metrics channels if
+  /// The messages of the frame for channels that pass the filter, and those of all metrics if
   /// `withMetrics`.
   std::vector<FoxgloveServer::Message> messagesOf(const sim2d::Frame& frame,
                                                   const ChannelFilter& filter, bool withMetrics);

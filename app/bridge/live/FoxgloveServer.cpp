@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/bridge/live/ServerMessages.h"
-#include "sim2d/base/LittleEndian.h"
 #include "sim2d/base/Text.h"
 
 namespace live {
@@ -12,8 +11,6 @@ namespace live {
 namespace {
 
 constexpr std::size_t kMaxClientChannels = 100;  // advertised channels per client
-
-enum BinaryOp : char { MessageData = 1, ServerTime = 2, ServiceResponse = 3 };
 
 /// Joins problems: "a; b and 3 more".
 std::string summaryOf(const std::vector<std::string>& problems) {
@@ -27,15 +24,23 @@ std::string summaryOf(const std::vector<std::string>& problems) {
   return base::join(first, "; ") + more;
 }
 
+bool isSupported(std::string_view encoding) {
+  return encoding == "cdr" || encoding == "json";
+}
+
+/// Without names, all parameters are meant.
+bool isNamed(const Parameter& parameter, const std::vector<std::string>& names) {
+  return names.empty() || std::find(names.begin(), names.end(), parameter.name) != names.end();
+}
+
 }  // namespace
 
 base::Result<std::unique_ptr<FoxgloveServer>> FoxgloveServer::listen(
     FoxgloveSettings settings, const std::vector<Channel>& channels) {
-  settings.server.rules.protocols = {"foxglove.sdk.v1", "foxglove.websocket.v1"};
+  settings.server.protocols = {"foxglove.sdk.v1", "foxglove.websocket.v1"};
   std::unique_ptr<FoxgloveServer> server(new FoxgloveServer(std::move(settings)));
   for (const Channel& channel : channels) {
-    server->publishedChannels_.push_back(std::make_unique<PublishedChannel>());
-    server->publishedChannels_.back()->channel = channel;
+    server->publishedChannels_.emplace_back().channel = channel;
   }
   server->greeting_ = serverInfoText(server->settings_);
   server->channels_ = advertiseText(channels);
@@ -58,76 +63,62 @@ FoxgloveServer::~FoxgloveServer() {
 }
 
 bool FoxgloveServer::isWanted(ChannelId channel) const {
-  const PublishedChannel& published = *publishedChannels_.at(channel - 1);
+  const PublishedChannel& published = publishedChannels_.at(channel - 1);
   return published.wanted > 0 || published.channel.isLatched;
 }
 
 void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages,
-                             bool onlyAwaited) {
-  std::string clock(1, ServerTime);
-  base::appendLittleEndian(clock, time);
+                             Recipients recipients) {
+  const bool isToAll = recipients == Recipients::All;
+  const std::string clock = timeMessage(time);
   server_->exclusively([&] {
     for (const Message& message : messages) {
-      PublishedChannel& published = *publishedChannels_.at(message.channel - 1);
+      PublishedChannel& published = publishedChannels_.at(message.channel - 1);
       if (published.channel.isLatched) {
         published.time = time;
         published.newest = message.payload;
       }
     }
     for (auto& [client, state] : clientStates_) {
-      publishTo(client, state, {time, clock, messages}, onlyAwaited);
+      bool isTimeSent = false;
+      const auto sendTime = [&, to = client] {
+        if (!std::exchange(isTimeSent, true)) {
+          server_->send(to, {SendQueue::Kind::Topic, clock});
+        }
+      };
+      if (isToAll) {
+        sendTime();
+      }
+      for (const Message& message : messages) {
+        const auto wanted = state.wanted.find(message.channel);
+        if (wanted != state.wanted.end() && (isToAll || wanted->second.isMessageAwaited)) {
+          sendTime();
+          sendMessage(client, message.channel, wanted->second, time, message.payload,
+                      SendQueue::Kind::Topic);
+        }
+      }
       warnOfLoss(client, state);
     }
   });
 }
 
-/// The time goes before the messages; also alone, unless only awaited messages are sent.
-void FoxgloveServer::publishTo(Client client, ClientState& state, const Publication& publication,
-                               bool onlyAwaited) {
-  bool isTimeDue = true;
-  const auto sendTime = [&] {
-    Connection* const connection = server_->find(client);
-    if (connection != nullptr && std::exchange(isTimeDue, false)) {
-      connection->sendBinary(publication.clock, nullptr, SendQueue::Kind::Message);
-    }
-  };
-  if (!onlyAwaited) {
-    sendTime();
-  }
-  for (const Message& message : publication.messages) {
-    const auto wanted = state.wanted.find(message.channel);
-    if (wanted != state.wanted.end() && (!onlyAwaited || wanted->second.isMessageAwaited)) {
-      sendTime();
-      sendMessage(client, message.channel, wanted->second, publication.time, message.payload,
-                  SendQueue::Kind::Message);
-    }
-  }
-}
-
 void FoxgloveServer::sendMessage(Client client, ChannelId channel, ClientSubscription& wanted,
                                  std::uint64_t time, const SharedBytes& payload,
                                  SendQueue::Kind kind) {
-  if (Connection* const connection = server_->find(client)) {
-    std::string head(1, MessageData);
-    base::appendLittleEndian(head, wanted.subscription);
-    base::appendLittleEndian(head, time);
-    connection->sendBinary(head, payload, kind);
-    publishedChannels_.at(channel - 1)->awaited -=
-        std::exchange(wanted.isMessageAwaited, false) ? 1 : 0;
-  }
+  server_->send(client, {kind, messageHead(wanted.subscription, time), payload});
+  publishedChannels_.at(channel - 1).awaited -=
+      std::exchange(wanted.isMessageAwaited, false) ? 1 : 0;
 }
 
 void FoxgloveServer::removeSubscription(ChannelId channel, const ClientSubscription& wanted) {
-  PublishedChannel& published = *publishedChannels_.at(channel - 1);
+  PublishedChannel& published = publishedChannels_.at(channel - 1);
   --published.wanted;
   published.awaited -= wanted.isMessageAwaited ? 1 : 0;
 }
 
 /// Warns each client once.
 void FoxgloveServer::warnOfLoss(Client client, ClientState& state) {
-  Connection* const connection = server_->find(client);
-  if (connection != nullptr && connection->out().droppedCount() > 0 &&
-      !std::exchange(state.isWarnedOfLoss, true)) {
+  if (server_->droppedCount(client) > 0 && !std::exchange(state.isWarnedOfLoss, true)) {
     send(client, statusText(StatusLevel::Warning,
                             "this connection is too slow: older messages are dropped", "slow"));
   }
@@ -165,9 +156,8 @@ void FoxgloveServer::opened(Client client) {
   }
 }
 
-void FoxgloveServer::received(Client client, WebSocketMessage&& message) {
-  const ClientRequest asked = message.opcode == Opcode::Text ? requestOfText(message.payload)
-                                                             : requestOfBytes(message.payload);
+void FoxgloveServer::received(Client client, bool isText, const std::string& message) {
+  const ClientRequest asked = isText ? requestOfText(message) : requestOfBytes(message);
   std::visit([&](const auto& request) { answer(client, request); }, asked);
 }
 
@@ -195,17 +185,18 @@ void FoxgloveServer::tick() {
 }
 
 void FoxgloveServer::send(Client client, const std::string& text) {
-  if (Connection* const connection = server_->find(client)) {
-    connection->sendText(text);
+  server_->send(client, {SendQueue::Kind::Text, text});
+}
+
+/// Has no effect without problems.
+void FoxgloveServer::sendError(Client client, const std::vector<std::string>& problems) {
+  if (!problems.empty()) {
+    send(client, statusText(StatusLevel::Error, summaryOf(problems)));
   }
 }
 
-void FoxgloveServer::sendError(Client client, const std::string& why) {
-  send(client, statusText(StatusLevel::Error, why));
-}
-
 void FoxgloveServer::answer(Client client, const request::Refused& asked) {
-  sendError(client, asked.why);
+  sendError(client, {asked.why});
 }
 
 void FoxgloveServer::answer(Client client, const request::Subscribe& asked) {
@@ -215,9 +206,7 @@ void FoxgloveServer::answer(Client client, const request::Subscribe& asked) {
       problems.push_back(std::move(problem));
     }
   }
-  if (!problems.empty()) {
-    sendError(client, summaryOf(problems));
-  }
+  sendError(client, problems);
   const auto& wanted = clientStates_[client].wanted;
   const bool isAwaiting = std::any_of(
       wanted.begin(), wanted.end(), [](const auto& each) { return each.second.isMessageAwaited; });
@@ -240,30 +229,27 @@ std::string FoxgloveServer::subscribe(Client client, const Subscription& wanted)
   if (!isNew) {
     return "channel " + std::to_string(wanted.channel) + " is already subscribed";
   }
-  PublishedChannel& published = *publishedChannels_[wanted.channel - 1];
+  PublishedChannel& published = publishedChannels_[wanted.channel - 1];
   ++published.wanted;
   ++published.awaited;
   if (published.newest) {
     sendMessage(client, wanted.channel, added->second, published.time, published.newest,
-                SendQueue::Kind::Answer);
+                SendQueue::Kind::Response);
   }
   return {};
 }
 
+/// Unknown subscriptions are ignored.
 void FoxgloveServer::answer(Client client, const request::Unsubscribe& asked) {
-  for (const std::uint32_t subscription : asked.subscriptions) {
-    unsubscribe(clientStates_[client], subscription);
-  }
-}
-
-/// An unknown subscription is ignored.
-void FoxgloveServer::unsubscribe(ClientState& state, std::uint32_t subscription) {
-  const auto found = std::find_if(state.wanted.begin(), state.wanted.end(), [&](const auto& each) {
-    return each.second.subscription == subscription;
-  });
-  if (found != state.wanted.end()) {
-    removeSubscription(found->first, found->second);
-    state.wanted.erase(found);
+  auto& subscriptions = clientStates_[client].wanted;
+  for (const std::uint32_t id : asked.subscriptions) {
+    const auto found =
+        std::find_if(subscriptions.begin(), subscriptions.end(),
+                     [id](const auto& each) { return each.second.subscription == id; });
+    if (found != subscriptions.end()) {
+      removeSubscription(found->first, found->second);
+      subscriptions.erase(found);
+    }
   }
 }
 
@@ -271,23 +257,21 @@ void FoxgloveServer::answer(Client client, const request::Advertise& asked) {
   std::vector<std::string> problems;
   auto& own = clientStates_[client].own;
   for (const ClientChannel& channel : asked.channels) {
-    const bool isTaken = std::any_of(settings_.clientTopics.begin(), settings_.clientTopics.end(),
-                                     [&](const ClientTopic& clientTopic) {
-                                       return clientTopic.topic == channel.topic &&
-                                              clientTopic.schemaName == channel.schemaName;
-                                     });
-    if (!isTaken) {
+    const auto topic = std::find_if(
+        settings_.clientTopics.begin(), settings_.clientTopics.end(), [&](const auto& each) {
+          return each.topic == channel.topic && each.schemaName == channel.schemaName;
+        });
+    if (topic == settings_.clientTopics.end()) {
       problems.push_back("no subscriber for " + channel.topic + " of type " + channel.schemaName);
-    } else if (channel.encoding != "cdr" && channel.encoding != "json") {
+    } else if (!isSupported(channel.encoding)) {
       problems.push_back("the encoding '" + channel.encoding + "' is not supported");
-    } else if (own.size() >= kMaxClientChannels || !own.emplace(channel.id, channel).second) {
+    } else if (own.size() >= kMaxClientChannels ||
+               !own.emplace(channel.id, OwnChannel{&*topic, channel.encoding}).second) {
       problems.push_back("client channel " + std::to_string(channel.id) +
                          " already exists, or there are too many");
     }
   }
-  if (!problems.empty()) {
-    sendError(client, summaryOf(problems));
-  }
+  sendError(client, problems);
 }
 
 void FoxgloveServer::answer(Client client, const request::Unadvertise& asked) {
@@ -300,17 +284,13 @@ void FoxgloveServer::answer(Client client, const request::Publish& asked) {
   const auto& own = clientStates_[client].own;
   const auto channel = own.find(asked.channel);
   if (channel == own.end()) {
-    sendError(client, "there is no client channel " + std::to_string(asked.channel));
+    sendError(client, {"there is no client channel " + std::to_string(asked.channel)});
     return;
   }
-  for (const ClientTopic& clientTopic : settings_.clientTopics) {
-    if (clientTopic.topic == channel->second.topic &&
-        clientTopic.schemaName == channel->second.schemaName) {
-      const std::string problem = clientTopic.take(channel->second.encoding, asked.payload);
-      if (!problem.empty()) {
-        sendError(client, clientTopic.topic + ": " + problem);
-      }
-    }
+  const auto& [topic, encoding] = channel->second;
+  const std::string problem = topic->take(encoding, asked.payload);
+  if (!problem.empty()) {
+    sendError(client, {topic->topic + ": " + problem});
   }
 }
 
@@ -322,7 +302,7 @@ void FoxgloveServer::answer(Client client, const request::CallService& asked) {
     fail("there is no service " + std::to_string(asked.service));
     return;
   }
-  if (asked.encoding != "cdr" && asked.encoding != "json") {
+  if (!isSupported(asked.encoding)) {
     fail("services support the encodings cdr and json");
     return;
   }
@@ -332,29 +312,15 @@ void FoxgloveServer::answer(Client client, const request::CallService& asked) {
     fail(done.payload);
     return;
   }
-  std::string bytes(1, ServiceResponse);
-  base::appendLittleEndian(bytes, asked.service);
-  base::appendLittleEndian(bytes, asked.call);
-  base::appendLittleEndian(bytes, static_cast<std::uint32_t>(asked.encoding.size()));
-  bytes.append(asked.encoding).append(done.payload);
-  if (Connection* const connection = server_->find(client)) {
-    connection->sendBinary(bytes, nullptr, SendQueue::Kind::Answer);
-  }
+  server_->send(client, {SendQueue::Kind::Response, callResponse(asked, done.payload)});
   sendParameters();
-}
-
-const Parameter* FoxgloveServer::parameter(const std::string& name) const {
-  const auto found = std::find_if(settings_.parameters.begin(), settings_.parameters.end(),
-                                  [&](const Parameter& each) { return each.name == name; });
-  return found == settings_.parameters.end() ? nullptr : &*found;
 }
 
 /// Unknown parameters have no value and are omitted.
 void FoxgloveServer::answer(Client client, const request::GetParameters& asked) {
   std::vector<NamedValue> values;
   for (const Parameter& each : settings_.parameters) {
-    if (asked.names.empty() ||
-        std::find(asked.names.begin(), asked.names.end(), each.name) != asked.names.end()) {
+    if (isNamed(each, asked.names)) {
       values.push_back({each.name, each.get()});
     }
   }
@@ -366,18 +332,18 @@ void FoxgloveServer::answer(Client client, const request::SetParameters& asked) 
   std::vector<std::string> problems;
   request::GetParameters after{{}, asked.id};
   for (const NamedValue& each : asked.values) {
-    const Parameter* const known = parameter(each.name);
-    const std::string problem = known == nullptr ? "does not exist"
-                                : !known->set    ? "cannot be set"
-                                                 : known->set(each.value);
+    const auto known =
+        std::find_if(settings_.parameters.begin(), settings_.parameters.end(),
+                     [&](const Parameter& parameter) { return parameter.name == each.name; });
+    const std::string problem = known == settings_.parameters.end() ? "does not exist"
+                                : !known->set                       ? "cannot be set"
+                                                                    : known->set(each.value);
     if (!problem.empty()) {
       problems.push_back(each.name + " " + problem);
     }
     after.names.push_back(each.name);
   }
-  if (!problems.empty()) {
-    sendError(client, summaryOf(problems));
-  }
+  sendError(client, problems);
   if (asked.id && !after.names.empty()) {
     answer(client, after);
   }
@@ -387,8 +353,7 @@ void FoxgloveServer::answer(Client client, const request::SetParameters& asked) 
 void FoxgloveServer::answer(Client client, const request::WatchParameters& asked) {
   std::set<std::string>& watched = clientStates_[client].watched;
   for (const Parameter& each : settings_.parameters) {
-    const bool isMeant = asked.names.empty() || std::find(asked.names.begin(), asked.names.end(),
-                                                          each.name) != asked.names.end();
+    const bool isMeant = isNamed(each, asked.names);
     if (isMeant && asked.isWatched) {
       watched.insert(each.name);
     } else if (isMeant) {

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -20,15 +21,16 @@ namespace live {
 
 using ChannelId = std::uint32_t;
 
-/// A published topic.
-struct Channel {
-  std::string topic, schemaName, schema;  // "/scan", "sensor_msgs/msg/LaserScan", ros2msg text
-  bool isLatched = false;                 // the newest message is kept
-};
-
-/// A type name and its ros2msg definition.
+/// A type name, for example "sensor_msgs/msg/LaserScan", and its ros2msg definition.
 struct Schema {
   std::string name, text;
+};
+
+/// A published topic.
+struct Channel {
+  std::string topic;  // "/scan"
+  Schema schema;
+  bool isLatched = false;  // the newest message is kept
 };
 
 struct ServiceAnswer {
@@ -61,7 +63,7 @@ struct FoxgloveSettings {
   std::vector<Service> services;
   std::vector<ClientTopic> clientTopics;  // empty: clients cannot publish
   std::vector<Parameter> parameters;      // empty: no parameters
-  std::function<void()> tick;             // called at least ten times per second; may be null
+  std::function<void()> tick;             // called about ten times per second; may be null
   std::function<void()>
       subscribed;  // a subscription lacks a message (`isMessageAwaited`); may be null
   std::function<void(const std::string& origin)> refused;  // a page was rejected; may be null
@@ -90,13 +92,15 @@ class FoxgloveServer : private WebSocketServer::Handler {
     ChannelId channel = 0;
     SharedBytes payload;  // CDR with encapsulation header
   };
-  /// Publishes messages of one time [ns of simulation time] and the time itself. `onlyAwaited`:
-  /// only to subscriptions that have received none yet.
-  void publish(std::uint64_t time, const std::vector<Message>& messages, bool onlyAwaited = false);
   /// Whether a subscription to the channel has received no message yet.
   bool isMessageAwaited(ChannelId channel) const {
-    return publishedChannels_.at(channel - 1)->awaited > 0;
+    return publishedChannels_.at(channel - 1).awaited > 0;
   }
+  enum class Recipients { All, Awaiting };  // Awaiting: subscriptions that have received none yet
+  /// Publishes messages of one time [ns of simulation time] and the time itself, which is omitted
+  /// for clients without awaiting subscriptions if only these are recipients.
+  void publish(std::uint64_t time, const std::vector<Message>& messages,
+               Recipients recipients = Recipients::All);
   std::size_t clientCount() const { return clientCount_; }
   bool hadClient() const { return hadClients_; }  // a client has ever connected
 
@@ -106,10 +110,14 @@ class FoxgloveServer : private WebSocketServer::Handler {
     std::uint32_t subscription = 0;
     bool isMessageAwaited = true;  // no message sent yet
   };
+  struct OwnChannel {
+    const ClientTopic* topic;  // of the settings
+    std::string encoding;
+  };
   struct ClientState {  // state of one client
     std::map<ChannelId, ClientSubscription> wanted;
-    std::map<std::uint32_t, ClientChannel> own;  // channels advertised by the client
-    std::set<std::string> watched;               // subscribed parameters
+    std::map<std::uint32_t, OwnChannel> own;  // channels advertised by the client
+    std::set<std::string> watched;            // subscribed parameters
     bool isWarnedOfLoss = false;
   };
   struct PublishedChannel {  // a published channel
@@ -121,7 +129,7 @@ class FoxgloveServer : private WebSocketServer::Handler {
 
   explicit FoxgloveServer(FoxgloveSettings settings) : settings_(std::move(settings)) {}
   void opened(Client client) override;
-  void received(Client client, WebSocketMessage&& message) override;
+  void received(Client client, bool isText, const std::string& message) override;
   void closed(Client client) override;
   void refused(const std::string& origin) override;
   void tick() override;
@@ -137,26 +145,17 @@ class FoxgloveServer : private WebSocketServer::Handler {
   void answer(Client client, const request::CallService& asked);
   void answer(Client client, const request::Refused& asked);
   std::string subscribe(Client client, const Subscription& wanted);
-  void unsubscribe(ClientState& state, std::uint32_t subscription);
-  void sendParameters();
-  struct Publication {
-    std::uint64_t time;        // [ns]
-    const std::string& clock;  // the time as a message, the same for all clients
-    const std::vector<Message>& messages;
-  };
-  void publishTo(Client client, ClientState& state, const Publication& publication,
-                 bool onlyAwaited);
-  void sendMessage(Client client, ChannelId channel, ClientSubscription& wanted, std::uint64_t time,
-                   const SharedBytes& payload, SendQueue::Kind kind);
   void removeSubscription(ChannelId channel, const ClientSubscription& wanted);
   void warnOfLoss(Client client, ClientState& state);
-  const Parameter* parameter(const std::string& name) const;
+  void sendParameters();
+  void sendMessage(Client client, ChannelId channel, ClientSubscription& wanted, std::uint64_t time,
+                   const SharedBytes& payload, SendQueue::Kind kind);
   void send(Client client, const std::string& text);
-  void sendError(Client client, const std::string& why);
+  void sendError(Client client, const std::vector<std::string>& problems);
 
   const FoxgloveSettings settings_;
-  std::vector<std::unique_ptr<PublishedChannel>> publishedChannels_;  // index 0 is channel 1
-  std::string greeting_, channels_, services_;                        // sent to each new client
+  std::deque<PublishedChannel> publishedChannels_;  // index 0 is channel 1
+  std::string greeting_, channels_, services_;      // sent to each new client
   std::map<Client, ClientState> clientStates_;
   std::map<std::string, ParameterValue> sentParameters_;  // last published values
   std::atomic<std::size_t> clientCount_{0};

@@ -94,7 +94,7 @@ Service RunControl::stepService() {
   using bridge::std_srvs::Trigger;
   Service service = serviceOf<Trigger>("/hunavsim/step");
   service.call = [this](std::string_view encoding, std::string_view) {
-    if (!isPaused()) {
+    if (!session_.isPaused()) {
       return answerOf<Trigger::Response>(encoding, false,
                                          "the run is not paused (/hunavsim/pause)");
     }
@@ -108,12 +108,12 @@ std::vector<Parameter> RunControl::parameters() {
   const auto fact = [](const char* name, const ParameterValue& value) {
     return Parameter{name, [value] { return value; }, nullptr};
   };
-  return {{"/hunavsim.paused", [this] { return ParameterValue(isPaused()); },
+  return {{"/hunavsim.paused", [this] { return ParameterValue(session_.isPaused()); },
            [this](const ParameterValue& value) { return setPaused(value); }},
           {"/hunavsim.real_time_factor",
            // JSON has no infinity: unlimited speed has no value.
            [this] {
-             const double factor = speed();
+             const double factor = session_.speed();
              return std::isinf(factor) ? ParameterValue() : ParameterValue(factor);
            },
            [this](const ParameterValue& value) { return setSpeed(value); }},

@@ -40,9 +40,6 @@ class RunControl {
   std::vector<Service> services();      // /hunavsim/pause, /hunavsim/step
   std::vector<Parameter> parameters();  // /hunavsim.paused, /hunavsim.real_time_factor and facts
   std::vector<ClientTopic> clientTopics();
-  // As set by any client or the window.
-  bool isPaused() const { return session_.isPaused(); }
-  double speed() const { return session_.speed(); }
 
  private:
   std::string setPaused(const ParameterValue& value);

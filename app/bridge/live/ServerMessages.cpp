@@ -6,12 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "sim2d/base/JsonText.h"
+#include "sim2d/base/LittleEndian.h"
 
 namespace live {
 
 namespace {
 
 using ServerJson = nlohmann::ordered_json;
+
+enum BinaryOp : char { MessageData = 1, ServerTime = 2, ServiceResponse = 3 };
 
 constexpr const char* kEncoding = "cdr";
 constexpr const char* kSchemaEncoding = "ros2msg";
@@ -68,12 +71,8 @@ std::string serverInfoText(const FoxgloveSettings& settings) {
 std::string advertiseText(const std::vector<Channel>& channels) {
   ServerJson list = ServerJson::array();
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    list.push_back({{"id", i + 1},
-                    {"topic", channels[i].topic},
-                    {"encoding", kEncoding},
-                    {"schemaName", channels[i].schemaName},
-                    {"schemaEncoding", kSchemaEncoding},
-                    {"schema", channels[i].schema}});
+    list.push_back({{"id", i + 1}, {"topic", channels[i].topic}});
+    list.back().update(schemaJson(channels[i].schema));
   }
   return lineOf({{"op", "advertise"}, {"channels", list}});
 }
@@ -117,6 +116,27 @@ std::string parametersText(const std::vector<NamedValue>& values,
 std::string callFailureText(std::uint32_t service, std::uint32_t call, const std::string& why) {
   return lineOf(
       {{"op", "serviceCallFailure"}, {"serviceId", service}, {"callId", call}, {"message", why}});
+}
+
+std::string timeMessage(std::uint64_t time) {
+  std::string bytes(1, ServerTime);
+  base::appendLittleEndian(bytes, time);
+  return bytes;
+}
+
+std::string messageHead(std::uint32_t subscription, std::uint64_t time) {
+  std::string bytes(1, MessageData);
+  base::appendLittleEndian(bytes, subscription);
+  base::appendLittleEndian(bytes, time);
+  return bytes;
+}
+
+std::string callResponse(const request::CallService& call, const std::string& payload) {
+  std::string bytes(1, ServiceResponse);
+  base::appendLittleEndian(bytes, call.service);
+  base::appendLittleEndian(bytes, call.call);
+  base::appendLittleEndian(bytes, static_cast<std::uint32_t>(call.encoding.size()));
+  return bytes.append(call.encoding).append(payload);
 }
 
 }  // namespace live

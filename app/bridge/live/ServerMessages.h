@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/bridge/live/FoxgloveServer.h"
 
-/// The JSON text messages of the server.
+/// The messages of the server: JSON texts and little-endian binary ones.
 namespace live {
 
 std::string serverInfoText(const FoxgloveSettings& settings);
@@ -20,5 +21,11 @@ std::string statusText(StatusLevel level, const std::string& message, const std:
 std::string parametersText(const std::vector<NamedValue>& values,
                            const std::optional<std::string>& id);
 std::string callFailureText(std::uint32_t service, std::uint32_t call, const std::string& why);
+
+std::string timeMessage(std::uint64_t time);  // [ns]
+/// The beginning of a topic message, which its payload follows.
+std::string messageHead(std::uint32_t subscription, std::uint64_t time);
+/// `payload`: in the encoding of the call.
+std::string callResponse(const request::CallService& call, const std::string& payload);
 
 }  // namespace live
