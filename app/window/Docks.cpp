@@ -5,14 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include <QEvent>
-#include <QHBoxLayout>
-#include <QPainter>
-#include <QToolButton>
-
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Playback.h"
+#include "editor/panels/runs/Playback.h"
 
 namespace app {
 
@@ -82,16 +77,14 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
   window_.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDocumentMode(true);
-  mapOnly_ = new QAction(tr("&Map only"), this);
-  mapOnly_->setShortcut(Qt::Key_F9);
+  mapOnly_ = editor::makeAction(tr("&Map only"), Qt::Key_F9,
+                                tr("Close all panels; select again to restore them"), this);
   mapOnly_->setCheckable(true);
-  editor::describe(*mapOnly_, tr("Close all panels; select again to restore them"));
   connect(mapOnly_, &QAction::toggled, this, &Docks::showMapOnly);
-  treeLarge_ = new QAction(tr("Tree instead of the map"), this);
-  treeLarge_->setShortcut(Qt::Key_F8);
+  treeLarge_ = editor::makeAction(
+      tr("Tree instead of the map"), Qt::Key_F8,
+      tr("Show the behaviour tree instead of the map; select again to show the map"), this);
   treeLarge_->setCheckable(true);
-  editor::describe(*treeLarge_,
-                   tr("Show the behaviour tree instead of the map; select again to show the map"));
   connect(treeLarge_, &QAction::toggled, this, &Docks::showTreeLarge);
   window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -200,13 +193,11 @@ void Docks::ensureHeight(QDockWidget& dock, int initialHeight) {
 }
 
 void Docks::addToggle(QDockWidget& dock) {
-  auto* toggle = new QAction(dock.windowTitle(), this);
   const int number = static_cast<int>(docks_.size());
-  if (number <= 10) {  // Alt+1 … Alt+9, Alt+0
-    toggle->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number % 10)));
-  }
+  const QKeySequence key(number > 10 ? QString() : QStringLiteral("Alt+%1").arg(number % 10));
+  QAction* toggle =
+      editor::makeAction(dock.windowTitle(), key, tr("Open or close this panel"), this);
   toggle->setCheckable(true);
-  editor::describe(*toggle, tr("Open or close this panel"));
   connect(toggle, &QAction::triggered, &dock, [&dock](bool on) {
     dock.setVisible(on);
     if (on) {

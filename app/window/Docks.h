@@ -3,9 +3,7 @@
 #include <map>
 #include <vector>
 
-#include <QDockWidget>
-#include <QMainWindow>
-#include <QToolBar>
+#include <QtWidgets>
 
 #include "app/window/Workspace.h"
 #include "editor/panels/PanelRegistry.h"

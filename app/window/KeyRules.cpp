@@ -4,14 +4,6 @@
 #include <exception>
 #include <iterator>
 
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAbstractSpinBox>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLineEdit>
-
 #include "app/run/ExceptionMessage.h"
 #include "editor/panels/ScenarioPanel.h"
 

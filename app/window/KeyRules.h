@@ -4,9 +4,7 @@
 #include <string>
 #include <utility>
 
-#include <QApplication>
-#include <QKeyEvent>
-#include <QMainWindow>
+#include <QtWidgets>
 
 #include "app/window/Workspace.h"
 

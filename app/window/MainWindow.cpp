@@ -3,38 +3,28 @@
 #include <algorithm>
 #include <utility>
 
-#include <QApplication>
-#include <QCloseEvent>
-#include <QDir>
-#include <QDragEnterEvent>
-#include <QFileInfo>
-#include <QMenuBar>
-#include <QMessageBox>
-#include <QMimeData>
-#include <QScreen>
-
-#include "app/window/DocumentGuard.h"
-#include "app/window/ExternalCodePrompt.h"
-#include "app/window/FigureCommands.h"
-#include "app/window/FileDialogs.h"
-#include "app/window/HistoryDialog.h"
 #include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
-#include "app/window/PlaybackSettings.h"
-#include "app/window/RunSharing.h"
 #include "app/window/ShortcutsDialog.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
+#include "app/window/files/DocumentGuard.h"
+#include "app/window/files/FileDialogs.h"
+#include "app/window/runs/FigureCommands.h"
+#include "app/window/runs/HistoryDialog.h"
+#include "app/window/runs/PlaybackSettings.h"
+#include "app/window/runs/RunSharing.h"
+#include "app/window/study/ExternalCodePrompt.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/look/PendingEdit.h"
-#include "editor/panels/BehaviorPanel.h"
-#include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/TextViewer.h"
+#include "editor/panels/behavior/BehaviorPanel.h"
+#include "editor/panels/behavior/GoalAssignment.h"
 #include "editor/trees/TreeEditor.h"
 
 namespace app {

@@ -2,19 +2,14 @@
 
 #include <vector>
 
-#include <QDialog>
-#include <QLabel>
-#include <QMainWindow>
-#include <QPointer>
-#include <QSplitter>
-#include <QStackedWidget>
+#include <QtWidgets>
 
 #include "app/window/Docks.h"
-#include "app/window/FileCommands.h"
 #include "app/window/StartPage.h"
-#include "app/window/StudyPanel.h"
 #include "app/window/WindowActions.h"
 #include "app/window/Workspace.h"
+#include "app/window/files/FileCommands.h"
+#include "app/window/study/StudyPanel.h"
 
 namespace editor {
 class TextViewer;

@@ -2,12 +2,6 @@
 
 #include <algorithm>
 
-#include <QGridLayout>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QToolButton>
-
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"

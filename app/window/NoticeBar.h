@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <QFrame>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 

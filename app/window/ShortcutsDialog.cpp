@@ -1,8 +1,5 @@
 #include "app/window/ShortcutsDialog.h"
 
-#include <QHeaderView>
-#include <QVBoxLayout>
-
 #include "app/window/KeyRules.h"
 #include "app/window/WindowActions.h"
 #include "editor/look/Form.h"

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <QDialog>
-#include <QLineEdit>
-#include <QMenuBar>
-#include <QTreeWidget>
+#include <QtWidgets>
 
 namespace editor {
 class NoMatchesPlaceholder;

@@ -1,12 +1,5 @@
 #include "app/window/StartPage.h"
 
-#include <QDir>
-#include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLocale>
-#include <QPainter>
-#include <QPainterPath>
-
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"

@@ -3,14 +3,11 @@
 #include <utility>
 #include <vector>
 
-#include <QAbstractButton>
-#include <QDateTime>
-#include <QScrollArea>
-#include <QVBoxLayout>
+#include <QtWidgets>
 
 #include "app/run/DataPaths.h"
-#include "app/window/FileCommands.h"
 #include "app/window/WindowActions.h"
+#include "app/window/files/FileCommands.h"
 #include "editor/look/Theme.h"
 
 namespace app {

@@ -3,12 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QCursor>
-#include <QHBoxLayout>
-#include <QPainter>
-#include <QStatusTipEvent>
-#include <QToolButton>
-
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"

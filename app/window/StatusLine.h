@@ -1,7 +1,6 @@
 #pragma once
 
-#include <QLabel>
-#include <QStatusBar>
+#include <QtWidgets>
 
 #include "app/window/Workspace.h"
 #include "editor/look/Form.h"

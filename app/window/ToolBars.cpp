@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include <QAction>
-#include <QMenuBar>
-#include <QToolButton>
-
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/ScenarioPanel.h"
+#include "editor/panels/behavior/BehaviorDialogs.h"
 
 namespace app {
 
@@ -76,7 +72,7 @@ QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
   button->setToolTip(QObject::tr("Layers\nChoose what the map shows"));
   button->setAccessibleName(QObject::tr("Layers"));
   auto* menu = new QMenu(button);
-  addGroups(*menu, {actions.layers, actions.overlays, actions.runOverlays->all});
+  addGroups(*menu, {actions.layers, actions.overlays, actions.runOverlays});
   button->setMenu(menu);
   return button;
 }
@@ -158,7 +154,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   QMenu& view = *bar.addMenu(QObject::tr("&View"));
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
   view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
-  view.addMenu(QObject::tr("Run overlays"))->addActions(actions.runOverlays->all);
+  view.addMenu(QObject::tr("Run overlays"))->addActions(actions.runOverlays);
   view.addMenu(QObject::tr("Trail length"))->addActions(workspace.scrub().trailLengths());
   addGroups(view,
             {docks.toggles() << docks.mapOnly() << docks.treeMaximized() << actions.resetLayout,

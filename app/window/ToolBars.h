@@ -1,7 +1,6 @@
 #pragma once
 
-#include <QMainWindow>
-#include <QToolBar>
+#include <QtWidgets>
 
 #include "app/window/Docks.h"
 #include "app/window/WindowActions.h"

@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QClipboard>
-#include <QGuiApplication>
-#include <QUndoStack>
-
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
@@ -16,7 +12,17 @@
 namespace app {
 
 using editor::CanvasOptions;
+using editor::EntityId;
 
+namespace {
+
+// Integers, because keys and modifiers are different enums.
+constexpr int kCtrl = Qt::CTRL;
+constexpr int kShift = Qt::SHIFT;
+
+constexpr const char* kShowOrHide = QT_TR_NOOP("Show or hide on the map");
+
+/// Connects a checkable action with an option of the map.
 void bindOption(QAction& action, editor::MapScene& scene, bool CanvasOptions::*option) {
   action.setCheckable(true);
   action.setChecked(scene.options().*option);
@@ -29,39 +35,18 @@ void bindOption(QAction& action, editor::MapScene& scene, bool CanvasOptions::*o
                    [&action, &scene, option] { action.setChecked(scene.options().*option); });
 }
 
-OverlayActions::OverlayActions(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace) {
-  density = toggle(tr("&Density of people"), &CanvasOptions::density, Qt::Key_H,
-                   tr("People per m² as a colour map"));
-  sight = toggle(tr("&Field of view"), &CanvasOptions::sight, Qt::Key_E,
-                 tr("Area that the selected people see; walls block the view"));
-  gaussian = toggle(tr("&Gaussian spaces"), &CanvasOptions::gaussian, Qt::Key_X,
-                    tr("Gaussian personal space, longer in the walking direction"));
-  velocities = toggle(tr("&Velocities"), &CanvasOptions::velocities, Qt::Key_V,
-                      tr("Velocity vector of each body"));
-  plans = toggle(tr("People's &paths"), &CanvasOptions::plans, Qt::Key_P,
-                 tr("Remaining path of each person; newest step only"));
-  contacts = toggle(tr("&Contacts"), &CanvasOptions::contacts, Qt::Key_C,
-                    tr("Where bodies touched, and which body ran into the other"));
-  thoughts = toggle(tr("&Thoughts"), &CanvasOptions::thoughts, Qt::Key_T,
-                    tr("Current action of each person and its reason, below the name"));
-  speech = toggle(tr("&Speech"), &CanvasOptions::speech, Qt::Key_B,
-                  tr("What people say, and which people hear it"));
-  localCosts = toggle(tr("&Local costmap"), &CanvasOptions::localCosts, Qt::Key_M,
-                      tr("Local costmap that the controller of a robot with Nav2 uses"));
-  globalCosts = toggle(tr("Gl&obal costmap"), &CanvasOptions::globalCosts, Qt::Key_K,
-                       tr("Global costmap that the planner of a robot with Nav2 uses"));
-}
+}  // namespace
 
-QAction* OverlayActions::toggle(const QString& text, bool CanvasOptions::*option, int letter,
-                                const QString& description) {
-  auto* action = new QAction(text, this);
-  action->setShortcut(int{Qt::SHIFT} | letter);
-  editor::describe(*action, description);
-  bindOption(*action, workspace_.scene(), option);
-  all << action;
-  return action;
-}
+/// A checkable command for an option of the map.
+struct WindowActions::Toggle {
+  const char* text;
+  bool CanvasOptions::*option;
+  int shortcut;  // 0: none
+  const char* tip;
+  const char* key = nullptr;  // key of the stored state; null: not stored
+  QAction* WindowActions::*action = nullptr;
+  const char* icon = nullptr;
+};
 
 namespace {
 
@@ -77,7 +62,7 @@ constexpr Named kOverlayNames[] = {
 
 }  // namespace
 
-std::vector<std::string> OverlayActions::names() {
+std::vector<std::string> WindowActions::overlayNames() {
   std::vector<std::string> all;
   for (const auto& [name, option] : kOverlayNames) {
     all.emplace_back(name);
@@ -85,45 +70,22 @@ std::vector<std::string> OverlayActions::names() {
   return all;
 }
 
-void OverlayActions::show(const std::vector<std::string>& names) {
+void WindowActions::showOverlays(const std::vector<std::string>& shown) {
   CanvasOptions options = workspace_.scene().options();
   for (const auto& [name, option] : kOverlayNames) {
-    const bool isWanted = std::find(names.begin(), names.end(), name) != names.end();
+    const bool isWanted = std::find(shown.begin(), shown.end(), name) != shown.end();
     const bool isUsual = option != &CanvasOptions::lidar;  // in pictures only if requested
     options.*option = isWanted || (isUsual && options.*option);
   }
   workspace_.scene().setOptions(options);
 }
 
-void OverlayActions::restoreAndStore(UserSettings& userSettings) {
-  const std::pair<QAction*, const char*> kept[] = {
-      {density, "map/density"},       {sight, "map/sight"},
-      {gaussian, "map/gaussian"},     {plans, "map/plans"},
-      {contacts, "map/contacts"},     {velocities, "map/velocities"},
-      {thoughts, "map/thoughts"},     {speech, "map/speech"},
-      {localCosts, "map/localCosts"}, {globalCosts, "map/globalCosts"}};
-  for (const auto& [action, key] : kept) {
-    const QVariant before = userSettings.value(key);
-    if (before.isValid()) {
-      action->setChecked(before.toBool());
-    }
-    connect(action, &QAction::toggled, this,
-            [&userSettings, where = key](bool on) { userSettings.setValue(where, on); });
-  }
-}
-
-using editor::EntityId;
-
-// Integers, because keys and modifiers are different enums.
-constexpr int kCtrl = Qt::CTRL;
-constexpr int kShift = Qt::SHIFT;
-
 WindowActions::WindowActions(Workspace& workspace, QObject* parent)
-    : QObject(parent), runOverlays(new OverlayActions(workspace, this)), workspace_(workspace) {
+    : QObject(parent), workspace_(workspace) {
   makeFileActions();
   makeEditActions();
   makeViewActions();
-  makeLayers();
+  makeToggles();
   makeArranging();
   connectEditing();
   setTheme(workspace.theme());
@@ -132,9 +94,7 @@ WindowActions::WindowActions(Workspace& workspace, QObject* parent)
 
 QAction* WindowActions::make(const QString& text, const QString& description,
                              const QKeySequence& shortcut, const char* icon) {
-  auto* action = new QAction(text, this);
-  action->setShortcut(shortcut);
-  editor::describe(*action, description);
+  QAction* action = editor::makeAction(text, shortcut, description, this);
   if (icon != nullptr) {
     icons_.emplace_back(action, icon);
   }
@@ -225,15 +185,6 @@ void WindowActions::makeEditActions() {
   }
 }
 
-QAction* WindowActions::toggle(const QString& text, bool CanvasOptions::*option,
-                               const QKeySequence& shortcut, const char* icon,
-                               const QString& description) {
-  QAction* action = make(text, description.isEmpty() ? tr("Show or hide on the map") : description,
-                         shortcut, icon);
-  bindOption(*action, workspace_.scene(), option);
-  return action;
-}
-
 void WindowActions::makeViewActions() {
   zoomIn = make(tr("Zoom &in"), tr("Enlarge the map"), QKeySequence::ZoomIn, "add");
   zoomOut = make(tr("Zoom &out"), tr("Reduce the map"), QKeySequence::ZoomOut, "remove");
@@ -246,42 +197,103 @@ void WindowActions::makeViewActions() {
   systemTheme = make(tr("Follow &system theme"), tr("Use the light or dark theme of the "
                                                     "desktop"));
   systemTheme->setCheckable(true);
-  names = toggle(tr("&Names"), &CanvasOptions::names, Qt::Key_N, "view-names");
-  routes = toggle(tr("&Routes"), &CanvasOptions::routes, kShift | Qt::Key_R, "tool-route");
-  grid = toggle(tr("&Grid"), &CanvasOptions::grid, kShift | Qt::Key_G, "view-grid");
-  rulers = toggle(tr("R&ulers"), &CanvasOptions::rulers);
-  trails = toggle(tr("&Trails"), &CanvasOptions::trails, Qt::Key_T, "view-trails",
-                  tr("Past paths of people in a run"));
-  rings =
-      toggle(tr("&Personal spaces"), &CanvasOptions::proxemics, Qt::Key_X, "view-rings",
-             tr("Hall's zones around selected people; in a run around all if none is selected"));
-  forces = toggle(tr("For&ces"), &CanvasOptions::forces, kShift | Qt::Key_F, "view-forces",
-                  tr("Forces on selected people in a run; on all if none is selected"));
-  robotPath = toggle(tr("Robot pat&hs"), &CanvasOptions::robotPath, {}, nullptr,
-                     tr("Paths that robot planners follow in a run"));
-  lidar = toggle(tr("Lid&ar scans"), &CanvasOptions::lidar, kShift | Qt::Key_L, nullptr,
-                 tr("Lidar scans of robots in a run"));
-  detections = toggle(tr("&Detections"), &CanvasOptions::detections, kShift | Qt::Key_D, nullptr,
-                      tr("Positions of people and of themselves as robots estimate them in a run"));
-  candidates = toggle(tr("Candidate tra&jectories"), &CanvasOptions::candidates, kShift | Qt::Key_W,
-                      nullptr, tr("Trajectories that robot planners evaluated in a run"));
-  overlays = {names,  routes,    grid,  rulers,     trails,    rings,
-              forces, robotPath, lidar, detections, candidates};
   editor::MapView& view = workspace_.view();
   connect(zoomIn, &QAction::triggered, &view, &editor::MapView::zoomIn);
   connect(zoomOut, &QAction::triggered, &view, &editor::MapView::zoomOut);
   connect(zoomFit, &QAction::triggered, &view, [&view] { view.fitAll(); });
 }
 
+QList<QAction*> WindowActions::togglesOf(const std::vector<Toggle>& rows) {
+  QList<QAction*> all;
+  for (const Toggle& row : rows) {
+    QAction* action = make(tr(row.text), tr(row.tip), row.shortcut, row.icon);
+    bindOption(*action, workspace_.scene(), row.option);
+    all << action;
+    if (row.action != nullptr) {
+      this->*row.action = action;
+    }
+    if (row.key != nullptr) {
+      stored_.emplace_back(action, row.key);
+    }
+  }
+  return all;
+}
+
+void WindowActions::makeToggles() {
+  using Actions = WindowActions;
+  using Options = CanvasOptions;
+  overlays = togglesOf(
+      {{QT_TR_NOOP("&Names"), &Options::names, Qt::Key_N, kShowOrHide, "map/names", &Actions::names,
+        "view-names"},
+       {QT_TR_NOOP("&Routes"), &Options::routes, kShift | Qt::Key_R, kShowOrHide, "map/routes",
+        &Actions::routes, "tool-route"},
+       {QT_TR_NOOP("&Grid"), &Options::grid, kShift | Qt::Key_G, kShowOrHide, "map/grid",
+        &Actions::grid, "view-grid"},
+       {QT_TR_NOOP("R&ulers"), &Options::rulers, 0, kShowOrHide, "map/rulers"},
+       {QT_TR_NOOP("&Trails"), &Options::trails, Qt::Key_T,
+        QT_TR_NOOP("Past paths of people in a run"), "map/trails", nullptr, "view-trails"},
+       {QT_TR_NOOP("&Personal spaces"), &Options::proxemics, Qt::Key_X,
+        QT_TR_NOOP("Hall's zones around selected people; in a run around all if none is selected"),
+        "map/rings", &Actions::rings, "view-rings"},
+       {QT_TR_NOOP("For&ces"), &Options::forces, kShift | Qt::Key_F,
+        QT_TR_NOOP("Forces on selected people in a run; on all if none is selected"), "map/forces",
+        &Actions::forces, "view-forces"},
+       {QT_TR_NOOP("Robot pat&hs"), &Options::robotPath, 0,
+        QT_TR_NOOP("Paths that robot planners follow in a run"), "map/robotPath"},
+       {QT_TR_NOOP("Lid&ar scans"), &Options::lidar, kShift | Qt::Key_L,
+        QT_TR_NOOP("Lidar scans of robots in a run"), "map/lidar", &Actions::lidar},
+       {QT_TR_NOOP("&Detections"), &Options::detections, kShift | Qt::Key_D,
+        QT_TR_NOOP("Positions of people and of themselves as robots estimate them in a run"),
+        "map/detections", &Actions::detections},
+       {QT_TR_NOOP("Candidate tra&jectories"), &Options::candidates, kShift | Qt::Key_W,
+        QT_TR_NOOP("Trajectories that robot planners evaluated in a run"), "map/ways",
+        &Actions::candidates}});
+  layers = togglesOf({{QT_TR_NOOP("&Map"), &Options::map, 0, kShowOrHide},
+                      {QT_TR_NOOP("&People"), &Options::people, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Robots"), &Options::robots, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Goals"), &Options::goals, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Obstacles and doors"), &Options::obstacles, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Areas and docks"), &Options::areas, 0, kShowOrHide},
+                      {QT_TR_NOOP("Gro&ups"), &Options::groups, 0, kShowOrHide}});
+  snapping = togglesOf({{QT_TR_NOOP("Snap to p&oints"), &Options::snapToPoints, Qt::Key_S,
+                         QT_TR_NOOP("Snap drawn items to corners, ends and centres of other items"),
+                         nullptr, &Actions::snapToPoints, "snap"},
+                        {QT_TR_NOOP("Snap to &walls"), &Options::snapToWalls, 0,
+                         QT_TR_NOOP("Snap drawn items to corners and edges of map walls")},
+                        {QT_TR_NOOP("Snap to the gr&id"), &Options::snapToGrid, kShift | Qt::Key_S,
+                         QT_TR_NOOP("Snap drawn items to a grid of 0.5 m")}});
+  makeRunOverlays();
+}
+
+void WindowActions::makeRunOverlays() {
+  using Options = CanvasOptions;
+  runOverlays = togglesOf(
+      {{QT_TR_NOOP("&Density of people"), &Options::density, kShift | Qt::Key_H,
+        QT_TR_NOOP("People per m² as a colour map"), "map/density"},
+       {QT_TR_NOOP("&Field of view"), &Options::sight, kShift | Qt::Key_E,
+        QT_TR_NOOP("Area that the selected people see; walls block the view"), "map/sight"},
+       {QT_TR_NOOP("&Gaussian spaces"), &Options::gaussian, kShift | Qt::Key_X,
+        QT_TR_NOOP("Gaussian personal space, longer in the walking direction"), "map/gaussian"},
+       {QT_TR_NOOP("&Velocities"), &Options::velocities, kShift | Qt::Key_V,
+        QT_TR_NOOP("Velocity vector of each body"), "map/velocities"},
+       {QT_TR_NOOP("People's &paths"), &Options::plans, kShift | Qt::Key_P,
+        QT_TR_NOOP("Remaining path of each person; newest step only"), "map/plans"},
+       {QT_TR_NOOP("&Contacts"), &Options::contacts, kShift | Qt::Key_C,
+        QT_TR_NOOP("Where bodies touched, and which body ran into the other"), "map/contacts"},
+       {QT_TR_NOOP("&Thoughts"), &Options::thoughts, kShift | Qt::Key_T,
+        QT_TR_NOOP("Current action of each person and its reason, below the name"), "map/thoughts"},
+       {QT_TR_NOOP("&Speech"), &Options::speech, kShift | Qt::Key_B,
+        QT_TR_NOOP("What people say, and which people hear it"), "map/speech"},
+       {QT_TR_NOOP("&Local costmap"), &Options::localCosts, kShift | Qt::Key_M,
+        QT_TR_NOOP("Local costmap that the controller of a robot with Nav2 uses"),
+        "map/localCosts"},
+       {QT_TR_NOOP("Gl&obal costmap"), &Options::globalCosts, kShift | Qt::Key_K,
+        QT_TR_NOOP("Global costmap that the planner of a robot with Nav2 uses"),
+        "map/globalCosts"}});
+}
+
 void WindowActions::restoreAndStore(UserSettings& userSettings) {
-  runOverlays->restoreAndStore(userSettings);
-  const std::pair<QAction*, const char*> kept[] = {
-      {names, "map/names"},           {routes, "map/routes"},   {grid, "map/grid"},
-      {rulers, "map/rulers"},         {trails, "map/trails"},   {rings, "map/rings"},
-      {forces, "map/forces"},         {lidar, "map/lidar"},     {robotPath, "map/robotPath"},
-      {detections, "map/detections"}, {candidates, "map/ways"},
-  };
-  for (const auto& [action, key] : kept) {
+  for (const auto& [action, key] : stored_) {
     const QVariant before = userSettings.value(key);
     if (before.isValid()) {
       action->setChecked(before.toBool());
@@ -289,23 +301,6 @@ void WindowActions::restoreAndStore(UserSettings& userSettings) {
     connect(action, &QAction::toggled, this,
             [&userSettings, where = key](bool on) { userSettings.setValue(where, on); });
   }
-}
-
-void WindowActions::makeLayers() {
-  layers = {toggle(tr("&Map"), &CanvasOptions::map),
-            toggle(tr("&People"), &CanvasOptions::people),
-            toggle(tr("&Robots"), &CanvasOptions::robots),
-            toggle(tr("&Goals"), &CanvasOptions::goals),
-            toggle(tr("&Obstacles and doors"), &CanvasOptions::obstacles),
-            toggle(tr("&Areas and docks"), &CanvasOptions::areas),
-            toggle(tr("Gro&ups"), &CanvasOptions::groups)};
-  snapToPoints = toggle(tr("Snap to p&oints"), &CanvasOptions::snapToPoints, Qt::Key_S, "snap",
-                        tr("Snap drawn items to corners, ends and centres of other items"));
-  snapping = {snapToPoints,
-              toggle(tr("Snap to &walls"), &CanvasOptions::snapToWalls, {}, nullptr,
-                     tr("Snap drawn items to corners and edges of map walls")),
-              toggle(tr("Snap to the gr&id"), &CanvasOptions::snapToGrid, kShift | Qt::Key_S,
-                     nullptr, tr("Snap drawn items to a grid of 0.5 m"))};
 }
 
 void WindowActions::makeArranging() {

@@ -4,38 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include <QAction>
-#include <QList>
-#include <QMenu>
+#include <QtWidgets>
 
-#include "app/window/FileDialogs.h"
 #include "app/window/Workspace.h"
+#include "app/window/files/FileDialogs.h"
 
 namespace app {
-
-/// Connects a checkable action with an option of the map.
-void bindOption(QAction& action, editor::MapScene& scene, bool editor::CanvasOptions::*option);
-
-/// Checkable commands for the run overlays of the map, all off initially.
-class OverlayActions : public QObject {
-  Q_OBJECT
- public:
-  OverlayActions(Workspace& workspace, QObject* parent);
-
-  QAction *velocities, *gaussian, *sight, *density, *plans, *contacts, *thoughts, *speech,
-      *localCosts, *globalCosts;
-  QList<QAction*> all;
-  void restoreAndStore(UserSettings& userSettings);  // restores and stores their states
-  /// Their names on the command line, including "zones", "forces" and "ways".
-  static std::vector<std::string> names();
-  void show(const std::vector<std::string>& names);
-
- private:
-  QAction* toggle(const QString& text, bool editor::CanvasOptions::*option, int letter,
-                  const QString& description);
-
-  Workspace& workspace_;
-};
 
 /// The commands of the window, except tools and playback, with icon, shortcut and text. Commands
 /// for the map and the selection are connected here, the others by the window.
@@ -53,11 +27,12 @@ class WindowActions : public QObject {
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
   QAction *openMap, *assignGoals, *settings, *history, *shortcuts, *about;
   QAction *publishFoxglove, *publishRos2;  // checkable
-  QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces, *snapToPoints;
-  QAction *robotPath, *lidar, *detections, *candidates;
-  /// Checkable: what the canvas shows and what drawing snaps to.
-  QList<QAction*> overlays, layers, snapping;
-  OverlayActions* const runOverlays;
+  QAction *names, *routes, *grid, *rings, *forces, *snapToPoints, *lidar, *detections, *candidates;
+  /// Checkable: what the canvas shows, also of a run only, and what drawing snaps to.
+  QList<QAction*> overlays, layers, runOverlays, snapping;
+  /// The names of overlays on the command line, and their selection.
+  static std::vector<std::string> overlayNames();
+  void showOverlays(const std::vector<std::string>& names);
   void fillArrangeMenu(QMenu& menu) const;
   /// Restores and stores the display options of the map.
   void restoreAndStore(UserSettings& userSettings);
@@ -65,13 +40,13 @@ class WindowActions : public QObject {
  private:
   QAction* make(const QString& text, const QString& description, const QKeySequence& shortcut = {},
                 const char* icon = nullptr);
-  QAction* toggle(const QString& text, bool editor::CanvasOptions::*option,
-                  const QKeySequence& shortcut = {}, const char* icon = nullptr,
-                  const QString& description = {});
+  struct Toggle;
+  QList<QAction*> togglesOf(const std::vector<Toggle>& rows);
   void makeFileActions();
   void makeEditActions();
   void makeViewActions();
-  void makeLayers();
+  void makeToggles();
+  void makeRunOverlays();
   void makeArranging();
   void connectEditing();
   void updateEnabled();
@@ -81,6 +56,7 @@ class WindowActions : public QObject {
 
   Workspace& workspace_;
   std::vector<std::pair<QAction*, const char*>> icons_;
+  std::vector<std::pair<QAction*, const char*>> stored_;     // with the key of their state
   std::vector<std::pair<QAction*, std::size_t>> arranging_;  // with the minimum selection size
   int pastes_ = 0;  // of the same copy; each is offset from the previous one
 };

@@ -10,19 +10,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include <QApplication>
-#include <QBuffer>
-#include <QElapsedTimer>
-#include <QEventLoop>
-#include <QFileInfo>
-#include <QStandardPaths>
+#include <QtWidgets>
 
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "app/window/DocumentGuard.h"
 #include "app/window/KeyRules.h"
 #include "app/window/MainWindow.h"
+#include "app/window/files/DocumentGuard.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
@@ -250,8 +245,7 @@ base::Diagnostics selectNamed(editor::ScenarioDocument& document, const std::str
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options) {
   window.workspace().document().checkNow();  // the issues belong to the file
   processEvents(kSettleMs);
-  window.actions().runOverlays->show(
-      options.overlays);  // some overlays collect data only while enabled
+  window.actions().showOverlays(options.overlays);  // some overlays collect data only while enabled
   if (!window.isOnStartPage() && options.at > 0.0) {
     if (base::Diagnostics problems = runTo(window.workspace(), options.at); !problems.empty()) {
       return problems;
@@ -425,7 +419,7 @@ void addWindow(CommandRegistry& commands) {
           "Run overlays in the screenshot: density, sight, gaussian, velocities, plans, contacts, "
           "thoughts, zones, forces, ways, local-costs, global-costs; separate several with commas")
       ->delimiter(',')
-      ->check(oneOf(OverlayActions::names()));
+      ->check(oneOf(WindowActions::overlayNames()));
   root.add_option("--select", window->select,
                   "Person or robot to select in the screenshot, by "
                   "name");

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include <QActionGroup>
-
 #include "editor/canvas/FrameLayer.h"
-#include "editor/panels/RunOverlayUpdater.h"
+#include "editor/panels/runs/RunOverlayUpdater.h"
 #include "editor/tools/ToolManager.h"
 
 namespace app {

@@ -8,10 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <QElapsedTimer>
-#include <QFileInfo>
-#include <QObject>
-#include <QTimer>
+#include <QtWidgets>
 
 #include "app/run/PlannerFiles.h"
 #include "editor/canvas/MapScene.h"
@@ -19,9 +16,9 @@
 #include "editor/document/ScenarioDocument.h"
 #include "editor/panels/EventsPanel.h"
 #include "editor/panels/MetricsFeed.h"
-#include "editor/panels/Playback.h"
-#include "editor/panels/RunInteraction.h"
-#include "editor/panels/ScrubActions.h"
+#include "editor/panels/runs/Playback.h"
+#include "editor/panels/runs/RunInteraction.h"
+#include "editor/panels/runs/ScrubActions.h"
 #include "editor/run/SimulationRunner.h"
 #include "editor/tools/ToolManager.h"
 

@@ -2,12 +2,6 @@
 
 #include <algorithm>
 
-#include <QDir>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QUuid>
-
 #include "editor/document/DocumentDiskState.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"

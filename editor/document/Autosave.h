@@ -4,9 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <QDateTime>
-#include <QLockFile>
-#include <QTimer>
+#include <QtWidgets>
 
 #include "editor/document/LatestTask.h"
 #include "editor/document/ScenarioDocument.h"

@@ -4,11 +4,6 @@
 #include <filesystem>
 #include <unistd.h>
 
-#include <QCryptographicHash>
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
-
 #include "app/run/Bundle.h"
 #include "editor/document/Entity.h"
 #include "editor/document/PersonTree.h"

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <QByteArray>
-#include <QString>
+#include <QtWidgets>
 
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeGenerator.h"

@@ -9,8 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include <QMetaType>
-#include <QString>
+#include <QtWidgets>
 
 #include "sim2d/scenario/Scenario.h"
 
@@ -78,12 +77,6 @@ Entity withHeading(Entity entity, double heading);
 /// Position, outline and heading rotated about a point by an angle [rad].
 Entity rotated(Entity entity, const Vec2& centre, double angle);
 
-}  // namespace editor
-
-Q_DECLARE_METATYPE(editor::Change)
-
-namespace editor {
-
 /// The list of a scenario that contains the entities of type T.
 template <class T, class S>
 auto& listOf(S& scenario) {
@@ -122,3 +115,5 @@ inline bool isBlank(const sim2d::Scenario& scenario) {
 }
 
 }  // namespace editor
+
+Q_DECLARE_METATYPE(editor::Change)

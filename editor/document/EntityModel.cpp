@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include <QDataStream>
-#include <QMimeData>
-
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
 #include "editor/look/FigurePainter.h"

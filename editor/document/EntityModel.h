@@ -4,8 +4,7 @@
 #include <set>
 #include <vector>
 
-#include <QAbstractItemModel>
-#include <QSortFilterProxyModel>
+#include <QtWidgets>
 
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include <QFile>
-#include <QImage>
-#include <QImageReader>
+#include <QtWidgets>
 
 namespace editor {
 

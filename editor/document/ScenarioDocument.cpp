@@ -4,8 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include <QFileInfo>
-
 #include "app/run/Bundle.h"
 #include "app/run/DiagnosticDedup.h"
 #include "editor/document/DocumentDiskState.h"

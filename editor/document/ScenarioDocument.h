@@ -7,10 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <QObject>
-#include <QStringList>
-#include <QTimer>
-#include <QUndoStack>
+#include <QtWidgets>
 
 #include "editor/document/Entity.h"
 #include "sim2d/base/Result.h"

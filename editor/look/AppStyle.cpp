@@ -3,14 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include <QAbstractScrollArea>
-#include <QApplication>
-#include <QListView>
-#include <QPainter>
-#include <QStyleOptionComboBox>
-#include <QToolBar>
-#include <QTransform>
-
 #include "editor/look/Icons.h"
 
 namespace editor {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <QProxyStyle>
-#include <QStyleOption>
+#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 

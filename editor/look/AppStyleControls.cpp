@@ -1,12 +1,6 @@
 #include <algorithm>
 
-#include <QAbstractItemView>
-#include <QAbstractSpinBox>
-#include <QListView>
-#include <QPainter>
-#include <QStyleOption>
-#include <QTableView>
-#include <QTreeView>
+#include <QtWidgets>
 
 #include "editor/look/AppStyle.h"
 

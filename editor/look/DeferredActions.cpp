@@ -2,12 +2,6 @@
 
 #include <memory>
 
-#include <QDialog>
-#include <QDrag>
-#include <QLayout>
-#include <QMenu>
-#include <QTimer>
-
 namespace editor {
 
 void later(QObject& context, const std::function<void()>& action, int milliseconds) {

@@ -2,9 +2,10 @@
 
 #include <functional>
 
-#include <QMenu>
-#include <QPointer>
+#include <QtWidgets>
 
+class QDialog;
+class QLayout;
 class QObject;
 
 namespace editor {
@@ -13,23 +14,10 @@ namespace editor {
 /// deleted. Thread: GUI.
 void later(QObject& context, const std::function<void()>& action, int milliseconds = 0);
 
-}  // namespace editor
-
-class QLayout;
-class QMenu;
-
-namespace editor {
-
 /// Removes all items and deletes them after the current event, because one of them may be the
 /// action or button that sent the event.
 void clearLater(QMenu& menu);
 void clearLater(QLayout& layout);
-
-}  // namespace editor
-
-class QDialog;
-
-namespace editor {
 
 /// Like Qt::WA_DeleteOnClose, but defers the deletion while a drag out of the dialog is active: Qt
 /// returns to the list in which the drag began without checking that it still exists. Thread: GUI.

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <QContextMenuEvent>
-#include <QMenu>
-
 #include "editor/look/AppStyle.h"
 #include "sim2d/base/Text.h"
 

@@ -3,11 +3,7 @@
 #include <functional>
 #include <utility>
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLineEdit>
-#include <QSlider>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 namespace editor {
 

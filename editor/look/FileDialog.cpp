@@ -1,13 +1,6 @@
 #include "editor/look/FileDialog.h"
 
-#include <QAbstractItemView>
-#include <QAction>
-#include <QFileSystemModel>
-#include <QLineEdit>
-#include <QShortcut>
-#include <QStyledItemDelegate>
-#include <QTimer>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include "editor/look/PendingEdit.h"
 
@@ -65,6 +58,11 @@ void restrictFileDialog(QFileDialog& dialog, bool allowNewFolders) {
       }
     }
   }
+}
+
+QStringList chosenFiles(QFileDialog& dialog, bool allowNewFolders) {
+  restrictFileDialog(dialog, allowNewFolders);
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles() : QStringList();
 }
 
 }  // namespace editor

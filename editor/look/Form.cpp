@@ -2,13 +2,8 @@
 
 #include <algorithm>
 
-#include <QHBoxLayout>
-#include <QPainter>
-#include <QScreen>
-#include <QTextDocument>
-#include <QVBoxLayout>
-
 #include "editor/look/AppStyle.h"
+#include "editor/look/Icons.h"
 
 namespace editor {
 
@@ -121,6 +116,17 @@ QLabel* emptyState(const QString& text, QWidget* parent) {
   return label;
 }
 
+SearchField::SearchField(const QString& placeholder, const QString& accessibleName, QWidget* parent)
+    : QLineEdit(parent), magnifier_(addAction(QIcon(), QLineEdit::LeadingPosition)) {
+  setPlaceholderText(placeholder);
+  setAccessibleName(accessibleName);
+  setClearButtonEnabled(true);
+}
+
+void SearchField::setTheme(const Theme& theme) {
+  magnifier_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
+}
+
 NoMatchesPlaceholder::NoMatchesPlaceholder(QLineEdit& filter, QWidget& list, QWidget* parent)
     : QWidget(parent), filter_(filter), list_(list), words_(emptyState({}, this)) {
   words_->setTextFormat(Qt::PlainText);
@@ -141,6 +147,14 @@ void NoMatchesPlaceholder::setMatchFound(bool found) {
   words_->setText(tr("No matches for '%1'").arg(named));
   list_.setVisible(found);
   setVisible(!found);
+}
+
+QAction* makeAction(const QString& text, const QKeySequence& shortcut, const QString& tip,
+                    QObject* parent) {
+  auto* action = new QAction(text, parent);
+  action->setShortcut(shortcut);
+  describe(*action, tip);
+  return action;
 }
 
 void describe(QAction& action, const QString& tip) {

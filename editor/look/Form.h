@@ -3,14 +3,9 @@
 #include <functional>
 #include <initializer_list>
 
-#include <QAction>
-#include <QGridLayout>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QScrollArea>
-#include <QToolButton>
-#include <QWidget>
+#include <QtWidgets>
+
+#include "editor/look/Theme.h"
 
 namespace editor {
 
@@ -77,6 +72,16 @@ int limitedToScreen(const QWidget& window, int wanted);
 QString counted(std::size_t count, const QString& one, const QString& many);
 /// "no tree" -> "No tree"
 QString capitalized(QString text);
+/// A field for filtering a list, with a magnifier and a button that clears it.
+class SearchField : public QLineEdit {
+ public:
+  SearchField(const QString& placeholder, const QString& accessibleName, QWidget* parent);
+  void setTheme(const Theme& theme);
+
+ private:
+  QAction* magnifier_;
+};
+
 /// A placeholder shown instead of a list when the filter matches nothing. It names the filter text
 /// and offers to clear the filter.
 class NoMatchesPlaceholder : public QWidget {
@@ -105,6 +110,9 @@ Layout* configuredLayout(Layout* layout, const QMargins& margins, int spacing,
   return layout;
 }
 
+/// A new action with a status tip and a tooltip.
+QAction* makeAction(const QString& text, const QKeySequence& shortcut, const QString& tip,
+                    QObject* parent);
 /// Sets the status tip of an action, and its tooltip from name, shortcut and `tip`. Call it again
 /// when one of them changes.
 void describe(QAction& action, const QString& tip);

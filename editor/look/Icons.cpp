@@ -2,10 +2,6 @@
 
 #include <algorithm>
 
-#include <QFile>
-#include <QIconEngine>
-#include <QPainter>
-#include <QPixmapCache>
 #include <QSvgRenderer>
 
 static void initResources() {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <QIcon>
-#include <QString>
+#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 

@@ -1,11 +1,6 @@
 #include "editor/look/PendingEdit.h"
 
-#include <QAbstractItemView>
-#include <QAbstractSpinBox>
-#include <QComboBox>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QPointer>
+#include <QtWidgets>
 
 namespace editor {
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include <QGuiApplication>
-
 namespace editor {
 
 namespace {

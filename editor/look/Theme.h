@@ -1,9 +1,6 @@
 #pragma once
 
-#include <QColor>
-#include <QFont>
-#include <QPalette>
-#include <QPixmap>
+#include <QtWidgets>
 
 #include "sim2d/scenario/Scenario.h"
 

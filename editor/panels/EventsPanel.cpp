@@ -3,17 +3,11 @@
 #include <array>
 #include <map>
 
-#include <QHeaderView>
-#include <QPainterPath>
-#include <QScrollBar>
-#include <QStackedLayout>
-#include <QTableWidget>
-
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/Playback.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/runs/Playback.h"
 
 namespace editor {
 

@@ -3,10 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <QIcon>
-#include <QObject>
-#include <QPainter>
-#include <QString>
+#include <QtWidgets>
 
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"

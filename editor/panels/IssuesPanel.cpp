@@ -3,12 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include <QClipboard>
-#include <QFileInfo>
-#include <QGuiApplication>
-#include <QHeaderView>
-#include <QMenu>
-
 #include "app/run/DiagnosticDedup.h"
 #include "editor/document/Fixes.h"
 #include "editor/look/Form.h"

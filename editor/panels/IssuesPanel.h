@@ -3,11 +3,7 @@
 #include <array>
 #include <vector>
 
-#include <QIcon>
-#include <QLabel>
-#include <QStackedLayout>
-#include <QTableWidget>
-#include <QTimer>
+#include <QtWidgets>
 
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"

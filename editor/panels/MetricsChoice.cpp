@@ -3,16 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include <QAction>
-#include <QDir>
-#include <QFileInfo>
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QStyledItemDelegate>
-#include <QVBoxLayout>
-
 #include "editor/document/EditCommands.h"
-#include "editor/look/Icons.h"
 #include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
 
@@ -90,12 +81,8 @@ void styleChoices(QTreeWidget& tree) {
 MetricsChoice::MetricsChoice(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme)
     : document_(document),
       feed_(feed),
-      search_(new QLineEdit(this)),
+      search_(new SearchField(tr("Find a metric"), tr("Find a metric"), this)),
       count_(secondaryLabel({}, this)) {
-  search_->setPlaceholderText(tr("Find a metric"));
-  search_->setClearButtonEnabled(true);
-  search_->setAccessibleName(tr("Find a metric"));
-  searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
   auto* all =
       linkButton(tr("All"), tr("Measure all listed metrics"), this, [this] { chooseAll(true); });
   auto* none =
@@ -124,7 +111,7 @@ MetricsChoice::MetricsChoice(ScenarioDocument& document, MetricsFeed& feed, cons
 }
 
 void MetricsChoice::setTheme(const Theme& theme) {
-  searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
+  search_->setTheme(theme);
   const QSignalBlocker quiet(tree_);
   for (QTreeWidgetItemIterator each(tree_); *each != nullptr; ++each) {
     (*each)->setForeground(1, theme.color(Role::TextSecondary));

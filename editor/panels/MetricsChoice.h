@@ -2,9 +2,7 @@
 
 #include <vector>
 
-#include <QLabel>
-#include <QLineEdit>
-#include <QTreeWidget>
+#include <QtWidgets>
 
 #include "editor/look/Form.h"
 #include "editor/look/Theme.h"
@@ -41,8 +39,7 @@ class MetricsChoice : public QWidget {
 
   ScenarioDocument& document_;
   MetricsFeed& feed_;
-  QLineEdit* search_;
-  QAction* searchMark_;
+  SearchField* search_;
   QLabel* count_;
   QTreeWidget* tree_ = nullptr;
   NoMatchesPlaceholder* nothing_ = nullptr;

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QPainter>
-#include <QScopedValueRollback>
-#include <QStyledItemDelegate>
-
 #include "editor/look/Form.h"
 #include "editor/panels/MetricsChoice.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
-#include "editor/panels/RunPlots.h"
 
 namespace editor {
 
@@ -119,7 +112,7 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
       table_(new QTableWidget(0, MetricColumns, this)),
       robot_(new QComboBox(this)),
       chooser_(makeChooser()),
-      plot_(new MetricPlot(theme)) {
+      plot_(new MetricPlot(theme, true)) {
   makeTable();
   auto* both = new QSplitter(Qt::Horizontal, this);
   auto* left = new QWidget(both);
@@ -355,7 +348,7 @@ void MetricsDock::showSelected() {
   const metrics::MetricInfo info =
       row < 0 ? metrics::MetricInfo() : feed_.shown()[static_cast<std::size_t>(row)].info;
   plot_->show(QString::fromStdString(info.name), QString::fromStdString(info.unit),
-              {MetricPlot::Line{curveOf(feed_.snapshot(), key)}});
+              {{curveOf(feed_.snapshot(), key)}});
 }
 
 void addMetricsDock(PanelRegistry& to) {

@@ -1,18 +1,13 @@
 #pragma once
 
-#include <QComboBox>
-#include <QLabel>
-#include <QSplitter>
-#include <QStackedLayout>
-#include <QTableWidget>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 #include "editor/panels/MetricsFeed.h"
+#include "editor/panels/runs/RunPlots.h"
 
 namespace editor {
 
-class MetricPlot;
 class MetricsChoice;
 class SparklineDelegate;
 

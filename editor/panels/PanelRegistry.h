@@ -3,9 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include <QAction>
-#include <QFileInfo>
-#include <QWidget>
+#include <QtWidgets>
 
 #include "editor/canvas/MapView.h"
 #include "editor/panels/EventsPanel.h"

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include <QHeaderView>
-#include <QPainter>
-
 namespace editor {
 
 namespace {
 
-constexpr int kGap = 8;
+constexpr int kTextGap = 8;
 constexpr int kFarBelow = 10000;
 
 int widthOf(const QTableView& table, int row, int column) {
@@ -41,13 +38,13 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   }
   const int margin = rightMargin(option, index);
   const int icon = row.icon.isNull() ? 0 : 24;
-  const int room = option.rect.width() - margin - kGap - icon;
+  const int room = option.rect.width() - margin - kTextGap - icon;
   const int nameWidth = std::min(row.fontMetrics.horizontalAdvance(row.text), room);
-  const QString side = option.fontMetrics.elidedText(sideText(index), Qt::ElideRight,
-                                                     std::max(room - nameWidth - kGap, room / 3));
+  const QString side = option.fontMetrics.elidedText(
+      sideText(index), Qt::ElideRight, std::max(room - nameWidth - kTextGap, room / 3));
   const int sideWidth = option.fontMetrics.horizontalAdvance(side);
-  row.text =
-      row.fontMetrics.elidedText(row.text, Qt::ElideRight, std::max(room - sideWidth - kGap, kGap));
+  row.text = row.fontMetrics.elidedText(row.text, Qt::ElideRight,
+                                        std::max(room - sideWidth - kTextGap, kTextGap));
   const QStyle* style = option.widget != nullptr ? option.widget->style() : nullptr;
   if (style != nullptr) {
     style->drawControl(QStyle::CE_ItemViewItem, &row, painter, option.widget);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <QStyledItemDelegate>
-#include <QTableView>
+#include <QtWidgets>
 
 namespace editor {
 

@@ -4,24 +4,13 @@
 #include <functional>
 #include <utility>
 
-#include <QAction>
-#include <QDockWidget>
-#include <QHeaderView>
-#include <QItemSelectionModel>
-#include <QLineEdit>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QScopedValueRollback>
-#include <QTimer>
-#include <QVBoxLayout>
-
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
 #include "editor/look/Icons.h"
 #include "editor/look/PendingEdit.h"
-#include "editor/panels/BehaviorDialogs.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/behavior/BehaviorDialogs.h"
 
 namespace editor {
 
@@ -145,14 +134,10 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
       theme_(theme),
       model_(new EntityModel(document, theme, this)),
       filter_(new EntityFilter(*model_, this)),
-      filterField_(new QLineEdit(this)),
+      filterField_(new SearchField(tr("Filter people, goals, areas"), tr("Filter"), this)),
       tree_(new QTreeView(this)),
       empty_(
           emptyState(tr("Nothing on the map yet.\nPress P and click to place a person."), this)) {
-  filterField_->setPlaceholderText(tr("Filter people, goals, areas"));
-  filterField_->setClearButtonEnabled(true);
-  filterField_->setAccessibleName(tr("Filter"));
-  searchMark_ = filterField_->addAction(QIcon(), QLineEdit::LeadingPosition);
   tree_->setModel(filter_);
   tree_->setItemDelegate(
       new EntityRowDelegate([this](const QModelIndex& index) { toggleListed(index); }, this));
@@ -208,7 +193,7 @@ void ScenarioPanel::updatePlaceholder() {
 void ScenarioPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   model_->setTheme(theme);
-  searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
+  filterField_->setTheme(theme);
   tree_->viewport()->update();
 }
 

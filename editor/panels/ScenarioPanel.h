@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QLabel>
-#include <QLineEdit>
-#include <QTreeView>
+#include <QtWidgets>
 
 #include "editor/document/EntityModel.h"
 #include "editor/look/DeferredActions.h"
@@ -45,9 +43,8 @@ class ScenarioPanel : public QWidget {
   Theme theme_;
   EntityModel* model_;
   EntityFilter* filter_;
-  QLineEdit* filterField_;
+  SearchField* filterField_;
   QTreeView* tree_;
-  QAction* searchMark_;
   QLabel* empty_;
   PanelMenu menu_;
   NoMatchesPlaceholder* nothing_ = nullptr;

@@ -2,15 +2,6 @@
 
 #include <algorithm>
 
-#include <QDesktopServices>
-#include <QDialogButtonBox>
-#include <QFileInfo>
-#include <QPainter>
-#include <QPushButton>
-#include <QTextBlock>
-#include <QUrl>
-#include <QVBoxLayout>
-
 #include "editor/look/Form.h"
 #include "sim2d/base/Text.h"
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QDialog>
-#include <QLabel>
-#include <QPlainTextEdit>
+#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 

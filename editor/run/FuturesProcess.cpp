@@ -35,7 +35,6 @@ void FuturesProcess::ask(const app::FuturesQuestion& question) {
 
 /// Kills the process; its children exit with it.
 void FuturesProcess::cancel() {
-  rest_.clear();
   QProcess* const process = std::exchange(process_, nullptr);
   if (process == nullptr) {
     return;
@@ -48,20 +47,12 @@ void FuturesProcess::cancel() {
 }
 
 void FuturesProcess::read() {
-  rest_ += process_->readAllStandardOutput();
-  int begin = 0;
-  for (int end = rest_.indexOf('\n'); end >= 0; end = rest_.indexOf('\n', begin)) {
-    const std::optional<app::Future> future =
-        app::futureOf(rest_.mid(begin, end - begin).toStdString());
-    begin = end + 1;
-    if (future) {
+  while (process_ != nullptr && process_->canReadLine()) {  // A receiver of the signal may cancel.
+    const QByteArray line = process_->readLine().chopped(1);
+    if (const std::optional<app::Future> future = app::futureOf(line.toStdString())) {
       Q_EMIT futureReceived(*future);
-      if (process_ == nullptr) {  // A receiver of the signal has cancelled the request.
-        return;
-      }
     }
   }
-  rest_.remove(0, begin);
 }
 
 void FuturesProcess::reportEnd(int code, QProcess::ExitStatus status) {

@@ -31,7 +31,6 @@ class FuturesProcess : public QObject {
 
   QString program_;
   QProcess* process_ = nullptr;
-  QByteArray rest_;  // Start of an incomplete line.
 };
 
 }  // namespace editor

@@ -38,6 +38,23 @@ RunRequest requestFor(app::Bundle bundle, std::vector<app::RunBranch> branches) 
   return request;
 }
 
+RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings) {
+  app::Bundle bundle = document.bundle();
+  bundle.settings = settings;
+  if (settings.code == sim2d::ExternalCodePolicy::Skipped) {  // Otherwise there would be no world.
+    bundle.settings.code = sim2d::ExternalCodePolicy::Refused;
+  }
+  return requestFor(std::move(bundle));
+}
+
+QString runEndText(const sim2d::Scenario& scenario) {
+  const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
+  const double dt = scenario.desktop.dt.value_or(0.05);
+  return rule.stopOnArrival ? QObject::tr("until the robot arrives, at most %1 s")
+                                  .arg(qRound(static_cast<double>(rule.maximumSteps) * dt))
+                            : QString();
+}
+
 base::Result<BranchRequest> branchRequestFor(const RunRequest& run, std::int64_t at,
                                              const app::RunSpec& changes,
                                              const sim2d::TraceHeader& header) {

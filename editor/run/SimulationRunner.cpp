@@ -21,23 +21,6 @@ bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience)
 
 }  // namespace
 
-RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings) {
-  app::Bundle bundle = document.bundle();
-  bundle.settings = settings;
-  if (settings.code == sim2d::ExternalCodePolicy::Skipped) {  // Otherwise there would be no world.
-    bundle.settings.code = sim2d::ExternalCodePolicy::Refused;
-  }
-  return requestFor(std::move(bundle));
-}
-
-QString runEndText(const sim2d::Scenario& scenario) {
-  const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
-  const double dt = scenario.desktop.dt.value_or(0.05);
-  return rule.stopOnArrival ? QObject::tr("until the robot arrives, at most %1 s")
-                                  .arg(qRound(static_cast<double>(rule.maximumSteps) * dt))
-                            : QString();
-}
-
 SimulationRunner::SimulationRunner(QObject* parent) : QObject(parent) {
   timer_.setInterval(kDisplayMs);
   timer_.setTimerType(Qt::PreciseTimer);
@@ -60,16 +43,20 @@ void SimulationRunner::setState(State state) {
   }
 }
 
+void SimulationRunner::setFirstBranch(const QString& name) {
+  branches_ = {{}};
+  branches_.front().name = name;
+  branch_ = 0;
+  nextBranch_ = 1;
+}
+
 /// Returns true if a run exists afterwards.
 bool SimulationRunner::start(bool paused) {
   Q_ASSERT(request_);
   if (startCondition_ && !startCondition_(paused)) {
     return false;
   }
-  branches_ = {{}};
-  branches_.front().name = tr("Run");
-  branch_ = 0;
-  nextBranch_ = 1;
+  setFirstBranch(tr("Run"));
   begin(request_(), paused);
   Q_EMIT branchesChanged();
   return true;
@@ -290,10 +277,7 @@ void SimulationRunner::openRecorded(RecordingPtr recording, std::function<RunReq
   newest_ = recording_->frame(recording_->size() - 1);
   isRecorded_ = finished_ = true;
   recreate_ = std::move(again);
-  branches_ = {{}};
-  branches_.front().name = tr("Recorded run");
-  branch_ = 0;
-  nextBranch_ = 1;
+  setFirstBranch(tr("Recorded run"));
   const FramePtr first = stateAt(0);
   show(first != nullptr ? first : newest_, false);
   setState(State::Paused);

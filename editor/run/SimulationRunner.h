@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <QElapsedTimer>
-#include <QObject>
-#include <QTimer>
+#include <QtWidgets>
 
 #include "app/run/RunSpec.h"
 #include "app/run/Session.h"
@@ -172,6 +170,7 @@ class SimulationRunner : public QObject {
   void historyTruncated(const base::Diagnostics& diagnostics);
 
  private:
+  void setFirstBranch(const QString& name);
   bool start(bool paused);
   void begin(RunRequest request, bool paused, sim2d::RecordedInputs inputs = {},
              std::int64_t until = 0, sim2d::StepInputs then = {});

@@ -4,8 +4,7 @@
 #include <map>
 #include <set>
 
-#include <QJsonDocument>
-#include <QJsonObject>
+#include <QtWidgets>
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/Entity.h"

@@ -2,11 +2,6 @@
 
 #include <algorithm>
 
-#include <QAction>
-#include <QGuiApplication>
-#include <QHBoxLayout>
-#include <QKeyEvent>
-
 #include "editor/canvas/ViewOverlays.h"
 #include "editor/look/Form.h"
 

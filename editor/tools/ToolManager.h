@@ -3,8 +3,7 @@
 #include <map>
 #include <vector>
 
-#include <QActionGroup>
-#include <QWidget>
+#include <QtWidgets>
 
 #include "editor/canvas/MapView.h"
 #include "editor/tools/ToolRegistry.h"

@@ -3,14 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include <QComboBox>
-#include <QGridLayout>
-#include <QLabel>
-#include <QMenu>
-#include <QPainter>
-#include <QToolButton>
-#include <QWidgetAction>
-
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 

@@ -2,8 +2,7 @@
 
 #include <functional>
 
-#include <QHBoxLayout>
-#include <QWidget>
+#include <QtWidgets>
 
 #include "editor/canvas/MapScene.h"
 #include "editor/look/Fields.h"

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QHeaderView>
-#include <QVBoxLayout>
-
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/look/PendingEdit.h"

@@ -6,9 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <QLabel>
-#include <QTableWidget>
-#include <QTimer>
+#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 #include "editor/run/SimulationRunner.h"

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <QPainter>
-#include <QPainterPath>
+#include <QtWidgets>
 
 namespace editor {
 

@@ -4,15 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include <QHeaderView>
-#include <QKeyEvent>
-#include <QMimeData>
-#include <QVBoxLayout>
-
 #include "bt/human/BehaviorBlocks.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
-#include "editor/look/Icons.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/trees/TreeCanvas.h"
 #include "editor/trees/TreeEdits.h"
@@ -72,12 +66,11 @@ QString portsText(const bt::NodeManifest& manifest) {
 }  // namespace
 
 NodePalette::NodePalette(const Theme& theme)
-    : theme_(theme), search_(new QLineEdit(this)), list_(new NodeList), help_(new QLabel(this)) {
-  searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
-  search_->setPlaceholderText(tr("Find a node"));
-  search_->setAccessibleName(tr("Find a node"));
+    : theme_(theme),
+      search_(new SearchField(tr("Find a node"), tr("Find a node"), this)),
+      list_(new NodeList),
+      help_(new QLabel(this)) {
   search_->setToolTip(tr("Search by name or description"));
-  search_->setClearButtonEnabled(true);
   styleList(*list_, tr("Nodes"));
   list_->header()->hide();
   list_->setIndentation(14);
@@ -185,7 +178,7 @@ void NodePalette::showTrees(const QStringList& ids) {
 
 void NodePalette::setTheme(const Theme& theme) {
   theme_ = theme;
-  searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
+  search_->setTheme(theme);
   for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
     bt::TreeFile alone;
     const QString xml = xmlOf(*row);

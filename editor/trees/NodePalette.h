@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QLabel>
-#include <QLineEdit>
-#include <QTreeWidget>
+#include <QtWidgets>
 
 #include "bt/tree/TreeSpec.h"
 #include "editor/look/Form.h"
@@ -40,8 +38,7 @@ class NodePalette : public QWidget {
   void explain();
 
   Theme theme_;
-  QLineEdit* search_;
-  QAction* searchMark_;
+  SearchField* search_;
   QTreeWidget* list_;
   NoMatchesPlaceholder* nothing_;
   QLabel* help_;  // Shown if there is space.

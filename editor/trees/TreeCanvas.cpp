@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <QHelpEvent>
-#include <QToolTip>
+#include <QtWidgets>
 
 #include "editor/document/PersonTree.h"
 

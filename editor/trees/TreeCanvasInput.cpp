@@ -1,11 +1,12 @@
 
 
-// Keyboard handling of TreeCanvas.
+// Keyboard and mouse handling of TreeCanvas.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
-#include <QKeyEvent>
+#include <QtWidgets>
 
 #include "editor/trees/TreeCanvas.h"
 
@@ -86,20 +87,7 @@ void TreeCanvas::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-}  // namespace editor
-
-// Mouse handling of TreeCanvas.
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include <QApplication>
-#include <QMimeData>
-#include <QMouseEvent>
-
-#include "editor/trees/TreeCanvas.h"
-
-namespace editor {
+// Mouse.
 
 namespace {
 

@@ -1,3 +1,11 @@
+// The dock of the TreeEditor, and its widgets with their layout; their contents: TreeEditor.cpp.
+#include <algorithm>
+#include <utility>
+
+#include <QtWidgets>
+
+#include "editor/look/Fields.h"
+#include "editor/look/Form.h"
 #include "editor/trees/TreeEditor.h"
 
 namespace editor {
@@ -20,21 +28,6 @@ void addTreeDock(PanelRegistry& to) {
     return studio;
   });
 }
-
-}  // namespace editor
-
-// The widgets of the TreeEditor and their layout; their contents: TreeEditor.cpp.
-#include <algorithm>
-#include <utility>
-
-#include <QHBoxLayout>
-#include <QVBoxLayout>
-
-#include "editor/look/Fields.h"
-#include "editor/look/Form.h"
-#include "editor/trees/TreeEditor.h"
-
-namespace editor {
 
 namespace {
 

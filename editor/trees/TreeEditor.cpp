@@ -1,18 +1,19 @@
 #include "editor/trees/TreeEditor.h"
 
-// Display and signals of the TreeEditor; its widgets: StudioParts.cpp.
+// Display and signals of the TreeEditor; its widgets: TreeDock.cpp.
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <tuple>
 #include <utility>
-
-#include <QKeyEvent>
+#include <vector>
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
-#include "editor/panels/TreeOutline.h"
+#include "editor/panels/behavior/TreeOutline.h"
 
 namespace editor {
 
@@ -209,7 +210,8 @@ void TreeEditor::showHint(const QString& text) {
 }
 
 QString TreeEditor::label(int node) const {
-  return nodeTitle(*canvas_->graph().node(node).node);
+  const TreeGraph& graph = canvas_->graph();
+  return graph.has(node) ? nodeTitle(*graph.node(node).node) : QString();
 }
 
 /// Unfolds a subtree; blocks and nodes are edited in the form beside the graph.
@@ -273,15 +275,7 @@ bool TreeEditor::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace editor
-
-// Menus of the TreeEditor; their edits: StudioEdits.cpp.
-#include <algorithm>
-#include <string>
-#include <tuple>
-#include <vector>
-
-namespace editor {
+// Menus; their edits: TreeEditorEdits.cpp.
 
 void TreeEditor::showAssignMenu() {
   QMenu& menu = menu_.begin(*this);

@@ -5,13 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QSplitter>
-#include <QTabWidget>
-#include <QTimer>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include "editor/look/DeferredActions.h"
 #include "editor/panels/PanelRegistry.h"
@@ -93,13 +87,16 @@ class TreeEditor : public QWidget {
   bool applyToChosen(
       const QString& text, const QString& ifNot,
       const std::function<OptionalLocation(bt::TreeFile&, const NodeLocation&)>& edit);
-  bool applyToSelected(
-      const QString& text, const QString& ifNot,
-      const std::function<OptionalLocations(bt::TreeFile&, const std::vector<NodeLocation>&)>&
-          edit);
+  using EditOfNodes =
+      std::function<OptionalLocations(bt::TreeFile&, const std::vector<NodeLocation>&)>;
+  bool applyToSelected(const QString& text, const QString& ifNot, const EditOfNodes& edit);
+  /// Applies the edit, or shows why it is impossible. No places: one is in an included file.
+  /// `name` replaces %1 in the texts.
+  bool applyTo(const OptionalLocations& places, const QString& name, const QString& text,
+               const QString& ifNot, const EditOfNodes& edit);
   /// Positions in the file without descendants of other selected nodes; none if one of them is in
   /// an included file.
-  std::optional<std::vector<NodeLocation>> selectedLocations() const;
+  OptionalLocations selectedLocations() const;
   QString selectedNodesText() const;
   QString selectedText() const;  // XML.
   static bool isPickable(const std::string& port);

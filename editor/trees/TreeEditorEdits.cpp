@@ -5,13 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include <QClipboard>
-#include <QGuiApplication>
-#include <QMimeData>
+#include <QtWidgets>
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
-#include "editor/panels/TreeOutline.h"
+#include "editor/panels/behavior/TreeOutline.h"
 #include "editor/trees/TreeEditor.h"
 
 namespace editor {
@@ -65,7 +63,7 @@ bool TreeEditor::apply(const QString& text, const QString& ifNot, const Edit& ed
   return true;
 }
 
-std::optional<std::vector<NodeLocation>> TreeEditor::selectedLocations() const {
+OptionalLocations TreeEditor::selectedLocations() const {
   const TreeGraph& graph = canvas_->graph();
   std::vector<NodeLocation> places;
   for (const int node : canvas_->selected()) {
@@ -77,23 +75,25 @@ std::optional<std::vector<NodeLocation>> TreeEditor::selectedLocations() const {
   return withoutDescendants(std::move(places));
 }
 
-bool TreeEditor::applyToSelected(
-    const QString& text, const QString& ifNot,
-    const std::function<OptionalLocations(bt::TreeFile&, const std::vector<NodeLocation>&)>& edit) {
-  const TreeGraph& graph = canvas_->graph();
-  if (!graph.has(canvas_->chosen())) {
+bool TreeEditor::applyTo(const OptionalLocations& places, const QString& name, const QString& text,
+                         const QString& ifNot, const EditOfNodes& edit) {
+  if (!canvas_->graph().has(canvas_->chosen())) {
     showHint(tr("Select a node first"));
     return false;
   }
-  const auto places = selectedLocations();
   if (!places) {
     showHint(readOnlyText());
     return false;
   }
   const auto named = [&](QString words) {  // Not all messages contain the placeholder.
-    return words.replace(QStringLiteral("%1"), selectedNodesText());
+    return words.replace(QStringLiteral("%1"), name);
   };
   return apply(named(text), named(ifNot), [&](bt::TreeFile& file) { return edit(file, *places); });
+}
+
+bool TreeEditor::applyToSelected(const QString& text, const QString& ifNot,
+                                 const EditOfNodes& edit) {
+  return applyTo(selectedLocations(), selectedNodesText(), text, ifNot, edit);
 }
 
 QString TreeEditor::selectedNodesText() const {
@@ -106,19 +106,11 @@ bool TreeEditor::applyToChosen(
     const std::function<OptionalLocation(bt::TreeFile&, const NodeLocation&)>& edit) {
   const TreeGraph& graph = canvas_->graph();
   const int node = canvas_->chosen();
-  if (!graph.has(node)) {
-    showHint(tr("Select a node first"));
-    return false;
-  }
-  if (!graph.isEditable(node)) {
-    showHint(readOnlyText());
-    return false;
-  }
-  const auto named = [&](QString words) {  // Not all messages contain the placeholder.
-    return words.replace(QStringLiteral("%1"), label(node));
-  };
-  return apply(named(text), named(ifNot),
-               [&](bt::TreeFile& file) { return only(edit(file, graph.locationOf(node))); });
+  const bool isEditable = graph.has(node) && graph.isEditable(node);
+  return applyTo(isEditable ? only(graph.locationOf(node)) : std::nullopt, label(node), text, ifNot,
+                 [&edit](bt::TreeFile& file, const std::vector<NodeLocation>& places) {
+                   return only(edit(file, places.front()));
+                 });
 }
 
 /// Adds a node below the chosen node, else after it.
@@ -161,7 +153,7 @@ void TreeEditor::addAt(const QString& xml, const DropTarget& to) {
   apply(isAround ? tr("Wrap %2 in %1").arg(name, label(to.node)) : tr("Add %1").arg(name),
         tr("%1 cannot have %2 as a child").arg(label(to.node), name), [&](bt::TreeFile& file) {
           file = known;
-          return isAround ? only(wrapNode(file, at, nodes->front()))
+          return isAround ? wrapNodes(file, {at}, nodes->front())
                           : addNodes(file, at, to.index, *nodes);
         });
 }
@@ -175,9 +167,8 @@ void TreeEditor::move(int node, const DropTarget& to) {
   const bool isOfSeveral = canvas_->shown().isSelected(node) && places && places->size() > 1;
   apply(tr("Move %1").arg(isOfSeveral ? selectedNodesText() : label(node)), {},
         [&](bt::TreeFile& file) {
-          const NodeLocation parent = graph.locationOf(to.node);
-          return isOfSeveral ? moveNodes(file, *places, parent, to.index)
-                             : only(moveNode(file, graph.locationOf(node), parent, to.index));
+          return moveNodes(file, isOfSeveral ? *places : std::vector{graph.locationOf(node)},
+                           graph.locationOf(to.node), to.index);
         });
 }
 
@@ -190,7 +181,9 @@ void TreeEditor::moveBy(int places) {
         if (above == nullptr || to < 0 || to >= static_cast<int>(above->children.size())) {
           return std::nullopt;
         }
-        return moveNode(file, place, place.parent(), places > 0 ? to + 1 : to);
+        const int index = places > 0 ? to + 1 : to;
+        const auto moved = moveNodes(file, {place}, place.parent(), index);
+        return moved ? OptionalLocation(moved->front()) : std::nullopt;
       });
 }
 

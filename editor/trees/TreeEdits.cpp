@@ -110,64 +110,6 @@ bt::NodeSpec defaultNode(const std::string& id) {
   return node;
 }
 
-OptionalLocation addNode(bt::TreeFile& file, const NodeLocation& parent, int index,
-                         bt::NodeSpec node) {
-  bt::NodeSpec* above = mutableNode(file, parent);
-  if (above == nullptr || !canHaveChildren(*above)) {
-    return std::nullopt;
-  }
-  const int place = std::clamp(index, 0, static_cast<int>(above->children.size()));
-  above->children.insert(above->children.begin() + place, std::move(node));
-  return parent.child(place);
-}
-
-OptionalLocation removeNode(bt::TreeFile& file, const NodeLocation& place) {
-  if (place.isRoot() || nodeAt(file, place) == nullptr) {
-    return std::nullopt;
-  }
-  bt::NodeSpec& above = *mutableNode(file, place.parent());
-  above.children.erase(above.children.begin() + place.path.back());
-  const int left = static_cast<int>(above.children.size());
-  return left == 0 ? place.parent() : place.parent().child(std::min(place.path.back(), left - 1));
-}
-
-OptionalLocation moveNode(bt::TreeFile& file, const NodeLocation& from, const NodeLocation& parent,
-                          int index) {
-  const bt::NodeSpec* node = nodeAt(file, from);
-  const bt::NodeSpec* above = nodeAt(file, parent);
-  if (from.isRoot() || node == nullptr || above == nullptr || from.holds(parent)) {
-    return std::nullopt;
-  }
-  const bool staysBelow = from.parent() == parent;
-  if (!staysBelow && !canHaveChildren(*above)) {
-    return std::nullopt;
-  }
-  if (staysBelow && (index == from.path.back() || index == from.path.back() + 1)) {
-    return std::nullopt;
-  }
-  bt::NodeSpec moved = *node;
-  bt::NodeSpec& before = *mutableNode(file, from.parent());
-  before.children.erase(before.children.begin() + from.path.back());
-  NodeLocation to = parent;  // After the removal of the node.
-  const std::size_t level = from.path.size() - 1;
-  if (from.parent().holds(parent) && parent.path.size() > level &&
-      parent.path[level] > from.path.back()) {
-    --to.path[level];
-  }
-  const int place = staysBelow && index > from.path.back() ? index - 1 : index;
-  return addNode(file, to, place, std::move(moved));
-}
-
-OptionalLocation wrapNode(bt::TreeFile& file, const NodeLocation& place, bt::NodeSpec around) {
-  bt::NodeSpec* node = mutableNode(file, place);
-  if (node == nullptr || !canHaveChildren(around)) {
-    return std::nullopt;
-  }
-  around.children.push_back(std::move(*node));
-  *node = std::move(around);
-  return place;
-}
-
 OptionalLocation unwrapNode(bt::TreeFile& file, const NodeLocation& place) {
   bt::NodeSpec* node = mutableNode(file, place);
   if (node == nullptr || node->children.empty()) {
@@ -185,13 +127,6 @@ OptionalLocation unwrapNode(bt::TreeFile& file, const NodeLocation& place) {
   const auto at = above->children.begin() + place.path.back();
   above->children.insert(above->children.erase(at), children.begin(), children.end());
   return place;
-}
-
-OptionalLocation duplicateNode(bt::TreeFile& file, const NodeLocation& place) {
-  const bt::NodeSpec* node = nodeAt(file, place);
-  return node == nullptr || place.isRoot()
-             ? std::nullopt
-             : addNode(file, place.parent(), place.path.back() + 1, *node);
 }
 
 OptionalLocation replaceNode(bt::TreeFile& file, const NodeLocation& place,
@@ -299,6 +234,27 @@ base::Result<bt::NodeSpec> nodeFromText(const std::string& text, bt::TreeFile& i
 
 namespace {
 
+OptionalLocation addNode(bt::TreeFile& file, const NodeLocation& parent, int index,
+                         bt::NodeSpec node) {
+  bt::NodeSpec* above = mutableNode(file, parent);
+  if (above == nullptr || !canHaveChildren(*above)) {
+    return std::nullopt;
+  }
+  const int place = std::clamp(index, 0, static_cast<int>(above->children.size()));
+  above->children.insert(above->children.begin() + place, std::move(node));
+  return parent.child(place);
+}
+
+OptionalLocation removeNode(bt::TreeFile& file, const NodeLocation& place) {
+  if (place.isRoot() || nodeAt(file, place) == nullptr) {
+    return std::nullopt;
+  }
+  bt::NodeSpec& above = *mutableNode(file, place.parent());
+  above.children.erase(above.children.begin() + place.path.back());
+  const int left = static_cast<int>(above.children.size());
+  return left == 0 ? place.parent() : place.parent().child(std::min(place.path.back(), left - 1));
+}
+
 /// Adjusts a position after the removal of the node `gone`; `index` counts its children.
 void follow(const NodeLocation& gone, NodeLocation& parent, int& index) {
   const NodeLocation above = gone.parent();
@@ -378,22 +334,32 @@ OptionalLocations moveNodes(bt::TreeFile& file, const std::vector<NodeLocation>&
   if (isOneRow && index >= first && index <= first + count) {
     return std::nullopt;  // The nodes are already at that position.
   }
+  bt::TreeFile edited = file;
   NodeLocation to = parent;
   for (auto place = outer.rbegin(); place != outer.rend(); ++place) {
-    if (!removeNode(file, *place)) {
+    if (!removeNode(edited, *place)) {
       return std::nullopt;
     }
     follow(*place, to, index);
   }
-  return addNodes(file, to, index, nodes);
+  OptionalLocations moved = addNodes(edited, to, index, nodes);
+  if (moved) {
+    file = std::move(edited);
+  }
+  return moved;
 }
 
 OptionalLocations wrapNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places,
                             bt::NodeSpec around) {
   const std::vector<NodeLocation> outer = withoutDescendants(places);
   if (outer.size() == 1) {
-    const OptionalLocation place = wrapNode(file, outer.front(), std::move(around));
-    return place ? OptionalLocations({*place}) : std::nullopt;
+    bt::NodeSpec* node = mutableNode(file, outer.front());
+    if (node == nullptr || !canHaveChildren(around)) {
+      return std::nullopt;
+    }
+    around.children.push_back(std::move(*node));
+    *node = std::move(around);
+    return outer;
   }
   if (outer.empty() || !areSiblings(outer)) {
     return std::nullopt;
@@ -423,7 +389,11 @@ OptionalLocations duplicateNodes(bt::TreeFile& file, const std::vector<NodeLocat
     return addNodes(file, outer.front().parent(), outer.back().path.back() + 1, copies);
   }
   for (auto place = outer.rbegin(); place != outer.rend(); ++place) {
-    const OptionalLocation copy = duplicateNode(file, *place);
+    const bt::NodeSpec* node = nodeAt(file, *place);
+    const OptionalLocation copy =
+        node == nullptr || place->isRoot()
+            ? std::nullopt
+            : addNode(file, place->parent(), place->path.back() + 1, bt::NodeSpec(*node));
     if (!copy) {
       return std::nullopt;
     }

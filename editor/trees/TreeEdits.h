@@ -34,20 +34,8 @@ bool canHaveChildren(const bt::NodeSpec& node);
 /// A node of this kind with default values.
 bt::NodeSpec defaultNode(const std::string& id);
 
-/// Inserts before the child that is at `index` now, or appends.
-OptionalLocation addNode(bt::TreeFile& file, const NodeLocation& parent, int index,
-                         bt::NodeSpec node);
-/// Removes a node with all its descendants; not for roots.
-OptionalLocation removeNode(bt::TreeFile& file, const NodeLocation& place);
-/// Moves a node to before the current child `index` of `parent`; not into itself.
-OptionalLocation moveNode(bt::TreeFile& file, const NodeLocation& from, const NodeLocation& parent,
-                          int index);
-/// Replaces the node by `around`, which gets the node as its last child.
-OptionalLocation wrapNode(bt::TreeFile& file, const NodeLocation& place, bt::NodeSpec around);
 /// Replaces the node by its children.
 OptionalLocation unwrapNode(bt::TreeFile& file, const NodeLocation& place);
-/// Inserts a copy after the node; not for roots.
-OptionalLocation duplicateNode(bt::TreeFile& file, const NodeLocation& place);
 /// Replaces the node by another kind; children and values of common ports stay.
 OptionalLocation replaceNode(bt::TreeFile& file, const NodeLocation& place, const bt::NodeSpec& by);
 /// Moves the node into a new tree of the file and replaces it by a SubTree that shares all entries.
@@ -73,7 +61,8 @@ using OptionalLocations = std::optional<std::vector<NodeLocation>>;
 std::vector<NodeLocation> withoutDescendants(std::vector<NodeLocation> places);
 bool areSiblings(const std::vector<NodeLocation>& places);  // Children of the same parent.
 
-/// Returns one position, as removeNode() does. Not for roots.
+/// Removes the nodes with all their descendants; not for roots. Returns the position of the sibling
+/// beside the first removed node, or of its parent if there is none.
 OptionalLocations removeNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places);
 /// Moves nodes to before the current child `index` of `parent`, in their order; not into one of
 /// them.
@@ -82,7 +71,8 @@ OptionalLocations moveNodes(bt::TreeFile& file, const std::vector<NodeLocation>&
 /// Inserts before the child that is at `index` now, or appends.
 OptionalLocations addNodes(bt::TreeFile& file, const NodeLocation& parent, int index,
                            const std::vector<bt::NodeSpec>& nodes);
-/// Replaces the first node by `around`, which gets all of them; they must be siblings.
+/// Replaces the first node by `around`, which gets all of them as its last children; they must be
+/// siblings. A root can be wrapped alone.
 OptionalLocations wrapNodes(bt::TreeFile& file, const std::vector<NodeLocation>& places,
                             bt::NodeSpec around);
 /// Inserts each copy after its node; copies of siblings after the last of them.

@@ -5,10 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include <QFontMetricsF>
-
 #include "editor/document/PersonTree.h"
-#include "editor/panels/TreeOutline.h"
+#include "editor/panels/behavior/TreeOutline.h"
 #include "editor/trees/TreeLayout.h"
 
 namespace editor {

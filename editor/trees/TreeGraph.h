@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <QLineF>
-#include <QRectF>
-#include <QStringList>
+#include <QtWidgets>
 
 #include "editor/document/PersonTree.h"
 #include "editor/look/Theme.h"

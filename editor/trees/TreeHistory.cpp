@@ -5,15 +5,9 @@
 #include <map>
 #include <string_view>
 
-#include <QHelpEvent>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QScrollBar>
-#include <QToolTip>
-
-#include "editor/panels/Playback.h"
 #include "editor/panels/RowDelegate.h"
-#include "editor/panels/TreeOutline.h"
+#include "editor/panels/behavior/TreeOutline.h"
+#include "editor/panels/runs/Playback.h"
 
 namespace editor {
 

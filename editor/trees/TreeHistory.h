@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <QAbstractScrollArea>
-#include <QTimer>
+#include <QtWidgets>
 
 #include "editor/run/SimulationRunner.h"
 #include "editor/trees/TreeGraph.h"

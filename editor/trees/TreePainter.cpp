@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include <QFontMetricsF>
-#include <QPainterPath>
+#include <QtWidgets>
 
 #include "editor/document/PersonTree.h"
-#include "editor/panels/TreeOutline.h"
+#include "editor/panels/behavior/TreeOutline.h"
 
 namespace editor {
 

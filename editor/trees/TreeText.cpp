@@ -2,10 +2,6 @@
 
 #include <algorithm>
 
-#include <QHBoxLayout>
-#include <QTextBlock>
-#include <QVBoxLayout>
-
 #include "bt/tree/TreeXml.h"
 #include "editor/look/Form.h"
 #include "editor/panels/TextViewer.h"

@@ -2,10 +2,7 @@
 
 #include <string>
 
-#include <QLabel>
-#include <QPlainTextEdit>
-#include <QTimer>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 #include "sim2d/base/Result.h"

@@ -13,10 +13,10 @@
 #include <QTimer>
 #include <QtTest>
 
-#include "app/window/ExportDialog.h"
 #include "app/window/MainWindow.h"
-#include "app/window/MapDialogs.h"
 #include "app/window/NoticeBar.h"
+#include "app/window/files/ExportDialog.h"
+#include "app/window/files/MapDialogs.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 

@@ -5,8 +5,8 @@
 #include <QStatusBar>
 #include <QtTest>
 
-#include "editor/panels/BehaviorPanel.h"
-#include "editor/panels/TreeOutline.h"
+#include "editor/panels/behavior/BehaviorPanel.h"
+#include "editor/panels/behavior/TreeOutline.h"
 #include "tests/app/QuietWindow.h"
 
 using State = editor::SimulationRunner::State;

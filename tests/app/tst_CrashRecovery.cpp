@@ -6,8 +6,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/window/DocumentGuard.h"
 #include "app/window/MainWindow.h"
+#include "app/window/files/DocumentGuard.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"

@@ -1,5 +1,5 @@
-#include "app/window/ExternalCodePrompt.h"
 #include "app/window/WindowCommand.h"
+#include "app/window/study/ExternalCodePrompt.h"
 #include "editor/document/EditCommands.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/RunFiles.h"

@@ -1,11 +1,11 @@
 #include <QScopeGuard>
 #include <QStandardPaths>
 
-#include "app/window/FileDialogs.h"
+#include "app/window/files/FileDialogs.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
-#include "editor/panels/BehaviorPanel.h"
+#include "editor/panels/behavior/BehaviorPanel.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/RunFiles.h"
 

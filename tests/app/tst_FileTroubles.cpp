@@ -6,10 +6,10 @@
 #include <QtTest>
 
 #include "app/run/Export.h"
-#include "app/window/DocumentGuard.h"
-#include "app/window/ExportDialog.h"
 #include "app/window/MainWindow.h"
-#include "app/window/MapDialogs.h"
+#include "app/window/files/DocumentGuard.h"
+#include "app/window/files/ExportDialog.h"
+#include "app/window/files/MapDialogs.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"

@@ -5,11 +5,11 @@
 #include <QTreeView>
 #include <QtTest>
 
-#include "app/window/DocumentGuard.h"
 #include "app/window/MainWindow.h"
-#include "app/window/MapDialogs.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/StartPage.h"
+#include "app/window/files/DocumentGuard.h"
+#include "app/window/files/MapDialogs.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"

@@ -6,10 +6,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/window/ExportDialog.h"
 #include "app/window/MainWindow.h"
-#include "app/window/MapDialogs.h"
-#include "app/window/TreeChoiceDialog.h"
+#include "app/window/files/ExportDialog.h"
+#include "app/window/files/MapDialogs.h"
+#include "app/window/files/TreeChoiceDialog.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"

@@ -15,7 +15,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
-#include "editor/panels/PropertyPanel.h"
+#include "editor/panels/properties/PropertyPanel.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "tests/app/QuietWindow.h"
 

@@ -14,10 +14,10 @@
 #include <QScrollBar>
 #include <QtTest>
 
-#include "app/window/StudyPanel.h"
+#include "app/window/study/StudyPanel.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
-#include "editor/panels/FuturesPanel.h"
+#include "editor/panels/runs/FuturesPanel.h"
 #include "sim2d/base/Rng.h"
 #include "tests/app/MonkeyHands.h"
 #include "tests/app/QuietWindow.h"

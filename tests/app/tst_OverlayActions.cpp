@@ -6,10 +6,10 @@
 
 #include "QuietWindow.h"
 #include "RunFiles.h"
-#include "app/window/FigureCommands.h"
+#include "app/window/runs/FigureCommands.h"
 #include "editor/canvas/RunOverlays.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/RunOverlayUpdater.h"
+#include "editor/panels/runs/RunOverlayUpdater.h"
 
 using editor::CanvasOptions;
 
@@ -63,7 +63,7 @@ class OverlayActionsTest : public QObject {
         &CanvasOptions::thoughts,   &CanvasOptions::speech, &CanvasOptions::localCosts,
         &CanvasOptions::globalCosts};
     QVERIFY(window_->open(quiet::demoPath()));
-    QAction& action = *window_->actions().runOverlays->all.at(place);
+    QAction& action = *window_->actions().runOverlays.at(place);
     const bool before = workspace().scene().options().*options[place];
     QCOMPARE(action.isChecked(), before);
     QCOMPARE(before, place == 7);  // speech alone is on at first
@@ -78,7 +78,7 @@ class OverlayActionsTest : public QObject {
   void thoughts_ofARun_areWords() {
     runDemo(2.0);
     workspace().runner().seek(30);  // wherever it came to: on the way to the first goal
-    window_->actions().runOverlays->thoughts->trigger();
+    window_->actions().runOverlays.at(6)->trigger();  // thoughts
     QTRY_VERIFY(!workspace().scene().overlays().thoughtOf(1).isEmpty());
     const int id = workspace().document().scenario().humans.front().id;
     const QString words = layers().tooltipFor(id);
@@ -109,7 +109,7 @@ class OverlayActionsTest : public QObject {
     QVERIFY(!copy.isEnabled());
     runDemo(2.0);
     QVERIFY(copy.isEnabled());
-    window_->actions().runOverlays->density->trigger();
+    window_->actions().runOverlays.at(0)->trigger();  // density
     copy.trigger();
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const QImage image = qvariant_cast<QImage>(data->imageData());

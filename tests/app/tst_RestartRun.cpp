@@ -6,7 +6,7 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/PropertyPanel.h"
+#include "editor/panels/properties/PropertyPanel.h"
 #include "tests/app/QuietWindow.h"
 
 /// What is edited during a run counts after a click on Restart.

@@ -2,8 +2,8 @@
 #include <QTableWidget>
 
 #include "app/window/Docks.h"
-#include "app/window/ExternalCodePrompt.h"
-#include "app/window/StudyPanel.h"
+#include "app/window/study/ExternalCodePrompt.h"
+#include "app/window/study/StudyPanel.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/StudyFiles.h"

@@ -12,9 +12,9 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/BranchDialog.h"
-#include "editor/panels/FuturesPanel.h"
-#include "editor/panels/RunsPanel.h"
+#include "editor/panels/runs/BranchDialog.h"
+#include "editor/panels/runs/FuturesPanel.h"
+#include "editor/panels/runs/RunsPanel.h"
 
 using editor::FuturesPanel;
 using editor::RunsPanel;

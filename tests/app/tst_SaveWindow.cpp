@@ -3,9 +3,9 @@
 #include <QTimer>
 #include <QtTest>
 
-#include "app/window/ExportDialog.h"
 #include "app/window/MainWindow.h"
-#include "app/window/TreeChoiceDialog.h"
+#include "app/window/files/ExportDialog.h"
+#include "app/window/files/TreeChoiceDialog.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/AppStyle.h"

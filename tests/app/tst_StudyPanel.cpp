@@ -2,7 +2,7 @@
 #include <QTableWidget>
 
 #include "app/window/Docks.h"
-#include "app/window/StudyPanel.h"
+#include "app/window/study/StudyPanel.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"

@@ -10,10 +10,9 @@
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
-#include "editor/panels/BehaviorPanel.h"
-#include "editor/panels/TreeOutline.h"
-#include "editor/trees/TreeEditor.h"
+#include "editor/panels/behavior/BehaviorPanel.h"
 #include "tests/app/QuietWindow.h"
+#include "tests/support/TreeEditorHands.h"
 
 using editor::EntityId;
 using editor::TreeCanvas;
@@ -21,62 +20,23 @@ using editor::TreeGraph;
 using State = editor::SimulationRunner::State;
 
 /// The studio of behaviour trees in the window, by mouse and keys.
-class TreeEditorTest : public QObject {
+class TreeEditorTest : public QObject, private TreeEditorHands {
   Q_OBJECT
 
  private:
   std::unique_ptr<app::MainWindow> window_;
 
-  editor::ScenarioDocument& document() { return window_->workspace().document(); }
+  editor::ScenarioDocument& document() override { return window_->workspace().document(); }
   editor::SimulationRunner& runner() { return window_->workspace().runner(); }
-  editor::TreeEditor& studio() { return window_->docks().panel<editor::TreeEditor>(); }
-  TreeCanvas& canvas() { return studio().canvas(); }
-  TreeGraph& graph() { return canvas().graph(); }
+  editor::TreeEditor& studio() override { return window_->docks().panel<editor::TreeEditor>(); }
   editor::BehaviorPanel& panel() { return window_->docks().panel<editor::BehaviorPanel>(); }
 
-  EntityId person(const char* name) {
-    for (const sim2d::Human& human : document().scenario().humans) {
-      if (human.name == name) {
-        return human.key;
-      }
-    }
-    return {};
-  }
   void open(const char* name) {
     document().setSelection({person(name)});
     window_->docks().treeMaximized()->setChecked(true);
     QTRY_VERIFY(canvas().isVisible());
     QCoreApplication::processEvents();
     canvas().fit();
-  }
-  int called(const char* title, int skip = 0) {
-    for (std::size_t i = 0; i < graph().nodes().size(); ++i) {
-      if (editor::nodeTitle(*graph().nodes()[i].node) == QString::fromUtf8(title) && skip-- == 0) {
-        return static_cast<int>(i);
-      }
-    }
-    return -1;
-  }
-  QStringList rootChildren() {
-    QStringList titles;
-    for (const int child : graph().childrenOf(0)) {
-      titles << editor::nodeTitle(*graph().node(child).node);
-    }
-    return titles;
-  }
-  void click(int node) {
-    QVERIFY(graph().isShown(node));
-    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, canvas().centreOf(node));
-  }
-  void drag(const QPoint& from, const QPoint& to) {
-    QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
-    for (int k = 1; k <= 4; ++k) {
-      const QPoint at = from + (to - from) * k / 4;
-      QMouseEvent move(QEvent::MouseMove, at, canvas().mapToGlobal(at), Qt::NoButton,
-                       Qt::LeftButton, {});
-      QCoreApplication::sendEvent(&canvas(), &move);
-    }
-    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, to);
   }
   /// As a drag from the palette ends.
   void drop(const QString& xml, const QPoint& at) {
@@ -98,28 +58,6 @@ class TreeEditorTest : public QObject {
       }
     }
     return nullptr;
-  }
-  int undoSteps() { return document().undoStack().index(); }
-  QAction* entry(QMenu& menu, const QString& words) {
-    for (QAction* action : menu.actions()) {
-      if (action->text().section(QLatin1Char('\t'), 0, 0) == words) {
-        return action;
-      }
-      if (action->menu() != nullptr) {
-        if (QAction* inner = entry(*action->menu(), words)) {
-          return inner;
-        }
-      }
-    }
-    return nullptr;
-  }
-  void choosefromMenu(int node, const char* words) {
-    QMenu menu;
-    studio().fillMenu(menu, node);
-    QAction* action = entry(menu, QString::fromUtf8(words));
-    QVERIFY2(action != nullptr, words);
-    QVERIFY2(action->isEnabled(), words);
-    action->trigger();
   }
 
  private Q_SLOTS:

@@ -1,5 +1,5 @@
 #include "editor/look/AppStyle.h"
-#include "editor/panels/PropertyPanel.h"
+#include "editor/panels/properties/PropertyPanel.h"
 #include "tests/app/QuietWindow.h"
 
 /// Somebody whom a source brought into a run, in the whole window.

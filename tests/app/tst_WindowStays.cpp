@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "app/window/DocumentGuard.h"
 #include "app/window/MainWindow.h"
+#include "app/window/files/DocumentGuard.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/MetricsDock.h"

@@ -7,11 +7,11 @@
 #include "editor/look/AppStyle.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Theme.h"
-#include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
-#include "editor/panels/PropertyPage.h"
-#include "editor/panels/PropertyPanel.h"
 #include "editor/panels/TextViewer.h"
+#include "editor/panels/behavior/GoalAssignment.h"
+#include "editor/panels/properties/PropertyPage.h"
+#include "editor/panels/properties/PropertyPanel.h"
 
 using app::MainWindow;
 using base::Vec2;

@@ -2,9 +2,9 @@
 #include <QPushButton>
 
 #include "CanvasTester.h"
-#include "editor/panels/BehaviorDialogs.h"
-#include "editor/panels/EntityPages.h"
 #include "editor/panels/ScenarioPanel.h"
+#include "editor/panels/behavior/BehaviorDialogs.h"
+#include "editor/panels/properties/EntityPages.h"
 
 using editor::BehaviorMixDialog;
 using editor::CrowdRecipe;

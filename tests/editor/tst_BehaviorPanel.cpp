@@ -6,9 +6,9 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/BehaviorDialogs.h"
-#include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/behavior/BehaviorDialogs.h"
+#include "editor/panels/behavior/BehaviorPanel.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/base/Text.h"
 

@@ -2,8 +2,8 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
-#include "editor/panels/EntityPages.h"
-#include "editor/panels/PropertyPanel.h"
+#include "editor/panels/properties/EntityPages.h"
+#include "editor/panels/properties/PropertyPanel.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/FieldBuilder.h"
 #include "sim2d/scenario/ScenarioFile.h"

@@ -7,7 +7,7 @@
 #include "Drops.h"
 #include "SmallScenario.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/GoalAssignment.h"
+#include "editor/panels/behavior/GoalAssignment.h"
 
 using editor::GoalAssignment;
 using editor::ScenarioDocument;

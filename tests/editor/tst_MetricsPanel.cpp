@@ -8,8 +8,7 @@
 #include "editor/panels/MetricsChoice.h"
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/Playback.h"
-#include "editor/panels/RunPlots.h"
+#include "editor/panels/runs/Playback.h"
 #include "editor/run/SimulationRunner.h"
 
 using editor::MetricsDock;
@@ -64,7 +63,7 @@ class MetricsPanelTest : public QObject {
 
  private Q_SLOTS:
   void plot_narrow_lastTimeIsWhole() {
-    editor::MetricPlot plot(editor::Theme::light());
+    editor::MetricPlot plot(editor::Theme::light(), true);
     plot.resize(180, 160);
     plot.QWidget::show();
     QVERIFY(QTest::qWaitForWindowExposed(&plot));
@@ -72,7 +71,7 @@ class MetricsPanelTest : public QObject {
       app::MetricTimeSeries curve;
       curve.times = {0.0, end};
       curve.values = {0.0, 1.0};
-      plot.show({}, {}, {editor::MetricPlot::Line{&curve}});
+      plot.show({}, {}, {{&curve}});
       QCoreApplication::processEvents();
       const QImage picture = plot.grab().toImage();
       const QRgb ground = editor::Theme::light().color(editor::Role::Panel).rgb();

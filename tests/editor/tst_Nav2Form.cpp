@@ -6,8 +6,8 @@
 #include "app/run/Nav2Robots.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/EntityPages.h"
-#include "editor/panels/Nav2Form.h"
+#include "editor/panels/properties/EntityPages.h"
+#include "editor/panels/properties/Nav2Form.h"
 
 using editor::EntityKind;
 using editor::FormSection;

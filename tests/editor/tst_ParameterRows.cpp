@@ -2,7 +2,7 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
-#include "editor/panels/EntityPages.h"
+#include "editor/panels/properties/EntityPages.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/FieldBuilder.h"
 #include "sim2d/scenario/ScenarioFile.h"

@@ -5,7 +5,7 @@
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/RunInteraction.h"
+#include "editor/panels/runs/RunInteraction.h"
 #include "sim2d/trace/Recording.h"
 
 using sim2d::InputKind;

@@ -10,7 +10,7 @@
 #include "editor/canvas/MapLegend.h"
 #include "editor/canvas/RobotPainters.h"
 #include "editor/panels/EventsPanel.h"
-#include "editor/panels/RunOverlayUpdater.h"
+#include "editor/panels/runs/RunOverlayUpdater.h"
 #include "editor/run/SimulationRunner.h"
 
 using editor::CanvasOptions;

@@ -3,8 +3,8 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/PropertyPanel.h"
-#include "editor/panels/RouteEditor.h"
+#include "editor/panels/properties/PropertyPanel.h"
+#include "editor/panels/properties/RouteEditor.h"
 
 using editor::EntityId;
 using editor::NumberField;

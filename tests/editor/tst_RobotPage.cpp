@@ -10,8 +10,8 @@
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
-#include "editor/panels/AgentPictures.h"
-#include "editor/panels/EntityPages.h"
+#include "editor/panels/properties/AgentPictures.h"
+#include "editor/panels/properties/EntityPages.h"
 #include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/FieldBuilder.h"
 

@@ -1,7 +1,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "editor/panels/RouteEditor.h"
+#include "editor/panels/properties/RouteEditor.h"
 
 using editor::RouteEditor;
 

@@ -7,7 +7,7 @@
 
 #include "SmallScenario.h"
 #include "editor/panels/MetricsFeed.h"
-#include "editor/panels/Playback.h"
+#include "editor/panels/runs/Playback.h"
 
 using namespace editor;
 

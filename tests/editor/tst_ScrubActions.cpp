@@ -8,8 +8,8 @@
 #include "SmallScenario.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapView.h"
-#include "editor/panels/Playback.h"
-#include "editor/panels/ScrubActions.h"
+#include "editor/panels/runs/Playback.h"
+#include "editor/panels/runs/ScrubActions.h"
 
 using namespace editor;
 using sim2d::Event;

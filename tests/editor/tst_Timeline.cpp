@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "SmallScenario.h"
-#include "editor/panels/Playback.h"
+#include "editor/panels/runs/Playback.h"
 
 using editor::TimelineBar;
 using sim2d::Event;

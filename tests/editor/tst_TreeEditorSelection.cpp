@@ -9,73 +9,38 @@
 #include "editor/look/AppStyle.h"
 #include "editor/panels/EventsPanel.h"
 #include "editor/panels/MetricsFeed.h"
-#include "editor/panels/TreeOutline.h"
-#include "editor/trees/TreeEditor.h"
+#include "tests/support/TreeEditorHands.h"
 
 using editor::TreeCanvas;
 using editor::TreeGraph;
 
 /// Several nodes of a tree at once, places of the file and the blackboard, by mouse and keys in the
 /// studio without the rest of the window.
-class TreeEditorSelectionTest : public QObject, private CanvasTester {
+class TreeEditorSelectionTest : public QObject, private CanvasTester, private TreeEditorHands {
   Q_OBJECT
 
  private:
+  using TreeEditorHands::click;
+  using TreeEditorHands::drag;
+  using TreeEditorHands::EntityId;
+  using TreeEditorHands::entry;
+  using TreeEditorHands::person;
+
   std::unique_ptr<editor::SimulationRunner> runner_;
   std::unique_ptr<editor::RunEvents> events_;
   std::unique_ptr<editor::MetricsFeed> feed_;
   std::unique_ptr<editor::PanelContext> context_;
   std::unique_ptr<editor::TreeEditor> studio_;
 
-  editor::ScenarioDocument& document() { return document_; }
+  editor::ScenarioDocument& document() override { return document_; }
   editor::SimulationRunner& runner() { return *runner_; }
-  editor::TreeEditor& studio() { return *studio_; }
-  TreeCanvas& canvas() { return studio().canvas(); }
-  TreeGraph& graph() { return canvas().graph(); }
-  int undoSteps() { return document().undoStack().index(); }
-  EntityId person(const char* name) {
-    for (const sim2d::Human& human : document().scenario().humans) {
-      if (human.name == name) {
-        return human.key;
-      }
-    }
-    return {};
-  }
+  editor::TreeEditor& studio() override { return *studio_; }
   void open(const char* name) {
     document().setSelection({person(name)});
     studio().resize(1100, 760);
     studio().show();
     QVERIFY(QTest::qWaitForWindowExposed(&studio()));
     canvas().fit();
-  }
-  int called(const char* title, int skip = 0) {
-    for (std::size_t i = 0; i < graph().nodes().size(); ++i) {
-      if (editor::nodeTitle(*graph().nodes()[i].node) == QString::fromUtf8(title) && skip-- == 0) {
-        return static_cast<int>(i);
-      }
-    }
-    return -1;
-  }
-  QStringList rootChildren() {
-    QStringList titles;
-    for (const int child : graph().childrenOf(0)) {
-      titles << editor::nodeTitle(*graph().node(child).node);
-    }
-    return titles;
-  }
-  void click(int node) {
-    QVERIFY(graph().isShown(node));
-    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, canvas().centreOf(node));
-  }
-  void drag(const QPoint& from, const QPoint& to) {
-    QTest::mousePress(&canvas(), Qt::LeftButton, {}, from);
-    for (int k = 1; k <= 4; ++k) {
-      const QPoint at = from + (to - from) * k / 4;
-      QMouseEvent move(QEvent::MouseMove, at, canvas().mapToGlobal(at), Qt::NoButton,
-                       Qt::LeftButton, {});
-      QCoreApplication::sendEvent(&canvas(), &move);
-    }
-    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, to);
   }
   void clickWith(Qt::KeyboardModifiers modifiers, int node) {
     QTest::mouseClick(&canvas(), Qt::LeftButton, modifiers, canvas().centreOf(node));
@@ -88,27 +53,6 @@ class TreeEditorSelectionTest : public QObject, private CanvasTester {
       QTRY_VERIFY_WITH_TIMEOUT(
           runner().newestFrame() != nullptr && runner().newestFrame()->step >= next, 60000);
     }
-  }
-  void choosefromMenu(int node, const char* words) {
-    QMenu menu;
-    studio().fillMenu(menu, node);
-    QAction* action = entry(menu, QString::fromUtf8(words));
-    QVERIFY2(action != nullptr, words);
-    QVERIFY2(action->isEnabled(), words);
-    action->trigger();
-  }
-  QAction* entry(QMenu& menu, const QString& words) {
-    for (QAction* action : menu.actions()) {
-      if (action->text().section(QLatin1Char('\t'), 0, 0) == words) {
-        return action;
-      }
-      if (action->menu() != nullptr) {
-        if (QAction* inner = entry(*action->menu(), words)) {
-          return inner;
-        }
-      }
-    }
-    return nullptr;
   }
   int entryRow(const char* key) {
     const QTableWidget& table = studio().entries().table();

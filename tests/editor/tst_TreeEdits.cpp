@@ -5,8 +5,9 @@
 
 using editor::NodeLocation;
 using editor::OptionalLocation;
+using editor::OptionalLocations;
 
-/// Edits of trees as values.
+/// Edits of trees as values, of one and of several nodes.
 class TreeEditsTest : public QObject {
   Q_OBJECT
 
@@ -33,30 +34,49 @@ class TreeEditsTest : public QObject {
   }
   static QString shortOf(const bt::TreeFile& file) { return shortOf(file.trees.front().root); }
   static NodeLocation at(const bt::NodePath& path) { return {"Main", path}; }
+  /// A node "name" is `<Sequence name='name'>`, so that places and names are told apart.
+  static bt::TreeFile named() {
+    return *bt::readTreeText(
+        "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Fallback name='r'>"
+        "<Sequence name='a'><AlwaysSuccess name='a0'/><AlwaysSuccess name='a1'/>"
+        "<AlwaysSuccess name='a2'/></Sequence>"
+        "<Inverter name='i'><AlwaysFailure name='i0'/></Inverter>"
+        "<Sequence name='b'><AlwaysSuccess name='b0'/></Sequence>"
+        "</Fallback></BehaviorTree></root>");
+  }
+  static std::vector<NodeLocation> allAt(const std::vector<bt::NodePath>& paths) {
+    std::vector<NodeLocation> places;
+    places.reserve(paths.size());
+    for (const bt::NodePath& path : paths) {
+      places.push_back({"Main", path});
+    }
+    return places;
+  }
+  static OptionalLocations only(const bt::NodePath& path) { return OptionalLocations({at(path)}); }
   static bt::NodeSpec node(const char* id) { return editor::defaultNode(id); }
 
  private Q_SLOTS:
   void add_atAPlace_countsFromWhatIsThere() {
     bt::TreeFile file = plain();
-    QCOMPARE(editor::addNode(file, at({0}), 1, node("AlwaysSuccess")),
-             OptionalLocation(at({0, 1})));
-    QCOMPARE(editor::addNode(file, at({}), 99, node("Inverter")), OptionalLocation(at({2})));
+    QCOMPARE(editor::addNodes(file, at({0}), 1, {node("AlwaysSuccess")}), only({0, 1}));
+    QCOMPARE(editor::addNodes(file, at({}), 99, {node("Inverter")}), only({2}));
     QCOMPARE(shortOf(file), QStringLiteral("Fallback(Sequence(AlwaysFailure AlwaysSuccess "
                                            "RunOnce(AlwaysSuccess)) StopMovement Inverter)"));
     const bt::TreeFile before = file;
-    QVERIFY(!editor::addNode(file, at({0, 2}), 0, node("AlwaysSuccess")));  // a decorator is full
-    QVERIFY(!editor::addNode(file, at({1}), 0, node("AlwaysSuccess")));     // a leaf
-    QVERIFY(!editor::addNode(file, at({7}), 0, node("AlwaysSuccess")));
-    QVERIFY(!editor::addNode(file, {"Other", {}}, 0, node("AlwaysSuccess")));
+    QVERIFY(
+        !editor::addNodes(file, at({0, 2}), 0, {node("AlwaysSuccess")}));   // a decorator is full
+    QVERIFY(!editor::addNodes(file, at({1}), 0, {node("AlwaysSuccess")}));  // a leaf
+    QVERIFY(!editor::addNodes(file, at({7}), 0, {node("AlwaysSuccess")}));
+    QVERIFY(!editor::addNodes(file, {"Other", {}}, 0, {node("AlwaysSuccess")}));
     QVERIFY(file == before);
   }
 
   void remove_choosesWhatIsLeftBesideIt() {
     bt::TreeFile file = plain();
-    QCOMPARE(editor::removeNode(file, at({1})), OptionalLocation(at({0})));
-    QCOMPARE(editor::removeNode(file, at({0})), OptionalLocation(at({})));
+    QCOMPARE(editor::removeNodes(file, {at({1})}), only({0}));
+    QCOMPARE(editor::removeNodes(file, {at({0})}), only({}));
     QCOMPARE(shortOf(file), QStringLiteral("Fallback"));
-    QVERIFY(!editor::removeNode(file, at({})));
+    QVERIFY(!editor::removeNodes(file, {at({})}));
   }
 
   void move_withinAndBetweenParents_data() {
@@ -85,8 +105,8 @@ class TreeEditsTest : public QObject {
     QFETCH(QString, becomes);
     bt::TreeFile file = plain();
     const bt::NodeSpec moved = *editor::nodeAt(file, at({from.begin(), from.end()}));
-    const OptionalLocation to = editor::moveNode(file, at({from.begin(), from.end()}),
-                                                 at({parent.begin(), parent.end()}), index);
+    const OptionalLocations to = editor::moveNodes(file, {at({from.begin(), from.end()})},
+                                                   at({parent.begin(), parent.end()}), index);
     QCOMPARE(to.has_value(), !becomes.isEmpty());
     if (!to) {
       QVERIFY(file == plain());
@@ -97,18 +117,18 @@ class TreeEditsTest : public QObject {
         .replace(QStringLiteral("R(B)"), QStringLiteral("RunOnce(AlwaysSuccess)"))
         .replace(QRegularExpression(QStringLiteral("\\bA\\b")), QStringLiteral("AlwaysFailure"));
     QCOMPARE(shortOf(file), becomes);
-    QVERIFY(*editor::nodeAt(file, *to) == moved);
+    QVERIFY(*editor::nodeAt(file, to->front()) == moved);
   }
 
   void wrapAndUnwrap_takeEachOtherBack() {
     bt::TreeFile file = plain();
     for (const bt::NodePath& path : {bt::NodePath{}, bt::NodePath{0, 1}, bt::NodePath{1}}) {
-      QCOMPARE(editor::wrapNode(file, at(path), node("Inverter")), OptionalLocation(at(path)));
+      QCOMPARE(editor::wrapNodes(file, {at(path)}, node("Inverter")), only(path));
       QVERIFY(file != plain());
       QCOMPARE(editor::unwrapNode(file, at(path)), OptionalLocation(at(path)));
       QVERIFY(file == plain());
     }
-    QVERIFY(!editor::wrapNode(file, at({1}), node("StopMovement")));  // a leaf holds nothing
+    QVERIFY(!editor::wrapNodes(file, {at({1})}, node("StopMovement")));  // a leaf holds nothing
     QVERIFY(!editor::unwrapNode(file, at({1})));
     QVERIFY(!editor::unwrapNode(file, at({})));  // two nodes cannot be a root
     QCOMPARE(editor::unwrapNode(file, at({0})), OptionalLocation(at({0})));
@@ -118,10 +138,10 @@ class TreeEditsTest : public QObject {
 
   void duplicate_standsBehind() {
     bt::TreeFile file = plain();
-    QCOMPARE(editor::duplicateNode(file, at({1})), OptionalLocation(at({2})));
+    QCOMPARE(editor::duplicateNodes(file, {at({1})}), only({2}));
     QVERIFY(*editor::nodeAt(file, at({2})) == *editor::nodeAt(file, at({1})));
-    QVERIFY(!editor::duplicateNode(file, at({})));
-    QVERIFY(!editor::duplicateNode(file, at({0, 1, 0})));  // a decorator holds one
+    QVERIFY(!editor::duplicateNodes(file, {at({})}));
+    QVERIFY(!editor::duplicateNodes(file, {at({0, 1, 0})}));  // a decorator holds one
   }
 
   void replace_keepsChildrenAndPortsThatItHas() {
@@ -201,6 +221,116 @@ class TreeEditsTest : public QObject {
     QVERIFY(node("no such node").ports.empty());
     QVERIFY(editor::canHaveChildren(node("no such node")));
     QVERIFY(!editor::canHaveChildren(node("IsRobotVisible")));
+  }
+
+  void places_inOthers_areLeftOut() {
+    QVERIFY(editor::withoutDescendants(allAt({{2}, {0, 1}, {0}, {2, 0}, {1, 0}})) ==
+            allAt({{0}, {1, 0}, {2}}));
+    QVERIFY(editor::withoutDescendants(allAt({{0, 1}, {}})) == allAt({{}}));
+    QVERIFY(editor::areSiblings(allAt({{0}, {2}})));
+    QVERIFY(!editor::areSiblings(allAt({{0}, {2, 0}})));
+    QVERIFY(!editor::areSiblings(allAt({{}})));
+  }
+
+  void remove_several_takesAllInAnyOrder() {
+    bt::TreeFile file = named();
+    QVERIFY(editor::removeNodes(file, allAt({{2, 0}, {0, 0}, {0, 2}, {1}})));
+    QCOMPARE(shortOf(file), QStringLiteral("r(a(a1) b)"));
+    QVERIFY(!editor::removeNodes(file, allAt({{}})));
+  }
+
+  void move_several_data() {
+    QTest::addColumn<QString>("nodes");
+    QTest::addColumn<QString>("parent");
+    QTest::addColumn<int>("index");
+    QTest::addColumn<QString>("result");
+    const auto row = [](const char* name, const char* nodes, const char* parent, int index,
+                        const char* result) {
+      QTest::newRow(name) << nodes << parent << index << result;
+    };
+    row("to another parent", "0.0 0.2", "2", 0, "r(a(a1) i(i0) b(a0 a2 b0))");
+    row("behind all there", "0.0 0.2", "2", 9, "r(a(a1) i(i0) b(b0 a0 a2))");
+    row("forward in a row", "0 1", "", 3, "r(b(b0) a(a0 a1 a2) i(i0))");
+    row("backward", "1 2", "", 0, "r(i(i0) b(b0) a(a0 a1 a2))");
+    row("apart, together", "0.0 0.2", "0", 2, "r(a(a1 a0 a2) i(i0) b(b0))");
+    row("from two parents", "0.1 2.0", "", 1, "r(a(a0 a2) a1 b0 i(i0) b)");
+    row("parent after the gap", "0 1", "2", 1, "r(b(b0 a(a0 a1 a2) i(i0)))");
+    row("where they are", "0 1", "", 1, "");
+    row("into one of them", "0 1", "0", 0, "");
+    row("no room", "0.0 0.1", "1", 1, "");
+  }
+  void move_several() {
+    QFETCH(QString, nodes);
+    QFETCH(QString, parent);
+    QFETCH(int, index);
+    QFETCH(QString, result);
+    const auto pathOf = [](const QString& text) {
+      bt::NodePath path;
+      for (const QString& part : text.split(QLatin1Char('.'), Qt::SkipEmptyParts)) {
+        path.push_back(part.toInt());
+      }
+      return path;
+    };
+    std::vector<bt::NodePath> paths;
+    for (const QString& each : nodes.split(QLatin1Char(' '))) {
+      paths.push_back(pathOf(each));
+    }
+    bt::TreeFile file = named();
+    const OptionalLocations moved =
+        editor::moveNodes(file, allAt(paths), {"Main", pathOf(parent)}, index);
+    QCOMPARE(moved.has_value(), !result.isEmpty());
+    if (moved) {
+      QCOMPARE(shortOf(file), result);
+      QCOMPARE(moved->size(), paths.size());
+      for (std::size_t k = 0; k < paths.size(); ++k) {
+        const bt::TreeFile before = named();
+        QCOMPARE(editor::nodeAt(file, (*moved)[k])->label(),
+                 editor::nodeAt(before, allAt(paths)[k])->label());
+      }
+    }
+  }
+
+  void wrap_siblings_standInOneNode() {
+    bt::TreeFile file = named();
+    bt::NodeSpec around = editor::defaultNode("Sequence");
+    around.name = "w";
+    QVERIFY(editor::wrapNodes(file, allAt({{0}, {2}}), around) == OptionalLocations(allAt({{0}})));
+    QCOMPARE(shortOf(file), QStringLiteral("r(w(a(a0 a1 a2) b(b0)) i(i0))"));
+    file = named();
+    QVERIFY(!editor::wrapNodes(file, allAt({{0}, {2, 0}}), around));
+    file = named();
+    QVERIFY(!editor::wrapNodes(file, allAt({{0}, {2}}), editor::defaultNode("Inverter")));
+    file = named();
+    QVERIFY(editor::wrapNodes(file, allAt({{}}), around));  // the root alone may be
+    QCOMPARE(shortOf(file), QStringLiteral("w(r(a(a0 a1 a2) i(i0) b(b0)))"));
+  }
+
+  void duplicate_siblingsBehindTheLast_othersBehindThemselves() {
+    bt::TreeFile file = named();
+    QVERIFY(editor::duplicateNodes(file, allAt({{0}, {1}})) ==
+            OptionalLocations(allAt({{2}, {3}})));
+    QCOMPARE(shortOf(file), QStringLiteral("r(a(a0 a1 a2) i(i0) a(a0 a1 a2) i(i0) b(b0))"));
+    file = named();
+    QVERIFY(editor::duplicateNodes(file, allAt({{0, 0}, {2}})) ==
+            OptionalLocations(allAt({{0, 1}, {3}})));
+    QCOMPARE(shortOf(file), QStringLiteral("r(a(a0 a0 a1 a2) i(i0) b(b0) b(b0))"));
+    file = named();
+    QVERIFY(editor::duplicateNodes(file, allAt({{1}, {2, 0}})) ==
+            OptionalLocations(allAt({{2}, {3, 1}})));
+    QVERIFY(!editor::duplicateNodes(file, allAt({{1, 0}, {2}})));  // the inverter holds one
+  }
+
+  void text_ofSeveral_isReadBack() {
+    const bt::TreeFile file = named();
+    const std::string text = editor::nodesText(
+        {editor::nodeAt(file, allAt({{0}})[0]), editor::nodeAt(file, allAt({{1, 0}})[0])});
+    bt::TreeFile into;
+    const auto nodes = editor::nodesFromText(text, into);
+    QVERIFY(nodes && nodes->size() == 2);
+    QVERIFY((*nodes)[0] == *editor::nodeAt(file, allAt({{0}})[0]));
+    QVERIFY((*nodes)[1] == *editor::nodeAt(file, allAt({{1, 0}})[0]));
+    QVERIFY(!editor::nodesFromText("<Sequence><", into));
+    QVERIFY(!editor::nodesFromText("words", into));
   }
 };
 

@@ -1,6 +1,6 @@
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/panels/PropertyPanel.h"
+#include "editor/panels/properties/PropertyPanel.h"
 
 using editor::PropertyPanel;
 

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QtWidgets>
+
+#include "app/run/Export.h"
+#include "app/run/RunSpec.h"
+#include "app/window/Workspace.h"
+#include "app/window/files/FileDialogs.h"
+#include "editor/panels/IssuesPanel.h"
+
+namespace app {
+
+/// Opens and saves files with the necessary dialogs. Problems are shown in the issues panel.
+class FileCommands : public QObject {
+  Q_OBJECT
+ public:
+  FileCommands(Workspace& workspace, editor::IssuesPanel& issues, UserSettings& userSettings,
+               QWidget& window);
+
+  void setOptions(const RunSpec& options, const sim2d::Compatibility& compatibility) {
+    options_ = options;
+    compatibility_ = compatibility;
+  }
+  /// Opens a scenario, a map (for a new scenario), the folder of a recorded run, or a tree for the
+  /// selected people. False: the file could not be read completely; see the issues.
+  bool openFile(const QString& path);
+  static bool isImage(const QString& path);  // by file name; opening it asks for the scale
+  /// Opens a file dropped onto the entity `under`; none: onto the window.
+  bool dropFile(const QString& path, editor::EntityId under);
+  /// Reloads the document from disk.
+  bool reload() { return openScenario(workspace_.document().path()); }
+  bool restore(const QString& folder);  // restores the copy of a crashed session
+  bool openNewFromMap(const QString& mapYaml);
+  bool replaceMap(const QString& mapYaml);  // replaces the map of the open scenario
+  void newOpenPlane();                      // creates an open plane
+  void newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map);
+  bool saveTo(const QString& path, const editor::TreeReplacements& trees = {});
+  void fillRecentMenu(QMenu& menu);
+  Bundle exportSource() const;
+  QString exportFolder() const;                                    // default of `askExport`
+  bool exportPlan(const ExportPlan& plan);                         // writes the files
+  const base::Diagnostics& problems() const { return problems_; }  // problems of the last command
+  /// The warning about the last opened recorded run, if it is truncated.
+  const std::optional<base::Diagnostic>& truncationOfRun() const { return truncationOfRun_; }
+
+  // The following functions show dialogs.
+  void askOpen();
+  void askOpenRun();
+  void askNewFromMap();
+  void askNewEmptyRoom();
+  void askMapOfImage(const QString& path);
+  void askReplaceMap();
+  void askExport();
+  bool save();  // asks for a name if there is none; false: cancelled or failed
+  bool saveAs();
+  QString suggestedPath() const;         // default of `saveAs`
+  bool saveAsPath(const QString& path);  // as `saveAs` with this path; never overwrites a map
+  bool isFileMissing() const;            // the file was moved or removed
+  /// Asks about unsaved changes or a removed file: save, discard or cancel. True: the document may
+  /// be replaced.
+  bool maybeSave();
+  /// The initial folder of dialogs: that of the user's own files.
+  QString folder() const;
+
+ Q_SIGNALS:
+  void runOpened(const QString& folder);  // a recorded run is displayed
+  void opened();                          // a document or recorded run was opened
+  void closed();                          // no document is open
+  void recentChanged();
+  void issuesRaised();
+  void exported(const QString& folder, int files);
+  void notExported(const base::Diagnostics& problems);
+  void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
+
+ private:
+  enum class Kind { Scenario, Map, Image, Tree, Run };
+  bool showProblems(const base::Diagnostics& problems);
+  base::Diagnostics applyRunOptions();
+  void openIfWanted(const QString& path);  // empty: cancelled
+  QString ask(QFileDialog::FileMode mode, const QString& title, const QString& filter = {});
+  Kind kindOf(const QString& path) const;
+  bool openScenario(const QString& path);
+  bool openRun(const QString& path);
+  std::function<editor::RunRequest()> replayRequestOf(const QString& folder) const;
+  void closeRun();
+  bool assignTree(const QString& path, editor::EntityId under);
+  bool confirmOverwrite();
+  bool isMap(const QString& path) const;
+  bool saveAsking(const QString& path);
+
+  Workspace& workspace_;
+  editor::IssuesPanel& issues_;
+  UserSettings& userSettings_;
+  QWidget& window_;
+  RunSpec options_;
+  sim2d::Compatibility compatibility_;
+  base::Diagnostics problems_;
+  std::optional<base::Diagnostic> truncationOfRun_;
+  QString previousDocument_, scenarioOfRun_;  // files; while a recorded run is displayed
+  bool isMapRejected_ = false;                // their issues are cleared by the next map
+};
+
+}  // namespace app

@@ -1,0 +1,305 @@
+#include "app/window/study/StudyPanel.h"
+
+#include "app/window/study/RestoredStudy.h"
+#include "app/window/study/StudyRows.h"
+#include "editor/look/FileDialog.h"
+#include "editor/panels/RowDelegate.h"
+
+namespace app {
+
+namespace {
+
+constexpr int kFormWidth = 400;
+constexpr int kRoom = 400;
+constexpr QSize kLeastSize(240, 80);
+constexpr int kLeastName = 150;
+constexpr QSize kBarSize(100, 8);
+constexpr int kCheckMs = 300;
+constexpr int kProgressSteps = 1000;
+
+}  // namespace
+
+StudyPanel::StudyPanel(editor::PanelContext& context)
+    : context_(context),
+      form_(new StudyForm(context)),
+      results_(new StudyResults(this)),
+      process_(this),
+      name_(new editor::ElidedLabel(this)),
+      messageLabel_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      start_(new QPushButton(this)),
+      report_(new QPushButton(tr("Report"), this)),
+      restartButton_(editor::linkButton(tr("Restart"), tr("Delete the results in the folder"), this,
+                                        [this] { start(StudyProcess::Begin::Restart); })) {
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {}, 0);
+  rows->addWidget(makeHead());
+  rows->addWidget(editor::dividerLine(this));
+  auto* halves = new QSplitter(Qt::Horizontal, this);
+  halves->setChildrenCollapsible(false);
+  halves->addWidget(editor::scrollArea(form_, halves));
+  auto* right = new QWidget(halves);
+  editor::configuredLayout(new QVBoxLayout(right), {}, 0, {makeState()})->addWidget(results_, 1);
+  halves->addWidget(right);
+  halves->setStretchFactor(0, 0);
+  halves->setStretchFactor(1, 1);
+  halves->setSizes({kFormWidth, 3 * kFormWidth});
+  rows->addWidget(halves, 1);
+  setMinimumSize(kLeastSize);  // does not enlarge its dock area while hidden
+  connectSignals();
+  restartButton_->hide();
+  updateControls();
+  check();
+}
+
+void StudyPanel::connectSignals() {
+  check_.setSingleShot(true);
+  check_.setInterval(kCheckMs);
+  connect(&check_, &QTimer::timeout, this, &StudyPanel::check);
+  connect(form_, &StudyForm::changed, this, [this] {
+    isEdited_ = written_.isNull() || form_->yamlFor(QFileInfo(file_).absolutePath()) != written_;
+    checkSoon();
+  });
+  connect(&context_.document, &editor::ScenarioDocument::dirtyChanged, this,
+          &StudyPanel::checkSoon);
+  connect(&context_, &editor::PanelContext::themeChanged, this, &StudyPanel::updateMessageColor);
+  connect(results_, &StudyResults::playRequested, this, &StudyPanel::play);
+  connect(&process_, &StudyProcess::began, this, [this](const StudyHeader& begin) {
+    if (runningExperiment_) {
+      showResultsOf(*runningExperiment_);
+    }
+    total_ = begin.runs;
+    before_ = begin.finished;
+    since_.start();
+  });
+  connect(&process_, &StudyProcess::rowsReceived, this, [this](const std::vector<StudyRow>& came) {
+    results_->add(came);
+    showProgress();
+    updateControls();
+  });
+  connect(&process_, &StudyProcess::ended, this, &StudyPanel::finish);
+}
+
+StudyPanel::~StudyPanel() {
+  helperProcess_.disconnect(this);
+}
+
+QWidget* StudyPanel::makeHead() {
+  auto* head = new QWidget(this);
+  auto* row = editor::configuredLayout(new QHBoxLayout(head), {12, 6, 12, 6}, 12);
+  name_->setMinimumWidth(kLeastName);
+  row->addWidget(name_, 1);
+  open_ = editor::linkButton(tr("Open…"), tr("Open an experiment file"), head,
+                             [this] { askFile(false); });
+  saveAs_ = editor::linkButton(tr("Save as…"),
+                               tr("Save the experiment as a file; its results are stored beside "
+                                  "it"),
+                               head, [this] { askFile(true); });
+  row->addWidget(open_);
+  row->addWidget(saveAs_);
+  row->addWidget(start_);
+  row->addWidget(report_);
+  report_->setToolTip(tr("Write a page with tables, confidence intervals, tests and figures"));
+  connect(start_, &QPushButton::clicked, this, [this] { isRunning() ? stop() : start(); });
+  connect(report_, &QPushButton::clicked, this, &StudyPanel::openReport);
+  return head;
+}
+
+QWidget* StudyPanel::makeState() {
+  auto* state = new QWidget(this);
+  messageLabel_->setWordWrap(true);
+  progress_->setRange(0, kProgressSteps);
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(kBarSize);
+  auto* row = editor::configuredLayout(new QHBoxLayout(state), {12, 8, 12, 4}, 12);
+  row->addWidget(messageLabel_, 1);
+  row->addWidget(restartButton_);
+  row->addWidget(progress_);
+  return state;
+}
+
+void StudyPanel::updateControls() {
+  const std::size_t finished = results_->runs().rows().size();
+  const bool goesOn = finished > 0 && finished < total_ && !isEdited_;
+  start_->setText(isRunning() ? tr("Stop") : goesOn ? tr("Resume") : tr("Start"));
+  start_->setDefault(!isRunning());
+  report_->setEnabled(
+      !isRunning() && !file_.isEmpty() &&
+      QFileInfo::exists(QDir(resultsFolder()).filePath(QStringLiteral("results.csv"))));
+  open_->setEnabled(!isRunning());
+  saveAs_->setEnabled(!isRunning());
+  progress_->setVisible(isRunning());
+  form_->setEditable(!isRunning());
+  name_->setFullText(file_.isEmpty() ? tr("New study") : QFileInfo(file_).fileName());
+}
+
+void StudyPanel::showMessage(const QString& text, bool isProblem) {
+  isMessageProblem_ = isProblem;
+  messageLabel_->setText(text);
+  updateMessageColor();
+}
+
+void StudyPanel::updateMessageColor() {
+  QPalette colors = palette();
+  colors.setColor(
+      QPalette::WindowText,
+      context_.theme().color(isMessageProblem_ ? editor::Role::Error : editor::Role::Text));
+  messageLabel_->setPalette(colors);
+}
+
+QString StudyPanel::resultsFolder() const {
+  const QFileInfo file(file_);
+  return file.absoluteDir().filePath(file.completeBaseName() + QStringLiteral("_results"));
+}
+
+void StudyPanel::setFile(const QString& path) {
+  file_ = path;
+  isEdited_ = true;  // until saved
+  written_ = QString();
+  restartButton_->hide();
+  code_.reset();
+  Q_EMIT codePermissionNeeded({});
+  showRestored();
+  updateControls();
+  checkSoon();
+}
+
+void StudyPanel::askFile(bool toSave) {
+  QFileDialog dialog(this, toSave ? tr("Save the study") : tr("Open a study"),
+                     file_.isEmpty() ? context_.folder() : QFileInfo(file_).absolutePath(),
+                     tr("Experiments (*.yaml *.yml)"));
+  dialog.setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+  dialog.setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+  dialog.setDefaultSuffix(QStringLiteral("yaml"));
+  if (toSave) {
+    dialog.selectFile(file_.isEmpty() ? QStringLiteral("study.yaml") : QFileInfo(file_).fileName());
+  }
+  const QString path = editor::chosenFiles(dialog, toSave).value(0);
+  if (path.isEmpty()) {
+    return;
+  }
+  if (toSave) {
+    setFile(path);
+    save();
+  } else {
+    openFile(path);
+  }
+}
+
+bool StudyPanel::openFile(const QString& path) {
+  if (isRunning()) {
+    return false;
+  }
+  const base::Result<Experiment> read = readExperiment(path.toStdString());
+  if (!read) {
+    showMessage(QString::fromStdString(read.diagnostics().front().text()), true);
+    return false;
+  }
+  setFile(path);
+  form_->show(*read);
+  written_ = form_->yamlFor(QFileInfo(path).absolutePath());
+  isEdited_ = false;
+  updateControls();
+  return true;
+}
+
+/// Shows the existing results in the folder.
+void StudyPanel::showRestored() {
+  const RestoredStudy earlier = restoredStudyIn(resultsFolder());
+  const base::Result<Experiment> of =
+      earlier.experiment ? parseExperiment(*earlier.experiment, file_.toStdString())
+                         : readExperiment(file_.toStdString());
+  displayedExperiment_ = of && earlier.experiment ? std::optional(*of) : std::nullopt;
+  total_ = earlier.runs;
+  before_ = earlier.rows.size();
+  folderProblem_ = earlier.trouble;
+  results_->begin(earlier.paths, of ? comparedPath(*of) : QString());
+  results_->add(earlier.rows);
+}
+
+/// Clears the results for a new study.
+void StudyPanel::showResultsOf(const Experiment& experiment) {
+  QStringList paths;
+  for (const ExperimentValue& value : experiment.values) {
+    paths.append(QString::fromStdString(value.path));
+  }
+  displayedExperiment_ = experiment;
+  folderProblem_.clear();
+  results_->begin(paths, comparedPath(experiment));
+}
+
+base::Result<Experiment> StudyPanel::experiment() const {
+  const QString folder = file_.isEmpty() ? context_.folder() : QFileInfo(file_).absolutePath();
+  const QString path =
+      file_.isEmpty() ? QDir(folder).filePath(QStringLiteral("study.yaml")) : file_;
+  return parseExperiment(form_->yamlFor(folder).toStdString(), path.toStdString());
+}
+
+/// Shows the size of the study or its problems, while nothing is running.
+void StudyPanel::check() {
+  if (isRunning()) {
+    return;
+  }
+  restartButton_->hide();  // together with its message
+  const base::Result<Experiment> checked = experiment();
+  const bool hasScenarios = !form_->scenarios().isEmpty();
+  start_->setEnabled(bool(checked));
+  if (!hasScenarios) {
+    showMessage(editor::capitalized(folderProblem_), !folderProblem_.isEmpty());
+    return;
+  }
+  if (!checked) {
+    showMessage(QString::fromStdString(checked.diagnostics().front().message), true);
+    return;
+  }
+  showMessage(messagesFor(checked).join(QStringLiteral(": ")), !folderProblem_.isEmpty());
+  updateControls();
+}
+
+/// The text for a valid experiment: its size and further information.
+QStringList StudyPanel::messagesFor(const base::Result<Experiment>& checked) const {
+  QStringList words = {sizeText(*checked)};
+  if (!checked.diagnostics().empty()) {
+    words.append(QString::fromStdString(checked.diagnostics().front().message));
+  }
+  if (context_.document.isDirty() && form_->scenarios().contains(context_.document.path())) {
+    words.append(tr("unsaved changes of %1 are not used").arg(context_.document.displayName()));
+  }
+  const std::size_t finished = results_->runs().rows().size();
+  if (!folderProblem_.isEmpty()) {
+    words.append(folderProblem_);
+  } else if (finished > 0 && !isEdited_) {
+    words.append(tr("%1 of %2 finished").arg(finished).arg(total_));
+  }
+  return words;
+}
+
+/// Saves the file. An unchanged file is not rewritten, which keeps its comments.
+bool StudyPanel::save() {
+  if (!isEdited_) {
+    return true;
+  }
+  const QByteArray text = form_->yamlFor(QFileInfo(file_).absolutePath()).toUtf8();
+  QSaveFile file(file_);
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+    showMessage(tr("%1 cannot be written: %2").arg(file_, file.errorString()), true);
+    return false;
+  }
+  written_ = form_->yamlFor(QFileInfo(file_).absolutePath());
+  isEdited_ = false;
+  return true;
+}
+
+editor::PanelRegistry windowPanels() {
+  editor::PanelRegistry panels = editor::standardPanels();
+  panels.add({90, QObject::tr("Study"), Qt::BottomDockWidgetArea, true, kRoom, false},
+             [](editor::PanelContext& context) {
+               auto* panel = new StudyPanel(context);
+               QObject::connect(
+                   panel, &StudyPanel::counted, &context,
+                   [&context, panel](int count) { Q_EMIT context.counted(panel, count); });
+               return panel;
+             });
+  return panels;
+}
+
+}  // namespace app

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <thread>
+
+#include <QtWidgets>
+
+#include "app/window/study/RestoredStudy.h"
+#include "app/window/study/StudyPanel.h"
+#include "app/window/study/StudyRows.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+int cores() {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+/// Checks the results folder before the file is written, because the file belongs to the existing
+/// results.
+bool StudyPanel::canUseFolder(StudyProcess::Begin begin) {
+  const QString folder = resultsFolder();
+  const QString busy = folderWriter(folder);
+  QString problem = busy;
+  if (problem.isEmpty() && begin == StudyProcess::Begin::Resume) {
+    const base::Result<std::string> text =
+        isEdited_ ? form_->yamlFor(QFileInfo(file_).absolutePath()).toStdString()
+                  : base::readTextFile(file_.toStdString());
+    problem = text ? resumeObstacle(folder, *text) : QString();  // otherwise `batch` reports it
+  }
+  if (!problem.isEmpty()) {
+    showMessage(editor::capitalized(problem), true);
+    restartButton_->setVisible(busy.isEmpty());
+  }
+  return problem.isEmpty();
+}
+
+/// If the code is not allowed, asks for it; `then` is called on consent.
+bool StudyPanel::isCodeAllowed(const std::vector<ExternalCode>& code,
+                               const std::function<void()>& then) {
+  if (code_.allows(code)) {
+    return true;
+  }
+  code_.onAllowed(then);
+  showMessage(tr("Its runs start external programs: allow them above the map"));
+  Q_EMIT codePermissionNeeded(code);
+  return false;
+}
+
+void StudyPanel::start(StudyProcess::Begin begin) {
+  if (isRunning()) {
+    return;
+  }
+  if (file_.isEmpty()) {
+    askFile(true);
+  }
+  const base::Result<Experiment> checked = experiment();
+  if (file_.isEmpty() || !checked) {
+    check();
+    return;
+  }
+  check_.stop();  // it would replace the message set here
+  start_->setEnabled(true);
+  const std::vector<ExternalCode> code = externalCodeOfStudy(*checked);
+  if (!canUseFolder(begin) || !isCodeAllowed(code, [this, begin] { start(begin); }) || !save()) {
+    return;
+  }
+  runningExperiment_ = *checked;
+  runningExperiment_->allowCode = !code.empty();
+  restartButton_->hide();
+  process_.start(file_, resultsFolder(), cores(), begin, runningExperiment_->allowCode);
+  showMessage(tr("Starting…"));
+  updateControls();
+}
+
+void StudyPanel::stop() {
+  process_.stop();
+  showMessage(tr("Stopping…"));
+}
+
+void StudyPanel::showProgress() {
+  const std::vector<StudyRow>& rows = results_->runs().rows();
+  const std::size_t finished = rows.size();
+  const std::size_t made = finished - std::min(before_, finished);
+  QString text = tr("%1 of %2 runs").arg(finished).arg(total_);
+  if (isRunning() && made > 0 && finished < total_) {
+    const double seconds = 1e-3 * static_cast<double>(since_.elapsed());
+    const double left =
+        seconds / static_cast<double>(made) * static_cast<double>(total_ - finished);
+    text += tr(", %1 left").arg(studyTimeText(left));
+  }
+  const auto failed =
+      std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.isOk; });
+  if (failed > 0) {
+    text += tr(", %1 failed").arg(failed);
+  }
+  progress_->setValue(
+      total_ == 0
+          ? 0
+          : static_cast<int>(static_cast<std::size_t>(progress_->maximum()) * finished / total_));
+  showMessage(text);
+  Q_EMIT counted(static_cast<int>(finished));
+}
+
+void StudyPanel::finish(bool isComplete, const QString& problems) {
+  results_->compare();
+  if (!problems.isEmpty()) {
+    const QStringList lines = problems.split(QLatin1Char('\n'));
+    showMessage(withoutSeverity(lines.front()), true);
+    messageLabel_->setToolTip(problems);
+    restartButton_->setVisible(QFileInfo::exists(resultsFolder()));
+  } else {
+    showProgress();
+    messageLabel_->setToolTip({});
+    if (!isComplete) {
+      showMessage(messageLabel_->text() + tr(": stopped, finished runs are kept"));
+    }
+  }
+  updateControls();
+}
+
+/// Runs one process at a time; requests while it is running are ignored.
+void StudyPanel::runProgram(const QStringList& words, const QString& saying,
+                            const std::function<void()>& then) {
+  if (helperProcess_.state() != QProcess::NotRunning) {
+    return;
+  }
+  showMessage(saying);
+  helperProcess_.disconnect(this);
+  connect(&helperProcess_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error == QProcess::FailedToStart) {
+      showMessage(helperProcess_.errorString(), true);
+    }
+  });
+  connect(&helperProcess_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
+          [this, then](int code, QProcess::ExitStatus status) {
+            const bool isFine = status == QProcess::NormalExit && code <= 1;
+            if (isFine) {
+              showProgress();
+              then();
+            } else {
+              showMessage(QString::fromUtf8(helperProcess_.readAllStandardError()).trimmed(), true);
+            }
+          });
+  helperProcess_.start(process_.program(), words);
+}
+
+/// Plays the kept folder of a run; otherwise the run is repeated first.
+void StudyPanel::play(int run) {
+  const QString kept = QDir(resultsFolder()).filePath(QStringLiteral("runs/%1").arg(run));
+  if (QFileInfo::exists(kept)) {
+    Q_EMIT openRunRequested(kept);
+    return;
+  }
+  if (!displayedExperiment_ || static_cast<std::size_t>(run) >= displayedExperiment_->runCount()) {
+    showMessage(tr("Run %1 was not recorded, and its experiment can no longer be read").arg(run),
+                true);
+    return;
+  }
+  const std::vector<ExternalCode> code = externalCodeOfStudy(*displayedExperiment_);
+  if (!isCodeAllowed(code, [this, run] { play(run); })) {
+    return;
+  }
+  displayedExperiment_->allowCode = !code.empty();
+  QStringList words;
+  for (const std::string& word :
+       commandLineOf(displayedExperiment_->specOf(static_cast<std::size_t>(run)))) {
+    words.append(QString::fromStdString(word));
+  }
+  played_ = std::make_unique<QTemporaryDir>();
+  const QString folder = played_->filePath(QStringLiteral("run_%1").arg(run));
+  words << QStringLiteral("--quiet") << QStringLiteral("-o") << folder;
+  runProgram(words, tr("Replaying run %1…").arg(run),
+             [this, folder] { Q_EMIT openRunRequested(folder); });
+}
+
+void StudyPanel::openReport() {
+  const QString folder = resultsFolder();
+  runProgram({QStringLiteral("report"), folder, QStringLiteral("--quiet")},
+             tr("Writing the report…"), [folder] {
+               QDesktopServices::openUrl(
+                   QUrl::fromLocalFile(QDir(folder).filePath(QStringLiteral("report.html"))));
+             });
+}
+
+}  // namespace app

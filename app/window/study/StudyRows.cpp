@@ -1,0 +1,300 @@
+#include "app/window/study/StudyRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "editor/look/Form.h"
+#include "metrics/MetricRegistry.h"
+#include "metrics/statistics/Summary.h"
+
+namespace app {
+
+namespace {
+
+/// The first columns; they are followed by values, end reason and metrics.
+enum FirstColumn { RunColumn, ScenarioColumn, SeedColumn, FirstColumns };
+constexpr int kEndColumns = 1;               // end reason
+constexpr std::size_t kMostResampled = 300;  // values; the table is updated twice a second
+
+QString numberText(double value) {
+  const double size = std::abs(value);
+  return QString::number(value, 'f', size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2);
+}
+
+QString rateText(const std::vector<const StudyRow*>& rows, const QString& key) {
+  int successes = 0;
+  int count = 0;
+  for (const StudyRow* row : rows) {
+    const auto found = row->metrics.find(key);
+    const bool isDefined = found != row->metrics.end();
+    count += isDefined || !row->isOk ? 1 : 0;
+    successes += row->isOk && isDefined && found->second != 0.0 ? 1 : 0;
+  }
+  if (count == 0) {
+    return {};
+  }
+  const statistics::Interval interval = statistics::wilsonInterval(successes, count);
+  return QStringLiteral("%1 % [%2, %3]")
+      .arg(std::lround(100.0 * successes / count))
+      .arg(std::lround(100.0 * interval.low))
+      .arg(std::lround(100.0 * interval.high));
+}
+
+}  // namespace
+
+std::optional<StudyRow> studyRowOf(const QByteArray& line) {
+  const QJsonObject json = QJsonDocument::fromJson(line).object();
+  if (!json.contains(QLatin1String("run"))) {
+    return std::nullopt;
+  }
+  StudyRow row;
+  row.run = json[QLatin1String("run")].toInt();
+  row.scenario = json[QLatin1String("scenario")].toString();
+  row.seed = static_cast<qlonglong>(json[QLatin1String("seed")].toDouble());
+  row.isOk = json[QLatin1String("status")].toString() == QLatin1String("ok");
+  row.reason = json[QLatin1String("reason")].toString();
+  const QJsonObject values = json[QLatin1String("values")].toObject();
+  for (auto each = values.begin(); each != values.end(); ++each) {
+    row.values[each.key()] = each.value().toString();
+  }
+  const QJsonObject metrics = json[QLatin1String("metrics")].toObject();
+  for (auto each = metrics.begin(); each != metrics.end(); ++each) {
+    if (each.value().isDouble() || each.value().isBool()) {
+      row.metrics[each.key()] =
+          each.value().isBool() ? (each.value().toBool() ? 1.0 : 0.0) : each.value().toDouble();
+    }
+  }
+  return row;
+}
+
+std::optional<StudyHeader> studyHeaderOf(const QByteArray& line) {
+  const QJsonObject json = QJsonDocument::fromJson(line).object();
+  const QJsonValue runs = json[QLatin1String("runs")];
+  return runs.isDouble()
+             ? std::optional(StudyHeader{
+                   static_cast<std::size_t>(runs.toDouble()),
+                   static_cast<std::size_t>(json[QLatin1String("finished")].toDouble())})
+             : std::nullopt;
+}
+
+QString comparedPath(const Experiment& experiment) {
+  QString first;
+  for (const ExperimentValue& value : experiment.values) {
+    QString path = QString::fromStdString(value.path);
+    if (value.isDrawn() || value.texts.size() < 2) {
+      continue;
+    }
+    if (path.endsWith(QLatin1String(".planner"))) {
+      return path;
+    }
+    first = first.isEmpty() ? path : first;
+  }
+  return first;
+}
+
+QString pathTitle(const QString& path) {
+  return path.endsWith(QLatin1String(".planner")) ? QObject::tr("Planner") : path;
+}
+
+const std::vector<StudyMetric>& studyMetrics() {
+  static const std::vector<StudyMetric> kAll = [] {
+    std::vector<StudyMetric> all;
+    for (const char* key :
+         {"success", "time_to_reach_goal", "robot_on_person_collision",
+          "minimum_distance_to_people", "intimate_space_intrusions", "path_length"}) {
+      if (const metrics::MetricEntry* entry = metrics::standardRegistry().find(key)) {
+        const QString unit = QString::fromStdString(entry->info.unit);
+        all.push_back({QString::fromLatin1(key), QString::fromStdString(entry->info.name),
+                       unit == QLatin1String("-") ? QString() : unit, all.empty()});  // success
+      }
+    }
+    return all;
+  }();
+  return kAll;
+}
+
+QString StudyMetric::heading() const {
+  return unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
+}
+
+QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow*>& rows) {
+  if (metric.isRate) {
+    return rateText(rows, metric.key);
+  }
+  statistics::Numbers values;
+  for (const StudyRow* row : rows) {
+    const auto found = row->metrics.find(metric.key);
+    if (row->isOk && found != row->metrics.end()) {
+      values.push_back(found->second);
+    }
+  }
+  if (values.empty()) {
+    return {};
+  }
+  const QString mean = numberText(statistics::mean(values));
+  const statistics::Interval interval = values.size() <= kMostResampled
+                                            ? statistics::bootstrapMeanInterval(values)
+                                            : statistics::meanInterval(values);
+  return !interval.isDefined()
+             ? mean
+             : QStringLiteral("%1 [%2, %3]")
+                   .arg(mean, numberText(interval.low), numberText(interval.high));
+}
+
+void StudyRunsModel::begin(const QStringList& paths) {
+  beginResetModel();
+  paths_ = paths;
+  rows_.clear();
+  endResetModel();
+}
+
+void StudyRunsModel::add(StudyRow row) {
+  const auto at = std::lower_bound(rows_.begin(), rows_.end(), row.run,
+                                   [](const StudyRow& each, int run) { return each.run < run; });
+  const int place = static_cast<int>(at - rows_.begin());
+  if (at != rows_.end() && at->run == row.run) {
+    *at = std::move(row);
+    Q_EMIT dataChanged(index(place, 0), index(place, columnCount() - 1));
+    return;
+  }
+  beginInsertRows({}, place, place);
+  rows_.insert(at, std::move(row));
+  endInsertRows();
+}
+
+std::vector<std::pair<QString, std::vector<const StudyRow*>>> StudyRunsModel::byOption(
+    const QString& path) const {
+  std::vector<std::pair<QString, std::vector<const StudyRow*>>> options;
+  for (const StudyRow& row : rows_) {
+    const auto value = row.values.find(path);
+    const QString option = value == row.values.end() ? row.scenario : value->second;
+    const auto known = std::find_if(options.begin(), options.end(),
+                                    [&](const auto& each) { return each.first == option; });
+    if (known != options.end()) {
+      known->second.push_back(&row);
+    } else {
+      options.push_back({option, {&row}});
+    }
+  }
+  return options;
+}
+
+int StudyRunsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int StudyRunsModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid()
+             ? 0
+             : FirstColumns + paths_.size() + kEndColumns + static_cast<int>(studyMetrics().size());
+}
+
+QVariant StudyRunsModel::shown(const StudyRow& row, int column) const {
+  switch (column) {
+    case RunColumn:
+      return row.run;
+    case ScenarioColumn:
+      return row.scenario;
+    case SeedColumn:
+      return row.seed;
+    default:
+      break;
+  }
+  const int value = column - FirstColumns;
+  if (value < paths_.size()) {
+    const auto found = row.values.find(paths_[value]);
+    return found == row.values.end() ? QVariant() : QVariant(found->second);
+  }
+  const int metric = value - paths_.size() - kEndColumns;
+  if (metric < 0) {
+    return row.isOk ? row.reason : tr("failed: %1").arg(row.reason);
+  }
+  const auto found = row.metrics.find(studyMetrics()[static_cast<std::size_t>(metric)].key);
+  return found == row.metrics.end() ? QVariant() : QVariant(found->second);
+}
+
+/// The sort role returns numbers as numbers.
+QVariant StudyRunsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) {
+    return {};
+  }
+  const StudyRow& row = rows_[static_cast<std::size_t>(index.row())];
+  QVariant value = shown(row, index.column());
+  const bool isNumber = value.type() != QVariant::String;
+  switch (role) {
+    case Qt::UserRole:
+      return value;
+    case Qt::DisplayRole: {
+      const int metric = index.column() - FirstColumns - paths_.size() - kEndColumns;
+      if (metric < 0 || !value.isValid()) {
+        return value;
+      }
+      const double number = value.toDouble();
+      return studyMetrics()[static_cast<std::size_t>(metric)].isRate
+                 ? (number != 0.0 ? tr("yes") : tr("no"))
+                 : numberText(number);
+    }
+    case Qt::TextAlignmentRole:
+      return int((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+      return value.type() == QVariant::String ? value : QVariant();
+    default:
+      return {};
+  }
+}
+
+QVariant StudyRunsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole) {
+    const int text = section - FirstColumns;
+    const bool isText =
+        section == ScenarioColumn || (text >= 0 && text < paths_.size() + kEndColumns);
+    return isText ? QVariant(int(Qt::AlignLeft | Qt::AlignVCenter)) : QVariant();
+  }
+  if (orientation != Qt::Horizontal || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) {
+    return {};
+  }
+  static const QStringList kFirst = {tr("Run"), tr("Scenario"), tr("Seed")};
+  if (section < FirstColumns) {
+    return kFirst[section];
+  }
+  const int value = section - FirstColumns;
+  if (value < paths_.size()) {
+    return pathTitle(paths_[value]);
+  }
+  const int metric = value - paths_.size() - kEndColumns;
+  if (metric < 0) {
+    return tr("Ended");
+  }
+  return studyMetrics()[static_cast<std::size_t>(metric)].heading();
+}
+
+QString studyTimeText(double seconds) {
+  const auto minutes = static_cast<long long>(seconds / 60.0);
+  return seconds < 100.0 ? QObject::tr("%1 s").arg(qRound(seconds))
+         : minutes < 100 ? QObject::tr("%1 min").arg(minutes)
+                         : QObject::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+}
+
+QString sizeText(const Experiment& experiment) {
+  QStringList parts = {editor::counted(experiment.scenarios.size(), QObject::tr("scenario"),
+                                       QObject::tr("scenarios"))};
+  for (const ExperimentValue& value : experiment.values) {
+    if (!value.isDrawn() && value.texts.size() > 1) {
+      const QString path = QString::fromStdString(value.path);
+      parts.append(path.endsWith(QLatin1String(".planner"))
+                       ? QObject::tr("%1 planners").arg(value.texts.size())
+                       : QStringLiteral("%1 %2").arg(value.texts.size()).arg(path));
+    }
+  }
+  parts.append(editor::counted(experiment.seeds.size(), QObject::tr("seed"), QObject::tr("seeds")));
+  return parts.join(QStringLiteral(" × ")) + QStringLiteral(" = ") +
+         editor::counted(experiment.runCount(), QObject::tr("run"), QObject::tr("runs"));
+}
+
+QString withoutSeverity(const QString& line) {
+  const QString head = QStringLiteral("error: ");
+  return editor::capitalized(line.startsWith(head) ? line.mid(head.size()) : line);
+}
+
+}  // namespace app

@@ -1,0 +1,227 @@
+#include "editor/panels/behavior/GoalAssignment.h"
+
+#include <algorithm>
+
+#include "editor/document/EntityModel.h"
+#include "editor/document/PeopleEdits.h"
+#include "editor/look/DeferredActions.h"
+#include "editor/look/FigurePainter.h"
+#include "editor/look/Form.h"
+#include "editor/look/Icons.h"
+#include "editor/panels/RowDelegate.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kSpace = 8;
+
+QString routeText(const std::vector<int>& route) {
+  QStringList numbers;
+  for (const int goal : route) {
+    numbers << QString::number(goal);
+  }
+  return numbers.isEmpty() ? QObject::tr("no goals") : numbers.join(QStringLiteral(" › "));
+}
+
+}  // namespace
+
+GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, QWidget* parent)
+    : QDialog(parent),
+      document_(document),
+      theme_(theme),
+      plan_(document),
+      people_(new HintList(theme, tr("People"), this)),
+      goals_(new GoalList(theme, tr("Goals"), this)),
+      route_(new RouteList(theme, tr("Route"), this)),
+      whose_(headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
+      repeat_(new QCheckBox(tr("Repeat after the last"), this)) {
+  setWindowTitle(tr("Assign goals"));
+  resize(780, limitedToScreen(*this, 480));
+  auto* columns = configuredLayout(new QHBoxLayout, {}, kSpace);
+  columns->addLayout(titledColumn(tr("People"), theme, people_), 5);
+  columns->addSpacing(kSpace);
+  columns->addLayout(titledColumn(tr("Goals"), theme, goals_), 4);
+  columns->addWidget(makeMiddle());
+  columns->addWidget(makeRouteColumn(), 4);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  buttons->button(QDialogButtonBox::Ok)->setText(tr("Assign"));
+  connect(buttons, &QDialogButtonBox::accepted, this, &GoalAssignment::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* below = new QHBoxLayout;
+  below->addWidget(secondaryLabel(tr("Drag goals to add and reorder them. Assign applies the "
+                                     "changes; Undo reverts them."),
+                                  this),
+                   1);
+  below->addWidget(buttons);
+  auto* layout = configuredLayout(new QVBoxLayout(this), {16, 16, 16, 16}, 16);
+  layout->addLayout(columns, 1);
+  layout->addLayout(below);
+  people_->setHint(tr("No people yet: press P and drag on the map"));
+  goals_->setHint(tr("No goals yet: press G and click on the map"));
+  fillLists();
+  connect(people_, &QListWidget::itemSelectionChanged, this, &GoalAssignment::showRoute);
+  loadSelection();
+  showRoute();
+}
+
+QPushButton* GoalAssignment::moveButton(const QString& icon, const QString& says,
+                                        const std::function<void()>& action) {
+  auto* button = new QPushButton(themedIcon(icon, theme_), {}, this);
+  button->setToolTip(says);
+  button->setAccessibleName(says);
+  button->setFixedSize(36, 28);
+  button->setAutoDefault(false);
+  connect(button, &QPushButton::clicked, this, action);
+  return button;
+}
+
+QWidget* GoalAssignment::makeMiddle() {
+  auto* middle = new QWidget(this);
+  auto* layout = configuredLayout(new QVBoxLayout(middle), {0, 24, 0, 0}, 4);
+  const auto addSelected = [this] { add(goals_->selectedGoals(), route_->count()); };
+  add_ = moveButton(QStringLiteral("chevron-right"), tr("Add to the end of the route (Return)"),
+                    addSelected);
+  remove_ = moveButton(QStringLiteral("remove"), tr("Remove from the route (Del)"),
+                       [this] { route_->removeSelected(); });
+  earlier_ = moveButton(QStringLiteral("chevron-up"), tr("Earlier (Alt+Up)"),
+                        [this] { route_->moveSelected(-1); });
+  later_ = moveButton(QStringLiteral("chevron-down"), tr("Later (Alt+Down)"),
+                      [this] { route_->moveSelected(1); });
+  layout->addStretch();
+  for (QPushButton* button : {add_, remove_, earlier_, later_}) {
+    layout->addWidget(button);
+  }
+  layout->addStretch();
+  connect(goals_, &GoalList::addRequested, this, addSelected);
+  connect(goals_, &QListWidget::itemDoubleClicked, this, addSelected);
+  connect(goals_, &QListWidget::itemSelectionChanged, this,
+          [this] { add_->setEnabled(!chosen().empty() && !goals_->selectedGoals().empty()); });
+  return middle;
+}
+
+QWidget* GoalAssignment::makeRouteColumn() {
+  auto* box = new QWidget(this);
+  auto* layout = configuredLayout(new QVBoxLayout(box), {}, 4, {whose_, route_});
+  layout->setStretchFactor(route_, 1);
+  clear_ = new QPushButton(tr("Clear"), this);
+  clear_->setToolTip(tr("Clear the route of the selected people"));
+  clear_->setAutoDefault(false);
+  whose_->setTextFormat(Qt::PlainText);
+  whose_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(repeat_, 1);
+  foot->addWidget(clear_);
+  layout->addLayout(foot);
+  connect(clear_, &QPushButton::clicked, this, [this] {
+    plan_.setRoute(chosen(), {});
+    showRoute();
+  });
+  connect(route_, &RouteList::edited, this, [this](const std::vector<int>& route) {
+    plan_.setRoute(chosen(), route);
+    showRoute();
+  });
+  connect(route_, &RouteList::dropped, this, &GoalAssignment::add);
+  connect(route_, &RouteList::addRequested, this, &GoalAssignment::accept);
+  connect(repeat_, &QCheckBox::clicked, this, [this](bool on) {
+    plan_.setRepeat(chosen(), on);
+    showRoute();
+  });
+  return box;
+}
+
+void GoalAssignment::fillLists() {
+  const FigurePainter painter(theme_);
+  for (const EntityId person : plan_.people()) {
+    const sim2d::Human* human = document_.human(person);
+    auto* item = new QListWidgetItem(painter.markIcon(lookOfPerson(document_, *human)),
+                                     QString::fromStdString(human->name), people_);
+    item->setSelected(document_.isSelected(person));
+  }
+  showPeople();
+  for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
+    goals_->addGoal(&goal, goal.id, positionText(goal));
+  }
+}
+
+/// Chooses the people selected on the map, else the first one without goals.
+void GoalAssignment::loadSelection() {
+  if (!chosen().empty()) {
+    people_->setCurrentItem(people_->selectedItems().front(), QItemSelectionModel::NoUpdate);
+    return;
+  }
+  const std::vector<EntityId>& all = plan_.people();
+  const auto idle = std::find_if(all.begin(), all.end(),
+                                 [this](EntityId person) { return plan_.route(person).empty(); });
+  people_->setCurrentRow(idle == all.end() ? 0 : static_cast<int>(idle - all.begin()));
+}
+
+std::vector<EntityId> GoalAssignment::chosen() const {
+  std::vector<EntityId> result;
+  for (const int row : people_->selectedRows()) {
+    result.push_back(plan_.people()[static_cast<std::size_t>(row)]);
+  }
+  return result;
+}
+
+/// Inserts goals at that row of a common route; different routes get them at their ends.
+void GoalAssignment::add(const std::vector<int>& goals, int row) {
+  const std::vector<EntityId> people = chosen();
+  if (std::optional<std::vector<int>> route = plan_.commonRoute(people)) {
+    const int at = std::clamp(row, 0, static_cast<int>(route->size()));
+    route->insert(route->begin() + at, goals.begin(), goals.end());
+    plan_.setRoute(people, *route);
+  } else {
+    plan_.append(people, goals);
+  }
+  showRoute();
+}
+
+void GoalAssignment::showPeople() {
+  for (int row = 0; row < people_->count(); ++row) {
+    const EntityId person = plan_.people()[static_cast<std::size_t>(row)];
+    people_->item(row)->setData(kSideTextRole, routeText(plan_.route(person)));
+  }
+}
+
+void GoalAssignment::showRoute() {
+  const std::vector<EntityId> people = chosen();
+  const std::optional<std::vector<int>> route = plan_.commonRoute(people);
+  const bool any = !people.empty();
+  whose_->setText(!any ? tr("Route")
+                  : people.size() == 1
+                      ? tr("Route of %1").arg(displayName(*document_.entity(people.front())))
+                      : tr("Route of %1 people").arg(people.size()));
+  route_->showRoute(route.value_or(std::vector<int>()), document_.scenario());
+  route_->setHint(!any     ? tr("Select people on the left")
+                  : !route ? tr("These people have different routes. Added goals go to the end of "
+                                "each.")
+                           : tr("No goals: people stand still. Add goals from the middle list."));
+  route_->setEnabled(any);
+  const std::optional<bool> repeat = plan_.commonRepeat(people);
+  repeat_->setEnabled(any);
+  repeat_->setTristate(any && !repeat);
+  repeat_->setCheckState(any && !repeat          ? Qt::PartiallyChecked
+                         : repeat.value_or(true) ? Qt::Checked
+                                                 : Qt::Unchecked);
+  add_->setEnabled(any && !goals_->selectedGoals().empty());
+  const bool isRoute = route && !route->empty();
+  remove_->setEnabled(isRoute);
+  earlier_->setEnabled(isRoute && route->size() > 1);
+  later_->setEnabled(earlier_->isEnabled());
+  clear_->setEnabled(any && (!route || isRoute));
+  showPeople();
+}
+
+void GoalAssignment::accept() {
+  plan_.push(document_);
+  QDialog::accept();
+}
+
+void openGoalAssignment(ScenarioDocument& document, const Theme& theme, QWidget* parent) {
+  auto* dialog = new GoalAssignment(document, theme, parent->window());
+  deleteWhenClosed(*dialog);
+  dialog->open();
+}
+
+}  // namespace editor

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QtWidgets>
+
+#include "editor/look/Theme.h"
+#include "sim2d/scenario/ResolvedValues.h"
+
+namespace editor {
+
+/// The body of a robot from above, front to the right: footprint to scale, wheels, length and width
+/// [m]; beside it the limits of its drive.
+class RobotPicture : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RobotPicture(QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  /// None: several robots with different bodies.
+  void show(const std::optional<sim2d::ResolvedRobot>& robot);
+  QSize sizeHint() const override { return {200, 128}; }
+
+  /// Size of the footprint's bounding box: along and across the robot [m].
+  static QSizeF sizeOf(const sim2d::ResolvedRobot& robot);
+  /// The labels and values beside the body.
+  static QList<std::pair<QString, QString>> specificationsOf(const sim2d::ResolvedRobot& robot);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintBody(QPainter& painter, const QRectF& room) const;
+  void paintSpecifications(QPainter& painter, const QRectF& room) const;
+
+  Theme theme_;
+  std::optional<sim2d::ResolvedRobot> robot_;
+};
+
+/// The skin of a person in a HuNavSim simulator, by number. The pictures are schematic: hair,
+/// clothes and headwear, not the actual model.
+struct Skin {
+  enum class Head { Hair, LongHair, Helmet, Cap, Dice };
+  int number = 0;
+  const char* name = "";  // As in the simulator's editor or asset.
+  QColor clothes, hair;
+  Head head = Head::Hair;
+};
+
+/// For "Gazebo Classic", "Gazebo Fortress", "Isaac Sim" or "Webots"; Gazebo if none is named.
+const std::vector<Skin>& skinsOf(const std::string& simulator);
+/// The skin used for a number: outside of the range Webots uses the first, the others the last.
+const Skin& skinFor(const std::string& simulator, int number);
+
+QIcon skinIcon(const Skin& skin, const Theme& theme);  // 24 px
+
+}  // namespace editor

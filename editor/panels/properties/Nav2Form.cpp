@@ -1,0 +1,297 @@
+#include "editor/panels/properties/Nav2Form.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/look/Fields.h"
+#include "editor/look/PendingEdit.h"
+#include "editor/panels/RowDelegate.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kTreeHeight = 336;  // [px]: 14 rows
+constexpr int kValueWidth = 104;  // [px]
+
+/// Edits values only: a combo box for booleans, else a validated text field.
+class Nav2ValueDelegate : public RowDelegate {
+ public:
+  explicit Nav2ValueDelegate(Nav2Form& form) : RowDelegate(&form), form_(form) {}
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
+                        const QModelIndex& index) const override {
+    const app::Nav2Parameter* const parameter = parameterAt(index);
+    if (parameter == nullptr || index.column() != 1) {
+      return nullptr;
+    }
+    if (parameter->type == "bool") {
+      auto* choice = new QComboBox(parent);
+      choice->addItems({QStringLiteral("true"), QStringLiteral("false")});
+      return choice;
+    }
+    auto* field = new TextField(parent);
+    field->setCheck(
+        [this, key = *parameter](const QString& text) { return form_.problemOf(key, text); });
+    return field;
+  }
+
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    const QString value = index.data().toString();
+    if (auto* choice = qobject_cast<QComboBox*>(editor)) {
+      choice->setCurrentText(value);
+    } else if (auto* field = qobject_cast<TextField*>(editor)) {
+      field->show(value);
+      field->selectAll();
+    }
+  }
+
+  void setModelData(QWidget* editor, QAbstractItemModel* /*model*/,
+                    const QModelIndex& index) const override {
+    const auto* choice = qobject_cast<QComboBox*>(editor);
+    const auto* field = qobject_cast<QLineEdit*>(editor);
+    const QString text = choice != nullptr ? choice->currentText() : field->text();
+    if (const app::Nav2Parameter* const parameter = parameterAt(index)) {
+      form_.applyEdit(app::Nav2Parameter(*parameter), text);
+    }
+  }
+
+ private:
+  const app::Nav2Parameter* parameterAt(const QModelIndex& index) const {
+    return form_.parameterOf(index.sibling(index.row(), 0).data(kParameterRole));
+  }
+
+  Nav2Form& form_;
+};
+
+QString words(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+bool matchesSearch(const app::Nav2Parameter& parameter, const QString& searched) {
+  return words(parameter.node + "." + parameter.name).contains(searched, Qt::CaseInsensitive) ||
+         words(parameter.meaning).contains(searched, Qt::CaseInsensitive);
+}
+
+/// "3.5 rad/s"
+QString withUnit(const std::string& value, const app::Nav2Parameter& parameter) {
+  return parameter.unit.empty() ? words(value) : words(value + " " + parameter.unit);
+}
+
+}  // namespace
+
+Nav2Form::Nav2Form(QWidget* parent)
+    : QWidget(parent),
+      search_(new SearchField(tr("Find a parameter"), tr("Find a Nav2 parameter"), this)),
+      tree_(new QTreeWidget(this)) {
+  onlyChanged_ = linkButton(tr("Changed"), tr("Show only values that differ from the file"), this,
+                            [this] { filter(); });
+  onlyChanged_->setCheckable(true);
+  reset_ = linkButton(tr("Reset"), tr("Reset to the value in the file (Delete)"), this,
+                      [this] { resetRow(); });
+  const auto* deleteKey =
+      new QShortcut(QKeySequence::Delete, tree_, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(deleteKey, &QShortcut::activated, this, &Nav2Form::resetRow);
+  styleList(*tree_, tr("Nav2 parameters"));
+  tree_->setColumnCount(2);
+  tree_->setHeaderHidden(true);
+  tree_->setIndentation(14);
+  tree_->setFixedHeight(kTreeHeight);
+  tree_->setTextElideMode(Qt::ElideMiddle);
+  tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  tree_->setItemDelegate(new Nav2ValueDelegate(*this));
+  tree_->header()->setStretchLastSection(false);
+  tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  tree_->header()->resizeSection(1, kValueWidth);
+  nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);
+  help_ = secondaryLabel({}, this);
+  help_->setObjectName(QStringLiteral("nav2_help"));
+  help_->setWordWrap(true);
+  help_->setTextFormat(Qt::PlainText);
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
+  layout->addLayout(configuredLayout(new QHBoxLayout, {0, 0, 0, 0}, 8, {search_, onlyChanged_}));
+  layout->addWidget(tree_);
+  layout->addWidget(nothing_);
+  layout->addLayout(configuredLayout(new QHBoxLayout, {0, 0, 0, 0}, 8, {help_, reset_}));
+  connect(search_, &QLineEdit::textChanged, this, &Nav2Form::filter);
+  connect(tree_, &QTreeWidget::currentItemChanged, this, &Nav2Form::showHelp);
+}
+
+void Nav2Form::setTheme(const Theme& theme) {
+  search_->setTheme(theme);
+  accent_ = theme.color(Role::AccentText);
+  secondary_ = theme.color(Role::TextSecondary);
+  showValues();
+}
+
+void Nav2Form::show(const std::optional<sim2d::Robot>& robot, const QString& scenarioPath) {
+  robot_ = robot;
+  scenarioPath_ = scenarioPath;
+  app::Nav2ParameterList sheet;
+  if (robot_) {
+    sheet = app::nav2ParameterListOf(*robot_, scenarioPath_.toStdString());
+  }
+  const auto isSame = [](const app::Nav2Parameter& a, const app::Nav2Parameter& b) {
+    return a.node == b.node && a.name == b.name;
+  };
+  const bool hasSameRows = std::equal(sheet.parameters.begin(), sheet.parameters.end(),
+                                      sheet_.parameters.begin(), sheet_.parameters.end(), isSame);
+  if (!hasSameRows) {
+    cancelPendingEdit(*tree_);  // The text is for a row of the previous sheet.
+  }
+  sheet_ = std::move(sheet);
+  if (!hasSameRows) {
+    build();
+  }
+  showValues();
+  filter();
+}
+
+int Nav2Form::changedCount() const {
+  return static_cast<int>(
+      std::count_if(sheet_.parameters.begin(), sheet_.parameters.end(),
+                    [](const app::Nav2Parameter& each) { return each.given.has_value(); }));
+}
+
+const app::Nav2Parameter* Nav2Form::parameterOf(const QVariant& number) const {
+  const std::size_t at = number.isValid() ? number.value<std::size_t>() : rows_.size();
+  return at < rows_.size() && at < sheet_.parameters.size() ? &sheet_.parameters[at] : nullptr;
+}
+
+QTreeWidgetItem* Nav2Form::rowOf(const std::string& path) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (sheet_.parameters[i].path == path) {
+      return rows_[i];
+    }
+  }
+  return nullptr;
+}
+
+const app::Nav2Parameter* Nav2Form::current() const {
+  const QTreeWidgetItem* const row = tree_->currentItem();
+  return row != nullptr ? parameterOf(row->data(0, kParameterRole)) : nullptr;
+}
+
+QString Nav2Form::problemOf(const app::Nav2Parameter& parameter, const QString& text) const {
+  return robot_ ? words(app::nav2ValueProblem(*robot_, scenarioPath_.toStdString(), parameter,
+                                              text.trimmed().toStdString()))
+                : QString();
+}
+
+void Nav2Form::applyEdit(const app::Nav2Parameter& parameter, const QString& text) {
+  const std::string yaml = text.trimmed().toStdString();
+  if (yaml == parameter.value() || !problemOf(parameter, text).isEmpty()) {
+    return;
+  }
+  const bool isOfFile = yaml == parameter.fileValue.value_or(parameter.fallback);
+  Q_EMIT edited(parameter, isOfFile ? std::nullopt : std::optional(yaml));
+}
+
+QTreeWidgetItem* Nav2Form::groupOf(const app::Nav2Parameter& parameter) {
+  QTreeWidgetItem*& node = groups_[parameter.node];
+  if (node == nullptr) {
+    node = new QTreeWidgetItem(tree_, {words(parameter.node)});
+    node->setFirstColumnSpanned(true);
+  }
+  const std::size_t dot = parameter.name.find('.');
+  if (dot == std::string::npos) {
+    return node;
+  }
+  const std::string plugin = parameter.name.substr(0, dot);
+  QTreeWidgetItem*& group = groups_[parameter.node + "." + plugin];
+  if (group == nullptr) {
+    group = new QTreeWidgetItem(node, {words(plugin)});
+    group->setFirstColumnSpanned(true);
+  }
+  return group;
+}
+
+void Nav2Form::build() {
+  const QSignalBlocker quiet(tree_);
+  tree_->clear();
+  groups_.clear();
+  rows_.clear();
+  for (std::size_t i = 0; i < sheet_.parameters.size(); ++i) {
+    const app::Nav2Parameter& parameter = sheet_.parameters[i];
+    QTreeWidgetItem* const group = groupOf(parameter);
+    const std::size_t dot = parameter.name.find('.');
+    const std::string name =
+        dot == std::string::npos ? parameter.name : parameter.name.substr(dot + 1);
+    auto* row = new QTreeWidgetItem(group, {words(name)});
+    row->setFlags(row->flags() | Qt::ItemIsEditable);
+    row->setData(0, kParameterRole, QVariant::fromValue(i));
+    rows_.push_back(row);
+  }
+}
+
+void Nav2Form::showValues() {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const app::Nav2Parameter& parameter = sheet_.parameters[i];
+    QTreeWidgetItem& row = *rows_[i];
+    QFont letters = font();
+    letters.setWeight(parameter.given ? QFont::DemiBold : QFont::Normal);
+    for (const int column : {0, 1}) {
+      row.setFont(column, letters);
+      row.setToolTip(column, words(parameter.path) + QLatin1Char('\n') + words(parameter.meaning));
+    }
+    row.setText(1, words(parameter.value()));
+    row.setForeground(1, parameter.given                   ? accent_
+                         : parameter.fileValue.has_value() ? palette().color(QPalette::Text)
+                                                           : secondary_);
+  }
+  showHelp();
+}
+
+void Nav2Form::filter() {
+  const QString searched = search_->text().trimmed();
+  const bool isFiltered = !searched.isEmpty() || onlyChanged_->isChecked();
+  bool isAny = false;
+  for (const auto& [name, group] : groups_) {
+    group->setHidden(isFiltered);
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const app::Nav2Parameter& parameter = sheet_.parameters[i];
+    const bool isShown = matchesSearch(parameter, searched) &&
+                         (!onlyChanged_->isChecked() || parameter.given.has_value());
+    rows_[i]->setHidden(!isShown);
+    isAny = isAny || isShown;
+    for (QTreeWidgetItem* group = rows_[i]->parent(); group != nullptr && isShown && isFiltered;
+         group = group->parent()) {
+      group->setHidden(false);
+      group->setExpanded(true);
+    }
+  }
+  nothing_->setMatchFound(isAny || searched.isEmpty());
+}
+
+/// Shows description, default and file value of the current row.
+void Nav2Form::showHelp() {
+  const app::Nav2Parameter* const parameter = current();
+  reset_->setVisible(parameter != nullptr && parameter->given.has_value());
+  if (parameter == nullptr) {
+    help_->setText(
+        rows_.empty()
+            ? words(sheet_.problems.empty() ? std::string() : sheet_.problems.front().message)
+            : tr("Double-click a value to change it. The file is not changed."));
+    return;
+  }
+  QStringList lines;
+  if (!parameter->meaning.empty()) {
+    lines << capitalized(words(parameter->meaning));
+  }
+  lines << tr("Nav2 default %1").arg(withUnit(parameter->fallback, *parameter)) +
+               (parameter->fileValue
+                    ? tr(" · in the file %1").arg(withUnit(*parameter->fileValue, *parameter))
+                    : tr(" · not in the file"));
+  help_->setText(lines.join(QLatin1Char('\n')));
+}
+
+void Nav2Form::resetRow() {
+  const app::Nav2Parameter* const parameter = current();
+  if (parameter != nullptr && parameter->given) {
+    Q_EMIT edited(app::Nav2Parameter(*parameter), std::nullopt);
+  }
+}
+
+}  // namespace editor

@@ -1,0 +1,228 @@
+#include "editor/panels/runs/CompareTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "editor/look/Form.h"
+#include "editor/panels/RowDelegate.h"
+#include "editor/panels/runs/Playback.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kNumberWidth = 58;
+constexpr int kUnitWidth = 44;
+constexpr int kNameWidth = 150;  // For metric names if the columns do not fit.
+constexpr int kFewRuns = 2;
+
+QString valueText(const metrics::MetricInfo& info, const std::optional<double>& value) {
+  metrics::MetricResult result;
+  result.info = info;
+  result.value.value = value;
+  return metricText(result);
+}
+
+/// "+0.12", "0": the difference of the other run from the first.
+QString differenceText(const metrics::MetricInfo& info, const std::optional<double>& difference) {
+  if (!difference) {
+    return QStringLiteral("–");
+  }
+  metrics::MetricInfo number = info;
+  number.kind = info.kind == metrics::Kind::Boolean ? metrics::Kind::Count : info.kind;
+  const QString text = valueText(number, std::fabs(*difference));
+  const bool isZero = text.count(QLatin1Char('0')) + text.count(QLatin1Char('.')) == text.size();
+  return isZero ? QStringLiteral("=")
+                : (*difference > 0.0 ? QStringLiteral("+") : QStringLiteral("−")) + text;
+}
+
+}  // namespace
+
+CompareTable::CompareTable(PanelContext& context)
+    : context_(context),
+      stack_(new QStackedLayout(this)),
+      table_(new QTableWidget(this)),
+      plot_(new MetricPlot(context.theme())),
+      task_([this](Measured measured) { deliver(std::move(measured)); }) {
+  styleTable(*table_, tr("Metrics of the runs"));
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // Needed for five runs.
+  auto* both = new QSplitter(Qt::Horizontal, this);
+  both->addWidget(table_);
+  both->addWidget(plot_);
+  both->setStretchFactor(0, 3);
+  both->setStretchFactor(1, 2);
+  both->setSizes({440, 220});
+  stack_->addWidget(
+      emptyState(tr("Branch from an earlier moment, or add a recorded run. Checked runs are "
+                    "compared with the displayed run."),
+                 this));
+  stack_->addWidget(both);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &CompareTable::showSelected);
+  connect(&context.runner, &SimulationRunner::frameShown, this, [this](const FramePtr& frame) {
+    if (frame != nullptr) {
+      plot_->setCursor(frame->time);
+    }
+  });
+  connect(&context, &PanelContext::themeChanged, plot_, &MetricPlot::setTheme);
+}
+
+CompareTable::~CompareTable() {
+  stop_->stop();
+  task_.abandon();
+}
+
+base::Result<app::MetricsSetup> CompareTable::setup() const {
+  base::Result<app::MetricsSetup> setup =
+      app::metricsSetupOf(context_.document.scenario(), context_.document.path().toStdString());
+  if (setup) {
+    setup->selection = context_.feed.selection();
+  }
+  return setup;
+}
+
+void CompareTable::compare(std::vector<Run> runs) {
+  if (runs.size() < 2) {
+    stop_->stop();
+    stop_ = std::make_shared<base::StopFlag>();
+    task_.forget();  // The task may have passed its last check of the flag.
+    shown_ = {};
+    divergences_.clear();
+    fill();
+    return;
+  }
+  const base::Result<app::MetricsSetup> setup = this->setup();
+  if (!setup) {
+    Q_EMIT context_.problemsFound(setup.diagnostics());
+    return;
+  }
+  stop_->stop();
+  stop_ = std::make_shared<base::StopFlag>();
+  task_.start([runs = std::move(runs), setup = *setup, before = shown_,
+               stop = base::StopFlagPtr(stop_)] {
+    Measured all;
+    all.runs = runs;
+    for (const Run& run : runs) {
+      const std::size_t size = run.recording->size();
+      std::optional<std::size_t> known;
+      for (std::size_t k = 0; k < before.runs.size(); ++k) {
+        const bool isSame = before.runs[k].recording == run.recording && before.sizes[k] == size;
+        known = isSame ? std::optional(k) : known;
+      }
+      all.sizes.push_back(size);
+      all.measures.push_back(known ? before.measures[*known]
+                                   : app::measureRun(*run.recording, setup, stop));
+    }
+    for (std::size_t k = 1; k < runs.size(); ++k) {
+      all.divergences.push_back(app::divergenceTime(*runs.front().recording, *runs[k].recording));
+    }
+    return all;
+  });
+}
+
+/// True if the run has another scenario than the first one: its positions, and possibly its ids,
+/// have other meanings.
+bool CompareTable::hasOtherScenario(const Run& run) const {
+  const std::string& ours = shown_.runs.front().recording->header()->scenario;
+  const std::string& theirs = run.recording->header()->scenario;
+  return !ours.empty() && !theirs.empty() && ours != theirs;
+}
+
+void CompareTable::deliver(Measured measured) {
+  shown_ = std::move(measured);
+  QStringList words;
+  for (std::size_t k = 1; k < shown_.runs.size(); ++k) {
+    const std::optional<double>& parting = shown_.divergences[k - 1];
+    const QString& letter = shown_.runs[k].letter;
+    words << (hasOtherScenario(shown_.runs[k]) ? tr("%1 has another scenario").arg(letter)
+              : parting ? tr("%1 diverges at %2").arg(letter, clockText(*parting))
+                        : tr("%1 is identical").arg(letter));
+  }
+  divergences_ = words.join(QStringLiteral(" · "));
+  fill();
+  Q_EMIT measuredAll();
+}
+
+void CompareTable::fill() {
+  rows_ = app::compareRecordingMetrics(shown_.measures);
+  const auto runs = static_cast<int>(shown_.runs.size());
+  stack_->setCurrentIndex(runs > 1 ? 1 : 0);
+  QStringList heads = {tr("Metric")};
+  for (const Run& run : shown_.runs) {
+    heads << run.letter;
+  }
+  for (int k = 1; k < runs; ++k) {
+    heads << QStringLiteral("%1 − A").arg(shown_.runs[static_cast<std::size_t>(k)].letter);
+  }
+  heads << tr("Unit");
+  table_->clear();
+  table_->setColumnCount(heads.size());
+  table_->setHorizontalHeaderLabels(heads);
+  table_->setRowCount(static_cast<int>(rows_.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const app::ComparedMetric& metric = rows_[static_cast<std::size_t>(row)];
+    const auto put = [&](int column, const QString& text, bool isNumber) {
+      auto* item = new QTableWidgetItem(text);
+      item->setTextAlignment(
+          static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+      item->setToolTip(QString::fromStdString(metric.info.name + "\n" + metric.info.formula));
+      table_->setItem(row, column, item);
+    };
+    put(0, QString::fromStdString(metric.info.name), false);
+    for (int k = 0; k < runs; ++k) {
+      put(1 + k, valueText(metric.info, metric.values[static_cast<std::size_t>(k)]), true);
+    }
+    for (int k = 1; k < runs; ++k) {
+      put(runs + k, differenceText(metric.info, metric.difference(static_cast<std::size_t>(k))),
+          true);
+    }
+    put(2 * runs, QString::fromStdString(metric.info.unit), false);
+    if (metric.info.key == chosen_) {
+      table_->setCurrentCell(row, 0);
+    }
+  }
+  QHeaderView* header = table_->horizontalHeader();
+  header->setSectionResizeMode(0,
+                               runs > kFewRuns ? QHeaderView::Interactive : QHeaderView::Stretch);
+  if (runs > kFewRuns) {
+    header->resizeSection(0, kNameWidth);
+  }
+  for (int column = 1; column < heads.size(); ++column) {
+    header->setSectionResizeMode(column, QHeaderView::Fixed);
+    const bool isUnit = column + 1 == heads.size();
+    header->resizeSection(column, isUnit ? kUnitWidth : kNumberWidth);
+    table_->horizontalHeaderItem(column)->setTextAlignment(
+        static_cast<int>((isUnit ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));
+  }
+  table_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  showSelected();
+}
+
+/// Shows the selected row, else the first that differs.
+void CompareTable::showSelected() {
+  int row = table_->currentRow();
+  if (row < 0) {
+    const auto differs = std::find_if(rows_.begin(), rows_.end(), [](const auto& each) {
+      return each.values.size() > 1 && each.difference(1).value_or(0.0) != 0.0;
+    });
+    row = differs == rows_.end() ? (rows_.empty() ? -1 : 0)
+                                 : static_cast<int>(differs - rows_.begin());
+  } else {
+    chosen_ = rows_[static_cast<std::size_t>(row)].info.key;
+  }
+  std::vector<MetricPlot::Line> lines;
+  if (row < 0) {
+    plot_->show({}, {}, lines);
+    return;
+  }
+  const metrics::MetricInfo& info = rows_[static_cast<std::size_t>(row)].info;
+  for (std::size_t k = 0; k < shown_.runs.size(); ++k) {
+    const auto curve = shown_.measures[k].curves.find(info.key);
+    lines.push_back({curve == shown_.measures[k].curves.end() ? nullptr : &curve->second,
+                     shown_.runs[k].style});
+  }
+  plot_->show(QString::fromStdString(info.name), QString::fromStdString(info.unit), lines);
+}
+
+}  // namespace editor

@@ -1,0 +1,251 @@
+#include "editor/panels/runs/RunPlots.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_intervalcurve.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_div.h>
+#include <qwt_scale_draw.h>
+#include <qwt_scale_widget.h>
+
+#include "editor/canvas/ComparedRunLayers.h"
+#include "editor/look/Form.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kAhead = 10.0;  // Initial time range without data [s].
+
+class UnitDraw : public QwtScaleDraw {
+ public:
+  UnitDraw(double factor, QString unit) : factor_(factor), unit_(std::move(unit)) {}
+  QwtText label(double value) const override {
+    return QwtText(QStringLiteral("%1 %2").arg(factor_ * value).arg(unit_));
+  }
+
+ private:
+  double factor_;
+  QString unit_;
+};
+
+/// Thin axes, seconds on the x axis.
+void layOutPlot(QwtPlot& plot) {
+  constexpr int kRightMargin = 20;  // Half of the last label extends beyond the axis [px].
+  plot.setMinimumSize(120, 60);
+  plot.setFrameShape(QFrame::NoFrame);
+  static_cast<QwtPlotCanvas*>(plot.canvas())->setFrameStyle(QFrame::NoFrame);
+  plot.setAxisScaleDraw(QwtPlot::xBottom, new UnitDraw(1.0, QStringLiteral("s")));
+  plot.setAxisMaxMajor(QwtPlot::xBottom, 5);
+  plot.setAxisMaxMajor(QwtPlot::yLeft, 4);
+  plot.setAxisMaxMinor(QwtPlot::xBottom, 0);
+  plot.setAxisMaxMinor(QwtPlot::yLeft, 0);
+  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
+    plot.axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
+    plot.axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 3);
+  }
+  plot.setContentsMargins(0, 0, kRightMargin, 0);
+}
+
+void stylePlot(QwtPlot& plot, const Theme& theme) {
+  plot.setCanvasBackground(theme.color(Role::Panel));
+  QPalette colors = plot.palette();
+  colors.setColor(QPalette::Window, theme.color(Role::Panel));
+  colors.setColor(QPalette::WindowText, theme.color(Role::FieldEdge));
+  colors.setColor(QPalette::Text, theme.color(Role::TextSecondary));
+  plot.setPalette(colors);
+  plot.setAutoFillBackground(true);
+  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
+    plot.axisWidget(axis)->setPalette(colors);
+    plot.setAxisFont(axis, theme.font(8.0));
+  }
+}
+
+}  // namespace
+
+ContactProbabilityPlot::ContactProbabilityPlot(const Theme& theme)
+    : plot_(new QwtPlot(this)),
+      grid_(new QwtPlotGrid),
+      band_(new QwtPlotIntervalCurve),
+      curve_(new QwtPlotCurve),
+      cursor_(new QwtPlotMarker),
+      decisive_(new QwtPlotMarker) {
+  configuredLayout(new QVBoxLayout(this), {0, 4, 0, 4}, 0, {plot_});
+  layOutPlot(*plot_);
+  plot_->setAxisScaleDraw(QwtPlot::yLeft, new UnitDraw(100.0, QStringLiteral("%")));
+  plot_->axisScaleDraw(QwtPlot::yLeft)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
+  plot_->axisScaleDraw(QwtPlot::yLeft)->setTickLength(QwtScaleDiv::MajorTick, 3);
+  plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0, 0.5);
+  grid_->enableX(false);
+  grid_->attach(plot_);
+  band_->setStyle(QwtPlotIntervalCurve::Tube);
+  band_->attach(plot_);
+  curve_->setStyle(QwtPlotCurve::Steps);
+  curve_->setCurveAttribute(QwtPlotCurve::Inverted, true);  // Steps rise at the time of a contact.
+  curve_->setRenderHint(QwtPlotItem::RenderAntialiased);
+  curve_->attach(plot_);
+  for (QwtPlotMarker* marker : {cursor_, decisive_}) {
+    marker->setLineStyle(QwtPlotMarker::VLine);
+    marker->attach(plot_);
+  }
+  setCursor(0.0);
+  setTheme(theme);
+  setMinimumWidth(220);
+  setAccessibleName(tr("Probability of contact over time"));
+}
+
+void ContactProbabilityPlot::setTheme(const Theme& theme) {
+  stylePlot(*plot_, theme);
+  grid_->setPen(theme.color(Role::Line), 1.0);
+  band_->setPen(QPen(Qt::NoPen));
+  band_->setBrush(theme.color(Role::Error, 0.18));
+  curve_->setPen(theme.color(Role::Error), 2.0);
+  cursor_->setLinePen(theme.color(Role::TextSecondary), 1.0, Qt::DashLine);
+  decisive_->setLinePen(theme.color(Role::WarningMark), 2.0, Qt::DotLine);
+  plot_->replot();
+}
+
+void ContactProbabilityPlot::show(const std::vector<app::ContactChance>& chances,
+                                  std::optional<double> decisive) {
+  QVector<QPointF> points;
+  QVector<QwtIntervalSample> band;
+  for (const app::ContactChance& each : chances) {
+    points.push_back({each.time, each.chance});
+    if (each.interval.isDefined()) {
+      band.push_back({each.time, each.interval.low, each.interval.high});
+    }
+  }
+  curve_->setSamples(points);
+  band_->setSamples(band);
+  if (!points.isEmpty()) {
+    plot_->setAxisScale(QwtPlot::xBottom, points.front().x(),
+                        std::max(points.back().x(), points.front().x() + 0.1));
+  } else {
+    setCursor(cursor_->xValue());
+  }
+  decisive_->setVisible(decisive.has_value());
+  decisive_->setXValue(decisive.value_or(0.0));
+  plot_->replot();
+}
+
+void ContactProbabilityPlot::setCursor(double time) {
+  cursor_->setXValue(time);
+  if (curve_->dataSize() == 0) {
+    plot_->setAxisScale(QwtPlot::xBottom, time, time + kAhead);
+  }
+  plot_->replot();
+}
+
+MetricPlot::MetricPlot(const Theme& theme, bool isSingle)
+    : theme_(theme),
+      isSingle_(isSingle),
+      title_(new QLabel(this)),
+      unit_(secondaryLabel({}, this)),
+      plot_(new QwtPlot(this)),
+      grid_(new QwtPlotGrid),
+      cursor_(new QwtPlotMarker) {
+  title_->setWordWrap(true);
+  auto* top = configuredLayout(new QHBoxLayout, {12, 6, 12, 0}, -1);
+  top->addWidget(title_, 1);
+  top->addWidget(unit_, 0, Qt::AlignTop);
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 4}, 0);
+  layout->addLayout(top);
+  layout->addWidget(plot_, 1);
+  layOutPlot(*plot_);
+  grid_->enableX(false);
+  grid_->attach(plot_);
+  cursor_->setLineStyle(QwtPlotMarker::VLine);
+  cursor_->attach(plot_);
+  setTheme(theme);
+  setMinimumWidth(180);
+}
+
+MetricPlot::~MetricPlot() = default;
+
+void MetricPlot::setTheme(const Theme& theme) {
+  theme_ = theme;
+  title_->setFont(theme.font(9.5, QFont::DemiBold));
+  stylePlot(*plot_, theme);
+  grid_->setPen(theme.color(Role::Line), 1.0);
+  cursor_->setLinePen(theme.color(Role::TextSecondary), 1.0, Qt::DashLine);
+  applyStyles();
+  plot_->replot();
+}
+
+void MetricPlot::applyStyles() {
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    QPen pen(theme_.color(Role::Accent), isSingle_ ? 1.8 : 2.0);
+    if (styles_[k] >= 0) {
+      const GhostStyle style = ghostStyle(static_cast<std::size_t>(styles_[k]), theme_);
+      pen.setColor(style.color);
+      if (!style.dashes.isEmpty()) {
+        pen.setDashPattern(style.dashes);
+      }
+    }
+    curves_[k]->setPen(pen);
+  }
+}
+
+void MetricPlot::show(const QString& name, const QString& unit, const std::vector<Line>& lines) {
+  title_->setText(name);
+  unit_->setText(unit);
+  curves_.clear();
+  styles_.clear();
+  double end = 1.0;
+  bool any = false;
+  for (const Line& line : lines) {
+    if (line.curve == nullptr) {
+      continue;
+    }
+    QVector<QPointF> points;
+    for (std::size_t i = 0; i < line.curve->times.size(); ++i) {
+      if (std::isfinite(line.curve->values[i])) {
+        points.push_back({line.curve->times[i], line.curve->values[i]});
+      }
+      end = std::max(end, line.curve->times[i]);
+    }
+    any = any || !points.isEmpty();
+    auto curve = std::make_unique<QwtPlotCurve>();
+    curve->setRenderHint(QwtPlotItem::RenderAntialiased);
+    curve->setSamples(points);
+    curve->attach(plot_);
+    curves_.push_back(std::move(curve));
+    styles_.push_back(line.style);
+  }
+  applyStyles();
+  plot_->setAxisScale(QwtPlot::xBottom, 0.0, end);
+  if (isSingle_) {
+    reserveEnd();
+  }
+  if (any) {
+    plot_->setAxisAutoScale(QwtPlot::yLeft);
+  } else {
+    plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0);
+  }
+  plot_->replot();
+}
+
+/// Reserves space for half of the last label beyond the end of the axis.
+void MetricPlot::reserveEnd() {
+  constexpr int kMinMargin = 12;  // [px]
+  plot_->updateAxes();
+  const QList<double> ticks = plot_->axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+  if (ticks.isEmpty()) {
+    return;
+  }
+  const QString last = plot_->axisScaleDraw(QwtPlot::xBottom)->label(ticks.back()).text();
+  const QFontMetrics metrics(plot_->axisFont(QwtPlot::xBottom));
+  plot_->setContentsMargins(0, 0, std::max(kMinMargin, metrics.horizontalAdvance(last) / 2 + 4), 0);
+}
+
+void MetricPlot::setCursor(double time) {
+  cursor_->setXValue(time);
+  plot_->replot();
+}
+
+}  // namespace editor

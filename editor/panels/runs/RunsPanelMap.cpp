@@ -1,0 +1,89 @@
+// The part of RunsPanel that shows runs on the map and beside it.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "editor/panels/runs/RunsPanel.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kGhostTrailGap = 0.15;  // [s]
+
+}  // namespace
+
+GhostLayer::Ghost RunsPanel::ghostOf(const Row& row, double time) const {
+  const sim2d::Recording& recording = *row.recording;
+  GhostLayer::Ghost ghost;
+  ghost.style = static_cast<std::size_t>(std::max(0, styleOf(row)));
+  ghost.header = recording.header();
+  const std::size_t index = recording.indexAtTime(time + 1e-9);
+  ghost.frame = recording.frameIfKept(index);
+  if (ghost.frame == nullptr || !context_.view.mapScene().options().trails) {
+    return ghost;
+  }
+  const double gap = recording.size() > 1 ? recording.timeOf(1) - recording.timeOf(0) : 1.0;
+  const auto stride = static_cast<std::size_t>(std::max(1L, std::lround(kGhostTrailGap / gap)));
+  const double seconds = context_.view.mapScene().options().trailSeconds;
+  std::size_t at = recording.indexAtTime(std::max(0.0, time - seconds)) / stride * stride;
+  for (; at <= index; at += stride) {
+    const FramePtr frame = recording.frameIfKept(at);
+    if (frame == nullptr) {
+      continue;
+    }
+    for (const sim2d::BodyColumns* columns :
+         {static_cast<const sim2d::BodyColumns*>(&frame->humans), &frame->robots}) {
+      for (std::size_t k = 0; k < columns->size(); ++k) {
+        ghost.trails[columns->id[k]].emplace_back(columns->x[k], columns->y[k]);
+      }
+    }
+  }
+  return ghost;
+}
+
+void RunsPanel::showGhosts() {
+  const FramePtr shown = context_.runner.shownFrame();
+  std::vector<GhostLayer::Ghost> ghosts;
+  if (shown != nullptr && !sideBySideButton_->isChecked()) {
+    for (const Row& row : compared()) {
+      GhostLayer::Ghost ghost = ghostOf(row, shown->time);
+      if (ghost.frame != nullptr) {
+        ghosts.push_back(std::move(ghost));
+      }
+    }
+  }
+  ghosts_->show(std::move(ghosts), shown);
+  if (side_ != nullptr && shown != nullptr) {
+    side_->showAt(shown->time);
+  }
+}
+
+void RunsPanel::showSideBySide() {
+  const std::vector<Row> others = compared();
+  sideBySideButton_->setEnabled(!others.empty());
+  const bool isWanted = sideBySideButton_->isChecked() && !others.empty();
+  if (!isWanted && side_ != nullptr) {
+    Q_EMIT context_.sideViewRequested(nullptr, 1);
+    side_.reset();
+  }
+  if (isWanted) {
+    std::vector<SideBySide::Run> runs;
+    for (const Row& row : others) {
+      const QString letter =
+          ghostStyle(static_cast<std::size_t>(styleOf(row)), context_.theme()).letter;
+      runs.push_back({letter + QStringLiteral("  ") + row.name, row.recording, row.branch >= 0});
+    }
+    const int before = side_ == nullptr ? 0 : side_->columns();
+    if (side_ == nullptr) {
+      side_ = std::make_unique<SideBySide>(context_.view, context_.document);
+    }
+    side_->showRuns(runs);
+    if (before != side_->columns()) {
+      Q_EMIT context_.sideViewRequested(side_.get(), side_->columns());
+    }
+  }
+  showGhosts();
+}
+
+}  // namespace editor

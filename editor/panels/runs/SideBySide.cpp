@@ -1,0 +1,136 @@
+#include "editor/panels/runs/SideBySide.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/run/RecordedRun.h"
+#include "editor/canvas/FrameLayer.h"
+#include "editor/document/Autosave.h"
+#include "editor/look/Form.h"
+
+namespace editor {
+
+SideView::SideView(MapView& canvas, const DocumentSnapshot& document, QWidget* parent)
+    : QWidget(parent),
+      canvas_(canvas),
+      scene_(document_, canvas.mapScene().theme()),
+      title_(new QLabel(this)),
+      view_(new MapView(scene_, this)) {
+  document_.restore(document, true);
+  scene_.setOptions(canvas.mapScene().options());
+  title_->setContentsMargins(12, 6, 12, 6);
+  configuredLayout(new QVBoxLayout(this), {}, 0, {title_, view_});
+  view_->setInteractive(false);
+  view_->setCanvasState(CanvasState::Past);
+  view_->setFocusPolicy(Qt::NoFocus);
+  view_->setAcceptDrops(false);
+  setMinimumWidth(240);
+  setTheme(canvas.mapScene().theme());
+  connect(&canvas_, &MapView::zoomChanged, this, &SideView::followCanvas);
+  for (QScrollBar* bar : {canvas_.horizontalScrollBar(), canvas_.verticalScrollBar()}) {
+    connect(bar, &QScrollBar::valueChanged, this, &SideView::followCanvas);
+  }
+  connect(&canvas_.mapScene(), &MapScene::optionsChanged, this,
+          [this] { scene_.setOptions(canvas_.mapScene().options()); });
+}
+
+SideView::~SideView() {
+  document_.stopMapTasks();
+  delete view_;  // Before the scene that it shows.
+}
+
+void SideView::setTheme(const Theme& theme) {
+  scene_.setTheme(theme);
+  title_->setFont(theme.font(9.5, QFont::DemiBold));
+}
+
+void SideView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  followCanvas();
+}
+
+/// Centres the view like the canvas and shows at least the same area.
+void SideView::followCanvas() {
+  const QSizeF theirs = canvas_.viewport()->size();
+  const QSizeF ours = view_->viewport()->size();
+  const double share = std::min({1.0, ours.width() / std::max(1.0, theirs.width()),
+                                 ours.height() / std::max(1.0, theirs.height())});
+  view_->setPixelsPerMetre(std::max(0.1, share) * canvas_.pixelsPerMetre());
+  view_->centerOn(canvas_.mapToScene(canvas_.viewport()->rect().center()));
+}
+
+void SideView::showAt(const std::shared_ptr<const sim2d::Recording>& recording, double time) {
+  if (recording == nullptr || recording->size() == 0) {
+    return;
+  }
+  if (auto frame = recording->frameIfKept(recording->indexAtTime(time + 1e-9))) {
+    scene_.showFrame(std::move(frame), recording.get());
+  }
+  followCanvas();
+}
+
+DocumentSnapshot documentOf(const sim2d::Recording& recording, const ScenarioDocument& edited,
+                            bool isOfEdited) {
+  DocumentSnapshot shown = edited.snapshot();
+  if (!isOfEdited) {
+    shown.scenario = app::scenarioOf(recording);
+    shown.trees.clear();
+    shown.map = {
+        std::make_shared<const sim2d::OccupancyGrid>(recording.header()->map), {}, false, {}};
+    shown.mapIsInFile = false;
+    shown.path.clear();
+  }
+  return shown;
+}
+
+SideBySide::SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget* parent)
+    : QWidget(parent), canvas_(canvas), edited_(edited), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins({});
+  grid_->setSpacing(1);
+}
+
+void SideBySide::showRuns(const std::vector<Run>& runs) {
+  std::vector<std::unique_ptr<SideView>> before = std::exchange(views_, {});
+  const std::vector<Run> runsBefore = std::exchange(runs_, {});
+  for (const Run& run : runs) {
+    if (views_.size() == kMaxViews) {
+      break;
+    }
+    const auto same = std::find_if(runsBefore.begin(), runsBefore.end(), [&run](const Run& each) {
+      return each.recording == run.recording;
+    });
+    std::unique_ptr<SideView> view;
+    if (same != runsBefore.end()) {
+      view = std::move(before[static_cast<std::size_t>(same - runsBefore.begin())]);
+    }
+    if (view == nullptr) {
+      view = std::make_unique<SideView>(canvas_,
+                                        documentOf(*run.recording, edited_, run.isOfEdited), this);
+    }
+    view->setTitle(run.title);
+    views_.push_back(std::move(view));
+    runs_.push_back(run);
+  }
+  before.clear();
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    const auto place = static_cast<int>(k);
+    const bool isAlone = k + 1 == views_.size() && place % columns() == 0;  // Alone in its row.
+    grid_->addWidget(views_[k].get(), place / columns(), place % columns(), 1,
+                     isAlone ? columns() : 1);
+    views_[k]->setVisible(true);
+  }
+}
+
+void SideBySide::showAt(double time) {
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    views_[k]->showAt(runs_[k].recording, time);
+  }
+}
+
+void SideBySide::setTheme(const Theme& theme) {
+  for (const std::unique_ptr<SideView>& view : views_) {
+    view->setTheme(theme);
+  }
+}
+
+}  // namespace editor

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QtWidgets>
+
+#include "editor/canvas/MapView.h"
+#include "editor/document/ScenarioDocument.h"
+#include "sim2d/trace/Recording.h"
+
+namespace editor {
+
+/// A view of another run beside the canvas with the same centre and time. The zoom is limited so
+/// that everything visible on the canvas is visible here too.
+class SideView : public QWidget {
+  Q_OBJECT
+ public:
+  /// `document`: the document of the run; it is copied. The canvas must outlive the view.
+  SideView(MapView& canvas, const DocumentSnapshot& document, QWidget* parent = nullptr);
+  ~SideView() override;
+  Q_DISABLE_COPY_MOVE(SideView)
+  void setTitle(const QString& title) { title_->setText(title); }
+  void setTheme(const Theme& theme);
+  /// Shows the state of the run at a time [s].
+  void showAt(const std::shared_ptr<const sim2d::Recording>& recording, double time);
+  const MapScene& scene() const { return scene_; }
+  MapView& view() const { return *view_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void followCanvas();
+
+  MapView& canvas_;
+  ScenarioDocument document_;
+  MapScene scene_;
+  QLabel* title_;
+  MapView* view_;
+};
+
+/// The document shown for a run: `edited` if the run belongs to it, else one from the recording.
+DocumentSnapshot documentOf(const sim2d::Recording& recording, const ScenarioDocument& edited,
+                            bool isOfEdited);
+
+/// Views of other runs beside the canvas: one, two stacked, or up to four in two columns. All show
+/// the same place and time.
+class SideBySide : public QWidget {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t kMaxViews = 4;
+
+  struct Run {
+    QString title;
+    std::shared_ptr<const sim2d::Recording> recording;
+    bool isOfEdited = false;  // Run of the open document.
+  };
+  SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget* parent = nullptr);
+
+  /// Shows the first kMaxViews runs; views of runs already shown are kept.
+  void showRuns(const std::vector<Run>& runs);
+  void showAt(double time);  // [s]
+  void setTheme(const Theme& theme);
+  int columns() const { return views_.size() > 2 ? 2 : 1; }
+  const std::vector<std::unique_ptr<SideView>>& views() const { return views_; }
+
+ private:
+  MapView& canvas_;
+  const ScenarioDocument& edited_;
+  QGridLayout* grid_;
+  std::vector<std::unique_ptr<SideView>> views_;
+  std::vector<Run> runs_;  // The runs of the views.
+};
+
+}  // namespace editor
