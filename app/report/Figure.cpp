@@ -219,9 +219,9 @@ double tickStep(double length, int most) {
 std::vector<double> ticks(double low, double high, int count) {
   const double step = tickStep(high - low, count);
   std::vector<double> found;
-  constexpr int kMostTicks = 12;
+  const int most = std::max(12, count + 1);
   const double first = std::ceil(low / step - 1e-9);
-  for (int k = 0; k < kMostTicks; ++k) {
+  for (int k = 0; k < most; ++k) {
     const double tick = (first + k) * step;
     if (tick > high + 1e-9 * step) {
       break;

@@ -22,6 +22,7 @@ struct Range {
 };
 constexpr Range kAnyNumber{};
 constexpr Range kNotNegative{0.0};
+constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true};
 
 enum class ParameterType { Boolean, Integer, Number, Text, Choice, Numbers, Integers };
 

@@ -149,6 +149,9 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(axisTicks({17.0, 24.0, 0.0, 136.0}), std::vector<double>({18.0, 22.0}));
     QCOMPARE(axisTicks({1.0, 9.1, 0.0, 136.0}), std::vector<double>({2.0, 6.0}));
     QCOMPARE(axisTicks({0.0, 1.0, 0.0, 136.0}), std::vector<double>({0.0, 0.5, 1.0}));
+    const std::vector<double> wide = axisTicks({0.0, 12.0, 0.0, 1500.0});
+    QCOMPARE(wide.size(), std::size_t{25});
+    QCOMPARE(wide.back(), 12.0);
     const Scale equal = paddedScale(5.0, 5.0, 0.0, 10.0);
     QVERIFY(equal.low < 5.0 && equal.high > 5.0);
     QCOMPARE(paddedScale(1.0, 0.0, 0.0, 10.0).high, 1.0);  // nothing to show

@@ -67,11 +67,19 @@ bool contains(const std::string& text, const std::string& part) {
 
 /// Text of a table cell with escaped bars.
 std::string cellOf(const std::string& text) {
-  return text.empty() ? "-" : base::join(base::split(text, '|'), "\\|");
+  std::string cell;
+  for (const char c : text) {
+    cell += c == '|' ? std::string("\\|") : std::string(1, c);
+  }
+  return cell.empty() ? "-" : cell;
 }
 
 std::string row(const std::vector<std::string>& cells) {
-  return "| " + base::join(cells, " | ") + " |\n";
+  std::string text = "|";
+  for (const std::string& cell : cells) {
+    text += " " + cell + " |";
+  }
+  return text + "\n";
 }
 
 /// "robot, people"; "nothing".

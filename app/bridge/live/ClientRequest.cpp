@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim2d/base/LittleEndian.h"
+
 namespace live {
 
 namespace {
@@ -173,15 +175,6 @@ bool isFlat(std::string_view json) {
     }
   }
   return true;
-}
-
-/// Decodes the first four bytes, which must exist.
-std::uint32_t littleEndian32(std::string_view bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    value |= static_cast<std::uint32_t>(static_cast<std::uint8_t>(bytes[i])) << 8U * i;
-  }
-  return value;
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ QString stateText(ExportPlan::State state) {
 
 /// The command on one line and its arguments on a second, as a shell accepts it.
 QString onTwoLines(const std::string& command) {
-  constexpr int kWords = 4;  // "ros2 launch package file", never quoted
+  constexpr int kCommandWords = 4;  // "ros2 launch package file", never quoted
   const QString words = QString::fromStdString(command);
-  const QString head = words.section(QLatin1Char(' '), 0, kWords - 1);
-  const QString rest = words.section(QLatin1Char(' '), kWords);
+  const QString head = words.section(QLatin1Char(' '), 0, kCommandWords - 1);
+  const QString rest = words.section(QLatin1Char(' '), kCommandWords);
   return rest.isEmpty() ? words : head + QStringLiteral(" \\\n  ") + rest;
 }
 
