@@ -32,7 +32,7 @@ constexpr double kHalfPiLow = 0x1.1a62633145c07p-54;
 constexpr double kLargestAngle = 1e5;  // below it the products with A, B and C are exact
 
 // The templates below work on one number or, with the same bits for each, on two.
-using Two = Eigen::Array2d;
+using Two = double __attribute__((vector_size(16)));
 
 /// Rounds to the nearest integer, ties to even, for |x| < 2^51, as nearbyint does, without a call:
 /// the sum has no fraction bits.
@@ -120,45 +120,62 @@ constexpr auto kSin = inverseFactorials<8>(3, 2, -1.0);  // sin r = r - r^3 (…
 constexpr auto kCos = inverseFactorials<7>(4, 2, -1.0);  // cos r = 1 - r^2/2 + r^4 (…)
 
 /// An unevaluated sum of two numbers.
-struct DoubleDouble {
-  double high;
-  double low;
+template <class Number>
+struct UnevaluatedSum {
+  Number high;
+  Number low;
 };
+using DoubleDouble = UnevaluatedSum<double>;
 
-/// An angle as quarter turns plus a remainder of at most an eighth turn.
+/// An angle as quarter turns, a whole number, plus a remainder of at most an eighth turn.
+template <class Number>
 struct ReducedAngle {
-  int quadrant;
-  DoubleDouble rest;
+  Number quarters;
+  UnevaluatedSum<Number> rest;
 };
 
 /// a + b without rounding error (Knuth's TwoSum).
-DoubleDouble twoSum(double a, double b) {
-  const double sum = a + b;
-  const double part = sum - a;
+template <class Number>
+UnevaluatedSum<Number> twoSum(const Number& a, const Number& b) {
+  const Number sum = a + b;
+  const Number part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-ReducedAngle reduceAngle(double x) {
-  if (!(std::abs(x) <= kLargestAngle)) {
-    x = std::fmod(x, 2.0 * kPi);
-  }
-  const double turns = nearest(x / kHalfPi);
-  const DoubleDouble b = twoSum(x - turns * kHalfPiA, -turns * kHalfPiB);
-  const DoubleDouble c = twoSum(b.high, -turns * kHalfPiC);
-  return {static_cast<int>(turns) & 3, twoSum(c.high, b.low + c.low - turns * kHalfPiD)};
+/// |x| <= kLargestAngle
+template <class Number>
+ReducedAngle<Number> reduceAngle(const Number& x) {
+  const Number turns = nearest<Number>(x / kHalfPi);
+  const auto b = twoSum<Number>(x - turns * kHalfPiA, -turns * kHalfPiB);
+  const auto c = twoSum<Number>(b.high, -turns * kHalfPiC);
+  return {turns, twoSum<Number>(c.high, b.low + c.low - turns * kHalfPiD)};
 }
 
-double sinOfReduced(const DoubleDouble& a) {
-  const double z = a.high * a.high;
-  return a.high + (a.low * (1.0 - 0.5 * z) - a.high * z * polynomial(kSin, z));
+template <class Number>
+Number sinOfReduced(const UnevaluatedSum<Number>& a) {
+  const Number z = a.high * a.high;
+  return a.high + (a.low * (1.0 - 0.5 * z) - a.high * z * polynomial<Number>(kSin, z));
 }
 
-double cosOfReduced(const DoubleDouble& a) {
-  const double z = a.high * a.high;
-  const double half = 0.5 * z;
-  const double head = 1.0 - half;
-  const double lost = (1.0 - head) - half;
-  return head + (lost + (z * z * polynomial(kCos, z) - a.high * a.low));
+template <class Number>
+Number cosOfReduced(const UnevaluatedSum<Number>& a) {
+  const Number z = a.high * a.high;
+  const Number half = 0.5 * z;
+  const Number head = 1.0 - half;
+  const Number lost = (1.0 - head) - half;
+  return head + (lost + (z * z * polynomial<Number>(kCos, z) - a.high * a.low));
+}
+
+double withoutWholeTurns(double x) {
+  return std::abs(x) <= kLargestAngle ? x : std::fmod(x, 2.0 * kPi);
+}
+
+/// Sine and cosine of an angle from those of its remainder.
+SinCos turnedByQuarters(double sine, double cosine, double quarters) {
+  const int quadrant = static_cast<int>(quarters) & 3;
+  const bool isAcross = (quadrant & 1) != 0;  // branchless: quadrants are unpredictable
+  return {negatedIf(isAcross ? cosine : sine, (quadrant & 2) != 0),
+          negatedIf(isAcross ? sine : cosine, ((quadrant + 1) & 2) != 0)};
 }
 
 /// sin(x + quarters * pi / 2)
@@ -166,8 +183,8 @@ double sinShifted(double x, int quarters) {
   if (!std::isfinite(x)) {
     return kNaN;
   }
-  const auto [quadrant, rest] = reduceAngle(x);
-  const int quarter = (quadrant + quarters) & 3;
+  const auto [turns, rest] = reduceAngle(withoutWholeTurns(x));
+  const int quarter = (static_cast<int>(turns) + quarters) & 3;
   const double value = quarter % 2 == 0 ? sinOfReduced(rest) : cosOfReduced(rest);
   return quarter < 2 ? value : -value;
 }
@@ -245,7 +262,7 @@ void expArray(double* numbers, std::size_t count) {
     double& first = numbers[i];
     double& second = numbers[i + 1];
     if (isUsual(first) && isUsual(second)) {
-      const SplitExp<Two> split = splitExp(Two(first, second));
+      const SplitExp<Two> split = splitExp(Two{first, second});
       first = scaled(split.value[0], static_cast<int>(split.exponent[0]));
       second = scaled(split.value[1], static_cast<int>(split.exponent[1]));
     } else {
@@ -297,12 +314,28 @@ SinCos sinCos(double x) {
   if (!std::isfinite(x)) {
     return {kNaN, kNaN};
   }
-  const auto [quadrant, rest] = reduceAngle(x);
-  const double sine = sinOfReduced(rest);
-  const double cosine = cosOfReduced(rest);
-  const bool isAcross = (quadrant & 1) != 0;  // branchless: quadrants are unpredictable
-  return {negatedIf(isAcross ? cosine : sine, (quadrant & 2) != 0),
-          negatedIf(isAcross ? sine : cosine, ((quadrant + 1) & 2) != 0)};
+  const auto [quarters, rest] = reduceAngle(withoutWholeTurns(x));
+  return turnedByQuarters(sinOfReduced(rest), cosOfReduced(rest), quarters);
+}
+
+void sinCosArray(const double* angles, SinCos* results, std::size_t count) {
+  const auto isUsual = [](double x) { return std::abs(x) <= kLargestAngle; };
+  std::size_t i = 0;
+  for (; i + 1 < count; i += 2) {
+    if (isUsual(angles[i]) && isUsual(angles[i + 1])) {
+      const auto [quarters, rest] = reduceAngle<Two>(Two{angles[i], angles[i + 1]});
+      const Two sine = sinOfReduced(rest);
+      const Two cosine = cosOfReduced(rest);
+      results[i] = turnedByQuarters(sine[0], cosine[0], quarters[0]);
+      results[i + 1] = turnedByQuarters(sine[1], cosine[1], quarters[1]);
+    } else {
+      results[i] = sinCos(angles[i]);
+      results[i + 1] = sinCos(angles[i + 1]);
+    }
+  }
+  if (i < count) {
+    results[i] = sinCos(angles[i]);
+  }
 }
 
 double atan2(double y, double x) {

@@ -23,5 +23,7 @@ double tanh(double x);
 
 /// Replaces each number by its exp.
 void expArray(double* numbers, std::size_t count);
+/// results[i] = sinCos(angles[i])
+void sinCosArray(const double* angles, SinCos* results, std::size_t count);
 
 }  // namespace base

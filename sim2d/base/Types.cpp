@@ -20,7 +20,8 @@ double angleDiff(double to, double from) {
 }
 
 Vec2 directionOf(double heading) {
-  return {cos(heading), sin(heading)};
+  const SinCos direction = sinCos(heading);
+  return {direction.cos, direction.sin};
 }
 
 double headingOf(const Vec2& direction) {

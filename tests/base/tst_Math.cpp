@@ -84,6 +84,7 @@ class MathTest : public QObject {
   void atan2_axesAndLimits_areExact();
   void exp_atItsLimits_overflowsAndUnderflows();
   void expEach_hasTheBitsOfExp();
+  void sinCosArray_hasTheBitsOfSinCos();
   void log_outsideItsRange_isInfiniteOrNan();
   void sinCos_hugeArguments_areBoundedAndPeriodic();
   void sin_signedZero_keepsItsSign();
@@ -186,6 +187,24 @@ void MathTest::expEach_hasTheBitsOfExp() {
     for (std::size_t i = 0; i < each.size(); ++i) {
       const double one = base::exp(numbers[first + i]);
       QVERIFY2(bitsOf(each[i]) == bitsOf(one), qPrintable(QString::number(i)));
+    }
+  }
+}
+
+void MathTest::sinCosArray_hasTheBitsOfSinCos() {
+  std::mt19937_64 random(6);
+  std::vector<double> angles = {kNan, 1.0, kInf, -0.0, 1e5, 100000.5, -1e300, 0.0, 1e-300};
+  for (int i = 0; i < 999; ++i) {
+    angles.push_back(-20.0 + 40.0 * static_cast<double>(random() >> 11U) * 0x1p-53);
+  }
+  for (const std::size_t first : {0U, 1U}) {  // either of a pair
+    std::vector<base::SinCos> results(angles.size() - first);
+    base::sinCosArray(angles.data() + first, results.data(), results.size());
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const base::SinCos one = base::sinCos(angles[first + i]);
+      const bool isSame =
+          bitsOf(results[i].sin) == bitsOf(one.sin) && bitsOf(results[i].cos) == bitsOf(one.cos);
+      QVERIFY2(isSame, qPrintable(QString::number(angles[first + i])));
     }
   }
 }

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim2d/base/Math.h"
-
 namespace sim2d::nav2 {
 namespace {
 
@@ -111,14 +109,23 @@ const std::vector<TrajectoryGenerator::Step>& TrajectoryGenerator::headingProfil
   HeadingProfile& fresh = headingProfiles_[lastHeadingProfile_];
   fresh.angular = angular;
   fresh.steps.resize(size);
-  const double dt = parameters_->simTime / count;
-  BodyTwist velocity = speed_;
+  headings_.resize(size);
+  directions_.resize(size);
+  const DwbParameters& p = *parameters_;
+  const double dt = p.simTime / count;
+  double speed = speed_.angular;
   double heading = robot_.heading;
-  for (Step& step : fresh.steps) {
-    velocity = next(velocity, {0.0, angular}, dt);
-    const base::SinCos direction = base::sinCos(heading);
-    heading += velocity.angular * dt;
-    step = {heading, direction.sin, direction.cos};
+  for (std::size_t i = 0; i < size; ++i) {
+    speed = kind_ == Kind::LimitedAccel
+                ? angular
+                : projectVelocity(speed, p.accLimTheta, p.decelLimTheta, dt, angular);
+    headings_[i] = heading;
+    heading += speed * dt;
+    fresh.steps[i].heading = heading;
+  }
+  base::sinCosArray(headings_.data(), directions_.data(), size);
+  for (std::size_t i = 0; i < size; ++i) {
+    fresh.steps[i].direction = {directions_[i].cos, directions_[i].sin};
   }
   return fresh.steps;
 }
@@ -149,7 +156,9 @@ void TrajectoryGenerator::generate(const BodyTwist& command, DwbTrajectory& traj
     if (isRamp && (y != command.lateral || p.decelLimY > 0.0)) {
       y = projectVelocity(y, p.accLimY, p.decelLimY, dt, command.lateral);
     }
-    place += dt * Vec2(x * step.cos - y * step.sin, x * step.sin + y * step.cos);
+    const Vec2 along = x * step.direction;
+    place +=
+        dt * (y == 0.0 ? along : Vec2(along + y * Vec2(-step.direction.y(), step.direction.x())));
     trajectory.poses[i + 1] = {place, step.heading};
     trajectory.cells[i + 1] = indexOf(place);
   }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim2d/base/Math.h"
 #include "sim2d/nav/Body.h"
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/control/dwb/DwbParameters.h"
@@ -39,8 +40,8 @@ class TrajectoryGenerator {
 
  private:
   struct Step {
-    double heading;   // [rad], after the step
-    double sin, cos;  // of the heading before the step
+    double heading;  // [rad], after the step
+    Vec2 direction;  // of the heading before the step
   };
   /// Headings depend only on the angular command and the number of steps, and are cached.
   struct HeadingProfile {
@@ -57,6 +58,8 @@ class TrajectoryGenerator {
   Pose2 robot_;
   BodyTwist speed_;
   std::vector<BodyTwist> commands_;
+  std::vector<double> headings_;  // [rad], before the steps of a profile
+  std::vector<base::SinCos> directions_;
   std::vector<HeadingProfile> headingProfiles_;  // those of this cycle come first
   std::size_t headingProfileCount_ = 0;
   std::size_t lastHeadingProfile_ = 0;
