@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,14 @@ class Judge {
       const bool isFirst = trajectory.onMap + 1 == trajectory.cells.size();
       trajectory.onMap += cell && isFirst ? 1 : 0;
     }
-    return critic_->score(trajectory);
+    trajectory.endCell = trajectory.cells.back();
+    trajectory.endDirection = poses.back().direction();
+    const double least = critic_->leastScore(trajectory);
+    const DwbScore exact = critic_->score(trajectory);
+    if (exact.rejection == nullptr && least > exact.raw) {
+      throw std::logic_error("the lower bound is above the score");
+    }
+    return exact;
   }
   DwbScore priceOf(const BodyTwist& velocity) { return score({scene.robot}, velocity); }
 

@@ -78,6 +78,7 @@ class DwbControllerTest : public QObject {
   void totals_equalPlainCode();
   void shortCircuit_changesNothing();
   void watched_scoresAddUp();
+  void unwatched_randomScenes_sameChoice();
   void boxedIn_isNoValidControl();
   void standingStill_isNoCandidate();
   void equalTotals_firstWins();
@@ -236,6 +237,40 @@ void DwbControllerTest::watched_scoresAddUp() {
   for (const EvaluatedTrajectory& each : controller->view().trajectories) {
     QVERIFY(!each.isChosen || each.total == best);
   }
+}
+
+/// Bounds exclude trajectories only while nobody watches: the choice is the same, also with sums,
+/// products, footprints and negative scales.
+void DwbControllerTest::unwatched_randomScenes_sameChoice() {
+  costs::Numbers numbers(11);
+  const Names aggregations{"last", "sum", "product"};
+  int legal = 0;
+  for (int i = 0; i < 60; ++i) {
+    Scene scene(Distro::Jazzy);
+    addPillar(scene, numbers.between(-1.2, 1.2), numbers.between(-1.2, 1.2));
+    addPillar(scene, numbers.between(-1.2, 1.2), numbers.between(-1.2, 1.2));
+    scene.robot = {Vec2(numbers.between(-0.3, 0.3), numbers.between(-0.3, 0.3)),
+                   numbers.between(-3.1, 3.1)};
+    scene.speed = {numbers.between(0.0, 0.26), numbers.between(-1.0, 1.0)};
+    Nav2ParameterBlock block = bringup();
+    block["critics"] = Names{"RotateToGoal", "ObstacleFootprint", "BaseObstacle", "GoalAlign",
+                             "PathAlign",    "PathDist",          "GoalDist",     "Twirling"};
+    block["BaseObstacle.sum_scores"] = i % 2 == 0;
+    block["PathDist.aggregation_type"] = aggregations[static_cast<std::size_t>(i % 3)];
+    block["PathAlign.aggregation_type"] = aggregations[static_cast<std::size_t>(i / 3 % 3)];
+    block["GoalDist.scale"] = i % 5 == 0 ? -2.0 : 24.0;
+    const auto controller = scene.make(kDwb, block);
+    controller->setPlan(curve());
+    const ControlResult unwatched = scene.run(*controller);
+    controller->watch(true);
+    const ControlResult watched = scene.run(*controller);
+    QCOMPARE(static_cast<bool>(unwatched), static_cast<bool>(watched));
+    if (watched) {
+      QCOMPARE(unwatched.twist, watched.twist);
+      ++legal;
+    }
+  }
+  QVERIFY(legal > 20);
 }
 
 void DwbControllerTest::boxedIn_isNoValidControl() {

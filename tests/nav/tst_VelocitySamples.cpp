@@ -48,6 +48,7 @@ DwbTrajectory rolledOut(const DwbParameters& p, const BodyTwist& command, const 
   generator.start(p, {}, speed, map);
   DwbTrajectory trajectory;
   generator.generate(command, trajectory);
+  generator.locate(trajectory);
   return trajectory;
 }
 
@@ -269,6 +270,7 @@ void VelocitySamplesTest::trajectory_cells_areThoseOfTheMap() {
     onMap += onMap == i && cell ? 1 : 0;
   }
   QCOMPARE(trajectory.onMap, onMap);
+  QCOMPARE(trajectory.endCell, trajectory.cells.back());
   QVERIFY(onMap > 2 && onMap < trajectory.poses.size());
 }
 
@@ -289,6 +291,7 @@ void VelocitySamplesTest::trajectory_sharedTurns_changeNothing() {
       fresh.start(p, robot, speed, map);
       fresh.generate(command, other);
       QVERIFY(one.poses == other.poses);
+      QVERIFY(one.endDirection == one.poses.back().direction());
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "sim2d/nav/nav2/control/dwb/DwbController.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -100,8 +101,14 @@ void DwbController::prepare(const ControlInput& input, const Path& plan, const P
 void DwbController::selectBest() {
   best_.total = -1.0F;
   std::size_t chosen = 0;
+  const bool prunes = !isWatched() && std::all_of(scales_.begin(), scales_.end(),
+                                                  [](float scale) { return scale >= 0.0F; });
   for (const BodyTwist& command : generator_.commands()) {
     generator_.generate(command, candidate_);
+    if (prunes && best_.total >= 0.0F && !canWin(candidate_)) {
+      continue;
+    }
+    generator_.locate(candidate_);
     float total = 0.0F;
     if (evaluate(candidate_, best_.total, total) && (best_.total < 0.0F || total < best_.total)) {
       best_.total = total;
@@ -112,6 +119,20 @@ void DwbController::selectBest() {
   if (isWatched() && best_.total >= 0.0F) {
     view_.trajectories[chosen].isChosen = true;
   }
+}
+
+/// Returns false where lower bounds of all scores, summed like the scores, exclude a total below
+/// the best. Scales must not be negative.
+bool DwbController::canWin(const DwbTrajectory& trajectory) const {
+  float least = 0.0F;
+  for (std::size_t i = 0; i < critics_.size(); ++i) {
+    if (scales_[i] != 0.0F) {
+      least = static_cast<float>(static_cast<double>(least) +
+                                 critics_[i].critic->leastScore(trajectory) *
+                                     static_cast<double>(scales_[i]));
+    }
+  }
+  return !(least >= best_.total);
 }
 
 /// Returns false for an invalid trajectory. Sums in single precision like Nav2's messages, so that

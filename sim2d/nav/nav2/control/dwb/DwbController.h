@@ -42,6 +42,7 @@ class DwbController final : public Controller {
     DwbTrajectory trajectory;
   };
   void prepare(const ControlInput& input, const Path& plan, const Pose2& goal);
+  bool canWin(const DwbTrajectory& trajectory) const;
   bool evaluate(const DwbTrajectory& trajectory, float best, float& total);
   void selectBest();
   void recordTrajectory(const DwbTrajectory& trajectory, float total, std::size_t evaluated,

@@ -73,6 +73,11 @@ class BaseObstacleCritic final : public DwbCritic {
     }
     return parameters_.sumsScores ? sum : static_cast<double>(last);
   }
+  double leastScore(const DwbTrajectory& trajectory) override {
+    const bool isOff = trajectory.endCell < 0;
+    const std::uint8_t cost = isOff ? kInscribed : costs_[trajectory.endCell];
+    return cost >= kInscribed ? kInfinity : static_cast<double>(cost);
+  }
   double scale(double /*resolution*/) const override { return parameters_.scale; }
 
  private:
@@ -105,6 +110,7 @@ class ObstacleFootprintCritic final : public DwbCritic {
     }
     return parameters_.sumsScores ? sum : last;
   }
+  double leastScore(const DwbTrajectory& /*trajectory*/) override { return 0.0; }
   double scale(double resolution) const override { return resolution * parameters_.scale; }
 
  private:
@@ -202,6 +208,13 @@ class MapGridCritic : public DwbCritic {
     }
     return score;
   }
+  double leastScore(const DwbTrajectory& trajectory) override {
+    if (aggregation_ == Aggregation::Product) {
+      return 0.0;
+    }
+    const int cell = cellOf(trajectory, trajectory.poses.size() - 1);
+    return cell < 0 ? kInfinity : grid_->at(cell);
+  }
   double scale(double resolution) const override { return 0.5 * resolution * parameters_.scale; }
 
  protected:
@@ -213,7 +226,7 @@ class MapGridCritic : public DwbCritic {
   const Costmap& costmap() const { return *costmap_; }
   /// Index of the cell that scores a pose, -1: off the map.
   virtual int cellOf(const DwbTrajectory& trajectory, std::size_t pose) const {
-    return trajectory.cells[pose];
+    return pose + 1 == trajectory.poses.size() ? trajectory.endCell : trajectory.cells[pose];
   }
 
  private:
@@ -257,7 +270,10 @@ class AlignCritic : public MapGridCritic {
 
  protected:
   int cellOf(const DwbTrajectory& trajectory, std::size_t pose) const override {
-    const Vec2 ahead = trajectory.poses[pose].ahead(parameters().forwardPointDistance);
+    const bool isEnd = pose + 1 == trajectory.poses.size();
+    const Pose2& from = trajectory.poses[pose];
+    const Vec2 direction = isEnd ? trajectory.endDirection : from.direction();
+    const Vec2 ahead = from.position + parameters().forwardPointDistance * direction;
     const auto cell = costmap().worldToCell(ahead);
     return cell ? static_cast<int>(costmap().indexOf(*cell)) : -1;
   }

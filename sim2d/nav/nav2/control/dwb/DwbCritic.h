@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,12 +37,20 @@ struct DwbScore {
 
 class DwbCritic {
  public:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
   virtual ~DwbCritic() = default;
   /// Called for a new path.
   virtual void reset() {}
   /// Called at the start of a cycle; the scene lives until its end.
   virtual void prepare(const DwbScene& /*scene*/) {}
   virtual DwbScore score(const DwbTrajectory& trajectory) = 0;
+  /// A lower bound of the raw score, for a trajectory without the cells of all its poses; infinite
+  /// where score() rejects the trajectory.
+  virtual double leastScore(const DwbTrajectory& trajectory) {
+    const DwbScore exact = score(trajectory);
+    return exact.rejection == nullptr ? exact.raw : kInfinity;
+  }
   /// Called with the chosen command; zero if no trajectory was valid.
   virtual void debrief(const BodyTwist& /*chosen*/) {}
   /// The weight in this cycle; 0: the critic is skipped. `resolution` of the costmap [m].

@@ -91,15 +91,15 @@ BodyTwist TrajectoryGenerator::next(const BodyTwist& velocity, const BodyTwist& 
           projectVelocity(velocity.lateral, p.accLimY, p.decelLimY, dt, command.lateral)};
 }
 
-const std::vector<TrajectoryGenerator::Step>& TrajectoryGenerator::headingProfile(double angular,
-                                                                                  int count) {
+const TrajectoryGenerator::HeadingProfile& TrajectoryGenerator::headingProfile(double angular,
+                                                                               int count) {
   const auto size = static_cast<std::size_t>(count);
   for (std::size_t tried = 0; tried < headingProfileCount_; ++tried) {
     lastHeadingProfile_ =
         lastHeadingProfile_ + 1 < headingProfileCount_ ? lastHeadingProfile_ + 1 : 0;
     const HeadingProfile& known = headingProfiles_[lastHeadingProfile_];
     if (known.angular == angular && known.steps.size() == size) {
-      return known.steps;
+      return known;
     }
   }
   if (headingProfileCount_ == headingProfiles_.size()) {
@@ -109,61 +109,71 @@ const std::vector<TrajectoryGenerator::Step>& TrajectoryGenerator::headingProfil
   HeadingProfile& fresh = headingProfiles_[lastHeadingProfile_];
   fresh.angular = angular;
   fresh.steps.resize(size);
-  headings_.resize(size);
-  directions_.resize(size);
+  headings_.resize(size + 1);
+  directions_.resize(size + 1);
   const DwbParameters& p = *parameters_;
   const double dt = p.simTime / count;
   double speed = speed_.angular;
   double heading = robot_.heading;
+  headings_[0] = heading;
   for (std::size_t i = 0; i < size; ++i) {
     speed = kind_ == Kind::LimitedAccel
                 ? angular
                 : projectVelocity(speed, p.accLimTheta, p.decelLimTheta, dt, angular);
-    headings_[i] = heading;
     heading += speed * dt;
+    headings_[i + 1] = heading;
     fresh.steps[i].heading = heading;
   }
-  base::sinCosArray(headings_.data(), directions_.data(), size);
+  base::sinCosArray(headings_.data(), directions_.data(), size + 1);
   for (std::size_t i = 0; i < size; ++i) {
     fresh.steps[i].direction = {directions_[i].cos, directions_[i].sin};
   }
-  return fresh.steps;
+  fresh.endDirection = {directions_[size].cos, directions_[size].sin};
+  return fresh;
 }
 
 void TrajectoryGenerator::generate(const BodyTwist& command, DwbTrajectory& trajectory) {
   const DwbParameters& p = *parameters_;
   const int count = stepCount(p, command);
   const double dt = p.simTime / count;
-  const std::vector<Step>& turned = headingProfile(command.angular, count);
-  const std::size_t size = turned.size() + (p.includesLastPoint ? 2 : 1);
+  const HeadingProfile& profile = headingProfile(command.angular, count);
+  const std::vector<Step>& turned = profile.steps;
   trajectory.step = dt;
-  trajectory.poses.resize(size);
-  trajectory.cells.resize(size);
+  trajectory.poses.resize(turned.size() + (p.includesLastPoint ? 2 : 1));
   trajectory.velocity = p.limitsCommand ? next(speed_, command, dt) : command;
-  const bool isRamp = kind_ == Kind::Standard;
-  const CellIndex indexOf(*costmap_);
+  Pose2* pose = trajectory.poses.data();
+  *pose = robot_;
   Vec2 place = robot_.position;
-  trajectory.poses[0] = robot_;
-  trajectory.cells[0] = indexOf(place);
-  // A velocity that has reached the command stays constant.
-  double x = isRamp ? speed_.linear : command.linear;
-  double y = isRamp ? speed_.lateral : command.lateral;
-  for (std::size_t i = 0; i < turned.size(); ++i) {
-    const Step& step = turned[i];
-    if (isRamp && (x != command.linear || p.decelLimX > 0.0)) {  // such a limit accelerates
-      x = projectVelocity(x, p.accLimX, p.decelLimX, dt, command.linear);
-    }
-    if (isRamp && (y != command.lateral || p.decelLimY > 0.0)) {
-      y = projectVelocity(y, p.accLimY, p.decelLimY, dt, command.lateral);
-    }
+  const auto advance = [&](const Step& step, double x, double y) {
     const Vec2 along = x * step.direction;
     place +=
         dt * (y == 0.0 ? along : Vec2(along + y * Vec2(-step.direction.y(), step.direction.x())));
-    trajectory.poses[i + 1] = {place, step.heading};
-    trajectory.cells[i + 1] = indexOf(place);
+    *++pose = {place, step.heading};
+  };
+  auto step = turned.begin();
+  if (kind_ == Kind::Standard) {
+    double x = speed_.linear, y = speed_.lateral;
+    // A velocity that has reached the command stays constant, unless braking accelerates.
+    const bool isRamp = p.decelLimX > 0.0 || p.decelLimY > 0.0;
+    while (step != turned.end() && (isRamp || x != command.linear || y != command.lateral)) {
+      x = projectVelocity(x, p.accLimX, p.decelLimX, dt, command.linear);
+      y = projectVelocity(y, p.accLimY, p.decelLimY, dt, command.lateral);
+      advance(*step++, x, y);
+    }
   }
-  trajectory.poses.back() = trajectory.poses[turned.size()];
-  trajectory.cells.back() = trajectory.cells[turned.size()];
+  for (; step != turned.end(); ++step) {
+    advance(*step, command.linear, command.lateral);
+  }
+  trajectory.poses.back() = *pose;
+  trajectory.endDirection = profile.endDirection;
+  trajectory.endCell = CellIndex(*costmap_)(place);
+}
+
+void TrajectoryGenerator::locate(DwbTrajectory& trajectory) const {
+  const CellIndex indexOf(*costmap_);
+  trajectory.cells.resize(trajectory.poses.size());
+  std::transform(trajectory.poses.begin(), trajectory.poses.end(), trajectory.cells.begin(),
+                 [&](const Pose2& pose) { return indexOf(pose.position); });
   const auto off = std::find(trajectory.cells.begin(), trajectory.cells.end(), -1);
   trajectory.onMap = static_cast<std::size_t>(off - trajectory.cells.begin());
 }

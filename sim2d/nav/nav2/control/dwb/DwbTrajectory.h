@@ -15,9 +15,12 @@ namespace sim2d::nav2 {
 struct DwbTrajectory {
   BodyTwist velocity;        // the command of the trajectory
   std::vector<Pose2> poses;  // robot first; last one twice with include_last_point
-  std::vector<int> cells;    // index in the costmap of each pose, -1 off it
-  std::size_t onMap = 0;     // number of poses before the first one off the map
   double step = 0.0;         // time between poses [s]
+  int endCell = -1;          // index in the costmap of the last pose, -1 off it
+  Vec2 endDirection;         // of the last pose's heading
+  // Of locate():
+  std::vector<int> cells;  // index in the costmap of each pose, -1 off it
+  std::size_t onMap = 0;   // number of poses before the first one off the map
 
   /// Linearly interpolated pose after `time` [s].
   Pose2 at(double time) const;
@@ -36,7 +39,10 @@ class TrajectoryGenerator {
   void start(const DwbParameters& parameters, const Pose2& robot, const BodyTwist& speed,
              const Costmap& costmap);
   const std::vector<BodyTwist>& commands() const { return commands_; }
+  /// All but the cells of the poses before the last.
   void generate(const BodyTwist& command, DwbTrajectory& trajectory);
+  /// Adds the cells of all poses.
+  void locate(DwbTrajectory& trajectory) const;
 
  private:
   struct Step {
@@ -47,8 +53,9 @@ class TrajectoryGenerator {
   struct HeadingProfile {
     double angular = 0.0;  // [rad/s]
     std::vector<Step> steps;
+    Vec2 endDirection;  // of the last heading
   };
-  const std::vector<Step>& headingProfile(double angular, int count);
+  const HeadingProfile& headingProfile(double angular, int count);
   BodyTwist next(const BodyTwist& velocity, const BodyTwist& command, double dt) const;
 
   Kind kind_;

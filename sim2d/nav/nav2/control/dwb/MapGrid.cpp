@@ -13,27 +13,30 @@ namespace sim2d::nav2 {
 void MapGrid::clear(int width, int height) {
   width_ = width;
   height_ = height;
-  hasSeeds_ = false;
-  const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  seeds_.clear();
+  isStarted_ = false;
+}
+
+void MapGrid::start() {
+  isStarted_ = true;
+  const auto side = static_cast<std::size_t>(width_);
+  const auto other = static_cast<std::size_t>(height_);
+  const std::size_t cells = side * other;
   values_.assign(cells, kUnvisited);
   isFound_.assign(cells, 0);
   entries_.resize(cells);
   for (std::size_t bucket = nearest_; bucket <= farthest_ && waiting_ > 0; ++bucket) {
     buckets_[bucket] = -1;
   }
-  const auto side = static_cast<std::size_t>(width);
-  const auto other = static_cast<std::size_t>(height);
   buckets_.resize(side * side + other * other + 1, -1);
   nearest_ = buckets_.size();
   farthest_ = 0;
   waiting_ = 0;
-}
-
-void MapGrid::seed(Cell cell) {
-  hasSeeds_ = true;
-  const std::int32_t index = cell.row * width_ + cell.column;
-  if (isFound_[static_cast<std::size_t>(index)] == 0) {
-    push(index, 0, 0);
+  for (const Cell seed : seeds_) {
+    const std::int32_t index = seed.row * width_ + seed.column;
+    if (isFound_[static_cast<std::size_t>(index)] == 0) {
+      push(index, 0, 0);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "sim2d/nav/nav2/Costmap.h"
@@ -17,18 +18,25 @@ class MapGrid {
  public:
   /// Removes all seeds and sets the size.
   void clear(int width, int height);
-  void seed(Cell cell);
-  bool hasSeeds() const { return hasSeeds_; }
+  void seed(Cell cell) { seeds_.push_back(cell); }
+  bool hasSeeds() const { return !seeds_.empty(); }
 
   /// Distance in cells from a cell index to its seed; without seeds the number of cells + 1.
   double at(int index) {
+    if (seeds_.size() == 1) {  // it reaches all cells
+      const Cell seed = seeds_.front();
+      return std::abs(index % width_ - seed.column) + std::abs(index / width_ - seed.row);
+    }
+    if (!isStarted_) {
+      start();
+    }
     const auto cell = static_cast<std::size_t>(index);
     if (values_[cell] == kUnvisited) {
       propagateTo(cell);
     }
     return values_[cell] == kUnvisited ? unreachable() : values_[cell];
   }
-  double unreachable() const { return static_cast<double>(values_.size()) + 1.0; }
+  double unreachable() const { return static_cast<double>(width_) * height_ + 1.0; }
 
  private:
   struct Entry {          // a queued cell
@@ -37,12 +45,14 @@ class MapGrid {
   };
   static constexpr std::int32_t kUnvisited = -1;
 
+  void start();
   void propagateTo(std::size_t cell);
   void push(std::int32_t cell, int dx, int dy);
   std::int32_t pop();
 
   int width_ = 0, height_ = 0;
-  bool hasSeeds_ = false;
+  std::vector<Cell> seeds_;
+  bool isStarted_ = false;            // what follows is filled
   std::vector<std::int32_t> values_;  // kUnvisited until processed
   std::vector<std::uint8_t> isFound_;
   std::vector<Entry> entries_;
