@@ -58,7 +58,7 @@ constexpr Named kOverlayNames[] = {
     {"thoughts", &CanvasOptions::thoughts}, {"zones", &CanvasOptions::proxemics},
     {"forces", &CanvasOptions::forces},     {"local-costs", &CanvasOptions::localCosts},
     {"ways", &CanvasOptions::candidates},   {"global-costs", &CanvasOptions::globalCosts},
-    {"laser", &CanvasOptions::lidar}};
+    {"laser", &CanvasOptions::lidar},       {"masks", &CanvasOptions::masks}};
 
 }  // namespace
 
@@ -288,8 +288,10 @@ void WindowActions::makeRunOverlays() {
         QT_TR_NOOP("Local costmap that the controller of a robot with Nav2 uses"),
         "map/localCosts"},
        {QT_TR_NOOP("Gl&obal costmap"), &Options::globalCosts, kShift | Qt::Key_K,
-        QT_TR_NOOP("Global costmap that the planner of a robot with Nav2 uses"),
-        "map/globalCosts"}});
+        QT_TR_NOOP("Global costmap that the planner of a robot with Nav2 uses"), "map/globalCosts"},
+       {QT_TR_NOOP("F&ilter masks"), &Options::masks, kShift | Qt::Key_J,
+        QT_TR_NOOP("Keepout zones and speed limits of the costmap filters of a robot with Nav2"),
+        "map/masks"}});
 }
 
 void WindowActions::restoreAndStore(UserSettings& userSettings) {

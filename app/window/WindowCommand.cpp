@@ -417,7 +417,8 @@ void addWindow(CommandRegistry& commands) {
   root.add_option(
           "--overlay", window->overlays,
           "Run overlays in the screenshot: density, sight, gaussian, velocities, plans, contacts, "
-          "thoughts, zones, forces, ways, local-costs, global-costs; separate several with commas")
+          "thoughts, zones, forces, ways, local-costs, global-costs, masks; separate several with "
+          "commas")
       ->delimiter(',')
       ->check(oneOf(WindowActions::overlayNames()));
   root.add_option("--select", window->select,

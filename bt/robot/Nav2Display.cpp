@@ -1,9 +1,14 @@
 #include "bt/robot/Nav2Display.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "sim2d/nav/FrameTransform.h"
 
@@ -52,6 +57,8 @@ namespace {
 using base::Pose2;
 using base::Vec2;
 using sim2d::CostGrid;
+using sim2d::CostGridPtr;
+using sim2d::MaskGrid;
 
 Vec2 turned(const Vec2& vector, const Vec2& axis) {
   return {axis.dot(vector), base::cross(axis, vector)};
@@ -136,6 +143,96 @@ sim2d::CostGridPtr costsInMap(const Pose2& frame, sim2d::CostGridPtr grid) {
     }
   }
   return cover;
+}
+
+namespace {
+
+/// The effect of mask values by filter, in percent.
+struct MaskEffect {
+  const sim2d::nav2::FilterMask& mask;
+  double topSpeed;  // [m/s]
+
+  double operator()(const sim2d::nav2::KeepoutFilterParameters& /*filter*/, double value) const {
+    return value;
+  }
+  double operator()(const sim2d::nav2::SpeedFilterParameters& /*filter*/, double value) const {
+    if (value == 0.0) {
+      return 0.0;
+    }
+    const double limit = mask.base + mask.multiplier * value;
+    return mask.isPercentage ? limit : 100.0 * limit / topSpeed;
+  }
+  double operator()(const sim2d::nav2::BinaryFilterParameters& filter, double value) const {
+    return mask.base + mask.multiplier * value > filter.flipThreshold ? 100.0 : 0.0;
+  }
+  template <class Layer>
+  double operator()(const Layer& /*layer*/, double /*value*/) const {
+    return 0.0;
+  }
+};
+
+/// The kind of mask of a filter; none: another layer, or disabled.
+std::optional<MaskGrid::Kind> maskKindOf(const sim2d::nav2::LayerParameters& parameters) {
+  using namespace sim2d::nav2;
+  const auto kind = [](const auto* filter, MaskGrid::Kind wanted) {
+    return filter->enabled ? std::optional<MaskGrid::Kind>(wanted) : std::nullopt;
+  };
+  if (const auto* keepout = std::get_if<KeepoutFilterParameters>(&parameters)) {
+    return kind(keepout, MaskGrid::Kind::Keepout);
+  }
+  if (const auto* speed = std::get_if<SpeedFilterParameters>(&parameters)) {
+    return kind(speed, MaskGrid::Kind::Speed);
+  }
+  const auto* binary = std::get_if<BinaryFilterParameters>(&parameters);
+  return binary != nullptr ? kind(binary, MaskGrid::Kind::Switch) : std::nullopt;
+}
+
+CostGridPtr maskGridOf(const sim2d::nav2::LayerParameters& parameters,
+                       const sim2d::nav2::FilterMask& mask, double topSpeed) {
+  const sim2d::OccupancyGrid& cells = mask.grid;
+  auto grid = std::make_shared<CostGrid>();
+  grid->columns = cells.width();
+  grid->rows = cells.height();
+  grid->resolution = cells.resolution();
+  grid->costs.reserve(cells.cells().size());
+  for (int row = 0; row < grid->rows; ++row) {
+    for (int column = 0; column < grid->columns; ++column) {
+      const sim2d::Cell cell{column, row};
+      double percent = 0.0;
+      if (!cells.isUnknown(cell)) {
+        const double value = cells.valueAt(cell);
+        percent = std::visit(
+            [&](const auto& filter) {
+              return MaskEffect{mask, topSpeed}(filter, value);
+            },
+            parameters);
+      }
+      grid->costs.push_back(
+          static_cast<std::uint8_t>(std::lround(std::clamp(percent, 0.0, 100.0))));
+    }
+  }
+  if (cells.origin().heading == 0.0) {
+    grid->origin = cells.origin().position;
+    return grid;
+  }
+  return costsInMap(cells.origin(), std::move(grid));
+}
+
+}  // namespace
+
+std::vector<MaskGrid> maskGrids(const sim2d::nav2::CostmapSettings& costmap,
+                                const sim2d::nav2::FilterMasks& masks, double topSpeed) {
+  std::vector<MaskGrid> grids;
+  for (const auto& list : {costmap.plugins, costmap.filters}) {
+    for (const sim2d::nav2::CostmapPlugin& filter : list) {
+      const auto mask = masks.find(filter.name);
+      const std::optional<MaskGrid::Kind> kind = maskKindOf(filter.parameters);
+      if (kind && mask != masks.end() && !mask->second.grid.isEmpty()) {
+        grids.push_back({*kind, maskGridOf(filter.parameters, mask->second, topSpeed)});
+      }
+    }
+  }
+  return grids;
 }
 
 }  // namespace bt

@@ -51,4 +51,8 @@ void moveToMap(const base::Pose2& frame, std::vector<base::Vec2>& points);
 /// outside. For the identity the grid itself is returned. For display.
 sim2d::CostGridPtr costsInMap(const base::Pose2& frame, sim2d::CostGridPtr grid);
 
+/// The masks of a costmap's enabled filters. `topSpeed`: of the robot [m/s], for limits in m/s.
+std::vector<sim2d::MaskGrid> maskGrids(const sim2d::nav2::CostmapSettings& costmap,
+                                       const sim2d::nav2::FilterMasks& masks, double topSpeed);
+
 }  // namespace bt

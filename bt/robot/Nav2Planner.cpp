@@ -133,6 +133,7 @@ class Nav2Planner final : public sim2d::Planner {
       shown.localCosts =
           costsInMap(servers_->localFrame(), localCosts_.of(servers_->localCostmap()));
       shown.globalCosts = globalCosts_.of(servers_->globalCostmap());
+      shown.masks = masks();
     }
     if (const sim2d::nav2::Controller* const controller = servers_->controller();
         recordsTrajectories_ && controller != nullptr) {
@@ -289,6 +290,22 @@ class Nav2Planner final : public sim2d::Planner {
     return {};
   }
 
+  /// The masks of both costmaps, equal ones once.
+  const std::vector<sim2d::MaskGrid>& masks() const {
+    if (!masks_) {
+      const double topSpeed = setup_.body.limits.maxVel;
+      const sim2d::nav2::Nav2Parameters& parameters = loaded_.parameters;
+      masks_ = maskGrids(parameters.globalCostmap, loaded_.masks.global, topSpeed);
+      for (sim2d::MaskGrid& mask :
+           maskGrids(parameters.localCostmap, loaded_.masks.local, topSpeed)) {
+        if (std::find(masks_->begin(), masks_->end(), mask) == masks_->end()) {
+          masks_->push_back(std::move(mask));
+        }
+      }
+    }
+    return *masks_;
+  }
+
   sim2d::PlannerSetup setup_;
   Nav2Loaded loaded_;
   Nav2Latencies latencies_;
@@ -306,6 +323,7 @@ class Nav2Planner final : public sim2d::Planner {
   bool isWaiting_ = false;  // at a goal, for its task
   bool watchesCosts_ = false, recordsTrajectories_ = false;
   mutable CostmapSnapshot localCosts_, globalCosts_;
+  mutable std::optional<std::vector<sim2d::MaskGrid>> masks_;
 };
 
 /// Costmap errors for a file with other errors, for which no servers are created.

@@ -231,10 +231,11 @@ LegendSample rampSample(const Theme& theme, const std::function<QColor(double)>&
 
 bool needsLegend(const MapScene& scene) {
   const CanvasOptions& on = scene.options();
-  return scene.isRunMode() && (on.forces || on.velocities || on.proxemics || on.gaussian ||
-                               on.sight || on.density || on.plans || on.contacts || on.thoughts ||
-                               on.detections || on.candidates || on.localCosts || on.globalCosts ||
-                               (on.lidar && isLidarChosen(scene)) || !senseRows(scene).empty());
+  return scene.isRunMode() &&
+         (on.forces || on.velocities || on.proxemics || on.gaussian || on.sight || on.density ||
+          on.plans || on.contacts || on.thoughts || on.detections || on.candidates ||
+          on.localCosts || on.globalCosts || on.masks || (on.lidar && isLidarChosen(scene)) ||
+          !senseRows(scene).empty());
 }
 
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
@@ -257,6 +258,7 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   add(on.contacts, [&] { return contactPart(scene); });
   add(on.thoughts, [] { return thoughtPart(); });
   add(on.localCosts || on.globalCosts, [&] { return costPart(scene); });
+  add(on.masks, [&] { return maskPart(scene); });
   if (LegendPart prices = on.candidates ? trajectoryCostPart(scene) : LegendPart();
       !prices.rows.empty()) {
     parts.push_back(std::move(prices));

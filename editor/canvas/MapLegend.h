@@ -41,6 +41,8 @@ bool needsLegend(const MapScene& scene);
 /// Cell costs of a planner's costmaps; costs of its candidate trajectories, and the score of each
 /// critic for the chosen one (no rows if the planner does not report them).
 LegendPart costPart(const MapScene& scene);
+/// Effects of the masks of a planner's costmap filters.
+LegendPart maskPart(const MapScene& scene);
 LegendPart trajectoryCostPart(const MapScene& scene);
 /// Lidar, detector and candidate trajectories of the single selected robot.
 std::vector<LegendRow> senseRows(const MapScene& scene);

@@ -51,7 +51,7 @@ struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
   bool lidar = true, detections = false, candidates = false;                  // Robots in a run.
-  bool localCosts = false, globalCosts = false;                               // Planners in a run.
+  bool localCosts = false, globalCosts = false, masks = false;                // Planners in a run.
   bool velocities = false, gaussian = false, sight = false, density = false;  // People in a run.
   bool plans = false, contacts = false, thoughts = false;                     // People in a run.
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapLegend.h"
@@ -92,11 +95,11 @@ bool isLidarChosen(const MapScene& scene) {
 
 namespace {
 
-LegendSample cellSample(const Theme& theme, std::uint8_t cost) {
-  return [&theme, cost](QPainter& painter, const QRectF& box) {
+LegendSample cellSample(const Theme& theme, const QColor& color) {
+  return [&theme, color](QPainter& painter, const QRectF& box) {
     const QRectF place = box.adjusted(3.0, 3.0, -3.0, -3.0);
     painter.fillRect(place, theme.color(Role::MapFree));
-    setPenAndBrush(painter, QPen(theme.color(Role::Line), 1.0), costColor(theme, cost));
+    setPenAndBrush(painter, QPen(theme.color(Role::Line), 1.0), color);
     painter.drawRect(place);
   };
 }
@@ -123,6 +126,21 @@ QString costText(double price) {
   return std::abs(price) >= 1e5 ? QString::number(price, 'g', 3) : QString::number(price, 'f', 2);
 }
 
+/// Least and largest percentage of the cells on which masks have an effect; 0, 0: none.
+std::pair<std::uint8_t, std::uint8_t> rangeOf(const std::vector<sim2d::MaskGrid>& masks,
+                                              sim2d::MaskGrid::Kind kind) {
+  std::uint8_t least = 0, most = 0;
+  for (const sim2d::MaskGrid& mask : masks) {
+    for (const std::uint8_t percent : mask.grid->costs) {
+      if (mask.kind == kind && percent > 0) {
+        least = least == 0 ? percent : std::min(least, percent);
+        most = std::max(most, percent);
+      }
+    }
+  }
+  return {least, most};
+}
+
 }  // namespace
 
 LegendPart costPart(const MapScene& scene) {
@@ -139,10 +157,37 @@ LegendPart costPart(const MapScene& scene) {
   ramp.sample = rampSample(theme, [&theme](double share) {
     return costColor(theme, static_cast<std::uint8_t>(std::lround(252.0 * share)));
   });
-  part.rows = {ramp,
-               {QObject::tr("Inscribed"), QStringLiteral("253"), cellSample(theme, 253)},
-               {QObject::tr("Lethal"), QStringLiteral("254"), cellSample(theme, 254)},
-               {QObject::tr("Unknown"), QStringLiteral("255"), cellSample(theme, 255)}};
+  part.rows = {
+      ramp,
+      {QObject::tr("Inscribed"), QStringLiteral("253"), cellSample(theme, costColor(theme, 253))},
+      {QObject::tr("Lethal"), QStringLiteral("254"), cellSample(theme, costColor(theme, 254))},
+      {QObject::tr("Unknown"), QStringLiteral("255"), cellSample(theme, costColor(theme, 255))}};
+  return part;
+}
+
+LegendPart maskPart(const MapScene& scene) {
+  using Kind = sim2d::MaskGrid::Kind;
+  const Theme& theme = scene.theme();
+  const std::optional<ObservedPlanner> robot = observedPlanner(scene);
+  LegendPart part{
+      robot ? QObject::tr("Filter masks of %1").arg(robot->name) : QObject::tr("Filter masks"), {}};
+  if (!robot || robot->senses->masks.empty()) {
+    part.rows.push_back(noteRow(QObject::tr("none; newest step, Nav2 only")));
+    return part;
+  }
+  const std::pair<Kind, QString> names[] = {{Kind::Keepout, QObject::tr("Keep out")},
+                                            {Kind::Speed, QObject::tr("Speed limit")},
+                                            {Kind::Switch, QObject::tr("Switch")}};
+  for (const auto& [kind, name] : names) {
+    const auto [least, most] = rangeOf(robot->senses->masks, kind);
+    if (most == 0) {
+      continue;
+    }
+    const QString both = QObject::tr("%1–%2 %").arg(int(least)).arg(int(most));
+    const QString value = least == most ? QObject::tr("%1 %").arg(int(most)) : both;
+    part.rows.push_back({name, kind == Kind::Switch ? QString() : value,
+                         cellSample(theme, maskColor(theme, kind, least))});
+  }
   return part;
 }
 

@@ -158,7 +158,7 @@ QColor shaded(const char* name, double alpha) {
 
 bool hasPlannerData(const sim2d::RobotTelemetry& senses) {
   return senses.localCosts != nullptr || senses.globalCosts != nullptr || hasCostTerms(senses) ||
-         !senses.lookahead.empty();
+         !senses.lookahead.empty() || !senses.masks.empty();
 }
 
 }  // namespace
@@ -210,10 +210,30 @@ QColor costColor(const Theme& theme, std::uint8_t cost) {
                                : shaded(isDark ? "#9AA4AE" : "#5F6B76", 0.22);
 }
 
-QImage costImage(const sim2d::CostGrid& grid, const Theme& theme) {
+QColor maskColor(const Theme& theme, sim2d::MaskGrid::Kind kind, std::uint8_t percent) {
+  if (percent == 0) {
+    return Qt::transparent;
+  }
+  const double share = std::min(0.01 * percent, 1.0);
+  switch (kind) {
+    case sim2d::MaskGrid::Kind::Keepout:
+      return theme.color(Role::Error, 0.10 + 0.30 * share);
+    case sim2d::MaskGrid::Kind::Speed:
+      return theme.color(Role::WarningMark, 0.50 - 0.38 * share);
+    case sim2d::MaskGrid::Kind::Switch:
+      break;
+  }
+  return theme.color(Role::Accent, 0.25);
+}
+
+namespace {
+
+/// `colorOf`: the colour of a value.
+template <class ColorOf>
+QImage gridImage(const sim2d::CostGrid& grid, const ColorOf& colorOf) {
   std::array<QRgb, 256> colors{};
   for (std::size_t cost = 0; cost < colors.size(); ++cost) {
-    colors.at(cost) = qPremultiply(costColor(theme, static_cast<std::uint8_t>(cost)).rgba());
+    colors.at(cost) = qPremultiply(colorOf(static_cast<std::uint8_t>(cost)).rgba());
   }
   QImage image = blankImage({grid.columns, grid.rows}, QImage::Format_ARGB32_Premultiplied);
   for (int row = 0; row < grid.rows; ++row) {
@@ -225,6 +245,17 @@ QImage costImage(const sim2d::CostGrid& grid, const Theme& theme) {
     }
   }
   return image;
+}
+
+}  // namespace
+
+QImage costImage(const sim2d::CostGrid& grid, const Theme& theme) {
+  return gridImage(grid, [&](std::uint8_t cost) { return costColor(theme, cost); });
+}
+
+QImage maskImage(const sim2d::MaskGrid& mask, const Theme& theme) {
+  return gridImage(*mask.grid,
+                   [&](std::uint8_t percent) { return maskColor(theme, mask.kind, percent); });
 }
 
 QRectF areaOf(const sim2d::CostGrid& grid) {

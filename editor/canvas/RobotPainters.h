@@ -69,6 +69,10 @@ QColor trajectoryCostColor(const Theme& theme, double share);
 QColor costColor(const Theme& theme, std::uint8_t cost);
 /// One pixel per cell, the highest y first.
 QImage costImage(const sim2d::CostGrid& grid, const Theme& theme);
+/// Colour of a cell in the mask of a costmap filter; transparent without effect. Speed limits are
+/// stronger the lower they are.
+QColor maskColor(const Theme& theme, sim2d::MaskGrid::Kind kind, std::uint8_t percent);
+QImage maskImage(const sim2d::MaskGrid& mask, const Theme& theme);
 QRectF areaOf(const sim2d::CostGrid& grid);  // Scene coordinates.
 
 /// The arc from a robot pose, tangential to its heading, to a point, as driven by pure pursuit.

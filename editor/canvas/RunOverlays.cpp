@@ -34,6 +34,7 @@ void RunOverlays::end() {
   header_.reset();
   field_.reset();
   costs_ = {};
+  masks_.clear();
   most_ = 0.0;
   contacts_.clear();
   thoughts_.clear();
@@ -93,12 +94,18 @@ void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
   const CanvasOptions& options = scene_.options();
   const bool isAnything = options.density || options.proxemics || options.gaussian ||
                           options.sight || options.plans || options.localCosts ||
-                          options.globalCosts;
+                          options.globalCosts || options.masks;
   if (frame_ == nullptr || !isAnything) {
     return;
   }
+  if (isDark_ != scene_.theme().isDark()) {  // the images have the colours of the theme
+    isDark_ = scene_.theme().isDark();
+    costs_ = {};
+    masks_.clear();
+    field_.reset();
+  }
   painter.setRenderHint(QPainter::Antialiasing);
-  if (options.localCosts || options.globalCosts) {
+  if (options.localCosts || options.globalCosts || options.masks) {
     paintCosts(painter);
   }
   const double scale = pixelsPerMetreOf(painter);
@@ -117,7 +124,7 @@ void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
   }
 }
 
-/// Draws the local costmap instead of that part of the global one.
+/// Draws the masks of filters, and the local costmap instead of that part of the global one.
 void RunOverlays::paintCosts(QPainter& painter) {
   const std::optional<ObservedPlanner> robot = observedPlanner(scene_);
   if (!robot) {
@@ -131,6 +138,15 @@ void RunOverlays::paintCosts(QPainter& painter) {
     }
     return kept.image;
   };
+  if (options.masks) {
+    for (const sim2d::MaskGrid& mask : robot->senses->masks) {
+      QImage& image = masks_[mask.grid];
+      if (image.isNull()) {
+        image = maskImage(mask, scene_.theme());
+      }
+      planners.costs(painter, *mask.grid, image);
+    }
+  }
   const sim2d::CostGridPtr local = options.localCosts ? robot->senses->localCosts : nullptr;
   const sim2d::CostGridPtr global = options.globalCosts ? robot->senses->globalCosts : nullptr;
   if (global != nullptr) {

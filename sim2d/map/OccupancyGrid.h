@@ -72,14 +72,4 @@ class OccupancyGrid {
   std::shared_ptr<const std::vector<std::int8_t>> cells_;  // null: none
 };
 
-/// A planner's costmap, for display. Axes of the world frame; row-major from the lower left. Values
-/// as in Nav2: 0 free, 1 … 252 inflated, 253 inscribed, 254 lethal, 255 unknown.
-struct CostGrid {
-  int columns = 0, rows = 0;
-  double resolution = 0.05;                // [m], cell size
-  base::Vec2 origin = base::Vec2::Zero();  // lower left corner [m]
-  std::vector<std::uint8_t> costs;         // columns * rows
-};
-using CostGridPtr = std::shared_ptr<const CostGrid>;
-
 }  // namespace sim2d

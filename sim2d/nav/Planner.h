@@ -13,6 +13,7 @@
 #include "sim2d/base/Registry.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/base/StopFlag.h"
+#include "sim2d/map/CostGrid.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/external/CodePermission.h"
@@ -46,13 +47,14 @@ struct Candidate {
 /// Which debug data a planner collects, for display only: the planner's behaviour does not depend
 /// on it, and data that is not displayed costs no time. May be set from any thread.
 struct PlannerDebugFlags {
-  std::atomic<bool> costs{false};  // `PlannerView::localCosts`, `globalCosts`
+  std::atomic<bool> costs{false};  // costmaps and masks of `PlannerView`
   std::atomic<bool> ways{false};   // optional `candidates` and the rest
 };
 
 /// Planner state beside the path, for display. World frame [m].
 struct PlannerView {
   CostGridPtr localCosts, globalCosts;  // null: none, or not watched
+  std::vector<MaskGrid> masks;          // of costmap filters, if costs are watched
   std::string controller;               // "FollowPath"; empty: the planner itself
   std::vector<Vec2> lookahead;          // points that it aims at; the first is the current one
   std::vector<Vec2> predicted;          // predicted trajectory

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim2d/base/Types.h"
-#include "sim2d/map/OccupancyGrid.h"
+#include "sim2d/map/CostGrid.h"
 #include "sim2d/trace/Inputs.h"
 
 namespace sim2d {
@@ -229,6 +229,7 @@ struct RobotTelemetry {
   std::vector<Body> bodies;
   std::vector<Candidate> ways;
   CostGridPtr localCosts, globalCosts;  // costmaps, while they are displayed
+  std::vector<MaskGrid> masks;          // of costmap filters, while they are displayed
   std::string controller;               // active controller, if there are several
   std::vector<Vec2> lookahead;          // lookahead points
   std::vector<Vec2> predicted;          // predicted path

@@ -185,6 +185,7 @@ void RobotDrive::addPlanner(RobotTelemetry& senses, const Planner& planner) cons
     PlannerView view = planner.view();
     senses.localCosts = std::move(view.localCosts);
     senses.globalCosts = std::move(view.globalCosts);
+    senses.masks = std::move(view.masks);
     senses.controller = std::move(view.controller);
     senses.lookahead = std::move(view.lookahead);
     senses.predicted = std::move(view.predicted);

@@ -53,15 +53,16 @@ class OverlayActionsTest : public QObject {
     QTest::newRow("speech") << int(Qt::Key_B) << 7;
     QTest::newRow("local costmap") << int(Qt::Key_M) << 8;
     QTest::newRow("global costmap") << int(Qt::Key_K) << 9;
+    QTest::newRow("filter masks") << int(Qt::Key_J) << 10;
   }
   void keys_switchEachOverlay() {
     QFETCH(int, key);
     QFETCH(int, place);
     bool CanvasOptions::*const options[] = {
-        &CanvasOptions::density,    &CanvasOptions::sight,  &CanvasOptions::gaussian,
-        &CanvasOptions::velocities, &CanvasOptions::plans,  &CanvasOptions::contacts,
-        &CanvasOptions::thoughts,   &CanvasOptions::speech, &CanvasOptions::localCosts,
-        &CanvasOptions::globalCosts};
+        &CanvasOptions::density,     &CanvasOptions::sight,  &CanvasOptions::gaussian,
+        &CanvasOptions::velocities,  &CanvasOptions::plans,  &CanvasOptions::contacts,
+        &CanvasOptions::thoughts,    &CanvasOptions::speech, &CanvasOptions::localCosts,
+        &CanvasOptions::globalCosts, &CanvasOptions::masks};
     QVERIFY(window_->open(quiet::demoPath()));
     QAction& action = *window_->actions().runOverlays.at(place);
     const bool before = workspace().scene().options().*options[place];

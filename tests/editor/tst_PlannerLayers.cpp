@@ -79,7 +79,7 @@ class PlannerLayersTest : public QObject, private CanvasTester {
   }
   editor::LegendPart partCalled(const QString& title) const {
     for (const editor::LegendPart& part : editor::legendOf(scene_, 50.0)) {
-      if (part.title == title) {
+      if (part.title.startsWith(title)) {
         return part;
       }
     }
@@ -151,6 +151,38 @@ class PlannerLayersTest : public QObject, private CanvasTester {
     const QImage both = shot({&CanvasOptions::localCosts, &CanvasOptions::globalCosts});
     QCOMPARE(colorAt(both, {5.2, 4.2}), colorAt(off, {5.2, 4.2}));  // free in the local one
     QVERIFY(colorAt(both, {8.2, 4.2}) != colorAt(off, {8.2, 4.2}));
+  }
+
+  void masks_onTheMap_areRedAmberAndBlue() {
+    sim2d::RobotTelemetry senses;
+    using Kind = sim2d::MaskGrid::Kind;
+    for (const auto& [kind, costs] :
+         {std::pair{Kind::Keepout, std::vector<std::uint8_t>{100, 0, 0, 0}},
+          std::pair{Kind::Speed, std::vector<std::uint8_t>{0, 20, 60, 0}},
+          std::pair{Kind::Switch, std::vector<std::uint8_t>{0, 0, 0, 100}}}) {
+      auto grid = std::make_shared<sim2d::CostGrid>(*fourCells());
+      grid->costs = costs;
+      senses.masks.push_back({kind, grid});
+    }
+    showSenses(senses);
+    const QImage off = shot({});
+    const QImage on = shot({&CanvasOptions::masks});
+    const QColor keepout = colorAt(on, {5.2, 4.2}), slow = colorAt(on, {6.8, 4.2});
+    const QColor fast = colorAt(on, {5.2, 5.8}), flipped = colorAt(on, {6.8, 5.8});
+    QVERIFY(keepout.red() > keepout.green() + 30 && keepout.red() > keepout.blue() + 30);
+    QVERIFY(slow.red() > slow.blue() + 30 && slow.green() > slow.blue() + 15);
+    QVERIFY(fast.red() - fast.blue() < slow.red() - slow.blue());  // a higher limit is paler
+    QVERIFY(fast != colorAt(off, {5.2, 5.8}));
+    QVERIFY(flipped.blue() > flipped.red() + 15);
+    QStringList rows;
+    for (const editor::LegendRow& row : partCalled(QStringLiteral("Filter masks")).rows) {
+      rows << row.label + QLatin1Char('=') + row.value;
+    }
+    QCOMPARE(rows.join(QLatin1Char(' ')),
+             QStringLiteral("Keep out=100 % Speed limit=20–60 % Switch="));
+    scene_.setTheme(editor::Theme::dark());
+    QVERIFY(colorAt(shot({&CanvasOptions::masks}), {5.2, 4.2}) != keepout);
+    scene_.setTheme(editor::Theme::light());
   }
 
   void ways_onTheMap_areBlueOrOrangeByTheirPrice() {

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "app/run/Bundle.h"
+#include "bt/robot/Nav2Display.h"
 
 /// What a robot with Nav2 tells of itself for display, and that telling changes nothing.
 class Nav2ViewTest : public QObject {
@@ -20,11 +21,19 @@ class Nav2ViewTest : public QObject {
   void mppi_hasSamplesAndTheOptimum();
   void pursuit_aimsAtItsLookaheadDistance();
   void costs_fallWithTheDistanceAsNav2Says();
+  void masks_effectsInPercent();
+  void masks_rotated_coverTheSameGround();
 };
 
 namespace {
 
 using base::Vec2;
+using sim2d::MaskGrid;
+
+sim2d::nav2::CostmapPlugin filterNamed(const char* name,
+                                       const sim2d::nav2::LayerParameters& parameters) {
+  return {name, parameters};
+}
 
 std::unique_ptr<sim2d::World> worldWith(const QString& controller) {
   app::RunSpec options;
@@ -211,6 +220,59 @@ void Nav2ViewTest::costs_fallWithTheDistanceAsNav2Says() {
     }
   }
   QVERIFY(checked > 20);
+}
+
+/// Three cells: unknown or without effect, 25, 50.
+void Nav2ViewTest::masks_effectsInPercent() {
+  using namespace sim2d::nav2;
+  const sim2d::OccupancyGrid cells(3, 1, 0.5, {{-1.0, 2.0}, 0.0}, {-1, 25, 50});
+  FilterMasks masks;
+  masks["keepout"] = {cells};
+  masks["percent"] = {cells, 100.0, -1.0, true};  // 75 % and 50 %
+  masks["speed"] = {cells, 0.0, 0.01, false};     // 0.25 m/s and 0.5 m/s
+  masks["lights"] = {cells};
+  masks["off"] = {cells};
+  KeepoutFilterParameters disabled;
+  disabled.enabled = false;
+  BinaryFilterParameters binary;
+  binary.flipThreshold = 30.0;
+  CostmapSettings costmap;
+  costmap.plugins = {filterNamed("keepout", KeepoutFilterParameters()),
+                     filterNamed("inflation", InflationLayerParameters())};
+  costmap.filters = {filterNamed("percent", SpeedFilterParameters()),
+                     filterNamed("speed", SpeedFilterParameters()), filterNamed("lights", binary),
+                     filterNamed("off", disabled),
+                     filterNamed("without a mask", KeepoutFilterParameters())};
+  const std::vector<MaskGrid> grids = bt::maskGrids(costmap, masks, 2.0);
+  using Costs = std::vector<std::uint8_t>;
+  const std::vector<std::pair<MaskGrid::Kind, Costs>> wanted = {
+      {MaskGrid::Kind::Keepout, {0, 25, 50}},
+      {MaskGrid::Kind::Speed, {0, 75, 50}},
+      {MaskGrid::Kind::Speed, {0, 13, 25}},  // 12.5 % of 2 m/s
+      {MaskGrid::Kind::Switch, {0, 0, 100}}};
+  QCOMPARE(grids.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    QVERIFY(grids[i].kind == wanted[i].first);
+    QVERIFY(grids[i].grid->costs == wanted[i].second);
+    QVERIFY(grids[i].grid->origin == Vec2(-1.0, 2.0));
+  }
+}
+
+void Nav2ViewTest::masks_rotated_coverTheSameGround() {
+  using namespace sim2d::nav2;
+  const sim2d::OccupancyGrid cells(4, 2, 0.5, {{1.0, 1.0}, 0.5 * base::kPi},
+                                   {100, 0, 0, 0, 0, 0, 0, 40});
+  CostmapSettings costmap;
+  costmap.filters = {filterNamed("zones", KeepoutFilterParameters())};
+  const std::vector<MaskGrid> grids = bt::maskGrids(costmap, {{"zones", {cells}}}, 1.0);
+  const sim2d::CostGrid& grid = *grids.front().grid;
+  const auto at = [&](const Vec2& place) {
+    const Vec2 cell = (place - grid.origin) / grid.resolution;
+    return int(grid.costs[static_cast<std::size_t>(int(cell.y()) * grid.columns + int(cell.x()))]);
+  };
+  QCOMPARE(at({0.75, 1.25}), 100);  // the first cell, to the left of the origin
+  QCOMPARE(at({0.25, 2.75}), 40);   // the last one
+  QCOMPARE(at({0.75, 1.75}), 0);
 }
 
 QTEST_GUILESS_MAIN(Nav2ViewTest)

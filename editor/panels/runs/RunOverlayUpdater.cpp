@@ -48,7 +48,8 @@ void RunOverlayUpdater::follow() {
     view_.mapScene().overlays().setThoughts({});
   }
   const CanvasOptions& options = view_.mapScene().options();
-  runner_.setPlannerDebug(options.localCosts || options.globalCosts, options.candidates);
+  runner_.setPlannerDebug(options.localCosts || options.globalCosts || options.masks,
+                          options.candidates);
   if (recording_ == nullptr || runner_.shownFrame() == nullptr) {
     return;
   }
