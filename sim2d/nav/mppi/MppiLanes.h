@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <immintrin.h>
 
 #include <xsimd/xsimd.hpp>
 
@@ -58,18 +59,31 @@ struct Products {
   LaneWords high, low;
 };
 
-/// Lane by lane; compilers vectorise it as one instruction for even and one for odd words.
+/// Compilers do not find the multiplication of 32-bit words with 64-bit products, which is one
+/// instruction for the even words and one for the odd ones.
 inline Products productsOf(LaneWords a, std::uint32_t by) {
-  std::uint32_t words[kLaneCount];
-  std::uint32_t high[kLaneCount];
-  std::uint32_t low[kLaneCount];
-  a.store_unaligned(words);
-  for (int lane = 0; lane < kLaneCount; ++lane) {
-    const std::uint64_t product = static_cast<std::uint64_t>(words[lane]) * by;
-    high[lane] = static_cast<std::uint32_t>(product >> 32U);
-    low[lane] = static_cast<std::uint32_t>(product);
-  }
-  return {LaneWords::load_unaligned(high), LaneWords::load_unaligned(low)};
+#if defined(__AVX512F__)
+  const __m512i factor = _mm512_set1_epi64(by);
+  const __m512i even = _mm512_mul_epu32(a, factor);
+  const __m512i odd = _mm512_mul_epu32(_mm512_srli_epi64(a, 32), factor);
+  constexpr __mmask16 kOdd = 0xAAAA;
+  return {_mm512_mask_mov_epi32(_mm512_srli_epi64(even, 32), kOdd, odd),
+          _mm512_mask_mov_epi32(even, kOdd, _mm512_slli_epi64(odd, 32))};
+#elif defined(__AVX2__)
+  const __m256i factor = _mm256_set1_epi64x(by);
+  const __m256i even = _mm256_mul_epu32(a, factor);
+  const __m256i odd = _mm256_mul_epu32(_mm256_srli_epi64(a, 32), factor);
+  constexpr int kOdd = 0xAA;
+  return {_mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, kOdd),
+          _mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), kOdd)};
+#else
+  const __m128i factor = _mm_set1_epi64x(by);
+  const __m128i even = _mm_mul_epu32(a, factor);
+  const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a, 32), factor);
+  const __m128i isOdd = _mm_set_epi32(-1, 0, -1, 0);
+  return {_mm_or_si128(_mm_srli_epi64(even, 32), _mm_and_si128(isOdd, odd)),
+          _mm_or_si128(_mm_andnot_si128(isOdd, even), _mm_slli_epi64(odd, 32))};
+#endif
 }
 
 /// 2^x for x <= 0, no subnormal results (clamped at 2^-126). Relative error 2e-7 for x above -2,
