@@ -85,6 +85,36 @@ class BaseObstacleCritic final : public DwbCritic {
   const std::uint8_t* costs_ = nullptr;
 };
 
+/// For each cell of a costmap: are all cells at most `radius` columns and rows away on the map,
+/// known and not lethal?
+std::vector<char> farFromObstacles(const Costmap& costmap, int radius) {
+  const int width = costmap.width(), height = costmap.height();
+  const auto indexOf = [width](int column, int row) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  };
+  std::vector<char> isRowFree(costmap.costs().size()), isFree(costmap.costs().size());
+  for (int row = 0; row < height; ++row) {
+    int run = 0;  // free cells in a row
+    for (int column = 0; column < width; ++column) {
+      run = costmap.at({column, row}) < kLethal ? run + 1 : 0;
+      if (column >= 2 * radius) {
+        isRowFree[indexOf(column - radius, row)] = run > 2 * radius ? 1 : 0;
+      }
+    }
+  }
+  for (int column = 0; column < width; ++column) {
+    int run = 0;
+    for (int row = 0; row < height; ++row) {
+      run = isRowFree[indexOf(column, row)] != 0 ? run + 1 : 0;
+      if (row >= 2 * radius) {
+        isFree[indexOf(column, row - radius)] = run > 2 * radius ? 1 : 0;
+      }
+    }
+  }
+  return isFree;
+}
+
 /// The same for the footprint's edges, where 253 is allowed.
 class ObstacleFootprintCritic final : public DwbCritic {
  public:
@@ -94,12 +124,24 @@ class ObstacleFootprintCritic final : public DwbCritic {
   void prepare(const DwbScene& scene) override {
     costmap_ = &scene.input.costmap;
     corners_ = &scene.input.shape.vertices;
+    double farthest = 0.0;  // corner [m]
+    for (const Vec2& corner : *corners_) {
+      farthest = std::max(farthest, corner.norm());
+    }
+    constexpr double kMostCells = 1e6;
+    const double cells = std::min(farthest / costmap_->resolution(), kMostCells);
+    isFar_ = farFromObstacles(*costmap_, static_cast<int>(cells) + 2);
   }
   DwbScore score(const DwbTrajectory& trajectory) override {
     double sum = 0.0, last = 0.0;
     for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
       if (trajectory.cells[i] < 0) {
         return kOffGridRejection;
+      }
+      const bool isLast = i + 1 == trajectory.poses.size();
+      const bool isSafe = isFar_[static_cast<std::size_t>(trajectory.cells[i])] != 0;
+      if (isSafe && !isLast && !parameters_.sumsScores) {
+        continue;
       }
       const DwbScore pose = poseCost(trajectory.poses[i]);
       if (pose.rejection != nullptr) {
@@ -155,6 +197,7 @@ class ObstacleFootprintCritic final : public DwbCritic {
   const Costmap* costmap_ = nullptr;
   const std::vector<Vec2>* corners_ = nullptr;
   std::vector<Vec2> placed_;
+  std::vector<char> isFar_;  // by cell: an outline round it meets no obstacle
 };
 
 template <class Critic>
