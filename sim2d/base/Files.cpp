@@ -69,22 +69,14 @@ bool isProcessRunning(long long process) {
   return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
-/// Tries to take the lock of a file that no running process holds; keeps it while this object
-/// lives.
-class FileLockProbe {
- public:
-  explicit FileLockProbe(const std::string& path)
-      : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)),
-        isUnlocked_(file_.isOpen() ? ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0
-                                   : errno == ENOENT) {}
-
-  /// False: another process holds the lock, or this cannot be determined.
-  bool isUnlocked() const { return isUnlocked_; }
-
- private:
-  FileDescriptor file_;
-  bool isUnlocked_;
-};
+/// The lock of a file that no running process holds, as long as the descriptor lives; not open if
+/// there is no file. None: another process holds the lock, or this cannot be determined.
+std::optional<FileDescriptor> lockUnused(const std::string& path) {
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  const bool isUnlocked =
+      file.isOpen() ? ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 : errno == ENOENT;
+  return isUnlocked ? std::make_optional(std::move(file)) : std::nullopt;
+}
 
 /// Removes temporary files of `target` that killed processes left. A writer on another machine
 /// holds the lock of its new file until it ends, also after the rename.
@@ -104,8 +96,8 @@ void removeStaleFiles(const std::string& target) {
   for (const std::string& name : left) {
     const bool isOld = endsWith(name, kBackupSuffix);
     const std::string made = isOld ? name.substr(0, name.size() - kBackupSuffix.size()) : name;
-    const FileLockProbe maker(made);  // locked, so no other process opens it before removal
-    if (maker.isUnlocked() && (!isOld || FileLockProbe(target).isUnlocked())) {
+    const auto maker = lockUnused(made);  // so no other process opens it before removal
+    if (maker && (!isOld || lockUnused(target))) {
       ::unlink(name.c_str());
     }
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 
@@ -20,6 +22,13 @@ inline std::string jsonErrorMessage(std::string_view what) {
   constexpr std::string_view kBegin = "[json.exception.", kEnd = "] ";
   const std::size_t end = startsWith(what, kBegin) ? what.find(kEnd) : std::string_view::npos;
   return std::string(end == std::string_view::npos ? what : what.substr(end + kEnd.size()));
+}
+
+/// The message of an unexpected exception.
+inline std::string exceptionMessage(const std::exception& problem) {
+  return dynamic_cast<const std::bad_alloc*>(&problem) != nullptr
+             ? "not enough memory"
+             : jsonErrorMessage(problem.what());
 }
 
 }  // namespace base

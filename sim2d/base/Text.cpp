@@ -14,7 +14,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "sim2d/base/FileDescriptor.h"
+#include "sim2d/base/Files.h"
 
 namespace base {
 namespace {

@@ -49,12 +49,6 @@ struct Pose2 {
   friend bool operator!=(const Pose2& a, const Pose2& b) { return !(a == b); }
 };
 
-/// Velocity command of a differential drive.
-struct Twist2 {
-  double linear = 0.0;   // v [m/s], along the heading
-  double angular = 0.0;  // omega [rad/s], counter-clockwise
-};
-
 /// Identifies the object of a message, command or selection. `key` is unique within a loaded
 /// scenario and is not saved; 0 is "none".
 enum class EntityKind { None, Scenario, Human, Robot, Goal, Obstacle, Door, Area, Dock };

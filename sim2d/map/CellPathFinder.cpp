@@ -1,11 +1,10 @@
-#include "sim2d/map/CellPathFinder.h"
-
 #include <algorithm>
 #include <numeric>
 #include <type_traits>
 
 #include "sim2d/map/BlockGraph.h"
 #include "sim2d/map/GoalSearch.h"
+#include "sim2d/map/PathPlanner.h"
 
 namespace sim2d {
 

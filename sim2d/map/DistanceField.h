@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "sim2d/base/StopFlag.h"
-#include "sim2d/map/DistanceTransform.h"
-#include "sim2d/map/ObstacleClearance.h"
+#include "sim2d/map/CellDistances.h"
 #include "sim2d/map/Obstacles.h"
 
 namespace sim2d {

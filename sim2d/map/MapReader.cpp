@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/DuplicateKeys.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
 namespace sim2d {

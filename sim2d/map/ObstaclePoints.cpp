@@ -10,7 +10,6 @@
 
 #include "sim2d/map/ObstacleQueryCache.h"
 #include "sim2d/map/Obstacles.h"
-#include "sim2d/map/StringPulling.h"
 
 namespace sim2d {
 

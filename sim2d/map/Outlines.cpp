@@ -167,6 +167,14 @@ bool segmentsTouch(const Segment& first, const Segment& second) {
          (c == 0 && isInBox(second, first.a)) || (d == 0 && isInBox(second, first.b));
 }
 
+double distanceBetween(const Segment& first, const Segment& second) {
+  if (segmentsTouch(first, second)) {
+    return 0.0;
+  }
+  return std::min({distanceToSegment(second, first.a), distanceToSegment(second, first.b),
+                   distanceToSegment(first, second.a), distanceToSegment(first, second.b)});
+}
+
 bool isSpike(const Segment& first, const Segment& second) {
   const Vec2 in = first.b - first.a;
   const Vec2 out = second.b - second.a;

@@ -22,6 +22,8 @@ std::vector<Vec2> withoutRepeats(const std::vector<Vec2>& line);
 Vec2 closestOnSegment(const Segment& segment, const Vec2& point);
 double distanceToSegment(const Segment& segment, const Vec2& point);  // [m]
 
+/// Smallest distance between two segments [m].
+double distanceBetween(const Segment& first, const Segment& second);
 /// Whether the segments share a point, end points included.
 bool segmentsTouch(const Segment& first, const Segment& second);
 /// Whether the second, which starts at the end of the first, runs back over it.

@@ -1,15 +1,15 @@
-#include "sim2d/map/StringPulling.h"
-
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
+#include "sim2d/map/Obstacles.h"
+
 namespace sim2d {
 
 namespace {
 
-constexpr double kSlack = 1e-6;         // [m], touching is no collision
+constexpr double kTouchSlack = 1e-6;    // [m], touching is no collision
 constexpr double kMinClearance = 5e-4;  // [m]; with 0, crossing a wall would count as touching
 constexpr double kMinCut = 1e-3;        // [m]
 constexpr double kMinLeg = 1e-4;        // [m]
@@ -22,7 +22,7 @@ constexpr double kMaxPieces = 256.0;
 class Line {
  public:
   Line(const Segment& path, double room)
-      : start_(path.a), reach_(room + kSlack), length_((path.b - path.a).norm()) {
+      : start_(path.a), reach_(room + kTouchSlack), length_((path.b - path.a).norm()) {
     if (length_ > 0.0) {
       along_ = (path.b - path.a) / length_;
     }
@@ -60,7 +60,7 @@ double effectiveClearance(double clearance) {
 
 /// Whether `distanceBetween` is below `room`, up to rounding; usually decided early.
 bool isBlocking(const Segment& wall, const Segment& path, double room) {
-  const double least = room - kSlack;
+  const double least = room - kTouchSlack;
   return segmentsTouch(path, wall) || distanceToSegment(wall, path.a) < least ||
          distanceToSegment(wall, path.b) < least || distanceToSegment(path, wall.a) < least ||
          distanceToSegment(path, wall.b) < least;
@@ -206,14 +206,6 @@ class PathTightener {
 
 bool isSegmentFree(const Vec2& from, const Vec2& to, const Obstacles& obstacles, double clearance) {
   return !blockingWall({from, to}, obstacles, clearance);
-}
-
-double distanceBetween(const Segment& first, const Segment& second) {
-  if (segmentsTouch(first, second)) {
-    return 0.0;
-  }
-  return std::min({distanceToSegment(second, first.a), distanceToSegment(second, first.b),
-                   distanceToSegment(first, second.a), distanceToSegment(first, second.b)});
 }
 
 std::vector<Vec2> tightened(const std::vector<Vec2>& path, const Obstacles& obstacles,

@@ -7,8 +7,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
-#include "sim2d/scenario/CheckReport.h"
-#include "sim2d/scenario/ResolvedValues.h"
+#include "sim2d/scenario/ScenarioYaml.h"
 
 namespace sim2d {
 namespace {

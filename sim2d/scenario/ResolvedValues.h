@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "sim2d/nav/Battery.h"
+#include "sim2d/nav/Body.h"
 #include "sim2d/nav/Lidar.h"
 #include "sim2d/nav/Localization.h"
 #include "sim2d/nav/PeopleDetector.h"

@@ -9,8 +9,7 @@
 #include <type_traits>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/nav/external/CodePermission.h"
-#include "sim2d/scenario/CheckReport.h"
+#include "sim2d/nav/Planner.h"
 #include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioYaml.h"
 

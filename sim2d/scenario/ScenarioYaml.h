@@ -9,10 +9,11 @@
 #include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/Scenario.h"
+#include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
-/// Conversion between a scenario and the YAML tree of its file, including older dialects. Private
-/// to this folder.
+/// Conversion between a scenario and the YAML tree of its file, including older dialects, and the
+/// parts of its check. Private to this folder.
 namespace sim2d {
 
 using base::Range;
@@ -175,5 +176,35 @@ YamlNode objectTree(const T& of, const FieldTables& tables) {
   setUnknown(tree, of.unknown);
   return tree;
 }
+
+// Shared parts of checkScenario.
+
+/// The entity of a problem, and the prefix of its text: "anna", "anna: footprint", or none.
+struct Subject {
+  Subject(EntityId id, std::string place = {}) : entity(id), where(std::move(place)) {}  // NOLINT
+  Subject(const NamedEntity& thing) : Subject(thing.key, thing.name) {}                  // NOLINT
+
+  EntityId entity;
+  std::string where;
+};
+
+struct CheckReport {
+  std::string file;
+  base::Diagnostics diagnostics;
+
+  void add(base::Severity severity, const Subject& subject, std::string_view code,
+           base::ProblemValues values = {});
+  void error(const Subject& subject, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Error, subject, code, std::move(values));
+  }
+  void warning(const Subject& subject, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Warning, subject, code, std::move(values));
+  }
+};
+
+void checkShapes(const Scenario& scenario, CheckReport& report);
+/// False: a coordinate is not finite or beyond a million metres, so paths cannot be planned.
+bool checkCoordinates(const Scenario& scenario, CheckReport& report);
+void checkPlaces(const Scenario& scenario, const Surroundings& surroundings, CheckReport& report);
 
 }  // namespace sim2d

@@ -29,24 +29,10 @@ base::Result<std::unique_ptr<CoupledWorld>> CoupledWorld::create(WorldSetup setu
 }
 
 CoupledWorld::CoupledWorld(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior)
-    : model_(std::move(parts.model)),
-      surroundings_(std::move(parts.surroundings)),
-      pathWork_(surroundings_.layers->stopFlag()),
-      navigation_(std::move(parts.navigation)),
-      frozen_{model_, state_, grid_, surroundings_.obstacles, *navigation_},
-      view_(frozen_),
-      intents_(state_.controls),
-      behavior_(std::move(humanBehavior)),
-      motion_(model_.threads) {
+    : WorldBase(parts, std::move(humanBehavior)) {
   model_.robots.clear();
   model_.obstaclePoints = ObstaclePoints::Boundary;  // external points are given for both
   model_.ring = PeriodicCorridor{};
-  for (const Door* door : model_.doors) {
-    state_.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
-  }
-  for (const Person& person : model_.people) {
-    state_.append(person);
-  }
   const std::size_t count = model_.people.size();
   motion_.resize(count);
   goals_.resize(count);

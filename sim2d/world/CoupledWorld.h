@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim2d/world/PersonMotion.h"
 #include "sim2d/world/World.h"
-#include "sim2d/world/WorldInternal.h"
 
 namespace sim2d {
 
@@ -39,7 +37,7 @@ struct CoupledRobot {
 ///
 /// A person participates from the first state on that contains it, with a newly started behaviour.
 /// Walls of the scenario's map are used for paths and visibility, the supplied points for forces.
-class CoupledWorld {
+class CoupledWorld : public WorldBase {
  public:
   static base::Result<std::unique_ptr<CoupledWorld>> create(WorldSetup setup);
 
@@ -58,8 +56,6 @@ class CoupledWorld {
   void pass(double dt) { state_.time += dt; }
   double time() const { return state_.time; }  // [s]
 
-  const WorldView& view() const { return view_; }
-  HumanBehavior& behavior() { return *behavior_; }
   double omega(int human) const { return state_.omega[at(human)]; }
   bool isActive(int human) const { return state_.active[at(human)] != 0; }
   const HumanControl& control(int human) const { return state_.controls[at(human)]; }
@@ -69,14 +65,6 @@ class CoupledWorld {
   const std::vector<Event>& events() const { return state_.events; }
 
  private:
-  /// View in which only one person may decide.
-  class View : public WorldStateView {
-   public:
-    using WorldStateView::WorldStateView;
-    bool decides(int human) const override { return !only || *only == human; }
-    std::optional<int> only;  // index
-  };
-
   CoupledWorld(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior);
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   void put(std::size_t human, const CoupledPerson& person);
@@ -88,26 +76,10 @@ class CoupledWorld {
     return state_.present[human] != 0 && view_.decides(static_cast<int>(human));
   }
 
-  WorldModel model_;
-  Surroundings surroundings_;
-  const base::StopInhibitor pathWork_;  // keeps routing computations required
-  std::unique_ptr<NavigationMap> navigation_;
-  WorldState state_;
-  NeighborGrid grid_;
-  FrozenWorld frozen_;
-  View view_;
-  Intents intents_;
-  std::unique_ptr<HumanBehavior> behavior_;
-  PersonMotion motion_;
-  PersonGoals goals_;
   ForceColumns forces_;
   std::vector<std::vector<Obstacles::Point>> walls_;  // by person
   std::vector<char> entered_;                         // by person
-  std::vector<double> headingsBefore_;
-  std::vector<Vec2> moves_;        // velocities of this step, by person [m/s]
-  std::vector<MovingDisc> discs_;  // people, then robots
-  std::vector<DiscPair> pairs_;
-  std::string failure_;
+  std::vector<Vec2> moves_;                           // velocities of this step, by person [m/s]
 };
 
 }  // namespace sim2d

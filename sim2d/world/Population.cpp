@@ -1,5 +1,3 @@
-#include "sim2d/world/Population.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/scenario/Variation.h"
+#include "sim2d/world/Placement.h"
 
 namespace sim2d {
 namespace {

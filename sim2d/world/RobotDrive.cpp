@@ -10,7 +10,7 @@
 #include "sim2d/map/PathPlanner.h"
 #include "sim2d/nav/DriveKinematics.h"
 #include "sim2d/nav/Teleop.h"
-#include "sim2d/trace/RobotArrival.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/world/RobotSensors.h"
 
 namespace sim2d {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/StuckDetector.h"
+#include "sim2d/nav/RobotRoute.h"
 #include "sim2d/world/PersonMotion.h"
 #include "sim2d/world/RobotSensors.h"
 #include "sim2d/world/WorldState.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "sim2d/trace/RobotArrival.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {

@@ -6,9 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/world/RobotSensors.h"
 #include "sim2d/world/StepBuffers.h"
-#include "sim2d/world/WorldInternal.h"
 
 namespace sim2d {
 namespace {
@@ -34,32 +32,19 @@ Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
 
 }  // namespace
 
-RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior)
+WorldBase::WorldBase(WorldParts& parts, std::unique_ptr<HumanBehavior> humanBehavior)
     : model_(std::move(parts.model)),
       surroundings_(std::move(parts.surroundings)),
       pathWork_(surroundings_.layers->stopFlag()),
       navigation_(std::move(parts.navigation)),
-      physics_(centreOf(model_, surroundings_.grid)),
       frozen_{model_, state_, grid_, surroundings_.obstacles, *navigation_},
       view_(frozen_),
       intents_(state_.controls),
       behavior_(std::move(humanBehavior)),
-      motion_(model_.threads),
-      population_(model_),
-      robots_(std::move(parts.planners), model_),
-      stuckRobots_(model_) {
-  partNames_ = partNames(*model_.environment);
-  const Obstacles& obstacles = surroundings_.obstacles;
-  for (int part = 0; part < obstacles.partCount(); ++part) {
-    physics_.addPart(obstacles.outlines(part), obstacles.isEnabled(part));
-  }
+      motion_(model_.threads) {
   for (const Door* door : model_.doors) {
     state_.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
   }
-  pastToggles_.resize(model_.doors.size(), 0);
-  humans_.reserve(model_.people.size());
-  physics_.reserve(model_.robots.size() + model_.people.size());
-  addRobotBodies();
   for (std::vector<Vec2>* column : {&state_.positions, &state_.velocities}) {
     column->reserve(model_.people.size());
   }
@@ -70,12 +55,29 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> huma
   for (const Person& person : model_.people) {
     state_.append(person);
   }
+}
+
+World::World(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior)
+    : WorldBase(parts, std::move(humanBehavior)),
+      physics_(centreOf(model_, surroundings_.grid)),
+      population_(model_),
+      robots_(std::move(parts.planners), model_),
+      stuckRobots_(model_) {
+  partNames_ = partNames(*model_.environment);
+  const Obstacles& obstacles = surroundings_.obstacles;
+  for (int part = 0; part < obstacles.partCount(); ++part) {
+    physics_.addPart(obstacles.outlines(part), obstacles.isEnabled(part));
+  }
+  pastToggles_.resize(model_.doors.size(), 0);
+  humans_.reserve(model_.people.size());
+  physics_.reserve(model_.robots.size() + model_.people.size());
+  addRobotBodies();
   StepTimer watch(nullptr);
   applyInputs(watch);
   publish();
 }
 
-void RunningWorld::addRobotBodies() {
+void World::addRobotBodies() {
   for (const ResolvedRobot& robot : model_.robots) {
     RobotState start;
     start.pose = robot.start;
@@ -89,7 +91,7 @@ void RunningWorld::addRobotBodies() {
 }
 
 /// Toggle times have a tolerance for rounding.
-void RunningWorld::toggleDoors() {
+void World::toggleDoors() {
   for (std::size_t door = 0; door < model_.doors.size(); ++door) {
     std::vector<double> toggles = model_.doors[door]->toggles;
     std::sort(toggles.begin(), toggles.end());
@@ -100,7 +102,7 @@ void RunningWorld::toggleDoors() {
   }
 }
 
-void RunningWorld::setDoor(std::size_t door, bool open) {
+void World::setDoor(std::size_t door, bool open) {
   state_.doorOpen[door] = open ? 1 : 0;
   const int part = surroundings_.firstDoorPart + static_cast<int>(door);
   surroundings_.obstacles.setEnabled(part, !open);
@@ -110,14 +112,14 @@ void RunningWorld::setDoor(std::size_t door, bool open) {
   state_.events.back().hasId = false;
 }
 
-void RunningWorld::updateNavigation() {
+void World::updateNavigation() {
   if (doorsChanged_) {
     navigation_->update(surroundings_.grid, surroundings_.obstacles);
     doorsChanged_ = false;
   }
 }
 
-void RunningWorld::applyInputs(StepTimer& watch) {
+void World::applyInputs(StepTimer& watch) {
   toggleDoors();
   updateNavigation();
   const std::vector<std::size_t> due = population_.takeDue(model_, state_, *navigation_);
@@ -131,7 +133,7 @@ void RunningWorld::applyInputs(StepTimer& watch) {
   }
 }
 
-void RunningWorld::place(const std::vector<std::size_t>& newcomers) {
+void World::place(const std::vector<std::size_t>& newcomers) {
   motion_.resize(model_.people.size());
   goals_.resize(model_.people.size());
   bodies_.resize(model_.people.size(), -1);
@@ -140,7 +142,7 @@ void RunningWorld::place(const std::vector<std::size_t>& newcomers) {
   }
 }
 
-void RunningWorld::enter(std::size_t human) {
+void World::enter(std::size_t human) {
   const Person& person = model_.people[human];
   const Pose2 start{person.constants.start.position,
                     base::wrapToPi(person.constants.start.heading)};
@@ -165,12 +167,12 @@ void RunningWorld::enter(std::size_t human) {
   state_.emit(EventKind::Enter, person.constants.id);
 }
 
-void RunningWorld::leave(std::size_t human) {
+void World::leave(std::size_t human) {
   state_.present[human] = 0;
   physics_.setPresent(bodies_[human], false);
 }
 
-void RunningWorld::handleArrivals() {
+void World::handleArrivals() {
   for (const std::size_t human : goals_.takeArrived()) {
     const ResolvedHuman& person = model_.people[human].constants;
     if (state_.present[human] == 0) {
@@ -190,7 +192,7 @@ void RunningWorld::handleArrivals() {
   }
 }
 
-bool RunningWorld::step(const StepInputs& inputs) {
+bool World::step(const StepInputs& inputs) {
   if (!failure_.empty()) {
     return false;
   }
@@ -234,7 +236,7 @@ bool RunningWorld::step(const StepInputs& inputs) {
   return true;
 }
 
-void RunningWorld::afterMotion() {
+void World::afterMotion() {
   goals_.afterMotion(model_, state_, intents_);
   robots_.afterMotion(model_, state_);
   updateBatteries(model_, state_);
@@ -245,7 +247,7 @@ void RunningWorld::afterMotion() {
   }
 }
 
-bool RunningWorld::willDoorToggle() const {
+bool World::willDoorToggle() const {
   for (std::size_t door = 0; door < model_.doors.size(); ++door) {
     if (pastToggles_[door] < model_.doors[door]->toggles.size()) {
       return true;
@@ -254,7 +256,7 @@ bool RunningWorld::willDoorToggle() const {
   return false;
 }
 
-void RunningWorld::decide() {
+void World::decide() {
   intents_.reset();
   behavior_->decide(view_, intents_);
   applyHolds();
@@ -262,7 +264,7 @@ void RunningWorld::decide() {
 }
 
 /// Their trees keep running; only the motion is replaced.
-void RunningWorld::applyHolds() {
+void World::applyHolds() {
   for (std::size_t human = 0; human < state_.held.size(); ++human) {
     if (state_.held[human] != 0) {
       Intent brake;
@@ -273,7 +275,7 @@ void RunningWorld::applyHolds() {
   }
 }
 
-std::string RunningWorld::divergenceMessage(const std::vector<BodyTwist>& commands) const {
+std::string World::divergenceMessage(const std::vector<BodyTwist>& commands) const {
   if (!robots_.failure().empty()) {
     return robots_.failure();
   }
@@ -296,7 +298,7 @@ std::string RunningWorld::divergenceMessage(const std::vector<BodyTwist>& comman
   return {};
 }
 
-void RunningWorld::publish() {
+void World::publish() {
   fillFrame(model_, state_, frame_);
   std::swap(frame_.inputs, acceptedInputs_);
   frame_.robotPaths.resize(state_.robots.size());
@@ -313,7 +315,7 @@ void RunningWorld::publish() {
 }
 
 /// Parallel to the people in the frame.
-void RunningWorld::publishPaths() {
+void World::publishPaths() {
   frame_.humanPaths.reset();
   if (!publishesPaths_) {
     return;
@@ -329,13 +331,13 @@ void RunningWorld::publishPaths() {
 }
 
 /// From the scenario or from outside.
-bool RunningWorld::hadGoal(std::size_t robot) const {
+bool World::hadGoal(std::size_t robot) const {
   const RobotState& now = state_.robots[robot];
   return !model_.robots[robot].goals.empty() || now.externalGoal || now.arrivedAt >= 0.0 ||
          now.endTime >= 0.0;
 }
 
-std::optional<double> RunningWorld::latestTime(
+std::optional<double> World::latestTime(
     const std::function<double(const RobotState&)>& timeOf) const {
   std::optional<double> last;
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
@@ -351,16 +353,16 @@ std::optional<double> RunningWorld::latestTime(
   return last;
 }
 
-std::optional<double> RunningWorld::arrivedAt() const {
+std::optional<double> World::arrivedAt() const {
   return latestTime([](const RobotState& robot) { return robot.arrivedAt; });
 }
 
-std::optional<double> RunningWorld::finishedAt() const {
+std::optional<double> World::finishedAt() const {
   return latestTime(
       [](const RobotState& robot) { return std::max(robot.arrivedAt, robot.endTime); });
 }
 
-std::vector<RobotStatus> RunningWorld::robotStatuses() const {
+std::vector<RobotStatus> World::robotStatuses() const {
   std::vector<RobotStatus> robots;
   robots.reserve(model_.robots.size());
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
@@ -383,13 +385,21 @@ std::vector<RobotStatus> RunningWorld::robotStatuses() const {
   return robots;
 }
 
+std::vector<std::string> World::plannerReports() const {
+  std::vector<std::string> reports;
+  for (const std::shared_ptr<Planner>& planner : robots_.planners()) {
+    reports.push_back(planner->manifestJson());
+  }
+  return reports;
+}
+
 base::Result<std::unique_ptr<World>> World::create(WorldSetup setup) {
   base::Result<std::unique_ptr<WorldParts>> parts = buildWorld(setup);
   if (!parts) {
     return parts.diagnostics();
   }
   setup.scenario = nullptr;  // releases memory, unless the caller still uses it
-  return {std::make_unique<RunningWorld>(std::move(**parts), std::move(setup.behavior)),
+  return {std::make_unique<World>(std::move(**parts), std::move(setup.behavior)),
           parts.diagnostics()};
 }
 

@@ -5,21 +5,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sim2d/base/Result.h"
-#include "sim2d/scenario/Scenario.h"
-#include "sim2d/scenario/ScenarioCheck.h"
-#include "sim2d/trace/Frame.h"
-#include "sim2d/trace/Trace.h"
-#include "sim2d/world/Compatibility.h"
-#include "sim2d/world/GoalResult.h"
-#include "sim2d/world/HumanBehavior.h"
-#include "sim2d/world/Registries.h"
+#include "sim2d/world/PersonMotion.h"
+#include "sim2d/world/Physics.h"
+#include "sim2d/world/Placement.h"
+#include "sim2d/world/RobotDrive.h"
+#include "sim2d/world/WorldInternal.h"
 
 namespace sim2d {
 
@@ -98,9 +95,9 @@ struct WorldSetup {
   int threads = 1;
   bool exact = false;
   std::unique_ptr<HumanBehavior> behavior;
-  ExternalCodePolicy code =
-      ExternalCodePolicy::Refused;  // permission for programs and libraries of robots
-  std::string folder;               // base of relative paths of planners
+  /// Permission for programs and libraries of robots.
+  ExternalCodePolicy code = ExternalCodePolicy::Refused;
+  std::string folder;  // base of relative paths of planners
   /// Interrupts waits for external planners, with `base::Stopped`.
   base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();
 };
@@ -124,61 +121,153 @@ struct RobotStatus {
 /// sources), which are part of the frame of that time
 ///  2 neighbour grid from the frozen state
 ///  3 HumanBehavior::decide in id order -> intents
-///  4 robots: observation -> controller -> Twist2
+///  4 robots: observation -> controller -> velocity command
 ///  5 forces: read the frozen state, write the own column only
 ///  6 desired velocities
 ///  7 Box2D step, read poses back
 ///  8 way points, goals, events
 ///  9 ++stepIndex; time = stepIndex * dt
 /// No global state; several worlds may exist in one process, each used by one thread at a time.
-class World {
+class World : public WorldBase {
  public:
   /// Errors: conditions that make a run impossible (start place, model, planner …); warnings
   /// otherwise (moved starts, keys without effect).
   static base::Result<std::unique_ptr<World>> create(WorldSetup setup);
-  virtual ~World() = default;
+  World(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior);
 
   /// `inputs` are applied in order before all decisions; they are part of the frame of the step.
   /// Returns false if the run has failed (diverged): `failure` contains the agent and the reason;
   /// the last good state is kept.
-  virtual bool step(const StepInputs& inputs = {}) = 0;
-  virtual const std::string& failure() const = 0;
+  bool step(const StepInputs& inputs = {});
+  const std::string& failure() const { return failure_; }
   /// Inputs of the last step that were rejected (unknown id, unknown door …).
-  virtual const base::Diagnostics& refused() const = 0;
+  const base::Diagnostics& refused() const { return refused_; }
   /// Adds the times of each following step to `times`; nullptr: stops this.
-  virtual void measure(StepTimes* times) = 0;
+  void measure(StepTimes* times) { times_ = times; }
 
   /// From the next step on the robots take planners, limits, goals and patience from those of
   /// `other`: a world of the same scenario except for these, not stepped yet, and unusable
   /// afterwards. An unchanged planner continues as it is; a robot with other goals starts with the
   /// first. `seed`: for all draws from now on; properties of people drawn earlier are kept.
-  virtual void continueWith(World& other, std::uint64_t seed) = 0;
+  void continueWith(World& other, std::uint64_t seed);
 
   /// Enables or disables robot perception and paths of people in frames, from the next step on.
-  virtual void publishSensors(bool wanted) = 0;
+  void publishSensors(bool wanted) {
+    robots_.publishSensors(wanted);
+    publishesPaths_ = wanted;
+  }
   /// Same for estimated poses and scans only: perception without bodies and candidate trajectories,
   /// unless those are enabled too. Scans that neither planner nor recording reads are
   /// `deferredScan`.
-  virtual void enableScans(bool wanted) = 0;
+  void enableScans(bool wanted) { robots_.enableScans(wanted); }
   /// Debug data of planners to include, read at each step; null: no cost grids and no optional
   /// candidate trajectories.
-  virtual void setPlannerDebug(std::shared_ptr<const PlannerDebugFlags> watch) = 0;
+  void setPlannerDebug(std::shared_ptr<const PlannerDebugFlags> watch) {
+    robots_.setPlannerDebug(std::move(watch));
+  }
 
-  virtual const Frame& frame() const = 0;  // after the last step; valid until the next
+  const Frame& frame() const { return frame_; }  // after the last step; valid until the next
   std::int64_t stepIndex() const { return frame().step; }
   double time() const { return frame().time; }
   double dt() const { return view().dt(); }
   /// Time at which all robots had arrived [s]; none without a moving robot.
-  virtual std::optional<double> arrivedAt() const = 0;
+  std::optional<double> arrivedAt() const;
   /// Same, but robots whose planners ended the last goals without an arrival count too.
-  virtual std::optional<double> finishedAt() const = 0;
-  virtual std::vector<RobotStatus> robotStatuses() const = 0;  // -1, -2 …
+  std::optional<double> finishedAt() const;
+  std::vector<RobotStatus> robotStatuses() const;  // -1, -2 …
   /// Additional manifest content of the planners, as JSON; empty: none.
-  virtual std::vector<std::string> plannerReports() const { return {}; }  // -1, -2 …
-  virtual TraceHeader header() const = 0;                                 // current
-  virtual const Obstacles& obstacles() const = 0;  // current; parts as in the header
-  virtual const WorldView& view() const = 0;
-  virtual HumanBehavior& behavior() = 0;
+  std::vector<std::string> plannerReports() const;                          // -1, -2 …
+  TraceHeader header() const { return makeHeader(model_, surroundings_); }  // current
+  /// Current; parts as in the header.
+  const Obstacles& obstacles() const { return surroundings_.obstacles; }
+
+ private:
+  /// What a body may touch; the solver handles all bodies except `Nothing`.
+  enum class Nearness : std::uint8_t { Nothing, Person, Solid };
+
+  void addRobotBodies();
+  /// Applies external inputs; `acceptedInputs_` contains the accepted ones.
+  void take(const StepInputs& inputs);
+  /// Returns the problem of the input; empty: accepted.
+  std::string take(Input& input);
+  std::string applyToPerson(const Input& input);
+  std::string fitRobot(Input& input) const;
+  std::string teleportRobot(Input& input);
+  std::string setExternalGoal(Input& input);
+  std::string setBlackboardEntry(int human, const std::string& words);
+  void applyHolds();
+  bool hadGoal(std::size_t robot) const;
+  /// Latest of the times of all robots that had goals; none if one of them is negative.
+  std::optional<double> latestTime(const std::function<double(const RobotState&)>& timeOf) const;
+  std::string spawnCopy(Input& input);
+  /// Door toggles and people whose time has come; then the grid.
+  void applyInputs(StepTimer& watch);
+  void toggleDoors();
+  void setDoor(std::size_t door, bool open);
+  void updateNavigation();
+  void place(const std::vector<std::size_t>& newcomers);
+  void teleportPerson(std::size_t human, const Pose2& pose, const Vec2& velocity);
+  void enter(std::size_t human);
+  void leave(std::size_t human);
+  void handleArrivals();
+  void afterMotion();
+  bool willDoorToggle() const;
+
+  void decide();
+  /// Reason of a failed step; empty: all numbers are valid.
+  std::string divergenceMessage(const std::vector<BodyTwist>& commands) const;
+  /// Desired velocity of a body, before contacts.
+  Vec2 wantedVelocity(std::size_t body, const std::vector<BodyTwist>& commands) const;
+  void moveBodies(const std::vector<BodyTwist>& commands);
+  void placeDiscs(const std::vector<BodyTwist>& commands);
+  void findPairs();
+  void findNearness();
+  bool isNearWallOrRobot(const MovingDisc& person) const;
+  int subSteps() const;
+  bool mayTouchAnything(std::size_t robot) const;
+  bool mayTouch(const DiscPair& pair) const;
+  std::string contactDescription(const Contact& touch,
+                                 const std::vector<BodyTwist>& commands) const;
+  void emitContacts(const std::vector<BodyTwist>& commands);
+  void readPeople();
+  Vec2 wrapIntoCorridor(std::size_t human, const Pose2& pose);
+  void readRobots(const std::vector<BodyTwist>& commands);
+  void publish();
+  void publishPaths();
+
+  /// Bodies are numbered: robots, then people in the order of entry.
+  bool isRobot(std::size_t body) const { return body < model_.robots.size(); }
+  std::size_t humanOf(std::size_t body) const { return humans_[body - model_.robots.size()]; }
+  int idOf(std::size_t body) const;
+  int bodyOf(std::size_t human) const { return bodies_[human]; }
+
+  struct VelocityOverride {  // of a person, by an input
+    std::size_t human = 0;
+    Vec2 velocity = Vec2::Zero();  // [m/s]
+    bool isBeside = false;         // added to the person's own desired velocity
+  };
+
+  Physics physics_;
+  Population population_;
+  RobotDrive robots_;
+  StuckRobots stuckRobots_;
+  Frame frame_;
+  base::Diagnostics refused_;                        // rejected inputs of the last step
+  StepTimes* times_ = nullptr;                       // null: not measured
+  std::vector<VelocityOverride> velocityOverrides_;  // in this step
+  StepInputs acceptedInputs_;                        // accepted inputs of this step
+  std::vector<std::size_t> newcomers_;               // added by inputs of this step
+  std::vector<std::size_t> pastToggles_;             // number of past toggle times per door
+  bool doorsChanged_ = false;                        // since the last update of the navigation map
+  bool publishesPaths_ = false;                      // include paths of people in frames
+  std::vector<int> bodies_;                          // body per person; -1: never present
+  std::vector<std::size_t> humans_;                  // person per body, after those of robots
+  std::vector<Contact> contacts_, contactsBefore_;
+  std::vector<std::string> partNames_;
+  std::vector<Nearness> nearness_;  // per body, in this step
+  std::vector<Vec2> chords_;        // mean direction of each robot in the step
+  std::vector<double> robotRadii_;  // circumscribed radius of each robot [m]
+  std::vector<std::vector<Obstacles::Point>> robotWalls_;  // near each robot
 };
 
 }  // namespace sim2d

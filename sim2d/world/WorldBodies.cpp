@@ -2,7 +2,8 @@
 #include <cmath>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ContactInitiator.h"
+#include "sim2d/trace/ContactMarks.h"
+#include "sim2d/world/World.h"
 #include "sim2d/world/WorldInternal.h"
 
 /// Motion of the bodies in one step: velocities are limited in advance, then the solver handles
@@ -106,7 +107,7 @@ void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pair
   }
 }
 
-void RunningWorld::placeDiscs(const std::vector<BodyTwist>& commands) {
+void World::placeDiscs(const std::vector<BodyTwist>& commands) {
   discs_.resize(commands.size() + humans_.size());
   chords_.assign(commands.size(), Vec2::Zero());
   robotWalls_.resize(commands.size());
@@ -136,12 +137,12 @@ void RunningWorld::placeDiscs(const std::vector<BodyTwist>& commands) {
   }
 }
 
-Vec2 RunningWorld::wantedVelocity(std::size_t body, const std::vector<BodyTwist>& commands) const {
+Vec2 World::wantedVelocity(std::size_t body, const std::vector<BodyTwist>& commands) const {
   return isRobot(body) ? velocityAlong(chords_[body], commands[body])
                        : motion_.wanted()[humanOf(body)];
 }
 
-void RunningWorld::moveBodies(const std::vector<BodyTwist>& commands) {
+void World::moveBodies(const std::vector<BodyTwist>& commands) {
   placeDiscs(commands);
   findPairs();
   keepApart(discs_, pairs_, model_.dt);
@@ -157,7 +158,7 @@ void RunningWorld::moveBodies(const std::vector<BodyTwist>& commands) {
 }
 
 /// Polygons are not limited in advance.
-int RunningWorld::subSteps() const {
+int World::subSteps() const {
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
     if (!model_.robots[i].footprint.empty() && nearness_[i] != Nearness::Nothing) {
       return kPolygonSubSteps;
@@ -166,7 +167,7 @@ int RunningWorld::subSteps() const {
   return 1;
 }
 
-bool RunningWorld::isNearWallOrRobot(const MovingDisc& person) const {
+bool World::isNearWallOrRobot(const MovingDisc& person) const {
   const double reach = person.radius + person.velocity.norm() * model_.dt + kNearWall;
   bool isNear = isNearWall(person, reach);
   for (std::size_t i = 0; i < state_.robots.size() && !isNear; ++i) {
@@ -178,7 +179,7 @@ bool RunningWorld::isNearWallOrRobot(const MovingDisc& person) const {
 
 /// Classifies the bodies by what they may touch in this step. In small worlds the solver handles
 /// all people.
-void RunningWorld::findNearness() {
+void World::findNearness() {
   nearness_.assign(discs_.size(),
                    humans_.size() > kSolverPeopleLimit ? Nearness::Nothing : Nearness::Solid);
   for (std::size_t body = 0; body < discs_.size(); ++body) {
@@ -201,7 +202,7 @@ void RunningWorld::findNearness() {
 
 /// True if two people come near each other in this step, or one of them may be pushed by something
 /// else.
-bool RunningWorld::mayTouch(const DiscPair& pair) const {
+bool World::mayTouch(const DiscPair& pair) const {
   const auto first = static_cast<std::size_t>(pair.first);
   const auto second = static_cast<std::size_t>(pair.second);
   if (nearness_[first] == Nearness::Solid || nearness_[second] == Nearness::Solid) {
@@ -220,7 +221,7 @@ bool RunningWorld::mayTouch(const DiscPair& pair) const {
 /// The solver does not contain a robot while nothing is near it, so that it cannot change the
 /// processing order of people, and with it their rounding. A polygon counts as its circumscribed
 /// circle.
-bool RunningWorld::mayTouchAnything(std::size_t robot) const {
+bool World::mayTouchAnything(std::size_t robot) const {
   const MovingDisc& self = discs_[robot];
   const double reach = robotRadii_[robot] + self.velocity.norm() * model_.dt;
   const double wall = reach + kNearWall;
@@ -243,7 +244,7 @@ bool RunningWorld::mayTouchAnything(std::size_t robot) const {
   return false;
 }
 
-void RunningWorld::findPairs() {
+void World::findPairs() {
   pairs_.clear();
   pairs_.reserve(2 * discs_.size());
   double fastest = 0.0;
@@ -277,7 +278,7 @@ void RunningWorld::findPairs() {
   }
 }
 
-void RunningWorld::readPeople() {
+void World::readPeople() {
   for (std::size_t i = 0; i < model_.people.size(); ++i) {
     if (state_.present[i] == 0) {
       continue;
@@ -293,7 +294,7 @@ void RunningWorld::readPeople() {
 }
 
 /// A person who passes an end of a closed corridor re-enters at the other end and replans.
-Vec2 RunningWorld::wrapIntoCorridor(std::size_t human, const Pose2& pose) {
+Vec2 World::wrapIntoCorridor(std::size_t human, const Pose2& pose) {
   Vec2 inside = model_.ring.inside(pose.position);
   if (inside != pose.position) {
     physics_.place(bodyOf(human), {inside, pose.heading});
@@ -302,7 +303,7 @@ Vec2 RunningWorld::wrapIntoCorridor(std::size_t human, const Pose2& pose) {
   return inside;
 }
 
-void RunningWorld::readRobots(const std::vector<BodyTwist>& commands) {
+void World::readRobots(const std::vector<BodyTwist>& commands) {
   for (std::size_t i = 0; i < commands.size(); ++i) {
     RobotState& robot = state_.robots[i];
     const int body = static_cast<int>(i);
@@ -314,13 +315,13 @@ void RunningWorld::readRobots(const std::vector<BodyTwist>& commands) {
   }
 }
 
-int RunningWorld::idOf(std::size_t body) const {
+int World::idOf(std::size_t body) const {
   return isRobot(body) ? model_.robots[body].id : model_.people[humanOf(body)].constants.id;
 }
 
 /// Which of the two approached the other, and on which side of the robot: " person behind".
-std::string RunningWorld::contactDescription(const Contact& touch,
-                                             const std::vector<BodyTwist>& commands) const {
+std::string World::contactDescription(const Contact& touch,
+                                      const std::vector<BodyTwist>& commands) const {
   const auto robot = static_cast<std::size_t>(touch.body);
   const auto other = static_cast<std::size_t>(touch.other);
   const ContactInitiator initiator =
@@ -336,7 +337,7 @@ std::string RunningWorld::contactDescription(const Contact& touch,
 
 /// Emits one event per pair when two bodies, or a body and an obstacle, begin to touch, until they
 /// have separated, with the closing speed that the contact stopped.
-void RunningWorld::emitContacts(const std::vector<BodyTwist>& commands) {
+void World::emitContacts(const std::vector<BodyTwist>& commands) {
   std::swap(contactsBefore_, contacts_);
   contacts_.reserve(discs_.size());
   physics_.currentContacts(contactsBefore_, contacts_);

@@ -8,9 +8,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/map/DistanceField.h"
 #include "sim2d/scenario/Variation.h"
-#include "sim2d/world/Placement.h"
-#include "sim2d/world/Population.h"
-#include "sim2d/world/WorldInternal.h"
+#include "sim2d/world/World.h"
 
 namespace sim2d {
 namespace {

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/world/Placement.h"
-#include "sim2d/world/WorldInternal.h"
+#include "sim2d/world/World.h"
 
 /// Application of external inputs.
 namespace sim2d {
@@ -40,7 +39,7 @@ std::string assignId(int& id, int& lastId) {
 
 }  // namespace
 
-void RunningWorld::take(const StepInputs& inputs) {
+void World::take(const StepInputs& inputs) {
   velocityOverrides_.clear();
   acceptedInputs_.clear();
   refused_.clear();
@@ -64,7 +63,7 @@ void RunningWorld::take(const StepInputs& inputs) {
   }
 }
 
-std::string RunningWorld::take(Input& input) {
+std::string World::take(Input& input) {
   if (input.kind == InputKind::Robot) {
     const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
     if (robot >= model_.robots.size()) {
@@ -97,7 +96,7 @@ std::string RunningWorld::take(Input& input) {
 
 /// Moves the place of the input to the nearest one where the robot fits. Returns the problem, or
 /// empty.
-std::string RunningWorld::fitRobot(Input& input) const {
+std::string World::fitRobot(Input& input) const {
   const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
   if (robot >= model_.robots.size()) {
     return "there is no robot " + std::to_string(input.id);
@@ -113,7 +112,7 @@ std::string RunningWorld::fitRobot(Input& input) const {
 }
 
 /// Teleports a robot, at rest; its pose estimate becomes the true pose.
-std::string RunningWorld::teleportRobot(Input& input) {
+std::string World::teleportRobot(Input& input) {
   if (std::string refusal = fitRobot(input); !refusal.empty()) {
     return refusal;
   }
@@ -128,7 +127,7 @@ std::string RunningWorld::teleportRobot(Input& input) {
 }
 
 /// Ignores the heading, as goals have none.
-std::string RunningWorld::setExternalGoal(Input& input) {
+std::string World::setExternalGoal(Input& input) {
   if (std::string refusal = fitRobot(input); !refusal.empty()) {
     return refusal;
   }
@@ -146,7 +145,7 @@ std::string RunningWorld::setExternalGoal(Input& input) {
   return {};
 }
 
-std::string RunningWorld::applyToPerson(const Input& input) {
+std::string World::applyToPerson(const Input& input) {
   const int human = view_.indexOf(input.id);
   if (human < 0 || !view_.isPresent(human)) {
     return "there is no person " + std::to_string(input.id) + " in the world";
@@ -170,7 +169,7 @@ std::string RunningWorld::applyToPerson(const Input& input) {
 }
 
 /// `words` is "key=value".
-std::string RunningWorld::setBlackboardEntry(int human, const std::string& words) {
+std::string World::setBlackboardEntry(int human, const std::string& words) {
   const std::size_t equals = words.find('=');
   if (equals == std::string::npos || equals == 0) {
     return "an entry must be 'key=value', not '" + words + "'";
@@ -178,7 +177,7 @@ std::string RunningWorld::setBlackboardEntry(int human, const std::string& words
   return behavior_->setBlackboardEntry(human, words.substr(0, equals), words.substr(equals + 1));
 }
 
-std::string RunningWorld::spawnCopy(Input& input) {
+std::string World::spawnCopy(Input& input) {
   const auto like =
       std::find_if(model_.people.begin(), model_.people.end(),
                    [&](const Person& person) { return person.constants.name == input.name; });
@@ -212,7 +211,7 @@ std::string RunningWorld::spawnCopy(Input& input) {
 }
 
 /// Teleports a person; others see the body with `velocity`.
-void RunningWorld::teleportPerson(std::size_t human, const Pose2& pose, const Vec2& velocity) {
+void World::teleportPerson(std::size_t human, const Pose2& pose, const Vec2& velocity) {
   const Vec2 inside = model_.ring.inside(pose.position);
   state_.positions[human] = inside;
   state_.heading[human] = base::wrapToPi(pose.heading);
@@ -237,8 +236,7 @@ auto goalList(const ResolvedRobot& robot) {
 
 }  // namespace
 
-void RunningWorld::continueWith(World& world, std::uint64_t seed) {
-  auto& other = dynamic_cast<RunningWorld&>(world);
+void World::continueWith(World& other, std::uint64_t seed) {
   for (std::size_t robot = 0; robot < model_.robots.size(); ++robot) {
     const ResolvedRobot was = std::exchange(model_.robots[robot], other.model_.robots[robot]);
     const ResolvedRobot& is = model_.robots[robot];

@@ -4,10 +4,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim2d/scenario/ScenarioCheck.h"
-#include "sim2d/world/GoalResult.h"
 #include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/Registries.h"
@@ -83,6 +83,29 @@ struct WorldModel {
 
   int lastId = 0;  // largest assigned id; people from sources and copies get the next ones
 };
+
+/// Distance outside `goal_radius` within which a goal still counts as reached when the robot's
+/// planner reports success [m]: the default `tolerance` of Nav2's planners, by which a path may end
+/// beside the goal.
+constexpr double kGoalReachedTolerance = 0.5;
+
+/// A goal that the robot's planner has ended.
+struct GoalResult {
+  NavigationResult result;
+  double time = 0.0;         // of the state after it [s]
+  double distance = 0.0;     // true distance from the robot's centre to the goal in that state [m]
+  int goal = 0;              // goal id; 0: none
+  int number = 1;            // 1-based index in the robot's list
+  bool isReached = false;    // success within goal_radius + kGoalReachedTolerance
+  bool isExternal = false;   // goal set from outside
+  bool isOneOfMany = false;  // the robot has several goals
+};
+
+/// "0.213 m from the goal", "goal 2: planner NO_VALID_PATH (208), 3.4 m from the goal".
+std::string goalResultText(const GoalResult& end);
+/// Reason for the failure without the distance, or the distance on success: "planner NO_VALID_PATH
+/// (208)".
+std::string goalResultReason(const GoalResult& end);
 
 struct RobotState {
   Pose2 pose;

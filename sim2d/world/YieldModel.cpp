@@ -5,7 +5,6 @@
 
 #include "sim2d/map/Outlines.h"
 #include "sim2d/map/PathPlanner.h"
-#include "sim2d/map/StringPulling.h"
 
 namespace sim2d {
 namespace {

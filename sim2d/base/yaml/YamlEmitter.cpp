@@ -1,5 +1,3 @@
-#include "sim2d/base/yaml/YamlEmitter.h"
-
 #include <algorithm>
 #include <array>
 

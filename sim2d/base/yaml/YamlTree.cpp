@@ -1,6 +1,7 @@
 #include "sim2d/base/yaml/YamlTree.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -11,7 +12,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlEmitter.h"
 
 namespace base {
 namespace {
@@ -35,6 +35,21 @@ std::string shortTag(const std::string& tag) {
   return startsWith(tag, kYamlTags) ? "!!" + tag.substr(kYamlTags.size()) : tag;
 }
 
+constexpr std::size_t kMaxCopied = 100000;  // values per file; nested aliases multiply
+constexpr const char* kMergeKey = "<<";
+
+std::size_t sizeOf(const YamlNode& node) {
+  std::size_t size = 1;
+  for (const YamlNode& item : node.items) {
+    size += sizeOf(item);
+  }
+  return size;
+}
+
+bool isMergeKey(const YamlNode& value) {
+  return value.key == kMergeKey && value.keyIsPlain;
+}
+
 /// Ends parsing after a reported error.
 struct ParsingAborted {};
 
@@ -50,13 +65,11 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { add(nodeAt(mark), anchor); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    if (rules_.isRosFile) {
-      add(aliases_.copyOf(anchor, nodeAt(mark), file_, diagnostics_));
-      return;
-    }
     YamlNode node = nodeAt(mark);
-    report(node.line, node.column, "yaml.alias");
-    add(std::move(node));
+    if (!rules_.isRosFile) {
+      report(node.line, node.column, "yaml.alias");
+    }
+    add(rules_.isRosFile ? copyOf(anchor, std::move(node)) : std::move(node));
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
@@ -115,13 +128,13 @@ class TreeBuilder : public YAML::EventHandler {
     const YAML::anchor_t anchor = open_.back().anchor;
     open_.pop_back();
     if (rules_.isRosFile && node.isMap()) {
-      replaceMergeKeys(node, file_, diagnostics_);
+      replaceMergeKeys(node);
     }
     add(std::move(node), anchor);
   }
   void add(YamlNode node, YAML::anchor_t anchor = 0) {
     if (rules_.isRosFile && anchor != 0) {
-      aliases_.keep(anchor, node);
+      aliased_[anchor] = node;
     }
     if (open_.empty()) {
       root = std::move(node);
@@ -169,11 +182,74 @@ class TreeBuilder : public YAML::EventHandler {
     parent.hasKey = true;
   }
 
+  /// The value with this anchor (`&name`) for the alias (`*name`) at `at`; it keeps its own line
+  /// and column. Warns once per file. Errors: unknown anchor (also an alias inside its own value),
+  /// or too many copied values.
+  YamlNode copyOf(YAML::anchor_t anchor, YamlNode at) {
+    const auto found = aliased_.find(anchor);
+    if (found == aliased_.end()) {
+      report(at.line, at.column, "yaml.alias-without-value");
+      return at;
+    }
+    if (!std::exchange(isAliasReported_, true)) {
+      diagnostics_.push_back(warning("yaml.alias-replaced", {}, file_, at.line, at.column));
+    }
+    const std::size_t before = copied_;
+    copied_ += sizeOf(found->second);
+    if (copied_ <= kMaxCopied) {
+      return found->second;
+    }
+    if (before <= kMaxCopied) {
+      report(at.line, at.column, "yaml.too-many-aliases", {kMaxCopied});
+    }
+    return at;
+  }
+  /// The maps that a merge key inserts; empty with an error if its value is invalid.
+  std::vector<YamlNode> mapsToMerge(YamlNode value) {
+    const bool isListOfMaps = value.isList() && std::all_of(value.items.begin(), value.items.end(),
+                                                            std::mem_fn(&YamlNode::isMap));
+    if (isListOfMaps) {
+      return std::move(value.items);
+    }
+    if (value.isMap()) {
+      return {std::move(value)};
+    }
+    if (!value.isNull()) {
+      report(value.keyLine, value.keyColumn, "yaml.merge-no-map");
+    }
+    return {};
+  }
+  /// Replaces the merge keys of a map (`<<: *defaults`, `<<: [*a, *b]`) by the keys of the merged
+  /// maps. Keys of the map itself and of earlier maps take precedence.
+  void replaceMergeKeys(YamlNode& map) {
+    if (std::none_of(map.items.begin(), map.items.end(), isMergeKey)) {
+      return;
+    }
+    std::vector<YamlNode> own, merged;
+    for (YamlNode& item : map.items) {
+      if (!isMergeKey(item)) {
+        own.push_back(std::move(item));
+        continue;
+      }
+      for (YamlNode& from : mapsToMerge(std::move(item))) {
+        std::move(from.items.begin(), from.items.end(), std::back_inserter(merged));
+      }
+    }
+    map.items = std::move(own);
+    for (YamlNode& item : merged) {
+      if (map.find(item.key) == nullptr) {
+        map.items.push_back(std::move(item));
+      }
+    }
+  }
+
   const std::string& file_;
   const YamlSyntax& rules_;
   Diagnostics& diagnostics_;
   std::vector<Open> open_;
-  YamlAliases aliases_;
+  std::map<YAML::anchor_t, YamlNode> aliased_;  // values with an anchor
+  std::size_t copied_ = 0;                      // values
+  bool isAliasReported_ = false;
 };
 
 /// Appends a further document to the first if both are maps, as ROS 2 parameter files are read;
@@ -280,37 +356,51 @@ YamlNode parsedText(const std::string& clean, const std::string& file, const Yam
   return std::move(builder.root);
 }
 
-constexpr std::size_t kMaxCopied = 100000;  // values per file; nested aliases multiply
-constexpr const char* kMergeKey = "<<";
+/// Leaves one value for each key of the maps in the tree.
+class DuplicateMerger {
+ public:
+  DuplicateMerger(DuplicateKeys rule, const std::string& file, Diagnostics& diagnostics)
+      : rule_(rule), file_(file), diagnostics_(diagnostics) {}
 
-std::size_t sizeOf(const YamlNode& node) {
-  std::size_t size = 1;
-  for (const YamlNode& item : node.items) {
-    size += sizeOf(item);
+  void merge(YamlNode& node) {
+    if (node.isMap()) {
+      std::vector<YamlNode> unique;
+      std::map<std::string, std::size_t> places;  // indices into `unique`
+      for (YamlNode& item : node.items) {
+        const auto [place, isNew] = places.emplace(item.key, unique.size());
+        if (isNew) {
+          unique.push_back(std::move(item));
+        } else {
+          repeat(unique[place->second], std::move(item));
+        }
+      }
+      node.items = std::move(unique);
+    }
+    for (YamlNode& item : node.items) {
+      merge(item);
+    }
   }
-  return size;
-}
 
-bool isMergeKey(const YamlNode& value) {
-  return value.key == kMergeKey && value.keyIsPlain;
-}
-
-/// The maps that a merge key inserts; empty with an error if its value is invalid.
-std::vector<YamlNode> mapsToMerge(YamlNode value, const std::string& file,
-                                  Diagnostics& diagnostics) {
-  std::vector<YamlNode> maps;
-  const bool isListOfMaps =
-      value.isList() && std::all_of(value.items.begin(), value.items.end(),
-                                    [](const YamlNode& item) { return item.isMap(); });
-  if (isListOfMaps) {
-    maps = std::move(value.items);
-  } else if (value.isMap()) {
-    maps.push_back(std::move(value));
-  } else if (!value.isNull()) {
-    diagnostics.push_back(error("yaml.merge-no-map", {}, file, value.keyLine, value.keyColumn));
+ private:
+  void repeat(YamlNode& first, YamlNode later) {
+    const bool isLast = rule_ == DuplicateKeys::LastWins;
+    if (isLast && first.isMap() && (later.isMap() || later.isNull())) {
+      diagnostics_.push_back(warning("yaml.block-repeated", {later.key, first.keyLine}, file_,
+                                     later.keyLine, later.keyColumn));
+      std::move(later.items.begin(), later.items.end(), std::back_inserter(first.items));
+      return;
+    }
+    diagnostics_.push_back(isLast ? duplicateKeyWarning(later.key, later, first, file_)
+                                  : duplicateKeyWarning(later.key, first, later, file_));
+    if (isLast) {
+      first = std::move(later);
+    }
   }
-  return maps;
-}
+
+  DuplicateKeys rule_;
+  const std::string& file_;
+  Diagnostics& diagnostics_;
+};
 
 }  // namespace
 
@@ -369,53 +459,24 @@ YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& 
   return parseYaml(text, file, YamlSyntax(), diagnostics);
 }
 
+YamlNode parseYaml(std::string_view text, const std::string& file, DuplicateKeys rule,
+                   Diagnostics& diagnostics) {
+  const YamlSyntax rules{true, rule == DuplicateKeys::LastWins};
+  YamlNode root = parseYaml(text, file, rules, diagnostics);
+  DuplicateMerger(rule, file, diagnostics).merge(root);
+  return root;
+}
+
+Diagnostic duplicateKeyWarning(const std::string& name, const YamlNode& kept,
+                               const YamlNode& dropped, const std::string& file) {
+  return warning("yaml.key-repeated", {name, kept.keyLine, dropped.keyLine}, file, dropped.keyLine,
+                 dropped.keyColumn);
+}
+
 std::string scalarText(const std::string& yaml) {
   Diagnostics problems;
   const YamlNode node = parseYaml(yaml, {}, problems);
   return node.isScalar() && !hasErrors(problems) ? node.text : yaml;
-}
-
-YamlNode YamlAliases::copyOf(Anchor anchor, YamlNode at, const std::string& file,
-                             Diagnostics& diagnostics) {
-  const auto found = nodes_.find(anchor);
-  if (found == nodes_.end()) {
-    diagnostics.push_back(error("yaml.alias-without-value", {}, file, at.line, at.column));
-    return at;
-  }
-  if (!std::exchange(isReported_, true)) {
-    diagnostics.push_back(warning("yaml.alias-replaced", {}, file, at.line, at.column));
-  }
-  const std::size_t before = copied_;
-  copied_ += sizeOf(found->second);
-  if (copied_ > kMaxCopied) {
-    if (before <= kMaxCopied) {
-      diagnostics.push_back(error("yaml.too-many-aliases", {kMaxCopied}, file, at.line, at.column));
-    }
-    return at;
-  }
-  return found->second;
-}
-
-void replaceMergeKeys(YamlNode& map, const std::string& file, Diagnostics& diagnostics) {
-  if (std::none_of(map.items.begin(), map.items.end(), isMergeKey)) {
-    return;
-  }
-  std::vector<YamlNode> own, merged;
-  for (YamlNode& item : map.items) {
-    if (!isMergeKey(item)) {
-      own.push_back(std::move(item));
-      continue;
-    }
-    for (YamlNode& from : mapsToMerge(std::move(item), file, diagnostics)) {
-      std::move(from.items.begin(), from.items.end(), std::back_inserter(merged));
-    }
-  }
-  map.items = std::move(own);
-  for (YamlNode& item : merged) {
-    if (map.find(item.key) == nullptr) {
-      map.items.push_back(std::move(item));
-    }
-  }
 }
 
 }  // namespace base

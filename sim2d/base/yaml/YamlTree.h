@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -64,38 +63,43 @@ constexpr std::size_t kMaxPeople = 100000;
 /// many agents) are added to `diagnostics`; with errors the tree must not be used.
 YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics);
 
+/// Syntax that is accepted in addition to that of the program's own files.
+struct YamlSyntax {
+  bool keepsDuplicates = false;  // keeps repeated keys
+  /// ROS 2 parameter file: aliases (`*name`) and merge keys (`<<`) are resolved, further documents
+  /// are appended, and tabs are allowed wherever YAML allows them; each with a warning.
+  bool isRosFile = false;
+};
+YamlNode parseYaml(std::string_view text, const std::string& file, const YamlSyntax& rules,
+                   Diagnostics& diagnostics);
+
+/// Third-party files may repeat keys. Each repetition is a warning with both lines; which value
+/// counts depends on the program that the file is written for.
+enum class DuplicateKeys {
+  LastWins,  // ROS 2 parameter files (rcl_yaml_param_parser): maps are merged, also across
+             // documents; aliases and merge keys are resolved, as launch tools do
+  FirstWins  // files read with yaml-cpp: map_server maps, rosbag2 metadata
+};
+/// In the result each key of a map is unique.
+YamlNode parseYaml(std::string_view text, const std::string& file, DuplicateKeys rule,
+                   Diagnostics& diagnostics);
+/// The warning for a repeated key: the value at `kept` is used, the one at `dropped` is not.
+Diagnostic duplicateKeyWarning(const std::string& name, const YamlNode& kept,
+                               const YamlNode& dropped, const std::string& file);
+
 /// Block style, two spaces per level, lists indented under their key; no newline at the end.
 std::string emitYaml(const YamlNode& node);
 
 /// The value of a scalar text without its quotes; the text itself if it is not a scalar.
 std::string scalarText(const std::string& yaml);
 
+/// The text as a double-quoted YAML scalar on one line.
+std::string quotedText(std::string_view text);
+
 /// Whether YAML would not read the plain text as this string.
 bool needsQuotes(std::string_view text);
 
 /// Number of comments, excluding '#' in quotes and block scalars.
 int countComments(std::string_view text);
-
-/// Resolves YAML anchors, aliases and merge keys while a file is read. Private to this folder.
-
-/// Stores values with an anchor (`&name`) and copies them for aliases (`*name`).
-class YamlAliases {
- public:
-  using Anchor = std::size_t;  // numbers assigned by yaml-cpp
-
-  void keep(Anchor anchor, YamlNode node) { nodes_[anchor] = std::move(node); }
-  /// The value for the alias at `at`; it keeps its own line and column. Warns once per file.
-  /// Errors: unknown anchor (also an alias inside its own value), or too many copied values.
-  YamlNode copyOf(Anchor anchor, YamlNode at, const std::string& file, Diagnostics& diagnostics);
-
- private:
-  std::map<Anchor, YamlNode> nodes_;
-  std::size_t copied_ = 0;  // values
-  bool isReported_ = false;
-};
-
-/// Replaces the merge keys of a map (`<<: *defaults`, `<<: [*a, *b]`) by the keys of the merged
-/// maps. Keys of the map itself and of earlier maps take precedence.
-void replaceMergeKeys(YamlNode& map, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace base
