@@ -4,8 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "sim2d/trace/ContactInitiator.h"
-
 namespace sim2d {
 
 namespace {

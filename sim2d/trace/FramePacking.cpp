@@ -1,11 +1,11 @@
-#include "sim2d/trace/FramePacking.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <type_traits>
 #include <utility>
+
+#include "sim2d/trace/FrameHistory.h"
 
 namespace sim2d {
 namespace {

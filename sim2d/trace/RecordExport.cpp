@@ -1,5 +1,3 @@
-#include "sim2d/trace/RecordExport.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,11 +7,25 @@
 #include <nlohmann/json.hpp>
 
 #include "sim2d/base/JsonText.h"
+#include "sim2d/trace/TrackImport.h"
 
 namespace sim2d {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+struct BodySample {
+  base::Pose2 pose;
+  Vec2 velocity = Vec2::Zero();  // [m/s]
+  double omega = 0.0;            // [rad/s]
+  int goal = kNoGoal;
+};
+
+struct RecordSample {
+  double time = 0.0;                 // [s] since the first state
+  std::map<int, BodySample> people;  // by id
+  std::map<int, BodySample> robots;  // by id, -1, -2 …
+};
 
 /// Pedestrian ids of robots, following those of the people.
 std::map<int, int> pedestrianIds(const TraceHeader& header) {
@@ -229,6 +241,54 @@ std::map<int, BodySample> bodiesBetween(const BodyColumns& a, const BodyColumns&
   return bodies;
 }
 
+/// Samples from the first state to the last at intervals of 1 / `rate` [s]; rate 0: the states
+/// themselves. Bodies present in both neighbouring states are interpolated linearly.
+class RecordSamples {
+ public:
+  RecordSamples(const Trace& trace, double rate) : trace_(trace), rate_(rate) {
+    if (trace.frames.empty()) {
+      return;
+    }
+    const double span = trace.frames.back().time - trace.frames.front().time;
+    size_ = rate > 0.0 ? static_cast<std::size_t>(std::floor(span * rate + kSameTime)) + 1
+                       : trace.frames.size();
+  }
+
+  std::size_t size() const { return size_; }
+  RecordSample at(std::size_t index) const {
+    const std::vector<Frame>& frames = trace_.frames;
+    RecordSample sample;
+    if (!(rate_ > 0.0)) {
+      const Frame& frame = frames[index];
+      sample.time = frame.time - frames.front().time;
+      sample.people = bodiesOf(frame.humans);
+      sample.robots = bodiesOf(frame.robots);
+      return sample;
+    }
+    sample.time = static_cast<double>(index) / rate_;
+    const double time = frames.front().time + sample.time;
+    const double slack = kSameTime * trace_.header.dt;
+    const auto next =
+        std::upper_bound(frames.begin(), frames.end(), time + slack,
+                         [](double value, const Frame& frame) { return value < frame.time; });
+    const Frame& before = *(next - 1);  // exists: the first state is not later
+    if (next == frames.end() || time - before.time <= slack) {
+      sample.people = bodiesOf(before.humans);
+      sample.robots = bodiesOf(before.robots);
+      return sample;
+    }
+    const double share = (time - before.time) / (next->time - before.time);
+    sample.people = bodiesBetween(before.humans, next->humans, share);
+    sample.robots = bodiesBetween(before.robots, next->robots, share);
+    return sample;
+  }
+
+ private:
+  const Trace& trace_;
+  double rate_;
+  std::size_t size_ = 0;
+};
+
 }  // namespace
 
 base::Result<std::string> trajnetText(const Trace& trace, double rate) {
@@ -288,43 +348,6 @@ base::Result<std::string> socnav3Text(const Trace& trace, double rate) {
   text += " \"walls\": " + base::jsonText(wallsOf(header), -1) + ",\n";
   text += " \"sequence\": [" + instants + "\n ]\n}\n";
   return {std::move(text), robotsAsPeople(header, ids, 1)};
-}
-
-RecordSamples::RecordSamples(const Trace& trace, double rate) : trace_(trace), rate_(rate) {
-  if (trace.frames.empty()) {
-    return;
-  }
-  const double span = trace.frames.back().time - trace.frames.front().time;
-  size_ = rate > 0.0 ? static_cast<std::size_t>(std::floor(span * rate + kSameTime)) + 1
-                     : trace.frames.size();
-}
-
-RecordSample RecordSamples::at(std::size_t index) const {
-  const std::vector<Frame>& frames = trace_.frames;
-  RecordSample sample;
-  if (!(rate_ > 0.0)) {
-    const Frame& frame = frames[index];
-    sample.time = frame.time - frames.front().time;
-    sample.people = bodiesOf(frame.humans);
-    sample.robots = bodiesOf(frame.robots);
-    return sample;
-  }
-  sample.time = static_cast<double>(index) / rate_;
-  const double time = frames.front().time + sample.time;
-  const double slack = kSameTime * trace_.header.dt;
-  const auto next =
-      std::upper_bound(frames.begin(), frames.end(), time + slack,
-                       [](double value, const Frame& frame) { return value < frame.time; });
-  const Frame& before = *(next - 1);  // exists: the first state is not later
-  if (next == frames.end() || time - before.time <= slack) {
-    sample.people = bodiesOf(before.humans);
-    sample.robots = bodiesOf(before.robots);
-    return sample;
-  }
-  const double share = (time - before.time) / (next->time - before.time);
-  sample.people = bodiesBetween(before.humans, next->humans, share);
-  sample.robots = bodiesBetween(before.robots, next->robots, share);
-  return sample;
 }
 
 }  // namespace sim2d

@@ -1,17 +1,65 @@
 #pragma once
 
+#include <array>
+#include <atomic>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "sim2d/trace/AppendOnlyLog.h"
 #include "sim2d/trace/FrameHistory.h"
 #include "sim2d/trace/Trace.h"
 
 namespace sim2d {
+
+/// Append-only list for one writer and any number of readers, without locks: entries never move or
+/// change.
+template <class T>
+class AppendOnlyLog {
+ public:
+  void append(T entry) {
+    const std::size_t index = size_.load(std::memory_order_relaxed);
+    const auto [block, place] = placeOf(index);
+    if (!blocks_[block]) {
+      blocks_[block] = std::make_unique<T[]>(kFirstBlock << block);
+    }
+    blocks_[block][place] = std::move(entry);
+    size_.store(index + 1, std::memory_order_release);
+  }
+  std::size_t size() const { return size_.load(std::memory_order_acquire); }
+  /// `index` must be below a size() that this thread has read.
+  const T& operator[](std::size_t index) const {
+    const auto [block, place] = placeOf(index);
+    return blocks_[block][place];
+  }
+  /// Number of leading entries that satisfy `isBefore`; it must hold for a prefix of the list only.
+  template <class IsBefore>
+  std::size_t count(IsBefore isBefore) const {
+    std::size_t from = 0, to = size();
+    while (from < to) {
+      const std::size_t middle = from + (to - from) / 2;
+      (isBefore((*this)[middle]) ? from : to) = isBefore((*this)[middle]) ? middle + 1 : middle;
+    }
+    return from;
+  }
+
+ private:
+  static constexpr std::size_t kFirstBlock = 64, kBlocks = 48;  // block sizes double
+  static std::pair<std::size_t, std::size_t> placeOf(std::size_t index) {
+    std::size_t block = 0;
+    for (; index >= kFirstBlock << block; ++block) {
+      index -= kFirstBlock << block;
+    }
+    return {block, index};
+  }
+
+  std::array<std::unique_ptr<T[]>, kBlocks> blocks_;
+  std::atomic<std::size_t> size_{0};
+};
 
 using StepEvent = std::pair<std::int64_t, Event>;  // step and event
 
@@ -107,7 +155,36 @@ class Recording final : public FrameSink {
 /// Data of the run's files: no forces, no planner paths.
 std::shared_ptr<Recording> recordingOf(Trace trace,
                                        std::size_t mostInMemory = Recording::kDefaultMemory);
-struct Truncation;
+/// Describes an incomplete recording: the run was killed, a copy was interrupted, or the disk was
+/// full.
+struct Truncation {
+  std::vector<std::string> files;  // names of the truncated files; none: complete
+  double time = 0.0;               // of the last complete state [s]
+  std::optional<double> end;       // end of the run, if an event states it [s]
+
+  /// Set by the caller for a killed run: its header was written at the start and lacks agents that
+  /// were spawned later; they are added when their rows are read.
+  bool isUnfinished = false;
+
+  bool isTruncated() const { return !files.empty(); }
+  bool has(std::string_view name) const;
+  void note(const std::string& name);
+};
+
+/// Length of the complete lines of a CSV text [bytes]; line ends inside quotes do not count.
+std::size_t completeLinesSize(std::string_view text);
+
+/// The path of a file of a recording, or of the temporary file of a killed process
+/// (`base::AtomicFileWriter`); the regular path if neither exists.
+std::string finalOrTemporaryPath(const std::string& folder, const std::string& name);
+
+/// Removes incomplete data: the last state if the trajectory is truncated inside it, and events
+/// after the last state. `lacksRobot`: a robot is missing in the last state.
+void dropIncompletePart(Trace& trace, bool lacksRobot, Truncation& cut);
+
+/// Reads the complete part of trajectory.csv, events.csv and trace.json in a folder.
+base::Result<Trace> readTruncatedTrace(const std::string& directory, Truncation& cut);
+
 /// Reads a run folder, with trees.csv and inputs.csv if they exist; reports all problems with their
 /// places. `cut`: reads the complete part of a truncated recording; null: truncation is an error.
 base::Result<std::shared_ptr<const Recording>> readRecording(

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Files.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/map/OccupancyGrid.h"
@@ -174,6 +176,26 @@ struct TraceHeader {
   }
 };
 
+/// Detects people whom a source spawns during a run: the header of the run has changed then.
+class KnownPeople {
+ public:
+  explicit KnownPeople(const TraceHeader& header) {
+    for (const TraceHuman& human : header.humans) {
+      ids_.insert(human.id);
+    }
+  }
+
+  /// Whether neither the header nor an earlier frame contained a person of this frame.
+  bool addNew(const Frame& frame) {
+    const std::size_t before = ids_.size();
+    ids_.insert(frame.humans.id.begin(), frame.humans.id.end());
+    return ids_.size() > before;
+  }
+
+ private:
+  std::set<int> ids_;
+};
+
 /// A recorded run.
 struct Trace {
   TraceHeader header;
@@ -190,6 +212,14 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
 /// Reads trajectory.csv, events.csv and trace.json from a run folder.
 base::Result<Trace> readTrace(const std::string& directory);
 
+/// Contents of the files of a recording; paths are used in messages.
+struct TraceTexts {
+  base::FileContent trajectory, events, header;
+};
+
+/// As readTrace (Trace.h), from memory.
+base::Result<Trace> parseTrace(const TraceTexts& texts);
+
 // Row-by-row writing, for recordings that are written during the run.
 /// Header lines of the files.
 constexpr char kTrajectoryColumns[] = "step,time,id,kind,x,y,heading,vx,vy,omega,group,state,goal";
@@ -201,5 +231,12 @@ std::string headerLine(const char* columns);  // with line end
 void appendTrajectoryRows(std::string& to, const Frame& frame);
 void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& event);
 void appendTreeRows(std::string& to, std::int64_t step, const TreeChanges& changes);
+
+/// Rows of `scans.csv`, one per lidar scan (columns: FORMAT.md); reading returns equal values.
+std::string scansHeader();
+void appendScanRow(std::string& to, const RecordedScan& scan);
+/// Reports all problems with their places; steps must not decrease.
+base::Result<std::vector<RecordedScan>> parseScans(const std::string& text,
+                                                   const std::string& file);
 
 }  // namespace sim2d

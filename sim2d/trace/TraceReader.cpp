@@ -8,8 +8,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Recording.h"
-#include "sim2d/trace/TraceContents.h"
-#include "sim2d/trace/TruncatedRecording.h"
 
 namespace sim2d {
 

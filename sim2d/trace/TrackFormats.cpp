@@ -106,6 +106,31 @@ std::optional<long long> WordReader::whole(const Word& word, const char* name) {
   return static_cast<long long>(*value);
 }
 
+std::string_view withoutBlanks(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  const std::size_t end = text.find_last_not_of(kBlanks);
+  return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
+}
+
+std::string unitWord(std::string_view text) {
+  text = withoutBlanks(text);
+  while (text.size() > 1 && (text.front() == '[' || text.front() == '(')) {
+    text = withoutBlanks(text.substr(1, text.size() - 2));
+  }
+  return base::toLower(text);
+}
+
+std::string withPoint(std::string_view word, char separator) {
+  const std::size_t comma = word.find(',');
+  std::string text(word);
+  if (separator == ';' && comma != std::string_view::npos &&
+      word.find('.') == std::string_view::npos) {
+    text[comma] = '.';
+  }
+  return base::parseDouble(text) ? text : std::string(word);
+}
+
 std::optional<double> lengthUnitOf(std::string_view word) {
   static const std::map<std::string_view, double> kUnits = {{"m", 1.0},
                                                             {"metre", 1.0},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/map/Outlines.h"
+#include "sim2d/trace/Csv.h"
 #include "sim2d/trace/TrackImport.h"
 
 /// Shared parts of the format readers, and their registry. Problems are appended to the list given.
@@ -58,6 +61,12 @@ class WordReader {
   base::Diagnostics& problems_;
 };
 
+std::string_view withoutBlanks(std::string_view text);
+/// A unit in lower case, without blanks and brackets: "[m]", "(s)".
+std::string unitWord(std::string_view text);
+/// Replaces a decimal comma, which is possible with semicolon separators; other words are
+/// unchanged.
+std::string withPoint(std::string_view word, char separator);
 /// [m] per unit, in lower case: "m", "cm", "mm", "ft", also spelled out.
 std::optional<double> lengthUnitOf(std::string_view word);
 /// [s] per unit: "s", "ms", "us", "ns", "min", also spelled out.
@@ -114,10 +123,15 @@ struct TrackFormat {
   bool takesColumns = false;  // --columns assigns its columns
 };
 
-/// Registry of formats. A file Foo.cpp in formats/ defines addFoo(TrackFormats&).
+/// Registry of formats by name. A file Foo.cpp in formats/ defines addFoo(TrackFormats&).
 class TrackFormats {
  public:
-  void add(TrackFormat format) { formats_.push_back(std::move(format)); }
+  void add(TrackFormat format) {
+    const auto isBefore = [](const TrackFormat& a, const TrackFormat& b) {
+      return a.name < b.name;
+    };
+    formats_.insert(std::upper_bound(formats_.begin(), formats_.end(), format, isBefore), format);
+  }
   const TrackFormat* find(const std::string& name) const;  // null: unknown name
   /// The best match that is at least `least`; null: none.
   const TrackFormat* formatOf(const std::string& path, const std::string& text,
@@ -182,6 +196,15 @@ std::string siblingPath(const std::string& path, const std::string& name);
 /// Reads groups.txt, if it exists: the ids of one group per line. Groups are numbered from 1.
 void readGroupsFile(const TrackInput& input, TrackFile& file);
 
+/// Borders of the polygons in a WKT text ("POLYGON ((0 0, 4 0, 4 3), (1 1, 2 1, 2 2))", also
+/// MULTIPOLYGON and collections), in which people walk: outside and holes are solid. Other shapes
+/// are ignored. Errors: not WKT, or no polygon.
+base::Result<std::vector<Outline>> walkableOutlines(const std::string& wkt);
+
+/// Adds the borders, scaled by `unit` [m], as walls of the file. Invalid WKT causes a warning; an
+/// empty text is ignored.
+void addWalkableArea(const std::string& wkt, double unit, const TrackInput& input, TrackFile& file);
+
 /// Reports the numbers assigned to named bodies (the first ones if there are many).
 void reportAssignedIds(const TrackInput& input, const std::vector<const Track*>& numbered);
 
@@ -202,5 +225,27 @@ void forEachRow(const TrackInput& input, std::size_t width, const char* columns,
     }
   }
 }
+
+struct TableLayout {
+  /// Column names by quantity: "time", "frame", "id", "x", "y", "heading", "vx", "vy", "omega",
+  /// "group", "radius", "kind", "active" (rows with 0 are skipped). The first existing name is
+  /// used; names given by the user take precedence. A unit may follow the name: "x [mm]", "t (s)".
+  std::map<std::string, std::vector<std::string>> names;
+  std::string_view text;  // beginning with the line of column names
+  int firstLine = 1;      // line number of its start
+  char separator = ',';
+  std::map<std::string, std::string> units;  // by column name, if given separately
+  double rate = 0.0;                         // frame rate stated in the file [1/s]
+  std::string prefix;                        // text before the first name
+};
+
+/// Column names of the csv format: the names of the quantities.
+std::map<std::string, std::vector<std::string>> ownColumnNames();
+
+/// The first of comma, semicolon and tab that occurs in a line.
+char separatorIn(std::string_view line);
+
+/// Reads the rows. A second line with units is supported. Units given by the user take precedence.
+TrackFile readTrackTable(const TrackInput& input, const TableLayout& layout);
 
 }  // namespace sim2d

@@ -24,8 +24,8 @@ bool isNumberRow(const std::vector<Word>& row) {
 
 /// Removes a UTF-8 byte order mark.
 std::string withoutByteOrderMark(const std::string& text) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  return base::startsWith(text, kMark) ? text.substr(kMark.size()) : text;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  return base::startsWith(text, kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }
 
 void scaleSurroundings(double length, TrackFile& file) {

@@ -6,7 +6,7 @@
 
 #include "sim2d/trace/Tracks.h"
 
-/// Import of third-party trajectories ("Third-party formats" in the README).
+/// Import and export of third-party trajectories ("Third-party formats" in the README).
 namespace sim2d {
 
 class TrackFormats;
@@ -35,5 +35,18 @@ base::Result<std::map<std::string, std::string>> parseColumns(const std::string&
 /// places.
 base::Result<TrackFile> importTracks(const std::string& path, const TrackImportOptions& options,
                                      const TrackFormats& formats = standardTrackFormats());
+
+// Export of recorded runs. Errors mean that nothing can be written; other diagnostics inform the
+// user.
+
+/// JSON lines for TrajNet++: scenes, then tracks. `rate`: samples per second; 0: 2.5 as in its data
+/// sets. Positions are interpolated linearly. A scene has 21 samples in which its pedestrian is
+/// present throughout; robots are pedestrians with ids after those of the people.
+base::Result<std::string> trajnetText(const Trace& trace, double rate = 0.0);
+
+/// SocNav3 (SocNavData): the first robot with its goal, people, walls and the map's grid. `rate`:
+/// samples per second; 0: all states. The robot's speeds are longitudinal, lateral and angular.
+/// Other robots are people with ids after those of the people.
+base::Result<std::string> socnav3Text(const Trace& trace, double rate = 0.0);
 
 }  // namespace sim2d

@@ -1,5 +1,3 @@
-#include "sim2d/trace/WalkableArea.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -6,8 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "app/bridge/agents/AgentMessages.h"
-#include "app/bridge/agents/CallerScenario.h"
+#include "sim2d/base/Find.h"
 
 namespace bridge {
 namespace {
@@ -64,8 +63,7 @@ base::Diagnostics AgentManager::prepare() {
   }
   bundle_.scenario = *drawn;
   const auto world = makeWorld({});
-  base::Diagnostics errors = app::errorsOf(world.diagnostics());
-  base::append(problems, errors);
+  base::append(problems, app::errorsOf(world.diagnostics()));
   return problems;
 }
 
@@ -108,11 +106,11 @@ bool AgentManager::ensureWorld(const Agents& agents) {
   noteOnce(made.diagnostics());
   if (!made) {
     hasWorldFailed_ = true;
-    warn(base::Severity::Error, "ros2.no-world");
+    noteOnce({base::error("ros2.no-world", {}, bundle_.path)});
     return world_ != nullptr;
   }
   if (world_ != nullptr) {
-    warn(base::Severity::Warning, "ros2.minds-anew");
+    warn("ros2.minds-anew");
   }
   world_ = *std::move(made);
   lastAgents_.clear();
@@ -127,16 +125,16 @@ std::vector<sim2d::CoupledPerson> AgentManager::usablePeople(const Agents& agent
   for (const Agent& agent : agents.agents) {
     const std::string fault = invalidReason(agent);
     if (!ids.insert(agent.id).second) {
-      warn(base::Severity::Warning, "ros2.agent-twice", {nameOf(agent)});
+      warn("ros2.agent-twice", {nameOf(agent)});
     } else if (agent.id < 0) {
-      warn(base::Severity::Warning, "ros2.agent-negative", {nameOf(agent)});
+      warn("ros2.agent-negative", {nameOf(agent)});
     } else if (fault.empty()) {
       if (world_->knows(agent.id)) {
         lastAgents_[agent.id] = agent;
       }
       people.push_back(personOf(agent));
     } else {
-      warn(base::Severity::Warning, "ros2.bad-agent", {nameOf(agent), fault});
+      warn("ros2.bad-agent", {nameOf(agent), fault});
       const auto before = lastAgents_.find(agent.id);
       if (before != lastAgents_.end()) {
         people.push_back(personOf(before->second));
@@ -150,11 +148,11 @@ std::optional<sim2d::CoupledRobot> AgentManager::usableRobot(const Agent& robot)
   const bool isThere = robotOf(robot).has_value();
   const std::string fault = isThere ? invalidReason(robot) : std::string();
   if (!fault.empty()) {
-    warn(base::Severity::Warning, "ros2.bad-agent", {nameOf(robot), fault});
+    warn("ros2.bad-agent", {nameOf(robot), fault});
     return lastRobot_;
   }
   if (!isThere && lastRobot_) {
-    warn(base::Severity::Warning, "ros2.robot-gone", {lastRobot_->name});
+    warn("ros2.robot-gone", {lastRobot_->name});
   }
   lastRobot_ = robotOf(robot);
   return lastRobot_;
@@ -171,29 +169,24 @@ bool AgentManager::take(const Agents& agents, const Agent& robot) {
 }
 
 /// Returns the time since the last stamp [s] and stores `now` as the last stamp.
-double AgentManager::sinceLast(Stamped& stamped, std::int64_t now) {
-  const double dt = static_cast<double>(now - stamped.last) * kNanosecond;
-  const bool hadLast = std::exchange(stamped.hasLast, true);
-  stamped.last = now;
-  if (!hadLast) {
-    return 0.0;
-  }
+double AgentManager::sinceLast(LastStamp& last, std::int64_t now) {
+  const LastStamp before = std::exchange(last, now);
+  const double dt = static_cast<double>(now - before.value_or(now)) * kNanosecond;
   if (dt < 0.0) {
-    warn(base::Severity::Warning, "ros2.time-back");
-    return 0.0;
+    warn("ros2.time-back");
+  } else if (dt > kLeap) {
+    warn("ros2.time-leap");
+  } else {
+    return dt;
   }
-  if (dt > kLeap) {
-    warn(base::Severity::Warning, "ros2.time-leap");
-    return 0.0;
-  }
-  return dt;
+  return 0.0;
 }
 
 /// Sets the clocks of individually stepped agents to the time of all agents.
 void AgentManager::restartClocks(const Agents& agents) {
   for (const Agent& agent : agents.agents) {
     if (world_->knows(agent.id)) {  // limits the map to known agents
-      agentClocks_[agent.id] = {nanosecondsOf(agents.header.stamp), true};
+      agentClocks_[agent.id] = nanosecondsOf(agents.header.stamp);
     }
   }
 }
@@ -206,7 +199,7 @@ void AgentManager::step(double dt, std::optional<int> only) {
   const int parts = hunav2() ? 1 : static_cast<int>(std::ceil(dt / kLongestStep - 1e-9));
   for (int part = 0; part < std::max(1, parts); ++part) {
     if (!world_->step(dt / std::max(1, parts), only)) {
-      warn(base::Severity::Warning, "ros2.step-failed", {world_->failure()});
+      warn("ros2.step-failed", {world_->failure()});
       break;
     }
     for (const sim2d::Event& event : world_->events()) {
@@ -254,14 +247,13 @@ hunav_msgs::MoveAgent::Response AgentManager::moveOne(
   const bool hasWorld = take(agents, request.robot);
   hunav_msgs::MoveAgent::Response response;
   response.updatedAgent.id = request.agentId;
-  const auto asked = std::find_if(agents.agents.begin(), agents.agents.end(),
-                                  [&](const Agent& agent) { return agent.id == request.agentId; });
+  const Agent* const asked = base::findBy(agents.agents, &Agent::id, request.agentId);
   if (world_ != nullptr && !agents.agents.empty()) {
     const std::int64_t now = nanosecondsOf(agents.header.stamp);
     const double passed = sinceLast(clock_, now);
     if (!hasWorld) {
       restartClocks(agents);
-    } else if (asked != agents.agents.end()) {
+    } else if (asked != nullptr) {
       if (world_->knows(request.agentId)) {
         step(sinceLast(agentClocks_[request.agentId], now), request.agentId);
       }
@@ -269,8 +261,8 @@ hunav_msgs::MoveAgent::Response AgentManager::moveOne(
       stepped_ = {agents, request.robot};
     }
   }
-  if (asked == agents.agents.end()) {
-    warn(base::Severity::Warning, "ros2.unknown-agent", {std::to_string(request.agentId)});
+  if (asked == nullptr) {
+    warn("ros2.unknown-agent", {std::to_string(request.agentId)});
     return response;
   }
   response.updatedAgent = responseTo(*asked);
@@ -283,7 +275,7 @@ hunav_msgs::ComputeAgent::Response AgentManager::computeOne(
   response.updatedAgent.id = request.id;
   const auto last = lastAgents_.find(request.id);
   if (world_ == nullptr || last == lastAgents_.end() || !world_->knows(request.id)) {
-    warn(base::Severity::Warning, "ros2.unknown-agent", {std::to_string(request.id)});
+    warn("ros2.unknown-agent", {std::to_string(request.id)});
     return response;
   }
   if (hunav2()) {
@@ -298,7 +290,7 @@ hunav_msgs::ResetAgents::Response AgentManager::reset(
   if (!hunav2()) {
     world_.reset();
     hasWorldFailed_ = false;
-    clock_ = {};
+    clock_.reset();
     agentClocks_.clear();
     lastAgents_.clear();
     lastRobot_.reset();
@@ -330,9 +322,8 @@ base::Diagnostics AgentManager::takeWarnings() {
   return std::exchange(warnings_, {});
 }
 
-void AgentManager::warn(base::Severity severity, std::string_view code,
-                        base::ProblemValues values) {
-  noteOnce({base::problem(severity, code, std::move(values), bundle_.path)});
+void AgentManager::warn(std::string_view code, base::ProblemValues values) {
+  noteOnce({base::warning(code, std::move(values), bundle_.path)});
 }
 
 void AgentManager::noteOnce(const base::Diagnostics& problems) {

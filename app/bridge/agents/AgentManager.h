@@ -7,19 +7,36 @@
 #include <string>
 #include <vector>
 
-#include "app/bridge/agents/StepMessages.h"
+#include "app/bridge/agents/AgentMessages.h"
 #include "app/bridge/messages/hunav_msgs.h"
 #include "app/run/Bundle.h"
 #include "sim2d/world/CoupledWorld.h"
 
 namespace bridge {
 
+/// The loaded scenario adapted to the agents of a caller. The properties in the caller's first
+/// request take precedence, as in HuNavSim: desired velocity, radius, group, goals, force factors.
+/// The behavior trees come from the scenario, by agent id. An agent that is not in the scenario is
+/// added with the properties in the message and the tree of its behavior, and is reported in
+/// `remarks`. The result has no robots. Of the variation only reaction times apply; all other
+/// values come from the caller.
+sim2d::Scenario scenarioForCaller(const sim2d::Scenario& served, const hunav_msgs::Agents& agents,
+                                  base::Diagnostics& remarks);
+
+/// The scenario of a bundle with its key `variation` applied for its seed: starts, headings, speeds
+/// and the order of goals are those of a run with that seed. Factors of reaction times have no key
+/// and are drawn later (`onlyReactionTimes`). Start times are not used in the world of a caller.
+/// Without variation the scenario is returned unchanged. Errors: no world can be created from it.
+base::Result<std::shared_ptr<const sim2d::Scenario>> drawnScenario(const app::Bundle& bundle);
+
+/// The variation without the values that requests contain and those that are already drawn.
+sim2d::VariationSettings onlyReactionTimes(sim2d::VariationSettings variation);
+
 /// HuNavSim's agent manager: computes the response to each service request; independent of DDS. The
 /// caller provides clock, positions and obstacles; behavior trees and motion models follow the
 /// loaded scenario. Every request is answered, with the received states where nothing better is
 /// known. With compatibility `hunav2` and its models, the results equal those of the original's
 /// call path, except that all agents move from the state at the beginning of the step.
-///
 ///
 /// - The first request with agents creates the behavior trees and returns the received states.
 /// - dt is the difference of the stamps; 0 if time runs backwards or jumps by more than 10 s. Steps
@@ -50,10 +67,7 @@ class AgentManager {
   base::Diagnostics takeWarnings();
 
  private:
-  struct Stamped {
-    std::int64_t last = 0;  // [ns]
-    bool hasLast = false;
-  };
+  using LastStamp = std::optional<std::int64_t>;  // [ns]
 
   base::Result<std::unique_ptr<sim2d::CoupledWorld>> makeWorld(const hunav_msgs::Agents& agents);
   bool hunav2() const { return bundle_.settings.compatibility.hunav2(); }
@@ -63,10 +77,10 @@ class AgentManager {
   std::vector<sim2d::CoupledPerson> usablePeople(const hunav_msgs::Agents& agents);
   std::optional<sim2d::CoupledRobot> usableRobot(const hunav_msgs::Agent& robot);
   void restartClocks(const hunav_msgs::Agents& agents);
-  double sinceLast(Stamped& stamped, std::int64_t now);
+  double sinceLast(LastStamp& last, std::int64_t now);
   void step(double dt, std::optional<int> only);
   hunav_msgs::Agent responseTo(const hunav_msgs::Agent& asked) const;
-  void warn(base::Severity severity, std::string_view code, base::ProblemValues values = {});
+  void warn(std::string_view code, base::ProblemValues values = {});
   void noteOnce(const base::Diagnostics& problems);
 
   app::Bundle bundle_;
@@ -79,8 +93,8 @@ class AgentManager {
   std::optional<Recipe> recipe_;
   std::unique_ptr<sim2d::CoupledWorld> world_;   // null before the first request with agents
   bool hasWorldFailed_ = false;                  // creating the world failed; reported
-  Stamped clock_;                                // of steps of all agents
-  std::map<int, Stamped> agentClocks_;           // of agents that are stepped individually, by id
+  LastStamp clock_;                              // of steps of all agents
+  std::map<int, LastStamp> agentClocks_;         // of agents that are stepped individually, by id
   double lastDt_ = 0.0;                          // [s]
   std::map<int, hunav_msgs::Agent> lastAgents_;  // last valid states, by id
   std::optional<sim2d::CoupledRobot> lastRobot_;

@@ -1,5 +1,3 @@
-#include "app/bridge/agents/CallerScenario.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/bridge/agents/AgentMessages.h"
+#include "app/bridge/agents/AgentManager.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/scenario/Variation.h"
 #include "sim2d/world/CoupledWorld.h"
 
@@ -153,9 +152,8 @@ Scenario scenarioForCaller(const Scenario& served, const hunav_msgs::Agents& age
     if (agent.id < 0 || !invalidReason(agent).empty()) {
       continue;
     }
-    const auto found = std::find_if(scenario.humans.begin(), scenario.humans.end(),
-                                    [&](const Human& human) { return human.id == agent.id; });
-    const bool isUnknown = found == scenario.humans.end();
+    Human* const found = base::findBy(scenario.humans, &Human::id, agent.id);
+    const bool isUnknown = found == nullptr;
     const MessageReader reader(agent, remarks);
     Human& human = isUnknown ? addUnknownAgent(agent, reader, scenario) : *found;
     human.listed = true;

@@ -59,13 +59,40 @@ base::Result<std::unique_ptr<Bag>> openBagFolder(const std::string& folder);
 /// A topic of a bag that is being written.
 struct ChannelInfo {
   std::string topic, type;
-  std::string definition;                                     // in ros2msg format
-  std::vector<std::pair<std::string, std::string>> metadata;  // channel metadata
+  std::string definition;  // in ros2msg format
+  std::string qos;         // offered QoS profile as YAML; may be empty
 };
 
-/// Writes messages to a temporary file and moves it to its final path in finish().
+/// Writes messages to a temporary file and moves it to its final path in finish(). Not thread-safe.
 class BagWriter {
  public:
+  using Entries = std::vector<std::pair<std::string, std::string>>;
+
+  BagWriter() = default;
+  virtual ~BagWriter() = default;
+  BagWriter(const BagWriter&) = delete;
+  BagWriter& operator=(const BagWriter&) = delete;
+  BagWriter(BagWriter&&) = delete;
+  BagWriter& operator=(BagWriter&&) = delete;
+
+  virtual std::uint16_t addChannel(ChannelInfo channel) {
+    channels_.push_back(std::move(channel));
+    return static_cast<std::uint16_t>(channels_.size() - 1);
+  }
+  /// `time` [ns] need not be increasing.
+  virtual void write(std::uint16_t channel, std::int64_t time, std::string_view message) = 0;
+  /// Adds a metadata record.
+  virtual void addMetadata(const std::string& name, const Entries& entries) = 0;
+  /// Whether a write failed; finish() returns the reason.
+  virtual bool hasFailed() const = 0;
+  /// Closes the file. Empty on success: the file is complete and at its final path.
+  virtual base::Diagnostics finish() = 0;
+  /// The contents of metadata.yaml (version 5: Humble and later) for a folder that contains the
+  /// file under the name `file`. `storage`: "mcap" or "sqlite3". Topics without messages are
+  /// omitted.
+  std::string rosbagMetadata(const std::string& file, const std::string& storage) const;
+
+ protected:
   struct Totals {
     std::uint64_t messages = 0;
     std::int64_t begin = 0, end = 0;  // [ns], first and last message
@@ -78,26 +105,17 @@ class BagWriter {
       ++perChannel[channel];
     }
   };
-  using Entries = std::vector<std::pair<std::string, std::string>>;
 
-  BagWriter() = default;
-  virtual ~BagWriter() = default;
-  BagWriter(const BagWriter&) = delete;
-  BagWriter& operator=(const BagWriter&) = delete;
-  BagWriter(BagWriter&&) = delete;
-  BagWriter& operator=(BagWriter&&) = delete;
-
-  virtual std::uint16_t addChannel(ChannelInfo channel) = 0;
-  /// `time` [ns] need not be increasing.
-  virtual void write(std::uint16_t channel, std::int64_t time, std::string_view message) = 0;
-  /// Adds a metadata record.
-  virtual void addMetadata(const std::string& name, const Entries& entries) = 0;
-  /// Whether a write failed; finish() returns the reason.
-  virtual bool hasFailed() const = 0;
-  /// Closes the file. Empty on success: the file is complete and at its final path.
-  virtual base::Diagnostics finish() = 0;
-  /// The totals of the messages written.
-  virtual const Totals& totals() const = 0;
+  std::vector<ChannelInfo> channels_;
+  Totals totals_;  // of the messages written
 };
+
+/// Writes an MCAP file of profile ros2: CDR messages in zstd-compressed chunks of about 1 MiB, with
+/// checksums, indexes and a summary. Memory: one chunk, and 100 bytes per earlier chunk. Channels
+/// of one type share a schema.
+std::unique_ptr<BagWriter> makeMcapWriter(const std::string& path);
+/// Writes a rosbag2 `.db3` file (schema 3: Humble and later): tables schema, metadata, topics and
+/// messages, and `hunavsim_metadata` for other metadata.
+std::unique_ptr<BagWriter> makeSqliteBagWriter(const std::string& path);
 
 }  // namespace bridge

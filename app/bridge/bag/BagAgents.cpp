@@ -1,16 +1,26 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "app/bridge/bag/BagBodies.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/base/Text.h"
 
-/// The part of BagBodies that reads hunav_msgs.
+/// Checks of numbers, frames and hunav_msgs for the reading of bodies.
 namespace bridge {
 namespace {
+
+constexpr int kLongestChain = 32;
+
+/// Removes a leading slash, which some programs write.
+std::string nameOf(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+base::Pose2 composed(const base::Pose2& outer, const base::Pose2& inner) {
+  return {outer.toWorld(inner.position), base::wrapToPi(outer.heading + inner.heading)};
+}
 
 constexpr double kSameHeading = 1e-6;  // [rad], float precision
 
@@ -50,34 +60,26 @@ void addGoal(const geometry_msgs::Pose& goal, std::vector<geometry_msgs::Pose>& 
   }
 }
 
-}  // namespace
-
-double shortestDecimal(float value) {
-  char text[32];
-  const std::to_chars_result end = std::to_chars(text, text + sizeof(text), value);
-  return base::parseDouble({text, static_cast<std::size_t>(end.ptr - text)}).value_or(value);
-}
-
-bool BagBodies::isValid(std::size_t channel, const hunav_msgs::Agent& agent) {
+bool isValid(std::size_t channel, const hunav_msgs::Agent& agent, InvalidNumbers& invalid) {
   const geometry_msgs::Point& place = agent.position.position;
   const geometry_msgs::Vector3& velocity = agent.velocity.linear;
-  return invalid_.areValid(channel, "position", {place.x, place.y}, kMostMetres) &&
-         invalid_.areValid(channel, "yaw", {static_cast<double>(agent.yaw)}, kMostSpeed) &&
-         invalid_.areValid(channel, "velocity.linear", {velocity.x, velocity.y}, kMostSpeed) &&
-         invalid_.areValid(channel, "velocity.angular", {agent.velocity.angular.z}, kMostSpeed) &&
-         invalid_.areValid(channel, "linear_vel", {static_cast<double>(agent.linearVel)},
-                           kMostSpeed) &&
-         invalid_.areValid(channel, "angular_vel", {static_cast<double>(agent.angularVel)},
-                           kMostSpeed);
+  return invalid.areValid(channel, "position", {place.x, place.y}, kMostMetres) &&
+         invalid.areValid(channel, "yaw", {static_cast<double>(agent.yaw)}, kMostSpeed) &&
+         invalid.areValid(channel, "velocity.linear", {velocity.x, velocity.y}, kMostSpeed) &&
+         invalid.areValid(channel, "velocity.angular", {agent.velocity.angular.z}, kMostSpeed) &&
+         invalid.areValid(channel, "linear_vel", {static_cast<double>(agent.linearVel)},
+                          kMostSpeed) &&
+         invalid.areValid(channel, "angular_vel", {static_cast<double>(agent.angularVel)},
+                          kMostSpeed);
 }
 
-std::vector<base::Vec2> BagBodies::obstaclesOf(std::size_t channel,
-                                               const hunav_msgs::Agent& agent) {
+std::vector<base::Vec2> obstaclesOf(std::size_t channel, const hunav_msgs::Agent& agent,
+                                    InvalidNumbers& invalid) {
   std::vector<base::Vec2> points;
   points.reserve(agent.closestObs.size());
   for (const geometry_msgs::Point& point : agent.closestObs) {
-    if (invalid_.areValid(channel, "closest_obs", {point.x, point.y}, kMostMetres,
-                          InvalidNumbers::Loss::Value)) {
+    if (invalid.areValid(channel, "closest_obs", {point.x, point.y}, kMostMetres,
+                         InvalidNumbers::Loss::Value)) {
       points.emplace_back(point.x, point.y);
     }
   }
@@ -85,7 +87,8 @@ std::vector<base::Vec2> BagBodies::obstaclesOf(std::size_t channel,
 }
 
 /// Sets the properties that earlier messages left unset.
-void BagBodies::setMissing(std::size_t channel, const hunav_msgs::Agent& agent, BagBody& body) {
+void setMissing(std::size_t channel, const hunav_msgs::Agent& agent, InvalidNumbers& invalid,
+                BagBody& body) {
   if (!body.properties) {
     body.properties.emplace();
     body.properties->behavior = agent.behavior;
@@ -96,8 +99,8 @@ void BagBodies::setMissing(std::size_t channel, const hunav_msgs::Agent& agent, 
   }
   hunav_msgs::Agent& properties = *body.properties;
   const auto take = [&](float& to, float from, const char* field, double most) {
-    const bool isValid = invalid_.areValid(channel, field, {static_cast<double>(from)}, most,
-                                           InvalidNumbers::Loss::Value);
+    const bool isValid = invalid.areValid(channel, field, {static_cast<double>(from)}, most,
+                                          InvalidNumbers::Loss::Value);
     to = isValid && from > 0.0F ? from : to;
   };
   const auto takeFirst = [&](float& to, float from, const char* field, double most) {
@@ -118,22 +121,24 @@ void BagBodies::setMissing(std::size_t channel, const hunav_msgs::Agent& agent, 
   }
   properties.cyclicGoals = properties.goals.empty() ? agent.cyclicGoals : properties.cyclicGoals;
   for (const geometry_msgs::Pose& goal : agent.goals) {
-    if (invalid_.areValid(channel, "goals", {goal.position.x, goal.position.y}, kMostMetres,
-                          InvalidNumbers::Loss::Value)) {
+    if (invalid.areValid(channel, "goals", {goal.position.x, goal.position.y}, kMostMetres,
+                         InvalidNumbers::Loss::Value)) {
       addGoal(goal, properties.goals);
     }
   }
 }
 
-void BagBodies::takeAgent(std::size_t channel, const hunav_msgs::Agent& agent, std::int64_t time,
-                          std::map<int, BagBody>& to) {
-  if (!isValid(channel, agent)) {
+}  // namespace
+
+void addAgent(std::size_t channel, const hunav_msgs::Agent& agent, std::int64_t time,
+              InvalidNumbers& invalid, std::map<int, BagBody>& to) {
+  if (!isValid(channel, agent, invalid)) {
     return;
   }
   BagBody& body = to[agent.id];
   body.id = agent.id;
   body.name = body.name.empty() ? agent.name : body.name;
-  setMissing(channel, agent, body);
+  setMissing(channel, agent, invalid, body);
   BagSample sample;
   sample.time = time;
   sample.pose.position = {agent.position.position.x, agent.position.position.y};
@@ -146,41 +151,77 @@ void BagBodies::takeAgent(std::size_t channel, const hunav_msgs::Agent& agent, s
   if (!agent.goals.empty()) {
     sample.goal = base::Vec2(agent.goals.front().position.x, agent.goals.front().position.y);
   }
-  sample.obstacles = obstaclesOf(channel, agent);
+  sample.obstacles = obstaclesOf(channel, agent, invalid);
   body.samples.push_back(std::move(sample));
 }
 
-void BagBodies::takeAgents(std::size_t channel, std::string_view bytes, std::int64_t time) {
-  const std::optional<hunav_msgs::Agents> all = decoded<hunav_msgs::Agents>(channel, bytes);
-  if (!all) {
-    return;
+double shortestDecimal(float value) {
+  char text[32];
+  const std::to_chars_result end = std::to_chars(text, text + sizeof(text), value);
+  return base::parseDouble({text, static_cast<std::size_t>(end.ptr - text)}).value_or(value);
+}
+
+bool InvalidNumbers::areValid(std::size_t channel, const char* field,
+                              std::initializer_list<double> numbers, double most, Loss loss) {
+  const auto* const bad = std::find_if(numbers.begin(), numbers.end(), [most](double number) {
+    return !(std::fabs(number) <= most);  // also for NaN
+  });
+  if (bad == numbers.end()) {
+    return true;
   }
-  const std::int64_t stamp = nanosecondsOf(all->header.stamp);
-  peopleStamps_.emplace_back(time, stamp);
-  for (const hunav_msgs::Agent& agent : all->agents) {
-    takeAgent(channel, agent, stamp, people_);
+  Count& count = counts_[{channel, field}];
+  if (count.count++ == 0) {
+    count.first = *bad;
+    count.loss = loss;
+  }
+  return false;
+}
+
+bool InvalidNumbers::hasDiscardedSamples() const {
+  return std::any_of(counts_.begin(), counts_.end(),
+                     [](const auto& each) { return each.second.loss == Loss::Sample; });
+}
+
+base::Diagnostics InvalidNumbers::warnings(const std::vector<BagChannel>& channels,
+                                           const std::string& path) const {
+  base::Diagnostics warnings;
+  for (const auto& [where, count] : counts_) {
+    const char* const code = count.loss == Loss::Sample ? "bag.bad-samples" : "bag.bad-values";
+    warnings.push_back(base::warning(
+        code,
+        {count.count, channels[where.first].topic, where.second, base::formatDouble(count.first)},
+        path));
+  }
+  return warnings;
+}
+
+base::Pose2 planarPose(const geometry_msgs::Pose& pose) {
+  return {{pose.position.x, pose.position.y}, headingOf(pose.orientation)};
+}
+
+void FrameTree::add(const tf2_msgs::TFMessage& message) {
+  for (const geometry_msgs::TransformStamped& each : message.transforms) {
+    const geometry_msgs::Transform& t = each.transform;
+    links_[nameOf(each.childFrameId)] = {
+        nameOf(each.header.frameId), {{t.translation.x, t.translation.y}, headingOf(t.rotation)}};
   }
 }
 
-/// robot_states has no stamp. Each sample gets the stamp of the people message recorded nearest to
-/// it.
-void BagBodies::assignRobotStamps() {
-  std::sort(peopleStamps_.begin(), peopleStamps_.end());
-  for (auto& [id, body] : robots_) {
-    if (!body.properties || peopleStamps_.empty()) {
-      continue;
+std::optional<base::Pose2> FrameTree::inMap(const std::string& frame) const {
+  std::string name = nameOf(frame);
+  base::Pose2 pose;
+  for (int k = 0; k < kLongestChain; ++k) {
+    if (name == kMapFrame) {
+      return pose;
     }
-    for (BagSample& sample : body.samples) {
-      auto next = std::lower_bound(peopleStamps_.begin(), peopleStamps_.end(),
-                                   std::make_pair(sample.time, std::int64_t{0}));
-      const bool isLast = next == peopleStamps_.end();
-      if (isLast || (next != peopleStamps_.begin() &&
-                     sample.time - std::prev(next)->first < next->first - sample.time)) {
-        --next;
-      }
-      sample.time = next->second;
+    const auto link = links_.find(name);
+    if (link == links_.end()) {
+      return std::nullopt;
     }
+    pose = composed(link->second.pose, pose);
+    name = link->second.parent;
   }
+  return std::nullopt;  // cyclic or too long
 }
 
 }  // namespace bridge

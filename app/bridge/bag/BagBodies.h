@@ -11,17 +11,32 @@
 #include <vector>
 
 #include "app/bridge/bag/Bag.h"
-#include "app/bridge/bag/TopicSelection.h"
-#include "app/bridge/messages/Codec.h"
+#include "app/bridge/bag/BagTrace.h"
 #include "app/bridge/messages/Time.h"
 #include "app/bridge/messages/hunav_msgs.h"
-#include "app/bridge/messages/nav_msgs.h"
-#include "app/bridge/messages/people_msgs.h"
 #include "app/bridge/messages/tf2_msgs.h"
 #include "sim2d/base/Types.h"
 #include "sim2d/trace/Trace.h"
 
 namespace bridge {
+
+/// Indices of the channels from which a trace is created.
+struct TopicSelection {
+  std::optional<std::size_t> people, map;
+  std::vector<std::size_t> robots;       // several only in bags written by hunavsim
+  std::vector<std::size_t> transforms;   // tf and tf_static
+  bool isRobotFromTf = false;            // the robot's pose is a transform
+  std::optional<std::size_t> goals;      // /goal_pose of the chosen robot
+  std::optional<std::size_t> obstacles;  // obstacle outlines published by hunavsim
+};
+
+/// The topics of a bag written by hunavsim. Without people: the bag was modified.
+TopicSelection hunavsimTopics(const std::vector<BagChannel>& channels);
+
+/// Selects topics by the user's options, otherwise by types and usual names. Errors: a missing
+/// topic, a topic of an unsuitable type, neither people nor a robot.
+TopicSelection selectTopics(const std::vector<BagChannel>& channels, const BagTopicOptions& use,
+                            const std::string& path, base::Diagnostics& problems);
 
 // Limits for plausible numbers in recordings.
 constexpr double kMostMetres = 1e9;    // [m] from the origin, as in the track reader
@@ -107,85 +122,26 @@ struct BagObstacles {
   };
   std::int64_t time = 0;  // [ns]
   std::vector<Part> parts;
-  const Part* find(const std::string& name) const;
 };
 
-/// Reads the bodies, map, goals and obstacles from the chosen topics.
-class BagBodies {
- public:
-  BagBodies(Bag& bag, TopicSelection choice, std::string path);
-
-  /// Returns all problems. Warnings: unreadable messages, topics without readable messages.
-  base::Diagnostics read();
-
-  const std::map<int, BagBody>& people() const { return people_; }
-  const std::map<int, BagBody>& robots() const { return robots_; }
-  const std::optional<sim2d::OccupancyGrid>& map() const { return map_; }
-  /// The goals sent to the robot, each once, in order.
-  const std::vector<base::Vec2>& goals() const { return goals_; }
-  std::optional<std::int64_t> firstGoal() const { return firstGoal_; }  // [ns], stamp
-  const std::vector<BagObstacles>& obstacles() const { return obstacles_; }
-  bool hasInvalidSamples() const { return invalid_.hasDiscardedSamples(); }
-
- private:
-  struct ReadCounts {
-    std::size_t read = 0, lost = 0;
-    std::string first;  // first error
-  };
-
-  void take(std::size_t channel, std::int64_t time, std::string_view bytes);
-  template <class M>
-  std::optional<M> decoded(std::size_t channel, std::string_view bytes);
-  void takeAgents(std::size_t channel, std::string_view bytes, std::int64_t time);
-  void takePeople(std::size_t channel, std::string_view bytes);
-  bool isValid(std::size_t channel, const people_msgs::Person& person, bool hasTurning);
-  void takeRobot(std::size_t channel, std::int64_t time, std::string_view bytes);
-  void takeAgent(std::size_t channel, const hunav_msgs::Agent& agent, std::int64_t time,
-                 std::map<int, BagBody>& to);
-  bool isValid(std::size_t channel, const hunav_msgs::Agent& agent);
-  std::vector<base::Vec2> obstaclesOf(std::size_t channel, const hunav_msgs::Agent& agent);
-  void setMissing(std::size_t channel, const hunav_msgs::Agent& agent, BagBody& body);
-  void takeOdometry(std::size_t channel, const nav_msgs::Odometry& odometry);
-  bool takePose(std::size_t channel, const std_msgs::Header& header,
-                const geometry_msgs::Pose& pose);
-  void takeTransforms(std::size_t channel, std::string_view bytes);
-  void takeMap(std::size_t channel, std::string_view bytes);
-  void takeGoal(std::size_t channel, std::string_view bytes);
-  void takeObstacles(std::size_t channel, std::string_view bytes);
-  base::Pose2 toMap(const std::string& frame);
-  BagBody& robot();
-  void assignRobotStamps();
-  base::Diagnostics losses() const;
-
-  Bag& bag_;
-  TopicSelection selection_;
-  std::string path_;
-  FrameTree frames_;
-  std::map<int, BagBody> people_, robots_;
-  std::optional<sim2d::OccupancyGrid> map_;
-  std::vector<base::Vec2> goals_;
-  std::optional<std::int64_t> firstGoal_;
-  std::vector<BagObstacles> obstacles_;
-  InvalidNumbers invalid_;
-  std::map<std::size_t, ReadCounts> readCounts_;      // by channel
-  std::map<std::string, std::size_t> unknownFrames_;  // frames without a transform to map
-  std::map<std::string, int> named_;                  // ids assigned to people by name
-  std::vector<std::pair<std::int64_t, std::int64_t>>
-      peopleStamps_;  // [ns], recording time and stamp
+/// What the chosen topics contain.
+struct BagBodies {
+  std::map<int, BagBody> people, robots;  // by id
+  std::optional<sim2d::OccupancyGrid> map;
+  std::vector<base::Vec2> goals;          // sent to the robot, each once, in order
+  std::optional<std::int64_t> firstGoal;  // [ns], stamp
+  std::vector<BagObstacles> obstacles;
+  bool hasInvalidSamples = false;  // whether samples were discarded
 };
 
-template <class M>
-std::optional<M> BagBodies::decoded(std::size_t channel, std::string_view bytes) {
-  ReadCounts& losses = readCounts_[channel];
-  base::Result<M> message = decode<M>(bytes);
-  if (!message) {
-    if (losses.lost++ == 0) {
-      losses.first = message.diagnostics().front().text();
-    }
-    return std::nullopt;
-  }
-  ++losses.read;
-  return *std::move(message);
-}
+/// Reads the chosen topics. `problems` receives all problems. Warnings: unreadable messages, topics
+/// without readable messages.
+BagBodies readBodies(Bag& bag, const TopicSelection& selection, const std::string& path,
+                     base::Diagnostics& problems);
+
+/// Adds a sample to the body of the agent, and properties that it does not have yet. Agents with
+/// invalid numbers are discarded.
+void addAgent(std::size_t channel, const hunav_msgs::Agent& agent, std::int64_t time,
+              InvalidNumbers& invalid, std::map<int, BagBody>& to);
 
 }  // namespace bridge

@@ -9,8 +9,9 @@
 
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/McapFormat.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/DuplicateKeys.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/trace/TrackImport.h"
 
 namespace bridge {
@@ -43,25 +44,21 @@ std::string beginningOf(const std::string& path) {
   return begin;
 }
 
-bool beginsWith(const std::string& text, std::string_view with) {
-  return std::string_view(text).substr(0, with.size()) == with;
-}
-
 /// The name of the compression of the whole file; empty: none known.
 std::string_view compressionOf(const std::string& begin) {
-  const auto* const found =
-      std::find_if(std::begin(kCompressionFormats), std::end(kCompressionFormats),
-                   [&](const CompressionFormat& each) { return beginsWith(begin, each.magic); });
-  return found == std::end(kCompressionFormats) ? std::string_view() : found->name;
+  const CompressionFormat* const found = base::findIf(
+      kCompressionFormats,
+      [&](const CompressionFormat& each) { return base::startsWith(begin, each.magic); });
+  return found == nullptr ? std::string_view() : found->name;
 }
 
 /// Detects the kind by content; for files that are compressed or stored elsewhere, by name.
 Kind kindOfFile(const std::string& path) {
   const std::string begin = beginningOf(path);
-  if (beginsWith(begin, kMcapMagic)) {
+  if (base::startsWith(begin, kMcapMagic)) {
     return Kind::Mcap;
   }
-  if (beginsWith(begin, kDatabaseMagic)) {
+  if (base::startsWith(begin, kDatabaseMagic)) {
     return sim2d::isTrajectoryDatabase(path) ? Kind::None : Kind::Database;
   }
   const std::string name = base::toLower(fs::path(path).filename().string());

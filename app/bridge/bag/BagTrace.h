@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/bridge/bag/Bag.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/trace/RecordedPoints.h"
 #include "sim2d/trace/Tracks.h"
@@ -16,6 +17,10 @@ struct BagTopicOptions {
 
 /// Parses "people=/human_states,robot=/odom,map=/map", in any order. Other keys are errors.
 base::Result<BagTopicOptions> parseBagTopicOptions(const std::string& text);
+
+/// Whether the topic can be used: the user named it, or its type contains people, a robot or a map
+/// and it has no other known purpose (costmaps), or it contains goals or obstacles.
+bool isUsableTopic(const BagChannel& channel, const BagTopicOptions& use);
 
 /// Reads a recording as a trace that can be evaluated.
 ///

@@ -3,12 +3,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "sim2d/base/LittleEndian.h"
+
+struct ZSTD_CCtx_s;
 
 /// Records of MCAP files (https://mcap.dev/spec): an opcode, an 8-byte length, the content. All
 /// numbers are little-endian.
@@ -45,9 +49,12 @@ class McapRecord {
     base::appendLittleEndian(bytes_, value);
     return *this;
   }
-  McapRecord& text(std::string_view text);      // 4-byte length
-  McapRecord& bytes(std::string_view bytes);    // 4-byte length
-  McapRecord& bytes64(std::string_view bytes);  // 8-byte length
+  McapRecord& text(std::string_view text) {  // 4-byte length
+    return number(static_cast<std::uint32_t>(text.size())).raw(text);
+  }
+  McapRecord& bytes64(std::string_view bytes) {  // 8-byte length
+    return number(static_cast<std::uint64_t>(bytes.size())).raw(bytes);
+  }
   McapRecord& entries(const McapEntries& entries);
   /// A map from channel ids to numbers.
   McapRecord& counts(const std::map<std::uint16_t, std::uint64_t>& counts);
@@ -56,7 +63,10 @@ class McapRecord {
   const std::string& finish(std::size_t following = 0);
 
  private:
-  McapRecord& raw(std::string_view bytes);
+  McapRecord& raw(std::string_view bytes) {
+    bytes_.append(bytes);
+    return *this;
+  }
 
   std::string bytes_;
 };
@@ -116,5 +126,27 @@ inline bool nextRecord(std::string_view& bytes, McapRecordView& piece) {
   bytes.remove_prefix(kRecordHeaderSize + piece.content.size());
   return true;
 }
+
+/// Compresses blocks, reusing its memory. Not thread-safe.
+class ZstdCompressor {
+ public:
+  ZstdCompressor();
+  /// Returns one zstd frame, valid until the next call.
+  std::string_view compress(std::string_view bytes);
+
+ private:
+  std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> context_;
+  std::string buffer_;
+};
+
+/// Decompresses a frame. Nothing: not a zstd frame or not of `size` bytes. Memory grows with the
+/// output.
+std::optional<std::string> zstdDecompressed(std::string_view compressed, std::size_t size);
+
+/// Decompresses the beginning of a possibly truncated frame, up to `most` bytes.
+std::string zstdDecompressedPrefix(std::string_view compressed, std::size_t most);
+
+/// The zlib CRC-32 of `bytes`. `before`: the CRC of the preceding bytes.
+std::uint32_t crc32(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace bridge

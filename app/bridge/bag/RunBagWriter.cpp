@@ -5,9 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/bridge/bag/McapWriter.h"
-#include "app/bridge/bag/SqliteBag.h"
-#include "app/bridge/messages/TypeNames.h"
+#include "app/bridge/messages/Codec.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "app/run/ManifestFiles.h"
 #include "sim2d/base/Text.h"
@@ -20,11 +18,26 @@ RunTopicsOptions withoutClock(RunTopicsOptions options) {
   return options;
 }
 
+constexpr int kKeepLast = 1, kReliable = 1, kTransientLocal = 1, kVolatile = 2, kAutomatic = 1;
+constexpr const char* kForEver = "\n    sec: 9223372036\n    nsec: 854775807\n";
+
+/// The offered QoS profile of the topic as YAML.
+std::string offeredQos(const Topic& topic) {
+  const auto line = [](const char* key, int value) {
+    return std::string(key) + ": " + std::to_string(value) + "\n";
+  };
+  return line("- history", kKeepLast) + line("  depth", topic.depth) +
+         line("  reliability", kReliable) +
+         line("  durability", topic.isLatched ? kTransientLocal : kVolatile) +
+         "  deadline:" + kForEver + "  lifespan:" + kForEver + line("  liveliness", kAutomatic) +
+         "  liveliness_lease_duration:" + kForEver + "  avoid_ros_namespace_conventions: false";
+}
+
 std::unique_ptr<BagWriter> writerOf(const std::string& path) {
   if (base::toLower(std::filesystem::path(path).extension().string()) == ".db3") {
-    return std::make_unique<SqliteBagWriter>(path);
+    return makeSqliteBagWriter(path);
   }
-  return std::make_unique<McapWriter>(path);
+  return makeMcapWriter(path);
 }
 
 }  // namespace
@@ -39,10 +52,7 @@ RunBagWriter::RunBagWriter(const std::string& path, const sim2d::TraceHeader& he
   for (const Topic& topic : topics_.topics()) {
     const KnownType* const type = findType(topic.type);
     channels_.push_back(writer_->addChannel(
-        {topic.name,
-         std::string(topic.type),
-         type->definition,
-         {{"offered_qos_profiles", offeredQos(topic)}, {"topic_type_hash", ""}}}));
+        {topic.name, std::string(topic.type), type->definition, offeredQos(topic)}));
   }
 }
 
@@ -71,18 +81,6 @@ base::Diagnostics RunBagWriter::finish(const sim2d::TraceHeader& header) {
   writer_->addMetadata(kRunMetadata,
                        {{"trace.json", sim2d::traceJson(header)}, {"events.csv", events_}});
   return writer_->finish();
-}
-
-std::string RunBagWriter::metadata(const std::string& name) const {
-  const BagWriter::Totals& totals = writer_->totals();
-  std::vector<BagTopic> topics;
-  for (std::size_t k = 0; k < channels_.size(); ++k) {
-    const auto count = totals.perChannel.find(channels_[k]);
-    const Topic& topic = topics_.topics()[k];
-    topics.push_back({topic.name, std::string(topic.type),
-                      count == totals.perChannel.end() ? 0 : count->second, offeredQos(topic)});
-  }
-  return bagMetadata(name, topics, {totals.begin, totals.end, totals.messages});
 }
 
 base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording,

@@ -14,10 +14,8 @@
 #include <vector>
 
 #include "app/bridge/bag/Bag.h"
-#include "app/bridge/bag/BagMetadata.h"
 #include "app/bridge/topics/RunTopics.h"
 #include "app/run/RunFolder.h"
-#include "sim2d/trace/KnownPeople.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/World.h"
 
@@ -46,7 +44,9 @@ class RunBagWriter : public sim2d::FrameSink {
   base::Diagnostics finish(const sim2d::TraceHeader& header);
 
   /// The contents of metadata.yaml for a folder that contains the file under this name.
-  std::string metadata(const std::string& name) const;
+  std::string metadata(const std::string& name) const {
+    return writer_->rosbagMetadata(name, "mcap");
+  }
 
  private:
   RunTopics topics_;
@@ -64,6 +64,10 @@ base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& r
 /// Files in the folder of a run: a rosbag2 folder and a Foxglove layout.
 constexpr const char* kBagFiles[] = {"bag/bag_0.mcap", "bag/metadata.yaml",
                                      "bag/foxglove_layout.json"};
+
+/// A Foxglove layout: the map with people and robots, their speeds, raw messages. The file
+/// resources/foxglove_layout.json, embedded by the build.
+extern const char* const kFoxgloveLayoutText;
 
 /// Writes the bag of a run in a separate thread, so that the simulation continues while messages
 /// are created, compressed and written. The simulation waits only when more than 128 states are

@@ -1,17 +1,16 @@
-#include "app/bridge/bag/SqliteBag.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <sqlite3.h>
 
 #include "app/bridge/bag/Bag.h"
-#include "app/bridge/bag/BagMetadata.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/trace/Sqlite.h"
 
 namespace bridge {
@@ -124,126 +123,192 @@ constexpr const char* kTables =
     " timestamp INTEGER NOT NULL, data BLOB NOT NULL);"
     "CREATE TABLE hunavsim_metadata(name TEXT NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL);"
     "INSERT INTO schema VALUES(3, 'humble'); BEGIN";
-constexpr const char* kQosKey = "offered_qos_profiles";
-
 void bindText(sqlite3_stmt* statement, int place, std::string_view text) {
   sqlite3_bind_text(statement, place, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
 }
 
-std::string qosOf(const ChannelInfo& channel) {
-  const auto found = std::find_if(channel.metadata.begin(), channel.metadata.end(),
-                                  [](const auto& entry) { return entry.first == kQosKey; });
-  return found == channel.metadata.end() ? std::string() : found->second;
+/// A double-quoted YAML string.
+std::string quoted(const std::string& text) {
+  std::string all = "\"";
+  for (const char c : text) {
+    if (c == '\n') {
+      all += "\\n";
+      continue;
+    }
+    all += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+  }
+  return all + "\"";
 }
+
+std::string topicLines(const ChannelInfo& topic, std::uint64_t messages) {
+  return R"(    - topic_metadata:
+        name: )" +
+         quoted(topic.topic) + R"(
+        type: )" +
+         quoted(topic.type) + R"(
+        serialization_format: cdr
+        offered_qos_profiles: )" +
+         quoted(topic.qos) + R"(
+      message_count: )" +
+         std::to_string(messages) + "\n";
+}
+
+/// Writes a rosbag2 database (makeSqliteBagWriter).
+class SqliteBagWriter final : public BagWriter {
+ public:
+  explicit SqliteBagWriter(const std::string& path) : path_(path), file_(path) {
+    if (file_.hasFailed()) {
+      problems_ = file_.complete();
+      return;
+    }
+    sqlite3* raw = nullptr;
+    // The file is locked already, and on some file systems a second lock would fail.
+    const int code = sqlite3_open_v2(file_.temporaryPath().c_str(), &raw,
+                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, "unix-none");
+    database_.reset(raw);
+    check(code, SQLITE_OK);
+    run(kTables);
+    insert_ = prepared("INSERT INTO messages(topic_id, timestamp, data) VALUES(?1, ?2, ?3)");
+  }
+
+  void write(std::uint16_t channel, std::int64_t time, std::string_view message) override {
+    if (hasFailed()) {
+      return;
+    }
+    sqlite3_bind_int(insert_.get(), 1, channel + 1);
+    sqlite3_bind_int64(insert_.get(), 2, time);
+    sqlite3_bind_blob64(insert_.get(), 3, message.data(), message.size(), SQLITE_STATIC);
+    check(sqlite3_step(insert_.get()), SQLITE_DONE);
+    sqlite3_reset(insert_.get());
+    totals_.add(channel, time);
+  }
+
+  void addMetadata(const std::string& name, const Entries& entries) override {
+    const sim2d::SqliteStatement insert =
+        prepared("INSERT INTO hunavsim_metadata VALUES(?1, ?2, ?3)");
+    for (const auto& [key, value] : entries) {
+      if (!hasFailed()) {
+        bindText(insert.get(), 1, name);
+        bindText(insert.get(), 2, key);
+        bindText(insert.get(), 3, value);
+        check(sqlite3_step(insert.get()), SQLITE_DONE);
+        sqlite3_reset(insert.get());
+      }
+    }
+  }
+
+  bool hasFailed() const override { return !problems_.empty(); }
+
+  base::Diagnostics finish() override {
+    writeTopics();
+    run("CREATE INDEX timestamp_idx ON messages(timestamp ASC); COMMIT");
+    insert_.reset();
+    if (!hasFailed()) {
+      check(sqlite3_close(database_.release()), SQLITE_OK);
+    }
+    if (!hasFailed()) {
+      problems_ = file_.finish();
+    }
+    return problems_;
+  }
+
+ private:
+  void check(int code, int wanted) {
+    if (code != wanted && problems_.empty()) {
+      problems_.push_back(base::error(
+          "file.cannot-write",
+          {database_ == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(database_.get())}, path_));
+    }
+  }
+
+  void run(const char* sql) {
+    if (!hasFailed()) {
+      check(sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr), SQLITE_OK);
+    }
+  }
+
+  sim2d::SqliteStatement prepared(const char* sql) {
+    sqlite3_stmt* statement = nullptr;
+    if (!hasFailed()) {
+      check(sqlite3_prepare_v2(database_.get(), sql, -1, &statement, nullptr), SQLITE_OK);
+    }
+    return sim2d::SqliteStatement(statement);
+  }
+
+  /// Writes the topics with messages, and the bag metadata that rosbag2 reads.
+  void writeTopics() {
+    const sim2d::SqliteStatement insert =
+        prepared("INSERT INTO topics VALUES(?1, ?2, ?3, 'cdr', ?4)");
+    for (const auto& [channel, count] : totals_.perChannel) {
+      const ChannelInfo& info = channels_[channel];
+      if (!hasFailed()) {
+        sqlite3_bind_int(insert.get(), 1, channel + 1);
+        bindText(insert.get(), 2, info.topic);
+        bindText(insert.get(), 3, info.type);
+        bindText(insert.get(), 4, info.qos);
+        check(sqlite3_step(insert.get()), SQLITE_DONE);
+        sqlite3_reset(insert.get());
+      }
+    }
+    const std::string metadata =
+        rosbagMetadata(std::filesystem::path(path_).filename().string(), "sqlite3");
+    const sim2d::SqliteStatement row = prepared("INSERT INTO metadata VALUES(1, 5, ?1)");
+    if (!hasFailed()) {
+      bindText(row.get(), 1, metadata);
+      check(sqlite3_step(row.get()), SQLITE_DONE);
+    }
+  }
+
+  std::string path_;
+  base::AtomicFileWriter file_;  // its temporary file is the database
+  sim2d::SqliteConnection database_;
+  sim2d::SqliteStatement insert_;  // inserts a message
+  base::Diagnostics problems_;
+};
 
 }  // namespace
 
-SqliteBagWriter::SqliteBagWriter(const std::string& path) : path_(path), file_(path) {
-  if (file_.hasFailed()) {
-    problems_ = file_.complete();
-    return;
-  }
-  sqlite3* raw = nullptr;
-  // The file is locked already, and on some file systems a second lock would fail.
-  const int code = sqlite3_open_v2(file_.temporaryPath().c_str(), &raw,
-                                   SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, "unix-none");
-  database_.reset(raw);
-  check(code, SQLITE_OK);
-  run(kTables);
-  insert_ = prepared("INSERT INTO messages(topic_id, timestamp, data) VALUES(?1, ?2, ?3)");
+std::unique_ptr<BagWriter> makeSqliteBagWriter(const std::string& path) {
+  return std::make_unique<SqliteBagWriter>(path);
 }
 
-void SqliteBagWriter::check(int code, int wanted) {
-  if (code != wanted && problems_.empty()) {
-    problems_.push_back(base::error(
-        "file.cannot-write",
-        {database_ == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(database_.get())}, path_));
+std::string BagWriter::rosbagMetadata(const std::string& file, const std::string& storage) const {
+  const std::string begin = std::to_string(totals_.begin);
+  const std::string length = std::to_string(totals_.end - totals_.begin);
+  const std::string count = std::to_string(totals_.messages);
+  std::string text = R"(rosbag2_bagfile_information:
+  version: 5
+  storage_identifier: )" +
+                     storage + R"(
+  duration:
+    nanoseconds: )" + length +
+                     R"(
+  starting_time:
+    nanoseconds_since_epoch: )" +
+                     begin + R"(
+  message_count: )" + count +
+                     R"(
+  topics_with_message_count:
+)";
+  for (const auto& [channel, messages] : totals_.perChannel) {
+    text += topicLines(channels_[channel], messages);
   }
-}
-
-void SqliteBagWriter::run(const char* sql) {
-  if (!hasFailed()) {
-    check(sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr), SQLITE_OK);
-  }
-}
-
-sim2d::SqliteStatement SqliteBagWriter::prepared(const char* sql) {
-  sqlite3_stmt* statement = nullptr;
-  if (!hasFailed()) {
-    check(sqlite3_prepare_v2(database_.get(), sql, -1, &statement, nullptr), SQLITE_OK);
-  }
-  return sim2d::SqliteStatement(statement);
-}
-
-std::uint16_t SqliteBagWriter::addChannel(ChannelInfo channel) {
-  channels_.push_back(std::move(channel));
-  return static_cast<std::uint16_t>(channels_.size() - 1);
-}
-
-void SqliteBagWriter::write(std::uint16_t channel, std::int64_t time, std::string_view message) {
-  if (hasFailed()) {
-    return;
-  }
-  sqlite3_bind_int(insert_.get(), 1, channel + 1);
-  sqlite3_bind_int64(insert_.get(), 2, time);
-  sqlite3_bind_blob64(insert_.get(), 3, message.data(), message.size(), SQLITE_STATIC);
-  check(sqlite3_step(insert_.get()), SQLITE_DONE);
-  sqlite3_reset(insert_.get());
-  totals_.add(channel, time);
-}
-
-void SqliteBagWriter::addMetadata(const std::string& name, const Entries& entries) {
-  const sim2d::SqliteStatement insert =
-      prepared("INSERT INTO hunavsim_metadata VALUES(?1, ?2, ?3)");
-  for (const auto& [key, value] : entries) {
-    if (!hasFailed()) {
-      bindText(insert.get(), 1, name);
-      bindText(insert.get(), 2, key);
-      bindText(insert.get(), 3, value);
-      check(sqlite3_step(insert.get()), SQLITE_DONE);
-      sqlite3_reset(insert.get());
-    }
-  }
-}
-
-/// Writes the topics with messages, and the bag metadata that rosbag2 reads.
-void SqliteBagWriter::writeTopics() {
-  const sim2d::SqliteStatement insert =
-      prepared("INSERT INTO topics VALUES(?1, ?2, ?3, 'cdr', ?4)");
-  std::vector<BagTopic> topics;
-  for (const auto& [channel, count] : totals_.perChannel) {
-    const ChannelInfo& info = channels_[channel];
-    topics.push_back({info.topic, info.type, count, qosOf(info)});
-    if (!hasFailed()) {
-      sqlite3_bind_int(insert.get(), 1, channel + 1);
-      bindText(insert.get(), 2, info.topic);
-      bindText(insert.get(), 3, info.type);
-      bindText(insert.get(), 4, topics.back().qos);
-      check(sqlite3_step(insert.get()), SQLITE_DONE);
-      sqlite3_reset(insert.get());
-    }
-  }
-  const std::string metadata =
-      bagMetadata(std::filesystem::path(path_).filename().string(), topics,
-                  {totals_.begin, totals_.end, totals_.messages}, "sqlite3");
-  const sim2d::SqliteStatement row = prepared("INSERT INTO metadata VALUES(1, 5, ?1)");
-  if (!hasFailed()) {
-    bindText(row.get(), 1, metadata);
-    check(sqlite3_step(row.get()), SQLITE_DONE);
-  }
-}
-
-base::Diagnostics SqliteBagWriter::finish() {
-  writeTopics();
-  run("CREATE INDEX timestamp_idx ON messages(timestamp ASC); COMMIT");
-  insert_.reset();
-  if (!hasFailed()) {
-    check(sqlite3_close(database_.release()), SQLITE_OK);
-  }
-  if (!hasFailed()) {
-    problems_ = file_.finish();
-  }
-  return problems_;
+  return text + R"(  compression_format: ""
+  compression_mode: ""
+  relative_file_paths:
+    - )" +
+         quoted(file) + R"(
+  files:
+    - path: )" +
+         quoted(file) + R"(
+      starting_time:
+        nanoseconds_since_epoch: )" +
+         begin + R"(
+      duration:
+        nanoseconds: )" +
+         length + R"(
+      message_count: )" +
+         count + "\n";
 }
 
 }  // namespace bridge

@@ -1,14 +1,12 @@
-#include "app/bridge/bag/TopicSelection.h"
-
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include "app/bridge/messages/hunav_msgs.h"
+#include "app/bridge/bag/BagBodies.h"
 #include "app/bridge/messages/nav_msgs.h"
 #include "app/bridge/messages/people_msgs.h"
-#include "app/bridge/messages/tf2_msgs.h"
 #include "app/bridge/messages/visualization_msgs.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace bridge {
@@ -44,15 +42,10 @@ std::string spaceOf(const std::string& topic) {
   return slash == std::string::npos ? std::string() : topic.substr(0, slash);
 }
 
-bool endsWith(const std::string& topic, const std::string& name) {
-  return topic.size() >= name.size() &&
-         topic.compare(topic.size() - name.size(), name.size(), name) == 0;
-}
-
 /// Whether the topic contains the goals of a robot or the outlines of obstacles.
 bool isGoalOrObstacleTopic(const BagChannel& channel) {
   return (channel.type == geometry_msgs::PoseStamped::kType &&
-          endsWith(channel.topic, kGoalPose)) ||
+          base::endsWith(channel.topic, kGoalPose)) ||
          (channel.type == visualization_msgs::MarkerArray::kType && channel.topic == kObstacles);
 }
 
@@ -70,12 +63,8 @@ class TopicSelector {
 
   /// The topic with exactly this name and type.
   std::optional<std::size_t> find(const std::string& topic, const char* type) const {
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
-      if (channels_[k].topic == topic && channels_[k].type == type) {
-        return k;
-      }
-    }
-    return std::nullopt;
+    return indexIf(
+        [&](const BagChannel& each) { return each.topic == topic && each.type == type; });
   }
 
   /// The goal topic in the robot's namespace, otherwise the one without a namespace unless another
@@ -91,8 +80,8 @@ class TopicSelector {
   /// Warns about robots on other topics of the same type, which are not evaluated.
   void warnOfOtherRobots(std::size_t robot) {
     Names otherTopics;
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
-      if (k != robot && channels_[k].type == channels_[robot].type) {
+    for (const std::size_t k : allOf(channels_[robot].type)) {
+      if (k != robot) {
         otherTopics.push_back(channels_[k].topic);
       }
     }
@@ -103,7 +92,7 @@ class TopicSelector {
     }
   }
 
-  std::vector<std::size_t> allOf(const char* type) const {
+  std::vector<std::size_t> allOf(const std::string& type) const {
     std::vector<std::size_t> all;
     for (std::size_t k = 0; k < channels_.size(); ++k) {
       if (channels_[k].type == type) {
@@ -115,29 +104,36 @@ class TopicSelector {
 
  private:
   std::optional<std::size_t> firstOf(const Names& types) const {
-    for (const std::string& type : types) {
-      for (std::size_t k = 0; k < channels_.size(); ++k) {
-        if (channels_[k].type == type && !contains(channels_[k].topic, kNotChosen)) {
-          return k;
-        }
-      }
+    std::optional<std::size_t> first;
+    for (auto type = types.begin(); type != types.end() && !first; ++type) {
+      first = indexIf([&](const BagChannel& each) {
+        return each.type == *type && !contains(each.topic, kNotChosen);
+      });
     }
-    return std::nullopt;
+    return first;
+  }
+
+  template <class Condition>
+  std::optional<std::size_t> indexIf(Condition condition) const {
+    const BagChannel* const found = base::findIf(channels_, condition);
+    return found == nullptr ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(found - channels_.data()));
   }
 
   std::optional<std::size_t> named(const std::string& name, const Names& types) {
-    Names topics;
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
-      const BagChannel& channel = channels_[k];
-      topics.push_back(channel.topic);
-      if (!isNamed(channel.topic, name)) {
-        continue;
-      }
+    const std::optional<std::size_t> found =
+        indexIf([&](const BagChannel& each) { return isNamed(each.topic, name); });
+    if (found) {
+      const BagChannel& channel = channels_[*found];
       if (!contains(channel.type, types)) {
         problems_.push_back(base::error(
             "bag.wrong-type", {channel.topic, channel.type, base::join(types, " or ")}, path_));
       }
-      return k;
+      return found;
+    }
+    Names topics;
+    for (const BagChannel& channel : channels_) {
+      topics.push_back(channel.topic);
     }
     problems_.push_back(base::error(
         "bag.no-topic", {name, base::nearestName(name, topics), base::join(topics, ", ")}, path_));

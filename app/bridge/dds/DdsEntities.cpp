@@ -7,7 +7,11 @@
 #include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <iterator>
 #include <utility>
+
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/rmw_dds_common.h"
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -90,6 +94,72 @@ void apply(const Qos& from, const std::string& userData, EndpointQos& to) {
   to.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   to.data_sharing().off();
   to.user_data().data_vec({userData.begin(), userData.end()});
+}
+
+/// A DDS type known only by name. Samples are `Bytes` with the CDR header.
+class RawType : public efd::TopicDataType {
+ public:
+  explicit RawType(const std::string& name) {
+    constexpr std::uint32_t kStartSize = 512;  // [bytes]; grows as needed
+    setName(name.c_str());
+    m_typeSize = kStartSize;
+    m_isGetKeyDefined = false;
+    auto_fill_type_object(false);
+    auto_fill_type_information(false);
+  }
+
+  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
+    const Bytes& bytes = *static_cast<const Bytes*>(data);
+    if (bytes.size() > payload->max_size) {
+      return false;
+    }
+    std::memcpy(payload->data, bytes.data(), bytes.size());
+    payload->length = static_cast<std::uint32_t>(bytes.size());
+    payload->encapsulation = CDR_LE;
+    return true;
+  }
+  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
+    const auto* const first = reinterpret_cast<const char*>(payload->data);
+    static_cast<Bytes*>(data)->assign(first, payload->length);
+    return true;
+  }
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
+    const auto size = static_cast<std::uint32_t>(static_cast<const Bytes*>(data)->size());
+    return [size] { return size; };
+  }
+  void* createData() override { return new Bytes; }
+  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
+  bool getKey(void* /*data*/, rtps::InstanceHandle_t* /*handle*/, bool /*forceMd5*/) override {
+    return false;
+  }
+};
+
+template <class Gid>
+Gid gidOf(const Guid& guid) {
+  Gid gid;
+  std::copy(guid.begin(), guid.end(), gid.data.begin());
+  return gid;
+}
+
+template <class Gid>
+std::vector<Gid> gidsOf(const std::vector<Guid>& guids) {
+  std::vector<Gid> gids;
+  std::transform(guids.begin(), guids.end(), std::back_inserter(gids), gidOf<Gid>);
+  return gids;
+}
+
+template <class Info, class Gid = decltype(Info::gid)>
+Bytes sampleOf(const Guid& participant, const std::vector<NodeEndpoints>& nodes) {
+  Info info;
+  info.gid = gidOf<Gid>(participant);
+  for (const NodeEndpoints& node : nodes) {
+    auto& entry = info.nodeEntitiesInfoSeq.emplace_back();
+    entry.nodeNamespace = node.nameSpace;
+    entry.nodeName = node.name;
+    entry.readerGidSeq = gidsOf<Gid>(node.readers);
+    entry.writerGidSeq = gidsOf<Gid>(node.writers);
+  }
+  return encode(info);
 }
 
 }  // namespace
@@ -272,53 +342,70 @@ int OwnedReader::matched() const {
   return status.current_count;
 }
 
-namespace {
-
-constexpr std::uint32_t kStartSize = 512;  // [bytes]; grows as needed
-
-}  // namespace
-
-RawType::RawType(const std::string& name) {
-  setName(name.c_str());
-  m_typeSize = kStartSize;
-  m_isGetKeyDefined = false;
-  auto_fill_type_object(false);
-  auto_fill_type_information(false);
+Bytes graphSample(const Guid& participant, const std::vector<NodeEndpoints>& nodes, Distro distro) {
+  using namespace rmw_dds_common;
+  return distro == Distro::Humble ? sampleOf<ParticipantEntitiesInfo>(participant, nodes)
+                                  : sampleOf<IronParticipantEntitiesInfo>(participant, nodes);
 }
 
-bool RawType::serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) {
-  const Bytes& bytes = *static_cast<const Bytes*>(data);
-  if (bytes.size() > payload->max_size) {
-    return false;
+void RemoteTopics::on_participant_discovery(efd::DomainParticipant* /*participant*/,
+                                            rtps::ParticipantDiscoveryInfo&& info) {
+  if (info.status == rtps::ParticipantDiscoveryInfo::DISCOVERED_PARTICIPANT) {
+    hasDiscovered_ = true;
   }
-  std::memcpy(payload->data, bytes.data(), bytes.size());
-  payload->length = static_cast<std::uint32_t>(bytes.size());
-  payload->encapsulation = CDR_LE;
-  return true;
 }
 
-bool RawType::deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) {
-  const auto* const first = reinterpret_cast<const char*>(payload->data);
-  static_cast<Bytes*>(data)->assign(first, payload->length);
-  return true;
+void RemoteTopics::on_publisher_discovery(efd::DomainParticipant* /*participant*/,
+                                          rtps::WriterDiscoveryInfo&& info) {
+  const rtps::GUID_t publisher = info.info.guid();
+  if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const auto known = publishers_.find(publisher); known != publishers_.end()) {
+      known->second.isRemoved = true;
+    }
+  }
+  if (info.status != rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) {
+    return;  // topics are kept: the publisher may return
+  }
+  RemoteTopic topic;
+  topic.name = rosTopic(info.info.topicName().to_string());
+  topic.type = rosTypeName(info.info.typeName().to_string());
+  topic.reliable = info.info.m_qos.m_reliability.kind == efd::RELIABLE_RELIABILITY_QOS;
+  topic.transientLocal = info.info.m_qos.m_durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS;
+  if (topic.name.empty() || topic.type.empty()) {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  add(publisher, {topic.reliable, topic.transientLocal, false});
+  const bool isKnown = std::any_of(topics_.begin(), topics_.end(), [&](const RemoteTopic& other) {
+    return other.name == topic.name && other.type == topic.type;
+  });
+  if (!isKnown && topics_.size() < kMost) {
+    topics_.push_back(std::move(topic));
+  }
 }
 
-std::function<std::uint32_t()> RawType::getSerializedSizeProvider(void* data) {
-  const auto size = static_cast<std::uint32_t>(static_cast<const Bytes*>(data)->size());
-  return [size] { return size; };
+/// Called with the lock held.
+void RemoteTopics::add(const rtps::GUID_t& publisher, const Offer& offer) {
+  for (auto each = publishers_.begin(); publishers_.size() >= kMost && each != publishers_.end();) {
+    each = each->second.isRemoved ? publishers_.erase(each) : std::next(each);
+  }
+  if (publishers_.size() < kMost) {
+    publishers_[publisher] = offer;
+  }
 }
 
-void* RawType::createData() {
-  return new Bytes;
+bool RemoteTopics::hasIncompatibleQos(const rtps::GUID_t& publisher, const Qos& requested) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = publishers_.find(publisher);
+  return found != publishers_.end() &&
+         ((requested.reliable && !found->second.reliable) ||
+          (requested.transientLocal && !found->second.transientLocal));
 }
 
-void RawType::deleteData(void* data) {
-  delete static_cast<Bytes*>(data);
-}
-
-bool RawType::getKey(void* /*data*/, eprosima::fastrtps::rtps::InstanceHandle_t* /*handle*/,
-                     bool /*forceMd5*/) {
-  return false;
+std::vector<RemoteTopic> RemoteTopics::topics() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return topics_;
 }
 
 }  // namespace bridge

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
@@ -23,8 +25,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/bridge/dds/Discovery.h"
-#include "app/bridge/dds/Domain.h"
 #include "app/bridge/dds/Participant.h"
 
 /// DDS entities shared by the endpoints of a participant. Private to this folder.
@@ -32,6 +32,48 @@ namespace bridge {
 
 namespace efd = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
+
+using Guid = std::array<std::uint8_t, 16>;  // RTPS GUID of an endpoint or participant
+
+struct NodeEndpoints {
+  std::string nameSpace;  // namespace
+  std::string name;
+  std::vector<Guid> readers, writers;
+};
+
+/// The sample of `ros_discovery_info` (rmw_dds_common/msg/ParticipantEntitiesInfo) that tells `ros2
+/// node list` and other tools which endpoints belong to which node.
+Bytes graphSample(const Guid& participant, const std::vector<NodeEndpoints>& nodes, Distro distro);
+
+/// The remote participants of the domain and the topics they publish. Updated by DDS threads.
+class RemoteTopics : public efd::DomainParticipantListener {
+ public:
+  static constexpr std::size_t kMost = 10000;
+
+  void on_participant_discovery(efd::DomainParticipant* participant,
+                                rtps::ParticipantDiscoveryInfo&& info) override;
+  void on_publisher_discovery(efd::DomainParticipant* participant,
+                              rtps::WriterDiscoveryInfo&& info) override;
+  std::vector<RemoteTopic> topics();
+  /// Whether any remote participant has ever been discovered.
+  bool hasDiscoveredPeers() const { return hasDiscovered_; }
+  /// Whether the publisher is known and its offered QoS is incompatible with the requested QoS
+  /// `requested`.
+  bool hasIncompatibleQos(const rtps::GUID_t& publisher, const Qos& requested);
+
+ private:
+  struct Offer {
+    bool reliable = false, transientLocal = false;
+    bool isRemoved = false;  // undelivered samples may remain
+  };
+
+  void add(const rtps::GUID_t& publisher, const Offer& offer);
+
+  std::atomic<bool> hasDiscovered_{false};
+  std::mutex mutex_;
+  std::vector<RemoteTopic> topics_;
+  std::map<rtps::GUID_t, Offer> publishers_;  // at most kMost entries
+};
 
 Guid guidOf(const rtps::GUID_t& guid);
 
@@ -181,22 +223,10 @@ class OwnedReader : public OwnedEntity<efd::DataReader, &NodeEndpoints::readers>
 struct ServiceNames {
   std::string requestTopic, replyTopic, requestType, replyType;
 };
+/// For the resolved name of a service and its type "pkg/srv/Name".
+ServiceNames serviceNames(const std::string& name, const std::string& type);
 std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNames& names,
                                    const Qos& qos, Participant::ServiceCallback callback);
 std::unique_ptr<Client> makeClient(const DdsPtr& dds, int node, const ServiceNames& names);
-
-/// A DDS type known only by name. Samples are `Bytes` with the CDR header.
-class RawType : public eprosima::fastdds::dds::TopicDataType {
- public:
-  explicit RawType(const std::string& name);
-
-  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
-  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override;
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
-  void* createData() override;
-  void deleteData(void* data) override;
-  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle,
-              bool forceMd5) override;
-};
 
 }  // namespace bridge

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "app/bridge/dds/DdsEntities.h"
-#include "app/bridge/dds/Domain.h"
-#include "app/bridge/messages/TypeNames.h"
+#include "app/bridge/messages/Codec.h"
 
 namespace bridge {
 namespace {
@@ -78,52 +77,64 @@ class DdsSubscription : public Subscription, public SampleSource {
   std::unique_ptr<OwnedReader> least_;
 };
 
-class DdsParticipant : public Participant {
- public:
-  explicit DdsParticipant(DdsPtr dds) : dds_(std::move(dds)) {}
+}  // namespace
 
-  int addNode(const std::string& nameSpace, const std::string& name) override {
-    dds_->nodes.push_back({nameSpace, name, {}, {}});
-    return static_cast<int>(dds_->nodes.size()) - 1;
+std::string resolvedName(const std::string& name, const std::string& nameSpace,
+                         const std::string& node) {
+  if (!name.empty() && name.front() == '/') {
+    return name;
   }
-  base::Result<std::unique_ptr<Publisher>> publisher(int node, const std::string& topic,
-                                                     const std::string& type,
-                                                     const Qos& qos) override;
-  base::Result<std::unique_ptr<Subscription>> subscription(int node, const std::string& topic,
-                                                           const std::string& type, const Qos& qos,
-                                                           Handler handler) override;
-  base::Result<std::unique_ptr<Server>> server(int node, const std::string& service,
-                                               const std::string& type, const Qos& qos,
-                                               ServiceCallback callback) override;
-  base::Result<std::unique_ptr<Client>> client(int node, const std::string& service,
-                                               const std::string& type) override;
-  bool hasDiscoveredPeers() const override { return dds_->remote.hasDiscoveredPeers(); }
-  std::vector<RemoteTopic> remoteTopics() override { return dds_->remote.topics(); }
-  void publishGraph() override;
-  bool spin(Milliseconds atMost) override;
-
- private:
-  std::string resolved(int node, const std::string& name) const {
-    const NodeEndpoints& of = dds_->nodes[static_cast<std::size_t>(node)];
-    return resolvedName(name, of.nameSpace, of.name);
+  const std::string begin = nameSpace == "/" ? "/" : nameSpace + "/";
+  if (name.rfind("~/", 0) == 0) {
+    return begin + node + name.substr(1);
   }
-  /// The reason why an endpoint could not be created.
-  base::Diagnostic endpointError(const std::string& name, const std::string& ddsName,
-                                 const std::string& type) const {
-    const std::string there = dds_->typeOf(ddsName);
-    return there.empty() || there == type ? base::error("ros2.endpoint-refused", {name})
-                                          : base::error("ros2.other-type", {name, there, type});
-  }
-  ServiceNames namesOf(int node, const std::string& service, const std::string& type) const;
+  return begin + name;
+}
 
-  DdsPtr dds_;
-  std::unique_ptr<OwnedWriter> graph_;
-};
+std::string ddsTopic(const std::string& topic) {
+  return "rt" + topic;
+}
 
-base::Result<std::unique_ptr<Publisher>> DdsParticipant::publisher(int node,
-                                                                   const std::string& topic,
-                                                                   const std::string& type,
-                                                                   const Qos& qos) {
+std::string rosTopic(const std::string& ddsTopic) {
+  return ddsTopic.rfind("rt/", 0) == 0 ? ddsTopic.substr(2) : std::string();
+}
+
+ServiceNames serviceNames(const std::string& name, const std::string& type) {
+  return {"rq" + name + "Request", "rr" + name + "Reply", ddsTypeName(type + "_Request"),
+          ddsTypeName(type + "_Response")};
+}
+
+Participant::Participant(std::shared_ptr<DdsEntities> dds) : dds_(std::move(dds)) {}
+
+int Participant::addNode(const std::string& nameSpace, const std::string& name) {
+  dds_->nodes.push_back({nameSpace, name, {}, {}});
+  return static_cast<int>(dds_->nodes.size()) - 1;
+}
+
+bool Participant::hasDiscoveredPeers() const {
+  return dds_->remote.hasDiscoveredPeers();
+}
+
+std::vector<RemoteTopic> Participant::remoteTopics() {
+  return dds_->remote.topics();
+}
+
+std::string Participant::resolved(int node, const std::string& name) const {
+  const NodeEndpoints& of = dds_->nodes[static_cast<std::size_t>(node)];
+  return resolvedName(name, of.nameSpace, of.name);
+}
+
+/// The reason why an endpoint could not be created.
+base::Diagnostic Participant::endpointError(const std::string& name, const std::string& ddsName,
+                                            const std::string& type) const {
+  const std::string there = dds_->typeOf(ddsName);
+  return there.empty() || there == type ? base::error("ros2.endpoint-refused", {name})
+                                        : base::error("ros2.other-type", {name, there, type});
+}
+
+base::Result<std::unique_ptr<Publisher>> Participant::publisher(int node, const std::string& topic,
+                                                                const std::string& type,
+                                                                const Qos& qos) {
   const std::string name = resolved(node, topic);
   const std::string mangled = ddsTypeName(type);
   efd::DataWriter* const writer = dds_->makeWriter(ddsTopic(name), mangled, qos, {}, nullptr);
@@ -134,7 +145,7 @@ base::Result<std::unique_ptr<Publisher>> DdsParticipant::publisher(int node,
       std::make_unique<DdsPublisher>(dds_, node, writer, qos.transientLocal));
 }
 
-base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(
+base::Result<std::unique_ptr<Subscription>> Participant::subscription(
     int node, const std::string& topic, const std::string& type, const Qos& qos, Handler handler) {
   const std::string name = resolved(node, topic);
   const std::string mangled = ddsTypeName(type);
@@ -155,48 +166,43 @@ base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(
       std::make_unique<DdsSubscription>(dds_, node, qos, reader, second, std::move(handler)));
 }
 
-ServiceNames DdsParticipant::namesOf(int node, const std::string& service,
-                                     const std::string& type) const {
+base::Result<std::unique_ptr<Server>> Participant::server(int node, const std::string& service,
+                                                          const std::string& type, const Qos& qos,
+                                                          ServiceCallback callback) {
   const std::string name = resolved(node, service);
-  return {ddsRequestTopic(name), ddsReplyTopic(name), ddsRequestType(type), ddsReplyType(type)};
-}
-
-base::Result<std::unique_ptr<Server>> DdsParticipant::server(int node, const std::string& service,
-                                                             const std::string& type,
-                                                             const Qos& qos,
-                                                             ServiceCallback callback) {
-  const ServiceNames names = namesOf(node, service, type);
+  const ServiceNames names = serviceNames(name, type);
   std::unique_ptr<Server> made = makeServer(dds_, node, names, qos, std::move(callback));
   if (made == nullptr) {
-    return endpointError(resolved(node, service), names.requestTopic, names.requestType);
+    return endpointError(name, names.requestTopic, names.requestType);
   }
   return made;
 }
 
-base::Result<std::unique_ptr<Client>> DdsParticipant::client(int node, const std::string& service,
-                                                             const std::string& type) {
-  const ServiceNames names = namesOf(node, service, type);
+base::Result<std::unique_ptr<Client>> Participant::client(int node, const std::string& service,
+                                                          const std::string& type) {
+  const std::string name = resolved(node, service);
+  const ServiceNames names = serviceNames(name, type);
   std::unique_ptr<Client> made = makeClient(dds_, node, names);
   if (made == nullptr) {
-    return endpointError(resolved(node, service), names.requestTopic, names.requestType);
+    return endpointError(name, names.requestTopic, names.requestType);
   }
   return made;
 }
 
-void DdsParticipant::publishGraph() {
+void Participant::publishGraph() {
   if (graph_ == nullptr) {
     efd::DataWriter* const writer =
         dds_->makeWriter(kGraphTopic, kGraphType, Qos::latched(), {}, nullptr);
     if (writer == nullptr) {
       return;  // topics and services are still discoverable
     }
-    graph_ = std::make_unique<OwnedWriter>(dds_, -1, writer);
+    graph_ = std::make_shared<OwnedWriter>(dds_, -1, writer);
   }
   rtps::WriteParams none;
   graph_->write(graphSample(dds_->guid(), dds_->nodes, dds_->settings.distro), none);
 }
 
-bool DdsParticipant::spin(Milliseconds atMost) {
+bool Participant::spin(Milliseconds atMost) {
   const Clock::time_point until = Clock::now() + atMost;
   while (true) {
     const std::uint64_t seen = dds_->wakeSignal.count();
@@ -213,8 +219,6 @@ bool DdsParticipant::spin(Milliseconds atMost) {
   }
 }
 
-}  // namespace
-
 base::Result<std::unique_ptr<Participant>> Participant::create(const DomainSettings& settings) {
   // DDS terminates the process if a port number is out of range.
   const bool isPossible = settings.domain >= 0 && settings.domain <= kLastDomain;
@@ -222,7 +226,7 @@ base::Result<std::unique_ptr<Participant>> Participant::create(const DomainSetti
   if (dds == nullptr) {
     return base::error("ros2.no-participant", {std::to_string(settings.domain)});
   }
-  return std::unique_ptr<Participant>(std::make_unique<DdsParticipant>(std::move(dds)));
+  return std::unique_ptr<Participant>(new Participant(std::move(dds)));
 }
 
 bool Participant::spinUntil(const std::function<bool()>& isDone, Milliseconds atMost) {

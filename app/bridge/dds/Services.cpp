@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <deque>
 #include <fastdds/rtps/common/WriteParams.h>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/bridge/dds/DdsEntities.h"
-#include "app/bridge/dds/ServiceReplies.h"
 #include "sim2d/base/LittleEndian.h"
 
 /// Service servers and clients for both encodings of the request identity: rmw_fastrtps sends it
@@ -17,6 +19,9 @@ constexpr Milliseconds kSettled(500);  // time for the server to discover both c
 constexpr std::size_t kHeader = 4;     // [bytes], CDR encapsulation
 constexpr std::size_t kCallId = 16;    // [bytes], guid and request number
 constexpr std::uint8_t kReaderBit = 0x04;
+constexpr Milliseconds kLongestWait(2000);  // for the client's reader
+constexpr std::size_t kMaxKept = 256;       // queued responses
+constexpr std::size_t kMaxQueued = 100;     // responses to one client
 
 struct CallId {
   std::uint64_t client = 0;
@@ -79,6 +84,137 @@ Guid callerGuid(const DdsEntities& dds) {
   guid[15] = static_cast<std::uint8_t>(number % 256);
   return guid;
 }
+
+/// Writes the responses of a service. A request can arrive before the client's response reader is
+/// discovered, and a response written before that would be lost. Responses to such a client are
+/// queued until its reader is matched, for at most 2 s and at most 256 in total; responses to other
+/// clients are sent meanwhile. Requests of rmw_cyclonedds identify only the participant of the
+/// client: if a participant has several clients of one service, the first match releases all of its
+/// responses.
+class ReplyWriter {
+ public:
+  /// `matched` is the listener of `writer`.
+  ReplyWriter(DdsPtr dds, int node, efd::DataWriter* writer,
+              std::unique_ptr<MatchedReaders> matched)
+      : matched_(std::move(matched)), writer_(std::move(dds), node, writer) {}
+  ~ReplyWriter() { writer_->set_listener(nullptr); }
+  ReplyWriter(const ReplyWriter&) = delete;
+  ReplyWriter& operator=(const ReplyWriter&) = delete;
+  ReplyWriter(ReplyWriter&&) = delete;
+  ReplyWriter& operator=(ReplyWriter&&) = delete;
+
+  /// `client`: GUID of the client's reader. If its entity id is unknown, any reader of the
+  /// participant counts; if the GUID is unknown, the response is sent immediately.
+  void send(const rtps::GUID_t& client, Bytes answer, const rtps::WriteParams& parameters) {
+    sendPending();
+    PendingReply made = {client, std::move(answer), parameters, Clock::now() + kLongestWait};
+    if (!hasPendingFor(client) && matched_->has(client)) {
+      writer_.write(made.answer, made.parameters);
+      return;
+    }
+    if (pending_.size() >= kMaxKept) {
+      writer_.write(pending_.front().answer, pending_.front().parameters);
+      pending_.pop_front();
+    }
+    pending_.push_back(std::move(made));
+  }
+  /// Sends the queued responses whose client is matched or whose 2 s have passed.
+  void sendPending() {
+    const Clock::time_point now = pending_.empty() ? Clock::time_point() : Clock::now();
+    std::vector<rtps::GUID_t> waiting;  // clients with queued responses
+    for (auto each = pending_.begin(); each != pending_.end();) {
+      const bool waits = std::find(waiting.begin(), waiting.end(), each->client) != waiting.end() ||
+                         (now < each->until && !matched_->has(each->client));
+      if (waits) {
+        waiting.push_back(each->client);
+        ++each;
+        continue;
+      }
+      writer_.write(each->answer, each->parameters);
+      each = pending_.erase(each);
+    }
+  }
+
+ private:
+  struct PendingReply {
+    rtps::GUID_t client;
+    Bytes answer;
+    rtps::WriteParams parameters;
+    std::chrono::steady_clock::time_point until;
+  };
+  bool hasPendingFor(const rtps::GUID_t& client) const {
+    return std::any_of(pending_.begin(), pending_.end(),
+                       [&](const PendingReply& each) { return each.client == client; });
+  }
+
+  std::unique_ptr<MatchedReaders> matched_;
+  OwnedWriter writer_;
+  std::deque<PendingReply> pending_;  // oldest first
+};
+
+/// Receives the responses to one client. A DDS thread filters them from the responses to all
+/// clients of the service as they arrive, so that responses to other clients cannot displace them.
+/// Keeps the last 100. Listener of the client's reader; thread-safe.
+class ReplyReader : public efd::DataReaderListener {
+ public:
+  using Reply = std::pair<std::int64_t, Bytes>;  // request number, response
+  /// Returns the request number if the response belongs to this client, and removes the request
+  /// identity from the bytes.
+  using ReplyFilter = std::function<std::optional<std::int64_t>(Bytes&, const efd::SampleInfo&)>;
+
+  explicit ReplyReader(WakeSignal& wakeSignal)
+      : wakeSignal_(wakeSignal) {}  // notified for each response
+
+  /// Call before the first request. Samples that arrive earlier are discarded.
+  void setFilter(ReplyFilter recognize) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    filter_ = std::move(recognize);
+  }
+  std::optional<Reply> next() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (queue_.empty()) {
+      return std::nullopt;
+    }
+    Reply reply = std::move(queue_.front());
+    queue_.pop_front();
+    return reply;
+  }
+
+  void on_data_available(efd::DataReader* reader) override {
+    Bytes bytes;
+    efd::SampleInfo info;
+    bool hasQueued = false;
+    while (takeNext(*reader, bytes, info)) {
+      hasQueued = queueIfOwn(bytes, info) || hasQueued;
+    }
+    if (hasQueued) {
+      wakeSignal_.notify();
+    }
+  }
+  void on_subscription_matched(efd::DataReader* /*reader*/,
+                               const efd::SubscriptionMatchedStatus& /*status*/) override {
+    wakeSignal_.notify();
+  }
+
+ private:
+  bool queueIfOwn(Bytes& bytes, const efd::SampleInfo& info) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::optional<std::int64_t> number = filter_ ? filter_(bytes, info) : std::nullopt;
+    if (!number) {
+      return false;
+    }
+    if (queue_.size() >= kMaxQueued) {
+      queue_.pop_front();
+    }
+    queue_.emplace_back(*number, std::move(bytes));
+    return true;
+  }
+
+  WakeSignal& wakeSignal_;
+  std::mutex mutex_;
+  ReplyFilter filter_;
+  std::deque<Reply> queue_;  // oldest first
+};
 
 class DdsServer : public Server, public SampleSource {
  public:

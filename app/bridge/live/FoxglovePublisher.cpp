@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/TypeNames.h"
 #include "app/bridge/messages/std_msgs.h"
 #include "app/bridge/topics/RunMessages.h"
 
@@ -23,36 +22,6 @@ metrics::Selection withoutSeries(metrics::Selection selection) {
   selection.everyRobot = false;
   return selection;
 }
-
-}  // namespace
-
-RunMetrics::RunMetrics(const sim2d::TraceHeader& header, const metrics::Selection& selection,
-                       const metrics::MetricParameters& parameters)
-    : evaluation_(header, withoutSeries(selection), parameters) {
-  for (const metrics::MetricEntry& entry : selection.entries(metrics::standardRegistry())) {
-    channelOf_[entry.info.key] = channels_.size();
-    channels_.push_back(
-        {"/hunavsim/metrics/" + entry.info.key, {Float64::kType, Float64::kDefinition}, false});
-  }
-}
-
-void RunMetrics::add(const sim2d::Frame& frame) {
-  for (const sim2d::Event& event : frame.events) {
-    evaluation_.note(frame.time, event);
-  }
-  evaluation_.append(frame);
-}
-
-void RunMetrics::publish(const std::function<void(std::size_t, std::string&&)>& publish) const {
-  for (const metrics::MetricResult& result : evaluation_.values()) {
-    const auto channel = channelOf_.find(result.info.key);
-    if (channel != channelOf_.end() && result.value.value) {
-      publish(channel->second, bridge::encode(Float64{*result.value.value}));
-    }
-  }
-}
-
-namespace {
 
 constexpr std::chrono::microseconds kBetweenFrames{16000};  // about the display rate
 constexpr std::chrono::milliseconds kBetweenMetrics{250};   // computing them takes time
@@ -87,11 +56,23 @@ FoxglovePublisher::FoxglovePublisher(app::Session& session, sim2d::World& world,
     : session_(session),
       world_(world),
       topics_(world.header(), bridge::lidarsOf(scenario)),
-      metrics_(world.header(), metrics.selection, metrics.parameters),
+      metrics_(world.header(), withoutSeries(metrics.selection), metrics.parameters),
       control_(session, {scenarioName, static_cast<std::int64_t>(world.header().seed), world.dt()},
                settings.canDrive ? teleopRobots(world.header())
                                  : std::vector<RunControl::TeleopRobot>()),
-      known_(world.header()) {}
+      known_(world.header()) {
+  for (const bridge::Topic& topic : topics_.topics()) {
+    channels_.push_back({topic.name,
+                         {std::string(topic.type), bridge::findType(topic.type)->definition},
+                         topic.isLatched});
+  }
+  const metrics::Selection selection = withoutSeries(metrics.selection);
+  for (const metrics::MetricEntry& entry : selection.entries(metrics::standardRegistry())) {
+    channelOf_[entry.info.key] = channels_.size();
+    channels_.push_back(
+        {"/hunavsim/metrics/" + entry.info.key, {Float64::kType, Float64::kDefinition}, false});
+  }
+}
 
 base::Result<std::unique_ptr<FoxglovePublisher>> FoxglovePublisher::open(
     const FoxglovePublisherSettings& settings, app::Session& session, sim2d::World& world,
@@ -99,7 +80,7 @@ base::Result<std::unique_ptr<FoxglovePublisher>> FoxglovePublisher::open(
     const app::MetricsSetup& metrics) {
   std::unique_ptr<FoxglovePublisher> run(
       new FoxglovePublisher(session, world, scenario, scenarioName, metrics, settings));
-  auto server = FoxgloveServer::listen(run->settingsOf(settings, scenarioName), run->channels());
+  auto server = FoxgloveServer::listen(run->settingsOf(settings, scenarioName), run->channels_);
   if (!server) {
     return server.diagnostics();
   }
@@ -143,25 +124,21 @@ FoxgloveSettings FoxglovePublisher::settingsOf(const FoxglovePublisherSettings& 
   return settings;
 }
 
-std::vector<Channel> FoxglovePublisher::channels() const {
-  std::vector<Channel> channels;
-  for (const bridge::Topic& topic : topics_.topics()) {
-    channels.push_back({topic.name,
-                        {std::string(topic.type), bridge::findType(topic.type)->definition},
-                        topic.isLatched});
-  }
-  channels.insert(channels.end(), metrics_.channels().begin(), metrics_.channels().end());
-  return channels;
-}
-
 void FoxglovePublisher::show(const sim2d::Frame& frame) {
   if (frame.step <= newest_) {
     return;
   }
   newest_ = frame.step;
-  updateHeader(frame);
+  if (known_.addNew(frame)) {  // a source spawned a person
+    sim2d::TraceHeader header = world_.header();
+    metrics_.addHumans(header.humans);
+    topics_.setHeader(std::move(header));
+  }
   topics_.track(frame);
-  metrics_.add(frame);
+  for (const sim2d::Event& event : frame.events) {
+    metrics_.note(frame.time, event);
+  }
+  metrics_.append(frame);
   const Clock::time_point now = Clock::now();
   if (!publishedAt_ || !isAboveDisplayRate() || now - *publishedAt_ >= kBetweenFrames) {
     publish(frame, now);
@@ -186,22 +163,10 @@ void FoxglovePublisher::finish(const sim2d::Frame& frame, const std::string& rea
   server_->stop(reason);
 }
 
-/// Updates the header after a source spawned a person.
-void FoxglovePublisher::updateHeader(const sim2d::Frame& frame) {
-  if (known_.addNew(frame)) {
-    sim2d::TraceHeader header = world_.header();
-    metrics_.addHumans(header.humans);
-    topics_.setHeader(std::move(header));
-  }
-}
-
 bool FoxglovePublisher::hasMetricSubscribers(const ChannelFilter& filter) const {
-  for (std::size_t i = 0; i < metrics_.channels().size(); ++i) {
-    if (filter(static_cast<ChannelId>(topics_.topics().size() + i + 1))) {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(channelOf_.begin(), channelOf_.end(), [&](const auto& each) {
+    return filter(static_cast<ChannelId>(each.second + 1));
+  });
 }
 
 std::vector<FoxgloveServer::Message> FoxglovePublisher::messagesOf(const sim2d::Frame& frame,
@@ -215,10 +180,13 @@ std::vector<FoxgloveServer::Message> FoxglovePublisher::messagesOf(const sim2d::
   topics_.publish(
       frame, [&](std::size_t topic, std::string bytes) { add(topic, std::move(bytes)); },
       [&](std::size_t topic) { return filter(static_cast<ChannelId>(topic + 1)); });
-  if (withMetrics) {
-    metrics_.publish([&](std::size_t channel, std::string&& bytes) {
-      add(topics_.topics().size() + channel, std::move(bytes));
-    });
+  const std::vector<metrics::MetricResult> results =
+      withMetrics ? metrics_.values() : std::vector<metrics::MetricResult>();
+  for (const metrics::MetricResult& result : results) {
+    const auto channel = channelOf_.find(result.info.key);
+    if (channel != channelOf_.end() && result.value.value) {
+      add(channel->second, bridge::encode(Float64{*result.value.value}));
+    }
   }
   return messages;
 }

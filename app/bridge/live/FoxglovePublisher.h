@@ -15,32 +15,9 @@
 #include "app/run/MetricsSetup.h"
 #include "app/run/Session.h"
 #include "metrics/IncrementalEvaluation.h"
-#include "sim2d/trace/KnownPeople.h"
 #include "sim2d/world/World.h"
 
 namespace live {
-
-/// The current metrics of a run, each as a number on its own topic
-/// (`/hunavsim/metrics/minimum_distance`, std_msgs/msg/Float64), which Foxglove and PlotJuggler can
-/// plot. Undefined metrics are not published. Not thread-safe.
-class RunMetrics {
- public:
-  RunMetrics(const sim2d::TraceHeader& header, const metrics::Selection& selection,
-             const metrics::MetricParameters& parameters);
-
-  const std::vector<Channel>& channels() const { return channels_; }
-  /// Call before the first frame that contains these people.
-  void addHumans(const std::vector<sim2d::TraceHuman>& humans) { evaluation_.addHumans(humans); }
-  /// Call for each state once, in order.
-  void add(const sim2d::Frame& frame);
-  /// Calls tell(index in `channels`, message) for each metric that has a value.
-  void publish(const std::function<void(std::size_t, std::string&&)>& publish) const;
-
- private:
-  metrics::FrameEvaluation evaluation_;
-  std::vector<Channel> channels_;
-  std::map<std::string, std::size_t> channelOf_;  // by metric key
-};
 
 struct FoxglovePublisherSettings {
   std::string address = "127.0.0.1";
@@ -51,9 +28,11 @@ struct FoxglovePublisherSettings {
   std::function<void(const base::Diagnostic&)> warn;  // called in the server's thread
 };
 
-/// Publishes a running simulation to Foxglove: all topics (RunTopics), its metrics and the controls
-/// of clients (RunControl). Does not affect the results. Created and used in the thread of the run;
-/// session, world and scenario must outlive it.
+/// Publishes a running simulation to Foxglove: all topics (RunTopics), the controls of clients
+/// (RunControl) and the current metrics, each as a number on its own topic
+/// (`/hunavsim/metrics/minimum_distance`, std_msgs/msg/Float64), which Foxglove and PlotJuggler can
+/// plot; undefined metrics are not published. Does not affect the results. Created and used in the
+/// thread of the run; session, world and scenario must outlive it.
 class FoxglovePublisher {
  public:
   /// Starts serving clients. Errors: those of WebSocketServer.
@@ -81,8 +60,6 @@ class FoxglovePublisher {
                     const FoxglovePublisherSettings& settings);
   FoxgloveSettings settingsOf(const FoxglovePublisherSettings& given,
                               const std::string& scenarioName);
-  std::vector<Channel> channels() const;
-  void updateHeader(const sim2d::Frame& frame);
   using ChannelFilter = std::function<bool(ChannelId)>;
   void publish(const sim2d::Frame& frame, Clock::time_point now);
   /// The messages of the frame for channels that pass the filter, and those of all metrics if
@@ -97,8 +74,10 @@ class FoxglovePublisher {
 
   app::Session& session_;
   sim2d::World& world_;
-  bridge::RunTopics topics_;  // channels from 1 on
-  RunMetrics metrics_;        // the channels after them
+  bridge::RunTopics topics_;
+  metrics::FrameEvaluation metrics_;
+  std::vector<Channel> channels_;                 // of topics_, then of the metrics
+  std::map<std::string, std::size_t> channelOf_;  // index in channels_ by metric key
   RunControl control_;
   sim2d::KnownPeople known_;  // to topics_ and metrics_
   std::optional<Clock::time_point> publishedAt_, metricsPublishedAt_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/bridge/live/ServerMessages.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace live {
@@ -257,16 +257,16 @@ void FoxgloveServer::answer(Client client, const request::Advertise& asked) {
   std::vector<std::string> problems;
   auto& own = clientStates_[client].own;
   for (const ClientChannel& channel : asked.channels) {
-    const auto topic = std::find_if(
-        settings_.clientTopics.begin(), settings_.clientTopics.end(), [&](const auto& each) {
+    const ClientTopic* const topic =
+        base::findIf(settings_.clientTopics, [&](const ClientTopic& each) {
           return each.topic == channel.topic && each.schemaName == channel.schemaName;
         });
-    if (topic == settings_.clientTopics.end()) {
+    if (topic == nullptr) {
       problems.push_back("no subscriber for " + channel.topic + " of type " + channel.schemaName);
     } else if (!isSupported(channel.encoding)) {
       problems.push_back("the encoding '" + channel.encoding + "' is not supported");
     } else if (own.size() >= kMaxClientChannels ||
-               !own.emplace(channel.id, OwnChannel{&*topic, channel.encoding}).second) {
+               !own.emplace(channel.id, OwnChannel{topic, channel.encoding}).second) {
       problems.push_back("client channel " + std::to_string(channel.id) +
                          " already exists, or there are too many");
     }
@@ -332,12 +332,10 @@ void FoxgloveServer::answer(Client client, const request::SetParameters& asked) 
   std::vector<std::string> problems;
   request::GetParameters after{{}, asked.id};
   for (const NamedValue& each : asked.values) {
-    const auto known =
-        std::find_if(settings_.parameters.begin(), settings_.parameters.end(),
-                     [&](const Parameter& parameter) { return parameter.name == each.name; });
-    const std::string problem = known == settings_.parameters.end() ? "does not exist"
-                                : !known->set                       ? "cannot be set"
-                                                                    : known->set(each.value);
+    const Parameter* const known = base::findBy(settings_.parameters, &Parameter::name, each.name);
+    const std::string problem = known == nullptr ? "does not exist"
+                                : !known->set    ? "cannot be set"
+                                                 : known->set(each.value);
     if (!problem.empty()) {
       problems.push_back(each.name + " " + problem);
     }

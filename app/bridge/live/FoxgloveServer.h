@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/bridge/live/ClientRequest.h"
+#include "app/bridge/live/FoxgloveMessages.h"
 #include "app/bridge/live/WebSocketServer.h"
 
 /// A server for the Foxglove WebSocket protocol, version 1, for Foxglove, Lichtblick and

@@ -1,20 +1,91 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
-#include "app/bridge/live/SendQueue.h"
 #include "sim2d/base/Result.h"
 
 namespace live {
+
+/// Bytes shared by the queues of several clients.
+using SharedBytes = std::shared_ptr<const std::string>;
+
+constexpr std::size_t kMaxQueuedMessages = std::size_t{8} << 20U;   // [B], per client
+constexpr std::size_t kMaxQueuedReplies = std::size_t{256} << 10U;  // [B], per client
+
+/// The messages that wait to be sent to one client. Topic messages may be dropped, oldest first;
+/// responses never are. Not thread-safe.
+class SendQueue {
+ public:
+  enum class Kind { Text, Response, Topic };  // Text: a response as JSON; the others are binary
+  /// `head` and `body` are sent as one message.
+  struct Message {
+    Kind kind = Kind::Text;
+    std::string head;
+    SharedBytes body = nullptr;
+  };
+
+  /// `limit`: bytes of queued topic messages, above which the oldest are dropped.
+  explicit SendQueue(std::size_t limit = kMaxQueuedMessages) : limit_(limit) {}
+
+  /// Responses do not cause messages to be dropped; instead, reading from a client with many queued
+  /// responses is suspended (`hasManyReplies`). The newest message is not dropped, even if it is
+  /// larger than the limit.
+  void add(Message message) {
+    sumOf(message.kind) += costOf(message);
+    messages_.push_back(std::move(message));
+    auto each = std::next(messages_.begin(), isFirstStarted_ ? 1 : 0);
+    while (topicBytes_ > limit_ && each != messages_.end() && std::next(each) != messages_.end()) {
+      if (each->kind == Kind::Topic) {
+        topicBytes_ -= costOf(*each);
+        ++dropped_;
+        each = messages_.erase(each);
+      } else {
+        ++each;
+      }
+    }
+  }
+  /// Returns the oldest message, which is no longer dropped and stays valid until `removeFirst`.
+  /// The queue must not be empty.
+  const Message& startFirst() {
+    isFirstStarted_ = true;
+    return messages_.front();
+  }
+  void removeFirst() {
+    sumOf(messages_.front().kind) -= costOf(messages_.front());
+    messages_.pop_front();
+    isFirstStarted_ = false;
+  }
+
+  bool isEmpty() const { return messages_.empty(); }
+  bool hasManyReplies() const { return replyBytes_ > kMaxQueuedReplies; }
+  std::size_t droppedCount() const { return dropped_; }  // number of messages dropped
+
+ private:
+  /// With the memory overhead of a message [B].
+  static std::size_t costOf(const Message& message) {
+    constexpr std::size_t kOverhead = 128;
+    return message.head.size() + (message.body ? message.body->size() : 0) + kOverhead;
+  }
+  std::size_t& sumOf(Kind kind) { return kind == Kind::Topic ? topicBytes_ : replyBytes_; }
+
+  std::size_t limit_;
+  std::list<Message> messages_;  // a list, because the first one is read while others are dropped
+  bool isFirstStarted_ = false;
+  std::size_t topicBytes_ = 0, replyBytes_ = 0, dropped_ = 0;
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -40,6 +111,13 @@ struct ServerSettings {
 };
 
 class Connection;
+
+/// Whether a page with this origin may connect. Browsers send the origin of the page that opens a
+/// connection, so that other pages can neither watch nor control a run. Allowed are Foxglove's
+/// pages (https://app.foxglove.dev, https://studio.foxglove.dev), local files, as used by the
+/// desktop app, pages of this machine (localhost, 127.0.0.1, [::1]), and those in `more`. `null` is
+/// not allowed, because any page can produce it.
+bool isAllowedOrigin(std::string_view origin, const std::vector<std::string>& more = {});
 
 /// A WebSocket server (RFC 6455) with one thread for all clients.
 class WebSocketServer {

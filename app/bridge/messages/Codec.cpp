@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include "app/bridge/messages/AllMessages.h"
+#include "sim2d/base/Find.h"
+
 namespace bridge {
 namespace {
 
@@ -100,6 +103,11 @@ namespace {
 
 constexpr std::size_t kLeastGrowth = 256, kMostGrowth = 4096;  // [bytes]; fits in the cache
 
+template <class... M>
+std::vector<KnownType> typesOf(TypeList<M...> /*list*/) {
+  return {{M::kType, M::kDefinition}...};
+}
+
 }  // namespace
 
 CdrWriter::CdrWriter(std::string& to) : output_(to) {
@@ -126,6 +134,39 @@ void CdrWriter::grow(std::size_t more) {
 void CdrWriter::flush() {
   output_.resize(position_);
   capacity_ = position_;
+}
+
+std::string ddsTypeName(std::string_view type) {
+  const std::size_t first = type.find('/');
+  const std::size_t last = type.rfind('/');
+  if (first == std::string_view::npos || first == last) {
+    return std::string(type);
+  }
+  return std::string(type.substr(0, first)) +
+         "::" + std::string(type.substr(first + 1, last - first - 1)) +
+         "::dds_::" + std::string(type.substr(last + 1)) + "_";
+}
+
+std::string rosTypeName(std::string_view ddsType) {
+  constexpr std::string_view kInfix = "::dds_::";
+  const std::size_t infix = ddsType.find(kInfix);
+  const std::size_t first = ddsType.find("::");
+  if (infix == std::string_view::npos || first >= infix || ddsType.back() != '_') {
+    return {};
+  }
+  const std::string_view kind = ddsType.substr(first + 2, infix - first - 2);
+  std::string_view name = ddsType.substr(infix + kInfix.size());
+  name.remove_suffix(1);
+  return std::string(ddsType.substr(0, first)) + "/" + std::string(kind) + "/" + std::string(name);
+}
+
+const std::vector<KnownType>& knownTypes() {
+  static const std::vector<KnownType> kTypes = typesOf(AllMessages{});
+  return kTypes;
+}
+
+const KnownType* findType(std::string_view type) {
+  return base::findBy(knownTypes(), &KnownType::type, type);
 }
 
 }  // namespace bridge

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "app/bridge/messages/FieldTraits.h"
 #include "sim2d/base/Result.h"
@@ -252,5 +253,21 @@ base::Result<M> decode(std::string_view bytes, TrailingBytes rest = TrailingByte
   }
   return message;
 }
+
+/// The DDS type name: "geometry_msgs/msg/Twist" -> "geometry_msgs::msg::dds_::Twist_".
+std::string ddsTypeName(std::string_view type);
+
+/// The inverse of ddsTypeName. Empty if `ddsType` is not a ROS type name.
+std::string rosTypeName(std::string_view ddsType);
+
+/// A supported message, request or response type.
+struct KnownType {
+  std::string_view type;   // "hunav_msgs/msg/Agents"
+  const char* definition;  // in the ros2msg format
+};
+
+/// All supported types, in the order of AllMessages.
+const std::vector<KnownType>& knownTypes();
+const KnownType* findType(std::string_view type);  // null: unknown type
 
 }  // namespace bridge

@@ -3,11 +3,11 @@
 
 generate.py DEFINITIONS OUTPUT
 
-Reads DEFINITIONS/<package>/{msg,srv,action}/<Name>.{msg,srv,action} in the syntax of ROS 2; constants
-are integers. <Name>.<Version>.msg is the type of the same name in another distribution of ROS 2: it
-becomes the struct <Version><Name>, in which types of its package have this version if they exist in it.
-Writes OUTPUT/app/bridge/messages/<package>.h, AllMessages.h and Definitions.cpp. Ends with a message
-that names the file if a definition is wrong.
+Reads the file DEFINITIONS: definitions in the syntax of ROS 2, each after a line
+"=== <package>/{msg,srv,action}/<Name>"; constants are integers. <Name>.<Version> is the type of the same
+name in another distribution of ROS 2: it becomes the struct <Version><Name>, in which types of its
+package have this version if they exist in it. Writes OUTPUT/app/bridge/messages/<package>.h,
+AllMessages.h and Definitions.cpp. Ends with a message that names the definition if one is wrong.
 """
 import pathlib
 import re
@@ -22,7 +22,7 @@ for bits in (8, 16, 32, 64):
 
 ENTRY = re.compile(r"(?P<type>[\w/]+)(<=(?P<bound>\d+))?(\[(?P<limit>(<=)?\d*)\])? (?P<name>\w+)"
                    r"( ?= ?(?P<constant>-?\d+)| (?P<default>.+))?")
-HEAD = "// Written by generate.py from app/bridge/msg.\n"
+HEAD = "// Written by generate.py from definitions.txt.\n"
 UUID = "unique_identifier_msgs/UUID goal_id"
 
 
@@ -76,24 +76,27 @@ class Field:
 
 
 class Reader:
-    """All structs of a folder of definitions by name: "package/Name" or "package/Name.Version"."""
+    """All structs of the definitions by name: "package/Name" or "package/Name.Version"."""
 
-    def __init__(self, folder):
-        self.files = {f"{path.parts[-3]}/{path.stem}": path for path in sorted(folder.glob("*/*/*"))}
+    def __init__(self, text):
+        parts = re.split(r"^=== (.+)\n", text, flags=re.MULTILINE)
+        self.definitions = {re.sub("/.*/", "/", head): (head, body)
+                            for head, body in zip(parts[1::2], parts[2::2])}
         self.structs = {}
-        for name in self.files:
+        for name in self.definitions:
             self.find(name)
 
     def find(self, name):
         """The struct of a type, with all types that it contains read before it. None: no such type."""
-        if name not in self.structs and name in self.files:
-            self.read(self.files[name])
+        if name not in self.structs and name in self.definitions:
+            self.read(*self.definitions[name])
         return self.structs.get(name)
 
-    def read(self, path):
-        name, _, version = path.stem.partition(".")
-        top = Struct(*path.parts[-3:-1], name, version)
-        texts = path.read_text().split("---\n")
+    def read(self, path, text):
+        package, kind, stem = path.split("/")
+        name, _, version = stem.partition(".")
+        top = Struct(package, kind, name, version)
+        texts = text.split("---\n")
         if top.kind == "msg":
             self.parse(top, path, texts[0])
         elif top.kind == "srv":
@@ -217,7 +220,7 @@ def definition(struct):
 
 
 def main(definitions, output):
-    structs = list(Reader(pathlib.Path(definitions)).structs.values())
+    structs = list(Reader(pathlib.Path(definitions).read_text()).structs.values())
     tops = [struct for struct in structs if struct.top is struct]
     folder = pathlib.Path(output) / "app/bridge/messages"
     folder.mkdir(parents=True, exist_ok=True)

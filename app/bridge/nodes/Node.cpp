@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/bridge/messages/Time.h"
+#include "sim2d/base/Find.h"
 
 namespace bridge {
 namespace {
@@ -46,8 +47,8 @@ bool isListed(const std::string& name, const rcl_interfaces::ListParameters::Req
                      });
 }
 
-}  // namespace
-
+/// The key that identifies a problem for reporting it once. It does not depend on the bytes of the
+/// message.
 std::string problemKey(const base::Diagnostic& diagnostic) {
   const bool isOfBytes =
       diagnostic.code == "ros2.other-version" || diagnostic.code == "ros2.bad-message";
@@ -60,9 +61,7 @@ const char* rmwName(Rmw rmw) {
   return rmw == Rmw::FastRtps ? "fastrtps" : "cyclonedds";
 }
 
-const char* rmwImplementationName(Rmw rmw) {
-  return rmw == Rmw::FastRtps ? "rmw_fastrtps_cpp" : "rmw_cyclonedds_cpp";
-}
+}  // namespace
 
 Node::Node(Participant& participant, const DomainSettings& settings, const std::string& nameSpace,
            const std::string& name, Parameters parameters, ReportCallback report)
@@ -79,9 +78,8 @@ Node::Node(Participant& participant, const DomainSettings& settings, const std::
 }
 
 const ParameterValue* Node::parameter(const std::string& name) const {
-  const auto found = std::find_if(parameters_.begin(), parameters_.end(),
-                                  [&](const Parameter& each) { return each.name == name; });
-  return found == parameters_.end() ? nullptr : &found->value;
+  const Parameter* const found = base::findBy(parameters_, &Parameter::name, name);
+  return found == nullptr ? nullptr : &found->value;
 }
 
 void Node::serveParameters() {
@@ -141,9 +139,7 @@ rcl_interfaces::SetParametersResult Node::set(const Parameters& wanted) {
     }
   }
   for (const Parameter& each : wanted) {
-    std::find_if(parameters_.begin(), parameters_.end(), [&](const Parameter& known) {
-      return known.name == each.name;
-    })->value = each.value;
+    base::findBy(parameters_, &Parameter::name, each.name)->value = each.value;
   }
   result.successful = true;
   rcl_interfaces::ParameterEvent event;
@@ -189,9 +185,9 @@ void Node::reportBadMessage(const std::string& topic, const base::Diagnostics& w
 void Node::reportBadRequest(const std::string& service, const ServiceRequest& asked,
                             const base::Diagnostics& why) {
   if (asked.clientRmw != rmw_) {
-    report_(base::problem(
-        base::Severity::Warning, "ros2.other-rmw",
-        {service, rmwName(asked.clientRmw), rmwName(rmw_), rmwImplementationName(rmw_)}));
+    report_(base::problem(base::Severity::Warning, "ros2.other-rmw",
+                          {service, rmwName(asked.clientRmw), rmwName(rmw_),
+                           std::string("rmw_") + rmwName(rmw_) + "_cpp"}));
     return;
   }
   report_(base::problem(base::Severity::Warning, "ros2.other-version", {service, firstOf(why)}));
@@ -208,6 +204,36 @@ std::optional<base::Diagnostic> NoPeerCheck::check(const Participant& participan
   return base::problem(base::Severity::Warning,
                        settings_.localhostOnly ? "ros2.no-peer-here" : "ros2.no-peer-on-network",
                        {settings_.domain, kNoPeerAfter.count()});
+}
+
+std::unique_ptr<Node> NodeProgram::makeNode(const std::string& nameSpace, const std::string& name,
+                                            Node::Parameters parameters) {
+  return std::make_unique<Node>(
+      *participant_, domain_, nameSpace, name, std::move(parameters),
+      [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); });
+}
+
+base::Diagnostics NodeProgram::finishStart() {
+  participant_->publishGraph();
+  hasStarted_ = true;
+  return startProblems_;
+}
+
+void NodeProgram::reportOnce(const base::Diagnostic& diagnostic) {
+  if (!reported_.isNew(problemKey(diagnostic))) {
+    return;
+  }
+  if (hasStarted_) {
+    report_(diagnostic);
+  } else {
+    startProblems_.push_back(diagnostic);
+  }
+}
+
+void NodeProgram::reportMissingPeers() {
+  if (const std::optional<base::Diagnostic> diagnostic = noPeer_.check(*participant_)) {
+    reportOnce(*diagnostic);
+  }
 }
 
 }  // namespace bridge

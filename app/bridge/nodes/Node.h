@@ -134,14 +134,6 @@ class Node {
   std::vector<std::unique_ptr<Server>> servers_;
 };
 
-/// The key that identifies a problem for reporting it once. It does not depend on the bytes of the
-/// message.
-std::string problemKey(const base::Diagnostic& diagnostic);
-
-/// The value of RMW_IMPLEMENTATION: "rmw_fastrtps_cpp".
-const char* rmwImplementationName(Rmw rmw);
-const char* rmwName(Rmw rmw);  // "fastrtps", "cyclonedds"
-
 /// How long to wait for other participants before their absence is reported.
 constexpr std::chrono::seconds kNoPeerAfter(5);
 
@@ -159,6 +151,39 @@ class NoPeerCheck {
   DomainSettings settings_;
   std::chrono::steady_clock::time_point due_;
   bool isDone_ = false;
+};
+
+/// Base of the programs on ROS 2. Owns the participant, reports each problem once and warns if
+/// there is no other participant. The problems before `finishStart` are its result and not
+/// reported.
+class NodeProgram {
+ public:
+  using ReportCallback = Node::ReportCallback;
+
+ protected:
+  NodeProgram(std::unique_ptr<Participant> participant, const DomainSettings& domain,
+              ReportCallback report)
+      : participant_(std::move(participant)),
+        report_(std::move(report)),
+        domain_(domain),
+        noPeer_(domain) {}
+
+  std::unique_ptr<Node> makeNode(const std::string& nameSpace, const std::string& name,
+                                 Node::Parameters parameters);
+  /// Publishes the nodes and endpoints to the ROS 2 graph.
+  base::Diagnostics finishStart();
+  void reportOnce(const base::Diagnostic& diagnostic);
+  void reportMissingPeers();
+
+  std::unique_ptr<Participant> participant_;
+  ReportCallback report_;
+  base::Diagnostics startProblems_;
+
+ private:
+  DomainSettings domain_;
+  NoPeerCheck noPeer_;
+  base::DiagnosticFilter reported_;
+  bool hasStarted_ = false;
 };
 
 }  // namespace bridge

@@ -1,12 +1,17 @@
 #include "app/bridge/nodes/RunNode.h"
 
+#include <chrono>
 #include <cmath>
 #include <optional>
+#include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/action_msgs.h"
 #include "app/bridge/messages/geometry_msgs.h"
-#include "app/bridge/nodes/GoalSender.h"
+#include "app/bridge/messages/nav2_msgs.h"
 #include "app/bridge/nodes/Node.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/world/WorldState.h"
@@ -23,112 +28,216 @@ constexpr int kFirstRobot = -1;            // its id in frames
 constexpr const char* kGoalPose = "/goal_pose";
 constexpr const char* kInitialPose = "/initialpose";
 
-class DdsRunNode final : public RunNode {
- public:
-  DdsRunNode(std::unique_ptr<Participant> participant, const sim2d::TraceHeader& header,
-             const RunTopicsOptions& options, const RunNodeSettings& settings,
-             ReportCallback report)
-      : settings_(settings),
-        noPeer_(settings.domain),
-        participant_(std::move(participant)),
-        topics_(header, options),
-        report_(std::move(report)),
-        node_(*participant_, settings.domain, "/", "hunavsim", {},
-              [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); }) {}
+using Action = nav2_msgs::NavigateToPose;
+using Status = action_msgs::GoalStatus;
 
-  base::Diagnostics start(bool hasRobot);
-  void publishState(const sim2d::Frame& frame) override;
-  sim2d::StepInputs inputs(const sim2d::Frame& frame) override;
-  void reportRejected(const base::Diagnostics& refused) override {
-    for (const base::Diagnostic& diagnostic : refused) {
-      reportOnce(diagnostic);
-    }
+constexpr std::chrono::seconds kAgainAfter(1);  // after a rejected goal
+constexpr const char* kSend = "navigate_to_pose/_action/send_goal";
+constexpr const char* kResult = "navigate_to_pose/_action/get_result";
+
+/// A unique id: the first 8 bytes are random per process, the last 8 bytes are a counter.
+unique_identifier_msgs::UUID newId(std::uint64_t count) {
+  static const std::uint64_t kOwn = [] {
+    std::random_device device;
+    return (std::uint64_t{device()} << 32U) | device();
+  }();
+  unique_identifier_msgs::UUID id;
+  constexpr unsigned kByte = 8;
+  for (unsigned k = 0; k < kByte; ++k) {
+    id.uuid[k] = static_cast<std::uint8_t>(kOwn >> (kByte * k));
+    id.uuid[kByte + k] = static_cast<std::uint8_t>(count >> (kByte * k));
   }
-  std::uint64_t commands() const override { return commands_; }
+  return id;
+}
+
+const char* wordOf(std::int8_t status) {
+  return status == Status::kStatusCanceled  ? "canceled"
+         : status == Status::kStatusAborted ? "aborted"
+                                            : "unknown status";
+}
+
+/// The status and Nav2's error text: a code from Iron on, also a message from Jazzy on.
+template <class NavigateToPose, class Words>
+std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Words words) {
+  const auto response =
+      decode<typename NavigateToPose::GetResult::Response>(bytes, TrailingBytes::Ignored);
+  return response ? std::optional(std::pair(response->status, words(response->result)))
+                  : std::nullopt;
+}
+
+std::optional<std::pair<std::int8_t, std::string>> read(const Bytes& bytes, Distro distro) {
+  if (distro == Distro::Humble) {
+    return read<Action>(bytes, [](const auto&) { return std::string(); });
+  }
+  const auto withText = read<nav2_msgs::JazzyNavigateToPose>(bytes, [](const auto& result) {
+    return " (" + std::to_string(result.errorCode) +
+           (result.errorMsg.empty() ? "" : ": " + result.errorMsg) + ")";
+  });
+  return withText ? withText : read<nav2_msgs::IronNavigateToPose>(bytes, [](const auto& result) {
+    return " (" + std::to_string(result.errorCode) + ")";
+  });
+}
+
+}  // namespace
+
+/// Sends a robot's goals to Nav2 through the action `navigate_to_pose`, one at a time. A new goal
+/// replaces the previous one. A rejected goal is resent after 1 s, because Nav2 can be discovered
+/// before it is active. Goals are never canceled. Single-threaded.
+class GoalSender {
+ public:
+  using ReportCallback = std::function<void(const base::Diagnostic&)>;
+
+  /// `node`: index of the node. Errors: DDS cannot create the clients.
+  static base::Result<std::unique_ptr<GoalSender>> create(Participant& participant, int node,
+                                                          Distro distro, ReportCallback report) {
+    auto send = participant.client(node, kSend, Action::SendGoal::kType);
+    auto result = participant.client(node, kResult, Action::GetResult::kType);
+    base::Diagnostics problems = send.diagnostics();
+    base::append(problems, result.diagnostics());
+    if (!send || !result) {
+      return problems;
+    }
+    return std::unique_ptr<GoalSender>(
+        new GoalSender(*std::move(send), *std::move(result), distro, std::move(report)));
+  }
+
+  /// Whether the action server is available.
+  bool isReady() { return send_->isReady() && result_->isReady(); }
+  /// Call repeatedly with the current goal. Sends the goal if it changed and Nav2 is available, and
+  /// reads responses.
+  void update(const std::optional<geometry_msgs::PoseStamped>& goal) {
+    const bool isNew = goal && (!place_ || encode(goal->pose.position) != encode(*place_));
+    if (isNew && std::chrono::steady_clock::now() >= retryAt_ && isReady()) {
+      sendGoal(*goal);
+    }
+    readAnswers();
+  }
+  /// Whether the newest goal was accepted.
+  bool isAccepted() const { return isAccepted_; }
 
  private:
-  void subscribeCommands();
-  void readAll();
-  void publish(const sim2d::Frame& frame);
-  void updateGoal(const sim2d::Frame& frame);
-  void waitForCommander(const sim2d::Frame& frame);
-  void waitForCommand();
-  void takeCommand(const geometry_msgs::Twist& twist);
-  void takeStamped(const geometry_msgs::TwistStamped& command);
-  void takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
-                const geometry_msgs::Pose& pose);
-  void reportOnce(const base::Diagnostic& diagnostic) {
-    if (reported_.isNew(problemKey(diagnostic))) {
-      if (hasStarted_) {
-        report_(diagnostic);
+  GoalSender(std::unique_ptr<Client> send, std::unique_ptr<Client> result, Distro distro,
+             ReportCallback report)
+      : send_(std::move(send)),
+        result_(std::move(result)),
+        distro_(distro),
+        report_(std::move(report)) {}
+  void sendGoal(const geometry_msgs::PoseStamped& goal) {
+    id_ = newId(++sent_);
+    isAccepted_ = false;
+    resultNumber_ = -1;
+    Action::SendGoal::Request request;
+    request.goalId = id_;
+    request.goal.pose = goal;
+    sendNumber_ = send_->send(encode(request));
+    if (sendNumber_ >= 0) {
+      place_ = goal.pose.position;
+    }
+  }
+  void readAnswers() {
+    while (const auto answer = send_->receive()) {
+      if (answer->first != sendNumber_) {
+        continue;  // response to an earlier goal
+      }
+      const auto response = decode<Action::SendGoal::Response>(answer->second);
+      isAccepted_ = response && response->accepted;
+      if (isAccepted_) {
+        requestResult();
       } else {
-        startProblems_.push_back(diagnostic);
+        place_.reset();
+        retryAt_ = std::chrono::steady_clock::now() + kAgainAfter;
+        report_(base::problem(base::Severity::Warning, "ros2.goal-refused"));
+      }
+    }
+    while (const auto answer = result_->receive()) {
+      if (answer->first == resultNumber_) {
+        readResult(answer->second);
       }
     }
   }
+  void readResult(const Bytes& bytes) {
+    const auto result = read(bytes, distro_);
+    if (!result || result->first != Status::kStatusSucceeded) {
+      const std::string end = result ? wordOf(result->first) + result->second : "invalid response";
+      report_(base::problem(base::Severity::Warning, "ros2.goal-failed", {end}));
+    }
+  }
+  /// Requested immediately, because Nav2 discards results soon.
+  void requestResult() {
+    Action::GetResult::Request request;
+    request.goalId = id_;
+    resultNumber_ = result_->send(encode(request));
+  }
 
-  RunNodeSettings settings_;
-  NoPeerCheck noPeer_;
-  std::unique_ptr<Participant> participant_;
-  RunTopics topics_;
+  std::unique_ptr<Client> send_, result_;
+  Distro distro_;
   ReportCallback report_;
-  base::DiagnosticFilter reported_;
-  base::Diagnostics startProblems_;
-  bool hasStarted_ = false;
-  Node node_;
-  std::vector<std::unique_ptr<Publisher>> publishers_;  // one per topic
-  std::optional<geometry_msgs::Twist> command_;         // not passed to a step yet
-  std::optional<sim2d::Input> moved_, ordered_;         // as command_
-  std::uint64_t commands_ = 0;
-  const Subscription* driver_ = nullptr;
-  std::unique_ptr<GoalSender> goals_;
-  std::int64_t publishedTime_ = 0;  // [ns], time of the last published state
-  bool isDriven_ = false;           // commands are being received
-  bool hasWaited_ = false;          // for the first command
+  unique_identifier_msgs::UUID id_;
+  std::uint64_t sent_ = 0;                            // number of goals sent
+  std::optional<geometry_msgs::Point> place_;         // position of the newest goal
+  std::int64_t sendNumber_ = -1, resultNumber_ = -1;  // request numbers for the newest goal
+  bool isAccepted_ = false;
+  std::chrono::steady_clock::time_point retryAt_{};  // earliest time to send the next goal
 };
 
-base::Diagnostics DdsRunNode::start(bool hasRobot) {
+RunNode::RunNode(std::unique_ptr<Participant> participant, const sim2d::TraceHeader& header,
+                 const RunTopicsOptions& options, const RunNodeSettings& settings,
+                 ReportCallback report)
+    : NodeProgram(std::move(participant), settings.domain, std::move(report)),
+      settings_(settings),
+      topics_(header, options),
+      node_(makeNode("/", "hunavsim", {})) {}
+
+void RunNode::reportRejected(const base::Diagnostics& refused) {
+  for (const base::Diagnostic& diagnostic : refused) {
+    reportOnce(diagnostic);
+  }
+}
+
+void RunNode::warnOfMessage(const char* topic, const char* reason) {
+  reportOnce(base::problem(base::Severity::Warning, "ros2.bad-message", {topic, reason}));
+}
+
+base::Diagnostics RunNode::start(bool hasRobot) {
   for (const Topic& topic : topics_.topics()) {
     const Qos qos = topic.isLatched ? Qos::latched() : Qos::keepLast(topic.depth);
-    auto made = participant_->publisher(node_.number(), topic.name, std::string(topic.type), qos);
+    auto made = participant_->publisher(node_->number(), topic.name, std::string(topic.type), qos);
     base::append(startProblems_, made.diagnostics());
     publishers_.push_back(made ? *std::move(made) : nullptr);
   }
   if (hasRobot) {
     subscribeCommands();
-    node_.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
+    node_->subscribe<geometry_msgs::PoseWithCovarianceStamped>(
         kInitialPose, Qos::input(), [this](const auto& message) {
           takePose(kInitialPose, sim2d::InputKind::Move, message.header, message.pose.pose);
         });
-    node_.subscribe<geometry_msgs::PoseStamped>(
+    node_->subscribe<geometry_msgs::PoseStamped>(
         kGoalPose, Qos::input(), [this](const auto& message) {
           takePose(kGoalPose, sim2d::InputKind::Goal, message.header, message.pose);
         });
   }
   if (hasRobot && settings_.sendsGoals) {
     auto made =
-        GoalSender::create(*participant_, node_.number(), settings_.domain.distro,
+        GoalSender::create(*participant_, node_->number(), settings_.domain.distro,
                            [this](const base::Diagnostic& diagnostic) { reportOnce(diagnostic); });
     base::append(startProblems_, made.diagnostics());
     goals_ = made ? *std::move(made) : nullptr;
   }
-  participant_->publishGraph();
-  hasStarted_ = true;
-  return startProblems_;
+  return finishStart();
 }
 
-void DdsRunNode::subscribeCommands() {
+void RunNode::subscribeCommands() {
   driver_ = settings_.stampedCommands
-                ? node_.subscribe<geometry_msgs::TwistStamped>(
+                ? node_->subscribe<geometry_msgs::TwistStamped>(
                       "/cmd_vel", Qos::input(),
                       [this](const geometry_msgs::TwistStamped& command) { takeStamped(command); })
-                : node_.subscribe<geometry_msgs::Twist>(
+                : node_->subscribe<geometry_msgs::Twist>(
                       "/cmd_vel", Qos::input(),
                       [this](const geometry_msgs::Twist& command) { takeCommand(command); });
 }
 
 /// In lockstep a command for an earlier state is too late and is ignored.
-void DdsRunNode::takeStamped(const geometry_msgs::TwistStamped& command) {
+void RunNode::takeStamped(const geometry_msgs::TwistStamped& command) {
   const builtin_interfaces::Time& stamp = command.header.stamp;
   const bool isStamped = stamp.sec != 0 || stamp.nanosec != 0;
   if (settings_.lockstep && isStamped && nanosecondsOf(stamp) + kSameStamp < publishedTime_) {
@@ -137,12 +246,11 @@ void DdsRunNode::takeStamped(const geometry_msgs::TwistStamped& command) {
   takeCommand(command.twist);
 }
 
-void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
+void RunNode::takeCommand(const geometry_msgs::Twist& twist) {
   // The world rejects larger values. The comparison is false for NaN.
   const auto isUsable = [](double value) { return std::fabs(value) <= sim2d::kMaxPlausibleSpeed; };
   if (!isUsable(twist.linear.x) || !isUsable(twist.linear.y) || !isUsable(twist.angular.z)) {
-    reportOnce(base::problem(base::Severity::Warning, "ros2.bad-message",
-                             {"/cmd_vel", "a number is not finite or above 1000"}));
+    warnOfMessage("/cmd_vel", "a number is not finite or above 1000");
     return;
   }
   command_ = twist;
@@ -150,17 +258,15 @@ void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
 }
 
 /// The newest input of each kind is passed to the next step.
-void DdsRunNode::takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
-                          const geometry_msgs::Pose& pose) {
+void RunNode::takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
+                       const geometry_msgs::Pose& pose) {
   const std::string& frame = header.frameId;
   geometry_msgs::Quaternion q = pose.orientation;
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   const bool isUsable =
       std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(length);
   if (!isUsable || (!frame.empty() && frame != kMapFrame)) {
-    reportOnce(
-        base::problem(base::Severity::Warning, "ros2.bad-message",
-                      {topic, isUsable ? "its frame is not 'map'" : "a number is not finite"}));
+    warnOfMessage(topic, isUsable ? "its frame is not 'map'" : "a number is not finite");
     return;
   }
   sim2d::Input input;
@@ -173,12 +279,12 @@ void DdsRunNode::takePose(const char* topic, sim2d::InputKind kind, const std_ms
   (kind == sim2d::InputKind::Move ? moved_ : ordered_) = input;
 }
 
-void DdsRunNode::readAll() {
+void RunNode::readAll() {
   for (int i = 0; i < kReadAtMost && participant_->spin(Milliseconds(0)); ++i) {
   }
 }
 
-void DdsRunNode::publish(const sim2d::Frame& frame) {
+void RunNode::publish(const sim2d::Frame& frame) {
   const auto send = [this](std::size_t topic, const std::string& bytes) {
     if (publishers_[topic] != nullptr) {
       publishers_[topic]->publish(bytes);
@@ -195,7 +301,7 @@ void DdsRunNode::publish(const sim2d::Frame& frame) {
   topics_.publish(frame, send, isHeard);
 }
 
-void DdsRunNode::updateGoal(const sim2d::Frame& frame) {
+void RunNode::updateGoal(const sim2d::Frame& frame) {
   if (goals_ != nullptr) {
     const sim2d::TraceGoal* const goal = topics_.hasExternalGoal(0) ? nullptr : topics_.goalOf(0);
     goals_->update(goal == nullptr ? std::nullopt
@@ -203,10 +309,8 @@ void DdsRunNode::updateGoal(const sim2d::Frame& frame) {
   }
 }
 
-void DdsRunNode::publishState(const sim2d::Frame& frame) {
-  if (const auto diagnostic = noPeer_.check(*participant_)) {
-    reportOnce(*diagnostic);
-  }
+void RunNode::publishState(const sim2d::Frame& frame) {
+  reportMissingPeers();
   topics_.track(frame);
   if (settings_.lockstep) {
     readAll();
@@ -217,7 +321,7 @@ void DdsRunNode::publishState(const sim2d::Frame& frame) {
   updateGoal(frame);
 }
 
-void DdsRunNode::waitForCommander(const sim2d::Frame& frame) {
+void RunNode::waitForCommander(const sim2d::Frame& frame) {
   if (!settings_.lockstep || driver_ == nullptr || std::exchange(hasWaited_, true)) {
     return;
   }
@@ -246,7 +350,7 @@ void DdsRunNode::waitForCommander(const sim2d::Frame& frame) {
 }
 
 /// Commands may stop when a goal is reached; the run continues.
-void DdsRunNode::waitForCommand() {
+void RunNode::waitForCommand() {
   if (!participant_->spinUntil([this] { return command_.has_value(); }, kLockstepWait)) {
     isDriven_ = false;
     reportOnce(base::problem(base::Severity::Warning, "ros2.lockstep-late",
@@ -254,7 +358,7 @@ void DdsRunNode::waitForCommand() {
   }
 }
 
-sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
+sim2d::StepInputs RunNode::inputs(const sim2d::Frame& frame) {
   waitForCommander(frame);
   readAll();
   updateGoal(frame);
@@ -281,8 +385,6 @@ sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
   return inputs;
 }
 
-}  // namespace
-
 base::Result<std::unique_ptr<RunNode>> RunNode::create(const sim2d::TraceHeader& header,
                                                        const RunTopicsOptions& options,
                                                        const RunNodeSettings& settings,
@@ -291,13 +393,10 @@ base::Result<std::unique_ptr<RunNode>> RunNode::create(const sim2d::TraceHeader&
   if (!participant) {
     return participant.diagnostics();
   }
-  auto node = std::make_unique<DdsRunNode>(*std::move(participant), header, options, settings,
-                                           std::move(report));
+  std::unique_ptr<RunNode> node(
+      new RunNode(*std::move(participant), header, options, settings, std::move(report)));
   base::Diagnostics problems = node->start(!header.robots.empty());
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {std::unique_ptr<RunNode>(std::move(node)), std::move(problems)};
+  return base::resultOf(std::move(node), std::move(problems));
 }
 
 }  // namespace bridge

@@ -11,6 +11,7 @@
 #include "app/bridge/messages/nav_msgs.h"
 #include "app/bridge/messages/people_msgs.h"
 #include "app/bridge/messages/sensor_msgs.h"
+#include "app/bridge/messages/visualization_msgs.h"
 #include "sim2d/trace/Trace.h"
 
 /// Conversion of run states to messages. Pure functions of the trace header and a frame;
@@ -71,5 +72,15 @@ sensor_msgs::LaserScan scanOf(const sim2d::RobotTelemetry::Scan& scan, double pe
 nav_msgs::OccupancyGrid mapOf(const sim2d::OccupancyGrid& grid);
 nav_msgs::Path pathOf(const std::vector<base::Vec2>& points, double seconds);
 geometry_msgs::PoseStamped goalOf(const base::Vec2& goal, double seconds);
+
+/// Markers of all people and robots: a body, a velocity arrow, a name; robots also have their
+/// footprint. The first marker deletes the previous ones, so each message is complete. Reuses the
+/// memory of `to`, which is a previous message or empty.
+void setBodyMarkers(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
+                    visualization_msgs::MarkerArray& to);
+/// Outlines of the obstacles other than the map's walls, with doors as in the frame. `seconds`:
+/// time stamp.
+visualization_msgs::MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header,
+                                                  const sim2d::Frame& frame, double seconds);
 
 }  // namespace bridge

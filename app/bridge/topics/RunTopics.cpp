@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/bridge/messages/rosgraph_msgs.h"
-#include "app/bridge/topics/RunMarkers.h"
 #include "app/bridge/topics/RunMessages.h"
-#include "sim2d/nav/FrameTransform.h"
+#include "sim2d/base/Find.h"
+#include "sim2d/nav/Body.h"
 #include "sim2d/scenario/ResolvedValues.h"
 
 namespace bridge {
@@ -38,9 +38,7 @@ const sim2d::TraceGoal* goalIn(const std::vector<sim2d::TraceGoal>& goals, int i
   if (id == sim2d::kNoGoal) {
     return passed < goals.size() && goals[passed].id <= 0 ? &goals[passed] : nullptr;
   }
-  const auto found = std::find_if(goals.begin(), goals.end(),
-                                  [id](const sim2d::TraceGoal& goal) { return goal.id == id; });
-  return found == goals.end() ? nullptr : &*found;
+  return base::findBy(goals, &sim2d::TraceGoal::id, id);
 }
 
 /// The transform from `parent` to `child` at `seconds` of simulation time.
@@ -171,7 +169,7 @@ void RunTopics::publish(const sim2d::Frame& frame, const Send& send, const Filte
     context.publish(Clock, [&] { return rosgraph_msgs::Clock{stampOf(frame.time)}; });
   }
   publishStaticTransforms(context);
-  publishTransforms(context);
+  context.publishReused(Tf, transforms_, [&](auto& to) { setTransforms(frame, to); });
   publishSurroundings(context);
   for (std::size_t k = 0; k < robots_.size() && k < frame.robots.size(); ++k) {
     publishRobot(context, k);
@@ -235,11 +233,6 @@ void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to
   to.transforms.erase(next, to.transforms.end());
 }
 
-void RunTopics::publishTransforms(const PublishContext& context) {
-  context.publishReused(Tf, peopleMessages_.transforms,
-                        [&](auto& to) { setTransforms(context.frame, to); });
-}
-
 void RunTopics::publishSurroundings(const PublishContext& context) {
   if (latched_[Map].empty() && !header_.map.isEmpty()) {
     latch(context, Map, [&](double /*seconds*/) { return mapOf(header_.map); });
@@ -253,12 +246,9 @@ void RunTopics::publishSurroundings(const PublishContext& context) {
 
 void RunTopics::publishPeople(const PublishContext& context) {
   const sim2d::Frame& frame = context.frame;
-  context.publishReused(Markers, peopleMessages_.markers,
-                        [&](auto& to) { setBodyMarkers(header_, frame, to); });
-  context.publishReused(HumanStates, peopleMessages_.agents,
-                        [&](auto& to) { setAgents(header_, frame, to); });
-  context.publishReused(People, peopleMessages_.people,
-                        [&](auto& to) { setPeople(header_, frame, to); });
+  context.publishReused(Markers, markers_, [&](auto& to) { setBodyMarkers(header_, frame, to); });
+  context.publishReused(HumanStates, agents_, [&](auto& to) { setAgents(header_, frame, to); });
+  context.publishReused(People, people_, [&](auto& to) { setPeople(header_, frame, to); });
 }
 
 void RunTopics::publishRobot(const PublishContext& context, std::size_t robot) {
@@ -332,11 +322,9 @@ void RunTopics::publishNewScan(const PublishContext& context, std::size_t robot)
 void RunTopics::publishScan(const PublishContext& context, std::size_t robot,
                             const sim2d::RobotTelemetry::Scan& scan) const {
   const std::string& frames = robots_[robot].frames;
-  if (!mountOf(robot)) {
-    context.publishShort(Tf, [&] {
-      return tf2_msgs::TFMessage{
-          {transformTo(scan.time, frames + kOdometry, frames + kSensor, scan.sensor)}};
-    });
+  if (!mountOf(robot) && context.isWanted(Tf)) {  // much shorter than the others of its topic
+    context.send(Tf, encode(tf2_msgs::TFMessage{{transformTo(scan.time, frames + kOdometry,
+                                                             frames + kSensor, scan.sensor)}}));
   }
   const double rate = robot < options_.lidarRates.size() ? options_.lidarRates[robot] : kUsualRate;
   context.publish(topicOf(robot, Scan), [&] { return scanOf(scan, 1.0 / rate, frames + kSensor); });

@@ -104,20 +104,11 @@ class RunTopics {
     const sim2d::TraceGoal* goal = nullptr;        // of the header or the external one
   };
   struct PublishContext;
-  /// Messages of the last state whose size depends on the number of people.
-  struct PeopleMessages {
-    tf2_msgs::TFMessage transforms;
-    visualization_msgs::MarkerArray markers;
-    hunav_msgs::Agents agents;
-    people_msgs::People people;
-  };
-
   void addTopics();
   std::size_t topicOf(std::size_t robot, RobotTopic what) const {
     return CommonTopicCount + robot * RobotTopicCount + what;
   }
   void publishSurroundings(const PublishContext& context);
-  void publishTransforms(const PublishContext& context);
   void setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to) const;
   void publishStaticTransforms(const PublishContext& context);
   void publishPeople(const PublishContext& context);
@@ -144,7 +135,11 @@ class RunTopics {
   std::vector<std::string> latched_;    // by topic, last message
   std::vector<std::string> unstamped_;  // latched_ with time stamp 0
   std::vector<std::size_t> lengths_;    // [bytes] of the last message, by topic
-  PeopleMessages peopleMessages_;       // reused between frames
+  // Messages whose size depends on the number of people, reused between frames.
+  tf2_msgs::TFMessage transforms_;
+  visualization_msgs::MarkerArray markers_;
+  hunav_msgs::Agents agents_;
+  people_msgs::People people_;
   std::vector<Robot> robots_;
   std::vector<char> doors_;  // as last published
 };
@@ -175,13 +170,6 @@ struct RunTopics::PublishContext {
     if (isWanted(topic)) {
       set(message);
       sendEncoded(topic, message);
-    }
-  }
-  /// Publishes a message that is much shorter than the others of its topic.
-  template <class Make>
-  void publishShort(std::size_t topic, const Make& make) const {
-    if (isWanted(topic)) {
-      send(topic, encode(make()));
     }
   }
 };

@@ -5,7 +5,6 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackFormats.h"
-#include "sim2d/trace/WalkableArea.h"
 
 /// HDF5 files of PeTrack and the Pedestrian Dynamics Data Archive: table "trajectory" with id,
 /// frame, x, y [m]. Attribute "fps" of the file or table: frame rate; attributes of the table named

@@ -8,7 +8,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Sqlite.h"
 #include "sim2d/trace/TrackFormats.h"
-#include "sim2d/trace/WalkableArea.h"
 
 /// JuPedSim SQLite trajectories: tables trajectory_data (frame, id, pos_x, pos_y, ori_x, ori_y),
 /// metadata (key, value) with "fps", geometry (hash, wkt) and frame_data (frame, geometry_hash).
