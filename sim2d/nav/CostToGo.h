@@ -29,8 +29,6 @@ class CostToGo {
   Vec2 direction(const Vec2& place) const;
   /// True if the goal, or the end of the route, lies in the grid.
   bool containsRouteEnd() const { return containsRouteEnd_; }
-  /// Point where the route leaves the grid, or its end.
-  const Vec2& target() const { return target_; }
 
  private:
   struct Corners {  // bilinear interpolation between four cell centres
@@ -61,7 +59,7 @@ class CostToGo {
   std::vector<double>
       minByRadius_;             // [m], minimum over cells within that many cells of updatePosition_
   Vec2 origin_ = Vec2::Zero();  // lower left corner
-  Vec2 target_ = Vec2::Zero();
+  Vec2 target_ = Vec2::Zero();  // where the route leaves the grid, or its end
   double remainingLength_ = 0.0;  // length of the route after the target [m]
   bool containsRouteEnd_ = false;
   Vec2 goal_ = Vec2::Zero();

@@ -48,24 +48,6 @@ void limitSteering(const RobotBody& body, TwistWindow& window) {
   window.highAngular = std::max(clampSymmetric(window.highAngular, fastest), -slowest);
 }
 
-/// Braking distance [m] of two velocity components (both >= 0) that each decelerate at the rate
-/// `deceleration`: integral of the speed while both are nonzero, then of the larger one.
-double diagonalBrakingDistance(double one, double other, double deceleration) {
-  const double half = 0.5 * std::fabs(one - other);
-  const double start = 0.5 * (one + other);  // falls to `half` while both are nonzero
-  const double rest = 2.0 * half * half / deceleration;
-  if (start == half) {
-    return rest;
-  }
-  const double startSpeed = std::sqrt(start * start + half * half);
-  const double endSpeed = std::sqrt(2.0) * half;
-  double area = start * startSpeed - half * endSpeed;  // twice the integral of sqrt(s² + half²)
-  if (half > 0.0) {
-    area += half * half * base::log((start + startSpeed) / (half + endSpeed));
-  }
-  return area / (std::sqrt(2.0) * deceleration) + rest;
-}
-
 }  // namespace
 
 Pose2 propagated(const Pose2& pose, const BodyTwist& twist, double time) {
@@ -117,19 +99,6 @@ TwistWindow dynamicWindow(const RobotBody& body, const BodyTwist& now, double ti
   window.highAngular = rateLimited(now.angular, limits.maxOmega, turnChange);
   limitSteering(body, window);
   return window;
-}
-
-double brakingDistance(const RobotBody& body, const BodyTwist& twist) {
-  const double ahead = std::fabs(twist.linear);
-  const bool isOmni = body.kinematics == Kinematics::Omnidirectional;
-  const double aside = isOmni ? std::fabs(twist.lateral) : 0.0;
-  if (ahead == 0.0 && aside == 0.0) {
-    return 0.0;
-  }
-  if (body.limits.maxAcc <= 0.0) {
-    return std::numeric_limits<double>::infinity();
-  }
-  return diagonalBrakingDistance(ahead, aside, body.limits.maxAcc);
 }
 
 namespace {

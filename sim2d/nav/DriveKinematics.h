@@ -32,11 +32,6 @@ struct TwistWindow {
 };
 TwistWindow dynamicWindow(const RobotBody& body, const BodyTwist& now, double time);
 
-/// Braking distance of the centre from this twist at full deceleration [m], v² / 2a.
-/// Omnidirectional: both components brake at the same time. Infinite for a moving robot that cannot
-/// brake.
-double brakingDistance(const RobotBody& body, const BodyTwist& twist);
-
 /// Velocity samples and the arcs that a robot drives with them (Fox, Burgard & Thrun 1997).
 /// Thread-safe.
 

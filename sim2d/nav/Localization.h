@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "sim2d/nav/Body.h"
-#include "sim2d/nav/FrameTransform.h"
 
 /// Error model of a localiser such as AMCL, and the correction map -> odom that it publishes. Map
 /// frame, SI, radians.

@@ -11,8 +11,10 @@
 /// "Optimal reciprocal collision avoidance for multiple non-holonomic robots". The robot drives an
 /// arc of duration T that ends with the heading theta_H, then straight with V_H; the tracking error
 /// is the maximum distance to a point that moves with v_H from the start. With the optimal speed on
-/// the arc, v = V_H theta_H / 2 cot(theta_H / 2), it is V_H T |sin(theta_H / 2)|. Robot frame, SI.
-/// Thread-safe.
+/// the arc, v = V_H theta_H / 2 cot(theta_H / 2), it is V_H T |sin(theta_H / 2)|; for a turn in
+/// place it is V_H |theta_H| / omega_max. Ackermann: no arc is tighter than R, so T is at least
+/// 2 R tan(|theta_H| / 2) / V_H and the error at least 2 R tan(|theta_H| / 2) sin(|theta_H| / 2) at
+/// any speed. Robot frame, SI. Thread-safe.
 namespace sim2d {
 
 /// Properties of a robot for tracking. Acceleration limits are included by `trackingModelFor`.
@@ -30,14 +32,6 @@ TrackingModel trackingModelFor(const RobotBody& body, double turnTime);
 /// differential robot turns in place and an Ackermann robot takes longer.
 double arcAngle(const TrackingModel& model);
 
-/// Tracking error E(V_H, theta_H) [m]; `angle` in (-pi, pi]. Differential, in place: V_H |theta_H|
-/// / omega_max. Ackermann: no arc is tighter than R, so T is at least 2 R tan(|theta_H| / 2) / V_H
-/// and the error at least 2 R tan(|theta_H| / 2) sin(|theta_H| / 2) at any speed. Omnidirectional:
-/// 0.
-double trackingError(const TrackingModel& model, double speed, double angle);
-/// Maximum speed of a holonomic velocity at this angle that is tracked with an error of at most
-/// `epsilon` [m] (0 for an Ackermann robot beyond some angle).
-double maxTrackableSpeed(const TrackingModel& model, double angle, double epsilon);
 /// Maximum angle at which an Ackermann robot tracks slow velocities within `epsilon`.
 double maxTrackableAngle(double turningRadius, double epsilon);
 
@@ -109,5 +103,21 @@ Vec2 rotated(const Vec2& vector, double angle);
 /// Largest violation of the planes from `first` on by this velocity [m/s]; 0 if there is none.
 double worstViolation(const std::vector<HalfPlane>& planes, std::size_t first,
                       const Vec2& velocity);
+
+/// Passive motion safety: the robot has stopped before anything that it perceives touches it
+/// (Macek, Vasquez, Fraichard & Siegwart 2009; Bouraine, Fraichard & Salhi 2012). World frame, SI.
+/// Thread-safe.
+
+/// The robot changes to the twist within one step, keeps it for that step, then brakes to a
+/// standstill. True if it keeps `margin` [m] to all bodies (at constant velocity) and walls all
+/// that time, or comes no nearer to them than if it stood still.
+bool isPassivelySafe(const RobotBody& body, const Observation& observation, const BodyTwist& twist,
+                     double margin);
+
+/// Twist nearest to the wanted one that is reachable within one step from `observation.motion` and
+/// passively safe: as wanted, slower, turning in place, or else braking. Braking is safe if the
+/// last twist was safe and people keep their velocities.
+BodyTwist nearestSafeTwist(const RobotBody& body, const Observation& observation,
+                           const BodyTwist& wanted, double margin);
 
 }  // namespace sim2d

@@ -9,7 +9,6 @@
 
 #include "sim2d/map/NavigationMap.h"
 #include "sim2d/map/Obstacles.h"
-#include "sim2d/nav/Battery.h"
 #include "sim2d/nav/Body.h"
 
 /// Information that a robot has when it decides. World frame, SI, radians.
@@ -108,7 +107,14 @@ inline std::int64_t eventIndexAt(double time, double rate) {
 
 /// True if `point` lies within `range` and within `halfAngle` of the heading, and no obstacle is in
 /// between.
-bool isInView(const Pose2& eye, const Vec2& point, double range, double halfAngle,
-              const Obstacles& obstacles);
+inline bool isInView(const Pose2& eye, const Vec2& point, double range, double halfAngle,
+                     const Obstacles& obstacles) {
+  const Vec2 sight = point - eye.position;
+  if (sight.norm() > range) {
+    return false;
+  }
+  const double bearing = base::angleDiff(base::headingOf(sight), eye.heading);
+  return std::fabs(bearing) <= halfAngle && obstacles.isVisible(eye.position, point);
+}
 
 }  // namespace sim2d

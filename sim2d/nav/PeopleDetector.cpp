@@ -157,16 +157,10 @@ std::vector<std::pair<int, int>> closePairs(std::vector<const SensedBody*> peopl
 }  // namespace
 
 DetectorParameters groundTruthDetector() {
-  DetectorParameters parameters;
+  DetectorParameters parameters = idealDetector();
   parameters.range = std::numeric_limits<double>::infinity();
-  parameters.rate = 0.0;
-  parameters.latency = 0.0;
-  parameters.noise = 0.0;
-  parameters.misses = 0.0;
-  parameters.swaps = 0.0;
   parameters.isOccluded = false;
   parameters.coastTime = 0.0;
-  parameters.measuresVelocity = true;
   return parameters;
 }
 

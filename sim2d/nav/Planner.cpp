@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace sim2d {
 
@@ -11,6 +12,13 @@ std::string fileParameter(const PlannerSetup& setup, const std::string& key) {
   return given == setup.texts.end() || given->second.empty()
              ? std::string()
              : (std::filesystem::path(setup.folder) / given->second).lexically_normal().string();
+}
+
+base::Diagnostics withRobotName(const std::string& robot, base::Diagnostics problems) {
+  for (base::Diagnostic& problem : problems) {
+    problem = base::withContext("robot '" + robot + "'", std::move(problem));
+  }
+  return problems;
 }
 
 }  // namespace sim2d

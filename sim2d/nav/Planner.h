@@ -16,7 +16,6 @@
 #include "sim2d/map/CostGrid.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/nav/Observation.h"
-#include "sim2d/nav/external/CodePermission.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
 namespace sim2d {
@@ -74,6 +73,17 @@ struct PlannerEvent {
 };
 
 constexpr const char* kNav2Planner = "nav2";
+/// Planners that run external code.
+constexpr const char* kExternalPlanner = "external";
+constexpr const char* kLibraryPlanner = "library";
+
+/// How programs and libraries that a scenario names are handled. A scenario file alone never runs
+/// code: the user must allow it (--allow-code, or a prompt in the window).
+enum class ExternalCodePolicy {
+  Refused,  // an error
+  Skipped,  // nothing is started and the robot stands still, for validation only
+  Allowed
+};
 
 /// Files and values of the planner `nav2`; empty: Nav2 defaults.
 struct Nav2Config {
@@ -171,6 +181,9 @@ struct PlannerSetup {
 /// Path of the file given by a text parameter, resolved against the folder of the setup; empty if
 /// not given.
 std::string fileParameter(const PlannerSetup& setup, const std::string& key);
+
+/// The problems with the robot's name as context.
+base::Diagnostics withRobotName(const std::string& robot, base::Diagnostics problems);
 
 /// Each file in planners/ registers its planner in `add<File>`; errors contain the robot's name.
 using PlannerFactory = std::function<base::Result<std::shared_ptr<Planner>>(const PlannerSetup&)>;

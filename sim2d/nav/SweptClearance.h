@@ -23,7 +23,6 @@ class ClearanceCache {
   /// squared distance d² to any set, minus |p|², is a concave function of p, hence d²(p) >= mean of
   /// d² at the corners - (mean of |corner|² - |p|²).
   double distanceAt(const Vec2& place);
-  double limit() const { return limit_; }
 
  private:
   struct Place {

@@ -8,74 +8,12 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 
 namespace sim2d {
 namespace {
-
-/// State machine that splits a command character by character.
-class ArgumentSplitter {
- public:
-  void take(char c) {
-    if (isEscaped_) {
-      consumeEscaped(c);
-    } else if (c == '\\' && quote_ != '\'') {
-      isEscaped_ = true;
-      hasWord_ = true;
-    } else if (quote_ != 0) {
-      consumeQuoted(c);
-    } else if (c == '\'' || c == '"') {
-      quote_ = c;
-      hasWord_ = true;
-    } else if (c == ' ' || c == '\t' || c == '\n' || c == '\r') {
-      endWord();
-    } else {
-      add(c);
-    }
-  }
-
-  /// Returns false if a quote is open or nothing follows a backslash.
-  bool end() {
-    endWord();
-    return quote_ == 0 && !isEscaped_;
-  }
-  const std::vector<std::string>& words() const { return words_; }
-
- private:
-  void add(char c) {
-    word_ += c;
-    hasWord_ = true;
-  }
-  void consumeEscaped(char c) {
-    const bool isMeant = quote_ == 0 || std::string_view("\"\\$`").find(c) != std::string::npos;
-    if (!isMeant) {
-      add('\\');
-    }
-    add(c);
-    isEscaped_ = false;
-  }
-  void consumeQuoted(char c) {
-    if (c == quote_) {
-      quote_ = 0;
-    } else {
-      add(c);
-    }
-  }
-  void endWord() {
-    if (hasWord_) {
-      words_.push_back(word_);
-    }
-    word_.clear();
-    hasWord_ = false;
-  }
-
-  std::vector<std::string> words_;
-  std::string word_;
-  bool hasWord_ = false;  // '' is an empty argument
-  bool isEscaped_ = false;
-  char quote_ = 0;
-};
 
 /// 0, or the errno for why this file cannot be started.
 int programError(const std::string& file) {
@@ -92,17 +30,41 @@ int programError(const std::string& file) {
 }  // namespace
 
 base::Result<std::vector<std::string>> splitCommandLine(const std::string& command) {
-  ArgumentSplitter splitter;
-  for (const char c : command) {
-    splitter.take(c);
+  std::vector<std::string> words;
+  std::string word;
+  bool hasWord = false;  // '' is an empty argument
+  char quote = 0;
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    const char c = command[i];
+    const bool isBlank = quote == 0 && (c == ' ' || c == '\t' || c == '\n' || c == '\r');
+    if (isBlank && hasWord) {
+      words.push_back(std::exchange(word, {}));
+    }
+    hasWord = !isBlank;
+    if (c == '\\' && quote != '\'') {
+      if (++i == command.size()) {
+        return base::error("external.open-quote", {command});
+      }
+      const bool isMeant =
+          quote == 0 || std::string_view("\"\\$`").find(command[i]) != std::string::npos;
+      word += isMeant ? "" : "\\";
+      word += command[i];
+    } else if (quote != 0 ? c == quote : c == '\'' || c == '"') {
+      quote = quote != 0 ? 0 : c;
+    } else if (!isBlank) {
+      word += c;
+    }
   }
-  if (!splitter.end()) {
+  if (hasWord) {
+    words.push_back(word);
+  }
+  if (quote != 0) {
     return base::error("external.open-quote", {command});
   }
-  if (splitter.words().empty() || splitter.words().front().empty()) {
+  if (words.empty() || words.front().empty()) {
     return base::error("external.no-command");
   }
-  return splitter.words();
+  return words;
 }
 
 base::Result<std::string> resolveExecutable(const std::string& name) {

@@ -7,7 +7,6 @@
 #include "sim2d/base/Result.h"
 #include "sim2d/base/StopFlag.h"
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/external/CodePermission.h"
 
 /// Planners in external programs (PROTOCOL.md). Errors contain the robot's name.
 namespace sim2d {
@@ -20,13 +19,12 @@ struct ExternalCommand {
 
 /// Starts the program immediately, sends the greeting with the first observation and the end line
 /// when the planner is destroyed, and then ends the program. The simulation blocks on each answer;
-/// `stop` interrupts this with `base::Stopped`. Errors: those of `ExternalProcess::start`,
+/// `setup.stop` interrupts this with `base::Stopped`. Errors: those of `ExternalProcess::start`,
 /// external.not-allowed, external.bad-timeout; of `command()`: those of `ExternalProcess::ask`,
 /// `readReady` and `readAnswer`. After an error the program has ended and each call returns the
 /// same error.
-base::Result<std::shared_ptr<Planner>> makeExternalPlanner(
-    const PlannerSetup& setup, const ExternalCommand& command, CodePermission permission,
-    const base::StopFlagPtr& stop = std::make_shared<const base::StopFlag>());
+base::Result<std::shared_ptr<Planner>> makeExternalPlanner(const PlannerSetup& setup,
+                                                           const ExternalCommand& command);
 
 /// Checks that do not start the program: no command, an open quote, missing program, invalid
 /// timeout.

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim2d/base/FileDescriptor.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/base/StopFlag.h"
 #include "sim2d/nav/external/LineChannel.h"

@@ -5,7 +5,6 @@
 
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/external/CodePermission.h"
 #include "sim2d/nav/external/hunavsim_planner.h"
 
 namespace sim2d {
@@ -15,8 +14,7 @@ namespace sim2d {
 /// library.not-allowed, .no-file, .not-loaded, .no-symbol (each one), .other-version, .refused; of
 /// `command()`: library.failed, .no-number.
 base::Result<std::shared_ptr<Planner>> makeLibraryPlanner(const PlannerSetup& setup,
-                                                          const std::string& file,
-                                                          CodePermission permission);
+                                                          const std::string& file);
 
 /// A shared library with a planner, loaded while an instance exists. Thread-safe.
 class PlannerLibrary {

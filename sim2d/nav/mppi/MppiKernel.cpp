@@ -6,6 +6,15 @@
 #include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
 
 namespace sim2d {
+namespace {
+
+nav2::CompiledKernels kernelsFor(MppiSimdLevel path) {
+  constexpr std::array<nav2::CompiledKernels (*)(), 3> kKernels = {
+      nav2::kernelsForSse2, nav2::kernelsForAvx2, nav2::kernelsForAvx512};
+  return kKernels[static_cast<std::size_t>(path)]();
+}
+
+}  // namespace
 
 bool isMppiSimdLevelSupported(MppiSimdLevel path) {
   const std::array<bool, 3> isThere = {true, __builtin_cpu_supports("avx2") != 0,
@@ -21,15 +30,11 @@ MppiSimdLevel fastestMppiSimdLevel() {
 }
 
 MppiKernel mppiKernelFor(MppiSimdLevel path) {
-  constexpr std::array<MppiKernel (*)(), 3> kKernels = {mppiKernelSse2, mppiKernelAvx2,
-                                                        mppiKernelAvx512};
-  return kKernels[static_cast<std::size_t>(path)]();
+  return kernelsFor(path).mppi;
 }
 
 nav2::TrajectoryKernel nav2::trajectoryKernelOf(MppiSimdLevel path) {
-  constexpr std::array<TrajectoryKernel (*)(), 3> kKernels = {
-      trajectoryKernelSse2, trajectoryKernelAvx2, trajectoryKernelAvx512};
-  return kKernels[static_cast<std::size_t>(path)]();
+  return kernelsFor(path).trajectories;
 }
 
 }  // namespace sim2d

@@ -138,10 +138,6 @@ struct MppiKernel {
   float (*sum)(const float* weights, const float* values, int count) = nullptr;
 };
 
-MppiKernel mppiKernelSse2();
-MppiKernel mppiKernelAvx2();
-MppiKernel mppiKernelAvx512();
-
 /// Instruction sets for which the kernel is compiled.
 enum class MppiSimdLevel : std::uint8_t { Sse2, Avx2, Avx512 };
 bool isMppiSimdLevelSupported(MppiSimdLevel path);  // supported by this processor

@@ -6,6 +6,7 @@
 #include "sim2d/nav/mppi/MppiKernel.h"
 #include "sim2d/nav/mppi/MppiLanes.h"
 #include "sim2d/nav/mppi/MppiNoise.h"
+#include "sim2d/nav/nav2/mppi/TrajectoryCollisions.h"
 
 /// Rollouts of one register of samples at a time: noise, feasible controls, trajectories, costs.
 /// Include exactly once per instruction-set file.
@@ -202,4 +203,17 @@ inline float weightedSum(const float* weights, const float* values, int count) {
 }
 
 }  // namespace
+
+namespace nav2 {
+namespace {
+
+inline CompiledKernels compiledKernels() {
+  return {{drawSamples, weighSamples, weightedSum},
+          {drawTrajectoryNoise, rolloutTrajectories, nearestPathPoints, scoreConstraint, scoreCost,
+           scoreObstacles, scoreGoal, scoreGoalAngle, scoreAlign, scoreFollow, scoreAngle,
+           scoreForward, scoreTwirling, scoreDeadband, meanOfControls}};
+}
+
+}  // namespace
+}  // namespace nav2
 }  // namespace sim2d

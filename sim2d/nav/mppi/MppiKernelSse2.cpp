@@ -1,14 +1,5 @@
 #include "sim2d/nav/mppi/MppiKernelSource.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryKernelSource.h"
 
-namespace sim2d {
-
-MppiKernel mppiKernelSse2() {
-  return {drawSamples, weighSamples, weightedSum};
+sim2d::nav2::CompiledKernels sim2d::nav2::kernelsForSse2() {
+  return compiledKernels();
 }
-
-nav2::TrajectoryKernel nav2::trajectoryKernelSse2() {
-  return compiledTrajectoryKernel();
-}
-
-}  // namespace sim2d

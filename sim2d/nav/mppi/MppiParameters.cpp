@@ -1,8 +1,7 @@
-#include "sim2d/nav/mppi/MppiParameters.h"
-
 #include <string>
 
 #include "sim2d/base/Ranges.h"
+#include "sim2d/nav/mppi/MppiPlanner.h"
 
 namespace sim2d {
 namespace {

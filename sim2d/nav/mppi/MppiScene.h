@@ -6,7 +6,6 @@
 #include "sim2d/nav/RobotRoute.h"
 #include "sim2d/nav/mppi/MppiGrids.h"
 #include "sim2d/nav/mppi/MppiKernel.h"
-#include "sim2d/nav/mppi/MppiParameters.h"
 
 /// Predicted motion of other bodies during the robot's plan. World frame, SI.
 namespace sim2d {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "sim2d/base/Types.h"
@@ -56,6 +55,10 @@ class Costmap {
     assert(contains(cell));
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(cell.column);
+  }
+  Cell cellOf(std::size_t index) const {
+    const auto width = static_cast<std::size_t>(width_);
+    return {static_cast<int>(index % width), static_cast<int>(index / width)};
   }
   std::uint8_t at(Cell cell) const { return costs_[indexOf(cell)]; }
   void set(Cell cell, std::uint8_t cost) { costs_[indexOf(cell)] = cost; }

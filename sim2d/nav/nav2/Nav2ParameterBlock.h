@@ -49,9 +49,12 @@ struct Nav2Key {
   unsigned distros = kAllDistros;
 };
 
+template <class Parameters>
+using Nav2Keys = std::vector<Nav2Key<Parameters>>;
+
 /// Appends the keys of the same struct or of one of its bases.
 template <class Parameters, class Base>
-void appendKeys(std::vector<Nav2Key<Parameters>>& keys, const std::vector<Nav2Key<Base>>& more) {
+void appendKeys(Nav2Keys<Parameters>& keys, const Nav2Keys<Base>& more) {
   for (const Nav2Key<Base>& key : more) {
     std::visit(
         [&](auto member) {
@@ -62,8 +65,8 @@ void appendKeys(std::vector<Nav2Key<Parameters>>& keys, const std::vector<Nav2Ke
 }
 /// All keys of several tables, in this order.
 template <class Parameters, class... Tables>
-std::vector<Nav2Key<Parameters>> joinedKeys(const Tables&... tables) {
-  std::vector<Nav2Key<Parameters>> keys;
+Nav2Keys<Parameters> joinedKeys(const Tables&... tables) {
+  Nav2Keys<Parameters> keys;
   (appendKeys(keys, tables), ...);
   return keys;
 }
@@ -74,9 +77,16 @@ struct IgnoredKey {
   const char* why;
   unsigned distros = kAllDistros;
 };
+using IgnoredKeys = std::vector<IgnoredKey>;
 
-/// Parameters of a component whose struct the caller does not know: the block of a plugin in a
-/// file.
+/// The keys, restricted to these branches.
+template <class Key>
+std::vector<Key> onlyIn(unsigned distros, std::vector<Key> keys) {
+  for (Key& key : keys) {
+    key.distros &= distros;
+  }
+  return keys;
+}
 
 /// The alternatives are in the order of `Nav2Key::Member`.
 using Nav2Value =
@@ -108,6 +118,29 @@ struct Nav2KeyTable {
 
 /// Returns "plugin::Name" for both spellings; Humble's files also write "plugin/Name".
 std::string normalizedPluginClass(std::string_view spelling);
+
+/// Classes of plugins with their default parameters.
+template <class Parameters>
+using PluginClasses = std::vector<std::pair<std::string, Parameters>>;
+template <class Parameters>
+std::vector<std::string> namesOf(const PluginClasses<Parameters>& classes) {
+  std::vector<std::string> names;
+  for (const auto& [name, parameters] : classes) {
+    names.push_back(name);
+  }
+  return names;
+}
+/// The default parameters of a class; nullopt: no such class.
+template <class Parameters>
+std::optional<Parameters> defaultsOf(const PluginClasses<Parameters>& classes,
+                                     std::string_view wanted) {
+  for (const auto& [name, parameters] : classes) {
+    if (name == wanted) {
+      return parameters;
+    }
+  }
+  return std::nullopt;
+}
 
 /// Whether a class that is not in `known` ("package::Class", or bare names) is a misspelling of one
 /// of them: its package is that of a known class, or at most two letters differ. Otherwise the
@@ -172,8 +205,8 @@ template <class Parameters, class Value>
 /// Appends the rows of a table with the values of `defaults`; `prefix` ("BaseObstacle.") precedes
 /// each name.
 template <class Parameters>
-void addKeyRows(Nav2KeyTable& keys, const std::vector<Nav2Key<Parameters>>& table,
-                const Parameters& defaults, const std::string& prefix = {}) {
+void addKeyRows(Nav2KeyTable& keys, const Nav2Keys<Parameters>& table, const Parameters& defaults,
+                const std::string& prefix = {}) {
   for (const Nav2Key<Parameters>& key : table) {
     const Nav2Value fallback =
         std::visit([&](auto member) { return memberValue(defaults, member); }, key.member);
@@ -181,16 +214,26 @@ void addKeyRows(Nav2KeyTable& keys, const std::vector<Nav2Key<Parameters>>& tabl
   }
 }
 
-inline void addIgnoredKeys(Nav2KeyTable& keys, const std::vector<IgnoredKey>& table) {
+inline void addIgnoredKeys(Nav2KeyTable& keys, const IgnoredKeys& table) {
   for (const IgnoredKey& key : table) {
     keys.ignored.push_back({key.name, key.why, key.distros});
   }
 }
 
+/// The keys of a component with a single struct.
+template <class Parameters>
+Nav2KeyTable keyTableOf(const std::vector<Nav2Key<Parameters>>& table, const Parameters& defaults,
+                        const std::vector<IgnoredKey>& ignored = {}) {
+  Nav2KeyTable keys;
+  addKeyRows(keys, table, defaults);
+  addIgnoredKeys(keys, ignored);
+  return keys;
+}
+
 /// Returns `defaults` with the values of the block. Keys that `distro` lacks are skipped; each
 /// value of another type is a problem.
 template <class Parameters>
-Parameters applyBlock(Parameters defaults, const std::vector<Nav2Key<Parameters>>& table,
+Parameters applyBlock(Parameters defaults, const Nav2Keys<Parameters>& table,
                       const Nav2ParameterBlock& block, Distro distro, base::Diagnostics& problems,
                       const std::string& prefix = {}) {
   for (const Nav2Key<Parameters>& key : table) {

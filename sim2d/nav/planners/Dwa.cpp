@@ -15,7 +15,6 @@
 #include "sim2d/nav/FootprintGap.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/RobotRoute.h"
-#include "sim2d/nav/StuckDetector.h"
 #include "sim2d/nav/SweptClearance.h"
 
 namespace sim2d {

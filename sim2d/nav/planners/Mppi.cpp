@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/mppi/MppiParameters.h"
 #include "sim2d/nav/mppi/MppiPlanner.h"
 
 namespace sim2d {

@@ -112,7 +112,7 @@ base::Result<std::shared_ptr<Planner>> makePursuit(const PlannerSetup& setup) {
   pursuitTable().set(parameters, setup.parameters);
   if (parameters.lookahead <= 0.0 || parameters.stopDistance < 0.0 ||
       parameters.slowDistance < parameters.stopDistance) {
-    return base::withContext("robot '" + setup.robot + "'", base::error("world.bad-pursuit"));
+    return withRobotName(setup.robot, {base::error("world.bad-pursuit")});
   }
   return std::shared_ptr<Planner>(std::make_shared<Pursuit>(setup.body, parameters));
 }

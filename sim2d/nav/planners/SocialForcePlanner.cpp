@@ -5,7 +5,6 @@
 
 #include "sim2d/base/Ranges.h"
 #include "sim2d/nav/NonholonomicTracking.h"
-#include "sim2d/nav/PassiveSafety.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/RobotRoute.h"
 #include "sim2d/nav/SocialForce.h"

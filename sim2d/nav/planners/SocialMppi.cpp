@@ -1,7 +1,6 @@
 #include <memory>
 
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/mppi/MppiParameters.h"
 #include "sim2d/nav/mppi/MppiPlanner.h"
 
 namespace sim2d {

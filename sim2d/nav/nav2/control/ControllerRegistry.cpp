@@ -1,85 +1,64 @@
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace sim2d::nav2 {
 
+namespace {
+
+const std::vector<ControllerType>& controllerTypes() {
+  static const std::vector<ControllerType> kTypes = {regulatedPurePursuit(), dwbController(),
+                                                     gracefulController(), rotationShim(),
+                                                     mppiController()};
+  return kTypes;
+}
+
+}  // namespace
+
 const char* controllerErrorName(ControllerError code) {
-  switch (code) {
-    case ControllerError::None:
-      return "NONE";
-    case ControllerError::Unknown:
-      return "UNKNOWN";
-    case ControllerError::InvalidController:
-      return "INVALID_CONTROLLER";
-    case ControllerError::TfError:
-      return "TF_ERROR";
-    case ControllerError::InvalidPath:
-      return "INVALID_PATH";
-    case ControllerError::PatienceExceeded:
-      return "PATIENCE_EXCEEDED";
-    case ControllerError::FailedToMakeProgress:
-      return "FAILED_TO_MAKE_PROGRESS";
-    case ControllerError::NoValidControl:
-      return "NO_VALID_CONTROL";
-    case ControllerError::ControllerTimedOut:
-      return "CONTROLLER_TIMED_OUT";
+  static constexpr std::array<const char*, 8> kNames = {
+      "UNKNOWN",           "INVALID_CONTROLLER",      "TF_ERROR",         "INVALID_PATH",
+      "PATIENCE_EXCEEDED", "FAILED_TO_MAKE_PROGRESS", "NO_VALID_CONTROL", "CONTROLLER_TIMED_OUT"};
+  if (code == ControllerError::None) {
+    return "NONE";
   }
-  return "UNKNOWN";
+  const auto at =
+      static_cast<std::size_t>(code) - static_cast<std::size_t>(ControllerError::Unknown);
+  return at < kNames.size() ? kNames[at] : kNames[0];
 }
 
 base::Diagnostic unknownPlugin(const std::string& found, const std::vector<std::string>& known) {
-  std::string all;
-  for (const std::string& name : known) {
-    all += (all.empty() ? "" : ", ") + name;
-  }
-  return base::error("nav2.unknown-plugin",
-                     {found, base::nearestName(normalizedPluginClass(found), known), all});
+  return base::error(
+      "nav2.unknown-plugin",
+      {found, base::nearestName(normalizedPluginClass(found), known), base::join(known, ", ")});
 }
 
-const ControllerType* ControllerRegistry::find(const std::string& plugin, Distro distro) const {
-  const std::string name = normalizedPluginClass(plugin);
-  const auto found = std::find_if(types_.begin(), types_.end(), [&](const ControllerType& type) {
-    return type.plugin == name && includesDistro(type.distros, distro);
-  });
-  return found == types_.end() ? nullptr : &*found;
+const ControllerType* findController(const std::string& plugin) {
+  return base::findBy(controllerTypes(), &ControllerType::plugin, normalizedPluginClass(plugin));
 }
 
-std::vector<std::string> ControllerRegistry::plugins(Distro distro) const {
-  std::vector<std::string> names;
-  for (const ControllerType& type : types_) {
-    if (includesDistro(type.distros, distro)) {
-      names.push_back(type.plugin);
-    }
-  }
-  return names;
-}
-
-base::Result<std::unique_ptr<Controller>> ControllerRegistry::make(
-    const std::string& plugin, const ControllerSetup& setup) const {
-  const ControllerType* type = find(plugin, setup.distro);
+base::Result<std::unique_ptr<Controller>> makeController(const std::string& plugin,
+                                                         const ControllerSetup& setup) {
+  const ControllerType* type = findController(plugin);
   if (type == nullptr) {
-    return unknownPlugin(plugin, plugins(setup.distro));
+    return unknownPlugin(plugin, controllerPlugins());
   }
   return type->make(setup);
 }
 
-const ControllerRegistry& controllerRegistry() {
-  static const ControllerRegistry kRegistry = [] {
-    ControllerRegistry registry;
-    addRegulatedPurePursuit(registry);
-    addDwb(registry);
-    addGraceful(registry);
-    addRotationShim(registry);
-    addMppi(registry);
-    return registry;
-  }();
-  return kRegistry;
+std::vector<std::string> controllerPlugins() {
+  std::vector<std::string> names;
+  for (const ControllerType& type : controllerTypes()) {
+    names.push_back(type.plugin);
+  }
+  return names;
 }
 
 }  // namespace sim2d::nav2

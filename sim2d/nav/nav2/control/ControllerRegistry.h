@@ -9,7 +9,6 @@
 
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/Body.h"
-#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/control/GoalCheckers.h"
@@ -140,8 +139,6 @@ struct ControllerSetup {
 /// A controller class, identified by its plugin name.
 struct ControllerType {
   std::string plugin;  // "dwb_core::DWBLocalPlanner"
-  std::string help;    // one sentence for users
-  unsigned distros = kAllDistros;
   /// The keys; some depend on the given values, such as those of critics on the list of critics.
   std::function<Nav2KeyTable(const Nav2ParameterBlock& given, Distro distro)> keys;
   /// Creates a controller, or returns all problems of the block: wrong types, invalid values,
@@ -149,31 +146,22 @@ struct ControllerType {
   std::function<base::Result<std::unique_ptr<Controller>>(const ControllerSetup& setup)> make;
 };
 
-/// All controllers in registration order. To add one, call its `add` in ControllerRegistry.cpp.
-class ControllerRegistry {
- public:
-  void add(ControllerType type) { types_.push_back(std::move(type)); }
-  const std::vector<ControllerType>& types() const { return types_; }
-  /// Accepts both spellings ("a::B", "a/B"); null: unknown or not in that distro.
-  const ControllerType* find(const std::string& plugin, Distro distro) const;
-  /// The same, with an error that contains the nearest name.
-  base::Result<std::unique_ptr<Controller>> make(const std::string& plugin,
-                                                 const ControllerSetup& setup) const;
-  std::vector<std::string> plugins(Distro distro) const;
+/// The classes, each of which all branches have. To add one, add it in ControllerRegistry.cpp.
+ControllerType dwbController();
+ControllerType gracefulController();
+ControllerType mppiController();
+ControllerType regulatedPurePursuit();
+ControllerType rotationShim();
 
- private:
-  std::vector<ControllerType> types_;
-};
-
-const ControllerRegistry& controllerRegistry();
+/// Finds a class; accepts both spellings ("a::B", "a/B"). Null: unknown.
+const ControllerType* findController(const std::string& plugin);
+/// Creates a controller of a class; the error for an unknown one contains the nearest name.
+base::Result<std::unique_ptr<Controller>> makeController(const std::string& plugin,
+                                                         const ControllerSetup& setup);
+/// The names of all classes.
+std::vector<std::string> controllerPlugins();
 
 /// Error "unknown plugin" with the nearest of `known` and all of them.
 base::Diagnostic unknownPlugin(const std::string& found, const std::vector<std::string>& known);
-
-void addDwb(ControllerRegistry& registry);
-void addGraceful(ControllerRegistry& registry);
-void addMppi(ControllerRegistry& registry);
-void addRegulatedPurePursuit(ControllerRegistry& registry);
-void addRotationShim(ControllerRegistry& registry);
 
 }  // namespace sim2d::nav2

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
@@ -13,18 +16,21 @@ struct RotationLimits {
 
 /// The angular velocity [rad/s] towards `angle` [rad, relative to the robot] at the velocity `now`:
 /// reachable within a step `dt` [s], and low enough to stop within the angle.
-double rotationVelocity(const RotationLimits& turn, double angle, double now, double dt);
-
-/// The result of a collision check when the robot's centre is off the map.
-enum class OffMap { IsFree, IsCollision };
+inline double rotationVelocity(const RotationLimits& turn, double angle, double now, double dt) {
+  const double sign = angle > 0.0 ? 1.0 : -1.0;
+  const double acceleration = std::max(turn.angularAcceleration, 0.0);
+  const double change = acceleration * dt;
+  const double reached = std::clamp(sign * turn.angularVelocity, now - change, now + change);
+  const double brakable = std::sqrt(2.0 * acceleration * std::abs(angle));
+  return std::abs(reached) > brakable ? sign * brakable : reached;
+}
 
 /// Whether the edges of the footprint at a pose touch an obstacle, or unknown space if the costmap
-/// does not track it. Round robots are also checked by their polygon.
-inline bool isPoseInCollision(const ControlInput& input, const Pose2& pose, OffMap offMap) {
-  if (!input.costmap.worldToCell(pose.position)) {
-    return offMap == OffMap::IsCollision;
-  }
-  return isEdgeCollision(footprintCost(input.costmap, input.shape.vertices, pose),
+/// does not track it; false where the robot's centre is off the map. Round robots are also checked
+/// by their polygon.
+inline bool isPoseInCollision(const ControlInput& input, const Pose2& pose) {
+  return input.costmap.worldToCell(pose.position) &&
+         isEdgeCollision(footprintCost(input.costmap, input.shape.vertices, pose),
                          input.shape.tracksUnknown);
 }
 

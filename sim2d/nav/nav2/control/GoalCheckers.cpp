@@ -15,8 +15,6 @@
 namespace sim2d::nav2 {
 namespace {
 
-using GoalCheckerKey = Nav2Key<GoalCheckerParameters>;
-
 template <class Parameters>
 bool isYawReached(const Parameters& parameters, const GoalQuery& query) {
   const double turn = std::abs(base::angleDiff(query.goal.heading, query.robot.heading));
@@ -173,27 +171,9 @@ constexpr GoalCheckerType kGoalCheckers[] = {
     {"dwb_plugins::StoppedGoalChecker", StandardGoalChecker::Kind::Stopped},
 };
 
-constexpr char kAxis[] = "nav2_controller::AxisGoalChecker";
-constexpr char kAdaptive[] = "nav2_controller::AdaptiveToleranceGoalChecker";
-
-/// Creates a checker with the values of a block, or returns their problems.
-template <class Checker, class Parameters, class Make>
-base::Result<std::unique_ptr<Checker>> makeChecker(const std::vector<Nav2Key<Parameters>>& table,
-                                                   const Nav2ParameterBlock& block, Distro distro,
-                                                   Make make) {
-  base::Diagnostics problems;
-  const auto parameters = applyBlock(Parameters(), table, block, distro, problems);
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {std::unique_ptr<Checker>(make(parameters)), std::move(problems)};
-}
-
-}  // namespace
-
-const std::vector<GoalCheckerKey>& goalCheckerKeys() {
+const std::vector<Nav2Key<GoalCheckerParameters>>& goalCheckerKeys() {
   using P = GoalCheckerParameters;
-  static const std::vector<GoalCheckerKey> kKeys = {
+  static const std::vector<Nav2Key<P>> kKeys = {
       {"xy_goal_tolerance", &P::xyTolerance, "m", "maximum distance to the goal"},
       {"yaw_goal_tolerance", &P::yawTolerance, "rad", "maximum heading difference to the goal"},
       {"stateful", &P::isStateful, "", "a reached position stays reached until a new path"},
@@ -206,81 +186,6 @@ const std::vector<GoalCheckerKey>& goalCheckerKeys() {
        "lower speeds count as standing (StoppedGoalChecker)"},
   };
   return kKeys;
-}
-
-const std::vector<IgnoredKey>& ignoredGoalCheckerKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
-      {"xy_goal_tolerance_buffer", "not re-implemented: treated as 0", kSinceLyrical},
-  };
-  return kKeys;
-}
-
-Nav2KeyTable goalCheckerKeysOf(const std::string& plugin) {
-  static const std::vector<std::pair<std::string, std::vector<std::string>>> kUnreadKeys = {
-      {"SimpleGoalChecker", {"rot_stopped_velocity", "trans_stopped_velocity"}},
-      {"StoppedGoalChecker", {}},
-      {"PositionGoalChecker",
-       {"yaw_goal_tolerance", "symmetric_yaw_tolerance", "rot_stopped_velocity",
-        "trans_stopped_velocity"}}};
-  Nav2KeyTable keys;
-  const std::string name = normalizedPluginClass(plugin);
-  if (name == kAxis) {
-    addKeyRows(keys, axisGoalKeys(), AxisGoalParameters());
-    return keys;
-  }
-  addIgnoredKeys(keys, ignoredGoalCheckerKeys());
-  if (name == kAdaptive) {
-    addKeyRows(keys, adaptiveGoalKeys(), AdaptiveGoalParameters());
-    return keys;
-  }
-  addKeyRows(keys, goalCheckerKeys(), GoalCheckerParameters());
-  for (const auto& [type, unread] : kUnreadKeys) {
-    if (!base::endsWith(name, "::" + type)) {
-      continue;
-    }
-    keys.rows.erase(std::remove_if(keys.rows.begin(), keys.rows.end(),
-                                   [&unread = unread](const Nav2KeyTable::Row& row) {
-                                     return std::find(unread.begin(), unread.end(), row.name) !=
-                                            unread.end();
-                                   }),
-                    keys.rows.end());
-  }
-  return keys;
-}
-
-std::vector<std::string> goalCheckerPlugins(Distro /*distro*/) {
-  std::vector<std::string> names;
-  for (const GoalCheckerType& type : kGoalCheckers) {
-    names.emplace_back(type.plugin);
-  }
-  names.insert(names.end(), {kAxis, kAdaptive});
-  return names;
-}
-
-base::Result<std::unique_ptr<GoalChecker>> makeGoalChecker(const std::string& plugin, Distro distro,
-                                                           const Nav2ParameterBlock& block) {
-  const std::string name = normalizedPluginClass(plugin);
-  if (name == kAxis) {
-    return makeChecker<GoalChecker>(axisGoalKeys(), block, distro,
-                                    [distro](const AxisGoalParameters& given) {
-                                      return std::make_unique<AxisGoalChecker>(given, distro);
-                                    });
-  }
-  if (name == kAdaptive) {
-    return makeChecker<GoalChecker>(adaptiveGoalKeys(), block, distro,
-                                    [](const AdaptiveGoalParameters& given) {
-                                      return std::make_unique<AdaptiveGoalChecker>(given);
-                                    });
-  }
-  for (const GoalCheckerType& type : kGoalCheckers) {
-    if (name == type.plugin) {
-      return makeChecker<GoalChecker>(
-          goalCheckerKeys(), block, distro, [&](const GoalCheckerParameters& given) {
-            return std::make_unique<StandardGoalChecker>(type.kind, distro, given);
-          });
-    }
-  }
-  return unknownPlugin(plugin, goalCheckerPlugins(distro));
 }
 
 const std::vector<Nav2Key<AxisGoalParameters>>& axisGoalKeys() {
@@ -325,19 +230,89 @@ const std::vector<Nav2Key<AdaptiveGoalParameters>>& adaptiveGoalKeys() {
   return kKeys;
 }
 
-namespace {
+constexpr char kAxis[] = "nav2_controller::AxisGoalChecker";
+constexpr char kAdaptive[] = "nav2_controller::AdaptiveToleranceGoalChecker";
 
-struct ProgressCheckerType {
-  const char* plugin;
-  ProgressChecker::Kind kind;
-  unsigned distros;
-};
-constexpr ProgressCheckerType kProgressCheckers[] = {
-    {"nav2_controller::SimpleProgressChecker", ProgressChecker::Kind::Simple, kAllDistros},
-    {"nav2_controller::PoseProgressChecker", ProgressChecker::Kind::Pose, kAllDistros},
-};
+/// Creates a checker with the values of a block, or returns their problems.
+template <class Checker, class Parameters, class Make>
+base::Result<std::unique_ptr<Checker>> makeChecker(const std::vector<Nav2Key<Parameters>>& table,
+                                                   const Nav2ParameterBlock& block, Distro distro,
+                                                   Make make) {
+  base::Diagnostics problems;
+  const auto parameters = applyBlock(Parameters(), table, block, distro, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::unique_ptr<Checker>(make(parameters)), std::move(problems)};
+}
 
 }  // namespace
+
+Nav2KeyTable goalCheckerKeysOf(const std::string& plugin) {
+  static const std::vector<std::pair<std::string, std::vector<std::string>>> kUnreadKeys = {
+      {"SimpleGoalChecker", {"rot_stopped_velocity", "trans_stopped_velocity"}},
+      {"StoppedGoalChecker", {}},
+      {"PositionGoalChecker",
+       {"yaw_goal_tolerance", "symmetric_yaw_tolerance", "rot_stopped_velocity",
+        "trans_stopped_velocity"}}};
+  static const std::vector<IgnoredKey> kIgnored = {
+      {"xy_goal_tolerance_buffer", "not re-implemented: treated as 0", kSinceLyrical}};
+  const std::string name = normalizedPluginClass(plugin);
+  if (name == kAxis) {
+    return keyTableOf(axisGoalKeys(), AxisGoalParameters());
+  }
+  if (name == kAdaptive) {
+    return keyTableOf(adaptiveGoalKeys(), AdaptiveGoalParameters(), kIgnored);
+  }
+  Nav2KeyTable keys = keyTableOf(goalCheckerKeys(), GoalCheckerParameters(), kIgnored);
+  for (const auto& [type, unread] : kUnreadKeys) {
+    if (!base::endsWith(name, "::" + type)) {
+      continue;
+    }
+    keys.rows.erase(std::remove_if(keys.rows.begin(), keys.rows.end(),
+                                   [&unread = unread](const Nav2KeyTable::Row& row) {
+                                     return std::find(unread.begin(), unread.end(), row.name) !=
+                                            unread.end();
+                                   }),
+                    keys.rows.end());
+  }
+  return keys;
+}
+
+std::vector<std::string> goalCheckerPlugins() {
+  std::vector<std::string> names;
+  for (const GoalCheckerType& type : kGoalCheckers) {
+    names.emplace_back(type.plugin);
+  }
+  names.insert(names.end(), {kAxis, kAdaptive});
+  return names;
+}
+
+base::Result<std::unique_ptr<GoalChecker>> makeGoalChecker(const std::string& plugin, Distro distro,
+                                                           const Nav2ParameterBlock& block) {
+  const std::string name = normalizedPluginClass(plugin);
+  if (name == kAxis) {
+    return makeChecker<GoalChecker>(axisGoalKeys(), block, distro,
+                                    [distro](const AxisGoalParameters& given) {
+                                      return std::make_unique<AxisGoalChecker>(given, distro);
+                                    });
+  }
+  if (name == kAdaptive) {
+    return makeChecker<GoalChecker>(adaptiveGoalKeys(), block, distro,
+                                    [](const AdaptiveGoalParameters& given) {
+                                      return std::make_unique<AdaptiveGoalChecker>(given);
+                                    });
+  }
+  for (const GoalCheckerType& type : kGoalCheckers) {
+    if (name == type.plugin) {
+      return makeChecker<GoalChecker>(
+          goalCheckerKeys(), block, distro, [&](const GoalCheckerParameters& given) {
+            return std::make_unique<StandardGoalChecker>(type.kind, distro, given);
+          });
+    }
+  }
+  return unknownPlugin(plugin, goalCheckerPlugins());
+}
 
 bool ProgressChecker::check(const Pose2& robot, double time) {
   if (!baseline_ || hasMoved(robot)) {
@@ -369,28 +344,23 @@ const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys() {
   return kKeys;
 }
 
-std::vector<std::string> progressCheckerPlugins(Distro distro) {
-  std::vector<std::string> names;
-  for (const ProgressCheckerType& type : kProgressCheckers) {
-    if (includesDistro(type.distros, distro)) {
-      names.emplace_back(type.plugin);
-    }
-  }
-  return names;
+std::vector<std::string> progressCheckerPlugins() {
+  return {"nav2_controller::SimpleProgressChecker", "nav2_controller::PoseProgressChecker"};
 }
 
 base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(
     const std::string& plugin, Distro distro, const Nav2ParameterBlock& block) {
-  for (const ProgressCheckerType& type : kProgressCheckers) {
-    if (normalizedPluginClass(plugin) != type.plugin || !includesDistro(type.distros, distro)) {
-      continue;
-    }
-    return makeChecker<ProgressChecker>(
-        progressCheckerKeys(), block, distro, [&](const ProgressCheckerParameters& given) {
-          return std::make_unique<ProgressChecker>(type.kind, given);
-        });
+  const std::vector<std::string> known = progressCheckerPlugins();
+  const auto found = std::find(known.begin(), known.end(), normalizedPluginClass(plugin));
+  if (found == known.end()) {
+    return unknownPlugin(plugin, known);
   }
-  return unknownPlugin(plugin, progressCheckerPlugins(distro));
+  const bool isSimple = found == known.begin();
+  return makeChecker<ProgressChecker>(
+      progressCheckerKeys(), block, distro, [&](const ProgressCheckerParameters& given) {
+        return std::make_unique<ProgressChecker>(
+            isSimple ? ProgressChecker::Kind::Simple : ProgressChecker::Kind::Pose, given);
+      });
 }
 
 }  // namespace sim2d::nav2

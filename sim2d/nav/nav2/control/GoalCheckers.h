@@ -40,8 +40,6 @@ struct GoalCheckerParameters {
   double rotStoppedVelocity = 0.25;    // [rad/s], StoppedGoalChecker
   double transStoppedVelocity = 0.25;  // [m/s], StoppedGoalChecker
 };
-const std::vector<Nav2Key<GoalCheckerParameters>>& goalCheckerKeys();
-const std::vector<IgnoredKey>& ignoredGoalCheckerKeys();
 /// The keys that the class reads; all keys for an unknown class.
 Nav2KeyTable goalCheckerKeysOf(const std::string& plugin);
 
@@ -49,7 +47,7 @@ Nav2KeyTable goalCheckerKeysOf(const std::string& plugin);
 /// unknown plugin contains the nearest name.
 base::Result<std::unique_ptr<GoalChecker>> makeGoalChecker(const std::string& plugin, Distro distro,
                                                            const Nav2ParameterBlock& block);
-std::vector<std::string> goalCheckerPlugins(Distro distro);
+std::vector<std::string> goalCheckerPlugins();
 
 /// Goal checkers that Nav2 has since Lyrical: one with tolerances along and across the path, and
 /// one with a fine and a coarse tolerance, of which the latter applies to a stagnant robot.
@@ -66,7 +64,6 @@ struct AxisGoalParameters {
   double directionDistance = 0.15;   // [m], main
   bool isOvershootValid = false;
 };
-const std::vector<Nav2Key<AxisGoalParameters>>& axisGoalKeys();
 
 /// Keys of nav2_controller::AdaptiveToleranceGoalChecker: the position is reached within the fine
 /// tolerance, or within the coarse one once the robot has been stopped there (both stopped
@@ -82,7 +79,6 @@ struct AdaptiveGoalParameters {
   bool isStateful = true;              // the position is latched until the next reset
   bool isSymmetric = false;            // the opposite heading is accepted
 };
-const std::vector<Nav2Key<AdaptiveGoalParameters>>& adaptiveGoalKeys();
 
 struct ProgressCheckerParameters {
   double movementRadius = 0.5;          // [m]
@@ -115,6 +111,6 @@ class ProgressChecker {
 base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(const std::string& plugin,
                                                                    Distro distro,
                                                                    const Nav2ParameterBlock& block);
-std::vector<std::string> progressCheckerPlugins(Distro distro);
+std::vector<std::string> progressCheckerPlugins();
 
 }  // namespace sim2d::nav2

@@ -44,19 +44,8 @@ struct PathPruning {
   bool rejectsUnitPath = false;        // rejects a path of one pose
 };
 
-/// Main: keys of nav2_controller::FeasiblePathHandler in the controller server's block.
-struct FeasiblePathHandlerParameters {
-  double searchDistance = 0.0;  // max_robot_pose_search_dist [m]; < 0: all, 0: half the map
-  double pruneDistance = 2.0;   // [m]
-  bool enforcesInversion = false;
-  bool enforcesRotation = false;
-  double minimumRotation = 0.785;      // [rad]
-  double inversionXyTolerance = 0.2;   // [m]
-  double inversionYawTolerance = 0.4;  // [rad]
-  bool rejectsUnitPath = false;
-};
-const std::vector<Nav2Key<FeasiblePathHandlerParameters>>& feasiblePathHandlerKeys();
-PathPruning pruningOf(const FeasiblePathHandlerParameters& parameters);
+/// Main: keys of nav2_controller::FeasiblePathHandler, for which `keepsLastTwo` is set.
+const std::vector<Nav2Key<PathPruning>>& feasiblePathHandlerKeys();
 
 /// The pruned path, or why it is invalid (InvalidPath) in Nav2's words.
 struct LocalPlan {
@@ -89,5 +78,23 @@ class PathHandler {
   Path remainingPlan_;          // complete remaining path
   std::size_t constraint_ = 0;  // first pose of `remainingPlan_` after the cusp; 0: none
 };
+
+/// Deviation of a robot from its path (nav2_msgs/TrackingFeedback of the controller server, since
+/// Lyrical).
+struct TrackingFeedback {
+  int number = 0;               // number of controller cycles; 0: none yet
+  double positionError = 0.0;   // distance to the path [m]; positive: the robot is to its left
+  double headingError = 0.0;    // from the robot's heading to the path direction [rad]
+  std::size_t index = 0;        // pose at which the nearest segment begins
+  double distanceToGoal = 0.0;  // Euclidean distance to the end of the path [m]
+  double remaining = 0.0;       // path length from the nearest point [m]
+};
+
+/// Finds the nearest segment of the path, starting at segment `first`, within `window` metres of
+/// path length (negative: to the end). Leaves `number` at 0. The direction of a segment of zero
+/// length is the heading of its first pose. A path of one pose is compared with that pose; an empty
+/// path gives zeros.
+TrackingFeedback trackingError(const Path& path, const Pose2& robot, std::size_t first,
+                               double window);
 
 }  // namespace sim2d::nav2

@@ -31,6 +31,10 @@ PathPruning pursuitPruning(const PursuitParameters& parameters, Distro distro) {
   return pruning;
 }
 
+Nav2KeyTable pursuitKeysOf(const Nav2ParameterBlock& /*given*/, Distro /*distro*/) {
+  return keyTableOf(pursuitKeys(), PursuitParameters(), ignoredPursuitKeys());
+}
+
 base::Result<std::unique_ptr<Controller>> makePursuit(const ControllerSetup& setup) {
   base::Diagnostics problems;
   auto parameters =
@@ -212,7 +216,7 @@ void RegulatedPurePursuit::brakeForCancel(double speed, double sign, double& lin
 bool RegulatedPurePursuit::collides(const ControlInput& input, const BodyTwist& twist, double range,
                                     double length) {
   const PursuitParameters& p = parameters_;
-  if (isPoseInCollision(input, input.robot, OffMap::IsFree)) {
+  if (isPoseInCollision(input, input.robot)) {
     return true;
   }
   double allowed = p.maxTimeToCollision;
@@ -239,27 +243,16 @@ bool RegulatedPurePursuit::collides(const ControlInput& input, const BodyTwist& 
       return false;
     }
     view_.predicted.push_back(pose);
-    if (isPoseInCollision(input, pose, OffMap::IsFree)) {
+    if (isPoseInCollision(input, pose)) {
       return true;
     }
   }
   return false;
 }
 
-void addRegulatedPurePursuit(ControllerRegistry& registry) {
-  ControllerType type;
-  type.plugin = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController";
-  type.help =
-      "Steers to a lookahead point on the path and slows down in curves and near "
-      "obstacles.";
-  type.keys = [](const Nav2ParameterBlock&, Distro) {
-    Nav2KeyTable keys;
-    addKeyRows(keys, pursuitKeys(), PursuitParameters());
-    addIgnoredKeys(keys, ignoredPursuitKeys());
-    return keys;
-  };
-  type.make = makePursuit;
-  registry.add(std::move(type));
+ControllerType regulatedPurePursuit() {
+  return {"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController", pursuitKeysOf,
+          makePursuit};
 }
 
 namespace {

@@ -54,7 +54,7 @@ base::Result<std::unique_ptr<Controller>> makeShim(const ControllerSetup& setup)
                                    {-HUGE_VAL, kMaxTurnDuration}, "up to 100 s");
   ControllerSetup inner = setup;
   inner.block = primaryBlock(setup.block, setup.distro);
-  auto primary = controllerRegistry().make(parameters.primary, inner);
+  auto primary = makeController(parameters.primary, inner);
   base::append(problems, primary.diagnostics());
   if (base::hasErrors(problems)) {
     return problems;
@@ -65,12 +65,11 @@ base::Result<std::unique_ptr<Controller>> makeShim(const ControllerSetup& setup)
 }
 
 Nav2KeyTable rotationShimKeysOf(const Nav2ParameterBlock& given, Distro distro) {
-  Nav2KeyTable keys;
-  addKeyRows(keys, rotationShimKeys(), rotationShimDefaults(distro));
-  addIgnoredKeys(keys, ignoredRotationShimKeys());
+  Nav2KeyTable keys =
+      keyTableOf(rotationShimKeys(), rotationShimDefaults(distro), ignoredRotationShimKeys());
   base::Diagnostics ignored;  // reported by makeShim
   const std::string primary = rotationShimParameters(given, distro, ignored).primary;
-  const ControllerType* type = controllerRegistry().find(primary, distro);
+  const ControllerType* type = findController(primary);
   if (type == nullptr || type->plugin == kRotationShimPlugin) {
     return keys;
   }
@@ -249,13 +248,8 @@ std::optional<BodyTwist> RotationShimController::turn(const ControlInput& input,
   return BodyTwist{0.0, w};
 }
 
-void addRotationShim(ControllerRegistry& registry) {
-  ControllerType type;
-  type.plugin = kRotationShimPlugin;
-  type.help = "Rotates in place to a new path, then another controller drives.";
-  type.keys = rotationShimKeysOf;
-  type.make = makeShim;
-  registry.add(std::move(type));
+ControllerType rotationShim() {
+  return {kRotationShimPlugin, rotationShimKeysOf, makeShim};
 }
 
 }  // namespace sim2d::nav2

@@ -3,11 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <limits>
-#include <optional>
-#include <vector>
-
-#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -120,20 +115,32 @@ void mergeWindow(const Costmap& from, const CellWindow& window, int combinationM
 void clearCells(Costmap& costmap, const Vec2& low, const Vec2& high, bool isInverted,
                 std::uint8_t cost) {
   const Cell from = nearestCell(costmap, low), to = nearestCell(costmap, high);
-  for (int row = 0; row < costmap.height(); ++row) {
-    const bool isInRows = row > from.row && row < to.row;
-    for (int column = 0; column < costmap.width(); ++column) {
-      if ((isInRows && column > from.column && column < to.column) != isInverted) {
-        costmap.set({column, row}, cost);
-      }
+  const CellWindow inside{from.column + 1, from.row + 1, to.column, to.row};
+  forEachCell(wholeWindow(costmap), [&](Cell cell) {
+    if (inside.contains(cell) != isInverted) {
+      costmap.set(cell, cost);
     }
-  }
+  });
 }
 
-void CostmapLayer::moveWithRobot(Costmap& grid, const Observation& observation,
-                                 const Costmap& master, std::uint8_t cost) const {
-  if (context_.isRolling) {
-    moveOrigin(grid, observation.pose.position - 0.5 * nav2SizeOf(master), cost);
+GridLayer::GridLayer(const LayerSite& site, bool isEnabled, std::uint8_t emptyCost)
+    : CostmapLayer(site), isEnabled_(isEnabled), emptyCost_(emptyCost), grid_(site.master) {
+  emptyGrid();
+}
+
+void GridLayer::emptyGrid() {
+  fillWindow(grid_, wholeWindow(grid_), emptyCost_);
+}
+
+void GridLayer::resetGrid() {
+  emptyGrid();
+  isCurrent_ = false;
+  wasReset_ = true;
+}
+
+void GridLayer::moveWithRobot(const Observation& observation, const Costmap& master) {
+  if (context().isRolling) {
+    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master), emptyCost_);
   }
 }
 

@@ -1,19 +1,10 @@
 #include "sim2d/nav/nav2/costmap/CostmapParameters.h"
 
-#include <cstddef>
-#include <utility>
-
 namespace sim2d::nav2 {
 namespace {
 
-struct LayerType {
-  std::string_view name;
-  LayerParameters defaults;
-};
-
-/// In the order of the alternatives of LayerParameters.
-const std::vector<LayerType>& knownLayerTypes() {
-  static const std::vector<LayerType> kTypes = {
+PluginClasses<LayerParameters> layerClasses() {
+  return {
       {"nav2_costmap_2d::StaticLayer", StaticLayerParameters{}},
       {"nav2_costmap_2d::ObstacleLayer", ObstacleLayerParameters{}},
       {"nav2_costmap_2d::VoxelLayer", VoxelLayerParameters{}},
@@ -30,43 +21,32 @@ const std::vector<LayerType>& knownLayerTypes() {
       {"nav2_costmap_2d::PluginContainerLayer", PluginContainerLayerParameters{}},
       {"nav2_costmap_2d::BinaryFilter", BinaryFilterParameters{}},
   };
-  return kTypes;
 }
+
+constexpr char kEnabled[] = "Whether the layer is enabled.";
+constexpr char kClearsFootprint[] = "Whether the cells under the robot are set free.";
+constexpr char kMaskTopic[] = "Topic of the costmap_filter_info_server whose mask is used.";
+constexpr char kMaskFile[] =
+    "Mask: YAML file of a map beside this file. Key of this program that replaces the topic.";
+constexpr char kMultiplier[] = "See mask_base. Key of this program.";
+constexpr char kSourceNames[] = "Names of the sources, separated by blanks.";
+constexpr char kCombination[] =
+    "0: overwrites the costs of the layers below; 1: maximum of both costs; 2: maximum where the "
+    "costs are known.";
 
 }  // namespace
 
-CostmapSettings defaultCostmapSettings() {
-  return {CostmapParameters{},
-          {{"static_layer", StaticLayerParameters{}},
-           {"obstacle_layer", ObstacleLayerParameters{}},
-           {"inflation_layer", InflationLayerParameters{}}},
-          {}};
-}
-
 std::optional<LayerParameters> layerOfType(std::string_view type) {
-  for (const LayerType& known : knownLayerTypes()) {
-    if (known.name == type) {
-      return known.defaults;
-    }
-  }
-  return std::nullopt;
-}
-
-std::string_view typeOf(const LayerParameters& parameters) {
-  return knownLayerTypes()[parameters.index()].name;
+  return defaultsOf(layerClasses(), type);
 }
 
 std::vector<std::string> layerTypes() {
-  std::vector<std::string> names;
-  for (const LayerType& known : knownLayerTypes()) {
-    names.emplace_back(known.name);
-  }
-  return names;
+  return namesOf(layerClasses());
 }
 
-const std::vector<Nav2Key<CostmapParameters>>& costmapKeys() {
+Nav2Keys<CostmapParameters> costmapKeys() {
   using P = CostmapParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"update_frequency", &P::updateFrequency, "Hz", "Updates per second."},
       {"publish_frequency", &P::publishFrequency, "Hz",
        "Copies per second for behaviours and smoothers."},
@@ -97,24 +77,21 @@ const std::vector<Nav2Key<CostmapParameters>>& costmapKeys() {
       {"use_maximum", &P::useMaximum, "",
        "Whether the map only raises the costs of the layers below, else it overwrites them."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<StaticLayerParameters>>& keysOf(const StaticLayerParameters&) {
+Nav2Keys<StaticLayerParameters> keysOf(const StaticLayerParameters&) {
   using P = StaticLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the layer is enabled."},
-      {"footprint_clearing_enabled", &P::footprintClearingEnabled, "",
-       "Whether the cells under the robot are set free."},
+  return {
+      {"enabled", &P::enabled, "", kEnabled},
+      {"footprint_clearing_enabled", &P::footprintClearingEnabled, "", kClearsFootprint},
       {"restore_cleared_footprint", &P::restoreClearedFootprint, "",
        "Whether these cells are restored after the robot has left them.", kSinceKilted},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<ObservationSource>>& observationSourceKeys() {
+Nav2Keys<ObservationSource> observationSourceKeys() {
   using P = ObservationSource;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"topic", &P::topic, "", "Topic of the scans: here always the robot's lidar."},
       {"data_type", &P::dataType, "", "LaserScan or PointCloud2: here always the lidar's scan."},
       {"observation_persistence", &P::observationPersistence, "s",
@@ -134,45 +111,38 @@ const std::vector<Nav2Key<ObservationSource>>& observationSourceKeys() {
       {"raytrace_min_range", &P::raytraceMinRange, "m",
        "No cells are cleared within this distance."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<ObstacleLayerParameters>>& keysOf(const ObstacleLayerParameters&) {
+Nav2Keys<ObstacleLayerParameters> keysOf(const ObstacleLayerParameters&) {
   using P = ObstacleLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the layer is enabled."},
-      {"footprint_clearing_enabled", &P::footprintClearingEnabled, "",
-       "Whether the cells under the robot are set free."},
+  return {
+      {"enabled", &P::enabled, "", kEnabled},
+      {"footprint_clearing_enabled", &P::footprintClearingEnabled, "", kClearsFootprint},
       {"min_obstacle_height", &P::minObstacleHeight, "m", "Lower points are not marked.",
        kSinceJazzy},
       {"max_obstacle_height", &P::maxObstacleHeight, "m", "Higher points are not marked."},
-      {"combination_method", &P::combinationMethod, "",
-       "0: overwrites the costs of the layers below; 1: maximum of both costs; 2: maximum where "
-       "the costs are known."},
-      {"observation_sources", &P::observationSources, "",
-       "Names of the sources, separated by blanks."},
+      {"combination_method", &P::combinationMethod, "", kCombination},
+      {"observation_sources", &P::observationSources, "", kSourceNames},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<VoxelLayerParameters>>& keysOf(const VoxelLayerParameters&) {
+Nav2Keys<VoxelLayerParameters> keysOf(const VoxelLayerParameters&) {
   using P = VoxelLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = joinedKeys<P>(
+  return joinedKeys<P>(
       keysOf(ObstacleLayerParameters()),
-      std::vector<Nav2Key<P>>{
+      Nav2Keys<P>{
           {"origin_z", &P::originZ, "m", "Height of the lowest voxel."},
           {"z_resolution", &P::zResolution, "m", "Height of a voxel."},
           {"z_voxels", &P::zVoxels, "", "Number of voxels per column, at most 16."},
           {"mark_threshold", &P::markThreshold, "",
            "A column with more marked voxels is an obstacle; from 1 no column is one in this "
            "program."}});
-  return kKeys;
 }
 
-const std::vector<Nav2Key<InflationLayerParameters>>& keysOf(const InflationLayerParameters&) {
+Nav2Keys<InflationLayerParameters> keysOf(const InflationLayerParameters&) {
   using P = InflationLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the layer is enabled."},
+  return {
+      {"enabled", &P::enabled, "", kEnabled},
       {"inflation_radius", &P::inflationRadius, "m", "Radius of the inflation around obstacles."},
       {"cost_scaling_factor", &P::costScalingFactor, "1/m",
        "Rate of the exponential decay of the costs."},
@@ -183,13 +153,12 @@ const std::vector<Nav2Key<InflationLayerParameters>>& keysOf(const InflationLaye
        "Inscribed radius, within which a collision is certain; below 0: that of the footprint.",
        kSinceLyrical},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SocialLayerParameters>>& keysOf(const SocialLayerParameters&) {
+Nav2Keys<SocialLayerParameters> keysOf(const SocialLayerParameters&) {
   using P = SocialLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", "Whether the layer is enabled."},
+  return {
+      {"enabled", &P::enabled, "", kEnabled},
       {"amplitude", &P::amplitude, "", "Cost at a person's centre, 0 to 254."},
       {"sigma_per_speed", &P::sigmaPerSpeed, "s",
        "Standard deviation in front of a person per speed."},
@@ -200,44 +169,37 @@ const std::vector<Nav2Key<SocialLayerParameters>>& keysOf(const SocialLayerParam
       {"rear_ratio", &P::rearRatio, "", "Ratio of the standard deviations behind and in front."},
       {"cutoff", &P::cutoff, "", "Lower costs are omitted, 1 to 254."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<KeepoutFilterParameters>>& keysOf(const KeepoutFilterParameters&) {
+Nav2Keys<KeepoutFilterParameters> keysOf(const KeepoutFilterParameters&) {
   using P = KeepoutFilterParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"enabled", &P::enabled, "", "Whether the filter is enabled."},
       {"override_lethal_cost", &P::overrideLethalCost, "",
        "Whether a robot in a keep-out zone may drive out of it.", kSinceJazzy},
       {"lethal_override_cost", &P::lethalOverrideCost, "",
        "Cost of the zone while the robot drives out.", kSinceJazzy},
-      {"filter_info_topic", &P::filterInfoTopic, "",
-       "Topic of the costmap_filter_info_server whose mask is used."},
-      {"mask_file", &P::maskFile, "",
-       "Mask: YAML file of a map beside this file. Key of this program that replaces the topic."},
+      {"filter_info_topic", &P::filterInfoTopic, "", kMaskTopic},
+      {"mask_file", &P::maskFile, "", kMaskFile},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SpeedFilterParameters>>& keysOf(const SpeedFilterParameters&) {
+Nav2Keys<SpeedFilterParameters> keysOf(const SpeedFilterParameters&) {
   using P = SpeedFilterParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"enabled", &P::enabled, "", "Whether the filter is enabled."},
-      {"filter_info_topic", &P::filterInfoTopic, "",
-       "Topic of the costmap_filter_info_server whose mask is used."},
-      {"mask_file", &P::maskFile, "",
-       "Mask: YAML file of a map beside this file. Key of this program that replaces the topic."},
+      {"filter_info_topic", &P::filterInfoTopic, "", kMaskTopic},
+      {"mask_file", &P::maskFile, "", kMaskFile},
       {"mask_base", &P::maskBase, "",
        "Limit for mask values from 0 to 100: base + multiplier * value. Key of this program."},
-      {"mask_multiplier", &P::maskMultiplier, "", "See mask_base. Key of this program."},
+      {"mask_multiplier", &P::maskMultiplier, "", kMultiplier},
       {"mask_is_percentage", &P::maskIsPercentage, "",
        "Whether the limit is in percent of the maximum speed, else in m/s. Key of this program."},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredCostmapKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredCostmapKeys() {
+  return {
       {"robot_base_frame", "all base frames of a robot are identical"},
       {"transform_tolerance", "TF is not used"},
       {"initial_transform_timeout", "TF is not used", kSinceJazzy},
@@ -249,11 +211,10 @@ const std::vector<IgnoredKey>& ignoredCostmapKeys() {
       {"introspection_mode", "ROS services are not used"},
       {"subscribe_to_stamped_footprint", "the footprint is constant", kSinceLyrical},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredLayerKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredLayerKeys() {
+  return {
       {"plugin", "it is the type of the layer"},
       {"map_subscribe_transient_local", "the map is the scenario's"},
       {"subscribe_to_updates", "the map is constant"},
@@ -276,74 +237,57 @@ const std::vector<IgnoredKey>& ignoredLayerKeys() {
       {"odom_topic", "ROS topics are not used", kSinceLyrical},
       {"path_topic", "ROS topics are not used", kSinceLyrical},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredSourceKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredSourceKeys() {
+  return {
       {"sensor_frame", "the robot's lidar determines the sensor pose"},
       {"transport_type", "ROS topics are not used", kSinceLyrical},
   };
-  return kKeys;
 }
 
-namespace {
-
-constexpr char kEnabled[] = "Whether the layer is enabled.";
-
-}  // namespace
-
-const std::vector<Nav2Key<LegacyInflationLayerParameters>>& keysOf(
-    const LegacyInflationLayerParameters&) {
+Nav2Keys<LegacyInflationLayerParameters> keysOf(const LegacyInflationLayerParameters&) {
   using P = LegacyInflationLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = [] {
-    std::vector<Nav2Key<P>> keys = joinedKeys<P>(keysOf(InflationLayerParameters()));
-    keys.pop_back();  // custom_inscribed_radius
-    for (Nav2Key<P>& key : keys) {
-      key.distros = kSinceLyrical;
-    }
-    return keys;
-  }();
-  return kKeys;
+  Nav2Keys<P> keys = joinedKeys<P>(keysOf(InflationLayerParameters()));
+  keys.pop_back();  // custom_inscribed_radius
+  return onlyIn(kSinceLyrical, keys);
 }
 
-const std::vector<Nav2Key<AsymmetricInflationLayerParameters>>& keysOf(
-    const AsymmetricInflationLayerParameters&) {
+Nav2Keys<AsymmetricInflationLayerParameters> keysOf(const AsymmetricInflationLayerParameters&) {
   using P = AsymmetricInflationLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", kEnabled, kSinceLyrical},
-      {"inflation_radius", &P::inflationRadius, "m", "Radius of the inflation around obstacles.",
-       kSinceLyrical},
-      {"cost_scaling_factor_left", &P::costScalingFactorLeft, "1/m",
-       "Rate of the exponential decay of the costs to the left of the path.", kSinceLyrical},
-      {"cost_scaling_factor_right", &P::costScalingFactorRight, "1/m",
-       "Rate of the exponential decay of the costs to the right of the path.", kSinceLyrical},
-      {"goal_distance_threshold", &P::goalDistanceThreshold, "m",
-       "Distance to the end of the path within which both sides use the greater of the two rates.",
-       kSinceLyrical},
-      {"inflate_unknown", &P::inflateUnknown, "", "Whether unknown cells are inflated.",
-       kSinceLyrical},
-      {"inflate_around_unknown", &P::inflateAroundUnknown, "",
-       "Whether unknown cells count as obstacles.", kSinceLyrical},
-  };
-  return kKeys;
+  return onlyIn<Nav2Key<P>>(
+      kSinceLyrical,
+      {
+          {"enabled", &P::enabled, "", kEnabled},
+          {"inflation_radius", &P::inflationRadius, "m",
+           "Radius of the inflation around obstacles."},
+          {"cost_scaling_factor_left", &P::costScalingFactorLeft, "1/m",
+           "Rate of the exponential decay of the costs to the left of the path."},
+          {"cost_scaling_factor_right", &P::costScalingFactorRight, "1/m",
+           "Rate of the exponential decay of the costs to the right of the path."},
+          {"goal_distance_threshold", &P::goalDistanceThreshold, "m",
+           "Distance to the end of the path within which both sides use the greater of the two "
+           "rates."},
+          {"inflate_unknown", &P::inflateUnknown, "", "Whether unknown cells are inflated."},
+          {"inflate_around_unknown", &P::inflateAroundUnknown, "",
+           "Whether unknown cells count as obstacles."},
+      });
 }
 
-const std::vector<Nav2Key<DenoiseLayerParameters>>& keysOf(const DenoiseLayerParameters&) {
+Nav2Keys<DenoiseLayerParameters> keysOf(const DenoiseLayerParameters&) {
   using P = DenoiseLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"enabled", &P::enabled, "", kEnabled},
       {"minimal_group_size", &P::minimalGroupSize, "",
        "Smaller groups of obstacle cells are removed; up to 1: no groups."},
       {"group_connectivity_type", &P::groupConnectivityType, "",
        "Neighbours that form a group: 4 or 8."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<RangeSensorLayerParameters>>& keysOf(const RangeSensorLayerParameters&) {
+Nav2Keys<RangeSensorLayerParameters> keysOf(const RangeSensorLayerParameters&) {
   using P = RangeSensorLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"enabled", &P::enabled, "", kEnabled},
       {"phi", &P::phi, "m", "Distance at which a reading has half its weight."},
       {"inflate_cone", &P::inflateCone, "",
@@ -359,12 +303,11 @@ const std::vector<Nav2Key<RangeSensorLayerParameters>>& keysOf(const RangeSensor
       {"topics", &P::topics, "",
        "Names of the sensors; each faces forward, or in the direction that its name contains."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SpatioTemporalVoxelSource>>& spatioTemporalVoxelSourceKeys() {
+Nav2Keys<SpatioTemporalVoxelSource> spatioTemporalVoxelSourceKeys() {
   using P = SpatioTemporalVoxelSource;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"topic", &P::topic, "", "Topic of the points: here always the robot's lidar."},
       {"enabled", &P::enabled, "", "Whether the source is enabled."},
       {"marking", &P::marking, "", "Whether points become obstacles."},
@@ -385,61 +328,50 @@ const std::vector<Nav2Key<SpatioTemporalVoxelSource>>& spatioTemporalVoxelSource
        "Acceleration of the voxel decay in the field of view."},
       {"model_type", &P::modelType, "", "0: depth camera, 1: lidar."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SpatioTemporalVoxelLayerParameters>>& keysOf(
-    const SpatioTemporalVoxelLayerParameters&) {
+Nav2Keys<SpatioTemporalVoxelLayerParameters> keysOf(const SpatioTemporalVoxelLayerParameters&) {
   using P = SpatioTemporalVoxelLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"enabled", &P::enabled, "", kEnabled},
       {"voxel_decay", &P::voxelDecay, "s", "Time for which a voxel stays marked."},
       {"decay_model", &P::decayModel, "", "0: linear, 1: exponential, -1: voxels do not decay."},
       {"voxel_size", &P::voxelSize, "m", "Side length of a voxel."},
       {"combination_method", &P::combinationMethod, "",
        "0: overwrites the costs of the layers below; 1: maximum of both costs."},
-      {"update_footprint_enabled", &P::updateFootprintEnabled, "",
-       "Whether the cells under the robot are set free."},
-      {"observation_sources", &P::observationSources, "",
-       "Names of the sources, separated by blanks."},
+      {"update_footprint_enabled", &P::updateFootprintEnabled, "", kClearsFootprint},
+      {"observation_sources", &P::observationSources, "", kSourceNames},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<PluginContainerLayerParameters>>& keysOf(
-    const PluginContainerLayerParameters&) {
+Nav2Keys<PluginContainerLayerParameters> keysOf(const PluginContainerLayerParameters&) {
   using P = PluginContainerLayerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"enabled", &P::enabled, "", kEnabled, kSinceJazzy},
-      {"combination_method", &P::combinationMethod, "",
-       "0: overwrites the costs of the layers below; 1: maximum of both costs; 2: maximum where "
-       "the costs are known.",
-       kSinceJazzy},
-      {"plugins", &P::plugins, "", "Names of its layers, in the order of the update.", kSinceJazzy},
-  };
-  return kKeys;
+  return onlyIn<Nav2Key<P>>(
+      kSinceJazzy,
+      {
+          {"enabled", &P::enabled, "", kEnabled},
+          {"combination_method", &P::combinationMethod, "", kCombination},
+          {"plugins", &P::plugins, "", "Names of its layers, in the order of the update."},
+      });
 }
 
-const std::vector<Nav2Key<BinaryFilterParameters>>& keysOf(const BinaryFilterParameters&) {
+Nav2Keys<BinaryFilterParameters> keysOf(const BinaryFilterParameters&) {
   using P = BinaryFilterParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"enabled", &P::enabled, "", "Whether the filter is enabled."},
       {"default_state", &P::defaultState, "", "State where the mask is below the threshold."},
       {"flip_threshold", &P::flipThreshold, "",
        "Mask value above which the state is the opposite one."},
-      {"filter_info_topic", &P::filterInfoTopic, "",
-       "Topic of the costmap_filter_info_server whose mask is used."},
-      {"mask_file", &P::maskFile, "",
-       "Mask: YAML file of a map beside this file. Key of this program that replaces the topic."},
+      {"filter_info_topic", &P::filterInfoTopic, "", kMaskTopic},
+      {"mask_file", &P::maskFile, "", kMaskFile},
       {"mask_base", &P::maskBase, "",
        "Value for mask values from 0 to 100: base + multiplier * value. Key of this program."},
-      {"mask_multiplier", &P::maskMultiplier, "", "See mask_base. Key of this program."},
+      {"mask_multiplier", &P::maskMultiplier, "", kMultiplier},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredSpatioTemporalVoxelKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredSpatioTemporalVoxelKeys() {
+  return {
       {"mark_threshold", "this program uses a single layer of voxels"},
       {"track_unknown_space", "that of the costmap is used"},
       {"origin_z", "this program uses a single layer of voxels"},
@@ -448,11 +380,10 @@ const std::vector<IgnoredKey>& ignoredSpatioTemporalVoxelKeys() {
       {"mapping_mode", "maps are not saved"},
       {"map_save_duration", "maps are not saved"},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredSpatioTemporalVoxelSourceKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredSpatioTemporalVoxelSourceKeys() {
+  return {
       {"sensor_frame", "the robot's lidar determines the sensor pose"},
       {"data_type", "the points are those of the lidar"},
       {"vertical_fov_angle", "this program uses a single layer of voxels"},
@@ -465,7 +396,6 @@ const std::vector<IgnoredKey>& ignoredSpatioTemporalVoxelSourceKeys() {
       {"raytrace_range", "voxels are not cleared by rays"},
       {"raytrace_max_range", "voxels are not cleared by rays"},
   };
-  return kKeys;
 }
 
 }  // namespace sim2d::nav2

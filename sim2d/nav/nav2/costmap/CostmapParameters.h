@@ -76,13 +76,12 @@ struct InflationLayerParameters {
 struct LegacyInflationLayerParameters : InflationLayerParameters {};
 
 /// Inflation that decays at different rates on the two sides of the robot's path.
-struct AsymmetricInflationLayerParameters {
-  bool enabled = true;
-  double inflationRadius = 2.0;         // [m]
-  double costScalingFactorLeft = 4.0;   // [1/m]
+struct AsymmetricInflationLayerParameters : InflationLayerParameters {
+  AsymmetricInflationLayerParameters() { inflationRadius = 2.0; }
+
+  double costScalingFactorLeft = 4.0;   // [1/m]; replace costScalingFactor
   double costScalingFactorRight = 4.0;  // [1/m]
   double goalDistanceThreshold = 1.5;   // [m]
-  bool inflateUnknown = false, inflateAroundUnknown = false;
 };
 
 /// Removes small groups of lethal cells.
@@ -105,13 +104,11 @@ struct RangeSensorLayerParameters {
 };
 
 /// A sensor of a spatio-temporal voxel layer.
-struct SpatioTemporalVoxelSource {
-  std::string name = "scan";  // not a key: from observation_sources
-  std::string topic;          // empty: the name
-  bool enabled = true, marking = true, clearing = false, infIsValid = false;
-  double observationPersistence = 0.0, expectedUpdateRate = 0.0;  // [s]
-  double minObstacleHeight = 0.0, maxObstacleHeight = 3.0;        // [m]
-  double obstacleRange = 2.5;                                     // [m], marking
+struct SpatioTemporalVoxelSource : ObservationSource {
+  SpatioTemporalVoxelSource() { maxObstacleHeight = 3.0; }
+
+  bool enabled = true;
+  double obstacleRange = 2.5;           // [m], marking
   double minZ = 0.0, maxZ = 10.0;       // depth range of the field of view [m]
   double horizontalFieldOfView = 1.04;  // [rad]
   double decayAcceleration = 0.0;       // [1/s²]
@@ -154,32 +151,27 @@ struct SocialLayerParameters {
   double cutoff = 10.0;          // lower costs are omitted
 };
 
-struct KeepoutFilterParameters {
+/// Common parameters of the filters.
+struct CostmapFilterParameters {
   bool enabled = true;
-  bool overrideLethalCost = false;
-  int lethalOverrideCost = 252;
   std::string filterInfoTopic;
   std::string maskFile;          // YAML of a map, relative to the parameter file; empty: no mask
   bool isMaskPublished = false;  // by a node of the file, on the topic
+  double maskBase = 0.0, maskMultiplier = 1.0;  // value of the filter = base + multiplier * mask
 };
 
-struct SpeedFilterParameters {
-  bool enabled = true;
-  std::string filterInfoTopic;
-  std::string maskFile;  // as above
-  bool isMaskPublished = false;
-  double maskBase = 0.0, maskMultiplier = 1.0;  // limit = base + multiplier * value
-  bool maskIsPercentage = true;                 // of the maximum speed, else [m/s]
+struct KeepoutFilterParameters : CostmapFilterParameters {
+  bool overrideLethalCost = false;
+  int lethalOverrideCost = 252;
 };
 
-struct BinaryFilterParameters {
-  bool enabled = true;
+struct SpeedFilterParameters : CostmapFilterParameters {
+  bool maskIsPercentage = true;  // limits are percentages of the maximum speed, else [m/s]
+};
+
+struct BinaryFilterParameters : CostmapFilterParameters {
   bool defaultState = false;
   double flipThreshold = 50.0;  // of base + multiplier * value
-  std::string filterInfoTopic;
-  std::string maskFile;  // as above
-  bool isMaskPublished = false;
-  double maskBase = 0.0, maskMultiplier = 1.0;  // keys of this program, as above
 };
 
 using LayerParameters =
@@ -201,42 +193,34 @@ struct CostmapSettings {
   CostmapParameters parameters;
   std::vector<CostmapPlugin> plugins, filters;
 };
-/// The plugins that Nav2 loads when the file lists none.
-CostmapSettings defaultCostmapSettings();
 
 /// The default parameters of a layer class ("nav2_costmap_2d::InflationLayer"; this program's own
 /// is "hunavsim::SocialLayer"); nullopt for an unsupported class.
 std::optional<LayerParameters> layerOfType(std::string_view type);
-std::string_view typeOf(const LayerParameters& parameters);
 std::vector<std::string> layerTypes();
 
 // Key tables. They do not contain the sources of obstacle layers; `<name>.` precedes each key.
-const std::vector<Nav2Key<CostmapParameters>>& costmapKeys();
-const std::vector<Nav2Key<StaticLayerParameters>>& keysOf(const StaticLayerParameters&);
-const std::vector<Nav2Key<ObservationSource>>& observationSourceKeys();
-const std::vector<Nav2Key<ObstacleLayerParameters>>& keysOf(const ObstacleLayerParameters&);
-const std::vector<Nav2Key<VoxelLayerParameters>>& keysOf(const VoxelLayerParameters&);
-const std::vector<Nav2Key<InflationLayerParameters>>& keysOf(const InflationLayerParameters&);
-const std::vector<Nav2Key<SocialLayerParameters>>& keysOf(const SocialLayerParameters&);
-const std::vector<Nav2Key<KeepoutFilterParameters>>& keysOf(const KeepoutFilterParameters&);
-const std::vector<Nav2Key<SpeedFilterParameters>>& keysOf(const SpeedFilterParameters&);
-const std::vector<Nav2Key<LegacyInflationLayerParameters>>& keysOf(
-    const LegacyInflationLayerParameters&);
-const std::vector<Nav2Key<AsymmetricInflationLayerParameters>>& keysOf(
-    const AsymmetricInflationLayerParameters&);
-const std::vector<Nav2Key<DenoiseLayerParameters>>& keysOf(const DenoiseLayerParameters&);
-const std::vector<Nav2Key<RangeSensorLayerParameters>>& keysOf(const RangeSensorLayerParameters&);
-const std::vector<Nav2Key<SpatioTemporalVoxelSource>>& spatioTemporalVoxelSourceKeys();
-const std::vector<Nav2Key<SpatioTemporalVoxelLayerParameters>>& keysOf(
-    const SpatioTemporalVoxelLayerParameters&);
-const std::vector<Nav2Key<PluginContainerLayerParameters>>& keysOf(
-    const PluginContainerLayerParameters&);
-const std::vector<Nav2Key<BinaryFilterParameters>>& keysOf(const BinaryFilterParameters&);
-const std::vector<IgnoredKey>&
-ignoredSpatioTemporalVoxelKeys();  // of a spatio-temporal voxel layer
-const std::vector<IgnoredKey>& ignoredSpatioTemporalVoxelSourceKeys();  // of one of its sources
-const std::vector<IgnoredKey>& ignoredCostmapKeys();
-const std::vector<IgnoredKey>& ignoredLayerKeys();   // of all layers and filters
-const std::vector<IgnoredKey>& ignoredSourceKeys();  // of an observation source
+Nav2Keys<CostmapParameters> costmapKeys();
+Nav2Keys<StaticLayerParameters> keysOf(const StaticLayerParameters&);
+Nav2Keys<ObservationSource> observationSourceKeys();
+Nav2Keys<ObstacleLayerParameters> keysOf(const ObstacleLayerParameters&);
+Nav2Keys<VoxelLayerParameters> keysOf(const VoxelLayerParameters&);
+Nav2Keys<InflationLayerParameters> keysOf(const InflationLayerParameters&);
+Nav2Keys<SocialLayerParameters> keysOf(const SocialLayerParameters&);
+Nav2Keys<KeepoutFilterParameters> keysOf(const KeepoutFilterParameters&);
+Nav2Keys<SpeedFilterParameters> keysOf(const SpeedFilterParameters&);
+Nav2Keys<LegacyInflationLayerParameters> keysOf(const LegacyInflationLayerParameters&);
+Nav2Keys<AsymmetricInflationLayerParameters> keysOf(const AsymmetricInflationLayerParameters&);
+Nav2Keys<DenoiseLayerParameters> keysOf(const DenoiseLayerParameters&);
+Nav2Keys<RangeSensorLayerParameters> keysOf(const RangeSensorLayerParameters&);
+Nav2Keys<SpatioTemporalVoxelSource> spatioTemporalVoxelSourceKeys();
+Nav2Keys<SpatioTemporalVoxelLayerParameters> keysOf(const SpatioTemporalVoxelLayerParameters&);
+Nav2Keys<PluginContainerLayerParameters> keysOf(const PluginContainerLayerParameters&);
+Nav2Keys<BinaryFilterParameters> keysOf(const BinaryFilterParameters&);
+IgnoredKeys ignoredSpatioTemporalVoxelKeys();        // of a spatio-temporal voxel layer
+IgnoredKeys ignoredSpatioTemporalVoxelSourceKeys();  // of one of its sources
+IgnoredKeys ignoredCostmapKeys();
+IgnoredKeys ignoredLayerKeys();   // of all layers and filters
+IgnoredKeys ignoredSourceKeys();  // of an observation source
 
 }  // namespace sim2d::nav2

@@ -1,21 +1,7 @@
 #include "sim2d/nav/nav2/costmap/LayeredCostmap.h"
 
 #include <algorithm>
-#include <string>
-#include <utility>
 #include <variant>
-
-#include "sim2d/nav/Observation.h"
-#include "sim2d/nav/nav2/costmap/CostmapFilters.h"
-#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
-#include "sim2d/nav/nav2/costmap/DenoiseLayer.h"
-#include "sim2d/nav/nav2/costmap/InflationLayer.h"
-#include "sim2d/nav/nav2/costmap/ObstacleLayer.h"
-#include "sim2d/nav/nav2/costmap/PluginContainerLayer.h"
-#include "sim2d/nav/nav2/costmap/RangeSensorLayer.h"
-#include "sim2d/nav/nav2/costmap/SocialLayer.h"
-#include "sim2d/nav/nav2/costmap/SpatioTemporalVoxelLayer.h"
-#include "sim2d/nav/nav2/costmap/StaticLayer.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -49,33 +35,102 @@ Costmap emptyCostmap(const CostmapSetup& setup) {
   return costmap;
 }
 
-/// The cost function of the layer of that name, or of any layer if it is empty. Names of layers
-/// within containers begin with the container's name.
-std::optional<InflationCostFunction> findCostFunction(
-    const std::vector<std::unique_ptr<CostmapLayer>>& layers, const std::string& name) {
-  for (const auto& each : layers) {
-    if (const auto* const container = dynamic_cast<const PluginContainerLayer*>(each.get())) {
-      if (auto costFunction = findCostFunction(container->layers(), name)) {
-        return costFunction;
-      }
-    }
-    if (!name.empty() && each->name() != name) {
-      continue;
-    }
-    if (const auto* const inflation = dynamic_cast<const InflationLayer*>(each.get())) {
-      return inflation->costFunction();
-    }
-    if (const auto* const asymmetric = dynamic_cast<const AsymmetricInflationLayer*>(each.get())) {
-      return asymmetric->costFunction();
+/// The cost function of the layer of that name, or of any layer if it is empty.
+std::optional<InflationCostFunction> findCostFunction(const std::vector<LayerPointer>& layers,
+                                                      const std::string& name) {
+  for (const LayerPointer& layer : layers) {
+    if (auto costFunction = layer->inflation(name)) {
+      return costFunction;
     }
   }
   return std::nullopt;
 }
 
-bool areCurrent(const std::vector<std::unique_ptr<CostmapLayer>>& layers) {
+bool areCurrent(const std::vector<LayerPointer>& layers) {
   return std::all_of(layers.begin(), layers.end(),
                      [](const auto& layer) { return layer->isCurrent(); });
 }
+
+std::vector<LayerPointer> makeLayers(const std::vector<CostmapPlugin>& plugins,
+                                     const CostmapContext& context, const Costmap& master,
+                                     const CostmapSetup& setup) {
+  std::vector<LayerPointer> layers;
+  layers.reserve(plugins.size());
+  for (const CostmapPlugin& plugin : plugins) {
+    layers.push_back(makeLayer(plugin, context, master, setup));
+  }
+  return layers;
+}
+
+/// Layers that work on their own costmap, which is merged into the master like a single layer
+/// (nav2_costmap_2d::PluginContainerLayer). Each update first resets its window of that costmap.
+class PluginContainerLayer final : public GridLayer {
+ public:
+  PluginContainerLayer(const PluginContainerLayerParameters& parameters, const LayerSite& site)
+      : GridLayer(site, parameters.enabled, site.context.defaultCost()),
+        combinationMethod_(parameters.combinationMethod),
+        layers_(makeLayers(parameters.layers, site.context, site.master, site.setup)) {}
+
+  void observe(const Observation& observation) override {
+    for (const LayerPointer& layer : layers_) {
+      layer->observe(observation);
+    }
+  }
+
+  void updateBounds(const Observation& observation, const Costmap& master,
+                    CostmapBounds& bounds) override {
+    moveWithRobot(observation, master);
+    for (const LayerPointer& layer : layers_) {
+      if (isEnabled_) {
+        layer->updateBounds(observation, grid_, bounds);
+      }
+    }
+  }
+
+  void updateCosts(Costmap& master, const CellWindow& window) override {
+    if (!isEnabled_) {
+      return;
+    }
+    fillWindow(grid_, window, emptyCost_);
+    for (const LayerPointer& layer : layers_) {
+      layer->updateCosts(grid_, window);
+    }
+    mergeWindow(grid_, window, combinationMethod_, master);
+  }
+
+  void reset(double time) override {
+    emptyGrid();
+    for (const LayerPointer& layer : layers_) {
+      layer->reset(time);
+    }
+  }
+  bool isCurrent() const override { return !isEnabled_ || areCurrent(layers_); }
+  bool isClearable() const override {
+    return std::any_of(layers_.begin(), layers_.end(),
+                       [](const auto& layer) { return layer->isClearable(); });
+  }
+
+  void clearArea(const Vec2& low, const Vec2& high, bool isInverted) override {
+    for (const LayerPointer& layer : layers_) {
+      if (layer->isClearable()) {
+        layer->clearArea(low, high, isInverted);
+      }
+    }
+  }
+  void setPlan(const Path& plan) override {
+    for (const LayerPointer& layer : layers_) {
+      layer->setPlan(plan);
+    }
+  }
+  /// Names of layers within containers begin with the container's name.
+  std::optional<InflationCostFunction> inflation(const std::string& wanted) const override {
+    return findCostFunction(layers_, wanted);
+  }
+
+ private:
+  int combinationMethod_;
+  std::vector<LayerPointer> layers_;
+};
 
 }  // namespace
 
@@ -92,19 +147,12 @@ LayeredCostmap::LayeredCostmap(const CostmapSetup& setup)
   context_->isRolling = parameters.rollingWindow;
   context_->tracksUnknown = parameters.trackUnknownSpace;
   context_->lidarHeight = setup.lidarHeight;
-  for (const CostmapPlugin& plugin : setup.settings.plugins) {
-    plugins_.push_back(makeLayer(plugin, setup, *context_, primary_));
-  }
-  for (const CostmapPlugin& filter : setup.settings.filters) {
-    filters_.push_back(makeLayer(filter, setup, *context_, primary_));
-  }
+  plugins_ = makeLayers(setup.settings.plugins, *context_, primary_, setup);
+  filters_ = makeLayers(setup.settings.filters, *context_, primary_, setup);
 }
 
 bool LayeredCostmap::update(const Observation& observation) {
-  time_ = observation.time;
-  for (const auto& layer : plugins_) {
-    layer->observe(observation);
-  }
+  observe(observation);
   const std::int64_t due = eventIndexAt(observation.time, updateFrequency_);
   if (updateFrequency_ <= 0.0 || due <= lastUpdate_) {  // at 0 Hz Nav2's update thread ends
     return false;
@@ -115,11 +163,15 @@ bool LayeredCostmap::update(const Observation& observation) {
 }
 
 void LayeredCostmap::updateNow(const Observation& observation) {
+  observe(observation);
+  updateMap(observation);
+}
+
+void LayeredCostmap::observe(const Observation& observation) {
   time_ = observation.time;
   for (const auto& layer : plugins_) {
     layer->observe(observation);
   }
-  updateMap(observation);
 }
 
 void LayeredCostmap::updateMap(const Observation& observation) {
@@ -147,9 +199,7 @@ void LayeredCostmap::updateMap(const Observation& observation) {
     mergeWindow(primary_, window, CombinationMethod::Copy, combined_);
     for (const auto& filter : filters_) {
       filter->updateCosts(combined_, window);
-      if (auto* const speed = dynamic_cast<SpeedFilter*>(filter.get())) {
-        speedLimit_ = speed->takeNewLimit().value_or(speedLimit_);
-      }
+      speedLimit_ = filter->takeNewLimit().value_or(speedLimit_);
     }
   }
   ++updates_;
@@ -187,8 +237,8 @@ void LayeredCostmap::setPlan(const Path& plan) {
 std::map<std::string, BinaryState> LayeredCostmap::binaryStates() const {
   std::map<std::string, BinaryState> states;
   for (const auto& filter : filters_) {
-    if (const auto* const binary = dynamic_cast<const BinaryFilter*>(filter.get())) {
-      states[filter->name()] = {binary->state(), binary->changes()};
+    if (const auto state = filter->binaryState()) {
+      states[filter->name()] = *state;
     }
   }
   return states;
@@ -218,16 +268,6 @@ bool LayeredCostmap::clearEntirely(const std::vector<std::string>& plugins) {
   return true;
 }
 
-bool LayeredCostmap::clearAround(const Vec2& place, double side,
-                                 const std::vector<std::string>& plugins) {
-  return clearSquare(place, side, false, plugins);
-}
-
-bool LayeredCostmap::clearExcept(const Vec2& place, double side,
-                                 const std::vector<std::string>& plugins) {
-  return clearSquare(place, side, true, plugins);
-}
-
 bool LayeredCostmap::clearSquare(const Vec2& place, double side, bool isInverted,
                                  const std::vector<std::string>& plugins) {
   for (const std::string& name : plugins) {
@@ -247,77 +287,17 @@ bool LayeredCostmap::clearSquare(const Vec2& place, double side, bool isInverted
   return true;
 }
 
-namespace {
+LayerPointer makeLayer(const PluginContainerLayerParameters& parameters, const LayerSite& site) {
+  return std::make_unique<PluginContainerLayer>(parameters, site);
+}
 
-/// Creates the layer for each type of parameters.
-struct LayerFactory {
-  const CostmapSetup& setup;
-  const CostmapContext& context;
-  const Costmap& master;
-  const std::string& name;
-
-  using Layer = std::unique_ptr<CostmapLayer>;
-  Layer operator()(const StaticLayerParameters& parameters) const {
-    return std::make_unique<StaticLayer>(name, context, parameters, setup.settings.parameters,
-                                         setup.map);
-  }
-  Layer operator()(const ObstacleLayerParameters& parameters) const {
-    return std::make_unique<ObstacleLayer>(name, context, parameters, master);
-  }
-  Layer operator()(const VoxelLayerParameters& parameters) const {
-    return std::make_unique<ObstacleLayer>(name, context, parameters, master);
-  }
-  Layer operator()(const InflationLayerParameters& parameters) const {
-    return std::make_unique<InflationLayer>(name, context, parameters, master.resolution());
-  }
-  Layer operator()(const LegacyInflationLayerParameters& parameters) const {
-    return std::make_unique<LegacyInflationLayer>(name, context, parameters, master.resolution());
-  }
-  Layer operator()(const AsymmetricInflationLayerParameters& parameters) const {
-    return std::make_unique<AsymmetricInflationLayer>(name, context, parameters,
-                                                      master.resolution());
-  }
-  Layer operator()(const SocialLayerParameters& parameters) const {
-    return std::make_unique<SocialLayer>(name, context, parameters);
-  }
-  Layer operator()(const DenoiseLayerParameters& parameters) const {
-    return std::make_unique<DenoiseLayer>(name, context, parameters);
-  }
-  Layer operator()(const RangeSensorLayerParameters& parameters) const {
-    return std::make_unique<RangeSensorLayer>(name, context, parameters, master);
-  }
-  Layer operator()(const SpatioTemporalVoxelLayerParameters& parameters) const {
-    return std::make_unique<SpatioTemporalVoxelLayer>(name, context, parameters, master);
-  }
-  Layer operator()(const PluginContainerLayerParameters& parameters) const {
-    PluginContainerLayer::Layers layers;
-    layers.reserve(parameters.layers.size());
-    for (const CostmapPlugin& inner : parameters.layers) {
-      layers.push_back(makeLayer(inner, setup, context, master));
-    }
-    return std::make_unique<PluginContainerLayer>(name, context, parameters, master,
-                                                  std::move(layers));
-  }
-  Layer operator()(const KeepoutFilterParameters& parameters) const {
-    return std::make_unique<KeepoutFilter>(name, context, parameters, mask().grid);
-  }
-  Layer operator()(const SpeedFilterParameters& parameters) const {
-    return std::make_unique<SpeedFilter>(name, context, parameters, mask());
-  }
-  Layer operator()(const BinaryFilterParameters& parameters) const {
-    return std::make_unique<BinaryFilter>(name, context, parameters, mask());
-  }
-  FilterMask mask() const {
-    const auto found = setup.masks.find(name);
-    return found == setup.masks.end() ? FilterMask{} : found->second;
-  }
-};
-
-}  // namespace
-
-std::unique_ptr<CostmapLayer> makeLayer(const CostmapPlugin& plugin, const CostmapSetup& setup,
-                                        const CostmapContext& context, const Costmap& master) {
-  return std::visit(LayerFactory{setup, context, master, plugin.name}, plugin.parameters);
+LayerPointer makeLayer(const CostmapPlugin& plugin, const CostmapContext& context,
+                       const Costmap& master, const CostmapSetup& setup) {
+  return std::visit(
+      [&](const auto& parameters) {
+        return makeLayer(parameters, LayerSite{plugin.name, context, master, setup});
+      },
+      plugin.parameters);
 }
 
 }  // namespace sim2d::nav2

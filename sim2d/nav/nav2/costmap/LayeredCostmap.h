@@ -9,25 +9,8 @@
 
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/nav2/costmap/CostmapLayer.h"
-#include "sim2d/nav/nav2/costmap/CostmapParameters.h"
-#include "sim2d/nav/nav2/costmap/InflationLayer.h"
 
 namespace sim2d::nav2 {
-
-/// Parameters of a costmap and the properties of its robot and map.
-struct CostmapSetup {
-  CostmapSettings settings;
-  OccupancyGrid map;         // for static layers; empty: no effect
-  double lidarHeight = 0.2;  // above the floor [m]
-  FilterMasks masks;         // a filter without a mask has no effect
-  Distro distro = Distro::Humble;
-};
-
-/// The state that a binary filter publishes.
-struct BinaryState {
-  bool state = false;
-  int changes = 0;  // number of changes so far
-};
 
 /// Errors and warnings about sizes, footprint, an inflation radius below the inscribed radius, a
 /// lidar outside the height range of all sources. A LayeredCostmap requires a setup without errors.
@@ -82,27 +65,27 @@ class LayeredCostmap {
   /// around the robot's position, or everything else. The costs follow with the next update.
   /// `plugins` (main): only these, empty = all; returns false without clearing if a name is unknown
   /// or not clearable.
-  bool clearAround(const Vec2& place, double side, const std::vector<std::string>& plugins = {});
-  bool clearExcept(const Vec2& place, double side, const std::vector<std::string>& plugins = {});
+  bool clearAround(const Vec2& place, double side, const std::vector<std::string>& plugins = {}) {
+    return clearSquare(place, side, false, plugins);
+  }
+  bool clearExcept(const Vec2& place, double side, const std::vector<std::string>& plugins = {}) {
+    return clearSquare(place, side, true, plugins);
+  }
 
  private:
   bool clearSquare(const Vec2& place, double side, bool isInverted,
                    const std::vector<std::string>& plugins);
+  void observe(const Observation& observation);
   void updateMap(const Observation& observation);
   void publish(double time);
 
   std::unique_ptr<CostmapContext> context_;
   double updateFrequency_ = 5.0, publishFrequency_ = 1.0;  // [Hz]
   Costmap primary_, combined_, published_;  // plugins only (if there are filters); all; the copy
-  std::vector<std::unique_ptr<CostmapLayer>> plugins_, filters_;
+  std::vector<LayerPointer> plugins_, filters_;
   SpeedLimit speedLimit_;
   double time_ = 0.0;                                                // [s], of the last step
   std::int64_t updates_ = 0, lastUpdate_ = -1, lastPublished_ = -1;  // event numbers
 };
-
-/// Creates a layer or filter of a costmap. `context` must outlive it; `master`: size and origin of
-/// the costmap. Private to this folder.
-std::unique_ptr<CostmapLayer> makeLayer(const CostmapPlugin& plugin, const CostmapSetup& setup,
-                                        const CostmapContext& context, const Costmap& master);
 
 }  // namespace sim2d::nav2

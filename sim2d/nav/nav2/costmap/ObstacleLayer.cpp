@@ -1,9 +1,6 @@
-#include "sim2d/nav/nav2/costmap/ObstacleLayer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <utility>
@@ -92,28 +89,13 @@ void freeRay(Costmap& costmap, Cell from, Cell to, const RayRange& range) {
     cell.column = static_cast<int>(from.column + acrossAll / length * range.least);
     cell.row = static_cast<int>(from.row + upAll / length * range.least);
   }
-  const int across = to.column - cell.column, up = to.row - cell.row;
-  const bool isFlat = std::abs(across) >= std::abs(up);
-  const int longer = isFlat ? std::abs(across) : std::abs(up);
-  const int shorter = isFlat ? std::abs(up) : std::abs(across);
-  const std::ptrdiff_t columnStep = across > 0 ? 1 : across < 0 ? -1 : 0;
-  const std::ptrdiff_t rowStep = up > 0 ? costmap.width() : up < 0 ? -costmap.width() : 0;
-  const std::ptrdiff_t step = isFlat ? columnStep : rowStep;
-  const std::ptrdiff_t sideStep = isFlat ? rowStep : columnStep;
+  const int longer = std::max(std::abs(to.column - cell.column), std::abs(to.row - cell.row));
   const double share = length == 0.0 ? 1.0 : std::min(1.0, range.most / length);
-  const int steps = std::min(static_cast<int>(share * longer), longer);
-  std::uint8_t* at = costmap.costs().data() + costmap.indexOf(cell);
-  int error = longer / 2;
-  for (int i = 0; i < steps; ++i) {
-    *at = kFreeSpace;
-    at += step;
-    error += shorter;
-    if (error >= longer) {
-      at += sideStep;
-      error -= longer;
-    }
-  }
-  *at = kFreeSpace;
+  int left = std::min(static_cast<int>(share * longer), longer);
+  visitLine(cell, to, [&](Cell each) {
+    costmap.set(each, kFreeSpace);
+    return left-- > 0;
+  });
 }
 
 /// The equivalent obstacle layer of a voxel layer; a lidar outside all voxels has no effect.
@@ -128,154 +110,11 @@ ObstacleLayerParameters asObstacleLayer(const VoxelLayerParameters& voxels, doub
   return flat;
 }
 
-}  // namespace
-
-ObstacleLayer::ObstacleLayer(std::string name, const CostmapContext& context,
-                             const ObstacleLayerParameters& parameters, const Costmap& master)
-    : CostmapLayer(std::move(name), context), parameters_(parameters), grid_(master) {
-  for (const ObservationSource& source : parameters.sources) {
-    buffers_.emplace_back(source, context.lidarHeight);
-  }
-  const double least = context.distro == Distro::Humble ? -HUGE_VAL : parameters.minObstacleHeight;
-  marksObstacles_ =
-      context.lidarHeight >= least && context.lidarHeight <= parameters.maxObstacleHeight;
-  fillWindow(grid_, wholeWindow(grid_), context.defaultCost());
-}
-
-ObstacleLayer::ObstacleLayer(std::string name, const CostmapContext& context,
-                             const VoxelLayerParameters& parameters, const Costmap& master)
-    : ObstacleLayer(std::move(name), context, asObstacleLayer(parameters, context.lidarHeight),
-                    master) {
-  rayShortening_ = 2.0 * master.resolution();
-}
-
-void ObstacleLayer::observe(const Observation& observation) {
-  if (observation.scan == nullptr) {
-    return;
-  }
-  for (ObservationBuffer& buffer : buffers_) {
-    buffer.observe(*observation.scan);
-  }
-}
-
-void ObstacleLayer::updateBounds(const Observation& observation, const Costmap& master,
-                                 CostmapBounds& bounds) {
-  moveWithRobot(grid_, observation, master, context().defaultCost());
-  if (!parameters_.enabled) {
-    return;
-  }
-  bounds.touch(extraBounds_);
-  extraBounds_ = {};
-  isCurrent_ = true;
-  for (ObservationBuffer& buffer : buffers_) {
-    isCurrent_ = isCurrent_ && buffer.isCurrent(observation.time);
-    if (buffer.source().clearing) {
-      for (const PointCloud& cloud : buffer.clouds(observation.time)) {
-        clearRays(cloud, buffer.source(), bounds);
-      }
-    }
-  }
-  for (ObservationBuffer& buffer : buffers_) {
-    if (buffer.source().marking && marksObstacles_) {
-      for (const PointCloud& cloud : buffer.clouds(observation.time)) {
-        mark(cloud, buffer.source(), bounds);
-      }
-    }
-  }
-  footprint_ = clearedFootprint(parameters_.footprintClearingEnabled, observation, bounds);
-}
-
-void ObstacleLayer::updateCosts(Costmap& master, const CellWindow& window) {
-  if (!parameters_.enabled) {
-    return;
-  }
-  if (wasReset_) {
-    isCurrent_ = true;
-    wasReset_ = false;
-  }
-  fillPolygon(grid_, footprint_, kFreeSpace);
-  mergeWindow(grid_, window, parameters_.combinationMethod, master);
-}
-
-void ObstacleLayer::reset(double time) {
-  fillWindow(grid_, wholeWindow(grid_), context().defaultCost());
-  for (ObservationBuffer& buffer : buffers_) {
-    buffer.resetLastUpdated(time);
-  }
-  isCurrent_ = false;
-  wasReset_ = true;
-}
-
-void ObstacleLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted) {
-  clearCells(grid_, low, high, isInverted, kNoInformation);
-  isCurrent_ = false;
-  extraBounds_.touch(grid_.origin());
-  extraBounds_.touch(grid_.origin() + nav2SizeOf(grid_));
-}
-
-void ObstacleLayer::clearRays(const PointCloud& cloud, const ObservationSource& source,
-                              CostmapBounds& bounds) {
-  const std::optional<Cell> from = grid_.worldToCell(cloud.origin);
-  if (!from) {
-    return;  // Nav2 does not trace rays from off the map
-  }
-  bounds.touch(cloud.origin);
-  for (const Vec2& point : cloud.points) {
-    Vec2 end = point;
-    if (rayShortening_ > 0.0) {
-      const double length = (point - cloud.origin).norm();
-      const double share = length > rayShortening_ ? (length - rayShortening_) / length : 0.0;
-      end = cloud.origin + share * (point - cloud.origin);
-    }
-    clearRay(*from, cloud.origin, clippedEnd(cloud.origin, end), source, bounds);
-  }
-}
-
-void ObstacleLayer::clearRay(Cell from, const Vec2& origin, const Vec2& end,
-                             const ObservationSource& source, CostmapBounds& bounds) {
-  const std::optional<Cell> to = grid_.worldToCell(end);
-  if (!to) {
-    return;
-  }
-  freeRay(
-      grid_, from, *to,
-      {grid_.cellDistance(source.raytraceMaxRange), grid_.cellDistance(source.raytraceMinRange)});
-  const Vec2 way = end - origin;
-  const double length = way.norm();
-  if (length >= source.raytraceMinRange) {
-    const double share = length > 0.0 ? std::min(1.0, source.raytraceMaxRange / length) : 1.0;
-    bounds.touch(origin + share * way);
-  }
-}
-
-void ObstacleLayer::mark(const PointCloud& cloud, const ObservationSource& source,
-                         CostmapBounds& bounds) {
-  const double most = source.obstacleMaxRange * source.obstacleMaxRange;
-  const double least = source.obstacleMinRange * source.obstacleMinRange;
-  const std::optional<Cell> sensorCell = grid_.worldToCell(cloud.origin);
-  const double mostCells = grid_.cellDistance(source.obstacleMaxRange);
-  for (const Vec2& point : cloud.points) {
-    const double distance = (point - cloud.origin).squaredNorm();
-    const std::optional<Cell> cell = grid_.worldToCell(point);
-    if (distance > most || distance < least || !cell) {
-      continue;
-    }
-    if (sensorCell && context().distro >= Distro::Lyrical) {
-      const double across = cell->column - sensorCell->column, up = cell->row - sensorCell->row;
-      if (std::floor(std::sqrt(across * across + up * up)) > mostCells) {
-        continue;
-      }
-    }
-    grid_.set(*cell, kLethal);
-    bounds.touch(point);
-  }
-}
-
 /// The end of a ray, clipped to the border of the map.
-Vec2 ObstacleLayer::clippedEnd(const Vec2& origin, const Vec2& end) const {
+Vec2 clippedEnd(const Costmap& grid, const Vec2& origin, const Vec2& end) {
   const Vec2 way = end - origin;
-  const Vec2& low = grid_.origin();
-  const Vec2 high = low + grid_.resolution() * Vec2(grid_.width(), grid_.height());
+  const Vec2& low = grid.origin();
+  const Vec2 high = low + grid.resolution() * Vec2(grid.width(), grid.height());
   Vec2 cut = end;
   for (const int axis : {0, 1}) {
     const int other = 1 - axis;
@@ -292,6 +131,164 @@ Vec2 ObstacleLayer::clippedEnd(const Vec2& origin, const Vec2& end) const {
     }
   }
   return cut;
+}
+
+/// Obstacles seen by the lidar (nav2_costmap_2d::ObstacleLayer): a grid in which hits stay until a
+/// ray passes through them. A voxel layer differs in that rays end two cells before the hit, and
+/// that it has no effect when the lidar is outside its heights.
+class ObstacleLayer final : public GridLayer {
+ public:
+  /// `rayShortening`: length by which rays are shortened [m].
+  ObstacleLayer(const ObstacleLayerParameters& parameters, double rayShortening,
+                const LayerSite& site)
+      : GridLayer(site, parameters.enabled, site.context.defaultCost()),
+        parameters_(parameters),
+        rayShortening_(rayShortening) {
+    const CostmapContext& context = site.context;
+    for (const ObservationSource& source : parameters.sources) {
+      buffers_.emplace_back(source, context.lidarHeight);
+    }
+    const double least =
+        context.distro == Distro::Humble ? -HUGE_VAL : parameters.minObstacleHeight;
+    marksObstacles_ =
+        context.lidarHeight >= least && context.lidarHeight <= parameters.maxObstacleHeight;
+  }
+
+  void observe(const Observation& observation) override {
+    if (observation.scan == nullptr) {
+      return;
+    }
+    for (ObservationBuffer& buffer : buffers_) {
+      buffer.observe(*observation.scan);
+    }
+  }
+
+  void updateBounds(const Observation& observation, const Costmap& master,
+                    CostmapBounds& bounds) override {
+    moveWithRobot(observation, master);
+    if (!parameters_.enabled) {
+      return;
+    }
+    bounds.touch(extraBounds_);
+    extraBounds_ = {};
+    isCurrent_ = true;
+    for (ObservationBuffer& buffer : buffers_) {
+      isCurrent_ = isCurrent_ && buffer.isCurrent(observation.time);
+      if (buffer.source().clearing) {
+        for (const PointCloud& cloud : buffer.clouds(observation.time)) {
+          clearRays(cloud, buffer.source(), bounds);
+        }
+      }
+    }
+    for (ObservationBuffer& buffer : buffers_) {
+      if (buffer.source().marking && marksObstacles_) {
+        for (const PointCloud& cloud : buffer.clouds(observation.time)) {
+          mark(cloud, buffer.source(), bounds);
+        }
+      }
+    }
+    footprint_ = clearedFootprint(parameters_.footprintClearingEnabled, observation, bounds);
+  }
+
+  void updateCosts(Costmap& master, const CellWindow& window) override {
+    if (!parameters_.enabled) {
+      return;
+    }
+    if (wasReset_) {
+      isCurrent_ = true;
+      wasReset_ = false;
+    }
+    fillPolygon(grid_, footprint_, kFreeSpace);
+    mergeWindow(grid_, window, parameters_.combinationMethod, master);
+  }
+
+  void reset(double time) override {
+    resetGrid();
+    for (ObservationBuffer& buffer : buffers_) {
+      buffer.resetLastUpdated(time);
+    }
+  }
+
+  void clearArea(const Vec2& low, const Vec2& high, bool isInverted) override {
+    clearCells(grid_, low, high, isInverted, kNoInformation);
+    isCurrent_ = false;
+    extraBounds_.touch(grid_.origin());
+    extraBounds_.touch(grid_.origin() + nav2SizeOf(grid_));
+  }
+
+ private:
+  void clearRays(const PointCloud& cloud, const ObservationSource& source, CostmapBounds& bounds) {
+    const std::optional<Cell> from = grid_.worldToCell(cloud.origin);
+    if (!from) {
+      return;  // Nav2 does not trace rays from off the map
+    }
+    bounds.touch(cloud.origin);
+    for (const Vec2& point : cloud.points) {
+      Vec2 end = point;
+      if (rayShortening_ > 0.0) {
+        const double length = (point - cloud.origin).norm();
+        const double share = length > rayShortening_ ? (length - rayShortening_) / length : 0.0;
+        end = cloud.origin + share * (point - cloud.origin);
+      }
+      clearRay(*from, cloud.origin, clippedEnd(grid_, cloud.origin, end), source, bounds);
+    }
+  }
+
+  void clearRay(Cell from, const Vec2& origin, const Vec2& end, const ObservationSource& source,
+                CostmapBounds& bounds) {
+    const std::optional<Cell> to = grid_.worldToCell(end);
+    if (!to) {
+      return;
+    }
+    freeRay(
+        grid_, from, *to,
+        {grid_.cellDistance(source.raytraceMaxRange), grid_.cellDistance(source.raytraceMinRange)});
+    const Vec2 way = end - origin;
+    const double length = way.norm();
+    if (length >= source.raytraceMinRange) {
+      const double share = length > 0.0 ? std::min(1.0, source.raytraceMaxRange / length) : 1.0;
+      bounds.touch(origin + share * way);
+    }
+  }
+
+  void mark(const PointCloud& cloud, const ObservationSource& source, CostmapBounds& bounds) {
+    const double most = source.obstacleMaxRange * source.obstacleMaxRange;
+    const double least = source.obstacleMinRange * source.obstacleMinRange;
+    const std::optional<Cell> sensorCell = grid_.worldToCell(cloud.origin);
+    const double mostCells = grid_.cellDistance(source.obstacleMaxRange);
+    for (const Vec2& point : cloud.points) {
+      const double distance = (point - cloud.origin).squaredNorm();
+      const std::optional<Cell> cell = grid_.worldToCell(point);
+      if (distance > most || distance < least || !cell) {
+        continue;
+      }
+      if (sensorCell && context().distro >= Distro::Lyrical) {
+        const double across = cell->column - sensorCell->column, up = cell->row - sensorCell->row;
+        if (std::floor(std::sqrt(across * across + up * up)) > mostCells) {
+          continue;
+        }
+      }
+      grid_.set(*cell, kLethal);
+      bounds.touch(point);
+    }
+  }
+
+  ObstacleLayerParameters parameters_;
+  std::vector<ObservationBuffer> buffers_;
+  double rayShortening_;        // [m]
+  bool marksObstacles_ = true;  // the lidar is within the heights of the layer
+  CostmapBounds extraBounds_;
+  Polygon footprint_;  // in world frame; empty: clears nothing
+};
+
+}  // namespace
+
+LayerPointer makeLayer(const ObstacleLayerParameters& parameters, const LayerSite& site) {
+  return std::make_unique<ObstacleLayer>(parameters, 0.0, site);
+}
+LayerPointer makeLayer(const VoxelLayerParameters& parameters, const LayerSite& site) {
+  return std::make_unique<ObstacleLayer>(asObstacleLayer(parameters, site.context.lidarHeight),
+                                         2.0 * site.master.resolution(), site);
 }
 
 }  // namespace sim2d::nav2

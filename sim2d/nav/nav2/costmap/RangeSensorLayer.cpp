@@ -1,10 +1,7 @@
-#include "sim2d/nav/nav2/costmap/RangeSensorLayer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <utility>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/costmap/CostmapLayer.h"
@@ -60,100 +57,8 @@ double directionOfSensor(const std::string& topic) {
   return side * base::kPi * (isBehind ? 0.75 : isAhead ? 0.25 : 0.5);
 }
 
-RangeSensorLayer::RangeSensorLayer(std::string name, const CostmapContext& context,
-                                   const RangeSensorLayerParameters& parameters,
-                                   const Costmap& master)
-    : CostmapLayer(std::move(name), context), parameters_(parameters), grid_(master) {
-  fillWindow(grid_, wholeWindow(grid_), costOf(kUnknownProbability));
-  for (const std::string& topic : parameters.topics) {
-    directions_.push_back(directionOfSensor(topic));
-  }
-}
-
-void RangeSensorLayer::observe(const Observation& observation) {
-  const LaserScan* const scan = observation.scan;
-  if (scan == nullptr || !(scan->time > lastScan_) || parameters_.inputSensorType == "FIXED") {
-    return;
-  }
-  lastScan_ = scan->time;
-  for (const double direction : directions_) {
-    RangeReading reading;
-    reading.origin = scan->sensor.position;
-    reading.heading = observation.pose.heading + direction;
-    reading.fieldOfView = kConeAngle;
-    reading.range = minDistanceInCone(*scan, reading.heading);
-    const bool isFar = reading.range >= std::min(kMaxRange, scan->range);
-    if (reading.range < kMinRange || (isFar && !parameters_.clearOnMaxReading)) {
-      continue;
-    }
-    reading.range = std::min(reading.range, kMaxRange);
-    reading.clears = isFar;
-    add(reading);
-  }
-}
-
-void RangeSensorLayer::updateBounds(const Observation& observation, const Costmap& master,
-                                    CostmapBounds& bounds) {
-  moveWithRobot(grid_, observation, master, costOf(kUnknownProbability));
-  for (const RangeReading& reading : readings_) {
-    applyReading(reading);
-    lastReading_ = observation.time;
-  }
-  const bool hasReadings = !readings_.empty();
-  readings_.clear();
-  bounds.touch(touched_);
-  touched_ = CostmapBounds();
-  const bool isStale = !hasReadings && parameters_.noReadingsTimeout > 0.0 &&
-                       observation.time - lastReading_ > parameters_.noReadingsTimeout;
-  if (parameters_.enabled && isStale) {
-    isCurrent_ = false;
-  } else if (!parameters_.enabled || (hasReadings && !wasReset_)) {
-    isCurrent_ = true;
-  }
-}
-
-void RangeSensorLayer::updateCosts(Costmap& master, const CellWindow& window) {
-  if (!parameters_.enabled) {
-    return;
-  }
-  const std::uint8_t clear = costOf(parameters_.clearThreshold);
-  const std::uint8_t mark = costOf(parameters_.markThreshold);
-  for (int row = window.bottom; row < window.top; ++row) {
-    for (int column = window.left; column < window.right; ++column) {
-      const Cell cell{column, row};
-      const std::uint8_t probability = grid_.at(cell);
-      const bool isMarked = probability > mark, isClear = probability < clear;
-      if (probability == kNoInformation || (!isMarked && !isClear)) {
-        continue;
-      }
-      const std::uint8_t cost = isMarked ? kLethal : kFreeSpace, old = master.at(cell);
-      if (old == kNoInformation || old < cost) {
-        master.set(cell, cost);
-      }
-    }
-  }
-  if (wasReset_) {
-    wasReset_ = false;
-    isCurrent_ = true;
-  }
-}
-
-void RangeSensorLayer::reset(double time) {
-  fillWindow(grid_, wholeWindow(grid_), costOf(kUnknownProbability));
-  readings_.clear();
-  lastReading_ = time;
-  isCurrent_ = false;
-  wasReset_ = true;
-}
-
-void RangeSensorLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted) {
-  clearCells(grid_, low, high, isInverted, costOf(kUnknownProbability));
-  touched_.touch(grid_.origin());
-  touched_.touch(grid_.origin() + nav2SizeOf(grid_));
-}
-
-double RangeSensorLayer::occupancy(double range, double distance, double angle, double halfAngle,
-                                   double phi, double resolution) {
+double sonarOccupancy(double range, double distance, double angle, double halfAngle, double phi,
+                      double resolution) {
   const double ratio = angle / halfAngle;
   const double inCone = std::abs(angle) > halfAngle ? 0.0 : 1.0 - ratio * ratio;
   const double nearness = 1.0 - (1.0 + base::tanh(2.0 * (distance - phi))) / 2.0;
@@ -173,58 +78,170 @@ double RangeSensorLayer::occupancy(double range, double distance, double angle, 
   return kUnknownProbability;
 }
 
-/// Updates the cells in the box around the reading's cone.
-void RangeSensorLayer::applyReading(const RangeReading& reading) {
-  const double half = reading.fieldOfView / 2.0;
-  const Vec2 target = reading.origin + reading.range * base::directionOf(reading.heading);
-  const Vec2 left =
-      reading.origin + kConeLength * reading.range * base::directionOf(reading.heading - half);
-  const Vec2 right =
-      reading.origin + kConeLength * reading.range * base::directionOf(reading.heading + half);
-  touched_.touch(reading.origin);
-  if (const auto cell = grid_.worldToCell(target)) {
-    grid_.set(*cell, kTargetCost);
-    touched_.touch(target);
-  }
-  touched_.touch(left);
-  touched_.touch(right);
-  const Cell tip = unboundedCell(grid_, reading.origin);
-  const Cell a = unboundedCell(grid_, left), b = unboundedCell(grid_, right);
-  const int firstColumn = std::max(0, std::min({tip.column, a.column, b.column}));
-  const int lastColumn = std::min(grid_.width() - 1, std::max({tip.column, a.column, b.column}));
-  const int firstRow = std::max(0, std::min({tip.row, a.row, b.row}));
-  const int lastRow = std::min(grid_.height() - 1, std::max({tip.row, a.row, b.row}));
-  for (int column = firstColumn; column <= lastColumn; ++column) {
-    for (int row = firstRow; row <= lastRow; ++row) {
-      if (parameters_.inflateCone >= 1.0 || isInCone(a, b, tip, {column, row})) {
-        updateCell(reading, {column, row});
+namespace {
+
+/// A range measurement: the distance to the nearest object within a cone.
+struct RangeReading {
+  Vec2 origin = Vec2::Zero();  // sensor position [m]
+  double heading = 0.0;        // sensor axis [rad], world frame
+  double range = 0.0;          // [m]
+  bool clears = false;         // no object detected: the cone is free
+};
+
+/// Occupancy probabilities of cells from range sensors (nav2_costmap_2d::RangeSensorLayer, after D.
+/// Lu and B. Gerkey): each reading changes the odds of the cells in a box around its cone by a
+/// sonar model. Cells above `mark_threshold` are lethal, those below `clear_threshold` free.
+///
+/// Simulated robots have no such sensors: each topic is a sensor at the lidar's position with 0.5
+/// rad and 0.02 to 4 m, whose reading is the minimum distance of the beams in its cone. It faces
+/// forward unless its name contains a direction: "left", "right", "rear" or "back", and
+/// "front_left" etc. for diagonals. A sensor without a detection gives no reading, or its maximum
+/// range with `clear_on_max_reading`.
+class RangeSensorLayer final : public GridLayer {
+ public:
+  RangeSensorLayer(const RangeSensorLayerParameters& parameters, const LayerSite& site)
+      : GridLayer(site, parameters.enabled, costOf(kUnknownProbability)), parameters_(parameters) {}
+
+  void observe(const Observation& observation) override {
+    const LaserScan* const scan = observation.scan;
+    if (scan == nullptr || !(scan->time > lastScan_) || parameters_.inputSensorType == "FIXED") {
+      return;
+    }
+    lastScan_ = scan->time;
+    for (const std::string& topic : parameters_.topics) {
+      RangeReading reading;
+      reading.origin = scan->sensor.position;
+      reading.heading = observation.pose.heading + directionOfSensor(topic);
+      reading.range = minDistanceInCone(*scan, reading.heading);
+      const bool isFar = reading.range >= std::min(kMaxRange, scan->range);
+      if (reading.range < kMinRange || (isFar && !parameters_.clearOnMaxReading)) {
+        continue;
       }
+      reading.range = std::min(reading.range, kMaxRange);
+      reading.clears = isFar;
+      readings_.push_back(reading);
     }
   }
-}
 
-/// Whether all barycentric coordinates are above a negative share of the area, as Nav2 widens the
-/// cone.
-bool RangeSensorLayer::isInCone(Cell left, Cell right, Cell tip, Cell cell) const {
-  const double area = static_cast<double>(std::llabs(twiceArea(left, right, tip))) / 2.0;
-  const double least = -parameters_.inflateCone * area;
-  return static_cast<double>(twiceArea(left, right, cell)) >= least &&
-         static_cast<double>(twiceArea(right, tip, cell)) >= least &&
-         static_cast<double>(twiceArea(tip, left, cell)) >= least;
-}
-
-void RangeSensorLayer::updateCell(const RangeReading& reading, Cell cell) {
-  const Vec2 offset = grid_.cellToWorld(cell) - reading.origin;
-  const double angle = base::angleDiff(base::headingOf(offset), reading.heading);
-  const double occupied =
-      reading.clears ? 0.0
-                     : occupancy(reading.range, offset.norm(), angle, reading.fieldOfView / 2.0,
-                                 parameters_.phi, grid_.resolution());
-  const double prior = probabilityOf(grid_.at(cell));
-  const double yes = occupied * prior, no = (1.0 - occupied) * (1.0 - prior);
-  if (yes + no > 0.0) {  // else contradictory certainties: unchanged
-    grid_.set(cell, costOf(yes / (yes + no)));
+  void updateBounds(const Observation& observation, const Costmap& master,
+                    CostmapBounds& bounds) override {
+    moveWithRobot(observation, master);
+    for (const RangeReading& reading : readings_) {
+      applyReading(reading);
+      lastReading_ = observation.time;
+    }
+    const bool hasReadings = !readings_.empty();
+    readings_.clear();
+    bounds.touch(touched_);
+    touched_ = CostmapBounds();
+    const bool isStale = !hasReadings && parameters_.noReadingsTimeout > 0.0 &&
+                         observation.time - lastReading_ > parameters_.noReadingsTimeout;
+    if (parameters_.enabled && isStale) {
+      isCurrent_ = false;
+    } else if (!parameters_.enabled || (hasReadings && !wasReset_)) {
+      isCurrent_ = true;
+    }
   }
+
+  void updateCosts(Costmap& master, const CellWindow& window) override {
+    if (!parameters_.enabled) {
+      return;
+    }
+    const std::uint8_t clear = costOf(parameters_.clearThreshold);
+    const std::uint8_t mark = costOf(parameters_.markThreshold);
+    forEachCell(window, [&](Cell cell) {
+      const std::uint8_t probability = grid_.at(cell);
+      const bool isMarked = probability > mark, isClear = probability < clear;
+      if (probability == kNoInformation || (!isMarked && !isClear)) {
+        return;
+      }
+      const std::uint8_t cost = isMarked ? kLethal : kFreeSpace, old = master.at(cell);
+      if (old == kNoInformation || old < cost) {
+        master.set(cell, cost);
+      }
+    });
+    if (wasReset_) {
+      wasReset_ = false;
+      isCurrent_ = true;
+    }
+  }
+
+  void reset(double time) override {
+    resetGrid();
+    readings_.clear();
+    lastReading_ = time;
+  }
+
+  void clearArea(const Vec2& low, const Vec2& high, bool isInverted) override {
+    clearCells(grid_, low, high, isInverted, emptyCost_);
+    touched_.touch(grid_.origin());
+    touched_.touch(grid_.origin() + nav2SizeOf(grid_));
+  }
+
+ private:
+  /// Updates the cells in the box around the reading's cone.
+  void applyReading(const RangeReading& reading) {
+    const Vec2 target = reading.origin + reading.range * base::directionOf(reading.heading);
+    const auto side = [&reading](double angle) -> Vec2 {
+      return reading.origin +
+             kConeLength * reading.range * base::directionOf(reading.heading + angle);
+    };
+    const Vec2 left = side(-kConeAngle / 2.0), right = side(kConeAngle / 2.0);
+    touched_.touch(reading.origin);
+    if (const auto cell = grid_.worldToCell(target)) {
+      grid_.set(*cell, kTargetCost);
+      touched_.touch(target);
+    }
+    touched_.touch(left);
+    touched_.touch(right);
+    const Cell tip = unboundedCell(grid_, reading.origin);
+    const Cell a = unboundedCell(grid_, left), b = unboundedCell(grid_, right);
+    const CellWindow box{
+        std::max(0, std::min({tip.column, a.column, b.column})),
+        std::max(0, std::min({tip.row, a.row, b.row})),
+        std::min(grid_.width() - 1, std::max({tip.column, a.column, b.column})) + 1,
+        std::min(grid_.height() - 1, std::max({tip.row, a.row, b.row})) + 1};
+    forEachCell(box, [&](Cell cell) {
+      if (parameters_.inflateCone >= 1.0 || isInCone(a, b, tip, cell)) {
+        updateCell(reading, cell);
+      }
+    });
+  }
+
+  /// Whether all barycentric coordinates are above a negative share of the area, as Nav2 widens the
+  /// cone.
+  bool isInCone(Cell left, Cell right, Cell tip, Cell cell) const {
+    const double area = static_cast<double>(std::llabs(twiceArea(left, right, tip))) / 2.0;
+    const double least = -parameters_.inflateCone * area;
+    return static_cast<double>(twiceArea(left, right, cell)) >= least &&
+           static_cast<double>(twiceArea(right, tip, cell)) >= least &&
+           static_cast<double>(twiceArea(tip, left, cell)) >= least;
+  }
+
+  void updateCell(const RangeReading& reading, Cell cell) {
+    const Vec2 offset = grid_.cellToWorld(cell) - reading.origin;
+    const double angle = base::angleDiff(base::headingOf(offset), reading.heading);
+    const double occupied =
+        reading.clears ? 0.0
+                       : sonarOccupancy(reading.range, offset.norm(), angle, kConeAngle / 2.0,
+                                        parameters_.phi, grid_.resolution());
+    const double prior = probabilityOf(grid_.at(cell));
+    const double yes = occupied * prior, no = (1.0 - occupied) * (1.0 - prior);
+    if (yes + no > 0.0) {  // else contradictory certainties: unchanged
+      grid_.set(cell, costOf(yes / (yes + no)));
+    }
+  }
+
+  RangeSensorLayerParameters parameters_;  // the grid contains probability * 254
+  std::vector<RangeReading> readings_;     // since the last update
+  CostmapBounds touched_;
+  double lastScan_ = -1.0, lastReading_ = 0.0;  // [s]
+};
+
+}  // namespace
+
+LayerPointer makeLayer(const RangeSensorLayerParameters& parameters, const LayerSite& site) {
+  return std::make_unique<RangeSensorLayer>(parameters, site);
 }
 
 }  // namespace sim2d::nav2

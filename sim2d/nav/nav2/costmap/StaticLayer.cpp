@@ -1,8 +1,5 @@
-#include "sim2d/nav/nav2/costmap/StaticLayer.h"
-
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -61,80 +58,97 @@ Costmap costmapFromMap(const OccupancyGrid& map, const CostmapParameters& parame
     return costs;
   }
   Costmap costs = rotatedMapCover(map);
-  for (int row = 0; row < costs.height(); ++row) {
-    for (int column = 0; column < costs.width(); ++column) {
-      const Cell cell = map.worldToCell(costs.cellToWorld({column, row}));
-      if (map.contains(cell)) {
-        costs.set({column, row}, costOfOccupancy(map.valueAt(cell), parameters, distro));
-      } else if (!parameters.trackUnknownSpace) {
-        costs.set({column, row}, kFreeSpace);
-      }
+  forEachCell(wholeWindow(costs), [&](Cell place) {
+    const Cell cell = map.worldToCell(costs.cellToWorld(place));
+    if (map.contains(cell)) {
+      costs.set(place, costOfOccupancy(map.valueAt(cell), parameters, distro));
+    } else if (!parameters.trackUnknownSpace) {
+      costs.set(place, kFreeSpace);
     }
-  }
+  });
   return costs;
 }
 
-StaticLayer::StaticLayer(std::string name, const CostmapContext& context,
-                         const StaticLayerParameters& parameters, const CostmapParameters& costmap,
-                         const OccupancyGrid& map)
-    : CostmapLayer(std::move(name), context),
-      parameters_(parameters),
-      usesMaximum_(costmap.useMaximum),
-      grid_(costmapFromMap(map, costmap, context.distro)) {}
+namespace {
 
-void StaticLayer::updateBounds(const Observation& observation, const Costmap& /*master*/,
-                               CostmapBounds& bounds) {
-  frame_ = observation.frame;
-  if (grid_.costs().empty() || !parameters_.enabled) {
-    return;
+/// The known map (nav2_costmap_2d::StaticLayer). Non-rolling costmaps have its cells; for rolling
+/// ones it is sampled at the cell centres.
+class StaticLayer final : public CostmapLayer {
+ public:
+  StaticLayer(const StaticLayerParameters& parameters, const LayerSite& site)
+      : CostmapLayer(site),
+        parameters_(parameters),
+        usesMaximum_(site.setup.settings.parameters.useMaximum),
+        grid_(costmapFromMap(site.setup.map, site.setup.settings.parameters, site.context.distro)) {
   }
-  if (isNew_ || context().isRolling) {
-    isNew_ = false;
-    bounds.touch(grid_.cellToWorld({0, 0}));  // centres, as in Nav2
-    bounds.touch(grid_.cellToWorld({grid_.width(), grid_.height()}));
-  }
-  footprint_ = clearedFootprint(parameters_.footprintClearingEnabled, observation, bounds);
-}
 
-void StaticLayer::updateCosts(Costmap& master, const CellWindow& window) {
-  isCurrent_ = true;
-  if (grid_.costs().empty() || !parameters_.enabled) {
-    return;
+  void updateBounds(const Observation& observation, const Costmap& /*master*/,
+                    CostmapBounds& bounds) override {
+    frame_ = observation.frame;
+    if (grid_.costs().empty() || !parameters_.enabled) {
+      return;
+    }
+    if (isNew_ || context().isRolling) {
+      isNew_ = false;
+      bounds.touch(grid_.cellToWorld({0, 0}));  // centres, as in Nav2
+      bounds.touch(grid_.cellToWorld({grid_.width(), grid_.height()}));
+    }
+    footprint_ = clearedFootprint(parameters_.footprintClearingEnabled, observation, bounds);
   }
-  // In Humble and Jazzy cleared cells stay clear; later branches restore them.
-  const bool isRestored = context().distro >= Distro::Kilted && parameters_.restoreClearedFootprint;
-  std::optional<Costmap> before;
-  if (isRestored && !footprint_.empty()) {
-    before = grid_;
-  }
-  fillPolygon(grid_, footprint_, kFreeSpace);
-  if (context().isRolling) {
-    sampleInto(master, window);
-  } else {
-    mergeWindow(grid_, window, usesMaximum_ ? CombinationMethod::Maximum : CombinationMethod::Copy,
-                master);
-  }
-  if (before) {
-    grid_ = *std::move(before);
-  }
-}
 
-void StaticLayer::reset(double /*time*/) {
-  isNew_ = true;
-  isCurrent_ = false;
-}
-
-void StaticLayer::sampleInto(Costmap& master, const CellWindow& window) const {
-  for (int row = window.bottom; row < window.top; ++row) {
-    for (int column = window.left; column < window.right; ++column) {
-      const std::optional<Cell> cell =
-          grid_.worldToCell(pointInMap(frame_, master.cellToWorld({column, row})));
-      if (cell) {
-        const std::uint8_t cost = grid_.at(*cell);
-        master.set({column, row}, usesMaximum_ ? std::max(cost, master.at({column, row})) : cost);
-      }
+  void updateCosts(Costmap& master, const CellWindow& window) override {
+    isCurrent_ = true;
+    if (grid_.costs().empty() || !parameters_.enabled) {
+      return;
+    }
+    // In Humble and Jazzy cleared cells stay clear; later branches restore them.
+    const bool isRestored =
+        context().distro >= Distro::Kilted && parameters_.restoreClearedFootprint;
+    std::optional<Costmap> before;
+    if (isRestored && !footprint_.empty()) {
+      before = grid_;
+    }
+    fillPolygon(grid_, footprint_, kFreeSpace);
+    if (context().isRolling) {
+      sampleInto(master, window);
+    } else {
+      mergeWindow(grid_, window,
+                  usesMaximum_ ? CombinationMethod::Maximum : CombinationMethod::Copy, master);
+    }
+    if (before) {
+      grid_ = *std::move(before);
     }
   }
+
+  void reset(double /*time*/) override {
+    isNew_ = true;
+    isCurrent_ = false;
+  }
+  bool isCurrent() const override { return isCurrent_; }
+  const Costmap* grid() const override { return &grid_; }
+
+ private:
+  void sampleInto(Costmap& master, const CellWindow& window) const {
+    forEachCell(window, [&](Cell place) {
+      if (const auto cell = grid_.worldToCell(pointInMap(frame_, master.cellToWorld(place)))) {
+        const std::uint8_t cost = grid_.at(*cell);
+        master.set(place, usesMaximum_ ? std::max(cost, master.at(place)) : cost);
+      }
+    });
+  }
+
+  StaticLayerParameters parameters_;
+  bool usesMaximum_;
+  bool isNew_ = true, isCurrent_ = true;
+  Pose2 frame_;        // of the costmap, in the map frame
+  Polygon footprint_;  // in world frame; empty: clears nothing
+  Costmap grid_;
+};
+
+}  // namespace
+
+LayerPointer makeLayer(const StaticLayerParameters& parameters, const LayerSite& site) {
+  return std::make_unique<StaticLayer>(parameters, site);
 }
 
 }  // namespace sim2d::nav2

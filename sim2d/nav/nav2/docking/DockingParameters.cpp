@@ -1,52 +1,51 @@
 #include "sim2d/nav/nav2/docking/DockingParameters.h"
 
-#include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace sim2d::nav2 {
 namespace {
 
 template <class P>
-std::vector<Nav2Key<P>> controllerKeys() {
+Nav2Keys<P> controllerKeys() {
   return {
-      {"controller.k_phi", &P::kPhi, "", "Control law: ratio of the slow and fast subsystems.",
-       kSinceJazzy},
-      {"controller.k_delta", &P::kDelta, "1/m", "Control law: gain of the heading.", kSinceJazzy},
-      {"controller.beta", &P::beta, "", "Control law: amount of slowdown in curves.", kSinceJazzy},
-      {"controller.lambda", &P::lambda, "", "Control law: sharpness of that slowdown.",
-       kSinceJazzy},
-      {"controller.v_linear_min", &P::minLinear, "m/s", "Minimum speed.", kSinceJazzy},
-      {"controller.v_linear_max", &P::maxLinear, "m/s", "Maximum speed.", kSinceJazzy},
-      {"controller.v_angular_max", &P::maxAngular, "rad/s", "Maximum turn rate.", kSinceJazzy},
+      {"controller.k_phi", &P::kPhi, "", "Control law: ratio of the slow and fast subsystems."},
+      {"controller.k_delta", &P::kDelta, "1/m", "Control law: gain of the heading."},
+      {"controller.beta", &P::beta, "", "Control law: amount of slowdown in curves."},
+      {"controller.lambda", &P::lambda, "", "Control law: sharpness of that slowdown."},
+      {"controller.v_linear_min", &P::minLinear, "m/s", "Minimum speed."},
+      {"controller.v_linear_max", &P::maxLinear, "m/s", "Maximum speed."},
+      {"controller.v_angular_max", &P::maxAngular, "rad/s", "Maximum turn rate."},
       {"controller.slowdown_radius", &P::slowdownRadius, "m",
-       "Distance to the target from which the robot slows down.", kSinceJazzy},
+       "Distance to the target from which the robot slows down."},
       {"controller.deceleration_max", &P::maxDeceleration, "m/s²",
        "Deceleration with which the robot can stop at the target.", kSinceLyrical},
       {"controller.rotate_to_heading_angular_vel", &P::rotationSpeed, "rad/s",
-       "Turn rate of rotation in place.", kSinceJazzy},
+       "Turn rate of rotation in place."},
       {"controller.rotate_to_heading_max_angular_accel", &P::rotationAcceleration, "rad/s²",
-       "Angular acceleration of rotation in place.", kSinceJazzy},
+       "Angular acceleration of rotation in place."},
       {"controller.use_collision_detection", &P::usesCollisionDetection, "",
-       "Whether commands that lead into obstacles are rejected.", kSinceJazzy},
+       "Whether commands that lead into obstacles are rejected."},
       {"controller.projection_time", &P::projectionTime, "s",
-       "Time for which commands are simulated to detect collisions.", kSinceJazzy},
+       "Time for which commands are simulated to detect collisions."},
       {"controller.simulation_time_step", &P::simulationTimeStep, "s",
-       "Time step of that simulation.", kSinceJazzy},
+       "Time step of that simulation."},
       {"controller.dock_collision_threshold", &P::dockCollisionThreshold, "m",
-       "Distance to the dock within which collisions are ignored.", kSinceJazzy},
+       "Distance to the dock within which collisions are ignored."},
   };
 }
 
-std::vector<IgnoredKey> ignoredControllerKeys() {
-  return {{"controller.costmap_topic", "the local costmap is used", kSinceJazzy},
-          {"controller.footprint_topic", "the footprint of the local costmap is used", kSinceJazzy},
-          {"controller.transform_tolerance", "TF is not used", kSinceJazzy},
-          {"base_frame", "the frames are identical", kSinceJazzy},
-          {"fixed_frame", "the frames are identical", kSinceJazzy},
+IgnoredKeys ignoredControllerKeys() {
+  return {{"controller.costmap_topic", "the local costmap is used"},
+          {"controller.footprint_topic", "the footprint of the local costmap is used"},
+          {"controller.transform_tolerance", "TF is not used"},
+          {"base_frame", "the frames are identical"},
+          {"fixed_frame", "the frames are identical"},
           {"odom_topic", "ROS topics are not used", kSinceKilted},
           {"odom_duration", "speeds are those of the odometry", kSinceLyrical}};
 }
+
+// The following server exists since Lyrical; some of its keys were ported back to Jazzy.
+constexpr unsigned kFollowingDistros = kJazzy | kSinceLyrical;
 
 constexpr double kUnlimited = std::numeric_limits<double>::max();
 constexpr NumberRange kAboveZero{{0.0, kUnlimited, true}, "above 0"};
@@ -70,172 +69,118 @@ void checkController(const DockControllerParameters& parameters, ParameterChecks
 
 }  // namespace
 
-GracefulParameters lawOf(const DockControllerParameters& controller) {
-  GracefulParameters law;
-  law.kPhi = controller.kPhi;
-  law.kDelta = controller.kDelta;
-  law.beta = controller.beta;
-  law.lambda = controller.lambda;
-  law.minLinear = controller.minLinear;
-  law.maxLinear = controller.maxLinear;
-  law.maxAngular = controller.maxAngular;
-  law.slowdownRadius = controller.slowdownRadius;
-  law.maxDeceleration = controller.maxDeceleration;
-  return law;
-}
-
-const std::vector<Nav2Key<DockingServerParameters>>& dockingServerKeys() {
+Nav2Keys<DockingServerParameters> dockingServerKeys() {
   using P = DockingServerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = joinedKeys<P>(
-      std::vector<Nav2Key<P>>{
-          {"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands.", kSinceJazzy},
-          {"initial_perception_timeout", &P::initialPerceptionTimeout, "s",
-           "Maximum time to detect the dock before the approach.", kSinceJazzy},
-          {"wait_charge_timeout", &P::waitChargeTimeout, "s", "Maximum wait for charging to begin.",
-           kSinceJazzy},
-          {"dock_approach_timeout", &P::dockApproachTimeout, "s",
-           "Maximum duration of the approach.", kSinceJazzy},
-          {"rotate_to_dock_timeout", &P::rotateToDockTimeout, "s",
-           "Maximum duration of the rotation to the dock.", kSinceKilted},
-          {"undock_linear_tolerance", &P::undockLinearTolerance, "m",
-           "Distance to the staging pose within which the robot has undocked.", kSinceJazzy},
-          {"undock_angular_tolerance", &P::undockAngularTolerance, "rad",
-           "Maximum heading difference to the staging pose.", kSinceJazzy},
-          {"rotation_angular_tolerance", &P::rotationAngularTolerance, "rad",
-           "Angle within which the rotation to the dock ends.", kSinceKilted},
-          {"dock_prestaging_tolerance", &P::dockPrestagingTolerance, "m",
-           "Distance to the staging pose within which the robot does not drive there first.",
-           kSinceJazzy},
-          {"max_retries", &P::maxRetries, "", "Maximum number of repetitions of a failed approach.",
-           kSinceJazzy},
-          {"dock_backwards", &P::dockBackwards, "", "Whether the robot docks backwards.",
-           kJazzy | kKilted},
-          {"dock_plugins", &P::dockPlugins, "", "Names of the dock plugins.", kSinceJazzy},
-          {"docks", &P::docks, "", "Names of the docks.", kSinceJazzy},
-          {"dock_database", &P::dockDatabase, "", "File with docks that replaces the key docks.",
-           kSinceJazzy}},
-      controllerKeys<P>());
-  return kKeys;
+  const Nav2Keys<P> own = {
+      {"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands."},
+      {"initial_perception_timeout", &P::initialPerceptionTimeout, "s",
+       "Maximum time to detect the dock before the approach."},
+      {"wait_charge_timeout", &P::waitChargeTimeout, "s", "Maximum wait for charging to begin."},
+      {"dock_approach_timeout", &P::dockApproachTimeout, "s", "Maximum duration of the approach."},
+      {"rotate_to_dock_timeout", &P::rotateToDockTimeout, "s",
+       "Maximum duration of the rotation to the dock.", kSinceKilted},
+      {"undock_linear_tolerance", &P::undockLinearTolerance, "m",
+       "Distance to the staging pose within which the robot has undocked."},
+      {"undock_angular_tolerance", &P::undockAngularTolerance, "rad",
+       "Maximum heading difference to the staging pose."},
+      {"rotation_angular_tolerance", &P::rotationAngularTolerance, "rad",
+       "Angle within which the rotation to the dock ends.", kSinceKilted},
+      {"dock_prestaging_tolerance", &P::dockPrestagingTolerance, "m",
+       "Distance to the staging pose within which the robot does not drive there first."},
+      {"max_retries", &P::maxRetries, "", "Maximum number of repetitions of a failed approach."},
+      {"dock_backwards", &P::dockBackwards, "", "Whether the robot docks backwards.",
+       kJazzy | kKilted},
+      {"dock_plugins", &P::dockPlugins, "", "Names of the dock plugins."},
+      {"docks", &P::docks, "", "Names of the docks."},
+      {"dock_database", &P::dockDatabase, "", "File with docks that replaces the key docks."},
+  };
+  return onlyIn(kSinceJazzy, joinedKeys<P>(own, controllerKeys<P>()));
 }
 
-const std::vector<IgnoredKey>& ignoredDockingServerKeys() {
-  static const std::vector<IgnoredKey> kKeys = [] {
-    std::vector<IgnoredKey> keys = ignoredControllerKeys();
-    keys.push_back(
-        {"navigator_bt_xml", "planner and controller of the file drive to the dock", kSinceJazzy});
-    return keys;
-  }();
-  return kKeys;
+IgnoredKeys ignoredDockingServerKeys() {
+  IgnoredKeys keys = ignoredControllerKeys();
+  keys.push_back({"navigator_bt_xml", "planner and controller of the file drive to the dock"});
+  return onlyIn(kSinceJazzy, keys);
 }
 
-namespace {
-
-std::vector<Nav2Key<DockPluginParameters>> commonDockKeys() {
+Nav2Keys<DockPluginParameters> nonChargingDockKeys() {
   using P = DockPluginParameters;
-  return {{"staging_x_offset", &P::stagingXOffset, "m",
-           "Distance of the staging pose in front of the dock.", kSinceJazzy},
-          {"staging_yaw_offset", &P::stagingYawOffset, "rad",
-           "Heading of the staging pose relative to the dock.", kSinceJazzy},
-          {"docking_threshold", &P::dockingThreshold, "m",
-           "Distance to the dock's pose within which the robot is docked.", kSinceJazzy},
-          {"use_external_detection_pose", &P::usesDetection, "",
-           "Whether the robot approaches the detected pose of the dock.", kSinceJazzy},
-          {"external_detection_timeout", &P::detectionTimeout, "s", "Older detections are ignored.",
-           kSinceJazzy},
-          {"filter_coef", &P::filterCoef, "", "Weight of a new detection.", kSinceJazzy},
-          {"dock_direction", &P::direction, "", "forward or backward.", kSinceKilted},
-          {"rotate_to_dock", &P::rotatesToDock, "",
-           "Whether the robot turns around at the staging pose to dock backwards.", kSinceKilted}};
+  return onlyIn<Nav2Key<P>>(
+      kSinceJazzy,
+      {{"staging_x_offset", &P::stagingXOffset, "m",
+        "Distance of the staging pose in front of the dock."},
+       {"staging_yaw_offset", &P::stagingYawOffset, "rad",
+        "Heading of the staging pose relative to the dock."},
+       {"docking_threshold", &P::dockingThreshold, "m",
+        "Distance to the dock's pose within which the robot is docked."},
+       {"use_external_detection_pose", &P::usesDetection, "",
+        "Whether the robot approaches the detected pose of the dock."},
+       {"external_detection_timeout", &P::detectionTimeout, "s", "Older detections are ignored."},
+       {"filter_coef", &P::filterCoef, "", "Weight of a new detection."},
+       {"dock_direction", &P::direction, "", "forward or backward.", kSinceKilted},
+       {"rotate_to_dock", &P::rotatesToDock, "",
+        "Whether the robot turns around at the staging pose to dock backwards.", kSinceKilted}});
 }
 
-}  // namespace
-
-const std::vector<Nav2Key<DockPluginParameters>>& dockPluginKeys() {
+Nav2Keys<DockPluginParameters> dockPluginKeys() {
   using P = DockPluginParameters;
-  static const std::vector<Nav2Key<P>> kKeys = joinedKeys<P>(
-      std::vector<Nav2Key<P>>{
-          {"charging_threshold", &P::chargingThreshold, "A",
-           "Current above which the robot is charging.", kSinceJazzy},
-          {"use_battery_status", &P::usesBatteryStatus, "",
-           "Whether the battery state determines that the robot is charging; else it is "
-           "charging when docked.",
-           kSinceJazzy}},
-      commonDockKeys());
-  return kKeys;
+  const Nav2Keys<P> own = {
+      {"charging_threshold", &P::chargingThreshold, "A",
+       "Current above which the robot is charging."},
+      {"use_battery_status", &P::usesBatteryStatus, "",
+       "Whether the battery state determines that the robot is charging; else it is "
+       "charging when docked."},
+  };
+  return joinedKeys<P>(onlyIn(kSinceJazzy, own), nonChargingDockKeys());
 }
 
-const std::vector<Nav2Key<DockPluginParameters>>& nonChargingDockKeys() {
-  static const std::vector<Nav2Key<DockPluginParameters>> kKeys = commonDockKeys();
-  return kKeys;
-}
-
-const std::vector<IgnoredKey>& ignoredDockPluginKeys() {
+IgnoredKeys ignoredDockPluginKeys() {
   static constexpr const char* kDetection = "a detection is the pose of the dock itself";
   static constexpr const char* kStall = "docks do not block robots: docking_threshold is used";
-  static const std::vector<IgnoredKey> kKeys = {
-      {"external_detection_translation_x", kDetection, kSinceJazzy},
-      {"external_detection_translation_y", kDetection, kSinceJazzy},
-      {"external_detection_rotation_roll", kDetection, kSinceJazzy},
-      {"external_detection_rotation_pitch", kDetection, kSinceJazzy},
-      {"external_detection_rotation_yaw", kDetection, kSinceJazzy},
-      {"use_stall_detection", kStall, kSinceJazzy},
-      {"stall_joint_names", kStall, kSinceJazzy},
-      {"stall_velocity_threshold", kStall, kSinceJazzy},
-      {"stall_effort_threshold", kStall, kSinceJazzy},
-      {"detector_service_name", "ROS services are not used", kSinceLyrical},
-      {"detector_service_timeout", "ROS services are not used", kSinceLyrical},
-      {"subscribe_toggle", "ROS topics are not used", kSinceLyrical}};
-  return kKeys;
+  return onlyIn<IgnoredKey>(
+      kSinceJazzy, {{"external_detection_translation_x", kDetection},
+                    {"external_detection_translation_y", kDetection},
+                    {"external_detection_rotation_roll", kDetection},
+                    {"external_detection_rotation_pitch", kDetection},
+                    {"external_detection_rotation_yaw", kDetection},
+                    {"use_stall_detection", kStall},
+                    {"stall_joint_names", kStall},
+                    {"stall_velocity_threshold", kStall},
+                    {"stall_effort_threshold", kStall},
+                    {"detector_service_name", "ROS services are not used", kSinceLyrical},
+                    {"detector_service_timeout", "ROS services are not used", kSinceLyrical},
+                    {"subscribe_toggle", "ROS topics are not used", kSinceLyrical}});
 }
 
-const std::vector<Nav2Key<FollowingServerParameters>>& followingServerKeys() {
+Nav2Keys<FollowingServerParameters> followingServerKeys() {
   using P = FollowingServerParameters;
-  // The package exists since Lyrical; some of its keys were ported back to Jazzy.
-  constexpr unsigned kFollowingDistros = kJazzy | kSinceLyrical;
-  static const std::vector<Nav2Key<P>> kKeys = [] {
-    std::vector<Nav2Key<P>> keys = {
-        {"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands.",
-         kFollowingDistros},
-        {"desired_distance", &P::desiredDistance, "m", "Distance to the object.",
-         kFollowingDistros},
-        {"detection_timeout", &P::detectionTimeout, "s", "Older detections are ignored.",
-         kFollowingDistros},
-        {"rotate_to_object_timeout", &P::rotateToObjectTimeout, "s",
-         "Maximum duration of the search.", kFollowingDistros},
-        {"static_object_timeout", &P::staticObjectTimeout, "s",
-         "Time after which following a standing object succeeds; below 0: never.",
-         kFollowingDistros},
-        {"linear_tolerance", &P::linearTolerance, "m",
-         "Distance to the object's pose within which the robot stands.", kFollowingDistros},
-        {"angular_tolerance", &P::angularTolerance, "rad",
-         "Maximum heading difference to the object's pose.", kFollowingDistros},
-        {"max_retries", &P::maxRetries, "", "Maximum number of searches for a lost object.",
-         kFollowingDistros},
-        {"skip_orientation", &P::skipOrientation, "", "Whether the object's heading is ignored.",
-         kFollowingDistros},
-        {"search_by_rotating", &P::searchByRotating, "", "Whether the robot rotates to search.",
-         kFollowingDistros},
-        {"search_angle", &P::searchAngle, "rad", "Angle of the search to either side.",
-         kFollowingDistros},
-        {"filter_coef", &P::filterCoef, "", "Weight of a new detection.", kFollowingDistros}};
-    for (Nav2Key<P> key : controllerKeys<P>()) {
-      key.distros &= kFollowingDistros;
-      keys.push_back(key);
-    }
-    return keys;
-  }();
-  return kKeys;
+  const Nav2Keys<P> own = {
+      {"controller_frequency", &P::controllerFrequency, "Hz", "Rate of commands."},
+      {"desired_distance", &P::desiredDistance, "m", "Distance to the object."},
+      {"detection_timeout", &P::detectionTimeout, "s", "Older detections are ignored."},
+      {"rotate_to_object_timeout", &P::rotateToObjectTimeout, "s",
+       "Maximum duration of the search."},
+      {"static_object_timeout", &P::staticObjectTimeout, "s",
+       "Time after which following a standing object succeeds; below 0: never."},
+      {"linear_tolerance", &P::linearTolerance, "m",
+       "Distance to the object's pose within which the robot stands."},
+      {"angular_tolerance", &P::angularTolerance, "rad",
+       "Maximum heading difference to the object's pose."},
+      {"max_retries", &P::maxRetries, "", "Maximum number of searches for a lost object."},
+      {"skip_orientation", &P::skipOrientation, "", "Whether the object's heading is ignored."},
+      {"search_by_rotating", &P::searchByRotating, "", "Whether the robot rotates to search."},
+      {"search_angle", &P::searchAngle, "rad", "Angle of the search to either side."},
+      {"filter_coef", &P::filterCoef, "", "Weight of a new detection."},
+  };
+  return onlyIn(kFollowingDistros, joinedKeys<P>(own, controllerKeys<P>()));
 }
 
-const std::vector<IgnoredKey>& ignoredFollowingServerKeys() {
-  static const std::vector<IgnoredKey> kKeys = [] {
-    std::vector<IgnoredKey> keys = ignoredControllerKeys();
-    for (IgnoredKey& key : keys) {
-      key.distros = kJazzy | kSinceLyrical;
-    }
-    return keys;
-  }();
-  return kKeys;
+IgnoredKeys ignoredFollowingServerKeys() {
+  IgnoredKeys keys = ignoredControllerKeys();
+  for (IgnoredKey& key : keys) {
+    key.distros = kFollowingDistros;
+  }
+  return keys;
 }
 
 base::Diagnostics problemsOf(const DockingServerParameters& parameters) {

@@ -1,31 +1,31 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim2d/base/Result.h"
 #include "sim2d/base/Types.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
-#include "sim2d/nav/nav2/control/GracefulParameters.h"
+#include "sim2d/nav/nav2/control/GracefulController.h"
 
 /// Keys of docking_server and following_server (nav2_docking: opennav_docking, opennav_following).
 namespace sim2d::nav2 {
 
 /// Keys `controller.…` of both servers: the graceful control law and its collision check.
-struct DockControllerParameters {
-  double kPhi = 3.0, kDelta = 2.0, beta = 0.4, lambda = 2.0;
-  double minLinear = 0.1, maxLinear = 0.25;  // [m/s]
-  double maxAngular = 0.75;                  // [rad/s]
-  double slowdownRadius = 0.25;              // [m]
-  double maxDeceleration = 2.5;              // [m/s²], since Lyrical
-  double rotationSpeed = 1.0;                // [rad/s], in place
-  double rotationAcceleration = 3.2;         // [rad/s²]
-  bool usesCollisionDetection = true;
+struct DockControllerParameters : GracefulParameters {
+  DockControllerParameters() {
+    kPhi = 3.0;
+    kDelta = 2.0;
+    maxLinear = 0.25;
+    maxAngular = 0.75;
+    slowdownRadius = 0.25;
+  }
+
+  double rotationSpeed = 1.0;                             // [rad/s], in place
+  double rotationAcceleration = 3.2;                      // [rad/s²]
   double projectionTime = 5.0, simulationTimeStep = 0.1;  // [s]
   double dockCollisionThreshold = 0.3;                    // [m], no checks within this distance
 };
-GracefulParameters lawOf(const DockControllerParameters& controller);
 
 /// A dock class: SimpleChargingDock or SimpleNonChargingDock.
 struct DockPluginParameters {
@@ -87,14 +87,14 @@ struct FollowingServerParameters : DockControllerParameters {
   double filterCoef = 0.1;
 };
 
-const std::vector<Nav2Key<DockingServerParameters>>& dockingServerKeys();
-const std::vector<IgnoredKey>& ignoredDockingServerKeys();
-const std::vector<Nav2Key<DockPluginParameters>>& dockPluginKeys();
-const std::vector<IgnoredKey>& ignoredDockPluginKeys();
+Nav2Keys<DockingServerParameters> dockingServerKeys();
+IgnoredKeys ignoredDockingServerKeys();
+Nav2Keys<DockPluginParameters> dockPluginKeys();
+IgnoredKeys ignoredDockPluginKeys();
 /// Keys of SimpleNonChargingDock, which has no battery keys.
-const std::vector<Nav2Key<DockPluginParameters>>& nonChargingDockKeys();
-const std::vector<Nav2Key<FollowingServerParameters>>& followingServerKeys();
-const std::vector<IgnoredKey>& ignoredFollowingServerKeys();
+Nav2Keys<DockPluginParameters> nonChargingDockKeys();
+Nav2Keys<FollowingServerParameters> followingServerKeys();
+IgnoredKeys ignoredFollowingServerKeys();
 
 /// Errors in values for which a robot cannot be controlled; each names its key.
 base::Diagnostics problemsOf(const DockingServerParameters& parameters);

@@ -5,11 +5,15 @@
 #include <utility>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/nav/Body.h"
+#include "sim2d/nav/nav2/control/ControllerUtils.h"
+#include "sim2d/nav/nav2/control/GracefulController.h"
 
 namespace sim2d::nav2 {
 namespace {
 
 constexpr double kBeyondDock = 0.25;    // [m], approach target behind the dock's pose
+constexpr double kAtTarget = 0.01;      // [m], end of a simulation
 constexpr double kDetectionGate = 1.0;  // [m], ignores detections farther from the dock
 
 Pose2 ahead(const Pose2& pose, double distance) {
@@ -40,7 +44,50 @@ std::string findOrAddPlugin(bool isCharging, std::vector<DockPluginParameters>& 
   return plugin.name;
 }
 
+/// The element of that name; null: none.
+template <class Named>
+const Named* findNamed(const std::vector<Named>& all, const std::string& name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 }  // namespace
+
+BodyTwist DockController::command(const DockControllerInput& view, const Pose2& target,
+                                  bool isBackward) const {
+  return gracefulCommand(parameters_, distro_, target, view.pose, isBackward);
+}
+
+bool DockController::isFree(const DockControllerInput& view, const Pose2& target, bool isDocking,
+                            bool isBackward) const {
+  if (!parameters_.usesCollisionDetection) {
+    return true;
+  }
+  const double dt = parameters_.simulationTimeStep;
+  const auto most = static_cast<int>(std::ceil(parameters_.projectionTime / dt));
+  const Vec2 exemptPoint = isDocking ? target.position : view.pose.position;
+  Pose2 pose = view.pose;
+  for (int i = 0; i < most; ++i) {
+    const BodyTwist twist = gracefulCommand(parameters_, distro_, target, pose, isBackward);
+    pose.position += twist.linear * dt * Vec2(base::cos(pose.heading), base::sin(pose.heading));
+    pose.heading = base::wrapToPi(pose.heading + twist.angular * dt);
+    const bool isTested = (pose.position - exemptPoint).norm() > parameters_.dockCollisionThreshold;
+    const Pose2 inCostmap = toFrame(view.costmapFrame, pose);
+    if (isTested && footprintCost(view.costmap, view.footprint.corners, inCostmap) == kLethal) {
+      return false;
+    }
+    if ((target.position - pose.position).norm() <= kAtTarget) {
+      break;
+    }
+  }
+  return true;
+}
+
+BodyTwist DockController::rotation(double angle, double turnRate, double dt) const {
+  return {0.0, rotationVelocity({parameters_.rotationSpeed, parameters_.rotationAcceleration},
+                                angle, turnRate, dt)};
+}
 
 DockingServer::DockingServer(DockingServerParameters parameters, Distro distro,
                              const std::vector<DockPose>& known)
@@ -50,10 +97,7 @@ DockingServer::DockingServer(DockingServerParameters parameters, Distro distro,
       plugins_(parameters_.plugins),
       docks_(parameters_.instances) {
   for (const DockPose& place : known) {
-    const bool isTaken = std::any_of(docks_.begin(), docks_.end(), [&](const DockInstance& dock) {
-      return dock.name == place.name;
-    });
-    if (!isTaken) {
+    if (findNamed(docks_, place.name) == nullptr) {
       docks_.push_back(
           {place.name, findOrAddPlugin(place.isCharging, plugins_), "map", place.pose});
     }
@@ -78,10 +122,7 @@ const DockPluginParameters* DockingServer::pluginOf(const std::string& type) con
   if (type.empty() && plugins_.size() == 1) {
     return &plugins_.front();
   }
-  const auto found =
-      std::find_if(plugins_.begin(), plugins_.end(),
-                   [&](const DockPluginParameters& each) { return each.name == type; });
-  return found == plugins_.end() ? nullptr : &*found;
+  return findNamed(plugins_, type);
 }
 
 /// Jazzy has one direction for all docks; Kilted still accepts that key; later each class has its
@@ -100,47 +141,24 @@ void DockingServer::enterPhase(Phase phase, double time) {
 
 void DockingServer::dock(const DockGoal& goal, double time) {
   goal_ = goal;
-  code_ = DockError::None;
-  message_.clear();
-  retries_ = 0;
   isDockedByAction_ = false;
-  enterPhase(Phase::BeforeStaging, time);
+  begin(&DockingServer::prepareDocking, time);
 }
 
 void DockingServer::undock(const UndockGoal& goal, double time) {
   undock_ = goal;
+  begin(&DockingServer::prepareUndocking, time);
+}
+
+void DockingServer::begin(Phase phase, double time) {
   code_ = DockError::None;
   message_.clear();
   retries_ = 0;
-  enterPhase(Phase::BeforeUndocking, time);
+  enterPhase(phase, time);
 }
 
 DockingStep DockingServer::update(const DockingInput& input) {
-  switch (phase_) {
-    case Phase::Idle:
-      return {};
-    case Phase::BeforeStaging:
-      return prepareDocking(input);
-    case Phase::Staging:
-      return navigateToStaging(input);
-    case Phase::Perceiving:
-      return perceive(input);
-    case Phase::Rotating:
-      return rotate(input);
-    case Phase::Approaching:
-      return approach(input);
-    case Phase::WaitingForCharge:
-      return waitForCharge(input);
-    case Phase::Returning:
-      return resetApproach(input);
-    case Phase::BeforeUndocking:
-      return prepareUndocking(input);
-    case Phase::Undocking:
-      return driveOut(input);
-    case Phase::RotatingBack:
-      return finishUndocking(input);
-  }
-  return {};
+  return phase_ == nullptr ? DockingStep() : (this->*phase_)(input);
 }
 
 // ---- dock detection
@@ -187,10 +205,8 @@ bool DockingServer::refineDockPose(const DockingInput& input) {
 
 DockingStep DockingServer::prepareDocking(const DockingInput& input) {
   if (goal_.usesDockId) {
-    const auto found = std::find_if(docks_.begin(), docks_.end(), [&](const DockInstance& each) {
-      return each.name == goal_.dockId;
-    });
-    if (found == docks_.end()) {
+    const DockInstance* const found = findNamed(docks_, goal_.dockId);
+    if (found == nullptr) {
       return fail(DockError::DockNotInDb, "Dock ID '" + goal_.dockId + "' is not in the database!");
     }
     dock_ = *found;
@@ -209,13 +225,11 @@ DockingStep DockingServer::prepareDocking(const DockingInput& input) {
   }
   const double distance = (input.view.pose.position - staging_.position).norm();
   if (!goal_.navigatesToStaging || distance < parameters_.dockPrestagingTolerance) {
-    enterPhase(Phase::Perceiving, input.time);
+    enterPhase(&DockingServer::perceive, input.time);
     return perceive(input);
   }
-  enterPhase(Phase::Staging, input.time);
-  DockingStep step = running();
-  step.staging = staging_;
-  return step;
+  enterPhase(&DockingServer::navigateToStaging, input.time);
+  return continueToStaging();
 }
 
 DockingStep DockingServer::navigateToStaging(const DockingInput& input) {
@@ -223,21 +237,18 @@ DockingStep DockingServer::navigateToStaging(const DockingInput& input) {
     return fail(DockError::FailedToStage, "Failed to reach the staging pose");
   }
   if (input.staging == StagingDrive::Arrived) {
-    enterPhase(Phase::Perceiving, input.time);
+    enterPhase(&DockingServer::perceive, input.time);
     return running(BodyTwist());
   }
   if (elapsed(input) > goal_.maxStagingTime) {
     return fail(DockError::FailedToStage, "Navigation to the staging pose timed out");
   }
-  DockingStep step = running();
-  step.staging = staging_;
-  return step;
+  return continueToStaging();
 }
 
 DockingStep DockingServer::perceive(const DockingInput& input) {
   if (refineDockPose(input)) {
-    const bool rotates = plugin_->rotatesToDock && distro_ >= Distro::Kilted;
-    enterPhase(rotates ? Phase::Rotating : Phase::Approaching, input.time);
+    enterPhase(rotatesToDock() ? &DockingServer::rotate : &DockingServer::approach, input.time);
     return running(BodyTwist());
   }
   if (elapsed(input) > parameters_.initialPerceptionTimeout) {
@@ -261,18 +272,17 @@ DockingStep DockingServer::rotate(const DockingInput& input) {
   if (const auto turning = turnTo(input, dockPose_.heading + base::kPi)) {
     return *turning;
   }
-  enterPhase(Phase::Approaching, input.time);
+  enterPhase(&DockingServer::approach, input.time);
   return running(BodyTwist());
 }
 
 DockingStep DockingServer::approach(const DockingInput& input) {
   if (isConnected(input)) {
-    enterPhase(Phase::WaitingForCharge, input.time);
+    enterPhase(&DockingServer::waitForCharge, input.time);
     return waitForCharge(input);
   }
   // A robot facing away from the dock does not detect it.
-  const bool looks = !(plugin_->rotatesToDock && distro_ >= Distro::Kilted);
-  if (looks && !refineDockPose(input)) {
+  if (!rotatesToDock() && !refineDockPose(input)) {
     return retry(input, DockError::FailedToDetectDock, "Failed dock detection");
   }
   const bool isBackward = this->isBackward();
@@ -314,14 +324,13 @@ std::optional<DockingStep> DockingServer::driveTo(const DockingInput& input, con
 }
 
 DockingStep DockingServer::resetApproach(const DockingInput& input) {
-  const bool isBackward = this->isBackward();
-  const bool turned = plugin_->rotatesToDock && distro_ >= Distro::Kilted;
-  if (const auto driving = driveTo(input, turned ? reversed(staging_) : staging_, !isBackward)) {
+  const Pose2 target = rotatesToDock() ? reversed(staging_) : staging_;
+  if (const auto driving = driveTo(input, target, !isBackward())) {
     const bool isLate = elapsed(input) > parameters_.dockApproachTimeout;
     return isLate ? fail(DockError::FailedToControl, "Timed out resetting dock approach")
                   : *driving;
   }
-  enterPhase(Phase::Approaching, input.time);
+  enterPhase(&DockingServer::approach, input.time);
   return running(BodyTwist());
 }
 
@@ -346,14 +355,11 @@ DockingStep DockingServer::prepareUndocking(const DockingInput& input) {
   if (!isConnected(input)) {
     return succeed({});  // the robot is not docked
   }
-  const bool isBackward = this->isBackward();
-  const Pose2 docked = isBackward ? reversed(input.view.pose) : input.view.pose;
-  staging_ = ahead(docked, plugin_->stagingXOffset);
-  staging_.heading = base::wrapToPi(docked.heading + plugin_->stagingYawOffset);
-  if (plugin_->rotatesToDock && distro_ >= Distro::Kilted) {
+  staging_ = stagingPose(*plugin_, isBackward() ? reversed(input.view.pose) : input.view.pose);
+  if (rotatesToDock()) {
     staging_ = reversed(staging_);  // the robot turns after leaving
   }
-  enterPhase(Phase::Undocking, input.time);
+  enterPhase(&DockingServer::driveOut, input.time);
   return driveOut(input);
 }
 
@@ -364,15 +370,15 @@ DockingStep DockingServer::driveOut(const DockingInput& input) {
   if (const auto driving = driveTo(input, staging_, !isBackward())) {
     return *driving;
   }
-  if (plugin_->rotatesToDock && distro_ >= Distro::Kilted) {
-    enterPhase(Phase::RotatingBack, input.time);
+  if (rotatesToDock()) {
+    enterPhase(&DockingServer::finishUndocking, input.time);
     return running(BodyTwist());
   }
   return finishUndocking(input);
 }
 
 DockingStep DockingServer::finishUndocking(const DockingInput& input) {
-  if (phase_ == Phase::RotatingBack) {
+  if (phase_ == &DockingServer::finishUndocking) {
     if (const auto turning = turnTo(input, staging_.heading + base::kPi)) {
       return *turning;
     }
@@ -389,7 +395,7 @@ DockingStep DockingServer::finishUndocking(const DockingInput& input) {
 DockingStep DockingServer::fail(DockError code, std::string message) {
   code_ = code;
   message_ = std::move(message);
-  phase_ = Phase::Idle;
+  phase_ = nullptr;
   return {ServerStatus::Failed, BodyTwist(), std::nullopt, {}};
 }
 
@@ -397,12 +403,12 @@ DockingStep DockingServer::retry(const DockingInput& input, DockError code, std:
   if (++retries_ > parameters_.maxRetries) {
     return fail(code, std::move(message));
   }
-  enterPhase(Phase::Returning, input.time);
+  enterPhase(&DockingServer::resetApproach, input.time);
   return running(BodyTwist());
 }
 
 DockingStep DockingServer::succeed(const std::string& event) {
-  phase_ = Phase::Idle;
+  phase_ = nullptr;
   const std::string name = dock_.name.empty() ? std::string() : " " + dock_.name;
   return {ServerStatus::Succeeded, BodyTwist(), std::nullopt, event.empty() ? event : event + name};
 }

@@ -5,13 +5,48 @@
 #include <string>
 #include <vector>
 
+#include "sim2d/nav/Body.h"
 #include "sim2d/nav/Observation.h"
-#include "sim2d/nav/nav2/docking/DockController.h"
+#include "sim2d/nav/nav2/Costmap.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
+#include "sim2d/nav/nav2/docking/DockingParameters.h"
 
 /// Nav2's docking_server (opennav_docking), which drives a robot into and out of docks. It has no
 /// clock, plans no paths and publishes nothing: the caller passes time and the state of the drive
 /// to the staging pose, and executes the returned commands.
 namespace sim2d::nav2 {
+
+/// Inputs of the controller: poses in the map, the costmap in its own frame.
+struct DockControllerInput {
+  Pose2 pose;                         // robot pose
+  BodyTwist motion;                   // odometry
+  const Costmap& costmap;             // local costmap
+  const CostmapFootprint& footprint;  // robot frame
+  Pose2 costmapFrame{};               // in the map: odom, if that is the costmap's frame
+};
+
+/// The controller of docking_server and following_server (opennav_docking::Controller).
+class DockController {
+ public:
+  DockController(const DockControllerParameters& parameters, Distro distro)
+      : parameters_(parameters), distro_(distro) {}
+
+  /// The graceful control law towards a target.
+  BodyTwist command(const DockControllerInput& view, const Pose2& target, bool isBackward) const;
+  /// Whether the footprint's edges are free along the motion towards the target: simulated in steps
+  /// of `simulation_time_step` until the target is within 1 cm or `projection_time` is over. Poses
+  /// within `dock_collision_threshold` of the dock (docking) or of the start (undocking) are not
+  /// checked. True without `use_collision_detection`.
+  bool isFree(const DockControllerInput& view, const Pose2& target, bool isDocking,
+              bool isBackward) const;
+  /// A rotation in place by `angle` [rad] in a step `dt` [s], slow enough to stop in time: w =
+  /// sqrt(2 a |angle|).
+  BodyTwist rotation(double angle, double turnRate, double dt) const;
+
+ private:
+  DockControllerParameters parameters_;
+  Distro distro_;
+};
 
 /// Error codes of the actions DockRobot and UndockRobot.
 enum class DockError : std::uint16_t {
@@ -70,8 +105,8 @@ class DockingServer {
   void dock(const DockGoal& goal, double time);
   void undock(const UndockGoal& goal, double time);
   /// The caller must stop the robot.
-  void cancel() { phase_ = Phase::Idle; }
-  bool isRunning() const { return phase_ != Phase::Idle; }
+  void cancel() { phase_ = nullptr; }
+  bool isRunning() const { return phase_ != nullptr; }
   /// Performs a cycle; no effect without an action.
   DockingStep update(const DockingInput& input);
 
@@ -88,36 +123,28 @@ class DockingServer {
   static Pose2 filtered(const Pose2& estimate, const Pose2& measured, double coef);
 
  private:
-  enum class Phase : std::uint8_t {
-    Idle,
-    BeforeStaging,
-    Staging,
-    Perceiving,
-    Rotating,
-    Approaching,
-    WaitingForCharge,
-    Returning,  // to the staging pose, for a retry
-    BeforeUndocking,
-    Undocking,
-    RotatingBack
-  };
+  /// The function that performs a cycle of a phase; null: no action.
+  using Phase = DockingStep (DockingServer::*)(const DockingInput& input);
 
   const DockPluginParameters* pluginOf(const std::string& type) const;
   bool isBackward() const;
+  bool rotatesToDock() const { return plugin_->rotatesToDock && distro_ >= Distro::Kilted; }
   bool isDocked(const DockingInput& input) const;
   bool isCharging(const DockingInput& input) const;
   bool isConnected(const DockingInput& input) const;
   bool refineDockPose(const DockingInput& input);
+  void begin(Phase phase, double time);
   void enterPhase(Phase phase, double time);
   double elapsed(const DockingInput& input) const { return input.time - phaseStart_; }
 
   DockingStep prepareDocking(const DockingInput& input);
   DockingStep navigateToStaging(const DockingInput& input);
+  DockingStep continueToStaging() const { return {ServerStatus::Running, {}, staging_, {}}; }
   DockingStep perceive(const DockingInput& input);
   DockingStep rotate(const DockingInput& input);
   DockingStep approach(const DockingInput& input);
   DockingStep waitForCharge(const DockingInput& input);
-  DockingStep resetApproach(const DockingInput& input);
+  DockingStep resetApproach(const DockingInput& input);  // to the staging pose, for a retry
   DockingStep prepareUndocking(const DockingInput& input);
   DockingStep driveOut(const DockingInput& input);
   DockingStep finishUndocking(const DockingInput& input);
@@ -137,7 +164,7 @@ class DockingServer {
   std::vector<DockPluginParameters> plugins_;
   std::vector<DockInstance> docks_;
 
-  Phase phase_ = Phase::Idle;
+  Phase phase_ = nullptr;
   double phaseStart_ = 0.0;  // [s], start of the phase
   DockGoal goal_;
   UndockGoal undock_;

@@ -1,6 +1,5 @@
 #include "sim2d/nav/nav2/docking/FollowingServer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,8 +1,8 @@
-#include "sim2d/nav/nav2/global/BandedLeastSquares.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "sim2d/nav/nav2/global/ConstrainedResiduals.h"
 
 namespace sim2d::nav2 {
 namespace {

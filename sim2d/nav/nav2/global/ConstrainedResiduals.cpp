@@ -1,7 +1,6 @@
 #include "sim2d/nav/nav2/global/ConstrainedResiduals.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace sim2d::nav2 {
 namespace {

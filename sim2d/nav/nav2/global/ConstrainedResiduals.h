@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
@@ -13,39 +15,27 @@ namespace sim2d::nav2 {
 /// A value with its derivatives with respect to N variables (forward-mode differentiation).
 template <std::size_t N>
 struct DualNumber {
+  using Derivatives = Eigen::Matrix<double, static_cast<int>(N), 1>;
   double value = 0.0;
-  std::array<double, N> derivatives = {};
+  Derivatives derivatives = Derivatives::Zero();
 
   DualNumber() = default;
   DualNumber(double constant) : value(constant) {}  // NOLINT: numbers are constants
+  DualNumber(double at, const Derivatives& given) : value(at), derivatives(given) {}
   static DualNumber variable(double at, std::size_t index) {
-    DualNumber number(at);
-    number.derivatives[index] = 1.0;
-    return number;
+    return {at, Derivatives::Unit(static_cast<int>(index))};
   }
   /// f(x), given its value and derivative.
   DualNumber applyChainRule(double f, double derivative) const {
-    DualNumber result(f);
-    for (std::size_t i = 0; i < N; ++i) {
-      result.derivatives[i] = derivative * derivatives[i];
-    }
-    return result;
+    return {f, derivative * derivatives};
   }
   DualNumber operator-() const { return applyChainRule(-value, -1.0); }
-  friend DualNumber operator+(DualNumber a, const DualNumber& b) {
-    a.value += b.value;
-    for (std::size_t i = 0; i < N; ++i) {
-      a.derivatives[i] += b.derivatives[i];
-    }
-    return a;
+  friend DualNumber operator+(const DualNumber& a, const DualNumber& b) {
+    return {a.value + b.value, a.derivatives + b.derivatives};
   }
   friend DualNumber operator-(const DualNumber& a, const DualNumber& b) { return a + (-b); }
   friend DualNumber operator*(const DualNumber& a, const DualNumber& b) {
-    DualNumber result(a.value * b.value);
-    for (std::size_t i = 0; i < N; ++i) {
-      result.derivatives[i] = a.derivatives[i] * b.value + a.value * b.derivatives[i];
-    }
-    return result;
+    return {a.value * b.value, a.derivatives * b.value + a.value * b.derivatives};
   }
   friend DualNumber operator/(const DualNumber& a, const DualNumber& b) {
     return a * b.applyChainRule(1.0 / b.value, -1.0 / (b.value * b.value));
@@ -96,5 +86,42 @@ SmoothResiduals smoothResiduals(const SmoothTerm& term,
 /// The direction, of either sign, of the arc through three points at the second one; at a cusp the
 /// third point is mirrored first.
 Vec2 arcDirection(const Vec2& before, const Vec2& at, const Vec2& after, bool isCusp);
+
+/// Nonlinear least squares whose residuals depend on neighbouring variables.
+
+/// Residuals in groups, each of which depends on a few variables.
+class LeastSquares {
+ public:
+  /// Residuals of one group and their Jacobian, row-major.
+  struct Group {
+    std::vector<std::size_t> variables;  // indices
+    std::vector<double> values;
+    std::vector<double> derivatives;  // Jacobian, values x variables
+  };
+  virtual ~LeastSquares() = default;
+  /// All groups at a point; the indices of variables in a group differ by less than `bandwidth`.
+  virtual std::vector<Group> groups(const std::vector<double>& point) const = 0;
+  virtual std::size_t bandwidth() const = 0;
+};
+
+struct LeastSquaresLimits {
+  int maxIterations = 100;
+  double functionTolerance = 1e-7;    // relative change of the cost
+  double gradientTolerance = 1e-10;   // maximum component
+  double parameterTolerance = 1e-15;  // relative step length
+};
+
+struct LeastSquaresResult {
+  double firstCost = 0.0, lastCost = 0.0;  // half the sum of squares
+  int iterations = 0;
+  bool isConverged = false;
+};
+
+/// Minimizes by Levenberg-Marquardt with the rules of Ceres Solver 2.1 (trust_region_minimizer,
+/// levenberg_marquardt_strategy): columns scaled once, diagonal between 1e-6 and 1e32, initial
+/// radius 1e4. `point` is replaced by the best point found.
+LeastSquaresResult minimizeLeastSquares(const LeastSquares& problem,
+                                        const LeastSquaresLimits& limits,
+                                        std::vector<double>& point);
 
 }  // namespace sim2d::nav2

@@ -1,5 +1,3 @@
-#include "sim2d/nav/nav2/global/ConstrainedSmoother.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,7 +6,6 @@
 #include <utility>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/global/BandedLeastSquares.h"
 #include "sim2d/nav/nav2/global/ConstrainedResiduals.h"
 
 namespace sim2d::nav2 {
@@ -19,6 +16,12 @@ constexpr double kPosesPerSecond = 1e6;   // moved by iterations
 constexpr double kMaxFitDuration = 60.0;  // [s], upper limit of maxDuration
 constexpr double kControlPoints = 0.4;    // distance of control points / segment length
 constexpr std::size_t kFixed = std::numeric_limits<std::size_t>::max();  // index of fixed poses
+
+/// A pose of the optimization: position and direction of the following movement.
+struct ConstrainedPose {
+  Vec2 position = Vec2::Zero();  // [m]
+  double direction = 1.0;        // 1 forward, -1 backward
+};
 
 /// An inner pose with its neighbours, as indices of the path.
 struct InnerPose {
@@ -296,27 +299,24 @@ class PathAssembly {
 
 }  // namespace
 
-ConstrainedSmoother::ConstrainedSmoother(const ConstrainedSmootherParameters& parameters)
-    : parameters_(parameters) {}
-
-SmoothResult ConstrainedSmoother::smooth(const Path& path, const Costmap& costmap,
-                                         double maxDuration) const {
+SmoothResult smoothPath(const ConstrainedSmootherParameters& parameters, Distro /*distro*/,
+                        const Path& path, const Costmap& costmap, double maxDuration) {
   SmoothResult result;
   if (path.size() < 2 || costmap.costs().empty()) {
     result.error = path.empty() ? SmoothError::InvalidPath : SmoothError::FailedToSmoothPath;
     return result;
   }
-  std::vector<ConstrainedPose> poses = posesOf(path, parameters_);
-  const SmoothProblem problem(poses, costmap, parameters_);
+  std::vector<ConstrainedPose> poses = posesOf(path, parameters);
+  const SmoothProblem problem(poses, costmap, parameters);
   std::vector<double> point = problem.firstPoint();
   if (problem.variables() > 0) {
     LeastSquaresLimits limits;
     const double allowed = std::clamp(maxDuration, 0.0, kMaxFitDuration) * kPosesPerSecond /
                            static_cast<double>(problem.variables());
-    limits.maxIterations = static_cast<int>(std::min<double>(parameters_.maxIterations, allowed));
-    limits.functionTolerance = parameters_.fnTol;
-    limits.gradientTolerance = parameters_.gradientTol;
-    limits.parameterTolerance = parameters_.paramTol;
+    limits.maxIterations = static_cast<int>(std::min<double>(parameters.maxIterations, allowed));
+    limits.functionTolerance = parameters.fnTol;
+    limits.gradientTolerance = parameters.gradientTol;
+    limits.parameterTolerance = parameters.paramTol;
     const LeastSquaresResult end = minimizeLeastSquares(problem, limits, point);
     if (!std::isfinite(end.lastCost) || end.lastCost > end.firstCost) {
       result.error = SmoothError::FailedToSmoothPath;
@@ -328,7 +328,7 @@ SmoothResult ConstrainedSmoother::smooth(const Path& path, const Costmap& costma
   for (std::size_t i = 0; i < smoothed.size(); ++i) {
     smoothed[i].position = problem.placeOf(i, point);
   }
-  result.path = PathAssembly(smoothed, problem.kept(), parameters_)
+  result.path = PathAssembly(smoothed, problem.kept(), parameters)
                     .assemble(path.front().direction(), path.back().direction());
   return result;
 }

@@ -1,6 +1,7 @@
 #include "sim2d/nav/nav2/global/NavfnPlanner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr float kThresholdStep = 2.0F * NavfnWavefront::kNeutral;
 constexpr double kInverseRoot2 = 0.707106781;  // the digits that NavFn uses
+constexpr std::size_t kBlockSize = 10000;      // cells in excess are dropped, as in NavFn
 constexpr double kPathStep = 0.5;              // [cells]
 
 float lengthOf(float x, float y) {  // std::hypot differs between libraries
@@ -79,12 +81,12 @@ void NavfnWavefront::closeBorder() {
 }
 
 void NavfnWavefront::push(int index, Block& block) {
-  if (index < 0 || index >= size() || block.count == kBlockSize) {
+  if (index < 0 || index >= size() || block.size() == kBlockSize) {
     return;
   }
   const auto at = static_cast<std::size_t>(index);
   if (isPending_[at] == 0 && costs_[at] < kObstacle) {
-    block.cells[static_cast<std::size_t>(block.count++)] = index;
+    block.push_back(index);
     isPending_[at] = 1;
   }
 }
@@ -93,7 +95,7 @@ void NavfnWavefront::seed(int robot) {
   potential_.assign(costs_.size(), kUnreached);
   isPending_.assign(costs_.size(), 0);
   for (Block& block : blocks_) {
-    block.count = 0;
+    block.clear();
   }
   potential_[static_cast<std::size_t>(robot)] = 0.0F;
   for (const int neighbour : {robot + 1, robot - 1, robot - width_, robot + width_}) {
@@ -112,11 +114,11 @@ int NavfnWavefront::propagate(Cell robot, Cell target, bool useAstar, const base
   }
   int updated = 0;
   const int most = std::max(size() / 20, width_ + height_);
-  for (int cycle = 0; cycle < most && blocks_[current_].count > 0; ++cycle) {
+  for (int cycle = 0; cycle < most && !blocks_[current_].empty(); ++cycle) {
     if (stop != nullptr && cycle % 256 == 0) {
       stop->check();
     }
-    updated += blocks_[current_].count;
+    updated += static_cast<int>(blocks_[current_].size());
     processBlock(useAstar);
     if (potential_[targetIndex] < kUnreached) {
       break;
@@ -127,15 +129,15 @@ int NavfnWavefront::propagate(Cell robot, Cell target, bool useAstar, const base
 
 void NavfnWavefront::processBlock(bool useAstar) {
   Block& block = blocks_[current_];
-  for (int i = 0; i < block.count; ++i) {
-    isPending_[static_cast<std::size_t>(block.cells[static_cast<std::size_t>(i)])] = 0;
+  for (const int index : block) {
+    isPending_[static_cast<std::size_t>(index)] = 0;
   }
-  for (int i = 0; i < block.count; ++i) {
-    update(block.cells[static_cast<std::size_t>(i)], useAstar);
+  for (const int index : block) {  // pushes to the other blocks
+    update(index, useAstar);
   }
-  block.count = 0;
+  block.clear();
   std::swap(current_, next_);
-  if (blocks_[current_].count == 0) {
+  if (blocks_[current_].empty()) {
     threshold_ += kThresholdStep;
     std::swap(current_, overflow_);
   }
@@ -295,105 +297,120 @@ PlanResult navfnFailure(PlanError error, int iterations = 0) {
   return {error, {}, iterations};
 }
 
+/// nav2_navfn_planner::NavfnPlanner. As in Nav2 it rounds to cells instead of flooring, so paths
+/// are half a cell to the lower left of those of other planners. Headings within the path are 0.
+class NavfnPlanner final : public GlobalPlanner {
+ public:
+  NavfnPlanner(const NavfnParameters& parameters, Distro distro)
+      : parameters_(parameters), distro_(distro) {}
+
+  PlanResult plan(const PlanRequest& request) override {
+    const Costmap& costmap = request.costmap;
+    const auto start = costmap.worldToCell(request.start.position);
+    const auto goal = costmap.worldToCell(request.goal.position);
+    if (!start || !costmap.contains(roundedCell(costmap, request.start.position))) {
+      return navfnFailure(PlanError::StartOutsideMap);
+    }
+    if (!goal || !costmap.contains(roundedCell(costmap, request.goal.position))) {
+      return navfnFailure(PlanError::GoalOutsideMap);
+    }
+    if (distro_ >= Distro::Lyrical && parameters_.tolerance == 0.0 &&
+        costmap.at(*goal) == kLethal) {
+      return navfnFailure(PlanError::GoalOccupied);
+    }
+    if (request.start.position == request.goal.position) {
+      if (costmap.at(*start) == kLethal) {
+        return navfnFailure(PlanError::StartOccupied);
+      }
+      return {PlanError::None,
+              {singlePose(request.start, request.goal, parameters_.useFinalApproachOrientation)}};
+    }
+    const Cell robot = roundedCell(costmap, request.start.position);
+    wavefront_.setCosts(costmap, parameters_.allowUnknown);
+    wavefront_.free(robot);
+    const int updated = wavefront_.propagate(robot, roundedCell(costmap, request.goal.position),
+                                             parameters_.useAstar, request.stop);
+    const auto end = nearestReached(costmap, request.goal);
+    PlanResult result = end ? pathTo(request, *end) : navfnFailure(PlanError::NoValidPath);
+    result.iterations = updated;
+    return result;
+  }
+
+ private:
+  float potentialAt(const Costmap& costmap, const Vec2& place) const {
+    const Cell cell = roundedCell(costmap, place);
+    return costmap.contains(cell) ? wavefront_.potential(cell) : std::numeric_limits<float>::max();
+  }
+
+  /// The goal, or the first of the reached positions nearest to it within the tolerance.
+  std::optional<Pose2> nearestReached(const Costmap& costmap, const Pose2& goal) const {
+    if (potentialAt(costmap, goal.position) < NavfnWavefront::kUnreached) {
+      return goal;
+    }
+    const double reach = parameters_.tolerance, step = costmap.resolution();
+    double least = std::numeric_limits<double>::max();
+    std::optional<Pose2> nearest;
+    Vec2 place = goal.position - Vec2::Constant(reach);  // sums of steps, as in Nav2
+    while (place.y() <= goal.position.y() + reach) {
+      place.x() = goal.position.x() - reach;
+      while (place.x() <= goal.position.x() + reach) {
+        const double distance = (place - goal.position).squaredNorm();
+        if (distance < least && potentialAt(costmap, place) < NavfnWavefront::kUnreached) {
+          least = distance;
+          nearest = Pose2{place, goal.heading};
+        }
+        place.x() += step;
+      }
+      place.y() += step;
+    }
+    return nearest;
+  }
+
+  PlanResult pathTo(const PlanRequest& request, const Pose2& end) {
+    const Costmap& costmap = request.costmap;
+    const int factor = distro_ >= Distro::Lyrical ? parameters_.maxCyclesFactor : 4;
+    const int steps = std::max(costmap.width(), costmap.height()) * factor;
+    const std::vector<Vec2> cells = wavefront_.descend(roundedCell(costmap, end.position), steps);
+    if (cells.empty()) {
+      return navfnFailure(PlanError::NoValidPath);
+    }
+    PlanResult result;
+    for (auto cell = cells.rbegin(); cell != cells.rend(); ++cell) {
+      result.path.push_back({costmap.origin() + costmap.resolution() * *cell, 0.0});
+    }
+    appendGoal(result.path, end);
+    if (parameters_.useFinalApproachOrientation) {
+      setFinalApproachHeading(result.path, request.start.heading);
+    }
+    return result;
+  }
+
+  /// Appends the goal to the path, replacing a last pose that is beyond it.
+  void appendGoal(Path& path, const Pose2& goal) const {
+    if (path.size() >= 2) {
+      constexpr double kSame = 1e-3;  // [m]
+      const Vec2& last = path.back().position;
+      const Vec2& before = path[path.size() - 2].position;
+      const bool isBeyond = (last - before).squaredNorm() > (goal.position - before).squaredNorm();
+      const bool isThere =
+          distro_ != Distro::Humble && (last - goal.position).squaredNorm() < kSame * kSame;
+      if (isBeyond || isThere) {
+        path.back() = goal;
+        return;
+      }
+    }
+    path.push_back(goal);
+  }
+
+  NavfnParameters parameters_;
+  Distro distro_;
+  NavfnWavefront wavefront_;
+};
+
 }  // namespace
 
-NavfnPlanner::NavfnPlanner(const NavfnParameters& parameters, Distro distro)
-    : parameters_(parameters), distro_(distro) {}
-
-PlanResult NavfnPlanner::plan(const PlanRequest& request) {
-  const Costmap& costmap = request.costmap;
-  const auto start = costmap.worldToCell(request.start.position);
-  const auto goal = costmap.worldToCell(request.goal.position);
-  if (!start || !costmap.contains(roundedCell(costmap, request.start.position))) {
-    return navfnFailure(PlanError::StartOutsideMap);
-  }
-  if (!goal || !costmap.contains(roundedCell(costmap, request.goal.position))) {
-    return navfnFailure(PlanError::GoalOutsideMap);
-  }
-  if (distro_ >= Distro::Lyrical && parameters_.tolerance == 0.0 && costmap.at(*goal) == kLethal) {
-    return navfnFailure(PlanError::GoalOccupied);
-  }
-  if (request.start.position == request.goal.position) {
-    if (costmap.at(*start) == kLethal) {
-      return navfnFailure(PlanError::StartOccupied);
-    }
-    return {PlanError::None,
-            {singlePose(request.start, request.goal, parameters_.useFinalApproachOrientation)}};
-  }
-  const Cell robot = roundedCell(costmap, request.start.position);
-  wavefront_.setCosts(costmap, parameters_.allowUnknown);
-  wavefront_.free(robot);
-  const int updated = wavefront_.propagate(robot, roundedCell(costmap, request.goal.position),
-                                           parameters_.useAstar, request.stop);
-  const auto end = nearestReached(costmap, request.goal);
-  PlanResult result = end ? pathTo(request, *end) : navfnFailure(PlanError::NoValidPath);
-  result.iterations = updated;
-  return result;
-}
-
-float NavfnPlanner::potentialAt(const Costmap& costmap, const Vec2& place) const {
-  const Cell cell = roundedCell(costmap, place);
-  return costmap.contains(cell) ? wavefront_.potential(cell) : std::numeric_limits<float>::max();
-}
-
-/// The goal, or the first of the reached positions nearest to it within the tolerance.
-std::optional<Pose2> NavfnPlanner::nearestReached(const Costmap& costmap, const Pose2& goal) const {
-  if (potentialAt(costmap, goal.position) < NavfnWavefront::kUnreached) {
-    return goal;
-  }
-  const double reach = parameters_.tolerance, step = costmap.resolution();
-  double least = std::numeric_limits<double>::max();
-  std::optional<Pose2> nearest;
-  Vec2 place = goal.position - Vec2::Constant(reach);  // sums of steps, as in Nav2
-  while (place.y() <= goal.position.y() + reach) {
-    place.x() = goal.position.x() - reach;
-    while (place.x() <= goal.position.x() + reach) {
-      const double distance = (place - goal.position).squaredNorm();
-      if (distance < least && potentialAt(costmap, place) < NavfnWavefront::kUnreached) {
-        least = distance;
-        nearest = Pose2{place, goal.heading};
-      }
-      place.x() += step;
-    }
-    place.y() += step;
-  }
-  return nearest;
-}
-
-PlanResult NavfnPlanner::pathTo(const PlanRequest& request, const Pose2& end) {
-  const Costmap& costmap = request.costmap;
-  const int factor = distro_ >= Distro::Lyrical ? parameters_.maxCyclesFactor : 4;
-  const int steps = std::max(costmap.width(), costmap.height()) * factor;
-  const std::vector<Vec2> cells = wavefront_.descend(roundedCell(costmap, end.position), steps);
-  if (cells.empty()) {
-    return navfnFailure(PlanError::NoValidPath);
-  }
-  PlanResult result;
-  for (auto cell = cells.rbegin(); cell != cells.rend(); ++cell) {
-    result.path.push_back({costmap.origin() + costmap.resolution() * *cell, 0.0});
-  }
-  appendGoal(result.path, end);
-  if (parameters_.useFinalApproachOrientation) {
-    setFinalApproachHeading(result.path, request.start.heading);
-  }
-  return result;
-}
-
-/// Appends the goal to the path, replacing a last pose that is beyond it.
-void NavfnPlanner::appendGoal(Path& path, const Pose2& goal) const {
-  if (path.size() >= 2) {
-    constexpr double kSame = 1e-3;  // [m]
-    const Vec2& last = path.back().position;
-    const Vec2& before = path[path.size() - 2].position;
-    const bool isBeyond = (last - before).squaredNorm() > (goal.position - before).squaredNorm();
-    const bool isThere =
-        distro_ != Distro::Humble && (last - goal.position).squaredNorm() < kSame * kSame;
-    if (isBeyond || isThere) {
-      path.back() = goal;
-      return;
-    }
-  }
-  path.push_back(goal);
+PlannerPointer makeGlobalPlanner(const NavfnParameters& parameters, Distro distro) {
+  return std::make_unique<NavfnPlanner>(parameters, distro);
 }
 
 }  // namespace sim2d::nav2

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "sim2d/base/StopFlag.h"
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/global/GlobalPlanner.h"
-#include "sim2d/nav/nav2/global/PlannerParameters.h"
 
 namespace sim2d::nav2 {
 
@@ -41,12 +37,8 @@ class NavfnWavefront {
   std::vector<Vec2> descend(Cell target, int maxSteps) const;
 
  private:
-  static constexpr int kBlockSize = 10000;  // cells in excess are dropped, as in NavFn
-  struct Block {
-    std::array<int, kBlockSize> cells;
-    int count = 0;
-  };
-  struct Descent {  // a position as a cell and an offset in cells
+  using Block = std::vector<int>;  // indices of cells
+  struct Descent {                 // a position as a cell and an offset in cells
     int cell = 0;
     float dx = 0.0F, dy = 0.0F;
   };
@@ -78,25 +70,6 @@ class NavfnWavefront {
   std::size_t current_ = 0, next_ = 1, overflow_ = 2;  // indices of blocks_
   float threshold_ = 0.0F;
   Cell robot_, target_;
-};
-
-/// nav2_navfn_planner::NavfnPlanner. As in Nav2 it rounds to cells instead of flooring, so paths
-/// are half a cell to the lower left of those of other planners. Headings within the path are 0.
-class NavfnPlanner : public GlobalPlanner {
- public:
-  NavfnPlanner(const NavfnParameters& parameters, Distro distro);
-
-  PlanResult plan(const PlanRequest& request) override;
-
- private:
-  PlanResult pathTo(const PlanRequest& request, const Pose2& end);
-  std::optional<Pose2> nearestReached(const Costmap& costmap, const Pose2& goal) const;
-  float potentialAt(const Costmap& costmap, const Vec2& place) const;
-  void appendGoal(Path& path, const Pose2& goal) const;
-
-  NavfnParameters parameters_;
-  Distro distro_;
-  NavfnWavefront wavefront_;
 };
 
 }  // namespace sim2d::nav2

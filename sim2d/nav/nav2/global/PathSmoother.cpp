@@ -1,23 +1,17 @@
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 
 #include <cassert>
+#include <cmath>
+#include <numeric>
+#include <optional>
 
-#include "sim2d/nav/nav2/global/ConstrainedSmoother.h"
-#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
+#include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/global/PlannerParameters.h"
-#include "sim2d/nav/nav2/global/SavitzkyGolaySmoother.h"
-#include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-struct SmoothErrorText {
-  SmoothError error;
-  const char* name;
-  const char* message;
-};
-
-constexpr SmoothErrorText kSmoothErrors[] = {
+constexpr ErrorText<SmoothError> kSmoothErrors[] = {
     {SmoothError::None, "NONE", ""},
     {SmoothError::Unknown, "UNKNOWN", "smoothing failed"},
     {SmoothError::InvalidSmoother, "INVALID_SMOOTHER", "there is no such smoother"},
@@ -28,33 +22,27 @@ constexpr SmoothErrorText kSmoothErrors[] = {
     {SmoothError::InvalidPath, "INVALID_PATH", "there is no path to smooth"},
 };
 
-const SmoothErrorText& textOf(SmoothError error) {
-  for (const SmoothErrorText& text : kSmoothErrors) {
-    if (text.error == error) {
-      return text;
-    }
-  }
-  return kSmoothErrors[1];
+PluginClasses<PathSmootherParameters> smootherClasses(Distro distro) {
+  SimpleSmootherParameters simple;
+  simple.refinementNum = distro == Distro::Humble ? 4 : simple.refinementNum;
+  return {{"nav2_smoother::SimpleSmoother", simple},
+          {"nav2_smoother::SavitzkyGolaySmoother", SavitzkyGolayParameters()},
+          {"nav2_constrained_smoother::ConstrainedSmoother", ConstrainedSmootherParameters()}};
 }
-
-constexpr char kSimple[] = "nav2_smoother::SimpleSmoother";
-constexpr char kSavitzkyGolay[] = "nav2_smoother::SavitzkyGolaySmoother";
-
-constexpr char kConstrained[] = "nav2_constrained_smoother::ConstrainedSmoother";
 
 }  // namespace
 
 const char* smoothErrorName(SmoothError error) {
-  return textOf(error).name;
+  return textOf(kSmoothErrors, error).name;
 }
 
 const char* smoothErrorMessage(SmoothError error) {
-  return textOf(error).message;
+  return textOf(kSmoothErrors, error).message;
 }
 
-const std::vector<Nav2Key<SimpleSmootherParameters>>& keysOf(const SimpleSmootherParameters&) {
+Nav2Keys<SimpleSmootherParameters> keysOf(const SimpleSmootherParameters&) {
   using P = SimpleSmootherParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"tolerance", &P::tolerance, "m", "total change in an iteration below which smoothing ends"},
       {"max_its", &P::maxIts, "", "maximum number of iterations"},
       {"w_data", &P::wData, "", "weight of the attraction to the original path"},
@@ -67,12 +55,11 @@ const std::vector<Nav2Key<SimpleSmootherParameters>>& keysOf(const SimpleSmoothe
       {"enforce_path_inversion", &P::enforcePathInversion, "",
        "smooths separately between the cusps of the path", kSinceKilted},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayParameters&) {
+Nav2Keys<SavitzkyGolayParameters> keysOf(const SavitzkyGolayParameters&) {
   using P = SavitzkyGolayParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"do_refinement", &P::doRefinement, "", "smooths the result again"},
       {"refinement_num", &P::refinementNum, "", "number of repetitions of the refinement"},
       {"enforce_path_inversion", &P::enforcePathInversion, "",
@@ -80,13 +67,11 @@ const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayP
       {"window_size", &P::windowSize, "", "number of poses per polynomial", kSinceLyrical},
       {"poly_order", &P::polyOrder, "", "order of the polynomial", kSinceLyrical},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<ConstrainedSmootherParameters>>& keysOf(
-    const ConstrainedSmootherParameters&) {
+Nav2Keys<ConstrainedSmootherParameters> keysOf(const ConstrainedSmootherParameters&) {
   using P = ConstrainedSmootherParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"reversing_enabled", &P::reversingEnabled, "",
        "poses whose heading opposes the motion are driven backwards"},
       {"path_downsampling_factor", &P::pathDownsamplingFactor, "",
@@ -115,37 +100,32 @@ const std::vector<Nav2Key<ConstrainedSmootherParameters>>& keysOf(
       {"optimizer.param_tol", &P::paramTol, "",
        "relative change of the path below which the optimization ends"},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SmootherServerParameters>>& keysOf(const SmootherServerParameters&) {
+Nav2Keys<SmootherServerParameters> keysOf(const SmootherServerParameters&) {
   using P = SmootherServerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"smoother_plugins", &P::smootherPlugins, "", "names of the smoothers"},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const SimpleSmootherParameters&) {
-  static const std::vector<IgnoredKey> kKeys;
-  return kKeys;
+IgnoredKeys ignoredKeysOf(const SimpleSmootherParameters&) {
+  return {};
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const SavitzkyGolayParameters&) {
-  static const std::vector<IgnoredKey> kKeys;
-  return kKeys;
+IgnoredKeys ignoredKeysOf(const SavitzkyGolayParameters&) {
+  return {};
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const ConstrainedSmootherParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredKeysOf(const ConstrainedSmootherParameters&) {
+  return {
       {"optimizer.debug_optimizer", "the log is not used"},
       {"optimizer.linear_solver_type", "the equations are always solved by Cholesky decomposition"},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const SmootherServerParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredKeysOf(const SmootherServerParameters&) {
+  return {
       {"costmap_topic", "the global costmap is passed directly"},
       {"footprint_topic", "the footprint is passed directly"},
       {"robot_base_frame", "TF is not used"},
@@ -154,27 +134,15 @@ const std::vector<IgnoredKey>& ignoredKeysOf(const SmootherServerParameters&) {
       {"bond_heartbeat_period", "there are no separate processes to monitor"},
       {"introspection_mode", "ROS services are not used"},
   };
-  return kKeys;
 }
 
 std::vector<std::string> pathSmootherPluginNames() {
-  return {kSimple, kSavitzkyGolay, kConstrained};
+  return namesOf(smootherClasses(Distro::Main));
 }
 
 PluginLookup<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
                                                         Distro distro) {
-  const PluginMatch match = matchPlugin(className, pathSmootherPluginNames(), {});
-  PluginLookup<PathSmootherParameters> lookup{std::nullopt, match.name, match.why};
-  if (match.isAvailable && match.name == kSimple) {
-    SimpleSmootherParameters parameters;
-    parameters.refinementNum = distro == Distro::Humble ? 4 : parameters.refinementNum;
-    lookup.parameters = parameters;
-  } else if (match.isAvailable && match.name == kSavitzkyGolay) {
-    lookup.parameters = SavitzkyGolayParameters();
-  } else if (match.isAvailable) {
-    lookup.parameters = ConstrainedSmootherParameters();
-  }
-  return lookup;
+  return findPlugin(className, smootherClasses(distro));
 }
 
 std::vector<std::string> parameterErrors(const PathSmootherParameters& parameters) {
@@ -207,17 +175,213 @@ std::vector<std::string> parameterErrors(const PathSmootherParameters& parameter
       .take();
 }
 
-std::unique_ptr<PathSmoother> makePathSmoother(const PathSmootherParameters& parameters,
-                                               Distro distro) {
+SmoothResult smoothPath(const PathSmootherParameters& parameters, Distro distro, const Path& path,
+                        const Costmap& costmap, double maxDuration) {
   assert(parameterErrors(parameters).empty());
-  if (const auto* simple = std::get_if<SimpleSmootherParameters>(&parameters)) {
-    return std::make_unique<SimpleSmoother>(*simple, distro);
+  return std::visit(
+      [&](const auto& given) { return smoothPath(given, distro, path, costmap, maxDuration); },
+      parameters);
+}
+
+namespace {
+
+constexpr double kSamePlace = 1e-4;             // [m]
+constexpr double kSameHeading = 1e-4;           // [rad]
+constexpr double kMaxSmoothingDuration = 60.0;  // [s], upper limit of maxDuration
+constexpr int kDefaultWindow = 7, kDefaultOrder = 3;
+constexpr std::size_t kMinFilteredPoses = 10;
+
+bool isSamePlace(const Vec2& step) {
+  return std::fabs(step.x()) < kSamePlace && std::fabs(step.y()) < kSamePlace;
+}
+
+bool isBlocked(const Costmap& costmap, const Vec2& place) {
+  const auto cell = costmap.worldToCell(place);
+  return !cell || costmap.at(*cell) == kInscribed || costmap.at(*cell) == kLethal;
+}
+
+/// Performs one sweep over `moved`; returns the sum of changes, or nullopt at an obstacle.
+std::optional<double> sweepOnce(const Path& anchors, const SweepSettings& settings,
+                                const Costmap& costmap, Path& moved) {
+  double change = 0.0;
+  for (std::size_t i = 1; i + 1 < moved.size(); ++i) {
+    for (int axis = 0; axis < 2; ++axis) {
+      const double before = moved[i].position[axis];
+      const double neighbours = moved[i + 1].position[axis] + moved[i - 1].position[axis];
+      const double after = before + (settings.wData * (anchors[i].position[axis] - before) +
+                                     settings.wSmooth * (neighbours - 2.0 * before));
+      moved[i].position[axis] = after;
+      change += std::fabs(after - before);
+    }
+    if (isBlocked(costmap, moved[i].position)) {
+      return std::nullopt;
+    }
   }
-  if (const auto* constrained = std::get_if<ConstrainedSmootherParameters>(&parameters)) {
-    return std::make_unique<ConstrainedSmoother>(*constrained);
+  return change;
+}
+
+SweepResult sweepUntilDone(Path& segment, const SweepSettings& settings, const Costmap& costmap,
+                           long long& budget) {
+  const Path anchors = segment;
+  Path moved = segment;
+  for (int sweep = 1; sweep < settings.maxSweeps; ++sweep) {
+    budget -= static_cast<long long>(segment.size());
+    if (budget < 0) {
+      return SweepResult::OutOfBudget;
+    }
+    const auto change = sweepOnce(anchors, settings, costmap, moved);
+    if (!change) {
+      return SweepResult::Obstacle;
+    }
+    segment = moved;
+    if (*change < settings.tolerance) {
+      return SweepResult::Converged;
+    }
   }
-  return std::make_unique<SavitzkyGolaySmoother>(std::get<SavitzkyGolayParameters>(parameters),
-                                                 distro);
+  return SweepResult::MaxSweeps;
+}
+
+double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// Filters all poses except the ends, which are repeated beyond the segment.
+void filterSegment(const std::vector<double>& weights, Path& segment) {
+  const Path before = segment;
+  const int half = static_cast<int>(weights.size() / 2), last = static_cast<int>(before.size()) - 1;
+  for (int i = 1; i < last; ++i) {
+    Vec2 sum = Vec2::Zero();
+    int at = i - half;
+    for (const double weight : weights) {
+      sum += weight * before[static_cast<std::size_t>(std::clamp(at++, 0, last))].position;
+    }
+    segment[static_cast<std::size_t>(i)].position = sum;
+  }
+}
+
+}  // namespace
+
+std::vector<PathSegment> directionalSegments(const Path& path) {
+  std::vector<PathSegment> segments;
+  PathSegment segment;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Vec2 here = path[i].position - path[i - 1].position;
+    const Vec2 next = path[i + 1].position - path[i].position;
+    const bool turnsOnTheSpot =
+        isSamePlace(next) &&
+        std::fabs(base::angleDiff(path[i + 1].heading, path[i].heading)) > kSameHeading;
+    if (here.dot(next) < 0.0 || turnsOnTheSpot) {
+      segment.last = i;
+      segments.push_back(segment);
+      segment.first = i;
+    }
+  }
+  segment.last = path.empty() ? 0 : path.size() - 1;
+  segments.push_back(segment);
+  return segments;
+}
+
+bool orientSegment(Path& segment, bool isHolonomic) {
+  const Vec2 ahead = segment[2].position - segment[1].position;
+  const double turn = base::angleDiff(base::atan2(ahead.y(), ahead.x()), segment[1].heading);
+  const bool isBackward = !isHolonomic && std::fabs(turn) > 0.5 * base::kPi;
+  for (std::size_t i = 0; i + 1 < segment.size(); ++i) {
+    const Vec2 step = segment[i + 1].position - segment[i].position;
+    if (!isSamePlace(step)) {
+      const double heading = base::atan2(step.y(), step.x());
+      segment[i].heading = isBackward ? base::wrapToPi(heading + base::kPi) : heading;
+    }
+  }
+  return isBackward;
+}
+
+SweepResult smoothBySweeps(Path& segment, const SweepSettings& settings, const Costmap& costmap,
+                           long long& budget) {
+  const SweepResult first = sweepUntilDone(segment, settings, costmap, budget);
+  SweepResult last = first;
+  for (int i = 0; i < settings.refinements && last == SweepResult::Converged; ++i) {
+    last = sweepUntilDone(segment, settings, costmap, budget);
+  }
+  orientSegment(segment, settings.isHolonomic);
+  return last == SweepResult::OutOfBudget ? last : first;
+}
+
+SmoothResult smoothPath(const SimpleSmootherParameters& parameters, Distro distro, const Path& path,
+                        const Costmap& costmap, double maxDuration) {
+  SmoothResult result;
+  if (path.empty()) {
+    result.error = SmoothError::InvalidPath;
+    return result;
+  }
+  SweepSettings settings;
+  settings.tolerance = parameters.tolerance;
+  settings.maxSweeps = parameters.maxIts;
+  settings.wData = parameters.wData;
+  settings.wSmooth = parameters.wSmooth;
+  settings.refinements = parameters.doRefinement ? parameters.refinementNum : 0;
+  const bool isSplit = distro < Distro::Kilted || parameters.enforcePathInversion;
+  auto budget = static_cast<long long>(std::clamp(maxDuration, 0.0, kMaxSmoothingDuration) *
+                                       kSweptPosesPerSecond);
+  bool isTimeout = false;
+  result.path = path;
+  smoothSegments(result.path, isSplit, distro == Distro::Humble ? 10 : 4, [&](Path& segment) {
+    const SweepResult end = smoothBySweeps(segment, settings, costmap, budget);
+    isTimeout = isTimeout || (end == SweepResult::OutOfBudget && distro != Distro::Humble);
+    result.wasCompleted = result.wasCompleted && end == SweepResult::Converged;
+  });
+  return isTimeout ? SmoothResult{SmoothError::Timeout, {}, false} : result;
+}
+
+std::vector<double> savitzkyGolayWeights(int window, int order) {
+  const int half = window / 2;
+  const auto count = static_cast<std::size_t>(window), middle = static_cast<std::size_t>(half);
+  std::vector<double> weights(count, 0.0);
+  std::vector<std::vector<double>> basis;  // orthonormal polynomials at -half … half
+  for (int degree = 0; degree <= order; ++degree) {
+    std::vector<double> next(count, 1.0);
+    for (std::size_t i = 0; i < count && degree > 0; ++i) {
+      next[i] = basis.back()[i] * (static_cast<double>(i) - half);
+    }
+    for (int round = 0; round < 2; ++round) {  // orthogonalizes twice because of rounding errors
+      for (const std::vector<double>& before : basis) {
+        const double share = dotOf(next, before);
+        for (std::size_t i = 0; i < count; ++i) {
+          next[i] -= share * before[i];
+        }
+      }
+    }
+    const double length = std::sqrt(dotOf(next, next));
+    for (double& value : next) {
+      value /= length;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      weights[i] += next[middle] * next[i];
+    }
+    basis.push_back(next);
+  }
+  return weights;
+}
+
+SmoothResult smoothPath(const SavitzkyGolayParameters& parameters, Distro distro, const Path& path,
+                        const Costmap& /*costmap*/, double /*maxDuration*/) {
+  SmoothResult result;
+  if (path.empty()) {
+    result.error = SmoothError::InvalidPath;
+    return result;
+  }
+  const std::vector<double> weights =
+      distro >= Distro::Lyrical ? savitzkyGolayWeights(parameters.windowSize, parameters.polyOrder)
+                                : savitzkyGolayWeights(kDefaultWindow, kDefaultOrder);
+  const bool isSplit = distro < Distro::Kilted || parameters.enforcePathInversion;
+  const int rounds = 1 + (parameters.doRefinement ? parameters.refinementNum : 0);
+  result.path = path;
+  smoothSegments(result.path, isSplit, kMinFilteredPoses, [&](Path& segment) {
+    for (int i = 0; i < rounds; ++i) {
+      filterSegment(weights, segment);
+    }
+    orientSegment(segment, false);
+  });
+  return result;
 }
 
 }  // namespace sim2d::nav2

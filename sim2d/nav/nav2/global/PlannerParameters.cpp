@@ -8,17 +8,14 @@
 namespace sim2d::nav2 {
 namespace {
 
-template <class Parameters>
-using Keys = std::vector<Nav2Key<Parameters>>;
-
-Keys<SmacParameters> downsamplingKeys() {
+Nav2Keys<SmacParameters> downsamplingKeys() {
   using P = SmacParameters;
   return {{"downsample_costmap", &P::downsampleCostmap, "", "plans on a coarser map"},
           {"downsampling_factor", &P::downsamplingFactor, "",
            "number of map cells along the side of a coarser cell"}};
 }
 
-Keys<SmacParameters> searchAndSmootherKeys() {
+Nav2Keys<SmacParameters> searchAndSmootherKeys() {
   using P = SmacParameters;
   return {
       {"allow_unknown", &P::allowUnknown, "", "allows paths through unknown cells"},
@@ -41,7 +38,7 @@ Keys<SmacParameters> searchAndSmootherKeys() {
   };
 }
 
-Keys<SmacPoseParameters> poseLimitKeys() {
+Nav2Keys<SmacPoseParameters> poseLimitKeys() {
   using P = SmacPoseParameters;
   return {
       {"tolerance", &P::tolerance, "m", "maximum distance from the goal to the end of the path"},
@@ -49,7 +46,7 @@ Keys<SmacPoseParameters> poseLimitKeys() {
        "time limit, replaced by a limit of 100 000 nodes per second"}};
 }
 
-Keys<SmacPoseParameters> motionPenaltyKeys() {
+Nav2Keys<SmacPoseParameters> motionPenaltyKeys() {
   using P = SmacPoseParameters;
   return {
       {"smooth_path", &P::smoothPath, "", "smooths the path"},
@@ -59,7 +56,7 @@ Keys<SmacPoseParameters> motionPenaltyKeys() {
 }
 
 /// `later`: the branches that have the newer two of these keys.
-Keys<SmacPoseParameters> costKeys(unsigned later) {
+Nav2Keys<SmacPoseParameters> costKeys(unsigned later) {
   using P = SmacPoseParameters;
   return {
       {"cost_penalty", &P::costPenalty, "", "weight of the cells' costs"},
@@ -72,7 +69,7 @@ Keys<SmacPoseParameters> costKeys(unsigned later) {
        "computes the obstacle heuristic on a coarser map", later}};
 }
 
-Keys<SmacPoseParameters> expansionKeys() {
+Nav2Keys<SmacPoseParameters> expansionKeys() {
   using P = SmacPoseParameters;
   return {{"analytic_expansion_ratio", &P::analyticExpansionRatio, "",
            "larger values try the analytic expansion to the goal less often"},
@@ -89,9 +86,9 @@ Keys<SmacPoseParameters> expansionKeys() {
 
 }  // namespace
 
-const std::vector<Nav2Key<NavfnParameters>>& keysOf(const NavfnParameters&) {
+Nav2Keys<NavfnParameters> keysOf(const NavfnParameters&) {
   using P = NavfnParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"tolerance", &P::tolerance, "m", "maximum distance from the goal to the end of the path"},
       {"use_astar", &P::useAstar, "", "A* instead of Dijkstra"},
       {"allow_unknown", &P::allowUnknown, "", "allows paths through unknown cells"},
@@ -100,12 +97,11 @@ const std::vector<Nav2Key<NavfnParameters>>& keysOf(const NavfnParameters&) {
       {"max_cycles_factor", &P::maxCyclesFactor, "",
        "steps of the descent per cell of the map's longer side", kSinceLyrical},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<ThetaStarParameters>>& keysOf(const ThetaStarParameters&) {
+Nav2Keys<ThetaStarParameters> keysOf(const ThetaStarParameters&) {
   using P = ThetaStarParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"how_many_corners", &P::howManyCorners, "", "number of neighbours of a cell, 4 or 8"},
       {"allow_unknown", &P::allowUnknown, "", "allows paths through unknown cells"},
       {"w_euc_cost", &P::eucCost, "", "weight of the path length"},
@@ -115,118 +111,106 @@ const std::vector<Nav2Key<ThetaStarParameters>>& keysOf(const ThetaStarParameter
       {"terminal_checking_interval", &P::terminalCheckingInterval, "",
        "number of nodes between two checks for cancellation", kSinceJazzy},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<Smac2DParameters>>& keysOf(const Smac2DParameters&) {
+Nav2Keys<Smac2DParameters> keysOf(const Smac2DParameters&) {
   using P = Smac2DParameters;
-  static const Keys<P> kKeys =
-      joinedKeys<P>(Keys<P>{{"tolerance", &P::tolerance, "m",
-                             "maximum distance from the goal to the end of the path"},
-                            {"max_planning_time", &P::maxPlanningTime, "s",
-                             "time limit, replaced by a limit of 1 000 000 nodes per second"},
-                            {"cost_travel_multiplier", &P::costTravelMultiplier, "",
-                             "weight of a cell's cost relative to its length"},
-                            {"use_final_approach_orientation", &P::useFinalApproachOrientation, "",
-                             "the last heading is that of the path, not of the goal"}},
-                    downsamplingKeys(), searchAndSmootherKeys());
-  return kKeys;
+  return joinedKeys<P>(
+      Nav2Keys<P>{{"tolerance", &P::tolerance, "m",
+                   "maximum distance from the goal to the end of the path"},
+                  {"max_planning_time", &P::maxPlanningTime, "s",
+                   "time limit, replaced by a limit of 1 000 000 nodes per second"},
+                  {"cost_travel_multiplier", &P::costTravelMultiplier, "",
+                   "weight of a cell's cost relative to its length"},
+                  {"use_final_approach_orientation", &P::useFinalApproachOrientation, "",
+                   "the last heading is that of the path, not of the goal"}},
+      downsamplingKeys(), searchAndSmootherKeys());
 }
 
-const std::vector<Nav2Key<SmacHybridParameters>>& keysOf(const SmacHybridParameters&) {
+Nav2Keys<SmacHybridParameters> keysOf(const SmacHybridParameters&) {
   using P = SmacHybridParameters;
-  static const Keys<P> kKeys = joinedKeys<P>(
+  return joinedKeys<P>(
       poseLimitKeys(),
-      Keys<P>{{"motion_model_for_search", &P::motionModelForSearch, "", "DUBIN or REEDS_SHEPP"},
-              {"minimum_turning_radius", &P::minimumTurningRadius, "m",
-               "minimum turning radius of the robot"},
-              {"angle_quantization_bins", &P::angleQuantizationBins, "",
-               "number of headings in the search"},
-              {"allow_primitive_interpolation", &P::allowPrimitiveInterpolation, "",
-               "adds primitives for all angles up to the sharpest one", kSinceJazzy}},
+      Nav2Keys<P>{{"motion_model_for_search", &P::motionModelForSearch, "", "DUBIN or REEDS_SHEPP"},
+                  {"minimum_turning_radius", &P::minimumTurningRadius, "m",
+                   "minimum turning radius of the robot"},
+                  {"angle_quantization_bins", &P::angleQuantizationBins, "",
+                   "number of headings in the search"},
+                  {"allow_primitive_interpolation", &P::allowPrimitiveInterpolation, "",
+                   "adds primitives for all angles up to the sharpest one", kSinceJazzy}},
       motionPenaltyKeys(), costKeys(kSinceJazzy),
-      Keys<P>{
+      Nav2Keys<P>{
           {"lookup_table_size", &P::lookupTableSize, "m",
            "side length of the square around the goal in which the distance heuristic uses curve "
            "lengths"}},
       expansionKeys(),
-      Keys<P>{{"coarse_search_resolution", &P::coarseSearchResolution, "",
-               "step between the goal headings that are tried first", kSinceKilted}},
+      Nav2Keys<P>{{"coarse_search_resolution", &P::coarseSearchResolution, "",
+                   "step between the goal headings that are tried first", kSinceKilted}},
       downsamplingKeys(), searchAndSmootherKeys());
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SmacLatticeParameters>>& keysOf(const SmacLatticeParameters&) {
+Nav2Keys<SmacLatticeParameters> keysOf(const SmacLatticeParameters&) {
   using P = SmacLatticeParameters;
-  static const Keys<P> kKeys = joinedKeys<P>(
+  return joinedKeys<P>(
       poseLimitKeys(),
-      Keys<P>{{"lattice_filepath", &P::latticeFilepath, "", "file of the motion primitives (JSON)"},
-              {"allow_reverse_expansion", &P::allowReverseExpansion, "",
-               "also uses backward primitives"}},
+      Nav2Keys<P>{
+          {"lattice_filepath", &P::latticeFilepath, "", "file of the motion primitives (JSON)"},
+          {"allow_reverse_expansion", &P::allowReverseExpansion, "",
+           "also uses backward primitives"}},
       motionPenaltyKeys(),
-      Keys<P>{{"rotation_penalty", &P::rotationPenalty, "", "cost of rotation in place"}},
+      Nav2Keys<P>{{"rotation_penalty", &P::rotationPenalty, "", "cost of rotation in place"}},
       costKeys(kSinceLyrical), expansionKeys(), searchAndSmootherKeys());
-  return kKeys;
 }
 
-const std::vector<Nav2Key<PlannerServerParameters>>& keysOf(const PlannerServerParameters&) {
+Nav2Keys<PlannerServerParameters> keysOf(const PlannerServerParameters&) {
   using P = PlannerServerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"planner_plugins", &P::plannerPlugins, "", "names of the planners"},
       {"allow_partial_planning", &P::allowPartialPlanning, "",
        "plans through several goals as far as a path exists", kSinceLyrical},
       {"costmap_update_timeout", &P::costmapUpdateTimeout, "s",
        "maximum wait for the costmap after it was cleared", kSinceJazzy},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const NavfnParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
-      {"terminal_checking_interval", "cancellation is checked every 256 blocks"}};
-  return kKeys;
+IgnoredKeys ignoredKeysOf(const NavfnParameters&) {
+  return {{"terminal_checking_interval", "cancellation is checked every 256 blocks"}};
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const ThetaStarParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
-      {"w_heuristic_cost", "Nav2 uses the minimum of 1 and w_euc_cost"}};
-  return kKeys;
+IgnoredKeys ignoredKeysOf(const ThetaStarParameters&) {
+  return {{"w_heuristic_cost", "Nav2 uses the minimum of 1 and w_euc_cost"}};
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const Smac2DParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredKeysOf(const Smac2DParameters&) {
+  return {
       {"motion_model_for_search", "cells have eight neighbours"},
       {"debug_visualizations", "nothing is published"},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const SmacHybridParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredKeysOf(const SmacHybridParameters&) {
+  return {
       {"viz_expansions", "nothing is published"},
       {"debug_visualizations", "nothing is published"},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const SmacLatticeParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredKeysOf(const SmacLatticeParameters&) {
+  return {
       {"debug_visualizations", "nothing is published", kSinceJazzy},
       {"lookup_table_size", "curve lengths are computed on demand"},
       {"coarse_search_resolution", "every heading of the goal is tried", kSinceKilted},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredKeysOf(const PlannerServerParameters&) {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredKeysOf(const PlannerServerParameters&) {
+  return {
       {"expected_planner_frequency", "it only affects a warning on slow computers"},
       {"action_server_result_timeout", "ROS actions are not used", kJazzy},
       {"bond_heartbeat_period", "there are no separate processes to monitor"},
       {"service_introspection_mode", "ROS services are not used"},
       {"introspection_mode", "ROS services are not used"},
   };
-  return kKeys;
 }
 
 namespace {

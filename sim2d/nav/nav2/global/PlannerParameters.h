@@ -5,10 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 
 /// Parameters of the global planners; the defaults are those of Nav2's code in Jazzy
-/// (`planner_server/…`, GlobalPlannerFactory.h provides those of other distributions).
+/// (`planner_server/…`, GlobalPlanner.h provides those of other distributions).
 ///
 /// Wall-clock limits would make results depend on the computer. `max_planning_time` is therefore a
 /// limit of iterations: as many as a current computer performs in that time, `k…PerSecond` below.
@@ -86,7 +87,28 @@ struct SmacHybridParameters : SmacPoseParameters {
   int coarseSearchResolution = 1;
 };
 
-struct Lattice;
+/// A motion primitive from the origin.
+struct LatticePrimitive {
+  int startHeading = 0, endHeading = 0;  // indices of headings of the lattice
+  bool isLeftTurn = true;
+  double length = 0.0;       // [m]; 0: a turn in place
+  double arcLength = 0.0;    // arc part [m]
+  std::vector<Pose2> poses;  // along the primitive; the last is its end [m], [rad]
+};
+
+/// A file of motion primitives of nav2_smac_planner's generator (lattice_primitives).
+struct Lattice {
+  std::string file;
+  std::string motionModel = "diff";  // "diff", "ackermann", "omni"
+  double turningRadius = 0.5;        // [m]
+  std::vector<double> headings;      // [rad], ascending from 0; with all opposite headings
+  std::vector<std::vector<LatticePrimitive>> primitives;  // by the index of the start heading
+
+  int size() const { return static_cast<int>(headings.size()); }
+  /// The index of the nearest heading.
+  int nearestHeading(double heading) const;
+  int oppositeOf(int heading) const { return (heading + size() / 2) % size(); }
+};
 
 /// nav2_smac_planner::SmacPlannerLattice: A* over the motion primitives of a file.
 struct SmacLatticeParameters : SmacPoseParameters {
@@ -109,18 +131,18 @@ struct PlannerServerParameters {
 };
 
 /// Key tables, selected by the type of the argument.
-const std::vector<Nav2Key<NavfnParameters>>& keysOf(const NavfnParameters&);
-const std::vector<Nav2Key<ThetaStarParameters>>& keysOf(const ThetaStarParameters&);
-const std::vector<Nav2Key<Smac2DParameters>>& keysOf(const Smac2DParameters&);
-const std::vector<Nav2Key<SmacHybridParameters>>& keysOf(const SmacHybridParameters&);
-const std::vector<Nav2Key<SmacLatticeParameters>>& keysOf(const SmacLatticeParameters&);
-const std::vector<Nav2Key<PlannerServerParameters>>& keysOf(const PlannerServerParameters&);
-const std::vector<IgnoredKey>& ignoredKeysOf(const NavfnParameters&);
-const std::vector<IgnoredKey>& ignoredKeysOf(const ThetaStarParameters&);
-const std::vector<IgnoredKey>& ignoredKeysOf(const Smac2DParameters&);
-const std::vector<IgnoredKey>& ignoredKeysOf(const SmacHybridParameters&);
-const std::vector<IgnoredKey>& ignoredKeysOf(const SmacLatticeParameters&);
-const std::vector<IgnoredKey>& ignoredKeysOf(const PlannerServerParameters&);
+Nav2Keys<NavfnParameters> keysOf(const NavfnParameters&);
+Nav2Keys<ThetaStarParameters> keysOf(const ThetaStarParameters&);
+Nav2Keys<Smac2DParameters> keysOf(const Smac2DParameters&);
+Nav2Keys<SmacHybridParameters> keysOf(const SmacHybridParameters&);
+Nav2Keys<SmacLatticeParameters> keysOf(const SmacLatticeParameters&);
+Nav2Keys<PlannerServerParameters> keysOf(const PlannerServerParameters&);
+IgnoredKeys ignoredKeysOf(const NavfnParameters&);
+IgnoredKeys ignoredKeysOf(const ThetaStarParameters&);
+IgnoredKeys ignoredKeysOf(const Smac2DParameters&);
+IgnoredKeys ignoredKeysOf(const SmacHybridParameters&);
+IgnoredKeys ignoredKeysOf(const SmacLatticeParameters&);
+IgnoredKeys ignoredKeysOf(const PlannerServerParameters&);
 
 /// Checks of parameter values. Each error is a sentence that begins with the key.
 

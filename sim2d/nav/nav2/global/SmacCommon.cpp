@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
-#include "sim2d/nav/nav2/global/SmoothingSweeps.h"
+#include "sim2d/nav/nav2/global/PathSmoother.h"
 
 namespace sim2d::nav2 {
 
@@ -78,8 +77,7 @@ void ObstacleHeuristic::settleNext() {
     return;
   }
   isSettled_[index] = 1;
-  const auto width = static_cast<std::size_t>(costmap_.width());
-  const Cell cell{static_cast<int>(index % width), static_cast<int>(index / width)};
+  const Cell cell = costmap_.cellOf(index);
   for (const Cell& move : kEightMoves) {
     const Cell next{cell.column + move.column, cell.row + move.row};
     if (!costmap_.contains(next) || !isSmacFree(costmap_.at(next), settings_.allowUnknown)) {
@@ -132,8 +130,8 @@ double DistanceHeuristic::from(const Vec2& inGoal, int bin) {
 
 namespace {
 
-constexpr std::size_t kMinSmoothedPoses = 10;  // number of poses minus 1
-constexpr long long kMaxMoves = 50000000;      // poses moved in all sweeps
+constexpr std::size_t kMinSmoothedPoses = 11;
+constexpr long long kMaxMoves = 50000000;  // poses moved in all sweeps
 
 bool isHit(const Costmap& costmap, const Vec2& place) {
   const auto cell = costmap.worldToCell(place);
@@ -216,30 +214,22 @@ void smoothSmacPath(Path& path, const SmacParameters& parameters, const Costmap&
   settings.wSmooth = parameters.smootherWSmooth;
   settings.refinements = parameters.smootherDoRefinement ? parameters.smootherRefinementNum : 0;
   settings.isHolonomic = !car;
-  const std::vector<PathSegment> segments =
-      car ? directionalSegments(path) : std::vector<PathSegment>{{0, path.size() - 1}};
   long long budget = kMaxMoves;
-  for (const PathSegment& part : segments) {
-    if (part.last - part.first <= kMinSmoothedPoses) {
-      continue;
-    }
-    const auto first = path.begin() + static_cast<std::ptrdiff_t>(part.first);
-    const auto last = path.begin() + static_cast<std::ptrdiff_t>(part.last);
-    Path segment(first, last + 1);
-    const Path raw = segment;
+  smoothSegments(path, car.has_value(), kMinSmoothedPoses, [&](Path& segment) {
+    const Pose2 begin = segment.front(), last = segment.back();
     const SweepResult end = smoothBySweeps(segment, settings, costmap, budget);
-    if (car && end == SweepResult::Converged) {
-      const bool isBackward = orientSegment(segment, false);
-      segment.front() = raw.front();
-      enforceBoundaryCondition(segment, *car, isBackward, costmap);
-      // The end is treated as the beginning of the reversed segment.
-      std::reverse(segment.begin(), segment.end());
-      segment.front() = raw.back();
-      enforceBoundaryCondition(segment, *car, !isBackward, costmap);
-      std::reverse(segment.begin(), segment.end());
+    if (!car || end != SweepResult::Converged) {
+      return;
     }
-    std::copy(segment.begin(), segment.end(), first);
-  }
+    const bool isBackward = orientSegment(segment, false);
+    segment.front() = begin;
+    enforceBoundaryCondition(segment, *car, isBackward, costmap);
+    // The end is treated as the beginning of the reversed segment.
+    std::reverse(segment.begin(), segment.end());
+    segment.front() = last;
+    enforceBoundaryCondition(segment, *car, !isBackward, costmap);
+    std::reverse(segment.begin(), segment.end());
+  });
 }
 
 }  // namespace sim2d::nav2

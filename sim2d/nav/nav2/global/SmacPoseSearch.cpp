@@ -149,21 +149,6 @@ int SmacPoseSearch::nodeAt(const Vec2& place, int heading) {
   return slot;
 }
 
-int SmacPoseSearch::unvisitedNode(const Vec2& place, int heading) {
-  const int index = isInside(place) ? nodeAt(place, heading) : -1;
-  return index < 0 || nodeWith(index).isVisited ? -1 : index;
-}
-
-void SmacPoseSearch::offer(int index, const Node& found) {
-  Node& next = nodes_[static_cast<std::size_t>(index)];
-  if (found.g < next.g) {
-    next = found;
-    const double toGo = estimate(next);
-    nearest_.offer(toGo, static_cast<std::size_t>(index));
-    open_.push(next.g + toGo, static_cast<std::size_t>(index));
-  }
-}
-
 /// The maximum of the obstacle heuristic and the shortest curve to a goal.
 double SmacPoseSearch::estimate(const Node& node) {
   const double round = setup_.obstacles.from(cellAt(node.pose.position));

@@ -68,10 +68,28 @@ class SmacPoseSearch {
 
   /// The cost of the robot's cell at a pose, or nullopt in a collision.
   std::optional<std::uint8_t> costAt(const Pose2& pose) const;
-  /// The node at a position and heading; -1 outside the costmap or if it is visited.
-  int unvisitedNode(const Vec2& place, int heading);
-  /// Replaces an unvisited node by `found` if this has the lower cost.
-  void offer(int index, const Node& found);
+  /// Replaces the unvisited node at the position and heading of `next` if this has the lower cost.
+  /// `costOf(next)` is the cost of the step into it [cells]; nullopt: a collision.
+  template <class CostOf>
+  void offer(Node next, const CostOf& costOf) {
+    const int index = isInside(next.pose.position) ? nodeAt(next.pose.position, next.heading) : -1;
+    if (index < 0 || nodeWith(index).isVisited) {
+      return;
+    }
+    next.pose.heading = headingOf(next.heading);
+    const std::optional<double> cost = costOf(next);
+    if (!cost) {
+      return;
+    }
+    next.g = nodeWith(next.parent).g + *cost;
+    Node& known = nodes_[static_cast<std::size_t>(index)];
+    if (next.g < known.g) {
+      known = next;
+      const double toGo = estimate(next);
+      nearest_.offer(toGo, static_cast<std::size_t>(index));
+      open_.push(next.g + toGo, static_cast<std::size_t>(index));
+    }
+  }
   const Node& nodeWith(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
   double curveLength(const Node& node, const Pose2& goal) const;
   const Setup& setup() const { return setup_; }
@@ -115,5 +133,48 @@ Pose2 inCells(const Costmap& costmap, const Pose2& pose, bool isCentred);
 PlanResult planOverPoses(const Costmap& costmap, const PlanRequest& request,
                          const SmacPoseParameters& parameters, const CarModel& car,
                          const std::function<PlanResult()>& search);
+
+/// Cost [cells] of a primitive into cells of that cost after another primitive (null: at the
+/// start). `cellSize` [m] is that of the costmap.
+double latticeCost(const SmacLatticeParameters& parameters, Distro distro, double cellSize,
+                   const LatticePrimitive* before, const LatticePrimitive& primitive,
+                   bool isBackward, double cellCost);
+
+/// A motion primitive of Smac Hybrid-A* (nav2_smac_planner, node_hybrid.cpp). Lengths in cells,
+/// headings in bins of 2 pi / `angle_quantization_bins`.
+struct HybridStep {
+  double dx = 0.0, dy = 0.0;  // [cells], in the frame of the start pose
+  int bins = 0;               // heading change, counter-clockwise
+  ShortestCurve::Turn turn = ShortestCurve::Turn::Straight;
+  bool isBackward = false;
+  double length = 0.0;  // L [cells]
+};
+
+/// The motion primitives of a car and their costs.
+struct HybridMotion {
+  HybridMotion(const SmacHybridParameters& parameters, double cellSize, Distro distro);
+
+  int nearestBin(double heading) const;
+  int wrappedBin(int bin) const { return ((bin % bins) + bins) % bins; }
+  /// Displacement of a step from a heading, world axes [cells].
+  const Vec2& offset(std::size_t step, int bin) const {
+    return offsets[step * static_cast<std::size_t>(bins) + static_cast<std::size_t>(bin)];
+  }
+  /// Cost of a step into a cell after another step; `before` is null at the start.
+  double cost(const HybridStep* before, const HybridStep& step, std::uint8_t cellCost) const;
+
+  SmacHybridParameters parameters;
+  CarMotion car;
+  int bins;
+  double binSize;        // [rad]
+  double turningRadius;  // R [cells], at least 1
+  bool isQuadratic;
+  /// Straight, left, right, the same in reverse for Reeds-Shepp, then wider turns.
+  std::vector<HybridStep> steps;
+  std::vector<Vec2> offsets;  // see `offset`
+
+ private:
+  void addTurn(int turnedBins, double radius, double length);
+};
 
 }  // namespace sim2d::nav2

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sim2d/nav/nav2/global/GlobalPlanner.h"
+#include "sim2d/nav/nav2/global/OpenList.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -164,144 +165,169 @@ namespace {
 constexpr Cell kThetaMoves[] = {{0, 1},  {0, -1}, {1, 0}, {-1, 0},
                                 {1, -1}, {-1, 1}, {1, 1}, {-1, -1}};
 
-}  // namespace
+/// nav2_theta_star_planner::ThetaStarPlanner: lazy Theta*. A node is first reached from a
+/// neighbour; when it is expanded, its parent's parent is tried along a line of sight. A step costs
+/// w_euc |step| + w_traversal (c'/252)^2 and the estimate is min(1, w_euc) times the distance to
+/// the goal, lengths in cells. Headings within the path are 0.
+///
+/// As in Nav2 the search fails when its queue becomes empty, even if the last popped node is the
+/// goal: a corridor one cell wide has no path. Since an improved node keeps its place in the heap,
+/// the path is not always the cheapest.
+class ThetaStarPlanner final : public GlobalPlanner {
+ public:
+  ThetaStarPlanner(const ThetaStarParameters& parameters, Distro distro)
+      : parameters_(parameters), distro_(distro), costs_(parameters) {}
 
-ThetaStarPlanner::ThetaStarPlanner(const ThetaStarParameters& parameters, Distro distro)
-    : parameters_(parameters), distro_(distro), costs_(parameters) {}
-
-PlanResult ThetaStarPlanner::plan(const PlanRequest& request) {
-  const auto start = request.costmap.worldToCell(request.start.position);
-  const auto goal = request.costmap.worldToCell(request.goal.position);
-  PlanResult result;
-  if (!start || !goal) {
-    result.error = start ? PlanError::GoalOutsideMap : PlanError::StartOutsideMap;
-    return result;
-  }
-  costmap_ = request.costmap;
-  goal_ = *goal;
-  if (*start == *goal) {
-    if (costmap_.at(*start) == kLethal) {
-      result.error = PlanError::StartOccupied;
+  PlanResult plan(const PlanRequest& request) override {
+    if (auto result =
+            planWithoutSearch(request, request.costmap, parameters_.useFinalApproachOrientation)) {
+      return *std::move(result);
+    }
+    PlanResult result;
+    costmap_ = request.costmap;
+    const Cell start = *costmap_.worldToCell(request.start.position);
+    goal_ = *costmap_.worldToCell(request.goal.position);
+    costmap_.set(start, kFreeSpace);
+    if (!isSafe(goal_)) {
+      result.error = PlanError::GoalOccupied;
+    } else if (!search(start, result, request.stop)) {
+      result.error = PlanError::NoValidPath;
     } else {
-      result.path = {
-          singlePose(request.start, request.goal, parameters_.useFinalApproachOrientation)};
+      result.path = backtrace(request);
     }
     return result;
   }
-  costmap_.set(*start, kFreeSpace);
-  if (!isSafe(*goal)) {
-    result.error = PlanError::GoalOccupied;
-  } else if (!search(*start, result, request.stop)) {
-    result.error = PlanError::NoValidPath;
-  } else {
-    result.path = backtrace(request);
+
+ private:
+  struct Node {
+    double g = 0.0, f = 0.0;  // cost so far; with the estimate
+    int parent = -1;          // index of a cell; the start is its own parent
+    bool isQueued = false;
+  };
+
+  bool isSafe(Cell cell) const { return costs_.isSafe[costmap_.at(cell)]; }
+  Cell cellAt(int index) const { return costmap_.cellOf(static_cast<std::size_t>(index)); }
+  double keyOf(std::size_t index) const { return nodes_[index].f; }
+
+  double lengthCost(Cell from, Cell to) const {
+    return parameters_.eucCost * hypotAsGlibc(from.column - to.column, from.row - to.row);
   }
-  return result;
-}
 
-double ThetaStarPlanner::lengthCost(Cell from, Cell to) const {
-  return parameters_.eucCost * hypotAsGlibc(from.column - to.column, from.row - to.row);
-}
+  double estimate(Cell cell) const {
+    return std::min(1.0, parameters_.eucCost) *
+           hypotAsGlibc(cell.column - goal_.column, cell.row - goal_.row);
+  }
 
-double ThetaStarPlanner::estimate(Cell cell) const {
-  return std::min(1.0, parameters_.eucCost) *
-         hypotAsGlibc(cell.column - goal_.column, cell.row - goal_.row);
-}
-
-/// As in Nav2 the start is expanded twice: it is queued and also expanded first.
-bool ThetaStarPlanner::search(Cell start, PlanResult& result, const base::StopFlag* stop) {
-  Node unseen;
-  unseen.f = std::numeric_limits<double>::max();
-  nodes_.assign(costmap_.costs().size(), unseen);
-  queue_.clear();
-  const auto keys = [this](std::size_t index) { return keyOf(index); };
-  const std::size_t first = costmap_.indexOf(start), last = costmap_.indexOf(goal_);
-  const double g = costs_.stepCosts[costmap_.at(start)];
-  nodes_[first] = {g, g + estimate(start), static_cast<int>(first), true};
-  queue_.push(first, keys);
-  std::size_t current = first;
-  while (!queue_.isEmpty()) {
-    if (stop != nullptr && result.iterations % parameters_.terminalCheckingInterval == 0) {
-      stop->check();
+  /// As in Nav2 the start is expanded twice: it is queued and also expanded first.
+  bool search(Cell start, PlanResult& result, const base::StopFlag* stop) {
+    Node unseen;
+    unseen.f = std::numeric_limits<double>::max();
+    nodes_.assign(costmap_.costs().size(), unseen);
+    queue_.clear();
+    const auto keys = [this](std::size_t index) { return keyOf(index); };
+    const std::size_t first = costmap_.indexOf(start), last = costmap_.indexOf(goal_);
+    const double g = costs_.stepCosts[costmap_.at(start)];
+    nodes_[first] = {g, g + estimate(start), static_cast<int>(first), true};
+    queue_.push(first, keys);
+    std::size_t current = first;
+    while (!queue_.isEmpty()) {
+      if (stop != nullptr && result.iterations % parameters_.terminalCheckingInterval == 0) {
+        stop->check();
+      }
+      ++result.iterations;
+      if (current == last) {
+        return true;
+      }
+      tryGrandparent(static_cast<int>(current));
+      expand(static_cast<int>(current));
+      current = queue_.pop(keys);
     }
-    ++result.iterations;
-    if (current == last) {
-      return true;
-    }
-    tryGrandparent(static_cast<int>(current));
-    expand(static_cast<int>(current));
-    current = queue_.pop(keys);
+    return false;
   }
-  return false;
-}
 
-/// Replaces a node's parent by its grandparent if there is a cheaper line of sight.
-void ThetaStarPlanner::tryGrandparent(int index) {
-  Node& node = nodes_[static_cast<std::size_t>(index)];
-  node.isQueued = false;
-  const int grandparent = nodes_[static_cast<std::size_t>(node.parent)].parent;
-  const Cell cell = cellOf(index), from = cellOf(grandparent);
-  const auto line = thetaStarLineCost(costmap_, costs_, distro_, cell, from);
-  if (!line) {
-    return;
-  }
-  const double g = nodes_[static_cast<std::size_t>(grandparent)].g + lengthCost(cell, from) + *line;
-  if (g < node.g) {
-    node.g = g;
-    node.f = g + estimate(cell);
-    node.parent = grandparent;
-  }
-}
-
-void ThetaStarPlanner::expand(int index) {
-  const Cell cell = cellOf(index);
-  const double g = nodes_[static_cast<std::size_t>(index)].g;
-  for (int i = 0; i < parameters_.howManyCorners; ++i) {
-    const Cell next{cell.column + kThetaMoves[i].column, cell.row + kThetaMoves[i].row};
-    if (!costmap_.contains(next) || !isSafe(next)) {
-      continue;
+  /// Replaces a node's parent by its grandparent if there is a cheaper line of sight.
+  void tryGrandparent(int index) {
+    Node& node = nodes_[static_cast<std::size_t>(index)];
+    node.isQueued = false;
+    const int grandparent = nodes_[static_cast<std::size_t>(node.parent)].parent;
+    const Cell cell = cellAt(index), from = cellAt(grandparent);
+    const auto line = thetaStarLineCost(costmap_, costs_, distro_, cell, from);
+    if (!line) {
+      return;
     }
-    const double found = g + lengthCost(cell, next) + costs_.stepCosts[costmap_.at(next)];
-    const double whole = found + estimate(next);
-    Node& node = nodes_[costmap_.indexOf(next)];
-    if (node.f > whole) {
-      node.g = found;
-      node.f = whole;
-      node.parent = index;
-      if (!node.isQueued) {
-        node.isQueued = true;
-        queue_.push(costmap_.indexOf(next), [this](std::size_t each) { return keyOf(each); });
+    const double g =
+        nodes_[static_cast<std::size_t>(grandparent)].g + lengthCost(cell, from) + *line;
+    if (g < node.g) {
+      node.g = g;
+      node.f = g + estimate(cell);
+      node.parent = grandparent;
+    }
+  }
+
+  void expand(int index) {
+    const Cell cell = cellAt(index);
+    const double g = nodes_[static_cast<std::size_t>(index)].g;
+    for (int i = 0; i < parameters_.howManyCorners; ++i) {
+      const Cell next{cell.column + kThetaMoves[i].column, cell.row + kThetaMoves[i].row};
+      if (!costmap_.contains(next) || !isSafe(next)) {
+        continue;
+      }
+      const double found = g + lengthCost(cell, next) + costs_.stepCosts[costmap_.at(next)];
+      const double whole = found + estimate(next);
+      Node& node = nodes_[costmap_.indexOf(next)];
+      if (node.f > whole) {
+        node.g = found;
+        node.f = whole;
+        node.parent = index;
+        if (!node.isQueued) {
+          node.isQueued = true;
+          queue_.push(costmap_.indexOf(next), [this](std::size_t each) { return keyOf(each); });
+        }
       }
     }
   }
-}
 
-/// The path with poses at the nodes and at each cell length between them.
-Path ThetaStarPlanner::backtrace(const PlanRequest& request) const {
-  std::vector<Vec2> corners;
-  for (int index = static_cast<int>(costmap_.indexOf(goal_));;) {
-    corners.push_back(costmap_.cellToWorld(cellOf(index)));
-    const int parent = nodes_[static_cast<std::size_t>(index)].parent;
-    if (parent == index) {
-      break;
+  /// The path with poses at the nodes and at each cell length between them.
+  Path backtrace(const PlanRequest& request) const {
+    std::vector<Vec2> corners;
+    for (int index = static_cast<int>(costmap_.indexOf(goal_));;) {
+      corners.push_back(costmap_.cellToWorld(cellAt(index)));
+      const int parent = nodes_[static_cast<std::size_t>(index)].parent;
+      if (parent == index) {
+        break;
+      }
+      index = parent;
     }
-    index = parent;
-  }
-  Path path;
-  for (std::size_t i = corners.size() - 1; i > 0; --i) {
-    const Vec2 way = corners[i - 1] - corners[i];
-    const double length = hypotAsGlibc(way.x(), way.y());
-    path.push_back({corners[i], 0.0});
-    const int pieces = static_cast<int>(length / costmap_.resolution());
-    for (int k = 1; k < pieces; ++k) {
-      path.push_back({corners[i] + k * costmap_.resolution() * (way / length), 0.0});
+    Path path;
+    for (std::size_t i = corners.size() - 1; i > 0; --i) {
+      const Vec2 way = corners[i - 1] - corners[i];
+      const double length = hypotAsGlibc(way.x(), way.y());
+      path.push_back({corners[i], 0.0});
+      const int pieces = static_cast<int>(length / costmap_.resolution());
+      for (int k = 1; k < pieces; ++k) {
+        path.push_back({corners[i] + k * costmap_.resolution() * (way / length), 0.0});
+      }
     }
+    path.push_back({corners.front(), request.goal.heading});
+    if (parameters_.useFinalApproachOrientation) {
+      setFinalApproachHeading(path, request.start.heading);
+    }
+    return path;
   }
-  path.push_back({corners.front(), request.goal.heading});
-  if (parameters_.useFinalApproachOrientation) {
-    setFinalApproachHeading(path, request.start.heading);
-  }
-  return path;
+
+  ThetaStarParameters parameters_;
+  Distro distro_;
+  ThetaStarCosts costs_;
+  Costmap costmap_;
+  Cell goal_;
+  std::vector<Node> nodes_;
+  StaleHeap queue_;
+};
+
+}  // namespace
+
+PlannerPointer makeGlobalPlanner(const ThetaStarParameters& parameters, Distro distro) {
+  return std::make_unique<ThetaStarPlanner>(parameters, distro);
 }
 
 }  // namespace sim2d::nav2

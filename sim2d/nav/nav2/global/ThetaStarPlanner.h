@@ -1,14 +1,9 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/Nav2ParameterBlock.h"
-#include "sim2d/nav/nav2/global/GlobalPlanner.h"
-#include "sim2d/nav/nav2/global/OpenList.h"
 #include "sim2d/nav/nav2/global/PlannerParameters.h"
 
 /// Costs of cells and lines of sight of Nav2's Theta* (nav2_theta_star_planner, theta_star.cpp).
@@ -42,45 +37,5 @@ std::optional<double> thetaStarLineCost(const Costmap& costmap, const ThetaStarC
 /// sqrt(x^2 + y^2) with the rounding of hypot in glibc >= 2.35, which Nav2 uses from Humble on, so
 /// that equal costs stay equal. Valid for lengths of any usual map.
 double hypotAsGlibc(double x, double y);
-
-/// nav2_theta_star_planner::ThetaStarPlanner: lazy Theta*. A node is first reached from a
-/// neighbour; when it is expanded, its parent's parent is tried along a line of sight. A step costs
-/// w_euc |step| + w_traversal (c'/252)^2 and the estimate is min(1, w_euc) times the distance to
-/// the goal, lengths in cells. Headings within the path are 0.
-///
-/// As in Nav2 the search fails when its queue becomes empty, even if the last popped node is the
-/// goal: a corridor one cell wide has no path. Since an improved node keeps its place in the heap,
-/// the path is not always the cheapest.
-class ThetaStarPlanner : public GlobalPlanner {
- public:
-  ThetaStarPlanner(const ThetaStarParameters& parameters, Distro distro);
-
-  PlanResult plan(const PlanRequest& request) override;
-
- private:
-  struct Node {
-    double g = 0.0, f = 0.0;  // cost so far; with the estimate
-    int parent = -1;          // index of a cell; the start is its own parent
-    bool isQueued = false;
-  };
-
-  bool isSafe(Cell cell) const { return costs_.isSafe[costmap_.at(cell)]; }
-  double lengthCost(Cell from, Cell to) const;
-  double estimate(Cell cell) const;
-  Cell cellOf(int index) const { return {index % costmap_.width(), index / costmap_.width()}; }
-  double keyOf(std::size_t index) const { return nodes_[index].f; }
-  bool search(Cell start, PlanResult& result, const base::StopFlag* stop);
-  void tryGrandparent(int index);
-  void expand(int index);
-  Path backtrace(const PlanRequest& request) const;
-
-  ThetaStarParameters parameters_;
-  Distro distro_;
-  ThetaStarCosts costs_;
-  Costmap costmap_;
-  Cell goal_;
-  std::vector<Node> nodes_;
-  StaleHeap queue_;
-};
 
 }  // namespace sim2d::nav2

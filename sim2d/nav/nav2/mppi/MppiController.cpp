@@ -1,13 +1,15 @@
-#include "sim2d/nav/nav2/mppi/MppiController.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sim2d/base/Problems.h"
+#include "sim2d/base/Result.h"
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
+#include "sim2d/nav/nav2/control/PathHandler.h"
+#include "sim2d/nav/nav2/mppi/MppiOptimizer.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -37,6 +39,30 @@ bool usesFootprint(const MppiConfiguration& mppi) {
   return (critics.cost.considersFootprint && isListed(mppi, "CostCritic")) ||
          (critics.obstacles.considersFootprint && isListed(mppi, "ObstaclesCritic"));
 }
+
+/// nav2_mppi_controller::MPPIController: prunes the path and calls the optimizer.
+class MppiController final : public Controller {
+ public:
+  MppiController(const MppiConfiguration& mppi, const MppiOptimizerSetup& setup);
+
+  void setPlan(const Path& plan) override;
+  ControlResult computeVelocityCommands(const ControlInput& input) override;
+  void setSpeedLimit(double limit, bool isPercentage) override;
+  void reset() override;
+
+ private:
+  LocalPlan localPlan(const ControlInput& input);
+  void resetWhenLate(double time);
+  void showTrajectories();
+  EvaluatedTrajectory shownTrajectory(int sample) const;
+  EvaluatedTrajectory shownOptimal() const;
+
+  const MppiConfiguration mppi_;
+  MppiOptimizer optimizer_;
+  PathHandler handler_;  // until Jazzy
+  Pose2 goal_;
+  std::optional<double> lastTime_;  // [s]
+};
 
 base::Result<std::unique_ptr<Controller>> makeMppiController(const ControllerSetup& setup) {
   auto mppi = readMppi(setup.block, setup.distro);
@@ -197,15 +223,8 @@ EvaluatedTrajectory MppiController::shownOptimal() const {
   return shown;
 }
 
-void addMppi(ControllerRegistry& registry) {
-  ControllerType type;
-  type.plugin = "nav2_mppi_controller::MPPIController";
-  type.help =
-      "Model predictive path integral control: the cost-weighted mean of many sampled "
-      "trajectories";
-  type.keys = mppiKeysOf;
-  type.make = makeMppiController;
-  registry.add(std::move(type));
+ControllerType mppiController() {
+  return {"nav2_mppi_controller::MPPIController", mppiKeysOf, makeMppiController};
 }
 
 }  // namespace sim2d::nav2

@@ -9,7 +9,6 @@
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/mppi/MppiSequence.h"
 #include "sim2d/nav/nav2/mppi/MppiSettings.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryBuffer.h"
 #include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
 
 /// The critics of Nav2's MPPI (nav2_mppi_controller, critics/*.cpp): conditions of evaluation and

@@ -8,7 +8,6 @@
 #include "sim2d/nav/nav2/mppi/MppiCritics.h"
 #include "sim2d/nav/nav2/mppi/MppiSequence.h"
 #include "sim2d/nav/nav2/mppi/MppiSettings.h"
-#include "sim2d/nav/nav2/mppi/TrajectoryBuffer.h"
 
 namespace sim2d::nav2 {
 

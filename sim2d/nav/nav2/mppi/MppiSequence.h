@@ -6,6 +6,7 @@
 
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/mppi/MppiSettings.h"
+#include "sim2d/nav/nav2/mppi/TrajectoryKernel.h"
 
 /// The control sequence that Nav2's MPPI keeps between calls, and operations on it.
 namespace sim2d::nav2 {
@@ -65,6 +66,25 @@ class MppiRetries {
  private:
   int limit_;
   int count_ = 0;
+};
+
+/// Owns the memory of a batch. `count` samples are used; padding samples fill the last block and
+/// are computed but ignored.
+class TrajectoryBuffer {
+ public:
+  TrajectoryBuffer(int count, int steps);
+
+  int count() const { return count_; }
+  int steps() const { return steps_; }
+  TrajectoryBatch view();
+  std::size_t elementIndex(int step, int sample) const;
+
+  std::array<std::vector<float>, kTrajectoryAxes> noise, controls, speeds;
+  std::vector<float> x, y, yaw;            // index: `elementIndex`
+  std::vector<float> length, controlCost;  // index: sample
+
+ private:
+  int count_, samples_, steps_;
 };
 
 }  // namespace sim2d::nav2

@@ -56,6 +56,13 @@ inline Lanes headingOfLanes(Lanes y, Lanes x) {
   return third | (y & fill(-0.0F));
 }
 
+/// Scores each register of samples by `rawAt(start)`.
+template <class Raw>
+inline void scoreEach(const TrajectoryBatch& batch, const ScoreSink& sink, const Raw& rawAt) {
+  forEachRegister(batch,
+                  [&](int sample, std::size_t start) { addScore(sink, sample, rawAt(start)); });
+}
+
 /// Sum of `valueAt(place)` over all steps.
 template <class Value>
 inline Lanes sumOverSteps(const TrajectoryBatch& batch, std::size_t start, const Value& valueAt) {
@@ -66,10 +73,26 @@ inline Lanes sumOverSteps(const TrajectoryBatch& batch, std::size_t start, const
   return sum;
 }
 
+/// Scores by that sum times `factor`.
+template <class Value>
+inline void scoreSum(const TrajectoryBatch& batch, const ScoreSink& sink, float factor,
+                     const Value& valueAt) {
+  scoreEach(batch, sink,
+            [&](std::size_t start) { return sumOverSteps(batch, start, valueAt) * fill(factor); });
+}
+
+/// Scores by the mean of `valueAt(place)` over all steps.
+template <class Value>
+inline void scoreMean(const TrajectoryBatch& batch, const ScoreSink& sink, const Value& valueAt) {
+  const Lanes steps = fill(static_cast<float>(batch.steps));
+  scoreEach(batch, sink,
+            [&](std::size_t start) { return sumOverSteps(batch, start, valueAt) / steps; });
+}
+
 inline void scoreConstraint(const ConstraintProblem& problem, const TrajectoryBatch& batch,
                             const ScoreSink& sink) {
   using Model = ConstraintProblem::Model;
-  const auto tooMuch = [&](std::size_t at) {
+  scoreSum(batch, sink, problem.dt, [&](std::size_t at) {
     const Lanes vx = load(batch.speeds[0] + at);
     Lanes speed = vx;
     if (problem.model == Model::Planar) {
@@ -85,72 +108,48 @@ inline void scoreConstraint(const ConstraintProblem& problem, const TrajectoryBa
       excess = excess + positivePart(fill(problem.turningRadius) - abs(vx) / wz);
     }
     return excess;
-  };
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    addScore(sink, sample, sumOverSteps(batch, start, tooMuch) * fill(problem.dt));
   });
 }
 
 inline void scoreForward(float dt, const TrajectoryBatch& batch, const ScoreSink& sink) {
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    const Lanes back = sumOverSteps(batch, start, [&](std::size_t at) {
-      return positivePart(fill(0.0F) - load(batch.speeds[0] + at));
-    });
-    addScore(sink, sample, back * fill(dt));
-  });
+  scoreSum(batch, sink, dt,
+           [&](std::size_t at) { return positivePart(fill(0.0F) - load(batch.speeds[0] + at)); });
 }
 
 inline void scoreTwirling(const TrajectoryBatch& batch, const ScoreSink& sink) {
-  const Lanes steps = fill(static_cast<float>(batch.steps));
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    const Lanes turning =
-        sumOverSteps(batch, start, [&](std::size_t at) { return abs(load(batch.speeds[1] + at)); });
-    addScore(sink, sample, turning / steps);
-  });
+  scoreMean(batch, sink, [&](std::size_t at) { return abs(load(batch.speeds[1] + at)); });
 }
 
 inline void scoreDeadband(const DeadbandProblem& problem, const TrajectoryBatch& batch,
                           const ScoreSink& sink) {
   const int axes = problem.isHolonomic ? 3 : 2;
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    const Lanes inside = sumOverSteps(batch, start, [&](std::size_t at) {
-      Lanes sum = fill(0.0F);
-      for (int axis = 0; axis < axes; ++axis) {
-        sum = sum + positivePart(fill(problem.deadband[axis]) - abs(load(batch.speeds[axis] + at)));
-      }
-      return sum;
-    });
-    addScore(sink, sample, inside * fill(problem.dt));
+  scoreSum(batch, sink, problem.dt, [&](std::size_t at) {
+    Lanes sum = fill(0.0F);
+    for (int axis = 0; axis < axes; ++axis) {
+      sum = sum + positivePart(fill(problem.deadband[axis]) - abs(load(batch.speeds[axis] + at)));
+    }
+    return sum;
   });
 }
 
 inline void scoreGoal(float x, float y, const TrajectoryBatch& batch, const ScoreSink& sink) {
-  const Lanes steps = fill(static_cast<float>(batch.steps));
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    const Lanes distance = sumOverSteps(batch, start, [&](std::size_t at) {
-      return magnitudeOf(load(batch.x + at) - fill(x), load(batch.y + at) - fill(y));
-    });
-    addScore(sink, sample, distance / steps);
+  scoreMean(batch, sink, [&](std::size_t at) {
+    return magnitudeOf(load(batch.x + at) - fill(x), load(batch.y + at) - fill(y));
   });
 }
 
 inline void scoreGoalAngle(float yaw, bool isSymmetric, const TrajectoryBatch& batch,
                            const ScoreSink& sink) {
-  const Lanes steps = fill(static_cast<float>(batch.steps));
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    const Lanes turn = sumOverSteps(batch, start, [&](std::size_t at) {
-      const Lanes size = wrappedSize(fill(yaw) - load(batch.yaw + at));
-      return isSymmetric ? min(size, abs(fill(3.14159265F) - size)) : size;
-    });
-    addScore(sink, sample, turn / steps);
+  scoreMean(batch, sink, [&](std::size_t at) {
+    const Lanes size = wrappedSize(fill(yaw) - load(batch.yaw + at));
+    return isSymmetric ? min(size, abs(fill(3.14159265F) - size)) : size;
   });
 }
 
 inline void scoreFollow(float x, float y, const TrajectoryBatch& batch, const ScoreSink& sink) {
-  forEachRegister(batch, [&](int sample, std::size_t start) {
+  scoreEach(batch, sink, [&](std::size_t start) {
     const std::size_t end = start + stepOffset(batch.steps - 1);
-    addScore(sink, sample,
-             magnitudeOf(load(batch.x + end) - fill(x), load(batch.y + end) - fill(y)));
+    return magnitudeOf(load(batch.x + end) - fill(x), load(batch.y + end) - fill(y));
   });
 }
 
@@ -173,16 +172,13 @@ inline Lanes angleToPoint(const AngleProblem& problem, const TrajectoryBatch& ba
 
 inline void scoreAngle(const AngleProblem& problem, const TrajectoryBatch& batch,
                        const ScoreSink& sink) {
-  const Lanes steps = fill(static_cast<float>(batch.steps));
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    if (problem.isMean) {
-      const Lanes sum = sumOverSteps(
-          batch, start, [&](std::size_t at) { return angleToPoint(problem, batch, at); });
-      addScore(sink, sample, sum / steps);
-    } else {
-      addScore(sink, sample, angleToPoint(problem, batch, start + stepOffset(batch.steps - 1)));
-    }
-  });
+  const auto angleAt = [&](std::size_t at) { return angleToPoint(problem, batch, at); };
+  if (problem.isMean) {
+    scoreMean(batch, sink, angleAt);
+  } else {
+    scoreEach(batch, sink,
+              [&](std::size_t start) { return angleAt(start + stepOffset(batch.steps - 1)); });
+  }
 }
 
 /// Of equally near points the first is used.
@@ -259,9 +255,7 @@ inline Lanes alignmentOf(const AlignProblem& problem, const TrajectoryBatch& bat
 
 inline void scoreAlign(const AlignProblem& problem, const TrajectoryBatch& batch,
                        const ScoreSink& sink) {
-  forEachRegister(batch, [&](int sample, std::size_t start) {
-    addScore(sink, sample, alignmentOf(problem, batch, start));
-  });
+  scoreEach(batch, sink, [&](std::size_t start) { return alignmentOf(problem, batch, start); });
 }
 
 }  // namespace

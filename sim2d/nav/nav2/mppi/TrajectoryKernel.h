@@ -156,9 +156,15 @@ struct TrajectoryKernel {
   void (*mean)(const TrajectoryBatch& batch, const float* weights, int axis, float* sequence);
 };
 
-TrajectoryKernel trajectoryKernelSse2();
-TrajectoryKernel trajectoryKernelAvx2();
-TrajectoryKernel trajectoryKernelAvx512();
 TrajectoryKernel trajectoryKernelOf(MppiSimdLevel path);
+
+/// The kernels of both planners for one instruction set.
+struct CompiledKernels {
+  MppiKernel mppi;
+  TrajectoryKernel trajectories;
+};
+CompiledKernels kernelsForSse2();
+CompiledKernels kernelsForAvx2();
+CompiledKernels kernelsForAvx512();
 
 }  // namespace sim2d::nav2

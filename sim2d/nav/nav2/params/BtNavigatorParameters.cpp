@@ -1,9 +1,9 @@
 #include "sim2d/nav/nav2/params/BtNavigatorParameters.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace sim2d::nav2 {
@@ -82,9 +82,7 @@ const char* ignoredNodeReason(const std::string& node) {
        {"bt_navigator_navigate_through_poses_rclcpp_node",
         "an infrastructure node without effect on the robot"},
        {"collision_detector", "it only reports data"}}};
-  const auto* const found = std::find_if(kNodes.begin(), kNodes.end(),
-                                         [&](const IgnoredKey& each) { return node == each.name; });
-  if (found != kNodes.end()) {
+  if (const IgnoredKey* const found = base::findBy(kNodes, &IgnoredKey::name, node)) {
     return found->why;
   }
   constexpr std::string_view kEnd = "_rclcpp_node";

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
@@ -27,25 +28,16 @@ std::vector<std::string> sourceNames(NodeReader& node, const std::string& prefix
   return uniquePluginNames(node, prefix + "observation_sources", names);
 }
 
-void readSources(NodeReader& node, const std::string& prefix, ObstacleLayerParameters& layer) {
-  for (const std::string& name : sourceNames(node, prefix, layer.observationSources)) {
-    ObservationSource source;
-    source.name = name;
-    source.topic = name;
-    layer.sources.push_back(
-        node.read(prefix + name + ".", observationSourceKeys(), ignoredSourceKeys(), source));
-    layer.sources.back().name = name;
-  }
-}
-
+template <class Source, class Layer>
 void readSources(NodeReader& node, const std::string& prefix,
-                 SpatioTemporalVoxelLayerParameters& layer) {
+                 const std::vector<Nav2Key<Source>>& keys, const std::vector<IgnoredKey>& ignored,
+                 Layer& layer) {
   for (const std::string& name : sourceNames(node, prefix, layer.observationSources)) {
-    SpatioTemporalVoxelSource source;
+    Source source;
     source.topic = name;
-    layer.sources.push_back(node.read(prefix + name + ".", spatioTemporalVoxelSourceKeys(),
-                                      ignoredSpatioTemporalVoxelSourceKeys(), source));
-    layer.sources.back().name = name;
+    source = node.read(prefix + name + ".", keys, ignored, source);
+    source.name = name;
+    layer.sources.push_back(std::move(source));
   }
 }
 
@@ -68,18 +60,10 @@ bool isSwitchedOff(NodeReader& node, const std::string& name) {
 }
 
 /// Nav2 loads these three layers when `plugins` is absent.
-std::string defaultClass(const NodeReader& node, const std::string& name) {
-  static constexpr std::array<std::pair<const char*, const char*>, 3> kDefaults = {
-      {{"static_layer", "nav2_costmap_2d::StaticLayer"},
-       {"obstacle_layer", "nav2_costmap_2d::ObstacleLayer"},
-       {"inflation_layer", "nav2_costmap_2d::InflationLayer"}}};
-  for (const auto& [layer, type] : kDefaults) {
-    if (name == layer && !node.has("plugins")) {
-      return type;
-    }
-  }
-  return {};
-}
+constexpr std::array<DefaultPlugin, 3> kDefaultLayers = {
+    {{"static_layer", "nav2_costmap_2d::StaticLayer"},
+     {"obstacle_layer", "nav2_costmap_2d::ObstacleLayer"},
+     {"inflation_layer", "nav2_costmap_2d::InflationLayer"}}};
 
 /// A layer that is not re-implemented; null `substitute`: the layer is left out.
 struct LayerSubstitute {
@@ -96,10 +80,7 @@ constexpr std::array<LayerSubstitute, 3> kSubstitutes = {
      {"nav2_costmap_2d::ZoneParameterFilter", nullptr, "parameters of nodes are constant"}}};
 
 const LayerSubstitute* substituteOf(const std::string& type) {
-  const auto* const found =
-      std::find_if(kSubstitutes.begin(), kSubstitutes.end(),
-                   [&](const LayerSubstitute& each) { return type == each.type; });
-  return found == kSubstitutes.end() ? nullptr : found;
+  return base::findBy(kSubstitutes, &LayerSubstitute::type, type);
 }
 
 void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to);
@@ -116,9 +97,10 @@ void readContained(NodeReader& node, const std::string& name,
 template <class Layer>
 void readParts(NodeReader& node, const std::string& name, Layer& layer) {
   if constexpr (std::is_base_of_v<ObstacleLayerParameters, Layer>) {
-    readSources(node, name + ".", layer);
+    readSources(node, name + ".", observationSourceKeys(), ignoredSourceKeys(), layer);
   } else if constexpr (std::is_same_v<SpatioTemporalVoxelLayerParameters, Layer>) {
-    readSources(node, name + ".", layer);
+    readSources(node, name + ".", spatioTemporalVoxelSourceKeys(),
+                ignoredSpatioTemporalVoxelSourceKeys(), layer);
     for (const IgnoredKey& key : ignoredSpatioTemporalVoxelKeys()) {
       node.markIgnored(name + "." + key.name, key.why);
     }
@@ -146,7 +128,8 @@ void reportMissingLayer(NodeReader& node, const std::string& name, const std::st
 }
 
 void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to) {
-  const std::string type = pluginClass(node, name, defaultClass(node, name));
+  const std::string type =
+      pluginClass(node, name, defaultClass(node, "plugins", name, kDefaultLayers));
   const bool isOff = isSwitchedOff(node, name);
   const LayerSubstitute* const known = substituteOf(normalizedPluginClass(type));
   const bool isReplaced = known != nullptr && known->substitute != nullptr;

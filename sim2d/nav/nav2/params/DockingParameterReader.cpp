@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim2d/base/Ranges.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
 #include "sim2d/nav/nav2/params/ReferencedFiles.h"
@@ -74,6 +75,10 @@ DockInstance instanceOf(const std::string& name, const DockKeys& keys) {
       name, keys.type, keys.frame, {{keys.pose[0], keys.pose[1]}, base::wrapToPi(keys.pose[2])}};
 }
 
+base::Diagnostic badPose(const std::string& dock) {
+  return base::error("nav2.bad-parameter", {dock + ".pose", "three numbers [x, y, heading]"});
+}
+
 void readDocks(NodeReader& node, DockingServerParameters& to) {
   for (const std::string& name : uniquePluginNames(node, "docks", to.docks)) {
     const DockKeys keys = node.read(name + ".", dockInstanceKeys(), {}, DockKeys());
@@ -83,44 +88,32 @@ void readDocks(NodeReader& node, DockingServerParameters& to) {
     if (isPose(keys.pose)) {
       to.instances.push_back(instanceOf(name, keys));
     } else {
-      node.report(name + ".pose", base::error("nav2.bad-parameter",
-                                              {name + ".pose", "three numbers [x, y, heading]"}));
+      node.report(name + ".pose", badPose(name));
     }
   }
 }
 
-/// Reader of the file that `dock_database` names: `docks: {NAME: {type, frame, pose, id}}`.
-class DockDatabase {
- public:
-  DockDatabase(std::string path, base::Diagnostics& problems)
-      : path_(std::move(path)), problems_(problems) {}
-
-  void read(DockingServerParameters& to) {
-    const base::Result<std::string> text = base::readTextFile(path_);
-    base::append(problems_, text.diagnostics());
-    if (!text) {
-      return;
-    }
-    const base::YamlNode tree = base::parseYaml(*text, path_, problems_);
-    const base::YamlNode* const docks = tree.find("docks");
-    if (docks == nullptr || !docks->isMap()) {
-      problems_.push_back(
-          base::error("nav2.bad-parameter", {"docks", "a map of docks"}, path_, tree.line));
-      return;
-    }
-    for (const base::YamlNode& dock : docks->items) {
-      readDock(dock, to);
-    }
+/// Reads the file that `dock_database` names: `docks: {NAME: {type, frame, pose, id}}`.
+void readDatabaseFile(const std::string& path, base::Diagnostics& problems,
+                      DockingServerParameters& to) {
+  const base::Result<std::string> text = base::readTextFile(path);
+  base::append(problems, text.diagnostics());
+  if (!text) {
+    return;
   }
-
- private:
-  void readDock(const base::YamlNode& dock, DockingServerParameters& to) {
+  const base::YamlNode tree = base::parseYaml(*text, path, problems);
+  const base::YamlNode* const docks = tree.find("docks");
+  if (docks == nullptr || !docks->isMap()) {
+    problems.push_back(
+        base::error("nav2.bad-parameter", {"docks", "a map of docks"}, path, tree.line));
+    return;
+  }
+  for (const base::YamlNode& dock : docks->items) {
     DockKeys keys;
-    if (const base::YamlNode* const type = dock.find("type")) {
-      keys.type = type->text;
-    }
-    if (const base::YamlNode* const frame = dock.find("frame")) {
-      keys.frame = frame->text;
+    for (const auto& [key, value] : {std::pair("type", &keys.type), {"frame", &keys.frame}}) {
+      if (const base::YamlNode* const given = dock.find(key)) {
+        *value = given->text;
+      }
     }
     if (const base::YamlNode* const pose = dock.find("pose")) {
       for (const base::YamlNode& value : pose->items) {
@@ -130,15 +123,14 @@ class DockDatabase {
     if (isPose(keys.pose)) {
       to.instances.push_back(instanceOf(dock.key, keys));
     } else {
-      problems_.push_back(base::error("nav2.bad-parameter",
-                                      {dock.key + ".pose", "three numbers [x, y, heading]"}, path_,
-                                      dock.line, dock.column));
+      base::Diagnostic problem = badPose(dock.key);
+      problem.file = path;
+      problem.line = dock.line;
+      problem.column = dock.column;
+      problems.push_back(std::move(problem));
     }
   }
-
-  std::string path_;
-  base::Diagnostics& problems_;
-};
+}
 
 /// A path on another computer is searched beside the parameter file `file`.
 void readDockDatabase(NodeReader& node, const std::string& file, base::Diagnostics& problems,
@@ -151,7 +143,7 @@ void readDockDatabase(NodeReader& node, const std::string& file, base::Diagnosti
     return;
   }
   to.dockDatabase = found.file;
-  DockDatabase(found.file, problems).read(to);
+  readDatabaseFile(found.file, problems, to);
 }
 
 DockingServerParameters readDockingServer(NodeReader node, const std::string& file, bool onlyKeys,

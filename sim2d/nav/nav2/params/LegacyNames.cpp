@@ -1,5 +1,3 @@
-#include "sim2d/nav/nav2/params/LegacyNames.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,8 +6,8 @@
 #include <vector>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/nav/nav2/params/Placeholders.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
+#include "sim2d/nav/nav2/params/ServerParameterReader.h"
 
 namespace sim2d::nav2 {
 namespace {

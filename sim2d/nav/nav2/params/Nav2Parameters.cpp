@@ -8,24 +8,38 @@
 #include <tuple>
 #include <utility>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
-#include "sim2d/nav/nav2/params/LegacyNames.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
-#include "sim2d/nav/nav2/params/PluginReplacement.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 #include "sim2d/nav/nav2/params/ServerParameterReader.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-constexpr const char* kControllerServer = "controller_server";
-constexpr const char* kPlannerServer = "planner_server";
-constexpr const char* kSmootherServer = "smoother_server";
-constexpr const char* kBtNavigator = "bt_navigator";
-constexpr const char* kLocalCostmap = "local_costmap";
-constexpr const char* kGlobalCostmap = "global_costmap";
+constexpr const char* kDefaultPlanner = "nav2_navfn_planner::NavfnPlanner";
+constexpr const char* kDefaultSmoother = "nav2_smoother::SimpleSmoother";
+
+/// The planner that replaces one of another package: the one whose name is similar, else NavFn.
+std::string similarPlanner(const std::string& type) {
+  const auto has = [&type](const char* part) { return type.find(part) != std::string::npos; };
+  return has("Hybrid") || has("Lattice") ? "nav2_smac_planner::SmacPlannerHybrid"
+         : has("Smac")                   ? "nav2_smac_planner::SmacPlanner2D"
+         : has("Theta")                  ? "nav2_theta_star_planner::ThetaStarPlanner"
+                                         : kDefaultPlanner;
+}
+
+/// Plugins of a server: the key of their list, the class without a list, and the known classes.
+template <class Parameters>
+struct PluginKind {
+  const char* list;
+  const char* standard;
+  PluginLookup<Parameters> (*lookup)(const std::string& type, Distro distro);
+  std::string (*similar)(const std::string& type);  // of this program, for other packages' classes
+  std::vector<std::string> known;
+};
 
 /// Reads the nodes of a file one by one.
 class Nav2FileReader {
@@ -41,15 +55,13 @@ class Nav2FileReader {
     readControllers();
     readPlanners();
     readSmoothers();
-    readMotionServers(
-        to_, [this](const std::string& node) { return reader(node); }, file_);
+    const auto start = [this](const std::string& node) { return reader(node); };
+    readMotionServers(to_, start, file_);
     readNavigator();
     to_.frames = frameNamesOf(file_, options_.robot);
     readRoutes();
-    readDocking(
-        to_, [this](const std::string& node) { return reader(node); }, file_);
-    readMasks(
-        to_, [this](const std::string& node) { return reader(node); }, file_);
+    readDocking(to_, start, file_);
+    readMasks(to_, start, file_);
     recordOtherNodes();
   }
 
@@ -63,16 +75,16 @@ class Nav2FileReader {
   }
 
   void readCostmaps() {
-    NodeReader local = reader(kLocalCostmap);
+    NodeReader local = reader("local_costmap");
     to_.localCostmap = readCostmap(local);
     local.finish();
-    NodeReader global = reader(kGlobalCostmap);
+    NodeReader global = reader("global_costmap");
     to_.globalCostmap = readCostmap(global);
     global.finish();
   }
 
   void readControllers() {
-    NodeReader node = reader(kControllerServer);
+    NodeReader node = reader("controller_server");
     to_.isPartial = !hasController(node);
     if (to_.isPartial) {
       reportPartialFile(node);
@@ -117,88 +129,55 @@ class Nav2FileReader {
     return base::join(names, ", ") + (isLong ? " …" : "");
   }
 
+  /// Reads the plugins of a list. A class of another package is replaced by a similar one.
+  template <class Parameters>
+  void readPlugins(NodeReader& node, const PluginKind<Parameters>& kind,
+                   const std::vector<std::string>& names,
+                   std::vector<std::pair<std::string, Parameters>>& to) {
+    const auto find = [&](const std::string& plugin) { return kind.lookup(plugin, to_.distro); };
+    const bool isDefaultList = !node.has(kind.list);
+    for (const std::string& name : uniquePluginNames(node, kind.list, names)) {
+      std::string type = pluginClass(node, name, isDefaultList ? kind.standard : "");
+      if (type.empty()) {
+        continue;
+      }
+      const auto found = find(type);
+      if (!found.parameters && found.why.empty()) {
+        const std::string similar = kind.similar(type);
+        const Nav2KeyTable keys = std::visit(
+            [](const auto& held) { return keyTableOf(keysOf(held), held, ignoredKeysOf(held)); },
+            *find(similar).parameters);
+        type = substituteClass(node, name, type, kind.known, similar, keys);
+      }
+      readPluginBlock(node, name, type, find, kind.known, to);
+    }
+  }
+
   void readPlanners() {
-    NodeReader node = reader(kPlannerServer);
+    NodeReader node = reader("planner_server");
     const PlannerServerParameters defaults;
     to_.plannerServer = node.read({}, keysOf(defaults), ignoredKeysOf(defaults), defaults);
-    const bool isDefaultList = !node.has("planner_plugins");
-    for (const std::string& name :
-         uniquePluginNames(node, "planner_plugins", to_.plannerServer.plannerPlugins)) {
-      std::string type =
-          pluginClass(node, name, isDefaultList ? "nav2_navfn_planner::NavfnPlanner" : "");
-      if (!type.empty()) {
-        const auto find = [&](const std::string& plugin) {
-          return globalPlannerPlugin(plugin, to_.distro);
-        };
-        type = substitutePlanner(node, name, type, find);
-        readPluginBlock(node, name, type, find, globalPlannerPluginNames(), to_.planners);
-      }
-    }
+    const PluginKind<GlobalPlannerParameters> kind = {"planner_plugins", kDefaultPlanner,
+                                                      globalPlannerPlugin, similarPlanner,
+                                                      globalPlannerPluginNames()};
+    readPlugins(node, kind, to_.plannerServer.plannerPlugins, to_.planners);
     node.finish();
   }
 
   void readSmoothers() {
-    NodeReader node = reader(kSmootherServer);
+    NodeReader node = reader("smoother_server");
     const SmootherServerParameters defaults;
     to_.smootherServer = node.read({}, keysOf(defaults), ignoredKeysOf(defaults), defaults);
-    const bool isDefaultList = !node.has("smoother_plugins");
-    for (const std::string& name :
-         uniquePluginNames(node, "smoother_plugins", to_.smootherServer.smootherPlugins)) {
-      std::string type =
-          pluginClass(node, name, isDefaultList ? "nav2_smoother::SimpleSmoother" : "");
-      if (!type.empty()) {
-        const auto find = [&](const std::string& plugin) {
-          return pathSmootherPlugin(plugin, to_.distro);
-        };
-        type = substituteSmoother(node, name, type, find);
-        readPluginBlock(node, name, type, find, pathSmootherPluginNames(), to_.smoothers);
-      }
-    }
+    const PluginKind<PathSmootherParameters> kind = {
+        "smoother_plugins", kDefaultSmoother, pathSmootherPlugin,
+        [](const std::string&) -> std::string { return kDefaultSmoother; },
+        pathSmootherPluginNames()};
+    readPlugins(node, kind, to_.smootherServer.smootherPlugins, to_.smoothers);
     node.finish();
   }
 
-  /// A planner of another package is replaced by NavFn, or by the planner whose name is similar.
-  template <class Find>
-  static std::string substitutePlanner(NodeReader& node, const std::string& name,
-                                       const std::string& type, const Find& find) {
-    const auto has = [&type](const char* part) { return type.find(part) != std::string::npos; };
-    const std::string nearest = has("Hybrid") || has("Lattice")
-                                    ? "nav2_smac_planner::SmacPlannerHybrid"
-                                : has("Smac")  ? "nav2_smac_planner::SmacPlanner2D"
-                                : has("Theta") ? "nav2_theta_star_planner::ThetaStarPlanner"
-                                               : "nav2_navfn_planner::NavfnPlanner";
-    return substitutePlugin(node, name, type, nearest, globalPlannerPluginNames(), find);
-  }
-
-  template <class Find>
-  static std::string substituteSmoother(NodeReader& node, const std::string& name,
-                                        const std::string& type, const Find& find) {
-    return substitutePlugin(node, name, type, "nav2_smoother::SimpleSmoother",
-                            pathSmootherPluginNames(), find);
-  }
-
-  /// Classes for which `find` returns a substitute are left to readPluginBlock.
-  template <class Find>
-  static std::string substitutePlugin(NodeReader& node, const std::string& name,
-                                      const std::string& type, const std::string& nearest,
-                                      const std::vector<std::string>& known, const Find& find) {
-    const auto lookup = find(type);
-    if (lookup.parameters || !lookup.why.empty()) {
-      return type;
-    }
-    Nav2KeyTable keys;
-    const auto substitute = find(nearest);
-    std::visit(
-        [&](const auto& parameters) {
-          addKeyRows(keys, keysOf(parameters), parameters);
-          addIgnoredKeys(keys, ignoredKeysOf(parameters));
-        },
-        *substitute.parameters);
-    return substituteClass(node, name, type, known, nearest, keys);
-  }
-
   void readNavigator() {
-    NodeReader node = reader(kBtNavigator);
+    NodeReader node = reader("bt_navigator");
     to_.btNavigator =
         node.read({}, btNavigatorKeys(), ignoredBtNavigatorKeys(), BtNavigatorParameters());
     node.finish();
@@ -206,9 +185,8 @@ class Nav2FileReader {
 
   /// Without this node there is no graph, so its plugins have no effect.
   void readRoutes() {
-    constexpr const char* kRouteServer = "route_server";
-    if (file_.hasNode(kRouteServer)) {
-      to_.route = readRouteServer(reader(kRouteServer));
+    if (file_.hasNode("route_server")) {
+      to_.route = readRouteServer(reader("route_server"));
     }
   }
 
@@ -259,9 +237,7 @@ class Nav2FileReader {
 };
 
 const KeyUsage* keyAt(const ParameterNotes& notes, const std::string& path) {
-  const auto found = std::find_if(notes.keys.begin(), notes.keys.end(),
-                                  [&](const KeyUsage& key) { return key.path == path; });
-  return found == notes.keys.end() ? nullptr : &*found;
+  return base::findBy(notes.keys, &KeyUsage::path, path);
 }
 
 /// Sorts problems by file, line and column.

@@ -9,16 +9,15 @@
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/costmap/CostmapParameters.h"
 #include "sim2d/nav/nav2/docking/DockingParameters.h"
-#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 #include "sim2d/nav/nav2/params/BtNavigatorParameters.h"
-#include "sim2d/nav/nav2/params/FrameNames.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
 #include "sim2d/nav/nav2/route/RouteParameters.h"
 #include "sim2d/nav/nav2/servers/Behaviors.h"
 #include "sim2d/nav/nav2/servers/CollisionMonitor.h"
 #include "sim2d/nav/nav2/servers/VelocitySmoother.h"
-#include "sim2d/nav/nav2/servers/WaypointTasks.h"
 
 /// A complete `nav2_params.yaml`: every server with its plugins.
 namespace sim2d::nav2 {

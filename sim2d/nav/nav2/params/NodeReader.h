@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
@@ -83,11 +84,9 @@ class NodeReader {
   template <class Parameters>
   Parameters read(const std::string& prefix, const std::vector<Nav2Key<Parameters>>& table,
                   const std::vector<IgnoredKey>& ignored, Parameters parameters) {
-    Nav2KeyTable keys;
-    addIgnoredKeys(keys, ignored);
-    addKeyRows(keys, table, parameters);
     base::Diagnostics none;  // wrong types are reported here
-    return applyBlock(std::move(parameters), table, read(prefix, keys), distro_, none);
+    const Nav2ParameterBlock block = read(prefix, keyTableOf(table, parameters, ignored));
+    return applyBlock(std::move(parameters), table, block, distro_, none);
   }
   /// One string, list of strings or number; nullopt when it is absent or has a wrong type
   /// (reported).
@@ -163,6 +162,19 @@ std::vector<std::string> uniquePluginNames(NodeReader& node, const std::string& 
 
 /// The class of a plugin. Without one: `fallback`, or an error if that is empty.
 std::string pluginClass(NodeReader& node, const std::string& name, const std::string& fallback);
+
+/// The class of a plugin that Nav2 loads under this name when the server's list is absent.
+struct DefaultPlugin {
+  const char* name;
+  const char* type;
+};
+/// The class in `defaults` if the node has no `list`; empty: none.
+template <class Defaults>
+std::string defaultClass(const NodeReader& node, const std::string& list, const std::string& name,
+                         const Defaults& defaults) {
+  const DefaultPlugin* const found = base::findBy(defaults, &DefaultPlugin::name, name);
+  return found == nullptr || node.has(list) ? std::string() : found->type;
+}
 
 /// Reports an unknown class at its position with the nearest known one.
 void reportUnknownPlugin(NodeReader& node, const std::string& name, const std::string& found,

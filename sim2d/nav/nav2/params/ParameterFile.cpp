@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/DuplicateKeys.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/nav2/params/BtNavigatorParameters.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
@@ -41,14 +44,11 @@ bool isNamespaceOf(const std::string& nameSpace, const std::string& robot) {
 }  // namespace
 
 const GivenParameter* NodeParameters::find(std::string_view name) const {
-  const auto found =
-      std::find_if(given.begin(), given.end(),
-                   [name](const GivenParameter& parameter) { return parameter.name == name; });
-  return found == given.end() ? nullptr : &*found;
+  return base::findBy(given, &GivenParameter::name, name);
 }
 
 GivenParameter* NodeParameters::find(std::string_view name) {
-  return const_cast<GivenParameter*>(std::as_const(*this).find(name));
+  return base::findBy(given, &GivenParameter::name, name);
 }
 
 base::Result<ParameterFile> ParameterFile::parse(std::string_view text, const std::string& file) {
@@ -182,17 +182,17 @@ std::optional<ParameterOverride> parameterOverride(const std::string& text) {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> kWellKnownNodes = {"controller_server",
-                                                              "planner_server",
-                                                              "bt_navigator",
-                                                              "local_costmap",
-                                                              "global_costmap",
-                                                              "behavior_server",
-                                                              "smoother_server",
-                                                              "velocity_smoother",
-                                                              "collision_monitor",
-                                                              "recoveries_server",
-                                                              "amcl"};
+constexpr std::string_view kWellKnownNodes[] = {"controller_server",
+                                                "planner_server",
+                                                "bt_navigator",
+                                                "local_costmap",
+                                                "global_costmap",
+                                                "behavior_server",
+                                                "smoother_server",
+                                                "velocity_smoother",
+                                                "collision_monitor",
+                                                "recoveries_server",
+                                                "amcl"};
 
 }  // namespace
 
@@ -201,12 +201,13 @@ bool looksLikeNav2(std::string_view text) {
     return false;
   }
   const bool hasParameters = text.find("ros__parameters") != std::string_view::npos;
-  return std::any_of(kWellKnownNodes.begin(), kWellKnownNodes.end(), [&](std::string_view node) {
-    const std::string block = std::string(node) + ":";  // ros__parameters is missing
-    return hasParameters ? text.find(node) != std::string_view::npos
-                         : text.substr(0, block.size()) == block ||
-                               text.find("\n" + block) != std::string_view::npos;
-  });
+  return std::any_of(
+      std::begin(kWellKnownNodes), std::end(kWellKnownNodes), [&](std::string_view node) {
+        const std::string block = std::string(node) + ":";  // ros__parameters is missing
+        return hasParameters ? text.find(node) != std::string_view::npos
+                             : text.substr(0, block.size()) == block ||
+                                   text.find("\n" + block) != std::string_view::npos;
+      });
 }
 
 namespace {
@@ -263,36 +264,6 @@ bool lacksParameters(const YamlNode& item) {
   const YamlNode* const inner = isNode ? item.find(item.key) : nullptr;
   return isNode && (inner == nullptr || !inner->isMap()) && !hasParameters(item, 0);
 }
-
-/// Flattens maps: `a.b: 1` and `a: {b: 2}` are the same parameter, as is a repeated key.
-class ParameterFlattener {
- public:
-  ParameterFlattener(std::vector<GivenParameter>& to, const std::string& file,
-                     base::Diagnostics& problems)
-      : to_(to), file_(file), problems_(problems) {}
-
-  void add(const YamlNode& map, const std::string& prefix, std::size_t depth) {
-    for (const YamlNode& item : map.items) {
-      const std::string name = prefix + item.key;
-      if (item.isMap() && depth < kMaxDepth) {
-        add(item, name + ".", depth + 1);
-        continue;
-      }
-      const auto [before, isNew] = values_.emplace(name, &item);
-      if (!isNew) {
-        problems_.push_back(base::duplicateKeyWarning(name, item, *before->second, file_));
-        before->second = &item;
-      }
-      setParameter(to_, {name, &item, false, file_});
-    }
-  }
-
- private:
-  std::vector<GivenParameter>& to_;
-  const std::string& file_;
-  base::Diagnostics& problems_;
-  std::map<std::string, const YamlNode*> values_;
-};
 
 /// Finds the nodes below a map; `path` is its path with '/' as separator.
 class NodeSearch {
@@ -356,7 +327,8 @@ class NodeSearch {
       reportTooManyParameters(parameters);
       return;
     }
-    ParameterFlattener(node.given, file_, problems_).add(parameters, {}, 0);
+    std::map<std::string, const YamlNode*> values;
+    addFlattened(parameters, {}, 0, node.given, values);
     for (GivenParameter& given : node.given) {
       given.isWildcard = isWildcard;
       if (isTooLong(*given.value)) {
@@ -366,6 +338,25 @@ class NodeSearch {
       }
     }
     nodes_.push_back(std::move(node));
+  }
+
+  /// Flattens maps: `a.b: 1` and `a: {b: 2}` are the same parameter, as is a repeated key.
+  void addFlattened(const YamlNode& map, const std::string& prefix, std::size_t depth,
+                    std::vector<GivenParameter>& to,
+                    std::map<std::string, const YamlNode*>& values) {
+    for (const YamlNode& item : map.items) {
+      const std::string name = prefix + item.key;
+      if (item.isMap() && depth < kMaxDepth) {
+        addFlattened(item, name + ".", depth + 1, to, values);
+        continue;
+      }
+      const auto [before, isNew] = values.emplace(name, &item);
+      if (!isNew) {
+        problems_.push_back(base::duplicateKeyWarning(name, item, *before->second, file_));
+        before->second = &item;
+      }
+      setParameter(to, {name, &item, false, file_});
+    }
   }
 
   /// A costmap's node is in a namespace of its own name; a namespace for all nodes is none.
@@ -407,7 +398,8 @@ void setParameter(std::vector<GivenParameter>& to, GivenParameter parameter) {
 }
 
 bool isNav2Node(const std::string& name) {
-  return std::find(kWellKnownNodes.begin(), kWellKnownNodes.end(), name) != kWellKnownNodes.end() ||
+  return std::find(std::begin(kWellKnownNodes), std::end(kWellKnownNodes), name) !=
+             std::end(kWellKnownNodes) ||
          ignoredNodeReason(name) != nullptr;
 }
 
@@ -416,6 +408,78 @@ std::vector<NodeParameters> findNodes(const YamlNode& tree, const std::string& f
   std::vector<NodeParameters> nodes;
   NodeSearch(nodes, problems, file).search(tree, {}, 0);
   return nodes;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kOnRobot = {"robot_base_frame", "base_frame_id",
+                                                      "base_frame", "sensor_frame"};
+
+std::string_view withoutSlash(std::string_view name) {
+  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
+}
+
+/// The frame that a parameter of a node names; nullopt when it is absent or empty.
+std::optional<std::string> frameIn(const NodeParameters& node, std::string_view key) {
+  const GivenParameter* const given = node.find(key);
+  if (given == nullptr || !given->value->isScalar()) {
+    return std::nullopt;
+  }
+  const std::string name(withoutSlash(given->value->text));
+  return name.empty() ? std::nullopt : std::optional(name);
+}
+
+/// Whether the last part of a name is a key for a frame on the robot.
+bool namesRobotFrame(std::string_view name) {
+  const std::string_view last = name.substr(name.rfind('.') + 1);
+  return std::find(kOnRobot.begin(), kOnRobot.end(), last) != kOnRobot.end();
+}
+
+void addRobotFrames(const ParameterFile& file, std::vector<std::string>& to) {
+  for (const NodeParameters& node : file.nodes()) {
+    for (const GivenParameter& given : node.given) {
+      if (namesRobotFrame(given.name) && given.value->isScalar()) {
+        to.emplace_back(withoutSlash(given.value->text));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool FrameNames::canTransform(std::string_view parent, std::string_view child,
+                              bool isLocalized) const {
+  int inMap = 0;
+  for (const std::string_view frame : {withoutSlash(parent), withoutSlash(child)}) {
+    if (frame == map) {
+      ++inMap;
+    } else if (frame != odom && !std::binary_search(onRobot.begin(), onRobot.end(), frame)) {
+      return false;
+    }
+  }
+  return inMap != 1 || isLocalized;
+}
+
+FrameNames frameNamesOf(const ParameterFile& file, const std::string& robot) {
+  FrameNames names;
+  const NodeParameters local = file.parametersOf("local_costmap", robot);
+  const NodeParameters behaviors = file.parametersOf("behavior_server", robot);
+  names.map = frameIn(file.parametersOf("global_costmap", robot), "global_frame").value_or("map");
+  const std::string localFrame = frameIn(local, "global_frame").value_or("map");
+  names.isLocalInOdom = localFrame != names.map;
+  if (names.isLocalInOdom) {
+    names.odom = localFrame;
+  } else {
+    // Jazzy introduced `local_frame`; earlier, `global_frame` was the frame of the local costmap.
+    const auto own = frameIn(behaviors, "local_frame");
+    const auto humble = frameIn(behaviors, "global_frame");
+    names.odom = own ? *own : humble && *humble != names.map ? *humble : "odom";
+  }
+  names.onRobot = {"base_footprint", "base_link"};
+  addRobotFrames(file, names.onRobot);
+  std::sort(names.onRobot.begin(), names.onRobot.end());
+  names.onRobot.erase(std::unique(names.onRobot.begin(), names.onRobot.end()), names.onRobot.end());
+  return names;
 }
 
 }  // namespace sim2d::nav2

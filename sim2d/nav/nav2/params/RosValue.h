@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
@@ -27,5 +28,24 @@ std::optional<Nav2Value> toRosValue(const base::YamlNode& value);
 /// The value as files write it, on one line.
 std::string valueText(const Nav2Value& value);
 std::string valueText(const base::YamlNode& value);
+
+/// Placeholders in parameter files, which launch files, templates or users replace before a robot
+/// reads the file.
+
+/// Whether the whole text is a placeholder: `$(var name)`, `${NAME}`, `{{ name }}`,
+/// `<robot_namespace>`, `@NAME@`, TO_BE_OVERRIDDEN, KEEPOUT_ZONE_ENABLED and similar words.
+bool isPlaceholderText(std::string_view text);
+
+/// Whether a parameter is a list of names, judged by its suffix: plugins, critics, filters,
+/// polygons.
+bool isListOfPlugins(const std::string& name);
+
+/// Whether the value of parameter `name` is a placeholder regardless of its type: one of the texts
+/// above, a null value, or for a list of plugins a word in capitals.
+bool isLaunchPlaceholder(const std::string& name, const base::YamlNode& value);
+
+/// Whether a value of a wrong type may be a placeholder: an empty string, a word in capitals, a
+/// string or list item that contains one of the placeholders.
+bool mayBePlaceholder(const base::YamlNode& value);
 
 }  // namespace sim2d::nav2

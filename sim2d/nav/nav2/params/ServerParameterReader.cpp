@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
 
@@ -33,22 +34,15 @@ std::size_t behaviorOf(const std::string& plugin) {
 }
 
 /// Nav2 loads these behaviors when `behavior_plugins` is absent.
-std::string defaultBehavior(const NodeReader& node, const std::string& name) {
-  static constexpr std::array<std::pair<const char*, const char*>, 4> kDefaults = {
-      {{"spin", "nav2_behaviors::Spin"},
-       {"backup", "nav2_behaviors::BackUp"},
-       {"drive_on_heading", "nav2_behaviors::DriveOnHeading"},
-       {"wait", "nav2_behaviors::Wait"}}};
-  for (const auto& [behavior, plugin] : kDefaults) {
-    if (name == behavior && !node.has("behavior_plugins")) {
-      return plugin;
-    }
-  }
-  return {};
-}
+constexpr std::array<DefaultPlugin, 4> kDefaultBehaviors = {
+    {{"spin", "nav2_behaviors::Spin"},
+     {"backup", "nav2_behaviors::BackUp"},
+     {"drive_on_heading", "nav2_behaviors::DriveOnHeading"},
+     {"wait", "nav2_behaviors::Wait"}}};
 
 void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& to) {
-  const std::string plugin = pluginClass(node, name, defaultBehavior(node, name));
+  const std::string plugin =
+      pluginClass(node, name, defaultClass(node, "behavior_plugins", name, kDefaultBehaviors));
   if (plugin.empty()) {
     return;
   }
@@ -171,23 +165,20 @@ void readPlugin(NodeReader& node, const std::string& name, Parameters& parameter
   }
 }
 
-/// Without the list, Nav2 loads the classes of the default names.
-std::string defaultClass(const NodeReader& node, const std::string& list, const std::string& name) {
-  return node.has(list) ? std::string() : "nav2_route::" + name;
-}
-
-template <class Settings, class Find>
+template <class Settings>
 void readPlugins(NodeReader& node, const std::string& list, const std::vector<std::string>& names,
-                 const Find& find, const std::vector<std::string>& known,
+                 const PluginClasses<Settings>& known,
                  std::vector<std::pair<std::string, Settings>>& to) {
   for (const std::string& name : uniquePluginNames(node, list, names)) {
-    const std::string plugin = pluginClass(node, name, defaultClass(node, list, name));
+    // Without the list, Nav2 loads the classes of the default names.
+    const std::string plugin =
+        pluginClass(node, name, node.has(list) ? std::string() : "nav2_route::" + name);
     if (plugin.empty()) {
       continue;
     }
-    std::optional<Settings> settings = find(plugin);
+    std::optional<Settings> settings = defaultsOf(known, plugin);
     if (!settings) {
-      reportUnknownPlugin(node, name, plugin, known);
+      reportUnknownPlugin(node, name, plugin, namesOf(known));
       node.markIgnored(name + ".", "its class is not implemented");
       continue;
     }
@@ -202,10 +193,10 @@ RouteSettings readRouteServer(NodeReader node) {
   RouteSettings route;
   route.server = node.read({}, routeServerKeys(), ignoredRouteServerKeys(), route.server);
   reportProblems(node, problemsOf(route.server));
-  readPlugins(node, "edge_cost_functions", route.server.edgeCostFunctions, edgeScorerOf,
-              edgeScorerPlugins(), route.scorers);
-  readPlugins(node, "operations", route.server.operations, routeOperationOf,
-              routeOperationPlugins(), route.operations);
+  readPlugins(node, "edge_cost_functions", route.server.edgeCostFunctions, edgeScorerClasses(),
+              route.scorers);
+  readPlugins(node, "operations", route.server.operations, routeOperationClasses(),
+              route.operations);
   node.finish();
   return route;
 }
@@ -280,23 +271,13 @@ class MaskReader {
   void assignMasks(std::vector<CostmapPlugin>& filters) const {
     for (CostmapPlugin& filter : filters) {
       if (auto* const keepout = std::get_if<KeepoutFilterParameters>(&filter.parameters)) {
-        const FilterInfo* const info = infoOf(keepout->filterInfoTopic, 0, 0);
-        keepout->isMaskPublished = assignMask(keepout->maskFile, info);
+        assignMask(*keepout, 0, 0);
       } else if (auto* const speed = std::get_if<SpeedFilterParameters>(&filter.parameters)) {
-        const FilterInfo* const info = infoOf(speed->filterInfoTopic, 1, 2);
-        speed->isMaskPublished = assignMask(speed->maskFile, info);
-        if (speed->isMaskPublished) {
-          speed->maskBase = info->base;
-          speed->maskMultiplier = info->multiplier;
+        if (const FilterInfo* const info = assignScaledMask(*speed, 1, 2)) {
           speed->maskIsPercentage = info->type == 1;
         }
       } else if (auto* const binary = std::get_if<BinaryFilterParameters>(&filter.parameters)) {
-        const FilterInfo* const info = infoOf(binary->filterInfoTopic, 3, 3);
-        binary->isMaskPublished = assignMask(binary->maskFile, info);
-        if (binary->isMaskPublished) {
-          binary->maskBase = info->base;
-          binary->maskMultiplier = info->multiplier;
-        }
+        assignScaledMask(*binary, 3, 3);
       }
     }
   }
@@ -313,22 +294,37 @@ class MaskReader {
   /// The filter info on a topic whose type is in [lowest, highest]; Nav2's filters reject other
   /// types.
   const FilterInfo* infoOf(const std::string& topic, int lowest, int highest) const {
-    const auto found = std::find_if(infos_.begin(), infos_.end(), [&](const FilterInfo& info) {
+    const FilterInfo* const found = base::findIf(infos_, [&](const FilterInfo& info) {
       return topicOf(info.topic) == topicOf(topic) && info.type >= lowest && info.type <= highest;
     });
-    return found == infos_.end() || topic.empty() ? nullptr : &*found;
+    return topic.empty() ? nullptr : found;
   }
 
-  /// Returns false if no mask was assigned.
-  bool assignMask(std::string& file, const FilterInfo* info) const {
-    if (!file.empty() || info == nullptr) {
-      return false;
+  /// Assigns the mask on the filter's topic, whose type is in [lowest, highest]; null: there is
+  /// none, or the filter has its own.
+  template <class Filter>
+  const FilterInfo* assignMask(Filter& filter, int lowest, int highest) const {
+    const FilterInfo* const info = infoOf(filter.filterInfoTopic, lowest, highest);
+    filter.isMaskPublished = false;
+    if (!filter.maskFile.empty() || info == nullptr) {
+      return nullptr;
     }
-    const auto found = std::find_if(servers_.begin(), servers_.end(), [&](const MaskServer& each) {
+    const MaskServer* const server = base::findIf(servers_, [&](const MaskServer& each) {
       return topicOf(each.topic) == topicOf(info->maskTopic);
     });
-    file = found == servers_.end() ? std::string() : found->yaml;
-    return !file.empty();
+    filter.maskFile = server == nullptr ? std::string() : server->yaml;
+    filter.isMaskPublished = !filter.maskFile.empty();
+    return filter.isMaskPublished ? info : nullptr;
+  }
+
+  template <class Filter>
+  const FilterInfo* assignScaledMask(Filter& filter, int lowest, int highest) const {
+    const FilterInfo* const info = assignMask(filter, lowest, highest);
+    if (info != nullptr) {
+      filter.maskBase = info->base;
+      filter.maskMultiplier = info->multiplier;
+    }
+    return info;
   }
 
   std::vector<FilterInfo> infos_;

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <tuple>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -40,253 +37,24 @@ std::optional<std::size_t> RouteGraph::nodeOf(std::uint32_t id) const {
 // Reads a graph from its GeoJSON file.
 namespace {
 
-using Kind = PositionedJson::Kind;
+/// A JSON value with its position in the text, for messages: its end, or the beginning of an object
+/// or list.
+struct PositionedJson {
+  enum class Kind { Null, Bool, Number, Text, List, Object };
+  Kind kind = Kind::Null;
+  bool isTrue = false;
+  double number = 0.0;
+  std::string text;
+  std::vector<PositionedJson> items;                            // of a list
+  std::vector<std::pair<std::string, PositionedJson>> members;  // of an object, in file order
+  int line = 0, column = 0;                                     // from 1
 
-class GraphReader {
- public:
-  explicit GraphReader(std::string file) : file_(std::move(file)) {}
-
-  void read(const PositionedJson& root);
-  base::Diagnostics takeProblems() { return std::move(problems_); }
-  RouteGraph takeGraph() { return std::move(graph_); }
-
- private:
-  void error(const PositionedJson& at, const char* code, base::ProblemValues values = {}) {
-    problems_.push_back(base::error(code, std::move(values), file_, at.line, at.column));
+  const PositionedJson* find(const std::string& key) const {  // null: no such member
+    const auto found = std::find_if(members.begin(), members.end(),
+                                    [&key](const auto& member) { return member.first == key; });
+    return found == members.end() ? nullptr : &found->second;
   }
-  /// The member of an object; null with an error if it is absent or of another kind.
-  const PositionedJson* requiredMember(const PositionedJson& object, const char* key, Kind kind);
-  const PositionedJson* optional(const PositionedJson& object, const char* key, Kind kind);
-  std::optional<std::uint32_t> requiredId(const PositionedJson& object, const char* key);
-  std::optional<Vec2> placeOf(const PositionedJson& coordinates);
-
-  void readNode(const PositionedJson& feature, const PositionedJson& geometry);
-  void readEdge(const PositionedJson& feature);
-  RouteMetadata metadataOf(const PositionedJson& properties);
-  std::vector<RouteOperation> operationsOf(const PositionedJson& properties, bool isNode);
-
-  std::string file_;
-  RouteGraph graph_;
-  base::Diagnostics problems_;
 };
-
-const char* kindName(Kind kind) {
-  switch (kind) {
-    case Kind::Object:
-      return "an object";
-    case Kind::List:
-      return "a list";
-    case Kind::Number:
-      return "a number";
-    case Kind::Bool:
-      return "true or false";
-    default:
-      return "a text";
-  }
-}
-
-using Members = std::vector<std::pair<std::string, PositionedJson>>;
-
-const Members& membersOf(const PositionedJson* object) {
-  static const Members kNone;
-  return object != nullptr ? object->members : kNone;
-}
-
-const PositionedJson* GraphReader::optional(const PositionedJson& object, const char* key,
-                                            Kind kind) {
-  const PositionedJson* const member = object.find(key);
-  if (member == nullptr || member->kind == Kind::Null) {
-    return nullptr;
-  }
-  if (member->kind != kind) {
-    error(*member, "route.kind", {key, kindName(kind)});
-    return nullptr;
-  }
-  return member;
-}
-
-const PositionedJson* GraphReader::requiredMember(const PositionedJson& object, const char* key,
-                                                  Kind kind) {
-  if (object.find(key) == nullptr) {
-    error(object, "route.missing", {key});
-    return nullptr;
-  }
-  return optional(object, key, kind);
-}
-
-std::optional<std::uint32_t> GraphReader::requiredId(const PositionedJson& object,
-                                                     const char* key) {
-  const PositionedJson* const member = requiredMember(object, key, Kind::Number);
-  if (member == nullptr) {
-    return std::nullopt;
-  }
-  const bool isId = member->number >= 0.0 && member->number == std::floor(member->number) &&
-                    member->number < std::numeric_limits<std::uint32_t>::max();
-  if (!isId) {
-    error(*member, "route.id", {key});
-    return std::nullopt;
-  }
-  return static_cast<std::uint32_t>(member->number);
-}
-
-std::optional<Vec2> GraphReader::placeOf(const PositionedJson& coordinates) {
-  const bool isPoint = coordinates.items.size() >= 2 && coordinates.items[0].kind == Kind::Number &&
-                       coordinates.items[1].kind == Kind::Number;
-  if (!isPoint) {
-    error(coordinates, "route.coordinates");
-    return std::nullopt;
-  }
-  return Vec2(coordinates.items[0].number, coordinates.items[1].number);
-}
-
-RouteMetadata GraphReader::metadataOf(const PositionedJson& properties) {
-  RouteMetadata metadata;
-  const PositionedJson* const object = optional(properties, "metadata", Kind::Object);
-  for (const auto& [key, value] : membersOf(object)) {
-    if (value.kind == Kind::Number) {
-      metadata.set(key, value.number);
-    } else if (value.kind == Kind::Text) {
-      metadata.set(key, value.text);
-    } else if (value.kind == Kind::Bool) {
-      metadata.set(key, value.isTrue);
-    }
-  }
-  return metadata;
-}
-
-std::vector<RouteOperation> GraphReader::operationsOf(const PositionedJson& properties,
-                                                      bool isNode) {
-  using Trigger = RouteOperation::Trigger;
-  std::vector<RouteOperation> operations;
-  const PositionedJson* const object = optional(properties, "operations", Kind::Object);
-  for (const auto& [name, value] : membersOf(object)) {
-    if (value.kind != Kind::Object) {
-      error(value, "route.kind", {name, kindName(Kind::Object)});
-      continue;
-    }
-    RouteOperation operation;
-    const PositionedJson* const type = requiredMember(value, "type", Kind::Text);
-    const PositionedJson* const trigger = optional(value, "trigger", Kind::Text);
-    operation.type = type != nullptr ? type->text : std::string();
-    operation.metadata = metadataOf(value);
-    const std::string word = trigger != nullptr ? trigger->text : isNode ? "NODE" : "";
-    if (word == "ON_ENTER" || word == "ON_EXIT") {
-      operation.trigger = word == "ON_ENTER" ? Trigger::OnEnter : Trigger::OnExit;
-    } else if (word != "NODE") {
-      error(trigger != nullptr ? *trigger : value, "route.trigger", {word});
-    }
-    operations.push_back(std::move(operation));
-  }
-  return operations;
-}
-
-void GraphReader::readNode(const PositionedJson& feature, const PositionedJson& geometry) {
-  const PositionedJson* const properties = requiredMember(feature, "properties", Kind::Object);
-  const PositionedJson* const coordinates = requiredMember(geometry, "coordinates", Kind::List);
-  const auto place = coordinates != nullptr ? placeOf(*coordinates) : std::nullopt;
-  const auto id = properties != nullptr ? requiredId(*properties, "id") : std::nullopt;
-  if (!id || !place) {
-    return;
-  }
-  if (graph_.nodeOf(*id)) {
-    error(*properties, "route.node-twice", {static_cast<int>(*id)});
-  }
-  const PositionedJson* const frame = optional(*properties, "frame", Kind::Text);
-  if (frame != nullptr && frame->text != "map") {
-    problems_.push_back(
-        base::warning("route.frame", {frame->text}, file_, frame->line, frame->column));
-  }
-  graph_.indexOf.emplace(*id, graph_.nodes.size());
-  graph_.nodes.push_back({*id, *place, metadataOf(*properties), operationsOf(*properties, true)});
-}
-
-void GraphReader::readEdge(const PositionedJson& feature) {
-  const PositionedJson* const properties = requiredMember(feature, "properties", Kind::Object);
-  if (properties == nullptr) {
-    return;
-  }
-  const auto id = requiredId(*properties, "id"), from = requiredId(*properties, "startid"),
-             to = requiredId(*properties, "endid");
-  if (!id || !from || !to) {
-    return;
-  }
-  const auto first = graph_.nodeOf(*from), second = graph_.nodeOf(*to);
-  for (const auto& [node, key, named] :
-       {std::tuple(first, "startid", *from), std::tuple(second, "endid", *to)}) {
-    if (!node) {
-      error(*properties->find(key), "route.no-node", {key, static_cast<int>(named)});
-    }
-  }
-  RouteEdge edge;
-  edge.id = *id;
-  if (const PositionedJson* const cost = optional(*properties, "cost", Kind::Number)) {
-    edge.cost = cost->number;
-  }
-  if (const PositionedJson* const overridable = optional(*properties, "overridable", Kind::Bool)) {
-    edge.overridable = overridable->isTrue;
-  }
-  edge.metadata = metadataOf(*properties);
-  edge.operations = operationsOf(*properties, false);
-  if (first && second) {
-    edge.from = *first;
-    edge.to = *second;
-    graph_.edges.push_back(std::move(edge));
-  }
-}
-
-void GraphReader::read(const PositionedJson& root) {
-  if (root.kind != Kind::Object) {
-    error(root, "route.kind", {"the file", kindName(Kind::Object)});
-    return;
-  }
-  const PositionedJson* const features = requiredMember(root, "features", Kind::List);
-  if (features == nullptr) {
-    return;
-  }
-  std::vector<const PositionedJson*> edges;
-  for (const PositionedJson& feature : features->items) {
-    const PositionedJson* const geometry =
-        feature.kind == Kind::Object ? requiredMember(feature, "geometry", Kind::Object) : nullptr;
-    const PositionedJson* const type =
-        geometry != nullptr ? requiredMember(*geometry, "type", Kind::Text) : nullptr;
-    if (feature.kind != Kind::Object) {
-      error(feature, "route.kind", {"a feature", kindName(Kind::Object)});
-    } else if (type != nullptr && type->text == "Point") {
-      readNode(feature, *geometry);
-    } else if (type != nullptr && type->text == "MultiLineString") {
-      edges.push_back(&feature);
-    }
-  }
-  for (const PositionedJson* const edge : edges) {  // after all nodes are known
-    readEdge(*edge);
-  }
-  if (!base::hasErrors(problems_) && (graph_.nodes.empty() || graph_.edges.empty())) {
-    error(*features, "route.empty");
-  }
-  graph_.outgoing.resize(graph_.nodes.size());
-  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
-    graph_.outgoing[graph_.edges[i].from].push_back(i);
-  }
-}
-
-}  // namespace
-
-base::Result<RouteGraph> readRouteGraph(const std::string& text, const std::string& file) {
-  base::Diagnostics problems;
-  const std::optional<PositionedJson> root = parsePositionedJson(text, file, problems);
-  if (!root) {
-    return problems;
-  }
-  GraphReader reader(file);
-  reader.read(*root);
-  problems = reader.takeProblems();
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  return {reader.takeGraph(), std::move(problems)};
-}
-
-namespace {
 
 constexpr std::size_t kMaxLevels = 64;
 
@@ -398,14 +166,7 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::string key_;
 };
 
-}  // namespace
-
-const PositionedJson* PositionedJson::find(const std::string& key) const {
-  const auto found = std::find_if(members.begin(), members.end(),
-                                  [&key](const auto& member) { return member.first == key; });
-  return found == members.end() ? nullptr : &found->second;
-}
-
+/// Returns nullopt with an error with line and column for invalid JSON, or a depth above 64.
 std::optional<PositionedJson> parsePositionedJson(const std::string& text, const std::string& file,
                                                   base::Diagnostics& problems) {
   PositionedJson root;
@@ -419,6 +180,232 @@ std::optional<PositionedJson> parsePositionedJson(const std::string& text, const
     return std::nullopt;
   }
   return root;
+}
+
+using Kind = PositionedJson::Kind;
+
+const char* kindName(Kind kind) {
+  static constexpr const char* kNames[] = {"nothing", "true or false", "a number",
+                                           "a text",  "a list",        "an object"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+using Members = std::vector<std::pair<std::string, PositionedJson>>;
+
+const Members& membersOf(const PositionedJson* object) {
+  static const Members kNone;
+  return object != nullptr ? object->members : kNone;
+}
+
+class GraphReader {
+ public:
+  explicit GraphReader(std::string file) : file_(std::move(file)) {}
+
+  void read(const PositionedJson& root) {
+    if (root.kind != Kind::Object) {
+      error(root, "route.kind", {"the file", kindName(Kind::Object)});
+      return;
+    }
+    const PositionedJson* const features = requiredMember(root, "features", Kind::List);
+    if (features == nullptr) {
+      return;
+    }
+    std::vector<const PositionedJson*> edges;
+    for (const PositionedJson& feature : features->items) {
+      const PositionedJson* const geometry = feature.kind == Kind::Object
+                                                 ? requiredMember(feature, "geometry", Kind::Object)
+                                                 : nullptr;
+      const PositionedJson* const type =
+          geometry != nullptr ? requiredMember(*geometry, "type", Kind::Text) : nullptr;
+      if (feature.kind != Kind::Object) {
+        error(feature, "route.kind", {"a feature", kindName(Kind::Object)});
+      } else if (type != nullptr && type->text == "Point") {
+        readNode(feature, *geometry);
+      } else if (type != nullptr && type->text == "MultiLineString") {
+        edges.push_back(&feature);
+      }
+    }
+    for (const PositionedJson* const edge : edges) {  // after all nodes are known
+      readEdge(*edge);
+    }
+    if (!base::hasErrors(problems_) && (graph_.nodes.empty() || graph_.edges.empty())) {
+      error(*features, "route.empty");
+    }
+    graph_.outgoing.resize(graph_.nodes.size());
+    for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+      graph_.outgoing[graph_.edges[i].from].push_back(i);
+    }
+  }
+
+  base::Diagnostics takeProblems() { return std::move(problems_); }
+  RouteGraph takeGraph() { return std::move(graph_); }
+
+ private:
+  void error(const PositionedJson& at, const char* code, base::ProblemValues values = {}) {
+    problems_.push_back(base::error(code, std::move(values), file_, at.line, at.column));
+  }
+
+  const PositionedJson* optional(const PositionedJson& object, const char* key, Kind kind) {
+    const PositionedJson* const member = object.find(key);
+    if (member == nullptr || member->kind == Kind::Null) {
+      return nullptr;
+    }
+    if (member->kind != kind) {
+      error(*member, "route.kind", {key, kindName(kind)});
+      return nullptr;
+    }
+    return member;
+  }
+
+  /// The member of an object; null with an error if it is absent or of another kind.
+  const PositionedJson* requiredMember(const PositionedJson& object, const char* key, Kind kind) {
+    if (object.find(key) == nullptr) {
+      error(object, "route.missing", {key});
+      return nullptr;
+    }
+    return optional(object, key, kind);
+  }
+
+  std::optional<std::uint32_t> requiredId(const PositionedJson& object, const char* key) {
+    const PositionedJson* const member = requiredMember(object, key, Kind::Number);
+    if (member == nullptr) {
+      return std::nullopt;
+    }
+    const bool isId = member->number >= 0.0 && member->number == std::floor(member->number) &&
+                      member->number < std::numeric_limits<std::uint32_t>::max();
+    if (!isId) {
+      error(*member, "route.id", {key});
+      return std::nullopt;
+    }
+    return static_cast<std::uint32_t>(member->number);
+  }
+
+  std::optional<Vec2> placeOf(const PositionedJson& coordinates) {
+    const bool isPoint = coordinates.items.size() >= 2 &&
+                         coordinates.items[0].kind == Kind::Number &&
+                         coordinates.items[1].kind == Kind::Number;
+    if (!isPoint) {
+      error(coordinates, "route.coordinates");
+      return std::nullopt;
+    }
+    return Vec2(coordinates.items[0].number, coordinates.items[1].number);
+  }
+
+  RouteMetadata metadataOf(const PositionedJson& properties) {
+    RouteMetadata metadata;
+    const PositionedJson* const object = optional(properties, "metadata", Kind::Object);
+    for (const auto& [key, value] : membersOf(object)) {
+      if (value.kind == Kind::Number) {
+        metadata.set(key, value.number);
+      } else if (value.kind == Kind::Text) {
+        metadata.set(key, value.text);
+      } else if (value.kind == Kind::Bool) {
+        metadata.set(key, value.isTrue);
+      }
+    }
+    return metadata;
+  }
+
+  std::vector<RouteOperation> operationsOf(const PositionedJson& properties, bool isNode) {
+    using Trigger = RouteOperation::Trigger;
+    std::vector<RouteOperation> operations;
+    const PositionedJson* const object = optional(properties, "operations", Kind::Object);
+    for (const auto& [name, value] : membersOf(object)) {
+      if (value.kind != Kind::Object) {
+        error(value, "route.kind", {name, kindName(Kind::Object)});
+        continue;
+      }
+      RouteOperation operation;
+      const PositionedJson* const type = requiredMember(value, "type", Kind::Text);
+      const PositionedJson* const trigger = optional(value, "trigger", Kind::Text);
+      operation.type = type != nullptr ? type->text : std::string();
+      operation.metadata = metadataOf(value);
+      const std::string word = trigger != nullptr ? trigger->text : isNode ? "NODE" : "";
+      if (word == "ON_ENTER" || word == "ON_EXIT") {
+        operation.trigger = word == "ON_ENTER" ? Trigger::OnEnter : Trigger::OnExit;
+      } else if (word != "NODE") {
+        error(trigger != nullptr ? *trigger : value, "route.trigger", {word});
+      }
+      operations.push_back(std::move(operation));
+    }
+    return operations;
+  }
+
+  void readNode(const PositionedJson& feature, const PositionedJson& geometry) {
+    const PositionedJson* const properties = requiredMember(feature, "properties", Kind::Object);
+    const PositionedJson* const coordinates = requiredMember(geometry, "coordinates", Kind::List);
+    const auto place = coordinates != nullptr ? placeOf(*coordinates) : std::nullopt;
+    const auto id = properties != nullptr ? requiredId(*properties, "id") : std::nullopt;
+    if (!id || !place) {
+      return;
+    }
+    if (graph_.nodeOf(*id)) {
+      error(*properties, "route.node-twice", {static_cast<int>(*id)});
+    }
+    const PositionedJson* const frame = optional(*properties, "frame", Kind::Text);
+    if (frame != nullptr && frame->text != "map") {
+      problems_.push_back(
+          base::warning("route.frame", {frame->text}, file_, frame->line, frame->column));
+    }
+    graph_.indexOf.emplace(*id, graph_.nodes.size());
+    graph_.nodes.push_back({*id, *place, metadataOf(*properties), operationsOf(*properties, true)});
+  }
+
+  void readEdge(const PositionedJson& feature) {
+    const PositionedJson* const properties = requiredMember(feature, "properties", Kind::Object);
+    if (properties == nullptr) {
+      return;
+    }
+    const auto id = requiredId(*properties, "id"), from = requiredId(*properties, "startid"),
+               to = requiredId(*properties, "endid");
+    if (!id || !from || !to) {
+      return;
+    }
+    const auto first = graph_.nodeOf(*from), second = graph_.nodeOf(*to);
+    for (const auto& [node, key, named] :
+         {std::tuple(first, "startid", *from), std::tuple(second, "endid", *to)}) {
+      if (!node) {
+        error(*properties->find(key), "route.no-node", {key, static_cast<int>(named)});
+      }
+    }
+    RouteEdge edge;
+    edge.id = *id;
+    if (const PositionedJson* const cost = optional(*properties, "cost", Kind::Number)) {
+      edge.cost = cost->number;
+    }
+    if (const PositionedJson* const overridable =
+            optional(*properties, "overridable", Kind::Bool)) {
+      edge.overridable = overridable->isTrue;
+    }
+    edge.metadata = metadataOf(*properties);
+    edge.operations = operationsOf(*properties, false);
+    if (first && second) {
+      edge.from = *first;
+      edge.to = *second;
+      graph_.edges.push_back(std::move(edge));
+    }
+  }
+
+  std::string file_;
+  RouteGraph graph_;
+  base::Diagnostics problems_;
+};
+
+}  // namespace
+
+base::Result<RouteGraph> readRouteGraph(const std::string& text, const std::string& file) {
+  base::Diagnostics problems;
+  const std::optional<PositionedJson> root = parsePositionedJson(text, file, problems);
+  if (!root) {
+    return problems;
+  }
+  GraphReader reader(file);
+  reader.read(*root);
+  problems = reader.takeProblems();
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {reader.takeGraph(), std::move(problems)};
 }
 
 }  // namespace sim2d::nav2

@@ -120,23 +120,25 @@ struct RouteRequest {
 /// Edge ids.
 using BlockedEdges = std::set<std::uint32_t>;
 
-/// A JSON value with its position in the text, for messages: its end, or the beginning of an object
-/// or list. Private to this folder.
-struct PositionedJson {
-  enum class Kind { Null, Bool, Number, Text, List, Object };
-  Kind kind = Kind::Null;
-  bool isTrue = false;
-  double number = 0.0;
-  std::string text;
-  std::vector<PositionedJson> items;                            // of a list
-  std::vector<std::pair<std::string, PositionedJson>> members;  // of an object, in file order
-  int line = 0, column = 0;                                     // from 1
-
-  const PositionedJson* find(const std::string& key) const;  // null: no such member
+/// The edge that is being followed during rerouting.
+struct ContinuedEdge {
+  std::optional<std::size_t> edge;  // index
+  Vec2 nearest = Vec2::Zero();      // its nearest point to the robot [m]
 };
 
-/// Returns nullopt with an error with line and column for invalid JSON, or a depth above 64.
-std::optional<PositionedJson> parsePositionedJson(const std::string& text, const std::string& file,
-                                                  base::Diagnostics& problems);
+/// Inputs of the route server in a step.
+struct RouteScene {
+  Pose2 robot;
+  const Costmap* global = nullptr;  // null: not available
+  const Costmap* local = nullptr;
+  double time = 0.0;   // [s]
+  Pose2 localFrame{};  // frame of `local`, in the map
+
+  /// The local costmap if the topic contains "local", else the global one, and its frame.
+  std::pair<const Costmap*, Pose2> costmapOf(const std::string& topic) const {
+    const bool isLocal = topic.find("local") != std::string::npos;
+    return {isLocal ? local : global, isLocal ? localFrame : Pose2()};
+  }
+};
 
 }  // namespace sim2d::nav2

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "sim2d/map/Outlines.h"
-#include "sim2d/nav/FrameTransform.h"
+#include "sim2d/nav/Body.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
@@ -106,19 +106,19 @@ Vec2 lastPointOnMap(const Costmap& costmap, const Vec2& from, const Vec2& to) {
 
 std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
                                        const OperationsScene& scene) {
-  const bool isLocal = monitor.costmapTopic.find("local") != std::string::npos;
-  const Costmap* const costmap = isLocal ? scene.local : scene.global;
+  const auto inputs = scene.now.costmapOf(monitor.costmapTopic);
+  const Costmap* const costmap = inputs.first;
   if (!scene.state.current || costmap == nullptr) {
     return std::nullopt;
   }
   std::size_t edge = *scene.state.current;
   const auto placeOf = [&](std::size_t node) { return scene.graph.nodes[node].place; };
-  const Pose2 frame = isLocal ? scene.localFrame : Pose2();
-  const auto inFrame = [&frame](const Vec2& place) -> Vec2 {
-    return toFrame(frame, {place, 0.0}).position;
+  const auto inFrame = [&inputs](const Vec2& place) -> Vec2 {
+    return toFrame(inputs.second, {place, 0.0}).position;
   };
-  Vec2 from = closestOnSegment(
-      {placeOf(scene.graph.edges[edge].from), placeOf(scene.graph.edges[edge].to)}, scene.robot);
+  Vec2 from =
+      closestOnSegment({placeOf(scene.graph.edges[edge].from), placeOf(scene.graph.edges[edge].to)},
+                       scene.now.robot.position);
   double left = monitor.maxCollisionDist;
   auto next = static_cast<std::size_t>(scene.state.edge + std::ptrdiff_t{1});
   while (left > 0.0) {
@@ -158,12 +158,12 @@ OperationsResult RouteOperations::process(bool hasChanged, const OperationsScene
 /// Measures the time from the beginning to the end of an edge.
 void RouteOperations::markTime(const TimeMarkerParameters& marker, const OperationsScene& scene,
                                OperationsResult& result) {
-  if (timedEdge_ && scene.time > timedSince_) {
-    result.edgeTime = std::pair(*timedEdge_, scene.time - timedSince_);
+  if (timedEdge_ && scene.now.time > timedSince_) {
+    result.edgeTime = std::pair(*timedEdge_, scene.now.time - timedSince_);
     result.timeTag = marker.timeTag;
   }
   timedEdge_ = scene.state.current;
-  timedSince_ = scene.time;
+  timedSince_ = scene.now.time;
 }
 
 void RouteOperations::onChange(const OperationsScene& scene, OperationsResult& result) {
@@ -222,11 +222,12 @@ void RouteOperations::onQuery(const OperationsScene& scene, OperationsResult& re
   constexpr double kRounding = 1e-9;  // [s]
   for (const auto& [name, settings] : settings_) {
     if (const auto* const monitor = std::get_if<RouteCollisionParameters>(&settings)) {
-      const bool isDue = !lastCheck_ || scene.time - *lastCheck_ >= 1.0 / monitor->rate - kRounding;
+      const bool isDue =
+          !lastCheck_ || scene.now.time - *lastCheck_ >= 1.0 / monitor->rate - kRounding;
       if (!isDue || !scene.state.current) {  // not evaluated before the first edge
         continue;
       }
-      lastCheck_ = scene.time;
+      lastCheck_ = scene.now.time;
       const auto edge = blockedEdge(*monitor, scene);
       if (edge && monitor->rerouteOnCollision) {
         result.reroutes = true;

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/nav/nav2/route/GoalIntentExtractor.h"
+#include "sim2d/nav/nav2/route/RouteGraph.h"
+#include "sim2d/nav/nav2/route/RouteParameters.h"
 
 /// Progress of a robot on a route (nav2_route::RouteTracker).
 namespace sim2d::nav2 {
@@ -39,11 +40,7 @@ struct OperationsScene {
   const RouteGraph& graph;
   const Route& route;
   const TrackState& state;
-  Vec2 robot = Vec2::Zero();        // [m]
-  const Costmap* global = nullptr;  // null: not available
-  const Costmap* local = nullptr;
-  double time = 0.0;   // [s]
-  Pose2 localFrame{};  // frame of `local`, in the map
+  const RouteScene& now;
 };
 
 struct OperationsResult {

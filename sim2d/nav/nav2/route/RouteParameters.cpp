@@ -1,13 +1,10 @@
 #include "sim2d/nav/nav2/route/RouteParameters.h"
 
-#include <array>
-#include <optional>
-
 namespace sim2d::nav2 {
 
-const std::vector<Nav2Key<RouteServerParameters>>& routeServerKeys() {
+Nav2Keys<RouteServerParameters> routeServerKeys() {
   using P = RouteServerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"graph_filepath", &P::graphFilepath, "", "GeoJSON file of the graph"},
       {"edge_cost_functions", &P::edgeCostFunctions, "", "Plugins that compute the costs of edges"},
       {"operations", &P::operations, "", "Plugins that are executed while a route is followed"},
@@ -35,55 +32,47 @@ const std::vector<Nav2Key<RouteServerParameters>>& routeServerKeys() {
       {"smooth_corners", &P::smoothCorners, "", "Rounds the corners of the path"},
       {"smoothing_radius", &P::smoothingRadius, "m", "Radius of the rounded corners"},
       {"path_density", &P::pathDensity, "m", "Distance between poses of the path"}};
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredRouteServerKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
-      {"base_frame", "the robot's pose is that of its centre"},
-      {"route_frame", "graphs are in the frame of the map"},
-      {"global_frame", "graphs are in the frame of the map"},
-      {"costmap_topic", "the global costmap is used"},
-      {"max_planning_time",
-       "runs are independent of the computer: max_iterations limits the "
-       "search"},
-      {"action_server_result_timeout", "results cannot be lost"},
-      {"graph_file_loader", "graphs are read by GeoJsonGraphFileLoader"},
-      {"GeoJsonGraphFileLoader.", "graphs are read by GeoJsonGraphFileLoader"},
-      {"graph_file_saver", "graphs are not saved"},
-      {"GeoJsonGraphFileSaver.", "graphs are not saved"}};
-  return kKeys;
+IgnoredKeys ignoredRouteServerKeys() {
+  return {{"base_frame", "the robot's pose is that of its centre"},
+          {"route_frame", "graphs are in the frame of the map"},
+          {"global_frame", "graphs are in the frame of the map"},
+          {"costmap_topic", "the global costmap is used"},
+          {"max_planning_time",
+           "runs are independent of the computer: max_iterations limits the "
+           "search"},
+          {"action_server_result_timeout", "results cannot be lost"},
+          {"graph_file_loader", "graphs are read by GeoJsonGraphFileLoader"},
+          {"GeoJsonGraphFileLoader.", "graphs are read by GeoJsonGraphFileLoader"},
+          {"graph_file_saver", "graphs are not saved"},
+          {"GeoJsonGraphFileSaver.", "graphs are not saved"}};
 }
 
-const std::vector<Nav2Key<DistanceScorerParameters>>& keysOf(const DistanceScorerParameters&) {
+Nav2Keys<DistanceScorerParameters> keysOf(const DistanceScorerParameters&) {
   using P = DistanceScorerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"speed_tag", &P::speedTag, "", "Metadata key of an edge: share of the speed on the edge"},
       {"weight", &P::weight, "", "Weight of this cost"}};
-  return kKeys;
 }
 
-const std::vector<Nav2Key<TimeScorerParameters>>& keysOf(const TimeScorerParameters&) {
+Nav2Keys<TimeScorerParameters> keysOf(const TimeScorerParameters&) {
   using P = TimeScorerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"speed_tag", &P::speedTag, "", "Metadata key of an edge: speed on the edge in m/s"},
-      {"time_tag", &P::timeTag, "", "Metadata key of an edge: measured time in s"},
-      {"max_vel", &P::maxVel, "m/s", "Speed on edges without a speed"},
-      {"weight", &P::weight, "", "Weight of this cost"}};
-  return kKeys;
+  return {{"speed_tag", &P::speedTag, "", "Metadata key of an edge: speed on the edge in m/s"},
+          {"time_tag", &P::timeTag, "", "Metadata key of an edge: measured time in s"},
+          {"max_vel", &P::maxVel, "m/s", "Speed on edges without a speed"},
+          {"weight", &P::weight, "", "Weight of this cost"}};
 }
 
-const std::vector<Nav2Key<PenaltyScorerParameters>>& keysOf(const PenaltyScorerParameters&) {
+Nav2Keys<PenaltyScorerParameters> keysOf(const PenaltyScorerParameters&) {
   using P = PenaltyScorerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"penalty_tag", &P::penaltyTag, "", "Metadata key of an edge: penalty"},
-      {"weight", &P::weight, "", "Weight of this cost"}};
-  return kKeys;
+  return {{"penalty_tag", &P::penaltyTag, "", "Metadata key of an edge: penalty"},
+          {"weight", &P::weight, "", "Weight of this cost"}};
 }
 
-const std::vector<Nav2Key<CostmapScorerParameters>>& keysOf(const CostmapScorerParameters&) {
+Nav2Keys<CostmapScorerParameters> keysOf(const CostmapScorerParameters&) {
   using P = CostmapScorerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"use_maximum", &P::useMaximum, "", "Uses the maximum cost on the edge, else the mean"},
       {"invalid_on_collision", &P::invalidOnCollision, "", "Edges with a collision are not used"},
       {"invalid_off_map", &P::invalidOffMap, "", "Edges outside the map are not used"},
@@ -91,124 +80,82 @@ const std::vector<Nav2Key<CostmapScorerParameters>>& keysOf(const CostmapScorerP
       {"check_resolution", &P::checkResolution, "", "Step between checked cells"},
       {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"},
       {"weight", &P::weight, "", "Weight of this cost"}};
-  return kKeys;
 }
 
-const std::vector<Nav2Key<SemanticScorerParameters>>& keysOf(const SemanticScorerParameters&) {
+Nav2Keys<SemanticScorerParameters> keysOf(const SemanticScorerParameters&) {
   using P = SemanticScorerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"semantic_key", &P::semanticKey, "",
-       "Metadata key whose text is the class; empty: the keys are the classes"},
-      {"semantic_classes", &P::semanticClasses, "",
-       "Names of the classes, whose costs are keys of the same block"},
-      {"weight", &P::weight, "", "Weight of this cost"}};
-  return kKeys;
+  return {{"semantic_key", &P::semanticKey, "",
+           "Metadata key whose text is the class; empty: the keys are the classes"},
+          {"semantic_classes", &P::semanticClasses, "",
+           "Names of the classes, whose costs are keys of the same block"},
+          {"weight", &P::weight, "", "Weight of this cost"}};
 }
 
-const std::vector<Nav2Key<OrientationScorerParameters>>& keysOf(
-    const OrientationScorerParameters&) {
+Nav2Keys<OrientationScorerParameters> keysOf(const OrientationScorerParameters&) {
   using P = OrientationScorerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"orientation_tolerance", &P::orientationTolerance, "rad", "Maximum heading difference"},
-      {"orientation_weight", &P::orientationWeight, "", "Cost per radian"},
-      {"use_orientation_threshold", &P::useOrientationThreshold, "",
-       "Edges beyond the tolerance are not used"}};
-  return kKeys;
+  return {{"orientation_tolerance", &P::orientationTolerance, "rad", "Maximum heading difference"},
+          {"orientation_weight", &P::orientationWeight, "", "Cost per radian"},
+          {"use_orientation_threshold", &P::useOrientationThreshold, "",
+           "Edges beyond the tolerance are not used"}};
 }
 
-const std::vector<Nav2Key<DynamicEdgesParameters>>& keysOf(const DynamicEdgesParameters&) {
-  static const std::vector<Nav2Key<DynamicEdgesParameters>> kKeys;
-  return kKeys;
+Nav2Keys<DynamicEdgesParameters> keysOf(const DynamicEdgesParameters&) {
+  return {};
 }
 
-const std::vector<Nav2Key<AdjustSpeedLimitParameters>>& keysOf(const AdjustSpeedLimitParameters&) {
+Nav2Keys<AdjustSpeedLimitParameters> keysOf(const AdjustSpeedLimitParameters&) {
   using P = AdjustSpeedLimitParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"speed_tag", &P::speedTag, "", "Metadata key of an edge: percentage of the speed"}};
-  return kKeys;
+  return {{"speed_tag", &P::speedTag, "", "Metadata key of an edge: percentage of the speed"}};
 }
 
-const std::vector<Nav2Key<RouteCollisionParameters>>& keysOf(const RouteCollisionParameters&) {
+Nav2Keys<RouteCollisionParameters> keysOf(const RouteCollisionParameters&) {
   using P = RouteCollisionParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"rate", &P::rate, "Hz", "Rate of the checks"},
-      {"max_cost", &P::maxCost, "", "Cost from which a cell is in collision"},
-      {"check_resolution", &P::checkResolution, "", "Step between checked cells"},
-      {"max_collision_dist", &P::maxCollisionDist, "m",
-       "Length of the route ahead that is checked"},
-      {"reroute_on_collision", &P::rerouteOnCollision, "",
-       "Computes another route, else the operation fails"},
-      {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"}};
-  return kKeys;
+  return {{"rate", &P::rate, "Hz", "Rate of the checks"},
+          {"max_cost", &P::maxCost, "", "Cost from which a cell is in collision"},
+          {"check_resolution", &P::checkResolution, "", "Step between checked cells"},
+          {"max_collision_dist", &P::maxCollisionDist, "m",
+           "Length of the route ahead that is checked"},
+          {"reroute_on_collision", &P::rerouteOnCollision, "",
+           "Computes another route, else the operation fails"},
+          {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"}};
 }
 
-const std::vector<Nav2Key<TimeMarkerParameters>>& keysOf(const TimeMarkerParameters&) {
+Nav2Keys<TimeMarkerParameters> keysOf(const TimeMarkerParameters&) {
   using P = TimeMarkerParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"time_tag", &P::timeTag, "", "Metadata key of an edge in which the time in s is stored"}};
-  return kKeys;
 }
 
-const std::vector<Nav2Key<ReroutingServiceParameters>>& keysOf(const ReroutingServiceParameters&) {
-  static const std::vector<Nav2Key<ReroutingServiceParameters>> kKeys;
-  return kKeys;
+Nav2Keys<ReroutingServiceParameters> keysOf(const ReroutingServiceParameters&) {
+  return {};
 }
 
-const std::vector<Nav2Key<TriggerEventParameters>>& keysOf(const TriggerEventParameters&) {
+Nav2Keys<TriggerEventParameters> keysOf(const TriggerEventParameters&) {
   using P = TriggerEventParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"service_name", &P::serviceName, "",
-       "Event for nodes and edges whose graph file names none"}};
-  return kKeys;
+  return {{"service_name", &P::serviceName, "",
+           "Event for nodes and edges whose graph file names none"}};
 }
 
-const std::vector<std::string>& edgeScorerPlugins() {
-  static const std::vector<std::string> kPlugins = {
-      "nav2_route::DistanceScorer",        "nav2_route::TimeScorer",
-      "nav2_route::PenaltyScorer",         "nav2_route::CostmapScorer",
-      "nav2_route::SemanticScorer",        "nav2_route::StartPoseOrientationScorer",
-      "nav2_route::GoalOrientationScorer", "nav2_route::GoalPoseOrientationScorer",
-      "nav2_route::DynamicEdgesScorer"};
-  return kPlugins;
-}
-
-const std::vector<std::string>& routeOperationPlugins() {
-  static const std::vector<std::string> kPlugins = {
-      "nav2_route::AdjustSpeedLimit", "nav2_route::CollisionMonitor", "nav2_route::TimeMarker",
-      "nav2_route::ReroutingService", "nav2_route::TriggerEvent"};
-  return kPlugins;
-}
-
-std::optional<EdgeScorerSettings> edgeScorerOf(const std::string& plugin) {
+PluginClasses<EdgeScorerSettings> edgeScorerClasses() {
   OrientationScorerParameters ofGoal;
   ofGoal.isOfGoal = true;
-  const std::array<EdgeScorerSettings, 9> kSettings = {DistanceScorerParameters(),
-                                                       TimeScorerParameters(),
-                                                       PenaltyScorerParameters(),
-                                                       CostmapScorerParameters(),
-                                                       SemanticScorerParameters(),
-                                                       OrientationScorerParameters(),
-                                                       ofGoal,
-                                                       ofGoal,
-                                                       DynamicEdgesParameters()};
-  for (std::size_t i = 0; i < kSettings.size(); ++i) {
-    if (edgeScorerPlugins()[i] == plugin) {
-      return kSettings.at(i);
-    }
-  }
-  return std::nullopt;
+  return {{"nav2_route::DistanceScorer", DistanceScorerParameters()},
+          {"nav2_route::TimeScorer", TimeScorerParameters()},
+          {"nav2_route::PenaltyScorer", PenaltyScorerParameters()},
+          {"nav2_route::CostmapScorer", CostmapScorerParameters()},
+          {"nav2_route::SemanticScorer", SemanticScorerParameters()},
+          {"nav2_route::StartPoseOrientationScorer", OrientationScorerParameters()},
+          {"nav2_route::GoalOrientationScorer", ofGoal},
+          {"nav2_route::GoalPoseOrientationScorer", ofGoal},
+          {"nav2_route::DynamicEdgesScorer", DynamicEdgesParameters()}};
 }
 
-std::optional<RouteOperationSettings> routeOperationOf(const std::string& plugin) {
-  const std::array<RouteOperationSettings, 5> kSettings = {
-      AdjustSpeedLimitParameters(), RouteCollisionParameters(), TimeMarkerParameters(),
-      ReroutingServiceParameters(), TriggerEventParameters()};
-  for (std::size_t i = 0; i < kSettings.size(); ++i) {
-    if (routeOperationPlugins()[i] == plugin) {
-      return kSettings.at(i);
-    }
-  }
-  return std::nullopt;
+PluginClasses<RouteOperationSettings> routeOperationClasses() {
+  return {{"nav2_route::AdjustSpeedLimit", AdjustSpeedLimitParameters()},
+          {"nav2_route::CollisionMonitor", RouteCollisionParameters()},
+          {"nav2_route::TimeMarker", TimeMarkerParameters()},
+          {"nav2_route::ReroutingService", ReroutingServiceParameters()},
+          {"nav2_route::TriggerEvent", TriggerEventParameters()}};
 }
 
 base::Diagnostics problemsOf(const RouteServerParameters& parameters) {

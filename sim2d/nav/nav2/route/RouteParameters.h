@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -107,26 +106,24 @@ struct RouteSettings {
   std::vector<std::pair<std::string, RouteOperationSettings>> operations;
 };
 
-const std::vector<Nav2Key<RouteServerParameters>>& routeServerKeys();
-const std::vector<IgnoredKey>& ignoredRouteServerKeys();
-const std::vector<Nav2Key<DistanceScorerParameters>>& keysOf(const DistanceScorerParameters&);
-const std::vector<Nav2Key<TimeScorerParameters>>& keysOf(const TimeScorerParameters&);
-const std::vector<Nav2Key<PenaltyScorerParameters>>& keysOf(const PenaltyScorerParameters&);
-const std::vector<Nav2Key<CostmapScorerParameters>>& keysOf(const CostmapScorerParameters&);
-const std::vector<Nav2Key<SemanticScorerParameters>>& keysOf(const SemanticScorerParameters&);
-const std::vector<Nav2Key<OrientationScorerParameters>>& keysOf(const OrientationScorerParameters&);
-const std::vector<Nav2Key<DynamicEdgesParameters>>& keysOf(const DynamicEdgesParameters&);
-const std::vector<Nav2Key<AdjustSpeedLimitParameters>>& keysOf(const AdjustSpeedLimitParameters&);
-const std::vector<Nav2Key<RouteCollisionParameters>>& keysOf(const RouteCollisionParameters&);
-const std::vector<Nav2Key<TimeMarkerParameters>>& keysOf(const TimeMarkerParameters&);
-const std::vector<Nav2Key<ReroutingServiceParameters>>& keysOf(const ReroutingServiceParameters&);
-const std::vector<Nav2Key<TriggerEventParameters>>& keysOf(const TriggerEventParameters&);
+Nav2Keys<RouteServerParameters> routeServerKeys();
+IgnoredKeys ignoredRouteServerKeys();
+Nav2Keys<DistanceScorerParameters> keysOf(const DistanceScorerParameters&);
+Nav2Keys<TimeScorerParameters> keysOf(const TimeScorerParameters&);
+Nav2Keys<PenaltyScorerParameters> keysOf(const PenaltyScorerParameters&);
+Nav2Keys<CostmapScorerParameters> keysOf(const CostmapScorerParameters&);
+Nav2Keys<SemanticScorerParameters> keysOf(const SemanticScorerParameters&);
+Nav2Keys<OrientationScorerParameters> keysOf(const OrientationScorerParameters&);
+Nav2Keys<DynamicEdgesParameters> keysOf(const DynamicEdgesParameters&);
+Nav2Keys<AdjustSpeedLimitParameters> keysOf(const AdjustSpeedLimitParameters&);
+Nav2Keys<RouteCollisionParameters> keysOf(const RouteCollisionParameters&);
+Nav2Keys<TimeMarkerParameters> keysOf(const TimeMarkerParameters&);
+Nav2Keys<ReroutingServiceParameters> keysOf(const ReroutingServiceParameters&);
+Nav2Keys<TriggerEventParameters> keysOf(const TriggerEventParameters&);
 
-/// Default settings by plugin class ("nav2_route::DistanceScorer"); nullopt: no such class.
-std::optional<EdgeScorerSettings> edgeScorerOf(const std::string& plugin);
-std::optional<RouteOperationSettings> routeOperationOf(const std::string& plugin);
-const std::vector<std::string>& edgeScorerPlugins();
-const std::vector<std::string>& routeOperationPlugins();
+/// The plugin classes of edge_cost_functions and operations.
+PluginClasses<EdgeScorerSettings> edgeScorerClasses();
+PluginClasses<RouteOperationSettings> routeOperationClasses();
 
 /// Errors in values for which no route can be computed or followed.
 base::Diagnostics problemsOf(const RouteServerParameters& parameters);

@@ -5,18 +5,19 @@
 #include <functional>
 #include <limits>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include <queue>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/nav/FrameTransform.h"
+#include "sim2d/nav/Body.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
 namespace {
+
+/// Position of an edge in a search: it begins at the start or ends at the goal.
+enum class EdgeRole : std::uint8_t { None, Start, End };
 
 /// An edge with the data for scoring it.
 struct ScoredEdge {
@@ -53,14 +54,13 @@ Cost costOf(const PenaltyScorerParameters& scorer, const ScoredEdge& at) {
 
 /// The maximum or mean cost of the cells on the straight line, relative to max_cost.
 Cost costOf(const CostmapScorerParameters& scorer, const ScoredEdge& at) {
-  const bool isLocal = scorer.costmapTopic.find("local") != std::string::npos;
-  const Costmap* const costmap = isLocal ? at.scene.local : at.scene.global;
+  const auto inputs = at.scene.scene.costmapOf(scorer.costmapTopic);
+  const Costmap* const costmap = inputs.first;
   if (costmap == nullptr) {
     return std::nullopt;
   }
-  const Pose2 frame = isLocal ? at.scene.localFrame : Pose2();
   const auto cellOf = [&](std::size_t node) {
-    return costmap->worldToCell(toFrame(frame, {at.graph.nodes[node].place, 0.0}).position);
+    return costmap->worldToCell(toFrame(inputs.second, {at.graph.nodes[node].place, 0.0}).position);
   };
   const auto from = cellOf(at.edge.from);
   const auto to = cellOf(at.edge.to);
@@ -173,21 +173,21 @@ bool DynamicEdges::apply(const std::string& text) {
   return closes || opens;
 }
 
-bool EdgeScorers::needsPoses() const {
-  return std::any_of(settings_.begin(), settings_.end(), [](const auto& each) {
+namespace {
+
+/// Whether a scorer compares headings with those of poses, which a request by ids does not have.
+bool needPoses(const EdgeScorers& scorers) {
+  return std::any_of(scorers.begin(), scorers.end(), [](const auto& each) {
     return std::holds_alternative<OrientationScorerParameters>(each.second);
   });
 }
 
-std::optional<double> EdgeScorers::cost(const RouteGraph& graph, const RouteEdge& edge,
-                                        EdgeRole role, const ScoringScene& scene) const {
+/// The sum of the costs of all scorers; nullopt: the edge is not usable.
+Cost sumOfCosts(const EdgeScorers& scorers, const ScoredEdge& edge) {
   double sum = 0.0;
-  for (const auto& [name, settings] : settings_) {
-    const Cost cost = std::visit(
-        [&](const auto& scorer) {
-          return costOf(scorer, {graph, edge, role, scene});
-        },
-        settings);
+  for (const auto& [name, settings] : scorers) {
+    const Cost cost =
+        std::visit([&](const auto& scorer) { return costOf(scorer, edge); }, settings);
     if (!cost) {
       return std::nullopt;
     }
@@ -195,8 +195,6 @@ std::optional<double> EdgeScorers::cost(const RouteGraph& graph, const RouteEdge
   }
   return sum;
 }
-
-namespace {
 
 constexpr std::size_t kNoEdge = std::numeric_limits<std::size_t>::max();
 
@@ -207,27 +205,89 @@ struct NodeState {
   std::size_t edge = kNoEdge;  // into this node
 };
 
-class Search {
+class RouteSearch {
  public:
-  Search(const RouteGraph& graph, std::size_t start, std::size_t goal, const BlockedEdges& blocked,
-         const EdgeScorers& scorers, const ScoringScene& scene)
+  RouteSearch(const RouteGraph& graph, const RouteQuery& query, const BlockedEdges& blocked,
+              const EdgeScorers& scorers, const ScoringScene& scene)
       : graph_(graph),
-        start_(start),
-        goal_(goal),
+        query_(query),
         blocked_(blocked),
         scorers_(scorers),
         scene_(scene),
         nodeStates_(graph.nodes.size()) {}
 
-  RouteResult run(int maxIterations);
+  RouteResult run() {
+    nodeStates_[query_.start].cost = 0.0;
+    open_.emplace(0.0, 0, query_.start);
+    for (int iterations = 0; !open_.empty(); ++iterations) {
+      if (query_.maxIterations > 0 && iterations >= query_.maxIterations) {
+        return {RouteError::Timeout, "the limit of iterations (max_iterations) is reached", {}};
+      }
+      const auto [cost, order, node] = open_.top();
+      open_.pop();
+      if (cost > nodeStates_[node].cost) {
+        continue;  // a cheaper path was found after insertion
+      }
+      if (node == query_.goal) {
+        return {RouteError::None, {}, route()};
+      }
+      if (auto failure = expand(node)) {
+        return *std::move(failure);
+      }
+    }
+    return {RouteError::NoValidRoute,
+            "no edges lead from node " + std::to_string(graph_.nodes[query_.start].id) +
+                " to node " + std::to_string(graph_.nodes[query_.goal].id),
+            {}};
+  }
 
  private:
-  bool expand(std::size_t node, RouteResult& result);
-  EdgeRole roleOf(const RouteEdge& edge) const;
-  Route route() const;
+  /// Returns the failure if an edge has no valid cost.
+  std::optional<RouteResult> expand(std::size_t node) {
+    for (const std::size_t index : graph_.outgoing[node]) {
+      const RouteEdge& edge = graph_.edges[index];
+      if (blocked_.count(edge.id) != 0) {
+        continue;
+      }
+      Cost cost = edge.cost;
+      if (edge.overridable && !scorers_.empty()) {
+        cost = sumOfCosts(scorers_, {graph_, edge, roleOf(edge), scene_});
+      } else if (edge.cost <= 0.0) {
+        return RouteResult{RouteError::NoValidGraph,
+                           "edge " + std::to_string(edge.id) + " has no cost above 0",
+                           {}};
+      }
+      if (cost && nodeStates_[node].cost + *cost < nodeStates_[edge.to].cost) {
+        nodeStates_[edge.to] = {nodeStates_[node].cost + *cost, *cost, index};
+        open_.emplace(nodeStates_[edge.to].cost, ++insertionCount_, edge.to);
+      }
+    }
+    return std::nullopt;
+  }
+
+  EdgeRole roleOf(const RouteEdge& edge) const {
+    if (edge.from == query_.start) {
+      return EdgeRole::Start;
+    }
+    return edge.to == query_.goal ? EdgeRole::End : EdgeRole::None;
+  }
+
+  Route route() const {
+    Route route;
+    route.start = query_.start;
+    for (std::size_t node = query_.goal; node != query_.start;
+         node = graph_.edges[route.edges.back()].from) {
+      route.edges.push_back(nodeStates_[node].edge);
+      route.costs.push_back(nodeStates_[node].lastCost);
+    }
+    std::reverse(route.edges.begin(), route.edges.end());
+    std::reverse(route.costs.begin(), route.costs.end());
+    route.cost = nodeStates_[query_.goal].cost;
+    return route;
+  }
 
   const RouteGraph& graph_;
-  std::size_t start_, goal_;
+  const RouteQuery& query_;
   const BlockedEdges& blocked_;
   const EdgeScorers& scorers_;
   const ScoringScene& scene_;
@@ -237,89 +297,14 @@ class Search {
   std::size_t insertionCount_ = 0;
 };
 
-EdgeRole Search::roleOf(const RouteEdge& edge) const {
-  if (edge.from == start_) {
-    return EdgeRole::Start;
-  }
-  return edge.to == goal_ ? EdgeRole::End : EdgeRole::None;
-}
-
-/// Returns false if an edge has no valid cost.
-bool Search::expand(std::size_t node, RouteResult& result) {
-  for (const std::size_t index : graph_.outgoing[node]) {
-    const RouteEdge& edge = graph_.edges[index];
-    if (blocked_.count(edge.id) != 0) {
-      continue;
-    }
-    std::optional<double> cost = edge.cost;
-    if (edge.overridable && !scorers_.isEmpty()) {
-      cost = scorers_.cost(graph_, edge, roleOf(edge), scene_);
-    } else if (edge.cost <= 0.0) {
-      result.error = RouteError::NoValidGraph;
-      result.text = "edge " + std::to_string(edge.id) + " has no cost above 0";
-      return false;
-    }
-    if (cost && nodeStates_[node].cost + *cost < nodeStates_[edge.to].cost) {
-      nodeStates_[edge.to] = {nodeStates_[node].cost + *cost, *cost, index};
-      open_.emplace(nodeStates_[edge.to].cost, ++insertionCount_, edge.to);
-    }
-  }
-  return true;
-}
-
-Route Search::route() const {
-  Route route;
-  route.start = start_;
-  for (std::size_t node = goal_; node != start_; node = graph_.edges[route.edges.back()].from) {
-    route.edges.push_back(nodeStates_[node].edge);
-    route.costs.push_back(nodeStates_[node].lastCost);
-  }
-  std::reverse(route.edges.begin(), route.edges.end());
-  std::reverse(route.costs.begin(), route.costs.end());
-  route.cost = nodeStates_[goal_].cost;
-  return route;
-}
-
-RouteResult Search::run(int maxIterations) {
-  RouteResult result;
-  nodeStates_[start_].cost = 0.0;
-  open_.emplace(0.0, 0, start_);
-  for (int iterations = 0; !open_.empty(); ++iterations) {
-    if (maxIterations > 0 && iterations >= maxIterations) {
-      result.error = RouteError::Timeout;
-      result.text = "the limit of iterations (max_iterations) is reached";
-      return result;
-    }
-    const auto [cost, order, node] = open_.top();
-    open_.pop();
-    if (cost > nodeStates_[node].cost) {
-      continue;  // a cheaper path was found after insertion
-    }
-    if (node == goal_) {
-      result.route = route();
-      return result;
-    }
-    if (!expand(node, result)) {
-      return result;
-    }
-  }
-  result.error = RouteError::NoValidRoute;
-  result.text = "no edges lead from node " + std::to_string(graph_.nodes[start_].id) + " to node " +
-                std::to_string(graph_.nodes[goal_].id);
-  return result;
-}
-
 }  // namespace
 
 RouteResult findRoute(const RouteGraph& graph, const RouteQuery& query, const BlockedEdges& blocked,
                       const EdgeScorers& scorers, const ScoringScene& scene) {
-  if (scorers.needsPoses() && !scene.request.usesPoses) {
-    RouteResult result;
-    result.error = RouteError::InvalidEdgeScorerUse;
-    result.text = "a scorer of headings needs poses, not ids";
-    return result;
+  if (needPoses(scorers) && !scene.request.usesPoses) {
+    return {RouteError::InvalidEdgeScorerUse, "a scorer of headings needs poses, not ids", {}};
   }
-  return Search(graph, query.start, query.goal, blocked, scorers, scene).run(query.maxIterations);
+  return RouteSearch(graph, query, blocked, scorers, scene).run();
 }
 
 }  // namespace sim2d::nav2

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -22,35 +21,15 @@ struct DynamicEdges {
   bool apply(const std::string& text);
 };
 
-/// Position of an edge in a search: it begins at the start or ends at the goal.
-enum class EdgeRole : std::uint8_t { None, Start, End };
-
 /// Inputs of the scorers.
 struct ScoringScene {
   const RouteRequest& request;
   const DynamicEdges& dynamicEdges;
-  const Costmap* global = nullptr;  // null: not available, edges are invalid
-  const Costmap* local = nullptr;
-  Pose2 localFrame{};  // frame of `local`, in the map
+  const RouteScene& scene;  // edges are invalid without the costmap of a scorer
 };
 
-/// Sums the edge costs of the plugins of the key edge_cost_functions (nav2_route,
-/// plugins/edge_cost_functions). A value type.
-class EdgeScorers {
- public:
-  explicit EdgeScorers(std::vector<std::pair<std::string, EdgeScorerSettings>> settings)
-      : settings_(std::move(settings)) {}
-
-  bool isEmpty() const { return settings_.empty(); }
-  /// Whether a scorer compares headings with those of poses, which a request by ids does not have.
-  bool needsPoses() const;
-  /// nullopt: the edge is not usable.
-  std::optional<double> cost(const RouteGraph& graph, const RouteEdge& edge, EdgeRole role,
-                             const ScoringScene& scene) const;
-
- private:
-  std::vector<std::pair<std::string, EdgeScorerSettings>> settings_;
-};
+/// Plugins of the key edge_cost_functions by name (nav2_route, plugins/edge_cost_functions).
+using EdgeScorers = std::vector<std::pair<std::string, EdgeScorerSettings>>;
 
 struct RouteQuery {
   std::size_t start = 0, goal = 0;  // node indices

@@ -6,26 +6,60 @@
 #include <vector>
 
 #include "sim2d/nav/nav2/route/RouteOperations.h"
-#include "sim2d/nav/nav2/route/RoutePathConverter.h"
 #include "sim2d/nav/nav2/route/RoutePlanner.h"
 
 /// nav2_route::RouteServer: computes routes through a graph and tracks progress on them.
 namespace sim2d::nav2 {
 
-/// Inputs of the server in a step.
-struct RouteScene {
-  Pose2 robot;
-  const Costmap* global = nullptr;  // null: not available
-  const Costmap* local = nullptr;
-  double time = 0.0;   // [s]
-  Pose2 localFrame{};  // frame of `local`, in the map
+/// The start and goal nodes of a request (nav2_route::GoalIntentExtractor).
+
+/// The nodes nearest to a position, nearest first; at equal distances in file order.
+std::vector<std::size_t> nearestNodes(const RouteGraph& graph, const Vec2& place,
+                                      std::size_t count);
+
+/// The node of a pose: the nearest one if the straight line to it is free in the costmap (no cell
+/// >= 253 except unknown ones); else, of the nearest `num_nearest_nodes`, the first one reached by
+/// a search through free cells. The nearest one without a costmap, with `enable_nn_search` off, or
+/// when the search reaches none. nullopt: the graph has no nodes.
+std::optional<std::size_t> nodeOfPose(const RouteGraph& graph, const Vec2& place,
+                                      const Costmap* costmap,
+                                      const RouteServerParameters& parameters);
+
+/// Removes the first edge if the start is beside it and past its first node, and the last one if
+/// the goal is beside it and before its last node. `continued`: the edge being followed; kept if it
+/// is the removed one, else reset. `isFirst`: the route is not a reroute.
+Route pruneRoute(Route route, const RouteGraph& graph, const RouteRequest& request, bool isFirst,
+                 const RouteServerParameters& parameters, ContinuedEdge& continued);
+
+/// A circular arc that rounds a corner between two segments (nav2_route::CornerArc) and is tangent
+/// to both. World frame [m].
+class CornerArc {
+ public:
+  /// Invalid if the segments are collinear, one has no length, or the arc would begin or end beyond
+  /// them.
+  CornerArc(const Vec2& start, const Vec2& corner, const Vec2& end, double radius);
+
+  bool isValid() const { return isValid_; }
+  const Vec2& begin() const { return begin_; }
+  const Vec2& end() const { return end_; }
+  const Vec2& centre() const { return centre_; }
+  /// Points from the beginning, without the end, at most `step` apart [rad].
+  std::vector<Vec2> points(double step) const;
+
+ private:
+  bool isValid_ = false;
+  Vec2 begin_ = Vec2::Zero(), end_ = Vec2::Zero(), centre_ = Vec2::Zero();
 };
 
+/// Converts a route to a path (nav2_route::PathConverter): poses at most `path_density` apart along
+/// the edges, with arcs at corners if `smooth_corners` is set. Starts with a continued edge, from
+/// its nearest point. Headings point to the next pose; the last one is that of the last edge. A
+/// route without edges is its node only.
+Path pathOf(const Route& route, const RouteGraph& graph, const RouteServerParameters& parameters,
+            const ContinuedEdge& continued = {});
+
 /// Result of a request.
-struct RoutePlan {
-  RouteError error = RouteError::None;
-  std::string text;  // error message
-  Route route;
+struct RoutePlan : RouteResult {
   Path path;
 };
 
@@ -89,7 +123,6 @@ class RouteServer {
 
   RouteSettings settings_;
   RouteGraph graph_;
-  EdgeScorers scorers_;
   RouteOperations operations_;
   DynamicEdges dynamicEdges_;
   RouteRequest request_;

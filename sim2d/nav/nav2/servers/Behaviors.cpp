@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/Observation.h"
-#include "sim2d/nav/nav2/costmap/Footprint.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -16,31 +13,37 @@ constexpr double kBehaviorClock = 1e-9;  // [s], rounding of times
 constexpr double kTurnReached = 1e-6;    // [rad]
 
 BehaviorStep behaviorRuns(const BodyTwist& twist) {
-  BehaviorStep step;
-  step.twist = twist;
-  return step;
+  return {BehaviorStatus::Running, true, twist, BehaviorError::None, {}};
 }
 BehaviorStep behaviorSucceeded() {
-  BehaviorStep step;
-  step.status = BehaviorStatus::Succeeded;
-  return step;
+  return {BehaviorStatus::Succeeded, true, {}, BehaviorError::None, {}};
 }
-BehaviorStep behaviorFailed(BehaviorError error, std::string words) {
-  BehaviorStep step;
-  step.status = BehaviorStatus::Failed;
-  step.error = error;
-  step.words = std::move(words);
-  return step;
+BehaviorStep behaviorFailed(BehaviorError error, const char* words) {
+  return {BehaviorStatus::Failed, true, {}, error, words};
 }
 
 bool isAllowanceOver(double time, double start, double allowance) {
   return allowance > 0.0 && time - start > allowance + kBehaviorClock;
 }
 
-int simulationCycles(const BehaviorParameters& parameters) {
+/// Whether the footprint is free at the poses of the next cycles, up to `left` at `speed` (lengths
+/// or angles); `poseAfter(distance)`.
+template <class PoseAfter>
+bool isMotionFree(const BehaviorParameters& parameters, const BehaviorInput& input, double speed,
+                  double left, const PoseAfter& poseAfter) {
   constexpr double kMax = 10000.0;  // cycles of a simulation
-  return static_cast<int>(
+  const int cycles = static_cast<int>(
       std::clamp(parameters.cycleFrequency * parameters.simulateAheadTime, 0.0, kMax));
+  for (int i = 0; i < cycles; ++i) {
+    const double ahead = speed * (i / parameters.cycleFrequency);
+    if (left - std::fabs(ahead) <= 0.0) {
+      break;
+    }
+    if (isBehaviorBlocked(input, poseAfter(ahead))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -49,9 +52,9 @@ DriveParameters driveDefaults(Distro distro) {
   return distro >= Distro::Kilted ? DriveParameters{2.5, -2.5, 0.10} : DriveParameters{};
 }
 
-const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys() {
+Nav2Keys<BehaviorParameters> behaviorKeys() {
   using P = BehaviorParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"cycle_frequency", &P::cycleFrequency, "Hz", "Cycles of a behaviour per second."},
       {"behavior_plugins", &P::behaviorPlugins, "", "Names of the behaviours."},
       {"simulate_ahead_time", &P::simulateAheadTime, "s",
@@ -65,19 +68,18 @@ const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys() {
       {"simulation_time_step", &P::simulationTimeStep, "s",
        "Assisted teleop: time step of that simulation."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<DriveParameters>>& driveKeys() {
+Nav2Keys<DriveParameters> driveKeys() {
   using P = DriveParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"acceleration_limit", &P::accelerationLimit, "m/s²", "Acceleration; 0: unlimited.",
-       kHumble | kSinceKilted},
-      {"deceleration_limit", &P::decelerationLimit, "m/s²",
-       "Deceleration, at most 0; 0: unlimited.", kHumble | kSinceKilted},
-      {"minimum_speed", &P::minimumSpeed, "m/s", "Minimum speed.", kHumble | kSinceKilted},
-  };
-  return kKeys;
+  return onlyIn<Nav2Key<P>>(
+      kHumble | kSinceKilted,
+      {
+          {"acceleration_limit", &P::accelerationLimit, "m/s²", "Acceleration; 0: unlimited."},
+          {"deceleration_limit", &P::decelerationLimit, "m/s²",
+           "Deceleration, at most 0; 0: unlimited."},
+          {"minimum_speed", &P::minimumSpeed, "m/s", "Minimum speed."},
+      });
 }
 
 base::Diagnostics problemsOf(const BehaviorParameters& parameters) {
@@ -99,8 +101,8 @@ base::Diagnostics problemsOf(const DriveParameters& parameters, const std::strin
   return problems;
 }
 
-const std::vector<IgnoredKey>& ignoredBehaviorKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredBehaviorKeys() {
+  return {
       {"local_costmap_topic", "behaviours read the published local costmap", kSinceJazzy},
       {"global_costmap_topic", "behaviours read the published local costmap", kSinceJazzy},
       {"costmap_topic", "behaviours read the published local costmap", kHumble},
@@ -116,7 +118,6 @@ const std::vector<IgnoredKey>& ignoredBehaviorKeys() {
       {"use_sim_time", "time is always simulated"},
       {"introspection_mode", "ROS services are not used"},
   };
-  return kKeys;
 }
 
 std::uint16_t behaviorCode(BehaviorKind kind, BehaviorError error) {
@@ -163,24 +164,15 @@ BehaviorStep Spin::cycle(const BehaviorInput& input) {
       std::min(std::max(fastest, parameters_.minRotationalVel), parameters_.maxRotationalVel);
   BodyTwist twist;
   twist.angular = std::copysign(speed, goal_.angle);
-  if (input.isCollisionChecked && !isFree(input, twist.angular)) {
+  // As in Nav2 the simulation is limited to the angle turned so far.
+  const auto poseAfter = [&input](double angle) -> Pose2 {
+    return {input.pose.position, input.pose.heading + angle};
+  };
+  if (input.isCollisionChecked &&
+      !isMotionFree(parameters_, input, twist.angular, std::fabs(turned_), poseAfter)) {
     return behaviorFailed(BehaviorError::CollisionAhead, "Collision Ahead - Exiting Spin");
   }
   return behaviorRuns(twist);
-}
-
-/// As in Nav2 the simulation is limited to the angle turned so far.
-bool Spin::isFree(const BehaviorInput& input, double omega) const {
-  for (int i = 0; i < simulationCycles(parameters_); ++i) {
-    const double ahead = omega * (i / parameters_.cycleFrequency);
-    if (std::fabs(turned_) - std::fabs(ahead) <= 0.0) {
-      break;
-    }
-    if (isBehaviorBlocked(input, {input.pose.position, input.pose.heading + ahead})) {
-      return false;
-    }
-  }
-  return true;
 }
 
 DriveStraight::Goal DriveStraight::backUp(const Goal& goal) {
@@ -208,7 +200,11 @@ BehaviorStep DriveStraight::cycle(const BehaviorInput& input) {
   }
   BodyTwist twist;
   twist.linear = speedFor(left);
-  if (input.isCollisionChecked && !isFree(input, twist.linear, left)) {
+  const auto poseAfter = [&input](double distance) -> Pose2 {
+    return {input.pose.ahead(distance), input.pose.heading};
+  };
+  if (input.isCollisionChecked &&
+      !isMotionFree(parameters_, input, twist.linear, left, poseAfter)) {
     return behaviorFailed(BehaviorError::CollisionAhead,
                           "Collision Ahead - Exiting DriveOnHeading");
   }
@@ -228,27 +224,13 @@ double DriveStraight::speedFor(double left) const {
   return sign * std::max(speed, drive_.minimumSpeed);
 }
 
-bool DriveStraight::isFree(const BehaviorInput& input, double speed, double left) const {
-  for (int i = 0; i < simulationCycles(parameters_); ++i) {
-    const double ahead = speed * (i / parameters_.cycleFrequency);
-    if (left - std::fabs(ahead) <= 0.0) {
-      break;
-    }
-    if (isBehaviorBlocked(input, {input.pose.ahead(ahead), input.pose.heading})) {
-      return false;
-    }
-  }
-  return true;
-}
-
 BehaviorStep Wait::cycle(const BehaviorInput& input) const {
   BehaviorStep step = input.time < end_ - kBehaviorClock ? behaviorRuns({}) : behaviorSucceeded();
   step.hasTwist = step.status != BehaviorStatus::Running;
   return step;
 }
 
-BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input,
-                                   const BodyTwist& teleopCommand) const {
+BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input) const {
   if (isAllowanceOver(input.time, start_, timeAllowance_)) {
     return behaviorFailed(
         BehaviorError::Timeout,
@@ -256,19 +238,20 @@ BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input,
         "AssistedTeleop");
   }
   const double step = parameters_.simulationTimeStep;
+  const BodyTwist& command = input.teleop;
   Pose2 pose = input.pose;
   for (int i = 1; i * step < parameters_.projectionTime - kBehaviorClock; ++i) {
     const Vec2 ahead = pose.direction();
     pose.position +=
-        step * (teleopCommand.linear * ahead + teleopCommand.lateral * Vec2(-ahead.y(), ahead.x()));
-    pose.heading += step * teleopCommand.angular;
+        step * (command.linear * ahead + command.lateral * Vec2(-ahead.y(), ahead.x()));
+    pose.heading += step * command.angular;
     if (isBehaviorBlocked(input, pose)) {
       const double factor = i == 1 ? 0.0 : i * step / parameters_.projectionTime;
-      return behaviorRuns({factor * teleopCommand.linear, factor * teleopCommand.angular,
-                           factor * teleopCommand.lateral});
+      return behaviorRuns(
+          {factor * command.linear, factor * command.angular, factor * command.lateral});
     }
   }
-  return behaviorRuns(teleopCommand);
+  return behaviorRuns(command);
 }
 
 void BehaviorServer::start(const Behavior& behavior, BehaviorKind kind, double time) {
@@ -302,8 +285,7 @@ void BehaviorServer::assistedTeleop(double timeAllowance, double time) {
   start(AssistedTeleop(parameters_, timeAllowance, time), BehaviorKind::AssistedTeleop, time);
 }
 
-std::optional<BehaviorStep> BehaviorServer::update(const BehaviorInput& input,
-                                                   const BodyTwist& teleopCommand) {
+std::optional<BehaviorStep> BehaviorServer::update(const BehaviorInput& input) {
   if (!behavior_) {
     return std::nullopt;
   }
@@ -312,20 +294,58 @@ std::optional<BehaviorStep> BehaviorServer::update(const BehaviorInput& input,
     return std::nullopt;
   }
   lastCycle_ = cycle;
-  const BehaviorStep step = std::visit(
-      [&input, &teleopCommand](auto& behavior) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(behavior)>, AssistedTeleop>) {
-          return behavior.cycle(input, teleopCommand);
-        } else {
-          return behavior.cycle(input);
-        }
-      },
-      *behavior_);
+  const BehaviorStep step =
+      std::visit([&input](auto& behavior) { return behavior.cycle(input); }, *behavior_);
   if (step.status != BehaviorStatus::Running) {
     behavior_.reset();
     code_ = behaviorCode(kind_, step.error);
   }
   return step;
+}
+
+Nav2Keys<WaypointFollowerParameters> waypointFollowerKeys() {
+  using P = WaypointFollowerParameters;
+  return {{"waypoint_task_executor_plugin", &P::taskPlugin, "", "Name of the task at each goal."}};
+}
+
+IgnoredKeys ignoredWaypointFollowerKeys() {
+  return {{"global_frame_id", "the frames are identical", kSinceJazzy},
+          {"loop_rate", "goals are checked in every time step"},
+          {"stop_on_failure", "a robot stops when its tree has failed"}};
+}
+
+Nav2Keys<WaypointTaskParameters> waypointTaskKeys(WaypointTask task) {
+  using P = WaypointTaskParameters;
+  Nav2Keys<P> keys = {{"enabled", &P::enabled, "", "Whether the task is executed."}};
+  if (task == WaypointTask::Wait) {
+    keys.push_back({"waypoint_pause_duration", &P::pauseDuration, "ms",
+                    "Time for which the robot stands at the goal."});
+  } else if (task != WaypointTask::Photo) {
+    keys.push_back({"timeout", &P::inputTimeout, "s", "Maximum wait for an input."});
+  }
+  return keys;
+}
+
+IgnoredKeys ignoredWaypointTaskKeys() {
+  return {{"image_topic", "a photo is an event of the run"},
+          {"save_dir", "a photo is an event of the run"},
+          {"image_format", "a photo is an event of the run"},
+          {"input_topic", "ROS topics are not used: no input is received"}};
+}
+
+double waypointTaskDuration(const WaypointTaskParameters& task) {
+  constexpr double kMillisecond = 1e-3;  // [s]
+  if (!task.enabled) {
+    return 0.0;
+  }
+  switch (task.kind) {
+    case WaypointTask::Wait:
+      return kMillisecond * task.pauseDuration;
+    case WaypointTask::Input:
+      return task.inputTimeout;
+    default:
+      return 0.0;
+  }
 }
 
 }  // namespace sim2d::nav2

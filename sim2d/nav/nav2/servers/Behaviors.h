@@ -31,9 +31,9 @@ struct DriveParameters {
   double minimumSpeed = 0.0;                                // [m/s]
 };
 DriveParameters driveDefaults(Distro distro);  // main: 2.5, -2.5, 0.1
-const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys();
-const std::vector<Nav2Key<DriveParameters>>& driveKeys();
-const std::vector<IgnoredKey>& ignoredBehaviorKeys();
+Nav2Keys<BehaviorParameters> behaviorKeys();
+Nav2Keys<DriveParameters> driveKeys();
+IgnoredKeys ignoredBehaviorKeys();
 /// Errors in values for which a behavior cannot run; `name`: name of the behavior.
 base::Diagnostics problemsOf(const BehaviorParameters& parameters);
 base::Diagnostics problemsOf(const DriveParameters& parameters, const std::string& name);
@@ -60,6 +60,7 @@ struct BehaviorInput {
   const Costmap& costmap;          // published local costmap
   const Polygon& footprint;        // padded, robot frame [m]
   bool isCollisionChecked = true;  // main: not disable_collision_checks
+  BodyTwist teleop{};              // command of the teleoperator, for AssistedTeleop
 };
 /// Whether the cost of the footprint's edges is 254 or 255, or the pose is off the map.
 bool isBehaviorBlocked(const BehaviorInput& input, const Pose2& pose);
@@ -76,8 +77,6 @@ class Spin {
   double turned() const { return turned_; }  // [rad], for feedback
 
  private:
-  bool isFree(const BehaviorInput& input, double omega) const;
-
   BehaviorParameters parameters_;
   Goal goal_;
   double start_;                   // [s]
@@ -102,7 +101,6 @@ class DriveStraight {
 
  private:
   double speedFor(double left) const;
-  bool isFree(const BehaviorInput& input, double speed, double left) const;
 
   BehaviorParameters parameters_;
   DriveParameters drive_;
@@ -128,7 +126,7 @@ class AssistedTeleop {
  public:
   AssistedTeleop(const BehaviorParameters& parameters, double timeAllowance, double time)
       : parameters_(parameters), timeAllowance_(timeAllowance), start_(time) {}
-  BehaviorStep cycle(const BehaviorInput& input, const BodyTwist& teleopCommand) const;
+  BehaviorStep cycle(const BehaviorInput& input) const;
 
  private:
   BehaviorParameters parameters_;
@@ -154,10 +152,8 @@ class BehaviorServer {
   bool isRunning() const { return behavior_.has_value(); }
 
   /// Called each step: returns the result of a cycle if one is due. nullopt while no behavior runs
-  /// or no cycle is due; the last command then stays in effect. `teleopCommand`: the teleoperator's
-  /// command.
-  std::optional<BehaviorStep> update(const BehaviorInput& input,
-                                     const BodyTwist& teleopCommand = {});
+  /// or no cycle is due; the last command then stays in effect.
+  std::optional<BehaviorStep> update(const BehaviorInput& input);
   /// Error code of the last behavior.
   std::uint16_t code() const { return code_; }
 
@@ -173,5 +169,29 @@ class BehaviorServer {
   std::int64_t lastCycle_ = -1;
   std::uint16_t code_ = 0;
 };
+
+/// Tasks of waypoint_follower (nav2_waypoint_follower), executed at each goal of a robot.
+
+enum class WaypointTask : std::uint8_t { None, Wait, Photo, Input };
+
+struct WaypointTaskParameters {
+  WaypointTask kind = WaypointTask::None;
+  bool enabled = true;
+  int pauseDuration = 0;       // Wait [ms]
+  double inputTimeout = 10.0;  // Input [s]
+};
+
+struct WaypointFollowerParameters {
+  std::string taskPlugin = "wait_at_waypoint";
+  WaypointTaskParameters task;  // parameters of that plugin
+};
+
+Nav2Keys<WaypointFollowerParameters> waypointFollowerKeys();
+IgnoredKeys ignoredWaypointFollowerKeys();
+Nav2Keys<WaypointTaskParameters> waypointTaskKeys(WaypointTask task);
+IgnoredKeys ignoredWaypointTaskKeys();
+
+/// Duration of a task at a goal [s]. There is no input source, so Input lasts until its timeout.
+double waypointTaskDuration(const WaypointTaskParameters& task);
 
 }  // namespace sim2d::nav2

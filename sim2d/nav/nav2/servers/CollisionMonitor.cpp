@@ -112,21 +112,20 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
 
 }  // namespace
 
-const std::vector<Nav2Key<CollisionMonitorParameters>>& collisionMonitorKeys() {
+Nav2Keys<CollisionMonitorParameters> collisionMonitorKeys() {
   using P = CollisionMonitorParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"enabled", &P::enabled, "", "Whether the node limits commands.", kSinceLyrical},
       {"source_timeout", &P::sourceTimeout, "s",
        "Age from which a scan is ignored; since Jazzy the robot then stops; 0: it does not stop."},
       {"polygons", &P::polygons, "", "Names of the polygons, in the order of evaluation."},
       {"observation_sources", &P::observationSources, "", "Names of the sources."},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys() {
+Nav2Keys<MonitorPolygon> monitorPolygonKeys() {
   using P = MonitorPolygon;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"type", &P::type, "", "polygon, circle or velocity_polygon."},
       {"points", &P::pointList, "m", "Corners: x1, y1, x2 …", kHumble},
       {"points", &P::points, "m", "Corners: \"[[x, y], …]\"; none: the robot's footprint.",
@@ -149,38 +148,35 @@ const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys() {
       {"holonomic", &P::holonomic, "", "Whether directions of motion are used.", kSinceJazzy},
       {"velocity_polygons", &P::velocityPolygons, "", "Names of its sub-polygons.", kSinceJazzy},
   };
-  return kKeys;
 }
 
-const std::vector<Nav2Key<VelocitySubPolygon>>& velocitySubPolygonKeys() {
+Nav2Keys<VelocitySubPolygon> velocitySubPolygonKeys() {
   using P = VelocitySubPolygon;
-  static const std::vector<Nav2Key<P>> kKeys = {
-      {"points", &P::points, "m", "Corners: \"[[x, y], …]\".", kSinceJazzy},
-      {"linear_min", &P::linearMin, "m/s", "Minimum speed.", kSinceJazzy},
-      {"linear_max", &P::linearMax, "m/s", "Maximum speed.", kSinceJazzy},
-      {"theta_min", &P::thetaMin, "rad/s", "Minimum turn rate.", kSinceJazzy},
-      {"theta_max", &P::thetaMax, "rad/s", "Maximum turn rate.", kSinceJazzy},
-      {"direction_start_angle", &P::directionStartAngle, "rad", "First direction of motion.",
-       kSinceJazzy},
-      {"direction_end_angle", &P::directionEndAngle, "rad", "Last direction of motion.",
-       kSinceJazzy},
-  };
-  return kKeys;
+  return onlyIn<Nav2Key<P>>(
+      kSinceJazzy,
+      {
+          {"points", &P::points, "m", "Corners: \"[[x, y], …]\"."},
+          {"linear_min", &P::linearMin, "m/s", "Minimum speed."},
+          {"linear_max", &P::linearMax, "m/s", "Maximum speed."},
+          {"theta_min", &P::thetaMin, "rad/s", "Minimum turn rate."},
+          {"theta_max", &P::thetaMax, "rad/s", "Maximum turn rate."},
+          {"direction_start_angle", &P::directionStartAngle, "rad", "First direction of motion."},
+          {"direction_end_angle", &P::directionEndAngle, "rad", "Last direction of motion."},
+      });
 }
 
-const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys() {
+Nav2Keys<MonitorSource> monitorSourceKeys() {
   using P = MonitorSource;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"type", &P::type, "", "scan, pointcloud, range: here always the robot's lidar."},
       {"enabled", &P::enabled, "", "Whether the source is used."},
       {"source_timeout", &P::sourceTimeout, "s",
        "Replaces source_timeout of the node for this source.", kSinceJazzy},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredCollisionMonitorKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredCollisionMonitorKeys() {
+  return {
       {"base_frame_id", "all base frames of a robot are identical"},
       {"odom_frame_id", "points are always placed in the odometry frame"},
       {"transform_tolerance", "TF is not used"},
@@ -210,7 +206,6 @@ const std::vector<IgnoredKey>& ignoredCollisionMonitorKeys() {
       {"use_sim_time", "time is always simulated"},
       {"introspection_mode", "ROS services are not used"},
   };
-  return kKeys;
 }
 
 base::Diagnostics problemsOf(const CollisionMonitorParameters& parameters) {

@@ -55,11 +55,11 @@ struct CollisionMonitorParameters {
   std::vector<MonitorPolygon> shapes;  // not a key: blocks of `polygons`, in that order
   std::vector<MonitorSource> sources;  // not a key: blocks of `observation_sources`
 };
-const std::vector<Nav2Key<CollisionMonitorParameters>>& collisionMonitorKeys();
-const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys();
-const std::vector<Nav2Key<VelocitySubPolygon>>& velocitySubPolygonKeys();
-const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys();
-const std::vector<IgnoredKey>& ignoredCollisionMonitorKeys();
+Nav2Keys<CollisionMonitorParameters> collisionMonitorKeys();
+Nav2Keys<MonitorPolygon> monitorPolygonKeys();
+Nav2Keys<VelocitySubPolygon> velocitySubPolygonKeys();
+Nav2Keys<MonitorSource> monitorSourceKeys();
+IgnoredKeys ignoredCollisionMonitorKeys();
 base::Diagnostics problemsOf(const CollisionMonitorParameters& parameters);
 
 /// Whether a point is inside a polygon (even-odd rule).

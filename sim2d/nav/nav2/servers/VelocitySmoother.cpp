@@ -24,9 +24,9 @@ std::array<double, 3> axesOf(const BodyTwist& twist) {
 
 }  // namespace
 
-const std::vector<Nav2Key<VelocitySmootherParameters>>& velocitySmootherKeys() {
+Nav2Keys<VelocitySmootherParameters> velocitySmootherKeys() {
   using P = VelocitySmootherParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"smoothing_frequency", &P::smoothingFrequency, "Hz", "Commands sent per second."},
       {"scale_velocities", &P::scaleVelocities, "",
        "Whether all axes are scaled by the same factor, which keeps the curvature."},
@@ -41,18 +41,16 @@ const std::vector<Nav2Key<VelocitySmootherParameters>>& velocitySmootherKeys() {
       {"velocity_timeout", &P::velocityTimeout, "s",
        "Time without a command after which the robot brakes."},
   };
-  return kKeys;
 }
 
-const std::vector<IgnoredKey>& ignoredVelocitySmootherKeys() {
-  static const std::vector<IgnoredKey> kKeys = {
+IgnoredKeys ignoredVelocitySmootherKeys() {
+  return {
       {"odom_topic", "the odometry is that of the robot"},
       {"use_sim_time", "time is always simulated"},
       {"use_realtime_priority", "threads are not used"},
       {"enable_stamped_cmd_vel", "ROS topics are not used"},
       {"bond_heartbeat_period", "lifecycle nodes are not used"},
   };
-  return kKeys;
 }
 
 base::Diagnostics problemsOf(const VelocitySmootherParameters& parameters) {

@@ -57,8 +57,8 @@ struct VelocitySmootherParameters {
   std::vector<double> deadbandVelocity = {0.0, 0.0, 0.0};  // as maxVelocity
   double velocityTimeout = 1.0;                            // [s]
 };
-const std::vector<Nav2Key<VelocitySmootherParameters>>& velocitySmootherKeys();
-const std::vector<IgnoredKey>& ignoredVelocitySmootherKeys();
+Nav2Keys<VelocitySmootherParameters> velocitySmootherKeys();
+IgnoredKeys ignoredVelocitySmootherKeys();
 /// Errors: lists without three elements, wrong signs, minima above maxima, an unknown feedback.
 base::Diagnostics problemsOf(const VelocitySmootherParameters& parameters);
 

@@ -253,9 +253,7 @@ base::Result<std::unique_ptr<Controller>> makeDwb(const ControllerSetup& setup) 
 }
 
 Nav2KeyTable dwbKeysOf(const Nav2ParameterBlock& given, Distro distro) {
-  Nav2KeyTable keys;
-  addKeyRows(keys, dwbKeys(), DwbParameters());
-  addIgnoredKeys(keys, ignoredDwbKeys());
+  Nav2KeyTable keys = keyTableOf(dwbKeys(), DwbParameters(), ignoredDwbKeys());
   base::Diagnostics ignored;  // reported by makeDwb
   const auto parameters = applyBlock(DwbParameters(), dwbKeys(), given, distro, ignored);
   for (const std::string& name : parameters.critics) {
@@ -270,15 +268,8 @@ Nav2KeyTable dwbKeysOf(const Nav2ParameterBlock& given, Distro distro) {
 
 }  // namespace
 
-void addDwb(ControllerRegistry& registry) {
-  ControllerType type;
-  type.plugin = "dwb_core::DWBLocalPlanner";
-  type.help =
-      "Samples velocities and selects the one whose trajectory has the lowest critic "
-      "score.";
-  type.keys = dwbKeysOf;
-  type.make = makeDwb;
-  registry.add(std::move(type));
+ControllerType dwbController() {
+  return {"dwb_core::DWBLocalPlanner", dwbKeysOf, makeDwb};
 }
 
 }  // namespace sim2d::nav2
