@@ -6,8 +6,8 @@
 
 #include "metrics/RobotMotion.h"
 #include "sim2d/base/Find.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/trace/RecordedPoints.h"
-#include "sim2d/trace/RobotArrival.h"
 
 namespace metrics {
 

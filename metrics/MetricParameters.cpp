@@ -39,8 +39,8 @@ const std::vector<ParameterInfo>& parameterInfos() {
       {"goal_tolerance", &P::goalTolerance, "m", "added to the radius of the goal",
        "completed time_to_reach_goal aggregated_time success spl stl"},
       {"time_limit", &P::timeLimit, "s",
-       "an evaluation interval of this length is a timeout; a robot that has not arrived by then "
-       "has failed",
+       "an evaluation interval of this length is a timeout; a robot that arrives later has "
+       "completed its path, but without success",
        "success"},
       {"contact_distance", &P::contactDistance, "m",
        "gap below which robot and person are in contact", "success"},

@@ -7,8 +7,6 @@
 #include "metrics/Report.h"
 #include "sim2d/base/Ranges.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/DuplicateKeys.h"
-#include "sim2d/base/yaml/YamlEmitter.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
 namespace metrics {

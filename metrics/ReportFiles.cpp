@@ -150,8 +150,7 @@ class EvaluatorFileWriter {
   EvaluatorFileWriter(const Evaluation& evaluation, std::string base, Layout layout)
       : evaluation_(evaluation), base_(std::move(base)), layout_(layout) {
     const std::string end = extension();
-    if (base_.size() > end.size() &&
-        base_.compare(base_.size() - end.size(), end.size(), end) == 0) {
+    if (base_.size() > end.size() && base::endsWith(base_, end)) {
       base_.erase(base_.size() - end.size());
     }
   }

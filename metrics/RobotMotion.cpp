@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim2d/trace/ContactInitiator.h"
+#include "sim2d/trace/ContactMarks.h"
 
 namespace metrics {
 

@@ -130,7 +130,8 @@ constexpr Column kColumns[] = {
     {"slowed_time", "Time slowed down by the robot", "s", "time slower by more than 0.1 m/s",
      "[0, inf)", &PersonEffect::slowedTime},
     {"heading_disturbance", "Heading changes caused by the robot", "rad",
-     "mean |heading with - without|", "[0, inf)", &PersonEffect::disturbance}};
+     "mean over the samples of |wrap(heading with - without)|", "[0, inf)",
+     &PersonEffect::disturbance}};
 
 }  // namespace
 
@@ -276,10 +277,7 @@ auto recordedBy(const sim2d::Trace& trace, const Selection& selection,
   only.robotId = selection.robotId;
   only.behaviors = false;
   const std::vector<sim2d::TraceRobot>& robots = trace.header.robots;
-  const bool isThere = std::any_of(robots.begin(), robots.end(), [&](const auto& robot) {
-    return robot.id == selection.robotId;
-  });
-  if (!isThere && !robots.empty()) {
+  if (trace.header.robot(selection.robotId) == nullptr && !robots.empty()) {
     only.robotId = robots.front().id;
   }
   return evaluate(trace, only, parameters) ? places : decltype(places)();

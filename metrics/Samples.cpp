@@ -8,7 +8,7 @@
 #include "metrics/ShortestPaths.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/RobotArrival.h"
+#include "sim2d/trace/Frame.h"
 
 namespace metrics {
 
@@ -64,12 +64,10 @@ void copyMotion(const Columns& columns, std::size_t k, Body& body) {
 }
 
 std::optional<double> socialFactorOf(const sim2d::TraceHuman& human) {
-  for (const auto& [key, value] : human.parameters) {
-    if (key == kSocialFactorKey) {
-      return value;
-    }
-  }
-  return std::nullopt;
+  using Parameter = std::pair<std::string, double>;
+  const Parameter* const found =
+      base::findBy(human.parameters, &Parameter::first, kSocialFactorKey);
+  return found != nullptr ? std::optional<double>(found->second) : std::nullopt;
 }
 
 }  // namespace

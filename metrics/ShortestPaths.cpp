@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim2d/map/StringPulling.h"
+#include "sim2d/map/Obstacles.h"
 
 namespace metrics {
 

@@ -6,6 +6,7 @@
 #include "bt/engine/Ticker.h"
 #include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/Text.h"
 
 namespace bt {
 
@@ -364,7 +365,7 @@ base::Diagnostics differencesFromBtCpp(const TreeTable& table, const NodeLibrary
   base::Diagnostics notes = compile(table, library, options).diagnostics();
   notes.erase(std::remove_if(notes.begin(), notes.end(),
                              [](const base::Diagnostic& found) {
-                               return found.code.compare(0, kPrefix.size(), kPrefix) != 0;
+                               return !base::startsWith(found.code, kPrefix);
                              }),
               notes.end());
   return notes;

@@ -305,7 +305,7 @@ base::NodeStatus Ticker::switchCase(int node) {
     return unexpected(child, status);
   }
   branch = status == Status::Running ? child : 0;
-  if (status == Status::Success || status == Status::Failure) {
+  if (isDone(status)) {
     resetChildren(node);
   }
   return status;

@@ -1,5 +1,6 @@
 #include "bt/engine/NodeLibrary.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -93,10 +94,26 @@ void ParentContext::resetChild(int child) {
 
 NodeLibrary::NodeLibrary() : catalogue_(builtinNodes()) {}
 
-void NodeLibrary::addNode(NodeManifest manifest, const NodeFunctions& functions) {
+void NodeLibrary::add(NodeManifest manifest, const NodeFunctions& functions) {
   assert(!manifest.id.empty());
+  if (functions.kind == NodeFunctions::Kind::Decorator) {
+    manifest.kind = NodeKind::Decorator;
+    manifest.minChildren = manifest.maxChildren = 1;
+  } else if (functions.kind == NodeFunctions::Kind::Control) {
+    manifest.kind = NodeKind::Control;
+    manifest.minChildren = std::max(manifest.minChildren, 1);
+    manifest.maxChildren = manifest.maxChildren == 0 ? -1 : manifest.maxChildren;
+  }
   functions_[manifest.id] = functions;
   catalogue_.add(std::move(manifest));
+}
+
+void NodeLibrary::add(const NodeCatalogue& nodes,
+                      const std::map<std::string, NodeFunctions>& functions) {
+  assert(nodes.all().size() == functions.size());
+  for (const NodeManifest& node : nodes.all()) {
+    add(node, functions.at(node.id));
+  }
 }
 
 const NodeFunctions* NodeLibrary::functions(std::string_view id) const {

@@ -30,6 +30,14 @@ struct TickInput {
 /// Time limits are reached this much earlier, which compensates rounding errors in sums of dt.
 constexpr double kTimeTolerance = 1e-9;  // [s]
 
+inline base::NodeStatus successIf(bool condition) {
+  return condition ? base::NodeStatus::Success : base::NodeStatus::Failure;
+}
+/// SUCCESS or FAILURE.
+inline bool isDone(base::NodeStatus status) {
+  return status == base::NodeStatus::Success || status == base::NodeStatus::Failure;
+}
+
 /// What a call needs from its node.
 struct NodeHead {
   const PortBinding* ports = nullptr;  // in the order of the manifest
@@ -207,25 +215,27 @@ T LeafContext::getOr(int port, T fallback) {
 ///   Condition IsAlone|Perception|No other person is near.
 ///   agent_id int needed|Id of the person.
 ///   threshold length default 1.0|Nearer than this is near.
+///   Action Pause|Timing|Stands still.
+///   duration duration default 5.0|Duration.
 ///   )";
-///   to.addCondition(*nodesOf(kNodes, NodeOrigin::Ours).find("IsAlone"), [](LeafContext& leaf) {
+///   NodeStatus isAlone(LeafContext& leaf) {
 ///     const int agent = leaf.require<int>(0);
-///     const double threshold = leaf.require<double>(1);
-///     return leaf.host<Host>().distanceToNext(agent) > threshold ? base::NodeStatus::Success
-///                                                                : base::NodeStatus::Failure;
-///   });
+///     return successIf(leaf.host<Host>().distanceToNext(agent) > leaf.require<double>(1));
+///   }
+///   struct PauseMemory { std::int64_t startStep; };
+///   NodeStatus start(LeafContext& leaf) {  // status was IDLE
+///     leaf.memory<PauseMemory>().startStep = leaf.step();
+///     return NodeStatus::Running;
+///   }
+///   NodeStatus run(LeafContext& leaf) {
+///     return leaf.hasElapsed(leaf.memory<PauseMemory>().startStep, leaf.require<double>(0))
+///                ? NodeStatus::Success : NodeStatus::Running;
+///   }
+///   void resume(LeafContext& leaf) { leaf.host<Host>().resume(); }
 ///
-///   struct WaitMemory { std::int64_t startStep; };
-///   to.addStateful<WaitMemory>(m, {
-///     [](LeafContext& leaf) {                          // onStart: status was IDLE
-///       leaf.memory<WaitMemory>().startStep = leaf.step();
-///       return base::NodeStatus::Running;
-///     },
-///     [](LeafContext& leaf) {                          // onRunning
-///       return leaf.hasElapsed(leaf.memory<WaitMemory>().startStep, leaf.require<double>(1))
-///                  ? base::NodeStatus::Success : base::NodeStatus::Running;
-///     },
-///     [](LeafContext& leaf) { leaf.host<Host>().resume(); }});  // onHalted, optional
+///   library.add(parseNodeCatalogue(kNodes, NodeOrigin::Ours),
+///               {{"IsAlone", synchronous(isAlone)},
+///                {"Pause", stateful<PauseMemory>({start, run, resume})}});
 ///
 /// Leaves must be pure functions of context and host: no static variables, no clocks.
 
@@ -249,7 +259,7 @@ struct ParentFunctions {
   ParentHaltFunction onHalted = nullptr;
 };
 
-/// Functions of a registered node.
+/// Functions of a registered node, made by the functions below.
 struct NodeFunctions {
   enum class Kind : unsigned char { Synchronous, Stateful, Decorator, Control };
   Kind kind = Kind::Synchronous;
@@ -260,56 +270,48 @@ struct NodeFunctions {
   int memoryBytes = 0;            // per node and agent
 };
 
-class NodeLibrary {
-  struct NoMemory {};
+struct NoMemory {};
 
+/// `Memory` is the node's memory per agent, see LeafContext::memory().
+template <class Memory>
+NodeFunctions withMemory(NodeFunctions functions) {
+  static_assert(std::is_trivially_copyable_v<Memory> && alignof(Memory) <= 8);
+  functions.memoryBytes = std::is_same_v<Memory, NoMemory> ? 0 : static_cast<int>(sizeof(Memory));
+  return functions;
+}
+template <class Memory = NoMemory>
+NodeFunctions synchronous(LeafFunction tick) {
+  return withMemory<Memory>({NodeFunctions::Kind::Synchronous, tick});
+}
+template <class Memory = NoMemory>
+NodeFunctions stateful(StatefulFunctions functions) {
+  return withMemory<Memory>({NodeFunctions::Kind::Stateful, nullptr, functions});
+}
+/// A leaf that is never RUNNING and is called in every tick, like a synchronous one, but keeps its
+/// status: LeafContext::before() is IDLE if it was halted or reset since its last call.
+template <class Memory = NoMemory>
+NodeFunctions synchronousWithStatus(LeafFunction tick) {
+  return withMemory<Memory>({NodeFunctions::Kind::Stateful, nullptr, {tick, tick}, {}, true});
+}
+template <class Memory = NoMemory>
+NodeFunctions decorator(ParentFunctions functions) {
+  return withMemory<Memory>({NodeFunctions::Kind::Decorator, nullptr, {}, functions});
+}
+template <class Memory = NoMemory>
+NodeFunctions control(ParentFunctions functions) {
+  return withMemory<Memory>({NodeFunctions::Kind::Control, nullptr, {}, functions});
+}
+
+class NodeLibrary {
  public:
   NodeLibrary();  // contains the nodes of BehaviorTree.CPP
 
-  /// Registers a node; a node with the same id is replaced. These functions set the kind and the
-  /// number of children of a decorator; the manifest provides everything else. A control has at
-  /// least one child and no upper limit unless the manifest sets one. `Memory` is the node's memory
-  /// per agent, see LeafContext::memory().
-  template <class Memory = NoMemory>
-  void addCondition(NodeManifest manifest, LeafFunction tick) {
-    manifest.kind = NodeKind::Condition;
-    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Synchronous, tick});
-  }
-  template <class Memory = NoMemory>
-  void addAction(NodeManifest manifest, LeafFunction tick) {
-    manifest.kind = NodeKind::Action;
-    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Synchronous, tick});
-  }
-  /// Registers a stateful action, or a stateful condition if manifest.kind is Condition.
-  template <class Memory = NoMemory>
-  void addStateful(NodeManifest manifest, StatefulFunctions functions) {
-    const bool isCondition = manifest.kind == NodeKind::Condition;
-    manifest.kind = isCondition ? NodeKind::Condition : NodeKind::Action;
-    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Stateful, nullptr, functions});
-  }
-  /// Registers a leaf that is never RUNNING and is called in every tick, like a synchronous one,
-  /// but keeps its status: LeafContext::before() is IDLE if it was halted or reset since its last
-  /// call.
-  template <class Memory = NoMemory>
-  void addSynchronousWithStatus(NodeManifest manifest, LeafFunction tick) {
-    NodeFunctions functions{NodeFunctions::Kind::Stateful, nullptr, {tick, tick}};
-    functions.isCalledWhenDone = true;
-    add<Memory>(std::move(manifest), functions);
-  }
-  template <class Memory = NoMemory>
-  void addDecorator(NodeManifest manifest, ParentFunctions functions) {
-    manifest.kind = NodeKind::Decorator;
-    manifest.minChildren = 1;
-    manifest.maxChildren = 1;
-    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Decorator, nullptr, {}, functions});
-  }
-  template <class Memory = NoMemory>
-  void addControl(NodeManifest manifest, ParentFunctions functions) {
-    manifest.kind = NodeKind::Control;
-    manifest.minChildren = std::max(manifest.minChildren, 1);
-    manifest.maxChildren = manifest.maxChildren == 0 ? -1 : manifest.maxChildren;
-    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Control, nullptr, {}, functions});
-  }
+  /// Registers a node; a node with the same id is replaced. The manifest of a decorator or control
+  /// gets that kind. A decorator has one child, a control at least one and no upper limit unless
+  /// the manifest sets one.
+  void add(NodeManifest manifest, const NodeFunctions& functions);
+  /// Registers all nodes, each with the functions of its id.
+  void add(const NodeCatalogue& nodes, const std::map<std::string, NodeFunctions>& functions);
 
   const NodeCatalogue& catalogue() const { return catalogue_; }
   /// nullptr: unknown, or run by the engine itself.
@@ -321,14 +323,6 @@ class NodeLibrary {
   NodeLibrary withLeafFunctions(StatefulFunctions leaf) const;
 
  private:
-  template <class Memory>
-  void add(NodeManifest manifest, NodeFunctions functions) {
-    static_assert(std::is_trivially_copyable_v<Memory> && alignof(Memory) <= 8);
-    functions.memoryBytes = std::is_same_v<Memory, NoMemory> ? 0 : static_cast<int>(sizeof(Memory));
-    addNode(std::move(manifest), functions);
-  }
-  void addNode(NodeManifest manifest, const NodeFunctions& functions);
-
   NodeCatalogue catalogue_;
   std::map<std::string, NodeFunctions, std::less<>> functions_;
 };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -15,6 +14,7 @@
 #include "bt/engine/Script.h"
 #include "bt/engine/Value.h"
 #include "bt/tree/TreeSpec.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Result.h"
 
 /// A tree compiled once and shared by all agents that run it: flat, parents before children,
@@ -111,9 +111,8 @@ class Program {
 
   /// Slot of an entry of the root blackboard; -1: no node uses it.
   int findSlot(std::string_view key) const {
-    const auto place = std::find_if(entries_.begin(), entries_.end(),
-                                    [key](const Entry& entry) { return entry.key == key; });
-    return place == entries_.end() ? -1 : place->slot;
+    const Entry* const found = base::findBy(entries_, &Entry::key, key);
+    return found != nullptr ? found->slot : -1;
   }
   /// Slot of CompileOptions::hostEntries[index]; always exists.
   int hostSlot(int index) const { return hostSlots_[static_cast<std::size_t>(index)]; }

@@ -245,9 +245,6 @@ class Ticker {
   static Status instantInverter(Ticker& ticker, int node);
   template <Status result>
   static Status instantForce(Ticker& ticker, int node);
-  static bool isDone(Status status) {
-    return status == Status::Success || status == Status::Failure;
-  }
   Status librarySynchronous(int node);
   Status stateful(int node);
   Status script(int node);

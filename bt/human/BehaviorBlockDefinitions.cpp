@@ -1,7 +1,6 @@
-#include <algorithm>
-
 #include "bt/human/BehaviorBlocks.h"
 #include "bt/human/TreeGenerator.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
@@ -213,16 +212,11 @@ const std::vector<BlockType>& blockTypes() {
 }
 
 const BlockType* blockType(const std::string& id) {
-  const std::vector<BlockType>& kinds = blockTypes();
-  const auto found = std::find_if(kinds.begin(), kinds.end(),
-                                  [&id](const BlockType& kind) { return kind.id == id; });
-  return found == kinds.end() ? nullptr : &*found;
+  return base::findBy(blockTypes(), &BlockType::id, id);
 }
 
 const BlockParameter* BlockType::parameter(const std::string& key) const {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const BlockParameter& each) { return each.key == key; });
-  return found == parameters.end() ? nullptr : &*found;
+  return base::findBy(parameters, &BlockParameter::key, key);
 }
 
 std::vector<NodeSpec> BlockType::children(const std::string& mode,

@@ -3,10 +3,33 @@
 #include "bt/human/HumanContext.h"
 #include "sim2d/world/HumanBehavior.h"
 
-/// Motions that nodes request, as intents. Pure functions of the view, without side effects.
-/// Source: HuNavSim 2.0; differences are documented at each function. Distances are centre to
-/// centre [m].
+/// What one person perceives of others, and motions that nodes request, as intents. Pure functions
+/// of the frozen view, without side effects. Source: HuNavSim 2.0, extended by walls that block
+/// sight and sound; differences are documented at each function. People and robots are indices,
+/// distances are centre to centre [m].
 namespace bt {
+
+/// Half of the natural field of view [rad]: slightly more than a right angle to each side.
+constexpr double kDefaultHalfView = base::kPi / 2.0 + 0.17;
+/// A robot faces a person within this angle of its heading [rad].
+constexpr double kFacingAngle = 0.3;
+
+/// Turn that makes `observer` face `point`, in (-pi, pi]; 0 at the same position.
+double bearingOf(const base::Vec2& point, const base::Pose2& observer);
+
+/// Distance to the robot relevant for this person; infinity without a robot.
+double robotDistance(const sim2d::WorldView& view, int human);
+
+bool isRobotVisible(const sim2d::WorldView& view, AgentIndex human, double distance);
+/// `halfView` [rad]: pi: all around; small: the observer looks at the target.
+bool isAgentVisible(const sim2d::WorldView& view, AgentIndex observer, AgentIndex target,
+                    double distance, double halfView);
+bool isRobotFacing(const sim2d::WorldView& view, AgentIndex human);
+/// Whether a voice at `speaker` reaches `listener`.
+bool isAudible(const sim2d::WorldView& view, int listener, int speaker, double distance);
+
+double agentDistance(const sim2d::WorldView& view, int from, int to);
+int nearestAgent(const sim2d::WorldView& view, int human);  // present; -1: none
 
 /// Turn rate on the spot [rad/s]. HuNavSim's limit of a tenth of a turn per tick at 20 Hz and above
 /// would depend on the step length.

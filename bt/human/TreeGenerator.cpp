@@ -84,15 +84,18 @@ NodeSpec regularNavCall() {
        parseNodeText("SetBlackboard output_key=timestep value={dt}"), std::move(call)});
 }
 
+/// RunOnce{SetGoal} for each goal; without goals HuNavSim sets goal 1 and omits the inverter.
+std::vector<NodeSpec> hunavGoalNodes(const std::vector<int>& goals) {
+  return goals.empty()
+             ? std::vector<NodeSpec>{parseNodeText("RunOnce>SetGoal agent_id={id} goal_id=1")}
+             : setGoalsSequence(goals).children;
+}
+
 std::vector<NodeSpec> goalBlocks(const std::vector<int>& goals, const Compatibility& quirks) {
-  if (!goals.empty()) {
-    return {setGoalsSequence(goals)};
-  }
-  if (!quirks.has(32)) {
+  if (goals.empty() && !quirks.has(32)) {
     return {};
   }
-  return {branchNode("Sequence", "SetGoals",
-                     {parseNodeText("RunOnce>SetGoal agent_id={id} goal_id=1")})};
+  return {branchNode("Sequence", "SetGoals", hunavGoalNodes(goals))};
 }
 
 TreeSpec treeOf(const ResolvedHuman& human, const std::vector<int>& goals,
@@ -263,77 +266,74 @@ NodeSpec setGoalsSequence(const std::vector<int>& goals) {
 
 namespace {
 
-constexpr const char* kSurprised =
-    R"(            <Sequence name="SurNav">
-                <IsRobotVisible agent_id="{id}" distance="{dist}" />
-                <Inverter>
-                    <TimeExpiredCondition seconds="{duration}" ts="{dt}" only_once="{once}" />
-                </Inverter>
-                <SurprisedNav agent_id="{id}" time_step="{dt}" />
-            </Sequence>
-)";
-constexpr const char* kRegular =
-    R"(            <Sequence name="RegularNavigation">
-                <Inverter>
-                    <IsGoalReached agent_id="{id}" />
-                </Inverter>
-                <RegularNav agent_id="{id}" time_step="{dt}" />
-            </Sequence>
-            <UpdateGoal agent_id="{id}" />
-)";
-constexpr const char* kRegularCall =
-    R"(            <Sequence name="RegNav">
-                <SetBlackboard output_key="agentid" value="{id}" />
-                <SetBlackboard output_key="timestep" value="{dt}" />
-                <SubTree ID="RegularNavTree" id="{agentid}" dt="{timestep}" />
-            </Sequence>
-)";
-
-/// Both nodes run once, whether or not the robot is visible, as in HuNavSim's panel.
-std::string runOnceReaction(const std::string& name, const std::string& node) {
-  const auto once = [](const std::string& inside) {
-    return "                <RunOnce>\n                    <" + inside +
-           " />\n                </RunOnce>\n";
-  };
-  return "            <Sequence name=\"" + name + "\">\n" +
-         once(R"(IsRobotVisible agent_id="{id}" distance="{dist}")") + once(node) +
-         "            </Sequence>\n";
+/// The XML of a node as HuNavSim writes it. `close`: end of an element without children.
+std::string hunavXml(const NodeSpec& node, const std::string& margin, const std::string& step,
+                     const char* close) {
+  std::string text = margin + "<" + node.id;
+  Attributes attributes = node.ports;
+  if (!node.name.empty() || node.isSubTree()) {
+    attributes.insert(attributes.begin(), {node.isSubTree() ? "ID" : "name", node.label()});
+  }
+  for (const Attribute& attribute : attributes) {
+    text += " " + attribute.name + "=\"" + attribute.text + "\"";
+  }
+  if (node.children.empty()) {
+    return text + close + "\n";
+  }
+  text += ">\n";
+  for (const NodeSpec& child : node.children) {
+    text += hunavXml(child, margin + step, step, close);
+  }
+  return text + margin + "</" + node.id + ">\n";
 }
 
-/// XML by behaviour; other behaviours walk regularly.
-using Reactions = std::map<BehaviorType, std::string>;
+/// Reacts while the robot is visible and the time has not elapsed.
+NodeSpec timedReaction(const std::string& name, const std::string& node) {
+  return branchNode(
+      "Sequence", name,
+      {parseNodeText("IsRobotVisible agent_id={id} distance={dist}"),
+       parseNodeText("Inverter>TimeExpiredCondition seconds={duration} ts={dt} only_once={once}"),
+       parseNodeText(node)});
+}
 
-const Reactions kPanelReactions = {
-    {BehaviorType::Surprised, kSurprised},
-    {BehaviorType::Scared,
-     runOnceReaction("ScaNav",
-                     R"(AvoidRobot agent_id="{id}" time_step="{dt}" runaway_vel="{maxvel}" )"
-                     R"(safe_distance="{safe_distance}" duration="{duration}")")},
-    {BehaviorType::Curious,
-     runOnceReaction("CurNav",
-                     R"(ApproachRobot agent_id="{id}" time_step="{dt}" )"
-                     R"(closest_dist="{stopdist}" max_vel="{maxvel}" duration="{duration}")")},
-    {BehaviorType::Threatening,
-     runOnceReaction("ThreadNav", R"(BlockRobot agent_id="{id}" time_step="{dt}" )"
-                                  R"(front_dist="{frontdist}" duration="{duration}")")}};
+/// Except for surprise both nodes run once, whether or not the robot is visible, as in HuNavSim's
+/// panel.
+NodeSpec panelReaction(BehaviorType type) {
+  static const std::map<BehaviorType, std::string> kNodes = {
+      {BehaviorType::Scared,
+       "AvoidRobot agent_id={id} time_step={dt} runaway_vel={maxvel} "
+       "safe_distance={safe_distance} duration={duration}"},
+      {BehaviorType::Curious,
+       "ApproachRobot agent_id={id} time_step={dt} closest_dist={stopdist} max_vel={maxvel} "
+       "duration={duration}"},
+      {BehaviorType::Threatening,
+       "BlockRobot agent_id={id} time_step={dt} front_dist={frontdist} duration={duration}"}};
+  const char* const name = kReactions.at(type);
+  if (type == BehaviorType::Surprised) {
+    return timedReaction(name, "SurprisedNav agent_id={id} time_step={dt}");
+  }
+  return branchNode("Sequence", name,
+                    {parseNodeText("RunOnce>IsRobotVisible agent_id={id} distance={dist}"),
+                     parseNodeText("RunOnce>" + kNodes.at(type))});
+}
 
-/// RunOnce{SetGoal} for each goal. The last one is inverted, so that the fallback continues in the
-/// first tick. Without goals HuNavSim sets goal 1 and omits the inverter.
-std::string goalNodes(const std::vector<int>& goals, const std::string& margin,
-                      const std::string& step) {
-  const auto once = [&step](const std::string& before, int goal) {
-    return before + "<RunOnce>\n" + before + step + "<SetGoal agent_id=\"{id}\" goal_id=\"" +
-           std::to_string(goal) + "\"/>\n" + before + "</RunOnce>\n";
-  };
-  if (goals.empty()) {
-    return once(margin, 1);
+NodeSpec wrapperReaction(BehaviorType type) {
+  if (type == BehaviorType::Threatening) {
+    NodeSpec reaction = timedReaction(
+        "ThreatNav", "ThreateningNav agent_id={id} time_step={dt} goal_dist={frontdist}");
+    NodeSpec visible = std::move(reaction.children.front());
+    reaction.children.erase(reaction.children.begin());
+    reaction.name = "ThreatTimerNav";
+    return branchNode("Sequence", "ThreatNav", {std::move(visible), std::move(reaction)});
   }
-  std::string text;
-  for (std::size_t i = 0; i + 1 < goals.size(); ++i) {
-    text += once(margin, goals[i]);
-  }
-  return text + margin + "<Inverter>\n" + once(margin + step, goals.back()) + margin +
-         "</Inverter>\n";
+  static const std::map<BehaviorType, std::string> kNodes = {
+      {BehaviorType::Surprised, "SurprisedNav agent_id={id} time_step={dt}"},
+      {BehaviorType::Scared,
+       "ScaredNav agent_id={id} time_step={dt} runaway_vel={maxvel} "
+       "scary_force_factor={forcefactor}"},
+      {BehaviorType::Curious,
+       "CuriousNav agent_id={id} time_step={dt} stop_distance={stopdist} agent_vel={maxvel}"}};
+  return timedReaction(kReactions.at(type), kNodes.at(type));
 }
 
 void replaceAll(std::string& text, const std::string& what, const std::string& by) {
@@ -343,16 +343,12 @@ void replaceAll(std::string& text, const std::string& what, const std::string& b
   }
 }
 
-/// Replaces {dist}, {duration} … and "{GOAL_SEQUENCE}" with the panel's values for this person.
+/// Replaces {dist}, {duration} … with the panel's values for this person.
 std::string fillPlaceholders(std::string text, const sim2d::Human& human) {
   const sim2d::Behavior& behavior = human.behavior;
   const auto number = [](const std::optional<double>& value, double otherwise) {
     return shortNumber(value.value_or(otherwise));
   };
-  replaceAll(text, "{GOAL_SEQUENCE}",
-             "<Sequence name=\"SetGoals\">\n" +
-                 goalNodes(human.goals, std::string(16, ' '), "    ") + std::string(12, ' ') +
-                 "</Sequence>");
   replaceAll(text, "{dist}", number(behavior.dist, 5.0));
   replaceAll(text, "{duration}", number(behavior.duration, 40.0));
   replaceAll(text, "{once}", behavior.once.value_or(false) ? "true" : "false");
@@ -375,66 +371,20 @@ std::string modelElement(const std::string& file) {
   return file.substr(begin, end + std::string(kClosing).size() - begin);
 }
 
-constexpr const char* kWrapperRegular = R"(    <!-- Navigation loop -->
-    <Sequence name="RegularNavigation">
-      <Inverter>
-        <IsGoalReached agent_id="{id}"/>
-      </Inverter>
-      <RegularNav agent_id="{id}" time_step="{dt}"/>
-    </Sequence>
-    <!-- Update Goal -->
-    <UpdateGoal agent_id="{id}"/>
-)";
-constexpr const char* kWrapperRegularCall = R"(    <Sequence name="RegNav">
-      <SetBlackboard output_key="agentid" value="{id}"/>
-      <SetBlackboard output_key="timestep" value="{dt}"/>
-      <SubTree ID="RegularNavTree" id="{agentid}" dt="{timestep}"/>
-    </Sequence>
-)";
-constexpr const char* kWrapperThreatening = R"(    <Sequence name="ThreatNav">
-      <IsRobotVisible agent_id="{id}" distance="{dist}"/>
-      <Sequence name="ThreatTimerNav">
-        <Inverter>
-          <TimeExpiredCondition seconds="{duration}" ts="{dt}" only_once="{once}"/>
-        </Inverter>
-        <ThreateningNav agent_id="{id}" time_step="{dt}" goal_dist="{frontdist}"/>
-      </Sequence>
-    </Sequence>
-)";
-
-/// Reacts while the robot is visible and the time has not elapsed.
-std::string timedReaction(const std::string& name, const std::string& node) {
-  return "    <Sequence name=\"" + name +
-         "\">\n"
-         "      <IsRobotVisible agent_id=\"{id}\" distance=\"{dist}\"/>\n"
-         "      <Inverter>\n"
-         "        <TimeExpiredCondition seconds=\"{duration}\" ts=\"{dt}\" only_once=\"{once}\"/>\n"
-         "      </Inverter>\n"
-         "      <" +
-         node + "/>\n    </Sequence>\n";
-}
-
-const Reactions kWrapperReactions = {
-    {BehaviorType::Surprised,
-     timedReaction("SurNav", R"(SurprisedNav agent_id="{id}" time_step="{dt}")")},
-    {BehaviorType::Scared,
-     timedReaction("ScaNav", R"(ScaredNav agent_id="{id}" time_step="{dt}" )"
-                             R"(runaway_vel="{maxvel}" scary_force_factor="{forcefactor}")")},
-    {BehaviorType::Curious,
-     timedReaction("CurNav", R"(CuriousNav agent_id="{id}" time_step="{dt}" )"
-                             R"(stop_distance="{stopdist}" agent_vel="{maxvel}")")},
-    {BehaviorType::Threatening, kWrapperThreatening}};
-
 std::string panelTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
-  const auto reaction = kPanelReactions.find(type);
-  const bool isRegular = reaction == kPanelReactions.end();
-  const std::string name = isRegular ? "Regular" : sim2d::behaviorName(type);
+  const bool reacts = kReactions.count(type) > 0;
+  const std::string name = reacts ? sim2d::behaviorName(type) : "Regular";
+  const std::string margin(12, ' ');
   std::string body = "    <BehaviorTree ID=\"" + name + "NavTree\">\n        <Fallback name=\"" +
-                     name + (isRegular ? "Nav" : "") +
-                     "Fallback\">\n            {GOAL_SEQUENCE}\n" +
-                     (isRegular ? kRegular : reaction->second + kRegularCall) +
-                     "        </Fallback>\n    </BehaviorTree>\n</root>\n";
+                     name + (reacts ? "" : "Nav") + "Fallback\">\n" +
+                     hunavXml(branchNode("Sequence", "SetGoals", hunavGoalNodes(human.goals)),
+                              margin, "    ", "/>");
+  for (const NodeSpec& node : reacts ? std::vector<NodeSpec>{panelReaction(type), regularNavCall()}
+                                     : regularNavTree().root.children) {
+    body += hunavXml(node, margin, "    ", " />");
+  }
+  body += "        </Fallback>\n    </BehaviorTree>\n</root>\n";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root main_tree_to_execute=\"" + name +
          "NavTree\" BTCPP_format=\"4\">\n\n  " + modelElement(modelFile) +
          "\n  <include path=\"BTRegularNav.xml\" />\n\n" + fillPlaceholders(std::move(body), human);
@@ -443,18 +393,26 @@ std::string panelTreeText(const sim2d::Human& human, const std::string& modelFil
 std::string wrapperTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
   const std::string name = sim2d::behaviorName(type);
-  const auto reaction = kWrapperReactions.find(type);
-  const bool reacts = reaction != kWrapperReactions.end();
+  const bool reacts = kReactions.count(type) > 0;
+  const auto xml = [](const NodeSpec& node, std::size_t margin) {
+    return hunavXml(node, std::string(margin, ' '), "  ", "/>");
+  };
   std::string body = "\n<include path=\"BTRegularNav.xml\" />\n\n\n";
   if (reacts) {
     body += "<!--<BehaviorTree ID=\"" + name + "NavTree\">-->\n";
   }
   body += "<BehaviorTree ID=\"DefaultTree\">\n  <Fallback name=\"" +
           (reacts ? name + "Fallback" : "MainFallback") + "\">\n" +
-          "    <!-- Goal setting Sequence -->\n    <Sequence name=\"SetGoals\">\n" +
-          goalNodes(human.goals, std::string(8, ' '), "  ") + "\n    </Sequence>\n" +
-          (reacts ? reaction->second + kWrapperRegularCall : kWrapperRegular) +
-          "  </Fallback>\n</BehaviorTree>\n\n\n\n</root>\n\n";
+          "    <!-- Goal setting Sequence -->\n    <Sequence name=\"SetGoals\">\n";
+  for (const NodeSpec& node : hunavGoalNodes(human.goals)) {
+    body += xml(node, 8);
+  }
+  body += "\n    </Sequence>\n";
+  const std::vector<NodeSpec> regular = regularNavTree().root.children;
+  body += reacts ? xml(wrapperReaction(type), 4) + xml(regularNavCall(), 4)
+                 : "    <!-- Navigation loop -->\n" + xml(regular[0], 4) +
+                       "    <!-- Update Goal -->\n" + xml(regular[1], 4);
+  body += "  </Fallback>\n</BehaviorTree>\n\n\n\n</root>\n\n";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<root main_tree_to_execute=\"DefaultTree\" BTCPP_format=\"4\">\n  " +
          modelElement(modelFile) + "\n" + fillPlaceholders(std::move(body), human);

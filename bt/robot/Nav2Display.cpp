@@ -1,5 +1,3 @@
-#include "bt/robot/Nav2Display.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,7 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "sim2d/nav/FrameTransform.h"
+#include "bt/robot/Nav2Servers.h"
+#include "sim2d/nav/Body.h"
 
 namespace bt {
 

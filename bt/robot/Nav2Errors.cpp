@@ -1,10 +1,8 @@
-#include "bt/robot/Nav2Errors.h"
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "bt/robot/NestedNavigation.h"
+#include "bt/robot/NavigatorHost.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/docking/DockingServer.h"
 #include "sim2d/nav/nav2/docking/FollowingServer.h"
@@ -54,23 +52,19 @@ CodeText controlText(int code) {
   return {controllerErrorName(error), at < kMessages.size() ? kMessages[at] : kMessages[0]};
 }
 
-/// BackUp orders three of its codes differently from the other behaviours.
+/// BackUp orders two of its codes differently from the other behaviours.
 CodeText behaviorText(RobotAction action, int code) {
+  static constexpr std::array<std::array<const char*, 2>, 5> kTexts = {
+      {{"UNKNOWN", "the behavior failed"},
+       {"TIMEOUT", "the behavior exceeded its time_allowance"},
+       {"TF_ERROR", "the frames are not connected"},
+       {"COLLISION_AHEAD", "the robot would collide"},
+       {"INVALID_INPUT", "distance and speed have different signs"}}};
   const int number = code % kBehaviorCodes;
-  const bool isBackUp = action == RobotAction::BackUp;
-  if (number == 1) {
-    return {"TIMEOUT", "the behavior exceeded its time_allowance"};
-  }
-  if (number == 2) {
-    return {"TF_ERROR", "the frames are not connected"};
-  }
-  if (number == (isBackUp ? 4 : 3)) {
-    return {"COLLISION_AHEAD", "the robot would collide"};
-  }
-  if (number == (isBackUp ? 3 : 4)) {
-    return {"INVALID_INPUT", "distance and speed have different signs"};
-  }
-  return {"UNKNOWN", "the behavior failed"};
+  const bool isSwapped = action == RobotAction::BackUp && (number == 3 || number == 4);
+  const auto at = static_cast<std::size_t>(isSwapped ? 7 - number : number);
+  const auto& text = kTexts[at < kTexts.size() ? at : 0];
+  return {text[0], text[1]};
 }
 
 constexpr int kNoTreeToPose =
@@ -112,10 +106,8 @@ constexpr std::array<CodeRow, 18> kOtherCodes = {
      {kNoTreeThroughPoses, "FAILED_TO_LOAD_BEHAVIOR_TREE", "there is no such tree"}}};
 
 CodeText otherText(int code) {
-  const auto* const row = std::find_if(kOtherCodes.begin(), kOtherCodes.end(),
-                                       [code](const CodeRow& each) { return each.code == code; });
-  return row == kOtherCodes.end() ? CodeText{"UNKNOWN", "it failed"}
-                                  : CodeText{row->name, row->message};
+  const CodeRow* const row = base::findBy(kOtherCodes, &CodeRow::code, code);
+  return row != nullptr ? CodeText{row->name, row->message} : CodeText{"UNKNOWN", "it failed"};
 }
 
 CodeText textOf(const ActionFailure& failure) {
@@ -137,36 +129,29 @@ CodeText textOf(const ActionFailure& failure) {
     case RobotAction::Wait:
     case RobotAction::AssistedTeleop:
       return behaviorText(failure.action, failure.errorCode);
-    case RobotAction::NavigateToPose:
-    case RobotAction::NavigateThroughPoses:
-    case RobotAction::ComputeRoute:
-    case RobotAction::ComputeAndTrackRoute:
-    case RobotAction::DockRobot:
-    case RobotAction::UndockRobot:
-    case RobotAction::FollowObject:
+    default:
       return otherText(failure.errorCode);
   }
-  return {"UNKNOWN", ""};
 }
 
 const char* serverOf(RobotAction action) {
-  static constexpr std::array<const char*, kRobotActions> kNames = {"planner",
-                                                                    "planner",
-                                                                    "controller",
-                                                                    "smoother",
-                                                                    "spin",
-                                                                    "backup",
-                                                                    "drive_on_heading",
-                                                                    "wait",
-                                                                    "navigate_to_pose",
-                                                                    "navigate_through_poses",
-                                                                    "route",
-                                                                    "route",
-                                                                    "assisted_teleop",
-                                                                    "docking",
-                                                                    "undocking",
-                                                                    "following"};
-  return kNames.at(static_cast<std::size_t>(action));
+  static constexpr const char* kNames[kRobotActions] = {"planner",
+                                                        "planner",
+                                                        "controller",
+                                                        "smoother",
+                                                        "spin",
+                                                        "backup",
+                                                        "drive_on_heading",
+                                                        "wait",
+                                                        "navigate_to_pose",
+                                                        "navigate_through_poses",
+                                                        "route",
+                                                        "route",
+                                                        "assisted_teleop",
+                                                        "docking",
+                                                        "undocking",
+                                                        "following"};
+  return kNames[static_cast<std::size_t>(action)];
 }
 
 }  // namespace

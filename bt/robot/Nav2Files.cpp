@@ -60,10 +60,8 @@ void collectSubTree(const NodeSpec& node, NavigatorTree& to) {
   if (!isToPose && node.id != "NavigateThroughPoses") {
     return;
   }
-  const auto port = std::find_if(node.ports.begin(), node.ports.end(), [](const Attribute& each) {
-    return each.name == "behavior_tree";
-  });
-  const std::string name = port == node.ports.end() ? std::string() : port->text;
+  const std::string* const port = findAttribute(node.ports, "behavior_tree");
+  const std::string name = port != nullptr ? *port : std::string();
   if (name.find('{') == std::string::npos) {
     (isToPose ? to.toPose : to.throughPoses).insert(name);
   }
@@ -88,11 +86,14 @@ void checkNodes(const NodeSpec& node, const std::string& file, Distro distro, Na
   }
 }
 
-}  // namespace
+/// The shipped parameter file of robots that name none.
+constexpr const char* kDefaultParams = "generic";
 
-std::string nav2ParamsFile(const std::string& named, const std::string& folder,
-                           const Nav2Folders& shipped) {
-  const std::string name = named.empty() ? kDefaultNav2Params : named;
+/// Resolves a parameter file: a path relative to `folder`, otherwise the name of a shipped file
+/// ("turtlebot3"). Empty: not found.
+std::string paramsFile(const std::string& named, const std::string& folder,
+                       const Nav2Folders& shipped) {
+  const std::string name = named.empty() ? kDefaultParams : named;
   std::string beside = inFolder(name, folder);
   if (!named.empty() && isFile(beside)) {
     return beside;
@@ -101,14 +102,12 @@ std::string nav2ParamsFile(const std::string& named, const std::string& folder,
   return isFile(own) ? own.string() : std::string();
 }
 
-base::Diagnostic missingNav2ParamsFile(const std::string& named, const std::string& folder,
-                                       const Nav2Folders& shipped) {
-  const std::string name = named.empty() ? kDefaultNav2Params : named;
+base::Diagnostic missingParamsFile(const std::string& named, const std::string& folder,
+                                   const Nav2Folders& shipped) {
+  const std::string name = named.empty() ? kDefaultParams : named;
   return base::error("nav2.no-file", {name, known(shipped.params, ".yaml")},
                      inFolder(name, folder));
 }
-
-namespace {
 
 /// Finds a shipped tree by name; empty: not found.
 std::string shippedTree(const std::string& name, Distro distro, const Nav2Folders& shipped) {
@@ -126,14 +125,16 @@ std::string shippedTree(const std::string& name, Distro distro, const Nav2Folder
   return {};
 }
 
-}  // namespace
-
-std::string nav2TreeFile(const std::string& named, const std::string& folder, Distro distro,
-                         const Nav2Folders& shipped) {
+/// The same for a tree named by the user. A missing path is searched by its file name among the
+/// shipped trees, those of the same distribution first.
+std::string treeFileOf(const std::string& named, const std::string& folder, Distro distro,
+                       const Nav2Folders& shipped) {
   const std::string name = named.empty() ? kDefaultNav2Tree : named;
   std::string beside = inFolder(name, folder);
   return !named.empty() && isFile(beside) ? beside : shippedTree(name, distro, shipped);
 }
+
+}  // namespace
 
 std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const TreeParameter& parameter,
                                 const std::string& folder, const Nav2Folders& shipped,
@@ -216,7 +217,7 @@ void loadThroughPosesTree(const std::string& folder, const Nav2Folders& shipped,
 /// shipped trees are suppressed.
 std::shared_ptr<const Program> loadSubTree(const std::string& named, const std::string& folder,
                                            const Nav2Folders& shipped, Nav2Loaded& loaded) {
-  const std::string file = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
+  const std::string file = treeFileOf(named, folder, loaded.parameters.distro, shipped);
   if (file.empty()) {
     loaded.problems.push_back(
         base::error("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
@@ -301,7 +302,7 @@ Nav2Loaded loadNav2(const sim2d::Nav2Config& choice, const std::string& folder,
     loaded.treeFile =
         nav2TreeOfParameter(loaded.parameters, parameter, folder, shipped, loaded.problems);
   } else {
-    loaded.treeFile = nav2TreeFile(choice.tree, folder, loaded.parameters.distro, shipped);
+    loaded.treeFile = treeFileOf(choice.tree, folder, loaded.parameters.distro, shipped);
   }
   if (loaded.treeFile.empty()) {
     const std::string named = choice.tree.empty() ? kDefaultNav2Tree : choice.tree;
@@ -356,9 +357,9 @@ Nav2ParamFiles::Nav2ParamFiles(const std::vector<std::string>& entries, const st
 
 void Nav2ParamFiles::addFile(const std::string& named, const std::string& folder,
                              const Nav2Folders& shipped) {
-  const std::string path = nav2ParamsFile(named, folder, shipped);
+  const std::string path = paramsFile(named, folder, shipped);
   if (path.empty()) {
-    problems_.push_back(missingNav2ParamsFile(named, folder, shipped));
+    problems_.push_back(missingParamsFile(named, folder, shipped));
     return;
   }
   paths_.push_back(path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -8,8 +9,7 @@
 #include <vector>
 
 #include "bt/engine/Program.h"
-#include "bt/robot/NavigatorTopics.h"
-#include "bt/robot/NestedNavigation.h"
+#include "bt/robot/NavigatorHost.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
@@ -18,28 +18,36 @@
 
 namespace bt {
 
+struct Nav2Latencies;
+struct Nav2Statistics;
+
 /// Folders of the shipped parameter files and trees; empty: none.
 struct Nav2Folders {
   std::string params;  // NAME.yaml
   std::string trees;   // humble/NAME.xml …
 };
 
-/// Shipped files that are used for robots that name none.
-constexpr const char* kDefaultNav2Params = "generic";
+/// Shipped trees that are used for robots that name none.
 constexpr const char* kDefaultNav2Tree = "navigate_to_pose_w_replanning_and_recovery";
 constexpr const char* kDefaultThroughPosesTree = "navigate_through_poses_w_replanning_and_recovery";
 
-/// Resolves a parameter file: a path relative to `folder`, otherwise the name of a shipped file
-/// ("turtlebot3"). Empty: not found.
-std::string nav2ParamsFile(const std::string& named, const std::string& folder,
-                           const Nav2Folders& shipped);
-/// The error for a parameter file that is not found.
-base::Diagnostic missingNav2ParamsFile(const std::string& named, const std::string& folder,
-                                       const Nav2Folders& shipped);
-/// The same for a tree named by the user. A missing path is searched by its file name among the
-/// shipped trees, those of the same distribution first.
-std::string nav2TreeFile(const std::string& named, const std::string& folder,
-                         sim2d::nav2::Distro distro, const Nav2Folders& shipped);
+/// The planner `nav2`: the user's nav2_params.yaml and navigator tree, without ROS. In each step
+/// the costmaps process the scan, the tree is ticked once, then the servers run.
+///
+/// A new goal of the scenario halts the current run of the tree and starts a new one. A run ends
+/// with SUCCESS or FAILURE of the tree (`Planner::takeNavigationResult`), regardless of the robot's
+/// position; a route through several goals ends as a whole.
+void addNav2(sim2d::PlannerRegistry& to, const Nav2Folders& shipped);
+
+/// Compiled trees that the nodes NavigateToPose and NavigateThroughPoses of a robot's tree request.
+struct NavigatorTrees {
+  std::map<std::string, std::shared_ptr<const Program>>
+      byName;                                           // by value of the port behavior_tree
+  std::shared_ptr<const Program> toPose, throughPoses;  // for an empty port
+
+  /// Null: not loaded.
+  std::shared_ptr<const Program> find(RobotAction action, const std::string& name) const;
+};
 
 /// A navigator tree, checked for its distribution: nodes, ports, references.
 struct NavigatorTree {
@@ -76,8 +84,6 @@ struct Nav2Lattices {
   base::Diagnostics problems;
 };
 Nav2Lattices loadNav2Lattices(sim2d::nav2::Nav2Parameters& parameters);
-/// Reads a file of nav2_smac_planner's generator. Error: values are missing or out of range.
-base::Result<std::shared_ptr<const sim2d::nav2::Lattice>> readLattice(const std::string& file);
 
 /// All files and values of a robot's Nav2 choice.
 struct Nav2Loaded {
@@ -101,6 +107,7 @@ struct Nav2Loaded {
     return !base::hasErrors(problems) && !base::hasErrors(invalidValues) && program != nullptr;
   }
 };
+
 /// Reads the parameter files of `choice.params` merged into one, with its single values; without a
 /// file the shipped one. `robot`: name whose namespace takes precedence in the files.
 Nav2Loaded loadNav2Parameters(const sim2d::Nav2Config& choice, const std::string& folder,
@@ -108,6 +115,20 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Config& choice, const std::string
 /// Parameters and tree.
 Nav2Loaded loadNav2(const sim2d::Nav2Config& choice, const std::string& folder,
                     const std::string& robot, const Nav2Folders& shipped);
+
+/// The manifest entry of a robot driven by Nav2, as a JSON object: emulated distribution and its
+/// commit, plugins, every key of the file and how it was used, applied defaults, actual frequencies
+/// and latencies, replaced layers, event counts.
+std::string nav2Report(const Nav2Loaded& loaded, const Nav2Statistics& counts,
+                       const Nav2Latencies& latencies, const sim2d::PlannerSetup& setup);
+
+/// Values that are valid individually but inconsistent with each other. `setup`: the robot, null:
+/// unknown.
+base::Diagnostics nav2Inconsistencies(const sim2d::nav2::Nav2Parameters& parameters,
+                                      const sim2d::PlannerSetup* setup);
+
+/// Hints of a check: the distribution of the file and keys without effect, with positions.
+base::Diagnostics nav2Hints(const sim2d::nav2::Nav2Parameters& parameters);
 
 /// A parameter of bt_navigator that names a tree, its value, and the shipped tree used without one.
 struct TreeParameter {

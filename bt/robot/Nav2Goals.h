@@ -7,7 +7,7 @@
 
 #include "sim2d/base/Types.h"
 #include "sim2d/nav/nav2/Costmap.h"
-#include "sim2d/nav/nav2/servers/WaypointTasks.h"
+#include "sim2d/nav/nav2/servers/Behaviors.h"
 
 namespace bt {
 

@@ -14,7 +14,7 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
-#include "sim2d/nav/nav2/global/SmacLatticePlanner.h"
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/params/ReferencedFiles.h"
 
 namespace bt {
@@ -250,8 +250,7 @@ base::Diagnostic placedProblem(const sim2d::nav2::Nav2Parameters& parameters,
   return problem;
 }
 
-}  // namespace
-
+/// Reads a file of nav2_smac_planner's generator. Error: values are missing or out of range.
 base::Result<std::shared_ptr<const Lattice>> readLattice(const std::string& file) {
   const base::Result<std::string> text = base::readTextFile(file);
   if (!text) {
@@ -266,6 +265,8 @@ base::Result<std::shared_ptr<const Lattice>> readLattice(const std::string& file
   lattice->file = file;
   return std::shared_ptr<const Lattice>(std::make_shared<Lattice>(*std::move(lattice)));
 }
+
+}  // namespace
 
 Nav2Lattices loadNav2Lattices(sim2d::nav2::Nav2Parameters& parameters) {
   Nav2Lattices found;

@@ -5,9 +5,9 @@
 
 #include "bt/robot/Nav2Servers.h"
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/FrameTransform.h"
+#include "sim2d/nav/Body.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
-#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
 
 // Requests to the planner, smoother and route servers; cycles of the controller server.
 namespace bt {
@@ -23,12 +23,9 @@ int codeOf(RobotAction action, PlanError error) {
 
 /// Finds by name; the name may be empty if there is only one. Null: not found.
 template <class T>
-T* findByName(const std::map<std::string, std::unique_ptr<T>>& all, const std::string& name) {
-  if (name.empty() && all.size() == 1) {
-    return all.begin()->second.get();
-  }
-  const auto found = all.find(name);
-  return found == all.end() ? nullptr : found->second.get();
+const T* findByName(const std::map<std::string, T>& all, const std::string& name) {
+  const auto found = name.empty() && all.size() == 1 ? all.begin() : all.find(name);
+  return found == all.end() ? nullptr : &found->second;
 }
 
 }  // namespace
@@ -75,7 +72,7 @@ void Nav2Servers::executePlanRequest(RobotAction action, PendingRequest& pending
     fail(PlanError::TfError);
     return;
   }
-  GlobalPlanner* const planner = findByName(planners_, pendingRequest.request.server);
+  const PlannerPointer* const planner = findByName(planners_, pendingRequest.request.server);
   const Path& goals = paths().get(pendingRequest.request.path);
   if (planner == nullptr || goals.empty()) {
     fail(planner == nullptr ? PlanError::InvalidPlanner : PlanError::NoValidPath);
@@ -83,7 +80,7 @@ void Nav2Servers::executePlanRequest(RobotAction action, PendingRequest& pending
   }
   const Path& starts = paths().get(pendingRequest.request.start.value_or(0));
   const base::Pose2 start = starts.empty() ? observation_->pose : starts.front();
-  ThroughPosesResult plan = planPath(*planner, action, pendingRequest.request, start);
+  ThroughPosesResult plan = planPath(**planner, action, pendingRequest.request, start);
   if (plan.error == PlanError::None && plan.path.empty()) {
     plan.error = PlanError::NoValidPath;
   }
@@ -135,16 +132,16 @@ void Nav2Servers::processSmoothRequest() {
 
 /// Smoothers use the published global costmap.
 void Nav2Servers::executeSmoothRequest(const RobotRequest& request) {
-  const PathSmoother* const smoother = findByName(smoothers_, request.server);
+  const PathSmootherParameters* const smoother = findByName(smoothers_, request.server);
   if (smoother == nullptr) {
     finish(RobotAction::SmoothPath, static_cast<int>(SmoothError::InvalidSmoother), 0,
            smoothErrorMessage(SmoothError::InvalidSmoother));
     return;
   }
   const Path& path = paths().get(request.path);
-  SmoothResult smoothed = path.empty()
-                              ? SmoothResult{SmoothError::InvalidPath, {}, false}
-                              : smoother->smooth(path, global_->published(), request.timeAllowance);
+  SmoothResult smoothed = path.empty() ? SmoothResult{SmoothError::InvalidPath, {}, false}
+                                       : smoothPath(*smoother, setup_.parameters.distro, path,
+                                                    global_->published(), request.timeAllowance);
   if (smoothed.error == SmoothError::None && request.checksCollisions) {
     const bool isHit =
         std::any_of(smoothed.path.begin(), smoothed.path.end(), [&](const base::Pose2& place) {

@@ -1,5 +1,3 @@
-#include "bt/robot/Nav2Report.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,7 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim2d/base/Problems.h"
+#include "bt/robot/Nav2Servers.h"
+#include "sim2d/base/Result.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "bt/robot/Nav2Docking.h"
-#include "bt/robot/Nav2MotionServers.h"
+#include "bt/robot/Nav2DriveServers.h"
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/DriveKinematics.h"
@@ -107,7 +106,7 @@ base::Diagnostics Nav2Servers::build() {
     planners_[name] = makeGlobalPlanner(planner, parameters.distro);
   }
   for (const auto& [name, smoother] : parameters.smoothers) {
-    smoothers_[name] = makePathSmoother(smoother, parameters.distro);
+    smoothers_[name] = smoother;
   }
   motionServers_ = std::make_unique<MotionServers>(parameters, local_->footprint().corners);
   routes_ = std::make_unique<RouteServer>(parameters.route, setup_.graph);

@@ -10,20 +10,66 @@
 #include <utility>
 #include <vector>
 
-#include "bt/robot/Nav2Display.h"
-#include "bt/robot/Nav2Errors.h"
-#include "bt/robot/NavigatorHost.h"
-#include "bt/robot/NavigatorTopics.h"
-#include "bt/robot/NestedNavigation.h"
+#include "bt/engine/TreeState.h"
+#include "bt/robot/Nav2Files.h"
+#include "sim2d/map/CostGrid.h"
+#include "sim2d/map/OccupancyGrid.h"
+#include "sim2d/nav/Observation.h"
 #include "sim2d/nav/Planner.h"
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/costmap/LayeredCostmap.h"
-#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
 #include "sim2d/nav/nav2/route/RouteServer.h"
 #include "sim2d/nav/nav2/servers/VelocitySmoother.h"
 
 namespace bt {
+
+// Display data of the servers
+
+std::vector<base::Vec2> pointsOf(const sim2d::nav2::Path& path);
+
+/// A trajectory with its cost. Scores are scale * raw for each critic that was evaluated. Rejected
+/// trajectories have infinite cost.
+sim2d::Candidate toCandidate(const sim2d::nav2::EvaluatedTrajectory& trajectory);
+
+/// A copy of a costmap that is renewed after each update.
+class CostmapSnapshot {
+ public:
+  sim2d::CostGridPtr of(const sim2d::nav2::LayeredCostmap& costmap);
+
+ private:
+  sim2d::CostGridPtr copy_;
+  std::int64_t updates_ = -1;  // update count of the costmap at the time of the copy
+};
+
+/// Nav2's frames: a robot's servers use its observation in the map or, for everything that moves
+/// with the odometry, in the frame odom.
+
+/// Converts an observation to the frame odom. Obstacles seen earlier keep their position there when
+/// the localiser corrects map -> odom.
+class OdomObservation {
+ public:
+  /// `inMap` must outlive the use of the result. If both frames coincide, the result is `inMap`
+  /// itself. A scan is placed by the odometry at its time stamp.
+  const sim2d::Observation& of(const sim2d::Observation& inMap);
+
+ private:
+  sim2d::Observation converted_;
+  sim2d::LaserScan scan_;
+};
+
+/// Transforms points from a frame, given by its pose in the map, to the map.
+void moveToMap(const base::Pose2& frame, std::vector<base::Vec2>& points);
+
+/// Resamples a grid along the axes of a frame to a grid along the axes of the map that covers it; 0
+/// outside. For the identity the grid itself is returned. For display.
+sim2d::CostGridPtr costsInMap(const base::Pose2& frame, sim2d::CostGridPtr grid);
+
+/// The masks of a costmap's enabled filters. `topSpeed`: of the robot [m/s], for limits in m/s.
+std::vector<sim2d::MaskGrid> maskGrids(const sim2d::nav2::CostmapSettings& costmap,
+                                       const sim2d::nav2::FilterMasks& masks, double topSpeed);
 
 /// Latencies of a real robot in whole steps; Nav2's servers respond immediately here.
 struct Nav2Latencies {
@@ -46,6 +92,32 @@ struct Nav2Statistics {
   std::map<std::string, int> actionReasons{};                     // other failed actions by reason
   std::vector<sim2d::nav2::RouteEvent> routeEvents;               // route server operations
   std::map<std::string, sim2d::nav2::BinaryState> binaryFilters;  // "local_costmap.lights"
+};
+
+/// Stores a waypoint list with all goals pending and returns its number.
+std::int64_t addPendingWaypoints(NavigatorHost& host, const sim2d::nav2::Path& goals);
+
+/// A navigation requested by a node of another tree: its own tree and blackboard on the servers of
+/// the same host. Not synchronised.
+class NestedNavigation {
+ public:
+  /// `goals`: a path of one or more poses. `waypoints`: their statuses.
+  NestedNavigation(RobotAction action, std::shared_ptr<const Program> program, PathId goals,
+                   std::int64_t waypoints);
+
+  RobotAction action() const { return action_; }
+  PathId goals() const { return goals_; }
+  /// One step of `dt` [s]. Returns FAILURE also for a faulty tree.
+  base::NodeStatus tick(NavigatorHost& host, double dt);
+  void halt(NavigatorHost& host, double dt);
+  /// The fault of the tree; empty: none.
+  std::string fault() const;
+
+ private:
+  RobotAction action_;
+  PathId goals_;
+  TreeState tree_;
+  std::int64_t step_ = 0;
 };
 
 /// Nav2's servers of one robot: costmaps, planners, smoothers, controllers, behaviours, velocity
@@ -194,7 +266,7 @@ class Nav2Servers final : public NavigatorHost {
   Setup setup_;
   std::unique_ptr<sim2d::nav2::LayeredCostmap> local_, global_;
   std::map<std::string, std::unique_ptr<sim2d::nav2::GlobalPlanner>> planners_;
-  std::map<std::string, std::unique_ptr<sim2d::nav2::PathSmoother>> smoothers_;
+  std::map<std::string, sim2d::nav2::PathSmootherParameters> smoothers_;
   std::unique_ptr<sim2d::nav2::ControllerServer> controllers_;
   std::unique_ptr<MotionServers> motionServers_;
   std::unique_ptr<sim2d::nav2::RouteServer> routes_;

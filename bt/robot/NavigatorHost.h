@@ -2,19 +2,78 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "bt/robot/PathStore.h"
-#include "sim2d/nav/Battery.h"
+#include "sim2d/base/Result.h"
 #include "sim2d/nav/Body.h"
+#include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
-#include "sim2d/nav/nav2/control/TrackingError.h"
+#include "sim2d/nav/nav2/control/PathHandler.h"
 #include "sim2d/nav/nav2/docking/DockingServer.h"
 
 /// Interface of navigator tree nodes to Nav2's servers, without ROS messages.
 namespace bt {
+
+/// Number of a path in a store, as stored in blackboard entries: 0: none, an empty path. Each path
+/// has a unique number, so numbers differ like the time stamps of Nav2's messages. A goal is a path
+/// of one pose, goals are a path of several.
+using PathId = std::int64_t;
+
+/// The paths that entries of one robot's tree refer to. The newest kMost paths with at most
+/// kMostPoses poses in total are kept, more than an hour of a tree that writes a pose in each step;
+/// older ones are empty. An entry may refer to an old path, for example to a goal.
+class PathStore {
+ public:
+  static constexpr std::size_t kMost = 100'000;
+  static constexpr std::size_t kMostPoses = 2'000'000;
+
+  PathId add(sim2d::nav2::Path path);
+  /// Returns `known` if that path is equal: the output of a node has not changed.
+  PathId addUnlessEqual(sim2d::nav2::Path path, PathId known);
+  const sim2d::nav2::Path& get(PathId id) const;  // valid until a path is added
+
+ private:
+  std::deque<std::unique_ptr<const sim2d::nav2::Path>> paths_;
+  PathId newest_ = 0;
+  std::size_t poses_ = 0;  // total of the stored paths
+};
+
+/// Length along the poses [m].
+double lengthOf(const sim2d::nav2::Path& path);
+
+/// Values that blackboard entries refer to by number, like the paths of a PathStore. Numbers start
+/// at 1; 0 is a default value. The newest kMost values are kept; older numbers give the default
+/// value.
+template <class T>
+class HandleStore {
+ public:
+  static constexpr std::size_t kMost = 256;
+
+  std::int64_t add(T value) {
+    values_.push_back(std::make_unique<const T>(std::move(value)));
+    if (values_.size() > kMost) {
+      values_.pop_front();
+    }
+    return ++newest_;
+  }
+  /// Valid until the next kMost values are added.
+  const T& get(std::int64_t number) const {
+    static const T kNone{};
+    const std::int64_t first = newest_ - static_cast<std::int64_t>(values_.size()) + 1;
+    const bool isKept = number >= first && number <= newest_ && number > 0;
+    return isKept ? *values_[static_cast<std::size_t>(number - first)] : kNone;
+  }
+
+ private:
+  std::deque<std::unique_ptr<const T>> values_;
+  std::int64_t newest_ = 0;
+};
 
 /// One server per action: it executes one request at a time, a new request replaces the old one.
 enum class RobotAction : std::uint8_t {
@@ -123,6 +182,28 @@ struct TopicMessage {
   int number = 0;  // number of messages of the topic so far
 };
 
+/// Messages and service calls to a robot's navigator at given times, from the scenario's
+/// `nav2_topics`. A plain value.
+class NavigatorTopics {
+ public:
+  /// Parses "12.0 controller_selector FollowPath2; 20 /pause": entries separated by ';', each with
+  /// its time [s], the name of the topic or service and the message text (empty for a call).
+  /// Errors: a missing or negative time, a missing name.
+  static base::Result<NavigatorTopics> read(const std::string& text);
+
+  /// The last message of a topic published by `now` [s]. A leading '/' is ignored.
+  TopicMessage lastOf(const std::string& topic, double now) const;
+  /// The messages after the one with that number, oldest first.
+  std::vector<TopicMessage> after(const std::string& topic, int number, double now) const;
+
+ private:
+  struct Published {
+    double time = 0.0;  // [s]
+    std::string text;
+  };
+  std::map<std::string, std::vector<Published>> topics_;  // by name without '/', ordered by time
+};
+
 /// Implemented by the servers of the planner `nav2` and by tests. Used by one tree in one thread.
 class NavigatorHost {
  public:
@@ -179,5 +260,39 @@ class NavigatorHost {
   PathStore paths_;
   HandleStore<Waypoints> waypoints_;
 };
+
+// Names of the error codes of Nav2's actions (nav2_msgs/action of Jazzy and later). Humble has no
+// codes; the names are then given without numbers.
+
+/// Codes of nav2_msgs/action/NavigateToPose; those of NavigateThroughPoses are larger by 100.
+enum class NavigationError : std::uint16_t {
+  None = 0,
+  Unknown = 9000,
+  FailedToLoadTree = 9001,
+};
+constexpr int navigationCode(RobotAction action, NavigationError error) {
+  const int code = static_cast<int>(error);
+  return code == 0 || action == RobotAction::NavigateToPose ? code : code + 100;
+}
+
+/// A failed action.
+struct ActionFailure {
+  RobotAction action = RobotAction::ComputePath;
+  int errorCode = 0;  // 0: the server does not have the requested item
+};
+
+/// Offset between the planner error codes of ComputePathThroughPoses (300 …) and ComputePathToPose
+/// (200 …).
+constexpr int kThroughPosesOffset = 100;
+constexpr int throughPosesCode(int planCode) {
+  return planCode == 0 ? 0 : planCode + kThroughPosesOffset;
+}
+
+/// "planner NO_VALID_PATH (208)", in Humble "planner NO_VALID_PATH"; "spin COLLISION_AHEAD (703)".
+std::string failureReason(const ActionFailure& failure, sim2d::nav2::Distro distro);
+/// The same as a sentence without a full stop: "there is no path to the goal".
+std::string failureMessage(const ActionFailure& failure);
+/// Whether the failure is one of a planner.
+bool isPlannerFailure(const ActionFailure& failure);
 
 }  // namespace bt

@@ -1,5 +1,3 @@
-#include "bt/robot/NestedNavigation.h"
-
 #include <utility>
 
 #include "bt/robot/Nav2Servers.h"

@@ -1,129 +1,81 @@
 #include "bt/robot/RobotNodes.h"
 
-#include <algorithm>
-#include <array>
+#include <map>
+#include <set>
+#include <string>
 #include <string_view>
 
 namespace bt {
 namespace {
 
-using sim2d::nav2::kAllDistros;
-using sim2d::nav2::kJazzy;
-using sim2d::nav2::kKilted;
-using sim2d::nav2::kSinceJazzy;
-using sim2d::nav2::kSinceKilted;
-using sim2d::nav2::kSinceLyrical;
-using sim2d::nav2::kUntilKilted;
+using namespace sim2d::nav2;  // NOLINT: distribution names
 
-struct NodeAvailability {
-  std::string_view id;
-  unsigned distros;
-};
+/// Names by the distributions that have them.
+using Availability = std::map<unsigned, std::set<std::string, std::less<>>>;
+
 /// Nodes that do not exist in all distributions.
-constexpr std::array<NodeAvailability, 33> kNodeDistros = {
-    {{"NonblockingSequence", kSinceLyrical},
-     {"ValidatePath", kSinceLyrical},
-     {"IsPathValid", kUntilKilted},
-     {"IsGoalNearby", kSinceLyrical},
-     {"PathHandlerSelector", kSinceLyrical},
-     {"ComputeRoute", kSinceJazzy},
-     {"ComputeAndTrackRoute", kSinceJazzy},
-     {"AreErrorCodesPresent", kSinceJazzy},
-     {"WouldAControllerRecoveryHelp", kSinceJazzy},
-     {"WouldAPlannerRecoveryHelp", kSinceJazzy},
-     {"WouldASmootherRecoveryHelp", kSinceJazzy},
-     {"ArePosesNear", kSinceJazzy},
-     {"ClearCostmapAroundPose", kJazzy | kSinceLyrical},
-     {"DockRobot", kSinceJazzy},
-     {"UndockRobot", kSinceJazzy},
-     {"CancelComputeAndTrackRoute", kSinceJazzy},
-     {"ConcatenatePaths", kSinceJazzy},
-     {"GetCurrentPose", kSinceJazzy},
-     {"GetPoseFromPath", kSinceJazzy},
-     {"AppendGoalPoseToGoals", kSinceKilted},
-     {"ExtractRouteNodesAsGoals", kSinceKilted},
-     {"GetNextFewGoals", kSinceKilted},
-     {"RemoveInCollisionGoals", kSinceKilted},
-     {"WouldARouteRecoveryHelp", kSinceKilted},
-     {"IsStopped", kKilted},
-     {"CheckPoseOccupancy", kSinceLyrical},
-     {"CheckStopStatus", kSinceLyrical},
-     {"IsWithinPathTrackingBounds", kSinceLyrical},
-     {"ToggleCollisionMonitor", kSinceLyrical},
-     {"PauseResumeController", kSinceLyrical},
-     {"PersistentSequence", kSinceLyrical},
-     {"FollowObject", kSinceLyrical},
-     {"CancelFollowObject", kSinceLyrical}}};
+const Availability kNodeDistros = {
+    {kSinceLyrical,
+     {"NonblockingSequence", "ValidatePath", "IsGoalNearby", "PathHandlerSelector",
+      "CheckPoseOccupancy", "CheckStopStatus", "IsWithinPathTrackingBounds",
+      "ToggleCollisionMonitor", "PauseResumeController", "PersistentSequence", "FollowObject",
+      "CancelFollowObject"}},
+    {kUntilKilted, {"IsPathValid"}},
+    {kSinceJazzy,
+     {"ComputeRoute", "ComputeAndTrackRoute", "AreErrorCodesPresent",
+      "WouldAControllerRecoveryHelp", "WouldAPlannerRecoveryHelp", "WouldASmootherRecoveryHelp",
+      "ArePosesNear", "DockRobot", "UndockRobot", "CancelComputeAndTrackRoute", "ConcatenatePaths",
+      "GetCurrentPose", "GetPoseFromPath"}},
+    {kJazzy | kSinceLyrical, {"ClearCostmapAroundPose"}},
+    {kSinceKilted,
+     {"AppendGoalPoseToGoals", "ExtractRouteNodesAsGoals", "GetNextFewGoals",
+      "RemoveInCollisionGoals", "WouldARouteRecoveryHelp"}},
+    {kKilted, {"IsStopped"}}};
+
+/// Ports that do not exist in all distributions of their node: "Node.port", otherwise of any node.
+const Availability kPortDistros = {
+    {kSinceKilted,
+     {"Wait.error_code_id", "error_msg", "disable_collision_checks", "GoalUpdater.input_goals",
+      "GoalUpdater.output_goals", "RemovePassedGoals.input_waypoint_statuses",
+      "RemovePassedGoals.output_waypoint_statuses"}},
+    {kSinceLyrical,
+     {"AssistedTeleop.error_msg", "ClearCostmapAroundPose.plugins",
+      "ClearCostmapAroundRobot.plugins", "ClearCostmapExceptRegion.plugins",
+      "ClearEntireCostmap.plugins", "ComputePathThroughPoses.last_reached_index",
+      "ComputePathToPose.viapoints", "FollowPath.path_handler_id", "FollowPath.tracking_feedback",
+      "RoundRobin.wrap_around", "TruncatePathLocal.robot_base_frame"}},
+    {kSinceJazzy,
+     {"error_code_id", "AreErrorCodesPresent.error_codes_to_check", "ComputePathToPose.use_start",
+      "FollowPath.progress_checker_id", "GlobalUpdatedGoal.goal", "GlobalUpdatedGoal.goals",
+      "GoalUpdated.goal", "GoalUpdated.goals", "GoalUpdatedController.goal",
+      "GoalUpdatedController.goals", "InitialPoseReceived.initial_pose_received",
+      "SpeedController.goal", "SpeedController.goals"}},
+    {kJazzy | kSinceLyrical, {"error_codes_to_check", "ComputeAndTrackRoute.execution_duration"}},
+    {kKilted,
+     {"ComputeAndTrackRoute.execution_time", "IsPathValid.consider_unknown_as_obstacle",
+      "IsPathValid.max_cost"}},
+    {kUntilJazzy, {"GoalReached.global_frame", "RemovePassedGoals.global_frame"}},
+    {kUntilKilted, {"TruncatePathLocal.robot_frame"}}};
+
+/// kAllDistros for a name that the table does not have.
+unsigned distrosOf(const Availability& table, std::string_view name) {
+  for (const auto& [distros, names] : table) {
+    if (names.find(name) != names.end()) {
+      return distros;
+    }
+  }
+  return kAllDistros;
+}
 
 }  // namespace
 
 unsigned distrosOfNode(std::string_view id) {
-  const auto* const fact =
-      std::find_if(kNodeDistros.begin(), kNodeDistros.end(),
-                   [id](const NodeAvailability& each) { return each.id == id; });
-  return fact == kNodeDistros.end() ? kAllDistros : fact->distros;
+  return distrosOf(kNodeDistros, id);
 }
 
-namespace {
-
-using namespace sim2d::nav2;  // NOLINT: distribution names
-
-struct PortAvailability {
-  std::string_view node;  // empty: any
-  std::string_view port;
-  unsigned distros;
-};
-/// Ports that do not exist in all distributions of their node. The first matching row applies.
-constexpr std::array<PortAvailability, 39> kPortDistros = {
-    {{"Wait", "error_code_id", kSinceKilted},
-     {"AssistedTeleop", "error_msg", kSinceLyrical},
-     {"", "error_code_id", kSinceJazzy},
-     {"", "error_msg", kSinceKilted},
-     {"", "disable_collision_checks", kSinceKilted},
-     {"AreErrorCodesPresent", "error_codes_to_check", kSinceJazzy},
-     {"", "error_codes_to_check", kJazzy | kSinceLyrical},
-     {"ClearCostmapAroundPose", "plugins", kSinceLyrical},
-     {"ClearCostmapAroundRobot", "plugins", kSinceLyrical},
-     {"ClearCostmapExceptRegion", "plugins", kSinceLyrical},
-     {"ClearEntireCostmap", "plugins", kSinceLyrical},
-     {"ComputeAndTrackRoute", "execution_duration", kJazzy | kSinceLyrical},
-     {"ComputeAndTrackRoute", "execution_time", kKilted},
-     {"ComputePathThroughPoses", "last_reached_index", kSinceLyrical},
-     {"ComputePathToPose", "use_start", kSinceJazzy},
-     {"ComputePathToPose", "viapoints", kSinceLyrical},
-     {"FollowPath", "path_handler_id", kSinceLyrical},
-     {"FollowPath", "progress_checker_id", kSinceJazzy},
-     {"FollowPath", "tracking_feedback", kSinceLyrical},
-     {"GlobalUpdatedGoal", "goal", kSinceJazzy},
-     {"GlobalUpdatedGoal", "goals", kSinceJazzy},
-     {"GoalReached", "global_frame", kUntilJazzy},
-     {"GoalUpdated", "goal", kSinceJazzy},
-     {"GoalUpdated", "goals", kSinceJazzy},
-     {"GoalUpdatedController", "goal", kSinceJazzy},
-     {"GoalUpdatedController", "goals", kSinceJazzy},
-     {"GoalUpdater", "input_goals", kSinceKilted},
-     {"GoalUpdater", "output_goals", kSinceKilted},
-     {"InitialPoseReceived", "initial_pose_received", kSinceJazzy},
-     {"IsPathValid", "consider_unknown_as_obstacle", kKilted},
-     {"IsPathValid", "max_cost", kKilted},
-     {"RemovePassedGoals", "global_frame", kUntilJazzy},
-     {"RemovePassedGoals", "input_waypoint_statuses", kSinceKilted},
-     {"RemovePassedGoals", "output_waypoint_statuses", kSinceKilted},
-     {"RoundRobin", "wrap_around", kSinceLyrical},
-     {"SpeedController", "goal", kSinceJazzy},
-     {"SpeedController", "goals", kSinceJazzy},
-     {"TruncatePathLocal", "robot_base_frame", kSinceLyrical},
-     {"TruncatePathLocal", "robot_frame", kUntilKilted}}};
-
-}  // namespace
-
 unsigned distrosOfPort(std::string_view node, std::string_view port) {
-  const auto* const fact =
-      std::find_if(kPortDistros.begin(), kPortDistros.end(), [&](const PortAvailability& each) {
-        return each.port == port && (each.node.empty() || each.node == node);
-      });
-  const unsigned ofNode = distrosOfNode(node);
-  return fact == kPortDistros.end() ? ofNode : fact->distros & ofNode;
+  const unsigned own = distrosOf(kPortDistros, std::string(node) + "." + std::string(port));
+  return distrosOfNode(node) & (own != kAllDistros ? own : distrosOf(kPortDistros, port));
 }
 
 }  // namespace bt

@@ -46,17 +46,65 @@ inline base::NodeStatus statusOf(const RobotOutcome& outcome) {
                                                       : base::NodeStatus::Success;
 }
 
-/// Cancels an action when its node is halted.
+/// The functions of nodes that run an action: they send the request, write their outputs when the
+/// action has ended, and cancel it when they are halted.
+template <RobotAction action, RobotRequest (*request)(LeafContext&)>
+base::NodeStatus beginAction(LeafContext& leaf) {
+  robotOf(leaf).begin(action, request(leaf));
+  return base::NodeStatus::Running;
+}
+template <RobotAction action, void (*write)(LeafContext&, const RobotOutcome&)>
+base::NodeStatus awaitAction(LeafContext& leaf) {
+  const RobotOutcome outcome = robotOf(leaf).outcome(action);
+  if (outcome.state != RobotOutcome::State::Running) {
+    write(leaf, outcome);
+  }
+  return statusOf(outcome);
+}
 template <RobotAction action>
 void cancelAction(LeafContext& leaf) {
   robotOf(leaf).cancel(action);
 }
+template <RobotAction action, RobotRequest (*request)(LeafContext&),
+          void (*write)(LeafContext&, const RobotOutcome&)>
+NodeFunctions actionNode() {
+  return stateful({beginAction<action, request>, awaitAction<action, write>, cancelAction<action>});
+}
 
 /// A node that cancels an action.
 template <RobotAction action>
-base::NodeStatus cancelNow(LeafContext& leaf) {
-  robotOf(leaf).cancel(action);
-  return base::NodeStatus::Success;
+NodeFunctions cancelNode() {
+  return synchronous([](LeafContext& leaf) {
+    robotOf(leaf).cancel(action);
+    return base::NodeStatus::Success;
+  });
+}
+
+/// Writes an output that is a number, and the outputs common to all actions: error code and text.
+template <class Number>
+void setNumber(LeafContext& leaf, int port, Number number) {
+  leaf.set<int>(port, static_cast<int>(number));
+}
+template <int codePort, int textPort>
+void setError(LeafContext& leaf, const RobotOutcome& outcome) {
+  leaf.set<int>(codePort, outcome.errorCode);
+  leaf.set<std::string_view>(textPort, outcome.errorText);
+}
+
+/// Whether the node was idle before this tick.
+inline bool isStarting(const LeafContext& leaf) {
+  return leaf.before() == base::NodeStatus::Idle;
+}
+
+/// Whether goal and goals, the values of a port and the next one, differ from the stored ones;
+/// stores them.
+template <class Memory>
+bool takeNewGoal(const LeafContext& leaf, Memory& memory, int goalPort) {
+  const PathId goal = pathOf(leaf, goalPort), goals = pathOf(leaf, goalPort + 1);
+  const bool isNew = goal != memory.goal || goals != memory.goals;
+  memory.goal = goal;
+  memory.goals = goals;
+  return isNew;
 }
 
 /// Memory of a node that outputs a path.
@@ -68,7 +116,7 @@ struct OutputMemory {
 inline base::NodeStatus setPathOutput(LeafContext& leaf, int port, sim2d::nav2::Path path) {
   PathId& last = leaf.memory<OutputMemory>().last;
   last = robotOf(leaf).paths().addUnlessEqual(std::move(path), last);
-  leaf.set<int>(port, static_cast<int>(last));
+  setNumber(leaf, port, last);
   return base::NodeStatus::Success;
 }
 

@@ -150,10 +150,8 @@ PortSpec parsePort(const std::string& line) {
   PortSpec port;
   port.key = takeWord(rest);
   const std::string word = takeWord(rest);
-  const auto* const kind =
-      std::find_if(kPortWords.begin(), kPortWords.end(),
-                   [&word](const PortWord& known) { return known.word == word; });
-  assert(kind != kPortWords.end());
+  const PortWord* const kind = base::findBy(kPortWords, &PortWord::word, word);
+  assert(kind != nullptr);
   port.type = parameterTypeOf(kind->type);
   port.portType = kind->type;
   port.unit = kind->unit;

@@ -14,18 +14,15 @@
 namespace bt {
 
 const std::string* findAttribute(const Attributes& attributes, std::string_view name) {
-  const auto place = std::find_if(attributes.begin(), attributes.end(),
-                                  [name](const Attribute& a) { return a.name == name; });
-  return place == attributes.end() ? nullptr : &place->text;
+  const Attribute* const found = base::findBy(attributes, &Attribute::name, name);
+  return found != nullptr ? &found->text : nullptr;
 }
 
 void setAttribute(Attributes& attributes, std::string_view name, std::string text) {
-  const auto place = std::find_if(attributes.begin(), attributes.end(),
-                                  [name](const Attribute& a) { return a.name == name; });
-  if (place == attributes.end()) {
-    attributes.push_back({std::string(name), std::move(text)});
+  if (Attribute* const found = base::findBy(attributes, &Attribute::name, name)) {
+    found->text = std::move(text);
   } else {
-    place->text = std::move(text);
+    attributes.push_back({std::string(name), std::move(text)});
   }
 }
 

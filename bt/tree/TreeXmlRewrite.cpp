@@ -188,21 +188,6 @@ std::vector<ChildMatch> matchChildren(const std::vector<NodeSpec>& before,
   return pairs;
 }
 
-/// All XML attributes of a node except its ID.
-Attributes attributesOf(const NodeSpec& node) {
-  Attributes all;
-  if (!node.name.empty()) {
-    all.push_back({"name", node.name});
-  }
-  all.insert(all.end(), node.ports.begin(), node.ports.end());
-  if (node.autoRemap) {
-    all.push_back({"_autoremap", "true"});
-  }
-  all.insert(all.end(), node.conditions.begin(), node.conditions.end());
-  all.insert(all.end(), node.others.begin(), node.others.end());
-  return all;
-}
-
 /// A node of the old text that has a comment inside or before it.
 struct NodeWithComment {
   const NodeSpec* node = nullptr;

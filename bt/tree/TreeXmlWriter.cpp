@@ -62,15 +62,7 @@ XmlElement toXmlElement(const NodeSpec& node, const NodeCatalogue& catalogue, bo
   if (isExplicit || node.isSubTree() || namesTree) {
     block.attributes.push_back({"ID", node.isSubTree() || namesTree ? node.subTree : node.id});
   }
-  if (!node.name.empty()) {
-    block.attributes.push_back({"name", node.name});
-  }
-  append(block.attributes, node.ports);
-  if (node.autoRemap) {
-    block.attributes.push_back({"_autoremap", "true"});
-  }
-  append(block.attributes, node.conditions);
-  append(block.attributes, node.others);
+  append(block.attributes, attributesOf(node));
   for (const NodeSpec& child : node.children) {
     // BehaviorTree.CPP rejects the explicit notation for these children.
     block.children.push_back(toXmlElement(child, catalogue, node.id == "ReactiveSequence"));
@@ -143,6 +135,20 @@ std::string indentLines(const XmlElement& block, const std::string& margin, bool
 }
 
 }  // namespace
+
+Attributes attributesOf(const NodeSpec& node) {
+  Attributes all;
+  if (!node.name.empty()) {
+    all.push_back({"name", node.name});
+  }
+  append(all, node.ports);
+  if (node.autoRemap) {
+    all.push_back({"_autoremap", "true"});
+  }
+  append(all, node.conditions);
+  append(all, node.others);
+  return all;
+}
 
 std::string toXmlText(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
                       const std::string& margin) {

@@ -40,6 +40,9 @@ std::string messageOfXmlError(int errorId);
 
 std::string escapedXml(std::string_view text);
 
+/// All XML attributes of a node except its ID.
+Attributes attributesOf(const NodeSpec& node);
+
 /// XML text as in a file, with each line indented by `margin`. `compact`: no explicit notation.
 std::string toXmlText(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
                       const std::string& margin);

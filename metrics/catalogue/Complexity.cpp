@@ -4,7 +4,7 @@
 #include <set>
 
 #include "metrics/RobotMotion.h"
-#include "sim2d/trace/RobotArrival.h"
+#include "sim2d/trace/Frame.h"
 
 /// Complexity of the run: mutual winding, replanning, arrivals.
 namespace metrics {
@@ -169,8 +169,8 @@ topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum o
 replanning_count|Replans of the robot||0, 1, ...|number of events replan with the robot's id in its evaluation interval
 = Navigation Performance|lower|nothing|Francis et al. 2025
 aggregated_time|Aggregated time to the goals|s|[0, inf)|sum over the people with goals (goals not empty and cyclic_goals false in trace.json) that were present,
-  all people with an event arrived, and the robot if it has a goal, of the time of their first event arrived (robot: its arrival) from the first sample of the
-  record, T for those who do not arrive by the last sample; undefined if there are none
+  all people with an event arrived within the used samples, and the robot if it has a goal, of the time of the first such event (robot: its arrival, 0 if that
+  is before the first sample) from the first sample of the record, T for those who do not arrive by the last sample; undefined if there are none
 = Navigation Performance|lower|robot, goal|SEAN 2.0
 mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean over i of min over goals of |p_i - g|, over the i with t_i -
   t_0 >= stopped_window and |p_i - p_j| < stopped_distance, j = last sample with t_j <= t_i - stopped_window (times to 1e-9 s); undefined if there is

@@ -179,12 +179,12 @@ class ReferenceComparison : public Accumulator {
 
 constexpr char kReferencePathMetrics[] = R"(
 = Navigation Performance|lower|robot, goal|Gao and Huang 2022
-ade|Mean displacement from the reference|m|[0, inf)|mean over i of |p_i - b_i|, b_i = position of the recorded reference (--reference, from the beginning of its
-  evaluation interval, linear between its samples, constant beyond its ends) at t_i - t_0, else the point v_max (t_i - t_0) metres along the shortest path from
+ade|Mean displacement from the reference|m|[0, inf)|mean over i of |p_i - b_i|, b_i = position of the recorded reference (--reference, the samples of its
+  evaluation interval, linear between them, constant beyond its ends) at t_i - t_0, else the point v_max (t_i - t_0) metres along the shortest path from
   p_0 to the first goal, or its end
 fde|Final displacement from the reference|m|[0, inf)||p_(N-1) - b_(N-1)|, b as in ade
-dtw|DTW distance from the reference|m|[0, inf)|dynamic time warping of the positions p_i (of more than 800 samples every 2nd, 4th ... as often as needed for
-  800, from the first on, and the last) and those of the recorded reference, else as many points as these positions, evenly along the shortest path of ade, ends
+dtw|DTW distance from the reference|m|[0, inf)|dynamic time warping of the positions p_i (of more than 800 samples every 2nd, 4th ... from the first on, as often as
+  needed for at most 800, then the last if it is not among them) and those of the recorded reference, selected in the same way, else as many points as these positions, evenly along the shortest path of ade, ends
   included: D(0, 0) = 0, D(j, k) = distance + min(D(j-1, k), D(j, k-1), D(j-1, k-1)), last D / number of positions
 = Navigation Performance|lower|robot, goal|HuNavSim Desktop
 path_deviation|Mean distance from the reference path|m|[0, inf)|mean over i of the distance of p_i from the polyline of the reference (its positions, else the

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "metrics/statistics/Distributions.h"
 #include "metrics/statistics/Ranks.h"
 
 namespace statistics {

@@ -4,7 +4,7 @@
 
 #include "metrics/statistics/Summary.h"
 
-/// Ranks and their distributions; comparison of two samples, and of several options, by ranks.
+/// Ranks and their distributions; comparison of two samples by ranks, and of several options.
 namespace statistics {
 
 /// Ranks from 1; equal values get the mean of their ranks.
@@ -60,5 +60,25 @@ Friedman friedman(const std::vector<Numbers>& blocks);
 /// Nemenyi's critical difference of mean ranks (Nemenyi 1963; Demšar 2006, 3.2.2): q √(k (k + 1) /
 /// (6 N)), q the quantile of the studentized range, infinite freedom, over √2.
 double nemenyiDifference(int options, int blocks, double level = 0.95);
+
+// Comparison of options by several metrics.
+
+enum class Sense { Lower, Higher };  // which direction is better
+
+/// Pareto front: points that no other point dominates, that is, is at least as good in both values
+/// and better in one. Equal points are treated equally; points with an undefined value are
+/// excluded.
+std::vector<bool> paretoFront(const Numbers& x, Sense xSense, const Numbers& y, Sense ySense);
+
+/// Composite score of each option from several metrics with user-defined weights: Σ w s / Σ w in
+/// [0, 1], where s is the position of each metric between its worst (0) and best (1) value over the
+/// compared options, so it is relative to these options; 1 if all are equal.
+struct Criterion {
+  Numbers values;  // one per option
+  Sense sense = Sense::Lower;
+  double weight = 1.0;  // >= 0
+};
+/// NaN for an option with an undefined value, and for all options if the sum of weights is 0.
+Numbers composite(const std::vector<Criterion>& criteria);
 
 }  // namespace statistics

@@ -1,6 +1,4 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Perception.h"
 
 /// Nodes for seeing the robot, looking at another person and being looked at.
 namespace bt {
@@ -128,18 +126,17 @@ target_id int needed suggest 2|Id of the person who should look.
 }  // namespace
 
 void addLooking(NodeLibrary& to) {
-  const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addCondition(*nodes.find("IsRobotVisible"), withPorts<isRobotVisible, 0, 1>);
-  to.addStateful<Look>(*nodes.find("LookAtPoint"),
-                       {withPorts<startAtPoint, 0, 1, 4>, ifPresentThen<Look, lookAtPoint>});
-  to.addStateful<Look>(*nodes.find("LookAtAgent"),
-                       {withPorts<startAtPerson, 0, 1, 2>, ifPresentThen<Look, lookAtPerson>});
-  to.addStateful<Look>(*nodes.find("LookAtRobot"),
-                       {withPorts<startAtRobot, 0, 1>, ifPresentThen<Look, lookAtRobot>});
-  to.addStateful<Watch>(*nodes.find("IsAnyoneLookingAtMe"),
-                        {withPorts<startWatch, kAnyAgent, 0, 2, 3, 4>, watchAnyone});
-  to.addStateful<Watch>(*nodes.find("IsLookingAtMe"),
-                        {withPorts<startWatch, 5, 0, 2, 3, 4>, watchOne});
+  to.add(humanManifests(kNodes),
+         {{"IsRobotVisible", synchronous(withPorts<isRobotVisible, 0, 1>)},
+          {"LookAtPoint",
+           stateful<Look>({withPorts<startAtPoint, 0, 1, 4>, ifPresentThen<Look, lookAtPoint>})},
+          {"LookAtAgent",
+           stateful<Look>({withPorts<startAtPerson, 0, 1, 2>, ifPresentThen<Look, lookAtPerson>})},
+          {"LookAtRobot",
+           stateful<Look>({withPorts<startAtRobot, 0, 1>, ifPresentThen<Look, lookAtRobot>})},
+          {"IsAnyoneLookingAtMe",
+           stateful<Watch>({withPorts<startWatch, kAnyAgent, 0, 2, 3, 4>, watchAnyone})},
+          {"IsLookingAtMe", stateful<Watch>({withPorts<startWatch, 5, 0, 2, 3, 4>, watchOne})}});
 }
 
 }  // namespace bt

@@ -102,9 +102,8 @@ agent_id int|Accepted for existing files; has no effect.
 }  // namespace
 
 void addRandomChoices(NodeLibrary& to) {
-  const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addControl<Memory>(*nodes.find("ProbabilityChoice"), {tick, halt});
-  to.addCondition(*nodes.find("RandomChanceCondition"), drawChance);
+  to.add(humanManifests(kNodes), {{"ProbabilityChoice", control<Memory>({tick, halt})},
+                                  {"RandomChanceCondition", synchronous(drawChance)}});
 }
 
 }  // namespace bt

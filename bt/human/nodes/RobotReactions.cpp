@@ -1,6 +1,4 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Perception.h"
 
 /// Reactions to the robot, as single steps (the surrounding tree decides about the duration) or
 /// stateful; and conditions about the robot.
@@ -141,19 +139,20 @@ agent_id
 }  // namespace
 
 void addRobotReactions(NodeLibrary& to) {
-  const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addAction(*nodes.find("SurprisedNav"), withPorts<surprised, 0>);
-  to.addAction(*nodes.find("CuriousNav"), withPorts<curious, 0, 5, 4>);
-  to.addAction(*nodes.find("ScaredNav"), withPorts<scared, 0, 4, 5>);
-  to.addAction(*nodes.find("ThreateningNav"), withPorts<threatening, 0, 4>);
-  to.addStateful<Memory>(*nodes.find("ApproachRobot"),
-                         {withPorts<start, 0, 2, 3, 4>, ifPresentThen<Memory, step<approaching>>});
-  to.addStateful<Memory>(*nodes.find("AvoidRobot"),
-                         {withPorts<start, 0, 2, 3, 4>, ifPresentThen<Memory, step<avoiding>>});
-  to.addStateful<Memory>(*nodes.find("BlockRobot"),
-                         {withPorts<startBlock, 0, 2, 3>, ifPresentThen<Memory, step<blocking>>});
-  to.addCondition(*nodes.find("IsRobotClose"), withPorts<isClose, 0, 1>);
-  to.addCondition(*nodes.find("IsRobotFacingAgent"), withPorts<isRobotFacing, 0>);
+  to.add(
+      humanManifests(kNodes),
+      {{"SurprisedNav", synchronous(withPorts<surprised, 0>)},
+       {"CuriousNav", synchronous(withPorts<curious, 0, 5, 4>)},
+       {"ScaredNav", synchronous(withPorts<scared, 0, 4, 5>)},
+       {"ThreateningNav", synchronous(withPorts<threatening, 0, 4>)},
+       {"ApproachRobot",
+        stateful<Memory>({withPorts<start, 0, 2, 3, 4>, ifPresentThen<Memory, step<approaching>>})},
+       {"AvoidRobot",
+        stateful<Memory>({withPorts<start, 0, 2, 3, 4>, ifPresentThen<Memory, step<avoiding>>})},
+       {"BlockRobot",
+        stateful<Memory>({withPorts<startBlock, 0, 2, 3>, ifPresentThen<Memory, step<blocking>>})},
+       {"IsRobotClose", synchronous(withPorts<isClose, 0, 1>)},
+       {"IsRobotFacingAgent", synchronous(withPorts<isRobotFacing, 0>)}});
 }
 
 }  // namespace bt

@@ -1,5 +1,4 @@
-#include "bt/human/HumanContext.h"
-#include "bt/human/Perception.h"
+#include "bt/human/Motions.h"
 
 namespace bt {
 
@@ -89,11 +88,10 @@ target_id int needed suggest 2|Id of the speaker.
 }  // namespace
 
 void addSpeech(NodeLibrary& to) {
-  const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addAction(*nodes.find("SaySomething"), withPorts<say, 0, 1>);
-  to.addStateful<Memory>(*nodes.find("IsAnyoneSpeaking"),
-                         {withPorts<start, kAnyAgent, 0, 2, 3>, run});
-  to.addStateful<Memory>(*nodes.find("IsSpeaking"), {withPorts<start, 4, 0, 2, 3>, run});
+  to.add(humanManifests(kNodes),
+         {{"SaySomething", synchronous(withPorts<say, 0, 1>)},
+          {"IsAnyoneSpeaking", stateful<Memory>({withPorts<start, kAnyAgent, 0, 2, 3>, run})},
+          {"IsSpeaking", stateful<Memory>({withPorts<start, 4, 0, 2, 3>, run})}});
 }
 
 }  // namespace bt

@@ -48,10 +48,6 @@ struct Pause {
   bool isOn;
 };
 
-bool isDone(NodeStatus status) {
-  return status == NodeStatus::Success || status == NodeStatus::Failure;
-}
-
 NodeStatus tickDelay(ParentContext& leaf) {
   Pause& pause = leaf.memory<Pause>();
   if (!pause.isOn) {
@@ -127,15 +123,14 @@ until duration needed suggest 60.0|End of the interval.
 }  // namespace
 
 void addTiming(NodeLibrary& to) {
-  const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addAction(*nodes.find("StopMovement"), withPorts<setFrozen<true>, 0>);
-  to.addAction(*nodes.find("ResumeMovement"), withPorts<setFrozen<false>, 0>);
-  to.addStateful<Stop>(*nodes.find("StopAndWaitTimerAction"),
-                       {withPorts<startStop, 0, 1>, runStop, haltStop});
-  to.addDecorator<Pause>(*nodes.find("TimeDelay"), {tickDelay, resetPause});
-  to.addCondition<double>(*nodes.find("TimeExpiredCondition"), isExpired);
-  to.addDecorator<Pause>(*nodes.find("Cooldown"), {tickCooldown});
-  to.addCondition(*nodes.find("IsTimeBetween"), isTimeBetween);
+  to.add(humanManifests(kNodes), {{"StopMovement", synchronous(withPorts<setFrozen<true>, 0>)},
+                                  {"ResumeMovement", synchronous(withPorts<setFrozen<false>, 0>)},
+                                  {"StopAndWaitTimerAction",
+                                   stateful<Stop>({withPorts<startStop, 0, 1>, runStop, haltStop})},
+                                  {"TimeDelay", decorator<Pause>({tickDelay, resetPause})},
+                                  {"TimeExpiredCondition", synchronous<double>(isExpired)},
+                                  {"Cooldown", decorator<Pause>({tickCooldown})},
+                                  {"IsTimeBetween", synchronous(isTimeBetween)}});
 }
 
 }  // namespace bt

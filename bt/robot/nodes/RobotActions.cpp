@@ -14,22 +14,12 @@ using base::NodeStatus;
 using sim2d::nav2::Distro;
 using State = RobotOutcome::State;
 
-void setPath(LeafContext& leaf, int port, PathId path) {
-  leaf.set<int>(port, static_cast<int>(path));
-}
-
-/// The last request, for detecting changes in FollowPath.
-struct ActionMemory {
-  PathId path;
-  std::uint64_t names;  // hash of the chosen servers' names
-};
-
 // ComputePathToPose and ComputePathThroughPoses. Ports 0: goal or goals, 1: start, 2: planner, 3:
 // use_start or, for several goals, index of the last one reached (out), 4: path (out), 5: error
 // code (out), 8: error text (out), 9: intermediate poses for one goal.
 
 template <RobotAction action>
-NodeStatus beginPlan(LeafContext& leaf) {
+RobotRequest planRequest(LeafContext& leaf) {
   RobotRequest request;
   request.path = pathOf(leaf, 0);
   const PathId start = pathOf(leaf, 1);
@@ -42,33 +32,27 @@ NodeStatus beginPlan(LeafContext& leaf) {
     request.start = start;
   }
   request.server = textOf(leaf, 2);
-  robotOf(leaf).begin(action, request);
-  return NodeStatus::Running;
-}
-
-/// Writes the outputs common to all nodes: error code and text.
-void setError(LeafContext& leaf, const RobotOutcome& outcome, int codePort, int textPort) {
-  leaf.set<int>(codePort, outcome.errorCode);
-  leaf.set<std::string_view>(textPort, outcome.errorText);
+  return request;
 }
 
 /// A failed plan writes an empty path, so that later nodes do not continue with the previous one.
 template <RobotAction action>
-NodeStatus awaitPlan(LeafContext& leaf) {
-  const RobotOutcome outcome = robotOf(leaf).outcome(action);
-  if (outcome.state == State::Running) {
-    return NodeStatus::Running;
-  }
-  setPath(leaf, 4, outcome.state == State::Succeeded ? outcome.path : 0);
-  setError(leaf, outcome, 5, 8);
+void setPlan(LeafContext& leaf, const RobotOutcome& outcome) {
+  setNumber(leaf, 4, outcome.state == State::Succeeded ? outcome.path : 0);
+  setError<5, 8>(leaf, outcome);
   if constexpr (action == RobotAction::ComputePathThroughPoses) {
     leaf.set<int>(3, outcome.lastReached);
   }
-  return statusOf(outcome);
 }
 
 // FollowPath. Ports 0: path, 1: controller, 2: goal checker, 3: progress checker, 4: path handler,
 // 5: error code (out), 8: error text (out), 9: tracking feedback (out).
+
+/// The last request, for detecting changes.
+struct FollowMemory {
+  PathId path;
+  std::uint64_t names;  // hash of the chosen servers' names
+};
 
 std::uint64_t hashOf(const RobotRequest& request) {
   std::uint64_t hash = 1469598103934665603U;  // FNV-1a
@@ -93,7 +77,7 @@ RobotRequest followRequest(const LeafContext& leaf) {
 
 NodeStatus beginFollow(LeafContext& leaf) {
   const RobotRequest request = followRequest(leaf);
-  leaf.memory<ActionMemory>() = {request.path, hashOf(request)};
+  leaf.memory<FollowMemory>() = {request.path, hashOf(request)};
   robotOf(leaf).begin(RobotAction::FollowPath, request);
   return NodeStatus::Running;
 }
@@ -106,10 +90,10 @@ NodeStatus awaitFollow(LeafContext& leaf) {
     leaf.set<int>(9, number);
   }
   if (outcome.state != State::Running) {
-    setError(leaf, outcome, 5, 8);
+    setError<5, 8>(leaf, outcome);
     return statusOf(outcome);
   }
-  auto& memory = leaf.memory<ActionMemory>();
+  auto& memory = leaf.memory<FollowMemory>();
   RobotRequest request = followRequest(leaf);
   const bool hasNewPath = request.path != memory.path && !robot.paths().get(request.path).empty();
   const std::uint64_t names = hashOf(request);
@@ -124,28 +108,22 @@ NodeStatus awaitFollow(LeafContext& leaf) {
 // SmoothPath. Ports 0: path, 1: smoother, 2: time limit [s], 3: checks collisions; out 4: path, 5:
 // time [s], 6: completed, 7: error code, 10: error text.
 
-NodeStatus beginSmooth(LeafContext& leaf) {
+RobotRequest smoothRequest(LeafContext& leaf) {
   RobotRequest request;
   request.path = pathOf(leaf, 0);
   request.server = textOf(leaf, 1);
   request.timeAllowance = leaf.getOr<double>(2, 3.0);
   request.checksCollisions = leaf.getOr<bool>(3, false);
-  robotOf(leaf).begin(RobotAction::SmoothPath, request);
-  return NodeStatus::Running;
+  return request;
 }
 
-NodeStatus awaitSmooth(LeafContext& leaf) {
-  const RobotOutcome outcome = robotOf(leaf).outcome(RobotAction::SmoothPath);
-  if (outcome.state == State::Running) {
-    return NodeStatus::Running;
-  }
+void setSmoothed(LeafContext& leaf, const RobotOutcome& outcome) {
   if (outcome.state == State::Succeeded) {
-    setPath(leaf, 4, outcome.path);
+    setNumber(leaf, 4, outcome.path);
     leaf.set<double>(5, outcome.duration);
     leaf.set<bool>(6, outcome.wasCompleted);
   }
-  setError(leaf, outcome, 7, 10);
-  return statusOf(outcome);
+  setError<7, 10>(leaf, outcome);
 }
 
 // Behaviours. Ports 0: amount, then specific ports; out: error code and, three ports later, its
@@ -154,7 +132,7 @@ NodeStatus awaitSmooth(LeafContext& leaf) {
 constexpr int kUncheckedPort = 7;
 
 template <RobotAction action>
-NodeStatus beginBehavior(LeafContext& leaf) {
+RobotRequest behaviorRequest(LeafContext& leaf) {
   NavigatorHost& robot = robotOf(leaf);
   RobotRequest request;
   request.amount = leaf.require<double>(0);
@@ -181,24 +159,15 @@ NodeStatus beginBehavior(LeafContext& leaf) {
     request.ignoresCollisions =
         robot.distro() >= Distro::Kilted && leaf.getOr<bool>(kUncheckedPort, false);
   }
-  robot.begin(action, request);
-  return NodeStatus::Running;
+  return request;
 }
 
-constexpr int errorPort(RobotAction action) {
-  return action == RobotAction::Wait ? 1 : 3;
+template <RobotAction action, int errorPort>
+NodeFunctions behaviorNode() {
+  return actionNode<action, behaviorRequest<action>, setError<errorPort, errorPort + 3>>();
 }
 
-template <RobotAction action>
-NodeStatus awaitBehavior(LeafContext& leaf) {
-  const RobotOutcome outcome = robotOf(leaf).outcome(action);
-  if (outcome.state != State::Running) {
-    setError(leaf, outcome, errorPort(action), errorPort(action) + 3);
-  }
-  return statusOf(outcome);
-}
-
-// Cancelling actions and clearing costmaps
+// Clearing costmaps
 
 /// Ports 0: service, 1: plugins, then distance [m], pose. The service name selects the costmap.
 template <ClearRequest::Extent extent>
@@ -220,7 +189,7 @@ NodeStatus clearCostmap(LeafContext& leaf) {
     request.pose = pose.front();
   }
   robot.countRecovery();
-  return robot.clear(request) ? NodeStatus::Success : NodeStatus::Failure;
+  return successIf(robot.clear(request));
 }
 
 constexpr const char* kNodes = R"(
@@ -301,46 +270,32 @@ Action CancelWait|Navigation|Cancels Wait.
 server_name server_timeout
 )";
 
-template <RobotAction action, class Node>
-void addBehavior(NodeLibrary& to, const Node& manifest) {
-  to.addStateful(manifest, {beginBehavior<action>, awaitBehavior<action>, cancelAction<action>});
-}
-
-void addLasting(NodeLibrary& to, const NodeCatalogue& nodes) {
-  const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
-  constexpr RobotAction kPlan = RobotAction::ComputePath;
-  constexpr RobotAction kThrough = RobotAction::ComputePathThroughPoses;
-  to.addStateful(manifest("ComputePathToPose"),
-                 {beginPlan<kPlan>, awaitPlan<kPlan>, cancelAction<kPlan>});
-  to.addStateful(manifest("ComputePathThroughPoses"),
-                 {beginPlan<kThrough>, awaitPlan<kThrough>, cancelAction<kThrough>});
-  to.addStateful<ActionMemory>(manifest("FollowPath"),
-                               {beginFollow, awaitFollow, cancelAction<RobotAction::FollowPath>});
-  to.addStateful(manifest("SmoothPath"),
-                 {beginSmooth, awaitSmooth, cancelAction<RobotAction::SmoothPath>});
-  addBehavior<RobotAction::Spin>(to, manifest("Spin"));
-  addBehavior<RobotAction::BackUp>(to, manifest("BackUp"));
-  addBehavior<RobotAction::DriveOnHeading>(to, manifest("DriveOnHeading"));
-  addBehavior<RobotAction::Wait>(to, manifest("Wait"));
-}
-
 }  // namespace
 
-void addRobotActions(NodeLibrary& to);
 void addRobotActions(NodeLibrary& to) {
-  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
-  const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
+  using Action = RobotAction;
   using Extent = ClearRequest::Extent;
-  addLasting(to, nodes);
-  to.addAction(manifest("ClearEntireCostmap"), clearCostmap<Extent::Entire>);
-  to.addAction(manifest("ClearCostmapAroundRobot"), clearCostmap<Extent::Around>);
-  to.addAction(manifest("ClearCostmapExceptRegion"), clearCostmap<Extent::Except>);
-  to.addAction(manifest("ClearCostmapAroundPose"), clearCostmap<Extent::AroundPose>);
-  to.addAction(manifest("CancelControl"), cancelNow<RobotAction::FollowPath>);
-  to.addAction(manifest("CancelSpin"), cancelNow<RobotAction::Spin>);
-  to.addAction(manifest("CancelBackUp"), cancelNow<RobotAction::BackUp>);
-  to.addAction(manifest("CancelDriveOnHeading"), cancelNow<RobotAction::DriveOnHeading>);
-  to.addAction(manifest("CancelWait"), cancelNow<RobotAction::Wait>);
+  constexpr Action kPlan = Action::ComputePath, kThrough = Action::ComputePathThroughPoses;
+  to.add(parseNodeCatalogue(kNodes, NodeOrigin::Ours),
+         {{"ComputePathToPose", actionNode<kPlan, planRequest<kPlan>, setPlan<kPlan>>()},
+          {"ComputePathThroughPoses",
+           actionNode<kThrough, planRequest<kThrough>, setPlan<kThrough>>()},
+          {"FollowPath",
+           stateful<FollowMemory>({beginFollow, awaitFollow, cancelAction<Action::FollowPath>})},
+          {"SmoothPath", actionNode<Action::SmoothPath, smoothRequest, setSmoothed>()},
+          {"Spin", behaviorNode<Action::Spin, 3>()},
+          {"BackUp", behaviorNode<Action::BackUp, 3>()},
+          {"DriveOnHeading", behaviorNode<Action::DriveOnHeading, 3>()},
+          {"Wait", behaviorNode<Action::Wait, 1>()},
+          {"ClearEntireCostmap", synchronous(clearCostmap<Extent::Entire>)},
+          {"ClearCostmapAroundRobot", synchronous(clearCostmap<Extent::Around>)},
+          {"ClearCostmapExceptRegion", synchronous(clearCostmap<Extent::Except>)},
+          {"ClearCostmapAroundPose", synchronous(clearCostmap<Extent::AroundPose>)},
+          {"CancelControl", cancelNode<Action::FollowPath>()},
+          {"CancelSpin", cancelNode<Action::Spin>()},
+          {"CancelBackUp", cancelNode<Action::BackUp>()},
+          {"CancelDriveOnHeading", cancelNode<Action::DriveOnHeading>()},
+          {"CancelWait", cancelNode<Action::Wait>()}});
 }
 
 }  // namespace bt

@@ -2,12 +2,14 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt/robot/RobotNodes.h"
 #include "sim2d/base/Text.h"
 
-/// Conditions of Nav2 (nav2_behavior_tree/plugins/condition).
+/// Conditions of Nav2, and nodes that check paths against the costmap, the robot's motion and its
+/// tracking error (nav2_behavior_tree/plugins/condition and /action).
 namespace bt {
 namespace {
 
@@ -15,17 +17,78 @@ using base::NodeStatus;
 using base::Pose2;
 using base::Vec2;
 
-NodeStatus whether(bool holds) {
-  return holds ? NodeStatus::Success : NodeStatus::Failure;
+// IsPathValid until Kilted, ValidatePath since Lyrical. Ports 0: path, 1: maximum cost, 2: unknown
+// counts as an obstacle; for ValidatePath 4: length ahead, 5: layer, 6: footprint, 7: stops at the
+// first collision, 8: collisions (out).
+
+PathCheck checkOf(LeafContext& leaf) {
+  PathCheck check;
+  check.path = pathOf(leaf, 0);
+  check.maxCost = leaf.getOr<int>(1, check.maxCost);
+  check.unknownBlocks = leaf.getOr<bool>(2, false);
+  return check;
 }
 
-bool isStarting(const LeafContext& leaf) {
-  return leaf.before() == NodeStatus::Idle;
+NodeStatus isPathValid(LeafContext& leaf) {
+  return successIf(robotOf(leaf).checkPath(checkOf(leaf)).isValid);
 }
 
-template <NodeStatus answer>
-NodeStatus constant(LeafContext& /*leaf*/) {
-  return answer;
+NodeStatus validatePath(LeafContext& leaf) {
+  PathCheck check = checkOf(leaf);
+  check.lookahead = leaf.getOr<double>(4, -1.0);
+  check.layer = textOf(leaf, 5);
+  check.footprint = textOf(leaf, 6);
+  check.stopsAtFirst = leaf.getOr<bool>(7, true);
+  NavigatorHost& robot = robotOf(leaf);
+  PathCheckResult result = robot.checkPath(check);
+  setNumber(leaf, 8,
+            result.collisions.empty() ? 0 : robot.paths().add(std::move(result.collisions)));
+  return successIf(result.isValid);
+}
+
+// IsStopped (Kilted) and CheckStopStatus (since Lyrical). Ports 0: speed, 1: time [ms].
+
+struct StopMemory {
+  std::int64_t since;  // step in which it stopped; 0: it moves
+};
+
+bool isSlow(const sim2d::BodyTwist& motion, double threshold) {
+  return std::fabs(motion.linear) < threshold && std::fabs(motion.lateral) < threshold &&
+         std::fabs(motion.angular) < threshold;
+}
+
+NodeStatus checkStop(LeafContext& leaf) {
+  constexpr double kMilliseconds = 1e-3;  // [s]
+  std::int64_t& since = leaf.memory<StopMemory>().since;
+  if (!isSlow(robotOf(leaf).motion(), leaf.require<double>(0))) {
+    since = 0;
+    return NodeStatus::Failure;
+  }
+  since = since == 0 ? leaf.step() : since;
+  if (!leaf.hasElapsed(since, kMilliseconds * leaf.getOr<int>(1, 1000))) {
+    return NodeStatus::Running;
+  }
+  since = 0;
+  return NodeStatus::Success;
+}
+
+/// Ports 0: tracking feedback, 1, 2: maximum distance to the left and right [m], 3: maximum heading
+/// difference [rad]. Fails without feedback, as in Nav2.
+NodeStatus isWithinBounds(LeafContext& leaf) {
+  const sim2d::nav2::TrackingFeedback tracking = robotOf(leaf).tracking();
+  if (leaf.getOr<int>(0, 0) == 0 || tracking.number == 0) {
+    return NodeStatus::Failure;
+  }
+  const double most =
+      tracking.positionError > 0.0 ? leaf.require<double>(1) : leaf.require<double>(2);
+  return successIf(std::fabs(tracking.positionError) <= most &&
+                   std::fabs(tracking.headingError) <= leaf.require<double>(3));
+}
+
+/// Ports 0: service, 1: on. The service sets the switch even if the file has no collision monitor.
+NodeStatus toggleMonitor(LeafContext& leaf) {
+  robotOf(leaf).enableCollisionMonitor(leaf.require<bool>(1));
+  return NodeStatus::Success;
 }
 
 struct GoalMemory {
@@ -33,17 +96,9 @@ struct GoalMemory {
   bool hasLooked;
 };
 
-bool takeNewGoal(const LeafContext& leaf, GoalMemory& memory) {
-  const PathId goal = pathOf(leaf, 0), goals = pathOf(leaf, 1);
-  const bool isNew = goal != memory.goal || goals != memory.goals;
-  memory.goal = goal;
-  memory.goals = goals;
-  return isNew;
-}
-
 NodeStatus goalUpdated(LeafContext& leaf) {
-  const bool isNew = takeNewGoal(leaf, leaf.memory<GoalMemory>());
-  return whether(isNew && !isStarting(leaf));
+  const bool isNew = takeNewGoal(leaf, leaf.memory<GoalMemory>(), 0);
+  return successIf(isNew && !isStarting(leaf));
 }
 
 /// Keeps its memory over halts; the first call succeeds.
@@ -51,7 +106,7 @@ NodeStatus globalUpdatedGoal(LeafContext& leaf) {
   auto& memory = leaf.memory<GoalMemory>();
   const bool isFirst = !memory.hasLooked;
   memory.hasLooked = true;
-  return whether(takeNewGoal(leaf, memory) || isFirst);
+  return successIf(takeNewGoal(leaf, memory, 0) || isFirst);
 }
 
 struct ClockMemory {
@@ -67,7 +122,7 @@ NodeStatus timeExpired(LeafContext& leaf) {
   if (isStarting(leaf) || isOver) {
     memory.since = leaf.step();
   }
-  return whether(isOver);
+  return successIf(isOver);
 }
 
 /// Ports 0: time [s], 1: path. The first call is detected only once, regardless of halts.
@@ -81,7 +136,7 @@ NodeStatus pathExpiringTimer(LeafContext& leaf) {
   if (isOther || isOver) {
     memory.since = leaf.step();
   }
-  return whether(isOver);
+  return successIf(isOver);
 }
 
 struct PlaceMemory {
@@ -97,7 +152,7 @@ NodeStatus distanceTraveled(LeafContext& leaf) {
   if (isStarting(leaf) || isFar) {
     memory = {place.x(), place.y()};
   }
-  return whether(isFar);
+  return successIf(isFar);
 }
 
 /// The last pose of a path; empty: the path is empty.
@@ -110,14 +165,14 @@ std::optional<Pose2> endOf(const LeafContext& leaf, int port) {
 NodeStatus goalReached(LeafContext& leaf) {
   const std::optional<Pose2> goal = endOf(leaf, 0);
   const NavigatorHost& robot = robotOf(leaf);
-  return whether(goal &&
-                 (goal->position - robot.pose().position).norm() <= robot.goalReachedTolerance());
+  return successIf(goal &&
+                   (goal->position - robot.pose().position).norm() <= robot.goalReachedTolerance());
 }
 
 /// Detects a deceleration above 10 m/s², as in a collision.
 NodeStatus isStuck(LeafContext& leaf) {
   constexpr double kHardest = -10.0;  // [m/s2]
-  return whether(robotOf(leaf).acceleration() < kHardest);
+  return successIf(robotOf(leaf).acceleration() < kHardest);
 }
 
 std::vector<int> numbersOf(std::string text) {
@@ -131,13 +186,14 @@ std::vector<int> numbersOf(std::string text) {
   return numbers;
 }
 
-bool isAmong(int code, const std::vector<int>& codes) {
+template <class Codes>
+bool isAmong(int code, const Codes& codes) {
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
 /// Ports 0: code, 1: codes.
 NodeStatus errorCodesPresent(LeafContext& leaf) {
-  return whether(isAmong(leaf.getOr<int>(0, 0), numbersOf(leaf.text(1).value_or(""))));
+  return successIf(isAmong(leaf.getOr<int>(0, 0), numbersOf(leaf.text(1).value_or(""))));
 }
 
 // Codes of Nav2's actions for which a recovery may help: unknown, patience exceeded, no progress,
@@ -150,14 +206,13 @@ constexpr std::array<int, 3> kOfRoute = {400, 404, 405};
 
 template <const auto& codes>
 NodeStatus recoveryHelps(LeafContext& leaf) {
-  const int code = leaf.getOr<int>(0, 0);
-  return whether(std::find(codes.begin(), codes.end(), code) != codes.end());
+  return successIf(isAmong(leaf.getOr<int>(0, 0), codes));
 }
 
 /// Ports 0, 1: poses, 2: tolerance [m].
 NodeStatus posesNear(LeafContext& leaf) {
   const std::optional<Pose2> from = endOf(leaf, 0), to = endOf(leaf, 1);
-  return whether(from && to && (from->position - to->position).norm() <= leaf.require<double>(2));
+  return successIf(from && to && (from->position - to->position).norm() <= leaf.require<double>(2));
 }
 
 /// Length of a path from the pose nearest to the robot [m]. The nearest pose is searched on the
@@ -183,11 +238,38 @@ NodeStatus goalNearby(LeafContext& leaf) {
   const NavigatorHost& robot = robotOf(leaf);
   const sim2d::nav2::Path& path = robot.paths().get(pathOf(leaf, 0));
   const double search = leaf.getOr<double>(2, -1.0);
-  return whether(!path.empty() &&
-                 restOf(path, robot.pose().position, search) < leaf.require<double>(1));
+  return successIf(!path.empty() &&
+                   restOf(path, robot.pose().position, search) < leaf.require<double>(1));
 }
 
 constexpr const char* kNodes = R"(
+Condition IsPathValid|Navigation|No obstacle of the global costmap is on the remaining path (until Kilted).
+path any needed suggest {path}|Path.
+max_cost int default 254|Cost from which a cell is an obstacle (since Kilted).
+consider_unknown_as_obstacle bool default false|Unknown cells are obstacles (since Kilted).
+server_timeout int default 20|No effect: the service responds immediately.
+Action ValidatePath|Navigation|No obstacle of the global costmap is on the remaining path (since Lyrical).
+path max_cost consider_unknown_as_obstacle server_timeout
+max_lookahead_distance number default -1.0 unit m|Length of the path that is checked, from the robot; below 0: the whole path.
+layer_name text default|Layer of the global costmap that is checked; empty: all layers combined.
+footprint text default|Footprint of the robot, [[x, y], ...]; empty: that of the costmap.
+stop_at_first_collision bool default true|Stops at the first collision.
+collision_poses any output suggest {collision_poses}|Poses of the path in collision.
+service_name text default is_path_valid|No effect: there is a single service.
+Condition IsStopped|Navigation|The robot has stood still for this time; RUNNING until then (Kilted).
+velocity_threshold number default 0.01 unit m/s|Speed below which the robot stands, also for the turn rate [rad/s].
+duration_stopped int default 1000 unit ms|Duration.
+Action CheckStopStatus|Navigation|The robot has stood still for this time; RUNNING until then (since Lyrical).
+velocity_threshold duration_stopped
+Condition IsWithinPathTrackingBounds|Navigation|The robot is near the path that it follows (since Lyrical).
+tracking_feedback any needed suggest {tracking_feedback}|Deviation from the path, an output of FollowPath.
+max_error_left length default 0.5|Maximum distance to the left of the path.
+max_error_right length default 0.5|Maximum distance to the right of the path.
+max_error_heading number default 3.1415927 unit rad|Maximum difference between the robot's heading and the path's direction.
+Action ToggleCollisionMonitor|Navigation|Switches the collision monitor on or off (since Lyrical).
+service_name text default collision_monitor/toggle|No effect: there is a single collision monitor.
+enable bool default true|Whether the collision monitor is on.
+server_timeout
 Condition GoalUpdated|Navigation|The goal has changed since the first tick.
 goal any default {goal}|Goal.
 goals any default {goals}|Several goals.
@@ -232,24 +314,28 @@ global_frame robot_base_frame
 
 }  // namespace
 
-void addRobotConditions(NodeLibrary& to);
 void addRobotConditions(NodeLibrary& to) {
-  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
-  const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
-  to.addSynchronousWithStatus<GoalMemory>(manifest("GoalUpdated"), goalUpdated);
-  to.addSynchronousWithStatus<GoalMemory>(manifest("GlobalUpdatedGoal"), globalUpdatedGoal);
-  to.addSynchronousWithStatus<ClockMemory>(manifest("TimeExpired"), timeExpired);
-  to.addSynchronousWithStatus<ClockMemory>(manifest("PathExpiringTimer"), pathExpiringTimer);
-  to.addSynchronousWithStatus<PlaceMemory>(manifest("DistanceTraveled"), distanceTraveled);
-  to.addCondition(manifest("GoalReached"), goalReached);
-  to.addCondition(manifest("IsStuck"), isStuck);
-  to.addCondition(manifest("AreErrorCodesPresent"), errorCodesPresent);
-  to.addCondition(manifest("WouldAControllerRecoveryHelp"), recoveryHelps<kOfController>);
-  to.addCondition(manifest("WouldAPlannerRecoveryHelp"), recoveryHelps<kOfPlanner>);
-  to.addCondition(manifest("WouldASmootherRecoveryHelp"), recoveryHelps<kOfSmoother>);
-  to.addCondition(manifest("WouldARouteRecoveryHelp"), recoveryHelps<kOfRoute>);
-  to.addCondition(manifest("ArePosesNear"), posesNear);
-  to.addCondition(manifest("IsGoalNearby"), goalNearby);
+  to.add(parseNodeCatalogue(kNodes, NodeOrigin::Ours),
+         {{"IsPathValid", synchronous(isPathValid)},
+          {"ValidatePath", synchronous(validatePath)},
+          {"IsStopped", stateful<StopMemory>({checkStop, checkStop, nullptr})},
+          {"CheckStopStatus", stateful<StopMemory>({checkStop, checkStop, nullptr})},
+          {"IsWithinPathTrackingBounds", synchronous(isWithinBounds)},
+          {"ToggleCollisionMonitor", synchronous(toggleMonitor)},
+          {"GoalUpdated", synchronousWithStatus<GoalMemory>(goalUpdated)},
+          {"GlobalUpdatedGoal", synchronousWithStatus<GoalMemory>(globalUpdatedGoal)},
+          {"TimeExpired", synchronousWithStatus<ClockMemory>(timeExpired)},
+          {"PathExpiringTimer", synchronousWithStatus<ClockMemory>(pathExpiringTimer)},
+          {"DistanceTraveled", synchronousWithStatus<PlaceMemory>(distanceTraveled)},
+          {"GoalReached", synchronous(goalReached)},
+          {"IsStuck", synchronous(isStuck)},
+          {"AreErrorCodesPresent", synchronous(errorCodesPresent)},
+          {"WouldAControllerRecoveryHelp", synchronous(recoveryHelps<kOfController>)},
+          {"WouldAPlannerRecoveryHelp", synchronous(recoveryHelps<kOfPlanner>)},
+          {"WouldASmootherRecoveryHelp", synchronous(recoveryHelps<kOfSmoother>)},
+          {"WouldARouteRecoveryHelp", synchronous(recoveryHelps<kOfRoute>)},
+          {"ArePosesNear", synchronous(posesNear)},
+          {"IsGoalNearby", synchronous(goalNearby)}});
 }
 
 }  // namespace bt

@@ -101,12 +101,10 @@ robot_base_frame text default base_link|No effect (since Lyrical).
 
 }  // namespace
 
-void addRobotPaths(NodeLibrary& to);
 void addRobotPaths(NodeLibrary& to) {
-  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
-  const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
-  to.addAction<OutputMemory>(manifest("TruncatePath"), truncatePath);
-  to.addAction<OutputMemory>(manifest("TruncatePathLocal"), truncatePathLocal);
+  to.add(parseNodeCatalogue(kNodes, NodeOrigin::Ours),
+         {{"TruncatePath", synchronous<OutputMemory>(truncatePath)},
+          {"TruncatePathLocal", synchronous<OutputMemory>(truncatePathLocal)}});
 }
 
 }  // namespace bt

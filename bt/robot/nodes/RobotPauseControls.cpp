@@ -103,11 +103,10 @@ resume_service_name text needed suggest /resume|Service that resumes it (nav2_to
 
 }  // namespace
 
-void addRobotPauseControls(NodeLibrary& to);
 void addRobotPauseControls(NodeLibrary& to) {
-  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
-  to.addControl(*nodes.find("PersistentSequence"), {persistentSequence, nullptr});
-  to.addControl<PauseMemory>(*nodes.find("PauseResumeController"), {pauseResume, resetPauseState});
+  to.add(parseNodeCatalogue(kNodes, NodeOrigin::Ours),
+         {{"PersistentSequence", control({persistentSequence})},
+          {"PauseResumeController", control<PauseMemory>({pauseResume, resetPauseState})}});
 }
 
 }  // namespace bt

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bt/robot/RobotNodes.h"
+#include "sim2d/base/Find.h"
 
 /// Actions of Nav2 that extract poses from paths, goals and the robot, and that combine goals
 /// (nav2_behavior_tree/plugins/action).
@@ -103,26 +104,22 @@ NodeStatus checkPose(LeafContext& leaf) {
     return NodeStatus::Failure;
   }
   const auto cost = robot.costAt(usesLocalCostmap(leaf, 1), pose.front(), occupancy.usesFootprint);
-  return cost && occupancy.isFree(*cost) ? NodeStatus::Success : NodeStatus::Failure;
-}
-
-bool isSamePose(const Pose2& a, const Pose2& b) {
-  return a.position == b.position && a.heading == b.heading;
+  return successIf(cost && occupancy.isFree(*cost));
 }
 
 /// Sets the status of the first pending waypoint with that pose.
 void mark(Waypoints& waypoints, const Pose2& pose, Waypoint::Status status) {
-  const auto found = std::find_if(waypoints.begin(), waypoints.end(), [&](const Waypoint& each) {
-    return each.status == Waypoint::Status::Pending && isSamePose(each.pose, pose);
-  });
-  if (found != waypoints.end()) {
+  const auto isIt = [&](const Waypoint& each) {
+    return each.status == Waypoint::Status::Pending && each.pose == pose;
+  };
+  if (Waypoint* const found = base::findIf(waypoints, isIt)) {
     found->status = status;
   }
 }
 
 void putStatuses(LeafContext& leaf, int port, Waypoints waypoints) {
   if (!waypoints.empty()) {
-    leaf.set<int>(port, static_cast<int>(robotOf(leaf).waypoints().add(std::move(waypoints))));
+    setNumber(leaf, port, robotOf(leaf).waypoints().add(std::move(waypoints)));
   }
 }
 
@@ -140,7 +137,7 @@ NodeStatus removeColliding(LeafContext& leaf) {
   for (const Pose2& goal : goals) {
     const auto cost = robot.costAt(isLocal, goal, occupancy.usesFootprint);
     if (!cost) {
-      leaf.set<int>(5, static_cast<int>(from));
+      setNumber(leaf, 5, from);
       return NodeStatus::Failure;
     }
     if (occupancy.isFree(*cost)) {
@@ -150,7 +147,7 @@ NodeStatus removeColliding(LeafContext& leaf) {
     }
   }
   if (free.size() == goals.size()) {
-    leaf.set<int>(5, static_cast<int>(from));
+    setNumber(leaf, 5, from);
     return NodeStatus::Success;
   }
   putStatuses(leaf, 7, std::move(waypoints));
@@ -172,7 +169,7 @@ NodeStatus removePassedGoals(LeafContext& leaf) {
     ++passed;
   }
   if (passed == 0) {
-    leaf.set<int>(2, static_cast<int>(from));
+    setNumber(leaf, 2, from);
     return NodeStatus::Success;
   }
   putStatuses(leaf, 6, std::move(waypoints));
@@ -226,20 +223,16 @@ global_frame robot_base_frame input_waypoint_statuses output_waypoint_statuses
 
 }  // namespace
 
-void addRobotPoses(NodeLibrary& to);
 void addRobotPoses(NodeLibrary& to) {
-  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
-  const auto add = [&](const char* id, LeafFunction tick) {
-    to.addAction<OutputMemory>(*nodes.find(id), tick);
-  };
-  add("GetPoseFromPath", poseFromPath);
-  add("GetCurrentPose", currentPose);
-  add("ConcatenatePaths", concatenatePaths);
-  add("AppendGoalPoseToGoals", appendGoal);
-  add("GetNextFewGoals", nextFewGoals);
-  add("CheckPoseOccupancy", checkPose);
-  add("RemoveInCollisionGoals", removeColliding);
-  add("RemovePassedGoals", removePassedGoals);
+  to.add(parseNodeCatalogue(kNodes, NodeOrigin::Ours),
+         {{"GetPoseFromPath", synchronous<OutputMemory>(poseFromPath)},
+          {"GetCurrentPose", synchronous<OutputMemory>(currentPose)},
+          {"ConcatenatePaths", synchronous<OutputMemory>(concatenatePaths)},
+          {"AppendGoalPoseToGoals", synchronous<OutputMemory>(appendGoal)},
+          {"GetNextFewGoals", synchronous<OutputMemory>(nextFewGoals)},
+          {"CheckPoseOccupancy", synchronous<OutputMemory>(checkPose)},
+          {"RemoveInCollisionGoals", synchronous<OutputMemory>(removeColliding)},
+          {"RemovePassedGoals", synchronous<OutputMemory>(removePassedGoals)}});
 }
 
 }  // namespace bt

@@ -1,14 +1,16 @@
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "bt/robot/RobotNodes.h"
 
-/// Actions of Nav2 that use the route server, since Jazzy (nav2_behavior_tree/plugins/action).
+/// Actions of Nav2 that use the route server, since Jazzy, and those that choose a server by a
+/// message on a topic (nav2_behavior_tree/plugins/action).
 namespace bt {
 namespace {
 
-using base::NodeStatus;
 using State = RobotOutcome::State;
+using base::NodeStatus;
 
 // ComputeRoute and ComputeAndTrackRoute. Ports 0: goal, 1: start, 2: goal node, 3: start node, 4:
 // use poses, 5: use start; out 6: path, 7: route, 8: time [s], 9: error code, 10: error text.
@@ -41,24 +43,10 @@ RouteMemory memoryOf(const RobotRequest& request) {
 }
 
 void setOutputs(LeafContext& leaf, const RobotOutcome& outcome) {
-  leaf.set<int>(6, static_cast<int>(outcome.path));
-  leaf.set<int>(7, static_cast<int>(outcome.progress.route));
+  setNumber(leaf, 6, outcome.path);
+  setNumber(leaf, 7, outcome.progress.route);
   leaf.set<double>(8, outcome.duration);
-  leaf.set<int>(9, outcome.errorCode);
-  leaf.set<std::string_view>(10, outcome.errorText);
-}
-
-NodeStatus beginRoute(LeafContext& leaf) {
-  robotOf(leaf).begin(RobotAction::ComputeRoute, requestOf(leaf));
-  return NodeStatus::Running;
-}
-
-NodeStatus awaitRoute(LeafContext& leaf) {
-  const RobotOutcome outcome = robotOf(leaf).outcome(RobotAction::ComputeRoute);
-  if (outcome.state != State::Running) {
-    setOutputs(leaf, outcome);
-  }
-  return statusOf(outcome);
+  setError<9, 10>(leaf, outcome);
 }
 
 NodeStatus beginTrack(LeafContext& leaf) {
@@ -76,9 +64,9 @@ NodeStatus awaitTrack(LeafContext& leaf) {
   if (outcome.progress.number != memory.number || outcome.state != State::Running) {
     memory.number = outcome.progress.number;
     setOutputs(leaf, outcome);
-    leaf.set<int>(11, static_cast<int>(outcome.progress.lastNode));
-    leaf.set<int>(12, static_cast<int>(outcome.progress.nextNode));
-    leaf.set<int>(13, static_cast<int>(outcome.progress.currentEdge));
+    setNumber(leaf, 11, outcome.progress.lastNode);
+    setNumber(leaf, 12, outcome.progress.nextNode);
+    setNumber(leaf, 13, outcome.progress.currentEdge);
     leaf.set<bool>(14, outcome.progress.isRerouted);
     leaf.set<double>(15, outcome.duration);
   }
@@ -102,7 +90,20 @@ NodeStatus extractNodes(LeafContext& leaf) {
   if (robotOf(leaf).paths().get(route).empty()) {
     return NodeStatus::Failure;
   }
-  leaf.set<int>(1, static_cast<int>(route));  // a route is stored as the poses of its nodes
+  setNumber(leaf, 1, route);  // a route is stored as the poses of its nodes
+  return NodeStatus::Success;
+}
+
+/// Ports 0: topic, 1: default, 2: choice (out). The last message, or the default before the first
+/// one.
+NodeStatus choose(LeafContext& leaf) {
+  const TopicMessage message = robotOf(leaf).lastMessage(textOf(leaf, 0));
+  const std::string chosen =
+      message.number > 0 && !message.text.empty() ? message.text : textOf(leaf, 1);
+  if (chosen.empty()) {
+    return NodeStatus::Failure;
+  }
+  leaf.set<std::string_view>(2, chosen);
   return NodeStatus::Success;
 }
 
@@ -139,20 +140,47 @@ route any needed suggest {route}|Route.
 goals any output suggest {goals}|Nodes of the route, each with the heading to the next one.
 )";
 
+constexpr const char* kSelectors = R"(
+Action PlannerSelector|Navigation|Selects the planner by a topic.
+topic_name text default planner_selector|Topic with the name of the planner (nav2_topics of the robot).
+default_planner text needed suggest GridBased|Selection until a message is published.
+selected_planner text output suggest {selected_planner}|Selection.
+Action ControllerSelector|Navigation|Selects the controller by a topic.
+topic_name text default controller_selector|Topic with the name of the controller (nav2_topics of the robot).
+default_controller text needed suggest FollowPath|Selection until a message is published.
+selected_controller text output suggest {selected_controller}|Selection.
+Action GoalCheckerSelector|Navigation|Selects the goal checker by a topic.
+topic_name text default goal_checker_selector|Topic with the name of the goal checker (nav2_topics of the robot).
+default_goal_checker text needed suggest goal_checker|Selection until a message is published.
+selected_goal_checker text output suggest {selected_goal_checker}|Selection.
+Action SmootherSelector|Navigation|Selects the smoother by a topic.
+topic_name text default smoother_selector|Topic with the name of the smoother (nav2_topics of the robot).
+default_smoother text needed suggest simple_smoother|Selection until a message is published.
+selected_smoother text output suggest {selected_smoother}|Selection.
+Action ProgressCheckerSelector|Navigation|Selects the progress checker by a topic.
+topic_name text default progress_checker_selector|Topic with the name of the progress checker (nav2_topics of the robot).
+default_progress_checker text needed suggest progress_checker|Selection until a message is published.
+selected_progress_checker text output suggest {selected_progress_checker}|Selection.
+Action PathHandlerSelector|Navigation|Selects the path handler by a topic (since Lyrical).
+topic_name text default path_handler_selector|Topic with the name of the path handler (nav2_topics of the robot).
+default_path_handler text needed suggest PathHandler|Selection until a message is published.
+selected_path_handler text output suggest {selected_path_handler}|Selection.
+)";
+
 }  // namespace
 
-void addRobotRoutes(NodeLibrary& to);
 void addRobotRoutes(NodeLibrary& to) {
-  const NodeCatalogue nodes = parseNodeCatalogue(kNodes, NodeOrigin::Ours);
-  const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
-  to.addStateful(manifest("ComputeRoute"),
-                 {beginRoute, awaitRoute, cancelAction<RobotAction::ComputeRoute>});
-  to.addStateful<RouteMemory>(
-      manifest("ComputeAndTrackRoute"),
-      {beginTrack, awaitTrack, cancelAction<RobotAction::ComputeAndTrackRoute>});
-  to.addAction(manifest("CancelComputeAndTrackRoute"),
-               cancelNow<RobotAction::ComputeAndTrackRoute>);
-  to.addAction(manifest("ExtractRouteNodesAsGoals"), extractNodes);
+  to.add(parseNodeCatalogue(kNodes, NodeOrigin::Ours),
+         {{"ComputeRoute", actionNode<RobotAction::ComputeRoute, requestOf, setOutputs>()},
+          {"ComputeAndTrackRoute",
+           stateful<RouteMemory>(
+               {beginTrack, awaitTrack, cancelAction<RobotAction::ComputeAndTrackRoute>})},
+          {"CancelComputeAndTrackRoute", cancelNode<RobotAction::ComputeAndTrackRoute>()},
+          {"ExtractRouteNodesAsGoals", synchronous(extractNodes)}});
+  const NodeCatalogue selectors = parseNodeCatalogue(kSelectors, NodeOrigin::Ours);
+  for (const NodeManifest& node : selectors.all()) {
+    to.add(node, synchronous(choose));
+  }
 }
 
 }  // namespace bt

@@ -1,9 +1,11 @@
-#include "bt/robot/Nav2Docking.h"
+#include "bt/robot/Nav2DriveServers.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
@@ -45,6 +47,11 @@ std::optional<int> namedBody(const std::string& text,
     }
   }
   return std::nullopt;
+}
+
+std::size_t placeOf(RobotAction action) {
+  const auto& all = Nav2Servers::behaviorActions();
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), action) - all.begin());
 }
 
 }  // namespace
@@ -214,11 +221,10 @@ const TrackedBody* Nav2Servers::Docking::tracked() const {
   const auto named =
       namedBody(object_.frame.empty() ? object_.topic : object_.frame, servers_.setup_.names);
   const std::optional<int> wanted = named ? named : track_;
-  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const TrackedBody& body) {
-    return wanted && body.id == *wanted;
-  });
-  if (named || found != bodies.end()) {
-    return found == bodies.end() ? nullptr : &*found;
+  const TrackedBody* const found =
+      wanted ? base::findBy(bodies, &TrackedBody::id, *wanted) : nullptr;
+  if (named || found != nullptr) {
+    return found;
   }
   const Vec2 robot = servers_.observation_->pose.position;
   const TrackedBody* nearest = nullptr;
@@ -254,6 +260,118 @@ void Nav2Servers::Docking::driveFollowing() {
   RobotOutcome& outcome =
       end(step.status, static_cast<int>(following_.code()), following_.message());
   outcome.duration = following_.elapsedTime();
+}
+
+// Behaviours, velocity smoother and collision monitor
+
+const std::array<RobotAction, 5>& Nav2Servers::behaviorActions() {
+  return MotionServers::kActions;
+}
+
+bool Nav2Servers::MotionServers::handles(RobotAction action) {
+  return placeOf(action) < kActions.size();
+}
+
+Nav2Servers::MotionServers::MotionServers(const Nav2Parameters& parameters,
+                                          const Polygon& footprint)
+    : distro_(parameters.distro),
+      isThere_{parameters.behaviors.hasSpin, parameters.behaviors.hasBackUp,
+               parameters.behaviors.hasDriveOnHeading, parameters.behaviors.hasWait,
+               parameters.behaviors.hasAssistedTeleop},
+      behaviors_(parameters.behaviors.server, parameters.behaviors.backUp,
+                 parameters.behaviors.driveOnHeading),
+      smoother_(parameters.velocitySmoother) {
+  if (parameters.collisionMonitor) {
+    monitor_.emplace(*parameters.collisionMonitor, footprint, parameters.distro);
+  }
+}
+
+bool Nav2Servers::MotionServers::begin(RobotAction action, const RobotRequest& request,
+                                       const Step& step) {
+  if (!isThere_[placeOf(action)]) {
+    return false;
+  }
+  const base::Pose2 pose = step.observation.pose;
+  switch (action) {
+    case RobotAction::Spin:
+      behaviors_.spin({request.amount, request.timeAllowance}, step.time, pose);
+      break;
+    case RobotAction::BackUp:
+      behaviors_.backUp({request.amount, request.speed, request.timeAllowance}, step.time, pose);
+      break;
+    case RobotAction::DriveOnHeading:
+      behaviors_.driveOnHeading({request.amount, request.speed, request.timeAllowance}, step.time,
+                                pose);
+      break;
+    case RobotAction::AssistedTeleop:
+      behaviors_.assistedTeleop(request.timeAllowance, step.time);
+      teleop_ = {};
+      break;
+    default:
+      behaviors_.wait(request.amount, step.time);
+  }
+  running_ = action;
+  ignoresCollisions_ = request.ignoresCollisions;
+  outcome_.reset();
+  return true;
+}
+
+void Nav2Servers::MotionServers::cancel(RobotAction action) {
+  if (running_ == action) {
+    behaviors_.cancel();
+    running_.reset();
+    direct_.reset();
+    stops_ = true;
+  }
+}
+
+std::optional<RobotOutcome> Nav2Servers::MotionServers::takeOutcome(RobotAction action) {
+  return ended_ == action ? std::exchange(outcome_, std::nullopt) : std::nullopt;
+}
+
+/// Updates the running behaviour: its twist and its outcome.
+void Nav2Servers::MotionServers::runBehavior(const Step& step, std::optional<BodyTwist>& command) {
+  teleop_ = step.observation.teleop.value_or(teleop_);
+  const std::optional<BehaviorStep> done =
+      behaviors_.update({step.time, step.observation.pose, step.local.published(),
+                         step.local.footprint().corners, !ignoresCollisions_, teleop_});
+  if (!done || !running_) {
+    return;
+  }
+  if (done->hasTwist && distro_ == Distro::Humble) {
+    direct_ = done->twist;
+  } else if (done->hasTwist) {
+    command = done->twist;
+  }
+  if (done->status == BehaviorStatus::Running) {
+    return;
+  }
+  const bool isFine = done->status == BehaviorStatus::Succeeded;
+  RobotOutcome outcome;
+  outcome.state = isFine ? State::Succeeded : State::Failed;
+  outcome.errorCode = isFine ? 0 : behaviors_.code();
+  outcome.errorText = done->words;
+  outcome_ = outcome;
+  ended_ = *std::exchange(running_, std::nullopt);
+  direct_.reset();
+  command = command ? command : std::optional<BodyTwist>(BodyTwist());
+}
+
+void Nav2Servers::enableCollisionMonitor(bool isOn) {
+  motionServers_->enableCollisionMonitor(isOn);
+}
+
+BodyTwist Nav2Servers::MotionServers::drive(const Step& step, std::optional<BodyTwist> command) {
+  if (std::exchange(stops_, false) && !command) {
+    command = BodyTwist();
+  }
+  runBehavior(step, command);
+  if (command) {
+    smoother_.command(*command, step.time);
+  }
+  sent_ = smoother_.update(step.time, step.observation.motion).value_or(sent_);
+  const BodyTwist wanted = direct_.value_or(sent_);
+  return monitor_ && isMonitored_ ? monitor_->filter(wanted, step.inOdom).twist : wanted;
 }
 
 }  // namespace bt

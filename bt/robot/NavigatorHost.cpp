@@ -1,8 +1,7 @@
-#include "bt/robot/NavigatorTopics.h"
+#include "bt/robot/NavigatorHost.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "sim2d/base/Text.h"
@@ -71,6 +70,38 @@ std::vector<TopicMessage> NavigatorTopics::after(const std::string& topic, int n
 TopicMessage NavigatorTopics::lastOf(const std::string& topic, double now) const {
   const std::vector<TopicMessage> messages = after(topic, 0, now);
   return messages.empty() ? TopicMessage() : messages.back();
+}
+
+PathId PathStore::add(sim2d::nav2::Path path) {
+  poses_ += path.size();
+  paths_.push_back(std::make_unique<const sim2d::nav2::Path>(std::move(path)));
+  constexpr std::size_t kAlways = 1;  // the new path is always kept
+  while (paths_.size() > kAlways && (paths_.size() > kMost || poses_ > kMostPoses)) {
+    poses_ -= paths_.front()->size();
+    paths_.pop_front();
+  }
+  return ++newest_;
+}
+
+PathId PathStore::addUnlessEqual(sim2d::nav2::Path path, PathId known) {
+  const sim2d::nav2::Path& before = get(known);
+  const bool isSame = known > 0 && path == before;
+  return isSame ? known : add(std::move(path));
+}
+
+const sim2d::nav2::Path& PathStore::get(PathId id) const {
+  static const sim2d::nav2::Path kNone;
+  const PathId first = newest_ - static_cast<PathId>(paths_.size()) + 1;
+  const bool isKept = id >= first && id <= newest_ && id > 0;
+  return isKept ? *paths_[static_cast<std::size_t>(id - first)] : kNone;
+}
+
+double lengthOf(const sim2d::nav2::Path& path) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    length += (path[i].position - path[i - 1].position).norm();
+  }
+  return length;
 }
 
 }  // namespace bt
