@@ -1,10 +1,15 @@
 #include "app/cli/CommandRegistry.h"
 
 #include <algorithm>
+#include <atomic>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
+#include <cxxabi.h>
 #include <exception>
 #include <filesystem>
+#include <new>
+#include <typeinfo>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -15,9 +20,8 @@
 #include <QString>
 
 #include "app/cli/Console.h"
-#include "app/cli/MemoryReserve.h"
 #include "app/run/DataPaths.h"
-#include "app/run/ExceptionMessage.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -25,6 +29,52 @@ namespace app {
 void addAllCommands(CommandRegistry& to);  // written by CMake
 
 namespace {
+
+constexpr std::size_t kReserve =
+    std::size_t{64} * 1024;  // [bytes]; below the mmap threshold of malloc
+
+std::atomic<void*> reserve{nullptr};
+std::string outOfMemoryMessage;                       // preallocated: written when allocation fails
+std::terminate_handler previousHandler = std::abort;  // for other exceptions
+
+void releaseReserveAndThrow() {
+  std::free(reserve.exchange(nullptr));
+  throw std::bad_alloc();
+}
+
+[[noreturn]] void reportOrAbort() {
+  const std::type_info* thrown = abi::__cxa_current_exception_type();
+  if (thrown != nullptr && *thrown == typeid(std::bad_alloc)) {
+    [[maybe_unused]] const ssize_t written =
+        ::write(STDERR_FILENO, outOfMemoryMessage.data(), outOfMemoryMessage.size());
+    ::_exit(ExitRunFailed);
+  }
+  previousHandler();
+  std::abort();
+}
+
+/// Reserves memory for all threads of the program. The first failed allocation releases the reserve
+/// before std::bad_alloc is thrown, because destructors may allocate during unwinding
+/// (nlohmann::json). If that is not sufficient, the program prints the same message and exits with
+/// the same code, without running destructors.
+void reserveMemory() {
+  std::free(reserve.exchange(std::malloc(kReserve)));
+  std::set_new_handler(releaseReserveAndThrow);
+  outOfMemoryMessage = "error: " + base::exceptionMessage(std::bad_alloc()) + "\n";
+  if (const auto before = std::set_terminate(reportOrAbort); before != reportOrAbort) {
+    previousHandler = before;
+  }
+}
+
+/// Throws std::bad_alloc if this many bytes cannot be allocated now. Call before libraries that do
+/// not check the result of malloc.
+void requireMemory(std::size_t bytes) {
+  void* volatile room = std::malloc(bytes);  // volatile: otherwise both calls may be removed
+  if (room == nullptr) {
+    throw std::bad_alloc();
+  }
+  std::free(room);
+}
 
 /// Fontconfig, which Qt asks for fonts when it begins, crashes where memory ends.
 constexpr std::size_t kForFonts = std::size_t{16} << 20;  // [bytes]
@@ -196,9 +246,9 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     return tellWrongWords(commands, problem.what());
   } catch (const std::exception& problem) {  // no memory, a file that nobody foresaw
     if (commands.wantsJson()) {
-      printJson({base::error("program.failed", {exceptionMessage(problem)})});
+      printJson({base::error("program.failed", {base::exceptionMessage(problem)})});
     }
-    printError("error: " + exceptionMessage(problem));
+    printError("error: " + base::exceptionMessage(problem));
     return ExitRunFailed;
   }
 }
@@ -216,6 +266,86 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   }
   printError("error: cannot write to standard output");
   return ExitBadInput;
+}
+
+namespace {
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string() : value;
+}
+
+base::Result<int> domainOf(const Ros2Options& options) {
+  if (options.domain) {
+    return *options.domain;
+  }
+  const std::string text = variable("ROS_DOMAIN_ID");
+  if (text.empty()) {
+    return 0;
+  }
+  const auto number = base::parseInt(text);
+  if (!number || *number < 0 || *number > bridge::kLastDomain) {
+    return base::error("ros2.bad-domain", {text});
+  }
+  return static_cast<int>(*number);
+}
+
+}  // namespace
+
+CLI::Validator namespaceName() {
+  return {[](const std::string& text) {
+            return bridge::isNamespace(text)
+                       ? std::string()
+                       : "'" + text + "' is not a namespace (for example /lab)";
+          },
+          ""};
+}
+
+void addRos2Options(CLI::App& command, Ros2Options& options, const std::string& help) {
+  CLI::Option* const ros2 =
+      command.add_flag("--ros2", options.ros2,
+                       help +
+                           ". Discovers nodes on the loopback interface only, unless --network is "
+                           "given, and in one domain only (--domain or ROS_DOMAIN_ID)");
+  command
+      .add_option("--domain", options.domain, "ROS domain ID (default: ROS_DOMAIN_ID, otherwise 0)")
+      ->check(CLI::Range(0, bridge::kLastDomain))
+      ->needs(ros2);
+  command
+      .add_option("--rmw", options.rmw,
+                  "Middleware of the other nodes: fastrtps or cyclonedds (default: "
+                  "RMW_IMPLEMENTATION)")
+      ->check(oneOf({"fastrtps", "cyclonedds"}))
+      ->needs(ros2);
+  command
+      .add_option("--ros-distro", options.distro,
+                  "ROS distribution: humble, or jazzy for Iron and later (default: ROS_DISTRO)")
+      ->check(oneOf({"humble", "jazzy"}))
+      ->needs(ros2);
+  command
+      .add_flag("--network", options.network,
+                "Use all network interfaces to discover other machines (default: loopback only)")
+      ->needs(ros2);
+}
+
+base::Result<bridge::DomainSettings> domainSettingsOf(const Ros2Options& options) {
+#ifndef HUNAV_ROS2
+  return base::error("ros2.not-built");
+#endif
+  const base::Result<int> domain = domainOf(options);
+  if (!domain) {
+    return domain.diagnostics();
+  }
+  bridge::DomainSettings settings;
+  settings.domain = *domain;
+  const bool isCyclone = options.rmw ? *options.rmw == "cyclonedds"
+                                     : variable("RMW_IMPLEMENTATION") == "rmw_cyclonedds_cpp";
+  settings.rmw = isCyclone ? bridge::Rmw::CycloneDds : bridge::Rmw::FastRtps;
+  const std::string distro = options.distro.value_or(variable("ROS_DISTRO"));
+  settings.distro =
+      distro.empty() || distro == "humble" ? bridge::Distro::Humble : bridge::Distro::Jazzy;
+  settings.localhostOnly = !options.network;
+  return settings;
 }
 
 }  // namespace app

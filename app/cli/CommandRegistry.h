@@ -3,11 +3,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/run/RunCommandLine.h"
+#include "app/bridge/dds/Participant.h"
+#include "app/run/RunSpec.h"
+#include "sim2d/base/Result.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
 class App;
@@ -15,6 +18,8 @@ class Option;
 }  // namespace CLI
 
 namespace app {
+
+class BatchFolder;
 
 /// Exit codes of the program.
 enum ExitCode { ExitFine = 0, ExitRunFailed = 1, ExitBadInput = 2, ExitWrongCommandLine = 64 };
@@ -41,6 +46,10 @@ struct Invocation {
   bool json = false;   // machine-readable standard output
   std::vector<std::string> words() const { return {argv, argv + argc}; }
 };
+
+/// Prints the final report of `batch` and `merge`; returns the exit code. `problems`: write errors.
+int reportBatch(const BatchFolder& folder, const base::Diagnostics& problems,
+                const Invocation& given);
 
 /// The commands of the program. Each file of app/cli/commands adds its own; the options are those
 /// of CLI11 and belong to the command.
@@ -99,5 +108,22 @@ void addMetricsOptions(CLI::App& command, MetricsOptions& options);
 
 /// Reads the words and does what they say. `addWindow` adds what is done without a command.
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&));
+
+/// Common options of all commands that use ROS 2.
+struct Ros2Options {
+  bool ros2 = false;
+  std::optional<int> domain;
+  std::optional<std::string> rmw, distro;
+  bool network = false;
+};
+
+/// For check() of an option: "/" or "/lab".
+CLI::Validator namespaceName();
+
+void addRos2Options(CLI::App& command, Ros2Options& options, const std::string& help);
+
+/// Options that are not given come from ROS_DOMAIN_ID, RMW_IMPLEMENTATION and ROS_DISTRO. Errors:
+/// such a variable is invalid; this build has no ROS 2 support.
+base::Result<bridge::DomainSettings> domainSettingsOf(const Ros2Options& options);
 
 }  // namespace app

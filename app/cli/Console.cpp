@@ -3,13 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
 #include <iostream>
 #include <string_view>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
+#include <QtGlobal>
+
+#include "editor/document/MapEdit.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
@@ -179,6 +185,37 @@ std::string durationText(double seconds) {
     return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
   }
   return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
+}
+
+namespace {
+
+/// Redirects standard error to /dev/null (RAII).
+class SilencedStderr {
+ public:
+  SilencedStderr() : kept_(::dup(STDERR_FILENO)) {
+    const base::FileDescriptor nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+    if (kept_.isOpen() && nowhere.isOpen()) {
+      std::fflush(stderr);
+      ::dup2(nowhere.number(), STDERR_FILENO);
+    }
+  }
+  ~SilencedStderr() {
+    if (kept_.isOpen()) {
+      std::fflush(stderr);
+      ::dup2(kept_.number(), STDERR_FILENO);
+    }
+  }
+  Q_DISABLE_COPY_MOVE(SilencedStderr)
+
+ private:
+  base::FileDescriptor kept_;
+};
+
+}  // namespace
+
+base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
+  const SilencedStderr silent;
+  return editor::loadMapImage(path);
 }
 
 }  // namespace app

@@ -7,8 +7,10 @@
 
 #include "sim2d/base/Result.h"
 #include "sim2d/base/StopFlag.h"
+#include "sim2d/map/MapReader.h"
 
 /// Standard output and standard error of the commands, and Ctrl-C.
+
 namespace app {
 
 void print(const std::string& text);       // to standard output
@@ -56,5 +58,9 @@ class Progress {
 
 /// "12 s", "3 min 20 s", "2 h 05 min".
 std::string durationText(double seconds);
+
+/// Calls editor::loadMapImage, but discards what image libraries write to standard error; problems
+/// are in the result. No other thread may write to standard error meanwhile.
+base::Result<sim2d::MapImage> loadMapImage(const std::string& path);
 
 }  // namespace app

@@ -1,18 +1,15 @@
-#include "app/cli/EvaluateLive.h"
+#include "app/cli/Evaluate.h"
 
 #ifdef HUNAV_ROS2
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "app/bridge/nodes/Recorder.h"
 #include "app/cli/Console.h"
-#include "app/cli/EvaluateResults.h"
-#include "app/cli/EvaluateSource.h"
-#include "app/run/ExceptionMessage.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -135,7 +132,7 @@ void LiveEvaluation::end() {
     keepRecording();
   } catch (const std::exception& problem) {
     code_ = ExitRunFailed;
-    printError("error: " + exceptionMessage(problem));
+    printError("error: " + base::exceptionMessage(problem));
     keepRecording();
   }
   output_.reset();

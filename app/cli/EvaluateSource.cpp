@@ -1,5 +1,3 @@
-#include "app/cli/EvaluateSource.h"
-
 #include <algorithm>
 #include <functional>
 #include <string_view>
@@ -7,8 +5,7 @@
 
 #include "app/bridge/bag/Bag.h"
 #include "app/cli/Console.h"
-#include "app/cli/EvaluateResults.h"
-#include "app/cli/MapImages.h"
+#include "app/cli/Evaluate.h"
 #include "app/run/Bundle.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
@@ -49,8 +46,7 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
   base::Result<sim2d::Trace> trace = sim2d::traceOfTracks(*file, tracks);
   base::Diagnostics problems = file.diagnostics();
   base::append(problems, trace.diagnostics());
-  return trace ? base::Result<sim2d::Trace>(*std::move(trace), std::move(problems))
-               : base::Result<sim2d::Trace>(std::move(problems));
+  return trace ? base::resultOf(*std::move(trace), std::move(problems)) : problems;
 }
 
 /// Selects the robot of a run: the one given, otherwise all.
@@ -131,18 +127,18 @@ base::Result<metrics::TimedPath> readReference(const std::string& source,
 }
 
 /// The recording with the settings of its evaluation.
-struct Prepared {
+struct PreparedSource {
   base::Result<sim2d::Trace> trace = base::error("bag.no-bag");  // until it is read
   sim2d::RecordedPoints points;                                  // from the source
   MetricsSetup setup;
   base::Diagnostics problems;
 };
 
-Prepared prepare(const EvaluateOptions& options) {
+PreparedSource prepare(const EvaluateOptions& options) {
   SourceOptions parsed;
   base::Diagnostics wrong = parseEvaluateOptions(options, parsed);
   requireFine(wrong, ExitWrongCommandLine);
-  Prepared made;
+  PreparedSource made;
   made.trace = readSource(options.source, parsed.reading, parsed.tracks, parsed.use, &made.points);
   made.problems = made.trace.diagnostics();
   if (made.trace) {
@@ -169,7 +165,7 @@ Prepared prepare(const EvaluateOptions& options) {
   return made;
 }
 
-void measure(const EvaluateOptions& options, const Prepared& prepared, OutputFolder& output,
+void measure(const EvaluateOptions& options, const PreparedSource& prepared, OutputFolder& output,
              const Invocation& given) {
   const base::Result<metrics::Evaluation> evaluation = metrics::evaluate(
       *prepared.trace, prepared.points, prepared.setup.selection, prepared.setup.parameters);
@@ -186,7 +182,7 @@ void measure(const EvaluateOptions& options, const Prepared& prepared, OutputFol
 }  // namespace
 
 void evaluateSource(const EvaluateOptions& options, const Invocation& given) {
-  Prepared prepared = prepare(options);
+  PreparedSource prepared = prepare(options);
   const std::unique_ptr<OutputFolder> output = openEvaluation(
       options, prepared.trace ? prepared.trace->header : sim2d::TraceHeader(), prepared.problems);
   requireFine(prepared.problems, ExitBadInput, base::Severity::Warning);
@@ -195,7 +191,7 @@ void evaluateSource(const EvaluateOptions& options, const Invocation& given) {
 
 void evaluateRecording(const EvaluateOptions& options, OutputFolder& output,
                        const Invocation& given) {
-  const Prepared prepared = prepare(options);
+  const PreparedSource prepared = prepare(options);
   requireFine(output.withFinalPaths(prepared.problems), ExitBadInput, base::Severity::Warning);
   measure(options, prepared, output, given);
 }
@@ -231,81 +227,57 @@ bool isKey(const MetricInfo& info, std::string_view key) {
   return info.key == key || info.partOf == key;
 }
 
-class MissingInputs {
- public:
-  MissingInputs(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
-                const MetricsSetup& setup, const std::string& source)
-      : header_(trace.header),
-        points_(points),
-        source_(source),
-        profile_(setup.parameters.profile),
-        entries_(setup.selection.entries(metrics::standardRegistry())) {}
-
-  base::Diagnostics find() {
-    const bool hasRobot = !header_.robots.empty();
-    findPoints();
-    if (header_.map.isEmpty() && hasRobot) {
-      add("bag.no-map", [](const MetricInfo& info) { return info.needs.map; });
-    }
-    if (hasRobot && header_.robots.front().goals.empty()) {
-      add("bag.no-goal", [](const MetricInfo& info) { return info.needs.goal; });
-    }
-    const bool usesFactors = profile_ == metrics::Profile::Corrected;
-    if (usesFactors && hasRobot && !header_.humans.empty() && !hasFactors(header_.humans)) {
-      add("bag.no-factors", [](const MetricInfo& info) {
-        return isKey(info, "social_force_on_agents") || isKey(info, "social_work");
-      });
-    }
-    if (hasRobot) {
-      add("bag.no-replans", [](const MetricInfo& info) { return isKey(info, "replanning_count"); });
-    }
-    return std::move(missing_);
-  }
-
- private:
-  /// Where obstacle points are computed from walls, only the forces lack the recorded ones.
-  void findPoints() {
-    const bool hasWalls = hasOutlines(header_);
-    if (!header_.humans.empty() && !points_.hasPeople()) {
-      add(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-people",
-          [](const MetricInfo& info) { return info.needs.obstacles && !info.needs.robot; });
-    }
-    if (!header_.robots.empty() && !points_.hasRobot()) {
-      add(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-robot",
-          [hasWalls](const MetricInfo& info) {
-            const bool isForce =
-                isKey(info, "obstacle_force_on_robot") || isKey(info, "social_work");
-            return info.needs.obstacles && info.needs.robot && (!hasWalls || isForce);
-          });
-    }
-  }
-
-  void add(const char* code, const std::function<bool(const MetricInfo&)>& needsInput) {
-    std::vector<std::string> keys;
-    for (const metrics::MetricEntry& entry : entries_) {
-      if (needsInput(entry.info)) {
-        keys.push_back(entry.info.key);
-      }
-    }
-    if (!keys.empty()) {
-      missing_.push_back(base::warning(code, {base::join(keys, ", ")}, source_));
-    }
-  }
-
-  const sim2d::TraceHeader& header_;
-  const sim2d::RecordedPoints& points_;
-  const std::string& source_;
-  metrics::Profile profile_;
-  std::vector<metrics::MetricEntry> entries_;
-  base::Diagnostics missing_;
-};
-
 }  // namespace
 
 base::Diagnostics missingInputs(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
                                 const MetricsSetup& setup, const std::string& source) {
-  return isForeign(trace.header) ? MissingInputs(trace, points, setup, source).find()
-                                 : base::Diagnostics();
+  const sim2d::TraceHeader& header = trace.header;
+  if (!isForeign(header)) {
+    return {};
+  }
+  const bool hasRobot = !header.robots.empty(), hasPeople = !header.humans.empty();
+  const bool hasWalls = hasOutlines(header);
+  const bool usesFactors = setup.parameters.profile == metrics::Profile::Corrected;
+  const struct {
+    bool isMissing;
+    const char* code;
+    std::function<bool(const MetricInfo&)> isNeeded;
+  } inputs[] = {
+      {hasPeople && !points.hasPeople(),
+       hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-people",
+       [](const MetricInfo& info) { return info.needs.obstacles && !info.needs.robot; }},
+      // Where obstacle points are computed from walls, only the forces lack the recorded ones.
+      {hasRobot && !points.hasRobot(),
+       hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-robot",
+       [hasWalls](const MetricInfo& info) {
+         const bool isForce = isKey(info, "obstacle_force_on_robot") || isKey(info, "social_work");
+         return info.needs.obstacles && info.needs.robot && (!hasWalls || isForce);
+       }},
+      {hasRobot && header.map.isEmpty(), "bag.no-map",
+       [](const MetricInfo& info) { return info.needs.map; }},
+      {hasRobot && header.robots.front().goals.empty(), "bag.no-goal",
+       [](const MetricInfo& info) { return info.needs.goal; }},
+      {usesFactors && hasRobot && hasPeople && !hasFactors(header.humans), "bag.no-factors",
+       [](const MetricInfo& info) {
+         return isKey(info, "social_force_on_agents") || isKey(info, "social_work");
+       }},
+      {hasRobot, "bag.no-replans",
+       [](const MetricInfo& info) { return isKey(info, "replanning_count"); }}};
+  const std::vector<metrics::MetricEntry> entries =
+      setup.selection.entries(metrics::standardRegistry());
+  base::Diagnostics missing;
+  for (const auto& input : inputs) {
+    std::vector<std::string> keys;
+    for (const metrics::MetricEntry& entry : entries) {
+      if (input.isMissing && input.isNeeded(entry.info)) {
+        keys.push_back(entry.info.key);
+      }
+    }
+    if (!keys.empty()) {
+      missing.push_back(base::warning(input.code, {base::join(keys, ", ")}, source));
+    }
+  }
+  return missing;
 }
 
 }  // namespace app

@@ -6,10 +6,27 @@
 
 #include <QPainterPath>
 
-#include "editor/look/Images.h"
+#include "editor/look/FigurePainter.h"
 #include "sim2d/trace/ContactMarks.h"
 
 namespace app {
+
+const std::vector<std::string>& figureOverlayNames() {
+  static const std::vector<std::string> kNames = {"density",    "zones",  "gaussian",
+                                                  "velocities", "forces", "contacts"};
+  return kNames;
+}
+
+void FigureText::write(QPainter& painter, const QPointF& baseline, const QFont& font,
+                       editor::Role role, const QString& text) const {
+  if (asOutlines_) {
+    painter.fillPath(editor::textOutline(baseline, font, text), theme_.color(role));
+  } else {
+    painter.setFont(font);
+    painter.setPen(theme_.color(role));
+    painter.drawText(baseline, text);
+  }
+}
 
 std::map<int, Track> tracksOf(const sim2d::Trace& trace) {
   std::map<int, Track> tracks;

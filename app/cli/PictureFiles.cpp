@@ -20,7 +20,7 @@
 #include <QSvgGenerator>
 #include <QSvgRenderer>
 
-#include "editor/look/Images.h"
+#include "editor/look/FigurePainter.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/Text.h"
 

@@ -7,12 +7,26 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/Ros2Options.h"
+#include "app/bridge/groot/GrootPublisher.h"
+#include "app/bridge/live/FoxglovePublisher.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/run/Bundle.h"
 #include "app/run/Session.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace app {
+
+/// Options of the pace of a run and of the programs that may watch it.
+struct LiveOptions {
+  std::string speed;        // simulated seconds per second, or "max"; empty: the usual one
+  std::optional<int> port;  // of the live view; none: there is none; 0: any free port
+  std::string address = "127.0.0.1";
+  std::vector<std::string> origins;  // further web pages that may connect
+  std::optional<int> grootPort;      // none: Groot2 cannot connect; 0: any free port
+  std::string grootPerson;           // whose tree Groot2 shows; empty: the first person's
+};
+/// --speed, --foxglove, --groot2 and the options that need them.
+void addLiveOptions(CLI::App& command, LiveOptions& options);
 
 /// Live outputs of a run of the window.
 struct RunObservers {
@@ -40,16 +54,24 @@ struct RunOnRos2Options {
 };
 void addRunOnRos2Options(CLI::App& command, RunOnRos2Options& options);
 
-/// Publishes a run on ROS 2 topics in real time and drives its first robot by /cmd_vel. Received
-/// inputs are recorded with their steps.
-class RunOnRos2 {
- public:
-  /// Null if not requested. Throws CommandEnd on errors. World and session must outlive it.
-  static std::unique_ptr<RunOnRos2> open(const RunOnRos2Options& options,
-                                         const sim2d::Scenario& scenario, sim2d::World& world,
-                                         Session& session);
-  virtual ~RunOnRos2() = default;
-  virtual void publishState(const sim2d::Frame& frame) = 0;
+/// A world that a session is about to run; both must outlive its outputs.
+struct RunInProgress {
+  Session& session;
+  sim2d::World& world;
 };
+
+using ShowFrame = std::function<void(const sim2d::Frame&)>;
+
+/// The live outputs of the command `run`. Inputs received from them are recorded with their steps.
+struct RunOutputs {
+  std::vector<ShowFrame> show;  // to be called with each state, in this order
+  std::function<void(const sim2d::Frame& last, const std::string& reason)> finish;  // may be null
+};
+/// Sets the pace of the session and opens what the options request: ROS 2 topics, of which /cmd_vel
+/// drives the first robot, the live view and Groot2. Messages go to standard error. Throws
+/// CommandEnd on errors.
+RunOutputs openRunOutputs(const LiveOptions& live, const RunOnRos2Options& ros2,
+                          const Bundle& bundle, const MetricsSetup& metrics, bool isReplay,
+                          const RunInProgress& run);
 
 }  // namespace app

@@ -9,6 +9,7 @@
 #include "metrics/statistics/PairedTests.h"
 #include "metrics/statistics/Ranks.h"
 #include "metrics/statistics/Summary.h"
+#include "sim2d/base/Find.h"
 
 namespace report {
 
@@ -252,12 +253,9 @@ void findBest(const Metric& metric, MetricComparison& comparison) {
 }  // namespace
 
 const PairResult* MetricComparison::pairOf(std::size_t a, std::size_t b) const {
-  for (const PairResult& pair : pairs) {
-    if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) {
-      return &pair;
-    }
-  }
-  return nullptr;
+  return base::findIf(pairs, [&](const PairResult& pair) {
+    return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
+  });
 }
 
 double valueOf(const Study& study, std::size_t metric, std::size_t run) {

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/Labels.h"
 #include "app/report/Markup.h"
 #include "app/report/Plots.h"
-#include "metrics/statistics/ParetoFront.h"
+#include "metrics/statistics/Ranks.h"
 
 namespace report {
 
@@ -14,15 +13,6 @@ using Anchor = Figure::Anchor;
 
 statistics::Sense senseOf(const Metric& metric) {
   return metric.sense > 0 ? statistics::Sense::Higher : statistics::Sense::Lower;
-}
-
-Extent extentOf(const MetricComparison& comparison) {
-  Extent extent;
-  for (const Estimate& estimate : comparison.estimates) {
-    extent.add(estimate.mean);
-    extent.add(estimate.interval);
-  }
-  return extent;
 }
 
 /// The direction of better values: " (better ←)".

@@ -1,10 +1,9 @@
 #include "app/report/Markup.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 
@@ -35,22 +34,14 @@ std::size_t characterLength(std::string_view text, std::size_t at) {
 }
 
 std::string entityOf(char c) {
-  switch (c) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\'':
-      return "&#39;";
-    default:
-      return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r'
-                 ? kReplacement
-                 : std::string(1, c);
+  constexpr std::pair<char, const char*> kEntities[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+  if (const auto* const entity = base::findBy(kEntities, &std::pair<char, const char*>::first, c)) {
+    return entity->second;
   }
+  return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r'
+             ? kReplacement
+             : std::string(1, c);
 }
 
 std::string rounded(double value, int decimals) {
@@ -75,10 +66,9 @@ std::string substituted(std::string_view text, const Pairs& pairs) {
   std::string result;
   result.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
-    const auto found = std::find_if(std::begin(pairs), std::end(pairs), [&](const auto& pair) {
-      return text.compare(at, pair.first.size(), pair.first) == 0;
-    });
-    if (found == std::end(pairs)) {
+    const auto* const found = base::findIf(
+        pairs, [&](const auto& pair) { return base::startsWith(text.substr(at), pair.first); });
+    if (found == nullptr) {
       result += text[at++];
     } else {
       result += found->second;
@@ -244,7 +234,7 @@ std::string cellLatex(const Table::Cell& cell) {
     }
   }
   // After \\ LaTeX reads a bracket as row spacing.
-  return text.rfind('[', 0) == 0 ? "{}" + text : text;
+  return base::startsWith(text, "[") ? "{}" + text : text;
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <set>
 #include <utility>
 
-#include "app/report/PageTexts.h"
 #include "app/report/PlayerPage.h"
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ResultRow.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -197,6 +197,18 @@ class PageBuilder {
     body_ += "<h2 id=\"" + id + "\">" + escaped(title) + "</h2>\n";
   }
 
+  /// A section with these figures; nothing without figures.
+  void addSection(const char* id, const char* title,
+                  const std::vector<std::optional<Figure>>& figures) {
+    bool isBegun = false;
+    for (const std::optional<Figure>& figure : figures) {
+      if (figure && !std::exchange(isBegun, true)) {
+        section(id, title);
+      }
+      add(figure);
+    }
+  }
+
   std::string head() const {
     std::string links;
     for (const auto& [id, title] : sections_) {
@@ -253,9 +265,7 @@ class PageBuilder {
     std::string findings;
     for (const MetricComparison& comparison : comparisons_) {
       const std::string words = findingMarkup(study_, comparison);
-      if (!words.empty()) {
-        findings += element("li", "", words) + "\n";
-      }
+      findings += words.empty() ? "" : element("li", "", words) + "\n";
     }
     if (!findings.empty()) {
       notes_ += element("ul", "", "\n" + findings) + "\n";
@@ -280,34 +290,23 @@ class PageBuilder {
   void writeResults() {
     section("results", "Results");
     add(resultsTable(study_, comparisons_, weights_));
-    add(ratesFigure(study_, comparisons_));
-    add(intervalsFigure(study_, comparisons_));
+    add(intervalsFigure(study_, comparisons_, true));
+    add(intervalsFigure(study_, comparisons_, false));
     add(mediansTable(study_, comparisons_));
   }
 
   void writeFigures() {
-    const std::optional<Figure> distribution = distributionFigure(study_, comparisons_);
-    if (distribution) {
-      section("distributions", "Distributions");
-      add(distribution);
-    }
+    addSection("distributions", "Distributions", {distributionFigure(study_, comparisons_)});
     if (study_.pareto) {
-      const std::optional<Figure> front = paretoFigure(study_, comparisonOf(study_.pareto->first),
-                                                       comparisonOf(study_.pareto->second));
-      if (front) {
-        section("pareto", "Trade-off");
-        add(front);
-      }
+      addSection("pareto", "Trade-off",
+                 {paretoFigure(study_, comparisonOf(study_.pareto->first),
+                               comparisonOf(study_.pareto->second))});
     }
   }
 
   MetricComparison comparisonOf(std::size_t metric) const {
-    for (const MetricComparison& comparison : comparisons_) {
-      if (comparison.metric == metric) {
-        return comparison;
-      }
-    }
-    return compare(study_, metric, blocks_);
+    const auto* const known = base::findBy(comparisons_, &MetricComparison::metric, metric);
+    return known != nullptr ? *known : compare(study_, metric, blocks_);
   }
 
   void writePairs() {
@@ -335,27 +334,16 @@ class PageBuilder {
     if (study_.cases.size() < 2) {
       return;
     }
-    const auto judged = std::find_if(study_.shown.begin(), study_.shown.end(), [this](auto metric) {
-      return study_.metrics[metric].sense != 0;
-    });
-    if (judged == study_.shown.end()) {
-      return;
-    }
-    const std::optional<Figure> figure = difficultyFigure(study_, *judged);
-    if (figure) {
-      section("difficulty", "Difficulty");
-      add(figure);
+    const auto* const judged = base::findIf(
+        study_.shown, [this](std::size_t metric) { return study_.metrics[metric].sense != 0; });
+    if (judged != nullptr) {
+      addSection("difficulty", "Difficulty", {difficultyFigure(study_, *judged)});
     }
   }
 
   void writeRuns() {
-    const std::optional<Figure> ways = pathsFigure(study_, pictures_);
-    const std::optional<Figure> contacts = contactsFigure(study_, pictures_);
-    if (ways || contacts) {
-      section("trajectories", "Paths and contacts");
-      add(ways);
-      add(contacts);
-    }
+    addSection("trajectories", "Paths and contacts",
+               {pathsFigure(study_, pictures_), contactsFigure(study_, pictures_)});
   }
 
   void writeFailures() {

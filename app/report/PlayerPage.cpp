@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/Markup.h"
-#include "app/report/PageTexts.h"
 #include "app/report/RunPictures.h"
 #include "app/run/DataPaths.h"
 #include "sim2d/base/JsonText.h"

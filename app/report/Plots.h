@@ -9,14 +9,16 @@
 #include "app/report/Figure.h"
 
 /// Comparison figures. Each takes the comparisons of the displayed metrics.
+
+/// Placement of point labels without overlaps.
+
 namespace report {
 
 using Comparisons = std::vector<MetricComparison>;
 
-/// Rates with Wilson intervals. Nothing: no rate is displayed.
-std::optional<Figure> ratesFigure(const Study& study, const Comparisons& comparisons);
-/// Means with their intervals.
-std::optional<Figure> intervalsFigure(const Study& study, const Comparisons& comparisons);
+/// Rates with Wilson intervals, or means with their intervals. Nothing: none is displayed.
+std::optional<Figure> intervalsFigure(const Study& study, const Comparisons& comparisons,
+                                      bool rates);
 /// Box plots and strips of all values.
 std::optional<Figure> distributionFigure(const Study& study, const Comparisons& comparisons);
 /// Paired differences of options on the same seeds.
@@ -51,6 +53,8 @@ struct Extent {
   bool isEmpty() const { return low > high; }
 };
 
+/// The means and intervals of all options.
+Extent extentOf(const MetricComparison& comparison);
 /// As paddedScale; if all values are 0, the scale is [0, 1] with a margin.
 Scale scaleOfValues(const Extent& values, double from, double to);
 /// The comparisons of rates, or of all other metrics.
@@ -88,5 +92,32 @@ Figure panels(const char* name, std::size_t count, double height, int columns, D
   });
   return figure;
 }
+
+struct Box {
+  base::Vec2 low = base::Vec2::Zero(), high = base::Vec2::Zero();  // [px]
+};
+struct Segment {
+  base::Vec2 from = base::Vec2::Zero(), to = base::Vec2::Zero();  // [px]
+};
+
+struct Label {
+  std::string words;
+  base::Vec2 point = base::Vec2::Zero();  // [px], centre of its mark
+};
+
+/// The position of a label.
+struct PlacedLabel {
+  Box box;
+  bool hasLeader = false;  // far from its point: drawn with a leader line
+  Segment leader;          // from the mark to the label
+};
+
+/// Places each label within the bounds without covering labels or marks; lines are covered only if
+/// no other position is near. Greedy, repeated a few times.
+std::vector<PlacedLabel> placeLabels(const std::vector<Label>& labels,
+                                     const std::vector<Segment>& lines, const Box& bounds);
+
+void drawLabels(Figure& figure, const std::vector<Label>& labels,
+                const std::vector<PlacedLabel>& places);
 
 }  // namespace report

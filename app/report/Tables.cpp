@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/report/Plots.h"
-#include "metrics/statistics/ParetoFront.h"
+#include "metrics/statistics/Ranks.h"
 #include "sim2d/base/Text.h"
 
 namespace report {

@@ -8,7 +8,6 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/ManifestFiles.h"
-#include "app/run/ResultFiles.h"
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Text.h"
 
@@ -170,7 +169,7 @@ base::Result<Study> studyOf(const Experiment& experiment, const std::vector<Inpu
   study.runs = experiment.runCount();
   study.shard = shard;
   study.allowsCode = experiment.allowCode;
-  return unread.empty() ? base::Result<Study>(std::move(study)) : base::Result<Study>(unread);
+  return base::resultOf(std::move(study), std::move(unread));
 }
 
 base::Diagnostics studyDifferences(const Study& was, const Study& now) {

@@ -3,19 +3,136 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "app/run/DataPaths.h"
-#include "app/run/DiagnosticDedup.h"
 #include "app/run/Nav2Robots.h"
 #include "app/run/PlannerFiles.h"
-#include "app/run/ProgramRegistries.h"
-#include "sim2d/base/Problems.h"
+#include "sim2d/base/Result.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
+
+namespace {
+
+constexpr std::size_t kMaxKept = 4;
+
+/// Returns the value for the key, created if missing, and makes it the most recently used one.
+template <class Key, class Value, class Make>
+std::shared_ptr<const Value> fetch(std::list<std::pair<Key, std::shared_ptr<const Value>>>& shelf,
+                                   const Key& key, Make make) {
+  const auto found = std::find_if(shelf.begin(), shelf.end(),
+                                  [&key](const auto& each) { return each.first == key; });
+  if (found != shelf.end()) {
+    shelf.splice(shelf.begin(), shelf, found);
+  } else {
+    shelf.emplace_front(key, make());
+    shelf.resize(std::min(shelf.size(), kMaxKept));
+  }
+  return shelf.front().second;
+}
+
+}  // namespace
+
+std::shared_ptr<const sim2d::Surroundings> SurroundingsCache::of(
+    const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map,
+    const base::StopFlagPtr& stop) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool isKnown = surroundings_ != nullptr && map_ == map && stop_ == stop &&
+                       obstacles_ == scenario.obstacles && doors_ == scenario.doors;
+  if (!isKnown) {
+    surroundings_ =
+        std::make_shared<const sim2d::Surroundings>(sim2d::makeSurroundings(scenario, *map, stop));
+    stop_ = stop;
+    map_ = map;
+    obstacles_ = scenario.obstacles;
+    doors_ = scenario.doors;
+  }
+  return surroundings_;
+}
+
+std::shared_ptr<const sim2d::ScenarioReading> FileCache::scenario(const std::string& path) {
+  return fetch(scenarios_, path, [&path] {
+    return std::make_shared<const sim2d::ScenarioReading>(sim2d::readScenario(path));
+  });
+}
+
+std::shared_ptr<const CachedMap> FileCache::map(const std::string& path, const std::string& rule) {
+  return fetch(maps_, std::pair(path, rule), [&] {
+    auto known = std::make_shared<CachedMap>();
+    if (path.empty()) {
+      known->grid = std::make_shared<const sim2d::OccupancyGrid>();
+      return known;
+    }
+    base::Result<sim2d::MapFile> file = readMapFile(path, rule, loader_);
+    known->problems = file.diagnostics();
+    if (file) {
+      known->path = file->path;
+      known->imagePath = file->imagePath;
+      known->grid = std::make_shared<const sim2d::OccupancyGrid>(std::move(file->grid));
+    }
+    return known;
+  });
+}
+
+base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule,
+                                         const sim2d::ImageLoader& loader) {
+  return sim2d::readMap(path, loader,
+                        rule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble);
+}
+
+namespace {
+
+struct DuplicateRule {
+  std::string_view code, of;
+};
+constexpr DuplicateRule kDuplicateRules[] = {
+    {"scenario.nobody-listed", "scenario.nobody"},
+    {"tree.no-goal", "scenario.goal-undefined"},
+    {"world.body-moved", "places.moved"},
+    {"world.body-does-not-fit", "places.no-place"},
+    {"world.goal-out-of-reach", "places.no-way"},
+    {"world.point-out-of-reach", "places.no-way"},
+    {"world.point-out-of-reach", "places.no-way-to-point"}};
+
+}  // namespace
+
+base::Diagnostics withoutDuplicates(const base::Diagnostics& some, const base::Diagnostics& all) {
+  using Subject = std::tuple<base::EntityId, std::string_view, std::string>;  // entity, code, goal
+  std::set<Subject> reported;
+  for (const base::Diagnostic& issue : all) {
+    for (const base::EntityId thing : {issue.entity, base::EntityId()}) {
+      reported.insert({thing, issue.code, issue.value("goal")});
+      reported.insert({thing, issue.code, std::string()});
+    }
+  }
+  base::Diagnostics left;
+  std::copy_if(some.begin(), some.end(), std::back_inserter(left), [&](const auto& issue) {
+    return std::none_of(std::begin(kDuplicateRules), std::end(kDuplicateRules),
+                        [&](const DuplicateRule& echo) {
+                          return echo.code == issue.code &&
+                                 reported.count({issue.entity, echo.of, issue.value("goal")}) > 0;
+                        });
+  });
+  return left;
+}
+
+base::Diagnostics newDiagnostics(const base::Diagnostics& reported, const base::Diagnostics& more) {
+  std::set<std::string> lines;
+  for (const base::Diagnostic& problem : reported) {
+    lines.insert(problem.text());
+  }
+  base::Diagnostics rest;
+  std::copy_if(more.begin(), more.end(), std::back_inserter(rest),
+               [&lines](const auto& problem) { return lines.count(problem.text()) == 0; });
+  return rest;
+}
 
 namespace {
 

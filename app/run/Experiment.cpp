@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/run/DataPaths.h"
-#include "app/run/ExperimentCheck.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -66,7 +65,7 @@ class Reader {
     const bool isPossible = readValues(root);
     readRecord(root.find("record"));
     if (isPossible) {
-      tryRuns(root);
+      tell(checkValues(experiment_, std::move(readable_), root, !base::hasErrors(errors_)));
     }
   }
 
@@ -213,21 +212,6 @@ class Reader {
     }
   }
 
-  /// What can be told of the runs without making any.
-  void tryRuns(const YamlNode& root) {
-    std::vector<ExperimentTrial> trials;
-    trials.reserve(readable_.size());
-    for (auto& [number, scenario] : readable_) {
-      trials.emplace_back(experiment_, number, std::move(scenario));
-    }
-    if (const YamlNode* const values = root.find("values")) {
-      tell(invalidValues(experiment_, trials, *values));
-    }
-    if (!base::hasErrors(errors_)) {  // else not all values are known
-      tell(runsAlike(experiment_, trials, root));
-    }
-  }
-
   bool isCountPossible(const YamlNode& node) {
     const auto countOf = [](const auto& list) {
       return static_cast<double>(std::max<std::size_t>(1, list.size()));
@@ -257,11 +241,52 @@ class Reader {
   }
 
   Experiment experiment_;
-  std::vector<std::pair<std::size_t, sim2d::Scenario>> readable_;  // by their numbers
+  NumberedScenarios readable_;
   base::Diagnostics errors_;
 };
 
 }  // namespace
+
+std::size_t Experiment::runCount() const {
+  std::size_t count = scenarios.size() * seeds.size();
+  for (const ExperimentValue& value : values) {
+    count *= value.isDrawn() ? 1 : value.texts.size();
+  }
+  return count;
+}
+
+Experiment::Run Experiment::run(std::size_t index) const {
+  Run run;
+  run.seed = seeds[index % seeds.size()];
+  index /= seeds.size();
+  run.values.resize(values.size());
+  for (std::size_t k = values.size(); k-- > 0;) {
+    const std::vector<std::string>& texts = values[k].texts;
+    if (!values[k].isDrawn()) {
+      run.values[k] = texts[index % texts.size()];
+      index /= texts.size();
+    }
+  }
+  run.scenario = index;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (values[k].isDrawn()) {
+      run.values[k] = drawnText(values[k], scenarios[run.scenario], run.seed);
+    }
+  }
+  return run;
+}
+
+RunSpec Experiment::specOf(std::size_t index) const {
+  const Run of = run(index);
+  RunSpec spec = common;
+  spec.scenario = scenarioPaths[of.scenario];
+  spec.seed = of.seed;
+  spec.allowCode = allowCode;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    spec.set.push_back(values[k].path + "=" + of.values[k]);
+  }
+  return spec;
+}
 
 base::Result<Experiment> readExperiment(const std::string& path) {
   const base::Result<std::string> text = base::readTextFile(path);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/run/ExperimentValues.h"
 #include "app/run/RunSpec.h"
+#include "sim2d/scenario/Scenario.h"
 
 namespace app {
 
@@ -40,5 +42,17 @@ struct Experiment {
 base::Result<Experiment> readExperiment(const std::string& path);
 /// The same of a text that need not be in the file yet; its scenarios are looked for beside it.
 base::Result<Experiment> parseExperiment(std::string text, const std::string& path);
+
+/// Scenarios of an experiment with their numbers in it.
+using NumberedScenarios = std::vector<std::pair<std::size_t, sim2d::Scenario>>;
+
+/// Checks the values of an experiment before anything runs; problems have their locations, without
+/// the file. Errors: a value is set twice, not accepted by one of the scenarios, or an error of the
+/// runs that have it; all texts of lists are tried, of a range and of draws some. If there are no
+/// errors and `areAllKnown`: warnings of runs that are equal, because the seed has no effect in
+/// what was tried, or because a text is listed twice. `scenarios`: those that could be read;
+/// `root`: of the experiment file.
+base::Diagnostics checkValues(const Experiment& experiment, NumberedScenarios scenarios,
+                              const base::YamlNode& root, bool areAllKnown);
 
 }  // namespace app

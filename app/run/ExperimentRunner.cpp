@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "app/run/DataPaths.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
-#include "app/run/Simulation.h"
+#include "app/run/Session.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -33,7 +34,7 @@ RunSettings settingsOf(const Experiment& experiment) {
 Bundle ExperimentRunner::read(std::size_t index, const RunSettings& settings, FileIndices& used) {
   constexpr int kMaxReads = 5;
   for (int reads = 1;; ++reads) {
-    const std::timespec before = InputFingerprints::now();
+    const InputFingerprints::Time before = InputFingerprints::now();
     Bundle bundle = readBundle(experiment_.specOf(index), settings, *files_);
     used = filesOf(bundle);
     if (reads == kMaxReads || !fingerprints_.anyModifiedSince(used, before)) {

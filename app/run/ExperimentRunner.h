@@ -8,7 +8,6 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/Experiment.h"
-#include "app/run/FileCache.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/ResultRow.h"

@@ -11,7 +11,6 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlEmitter.h"
 #include "sim2d/base/yaml/YamlTree.h"
 
 namespace app {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "bt/engine/Program.h"
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeExport.h"
@@ -138,9 +138,7 @@ class ExportPlanBuilder {
     if (!read) {
       return;
     }
-    int changed = 0;
-    addFile(file, bt::renumbered(*read, *tree.text, {exported_.goals, exported_.people},
-                                 library_.catalogue(), changed));
+    const int changed = addRenumbered(file, *read, *tree.text);
     if (changed > 0) {
       warn(human, base::warning("export.tree-renumbered", {changed}, tree.path));
     }
@@ -150,6 +148,14 @@ class ExportPlanBuilder {
       }
     }
     copyIncluded(*read, tree.path);
+  }
+
+  /// Adds a tree with the ids of the export; returns how many have changed.
+  int addRenumbered(const std::string& file, const bt::TreeFile& tree, const std::string& text) {
+    int changed = 0;
+    addFile(file, bt::renumbered(tree, text, {exported_.goals, exported_.people},
+                                 library_.catalogue(), changed));
+    return changed;
   }
 
   /// Copies the files that a tree includes, recursively, with the ids of the export.
@@ -169,10 +175,7 @@ class ExportPlanBuilder {
       const base::Result<bt::TreeFile> inner = bt::readTreeText(*text, path);
       base::append(plan_.report, inner.diagnostics());
       if (inner) {
-        int changed = 0;
-        addFile("behavior_trees/" + include.path,
-                bt::renumbered(*inner, *text, {exported_.goals, exported_.people},
-                               library_.catalogue(), changed));
+        addRenumbered("behavior_trees/" + include.path, *inner, *text);
         copyIncluded(*inner, path);
       }
     }

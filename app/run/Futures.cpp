@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <poll.h>
 #include <utility>
 
+#include "app/run/Batch.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/Session.h"
-#include "app/run/WorkerProcess.h"
 #include "sim2d/base/Rng.h"
 
 namespace app {
@@ -19,7 +18,6 @@ namespace {
 constexpr double kPushGap = 1.0;         // [s] between two pushes
 constexpr double kStandingSpeed = 0.05;  // [m/s]; who is slower is not pushed
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-constexpr int kPatienceMs = 100;
 
 /// Of one future: what is seen of it.
 class FutureWatcher {
@@ -113,17 +111,11 @@ Future brokenFuture(const FuturesOptions& options, int number, const std::string
 /// Waits a little for answers and tells them.
 void hearAll(Working& working, const FuturesOptions& options,
              const std::function<void(const Future&)>& tell) {
-  std::vector<pollfd> sockets;
+  std::vector<int> sockets;
   for (const auto& each : working) {
-    sockets.push_back({each.first.descriptor(), POLLIN, 0});
+    sockets.push_back(each.first.descriptor());
   }
-  if (::poll(sockets.data(), sockets.size(), kPatienceMs) <= 0) {
-    return;
-  }
-  for (std::size_t k = working.size(); k-- > 0;) {
-    if (sockets[k].revents == 0) {
-      continue;
-    }
+  for (const std::size_t k : waitForData(sockets)) {
     std::string text;
     const WorkerProcess::ReadResult heard = working[k].first.readMessage(text);
     if (heard == WorkerProcess::ReadResult::Part) {

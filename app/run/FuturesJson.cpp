@@ -1,13 +1,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "app/run/Futures.h"
-#include "app/run/JsonDepthCheck.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -19,6 +17,31 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FuturesOptions, count, horizon, spread, jobs,
 namespace {
 
 using FutureJson = nlohmann::json;
+
+/// Rejects JSON nested deeper than any valid request, because the library's parser is recursive.
+class JsonDepthCheck : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool key(string_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*elements*/) override { return ++depth_ < kMaxDepth; }
+  bool end_object() override { return --depth_ >= 0; }
+  bool start_array(std::size_t /*elements*/) override { return ++depth_ < kMaxDepth; }
+  bool end_array() override { return --depth_ >= 0; }
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*problem*/) override {
+    return false;
+  }
+
+ private:
+  static constexpr int kMaxDepth = 16;
+  int depth_ = 0;
+};
 
 /// NaN becomes null in the text.
 FutureJson numbersOf(const std::vector<base::Vec2>& way, int axis) {
@@ -41,52 +64,16 @@ std::vector<base::Vec2> wayOf(const FutureJson& x, const FutureJson& y) {
   return way;
 }
 
-template <class T>
-void addTo(FutureJson& json, const T& value) {
-  json = value;
-}
-template <class T>
-void addTo(FutureJson& json, const std::optional<T>& value) {
-  json = *value;
-}
-
-template <class T>
-void takeFrom(const FutureJson& json, T& value) {
-  value = json.get<T>();
-}
-template <class T>
-void takeFrom(const FutureJson& json, std::optional<T>& value) {
-  value = json.get<T>();
-}
-
 FutureJson branchJson(const RunBranch& branch) {
-  FutureJson json = {{"step", branch.step}};
-  for (const RunOption& option : kRunOptions) {
-    if ((option.use & RunOption::AtBranch) != 0 && option.isGiven(branch.changes)) {
-      std::visit([&](auto member) { addTo(json[option.name], branch.changes.*member); },
-                 option.member);
-    }
-  }
-  return json;
+  return {{"step", branch.step}, {"options", commandLineOf(branch.changes, RunOption::AtBranch)}};
 }
 
-RunBranch branchOf(const FutureJson& json) {
-  RunBranch branch;
-  branch.step = json.at("step").get<std::int64_t>();
-  for (const RunOption& option : kRunOptions) {
-    if ((option.use & RunOption::AtBranch) != 0 && json.contains(option.name)) {
-      std::visit([&](auto member) { takeFrom(json[option.name], branch.changes.*member); },
-                 option.member);
-    }
-  }
-  return branch;
-}
-
-template <class T>
-void takeKey(const FutureJson& json, const char* key, std::optional<T>& value) {
-  if (json.contains(key)) {
-    takeFrom(json.at(key), value);
-  }
+/// Null: invalid options.
+std::optional<RunBranch> branchOf(const FutureJson& json) {
+  const base::Result<RunSpec> changes =
+      runSpecOfCommandLine(json.at("options").get<std::vector<std::string>>());
+  return changes ? std::optional(RunBranch{json.at("step").get<std::int64_t>(), *changes})
+                 : std::nullopt;
 }
 
 FutureJson mapJson(const sim2d::OccupancyGrid& map) {
@@ -144,7 +131,9 @@ bt::TreeFiles treesOf(const FutureJson& json) {
   for (const auto& [name, tree] : json.items()) {
     bt::TreeSource source(tree.at("path").get<std::string>());
     source.folder = tree.at("folder").get<std::string>();
-    takeKey(tree, "text", source.text);
+    if (tree.contains("text")) {
+      source.text = tree.at("text").get<std::string>();
+    }
     trees.emplace(name, std::move(source));
   }
   return trees;
@@ -190,7 +179,11 @@ std::optional<FuturesQuestion> questionFrom(const FutureJson& json) {
     bundle.settings.compatibility = *compatibility;
   }
   for (const FutureJson& branch : json.at("branches")) {
-    question.branches.push_back(branchOf(branch));
+    std::optional<RunBranch> read = branchOf(branch);
+    if (!read) {
+      return std::nullopt;
+    }
+    question.branches.push_back(*std::move(read));
   }
   const base::Result<sim2d::RecordedInputs> inputs =
       sim2d::parseInputs(json.at("inputs").get<std::string>(), "inputs");

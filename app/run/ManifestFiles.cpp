@@ -8,7 +8,6 @@
 #include <memory>
 #include <sys/stat.h>
 #include <system_error>
-#include <tuple>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -172,27 +171,13 @@ base::Diagnostics checkManifestFiles(const std::string& folder,
   return problems;
 }
 
-namespace {
-
-auto parts(const std::timespec& time) {
-  return std::make_pair(time.tv_sec, time.tv_nsec);
-}
-
-}  // namespace
-
-bool InputFingerprints::Stamp::operator==(const Stamp& other) const {
-  const auto all = [](const Stamp& stamp) {
-    return std::make_tuple(parts(stamp.time), stamp.size, stamp.device, stamp.inode);
-  };
-  return all(*this) == all(other);
-}
-
 std::optional<InputFingerprints::Stamp> InputFingerprints::stampOf(const std::string& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) {
     return std::nullopt;
   }
-  return Stamp{status.st_ctim, status.st_size, status.st_dev, status.st_ino};
+  const Time changed(status.st_ctim.tv_sec, status.st_ctim.tv_nsec);
+  return Stamp(changed, status.st_size, status.st_dev, status.st_ino);
 }
 
 std::size_t InputFingerprints::add(const std::string& path) {
@@ -224,16 +209,16 @@ std::vector<InputHash> InputFingerprints::withChanges(const std::vector<std::siz
   return found;
 }
 
-std::timespec InputFingerprints::now() {
+InputFingerprints::Time InputFingerprints::now() {
   std::timespec time = {};
   ::clock_gettime(CLOCK_REALTIME_COARSE, &time);
-  return time;
+  return {time.tv_sec, time.tv_nsec};
 }
 
 bool InputFingerprints::anyModifiedSince(const std::vector<std::size_t>& numbers,
-                                         const std::timespec& time) const {
+                                         const Time& time) const {
   return std::any_of(numbers.begin(), numbers.end(), [&](std::size_t number) {
-    return stamps_[number] && parts(stamps_[number]->time) >= parts(time);
+    return stamps_[number] && std::get<Time>(*stamps_[number]) >= time;
   });
 }
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -97,20 +99,16 @@ class InputFingerprints {
   /// second entry with its present hash. Reads only files that were modified since.
   std::vector<InputHash> withChanges(const std::vector<std::size_t>& numbers);
 
+  using Time = std::pair<std::time_t, long>;  // [s], [ns]
   /// The current time of the file system clock.
-  static std::timespec now();
+  static Time now();
   /// Whether one of these files was modified at that time or later, so that a reader may have read
   /// other content than was hashed.
-  bool anyModifiedSince(const std::vector<std::size_t>& numbers, const std::timespec& time) const;
+  bool anyModifiedSince(const std::vector<std::size_t>& numbers, const Time& time) const;
 
  private:
-  /// Changes whenever a file is written or replaced.
-  struct Stamp {
-    std::timespec time = {};
-    long long size = 0;
-    unsigned long long device = 0, inode = 0;
-    bool operator==(const Stamp& other) const;
-  };
+  /// Time of change, size, device, inode: differs whenever a file is written or replaced.
+  using Stamp = std::tuple<Time, long long, unsigned long long, unsigned long long>;
   static std::optional<Stamp> stampOf(const std::string& path);
 
   std::vector<InputHash> files_;

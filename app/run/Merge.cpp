@@ -1,5 +1,3 @@
-#include "app/run/Merge.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -7,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/run/BatchFolder.h"
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/Text.h"

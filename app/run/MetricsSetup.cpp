@@ -151,4 +151,11 @@ base::Diagnostics applyMetricsOptions(const MetricsOptions& options, MetricsSetu
   return {};
 }
 
+void skipUnwrittenMetrics(bool hasFiles, bool showsBehaviors, metrics::Selection& selection) {
+  selection.everyRobot = true;
+  selection.series = selection.seriesOnDisk = hasFiles;
+  selection.behaviors = showsBehaviors;
+  selection.behaviorSeries = false;  // in no file
+}
+
 }  // namespace app

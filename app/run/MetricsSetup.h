@@ -43,4 +43,8 @@ struct MetricsOptions {
 base::Diagnostics applyMetricsOptions(const MetricsOptions& options, MetricsSetup& setup,
                                       base::Diagnostics& wrongOptions);
 
+/// Removes from the selection what is not written: series per sample without files, results per
+/// behaviour type unless they are shown.
+void skipUnwrittenMetrics(bool hasFiles, bool showsBehaviors, metrics::Selection& selection);
+
 }  // namespace app

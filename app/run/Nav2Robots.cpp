@@ -9,8 +9,8 @@
 #include "app/run/DataPaths.h"
 #include "app/run/PlannerFiles.h"
 #include "bt/robot/Nav2Files.h"
-#include "bt/robot/Nav2Report.h"
 #include "bt/robot/Nav2Servers.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/costmap/Footprint.h"
@@ -34,6 +34,33 @@ bt::Nav2Loaded loadedFor(const sim2d::Robot& robot, const std::string& scenarioP
   return bt::loadNav2(choice, plannerFolderOf(scenarioPath), robot.name, shippedNav2Folders());
 }
 
+/// Calls `visit` with each listed robot of planner nav2 and its files.
+template <class Visit>
+void forEachNav2(const sim2d::Scenario& scenario, const std::string& scenarioPath, Visit visit) {
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    if (isNav2(robot)) {
+      visit(robot, loadedFor(robot, scenarioPath));
+    }
+  });
+}
+
+/// The scenario with its listed robots of planner nav2 as `change` returns them; nullopt:
+/// unchanged.
+template <class Change>
+std::shared_ptr<const sim2d::Scenario> withChangedRobots(
+    const std::shared_ptr<const sim2d::Scenario>& scenario, Change change) {
+  std::shared_ptr<sim2d::Scenario> changed;
+  for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
+    const sim2d::Robot& robot = scenario->robots[i];
+    std::optional<sim2d::Robot> next = robot.listed && isNav2(robot) ? change(robot) : std::nullopt;
+    if (next) {
+      changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
+      changed->robots[i] = *std::move(next);
+    }
+  }
+  return changed != nullptr ? changed : scenario;
+}
+
 }  // namespace
 
 bt::Nav2Folders shippedNav2Folders() {
@@ -54,21 +81,20 @@ base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario,
 std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
     const std::shared_ptr<const sim2d::Scenario>& scenario, const std::string& scenarioPath,
     base::Diagnostics& unread) {
-  std::shared_ptr<sim2d::Scenario> changed;
-  for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
-    const sim2d::Robot& robot = scenario->robots[i];
-    if (!robot.listed || !isNav2(robot) || robot.goalRadius) {
-      continue;
+  return withChangedRobots(scenario, [&](const sim2d::Robot& robot) {
+    std::optional<sim2d::Robot> changed;
+    if (robot.goalRadius) {
+      return changed;
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
     if (loaded.ok()) {
-      changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
-      changed->robots[i].goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
+      changed = robot;
+      changed->goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
     } else {
       base::append(unread, loaded.problems);
     }
-  }
-  return changed != nullptr ? changed : scenario;
+    return changed;
+  });
 }
 
 namespace {
@@ -88,11 +114,7 @@ base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
     return std::find(inputs.begin(), inputs.end(), file) != inputs.end();
   };
   base::Diagnostics unlisted;
-  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
-    if (!isNav2(robot)) {
-      return;
-    }
-    const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
+  forEachNav2(scenario, scenarioPath, [&](const sim2d::Robot& robot, const bt::Nav2Loaded& loaded) {
     const std::string& tree = treeOf(robot, loaded);
     const bool areListed =
         std::all_of(loaded.paramsFiles.begin(), loaded.paramsFiles.end(), isListed);
@@ -106,11 +128,7 @@ base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
 std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
                                      const std::string& scenarioPath) {
   std::vector<std::string> files;
-  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
-    if (!isNav2(robot)) {
-      return;
-    }
-    const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
+  forEachNav2(scenario, scenarioPath, [&](const sim2d::Robot& robot, const bt::Nav2Loaded& loaded) {
     files.insert(files.end(), loaded.paramsFiles.begin(), loaded.paramsFiles.end());
     if (const std::string& tree = treeOf(robot, loaded); !tree.empty()) {
       files.push_back(tree);
@@ -256,13 +274,10 @@ Nav2ParameterList nav2ParameterListOf(const sim2d::Robot& robot, const std::stri
 sim2d::Robot withNav2Value(sim2d::Robot robot, const Nav2Parameter& parameter,
                            std::optional<std::string> yaml) {
   sim2d::ParameterTexts& values = robot.nav2Values;
-  const auto found = std::find_if(values.begin(), values.end(),
-                                  [&](const auto& each) { return names(each.first, parameter); });
+  const auto isIt = [&](const auto& each) { return names(each.first, parameter); };
   if (!yaml) {
-    values.erase(std::remove_if(values.begin(), values.end(),
-                                [&](const auto& each) { return names(each.first, parameter); }),
-                 values.end());
-  } else if (found != values.end()) {
+    values.erase(std::remove_if(values.begin(), values.end(), isIt), values.end());
+  } else if (auto* const found = base::findIf(values, isIt)) {
     found->second = *std::move(yaml);
   } else {
     values.emplace_back(parameter.path, *std::move(yaml));
@@ -294,12 +309,8 @@ namespace {
 constexpr const char* kNoBody = "nav2.no-body";
 
 bool isGiven(const sim2d::nav2::Nav2Parameters& parameters, const std::string& path) {
-  for (const sim2d::nav2::EffectiveKey& key : parameters.notes.known) {
-    if (key.path == path) {
-      return key.isGiven;
-    }
-  }
-  return false;
+  const auto* const key = base::findBy(parameters.notes.known, &EffectiveKey::path, path);
+  return key != nullptr && key->isGiven;
 }
 
 void takeFootprint(const sim2d::nav2::Polygon& corners, sim2d::Robot& robot) {
@@ -339,27 +350,34 @@ base::Result<sim2d::Robot> withNav2Body(sim2d::Robot robot, const std::string& s
 std::shared_ptr<const sim2d::Scenario> withNav2Bodies(
     const std::shared_ptr<const sim2d::Scenario>& scenario, const std::string& scenarioPath,
     base::Diagnostics& problems) {
-  std::shared_ptr<sim2d::Scenario> changed;
-  for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
-    const sim2d::Robot& robot = scenario->robots[i];
-    if (!robot.listed || robot.planner != sim2d::kNav2Planner || !robot.nav2Body.value_or(false)) {
-      continue;
+  return withChangedRobots(scenario, [&](const sim2d::Robot& robot) {
+    std::optional<sim2d::Robot> changed;
+    if (!robot.nav2Body.value_or(false)) {
+      return changed;
     }
     base::Result<sim2d::Robot> shaped = withNav2Body(robot, scenarioPath);
-    if (shaped) {
-      changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
-      changed->robots[i] = *std::move(shaped);
-      continue;
-    }
-    for (base::Diagnostic problem : shaped.diagnostics()) {
+    for (base::Diagnostic problem : shaped ? base::Diagnostics() : shaped.diagnostics()) {
       if (problem.code == kNoBody) {
         problem.severity = base::Severity::Warning;
         problem.entity = robot.key;
         problems.push_back(std::move(problem));
       }
     }
-  }
-  return changed != nullptr ? changed : scenario;
+    if (shaped) {
+      changed = *std::move(shaped);
+    }
+    return changed;
+  });
+}
+
+sim2d::Registries builtinRegistries() {
+  sim2d::Registries all = sim2d::builtinRegistries();
+  bt::addNav2(all.planners, shippedNav2Folders());
+  return all;
+}
+
+std::shared_ptr<const sim2d::Registries> sharedRegistries() {
+  return std::make_shared<const sim2d::Registries>(builtinRegistries());
 }
 
 }  // namespace app

@@ -9,8 +9,10 @@
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/nav2/Nav2ParameterBlock.h"
 #include "sim2d/scenario/Scenario.h"
+#include "sim2d/world/Registries.h"
 
 /// Nav2 files of a scenario's robots: parameter files, trees, and values that depend on them.
+
 namespace app {
 
 /// The shipped parameter files and trees.
@@ -84,5 +86,9 @@ base::Result<sim2d::Robot> withNav2Body(sim2d::Robot robot, const std::string& s
 std::shared_ptr<const sim2d::Scenario> withNav2Bodies(
     const std::shared_ptr<const sim2d::Scenario>& scenario, const std::string& scenarioPath,
     base::Diagnostics& problems);
+
+/// All registries of the program, with the planner `nav2`, which is in a layer above the world.
+sim2d::Registries builtinRegistries();
+std::shared_ptr<const sim2d::Registries> sharedRegistries();
 
 }  // namespace app

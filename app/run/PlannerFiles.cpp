@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/nav/external/CodePermission.h"
+#include "sim2d/nav/Planner.h"
 #include "sim2d/nav/external/CommandLine.h"
 #include "sim2d/nav/external/ExternalProcess.h"
 #include "sim2d/scenario/ResolvedValues.h"

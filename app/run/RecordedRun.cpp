@@ -6,9 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/run/FolderLock.h"
 #include "app/run/ManifestFiles.h"
+#include "app/run/OutputFolder.h"
 #include "app/run/RunFolder.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ResolvedValues.h"
 
@@ -88,10 +89,7 @@ class RecordedScenarioBuilder {
   }
 
   void addHuman(const sim2d::TraceHuman& recorded) {
-    const auto there =
-        std::find_if(scenario_.humans.begin(), scenario_.humans.end(),
-                     [&](const sim2d::Human& human) { return human.id == recorded.id; });
-    if (there != scenario_.humans.end()) {
+    if (auto* const there = base::findBy(scenario_.humans, &sim2d::Human::id, recorded.id)) {
       if (sim2d::resolveHuman(scenario_, *there, header_.seed).radius != recorded.radius) {
         there->radius = recorded.radius;
       }
@@ -201,10 +199,6 @@ class RecordedScenarioBuilder {
   bool isFromRecording_;
   int key_;
 };
-
-}  // namespace
-
-namespace {
 
 /// The staging folder that a killed run has left; empty if there is none.
 std::string stagingOfKilledRun(const std::string& folder) {

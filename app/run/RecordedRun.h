@@ -6,7 +6,6 @@
 
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/trace/Recording.h"
-#include "sim2d/trace/TruncatedRecording.h"
 
 namespace app {
 

@@ -1,5 +1,3 @@
-#include "app/run/ResultFiles.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -9,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/ResultStore.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
@@ -58,9 +57,8 @@ std::string rowLine(const StoredRun& stored, const std::vector<std::string>& col
   add(row.reason);
   add(row.simulated);
   for (const std::string& column : columns) {
-    const auto found = std::find_if(row.fields.begin(), row.fields.end(),
-                                    [&column](const auto& field) { return field.first == column; });
-    add(found == row.fields.end() ? std::string() : found->second);
+    const auto* const found = fieldOf(row, column);
+    add(found == nullptr ? std::string() : *found);
   }
   return line + '\n';
 }
@@ -125,8 +123,7 @@ base::Result<Json> drawnJson(const ResultStore& store) {
       values[study.paths[place]] = stored.values[place];
     }
   });
-  return unreadable.empty() ? base::Result<Json>(std::move(drawn))
-                            : base::Result<Json>(std::move(unreadable));
+  return base::resultOf(std::move(drawn), std::move(unreadable));
 }
 
 /// The JSON value of a CSV field.

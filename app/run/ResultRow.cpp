@@ -1,10 +1,9 @@
 #include "app/run/ResultRow.h"
 
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 #include "metrics/Report.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
@@ -98,15 +97,19 @@ const std::vector<EndColumn>& endColumns() {
   return kColumns;
 }
 
+const std::string* fieldOf(const ResultRow& row, const std::string& column) {
+  const auto* const field =
+      base::findBy(row.fields, &std::pair<std::string, std::string>::first, column);
+  return field != nullptr ? &field->second : nullptr;
+}
+
 bool isUnsuccessful(const ResultRow& row) {
   if (!row.ok) {
     return true;
   }
   for (const char* key : kSuccessKeys) {
-    const auto found = std::find_if(row.fields.begin(), row.fields.end(),
-                                    [key](const auto& field) { return field.first == key; });
-    if (found != row.fields.end()) {
-      return found->second == kFalse;
+    if (const std::string* const found = fieldOf(row, key)) {
+      return *found == kFalse;
     }
   }
   return false;
@@ -131,11 +134,9 @@ ResultRow rowOf(const FinishedRun& run) {
 
 ResultRow rowOf(const base::Diagnostics& problems) {
   ResultRow row;
-  const auto first =
-      std::find_if(problems.begin(), problems.end(), [](const base::Diagnostic& diagnostic) {
-        return diagnostic.severity == base::Severity::Error;
-      });
-  row.reason = first != problems.end() ? first->message : "the run could not start";
+  const auto* const first =
+      base::findBy(problems, &base::Diagnostic::severity, base::Severity::Error);
+  row.reason = first != nullptr ? first->message : "the run could not start";
   return row;
 }
 

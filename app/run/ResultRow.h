@@ -45,6 +45,9 @@ struct ResultRow {
   std::vector<InputHash> inputs;  // of the run; a file that changed meanwhile occurs twice
 };
 
+/// The field of a column; null: the row has none.
+const std::string* fieldOf(const ResultRow& row, const std::string& column);
+
 /// Metrics for success; the first one that exists applies.
 constexpr const char* kSuccessKeys[] = {"success", "completed"};
 /// Whether the run failed or its first robot did not succeed; reports list it as a failure.

@@ -18,8 +18,11 @@ namespace app {
 
 /// A prepared SQL statement (RAII).
 struct SqlStatement {
-  SqlStatement(sqlite3* database, const char* sql) {
+  /// `values`: of the placeholders.
+  template <class... Values>
+  SqlStatement(sqlite3* database, const char* sql, const Values&... values) {
     sqlite3_prepare_v2(database, sql, -1, &prepared, nullptr);
+    bindAll(values...);
   }
   ~SqlStatement() { sqlite3_finalize(prepared); }
   SqlStatement(const SqlStatement&) = delete;
@@ -28,6 +31,11 @@ struct SqlStatement {
   SqlStatement& operator=(SqlStatement&&) = delete;
 
   bool step() const { return sqlite3_step(prepared) == SQLITE_ROW; }
+  template <class... Values>
+  void bindAll(const Values&... values) const {
+    [[maybe_unused]] int place = 0;
+    (bind(++place, values), ...);
+  }
   void bind(int place, const std::string& text) const {
     sqlite3_bind_text(prepared, place, text.data(), static_cast<int>(text.size()),
                       SQLITE_TRANSIENT);  // NOLINT: a macro of the library
@@ -87,6 +95,14 @@ std::size_t countOf(const std::string& text) {
   return static_cast<std::size_t>(std::max(0LL, base::parseInt(text).value_or(0)));
 }
 
+/// False: it is not stored.
+bool insertInput(sqlite3* database, std::size_t position, const InputHash& input) {
+  const SqlStatement statement(database, "INSERT INTO inputs VALUES(?,?,?)",
+                               static_cast<long long>(position), input.path, input.sha256);
+  statement.step();
+  return sqlite3_errcode(database) == SQLITE_DONE;
+}
+
 }  // namespace
 
 ResultStore::ResultStore(std::string path) : path_(std::move(path)) {}
@@ -98,6 +114,11 @@ ResultStore::~ResultStore() {
 
 base::Diagnostics ResultStore::sqliteError(const char* code) const {
   return {base::error(code, {sqlite3_errmsg(database_)}, path_)};
+}
+
+base::Diagnostics ResultStore::endOfRows() const {
+  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics()
+                                                   : sqliteError("batch.damaged");
 }
 
 bool ResultStore::run(const char* sql) const {
@@ -156,17 +177,11 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
       {"code", study.allowsCode ? "allowed" : ""},
       {"time_limit", base::formatDouble(study.timeLimit)}};
   for (const auto& [key, value] : entries) {
-    const SqlStatement statement(database_, "INSERT INTO experiment VALUES(?,?)");
-    statement.bind(1, std::string(key));
-    statement.bind(2, value);
-    statement.step();
+    const std::string name = key;
+    SqlStatement(database_, "INSERT INTO experiment VALUES(?,?)", name, value).step();
   }
   for (std::size_t k = 0; k < study.inputs.size(); ++k) {
-    const SqlStatement statement(database_, "INSERT INTO inputs VALUES(?,?,?)");
-    statement.bind(1, static_cast<long long>(k));
-    statement.bind(2, study.inputs[k].path);
-    statement.bind(3, study.inputs[k].sha256);
-    statement.step();
+    insertInput(database_, k, study.inputs[k]);
   }
   return run("COMMIT") ? base::Diagnostics() : sqliteError("batch.cannot-store");
 }
@@ -286,8 +301,7 @@ base::Diagnostics ResultStore::readRuns() {
       noteFailure(static_cast<std::size_t>(index), statement.text(2));
     }
   }
-  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics()
-                                                   : sqliteError("batch.damaged");
+  return endOfRows();
 }
 
 void ResultStore::noteFailure(std::size_t run, const std::string& reason) {
@@ -308,8 +322,7 @@ base::Diagnostics ResultStore::readMachineFailures() {
   while (statement.step()) {
     machineFailures_.insert(static_cast<std::size_t>(statement.number(0)));
   }
-  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics()
-                                                   : sqliteError("batch.damaged");
+  return endOfRows();
 }
 
 base::Diagnostics ResultStore::removeFailed(bool all) {
@@ -348,12 +361,7 @@ base::Diagnostics ResultStore::addInputs(const std::vector<InputHash>& inputs) {
     if (known != hashes_.end() || input.sha256.empty() || !problems.empty()) {
       continue;  // the run itself reports missing files
     }
-    const SqlStatement statement(database_, "INSERT INTO inputs VALUES(?,?,?)");
-    statement.bind(1, static_cast<long long>(study_.inputs.size()));
-    statement.bind(2, input.path);
-    statement.bind(3, input.sha256);
-    statement.step();
-    if (sqlite3_errcode(database_) != SQLITE_DONE) {
+    if (!insertInput(database_, study_.inputs.size(), input)) {
       return sqliteError("batch.cannot-store");
     }
     hashes_[input.path] = input.sha256;
@@ -375,14 +383,9 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
     return others;
   }
   const SqlStatement& to = *insertion_;
-  to.bind(1, static_cast<long long>(run.run));
-  to.bind(2, run.scenario);
-  to.bind(3, run.seed);
-  to.bind(4, textsJson(run.values));
-  to.bind(5, std::string(run.row.ok ? "ok" : "failed"));
-  to.bind(6, run.row.reason);
-  to.bind(7, run.row.simulated);
-  to.bind(8, fieldsText(run.row));
+  to.bindAll(static_cast<long long>(run.run), run.scenario, run.seed, textsJson(run.values),
+             std::string(run.row.ok ? "ok" : "failed"), run.row.reason, run.row.simulated,
+             fieldsText(run.row));
   // The insertion commits itself, unless the run is also marked as ended by the machine.
   const bool isMarked = !run.row.ok && run.row.failedBy == FailedBy::Machine;
   const std::string mark = "BEGIN IMMEDIATE;" + std::string(kMachineTable) +
@@ -432,8 +435,7 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
     }
     visit(stored);
   }
-  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics()
-                                                   : sqliteError("batch.damaged");
+  return endOfRows();
 }
 
 base::Diagnostics ResultStore::close() {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/run/Nav2Robots.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Ranges.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"
@@ -176,10 +177,8 @@ base::Result<sim2d::StepInputs> inputsOfMoves(const std::vector<std::string>& mo
       problems.push_back(base::error("again.no-move", {text}, file));
       continue;
     }
-    const auto person =
-        std::find_if(header.humans.begin(), header.humans.end(),
-                     [&](const sim2d::TraceHuman& human) { return human.name == move->name; });
-    if (person == header.humans.end()) {
+    const auto* const person = base::findBy(header.humans, &sim2d::TraceHuman::name, move->name);
+    if (person == nullptr) {
       problems.push_back(base::error("again.move-of-nobody", {move->name}, file));
       continue;
     }
@@ -188,8 +187,7 @@ base::Result<sim2d::StepInputs> inputsOfMoves(const std::vector<std::string>& mo
     input.id = person->id;
     input.pose = move->pose;
   }
-  return problems.empty() ? base::Result<sim2d::StepInputs>(std::move(inputs))
-                          : base::Result<sim2d::StepInputs>(std::move(problems));
+  return base::resultOf(std::move(inputs), std::move(problems));
 }
 
 std::string changesText(const RunSpec& changes) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "sim2d/base/Find.h"
+
 namespace app {
 
 namespace {
@@ -43,16 +45,9 @@ metrics::Selection cumulative(metrics::Selection selection) {
 RecordingMeasurer::RecordingMeasurer(const sim2d::TraceHeader& header, metrics::Selection selection,
                                      const metrics::MetricParameters& parameters,
                                      std::function<double(double time)> gap)
-    : evaluation_(header, cumulative(std::move(selection)), parameters), gap_(std::move(gap)) {
-  addAgents(header.humans);
-}
-
-void RecordingMeasurer::addAgents(const std::vector<sim2d::TraceHuman>& humans) {
-  evaluation_.addHumans(humans);
-  for (const sim2d::TraceHuman& human : humans) {
-    known_.insert(human.id);
-  }
-}
+    : evaluation_(header, cumulative(std::move(selection)), parameters),
+      gap_(std::move(gap)),
+      known_(header) {}
 
 void RecordingMeasurer::addValues(double time) {
   for (const metrics::MetricResult& result : evaluation_.values()) {
@@ -68,9 +63,8 @@ bool RecordingMeasurer::takeNext(const sim2d::Recording& recording) {
   if (frame == nullptr) {
     return false;
   }
-  const std::vector<int>& ids = frame->humans.id;
-  if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
-    addAgents(recording.header()->humans);  // a source spawned an agent
+  if (known_.addNew(*frame)) {  // a source spawned an agent
+    evaluation_.addHumans(recording.header()->humans);
   }
   const std::size_t happened = recording.events().size();
   for (; events_ < happened && recording.events()[events_].first <= frame->step; ++events_) {
@@ -135,12 +129,11 @@ std::vector<ComparedMetric> compareRecordingMetrics(const std::vector<RecordingM
   std::vector<ComparedMetric> rows;
   for (std::size_t run = 0; run < runs.size(); ++run) {
     for (const metrics::MetricResult& result : runs[run].results) {
-      auto row = std::find_if(rows.begin(), rows.end(), [&](const ComparedMetric& each) {
-        return each.info.key == result.info.key;
-      });
-      if (row == rows.end()) {
-        rows.push_back({result.info, std::vector<std::optional<double>>(runs.size())});
-        row = rows.end() - 1;
+      ComparedMetric* row = base::findIf(
+          rows, [&](const ComparedMetric& each) { return each.info.key == result.info.key; });
+      if (row == nullptr) {
+        row = &rows.emplace_back();
+        *row = {result.info, std::vector<std::optional<double>>(runs.size())};
       }
       row->values[run] = result.value.value;
     }

@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "metrics/IncrementalEvaluation.h"
 #include "sim2d/base/StopFlag.h"
 #include "sim2d/trace/Recording.h"
+#include "sim2d/trace/Trace.h"
 
 namespace app {
 
@@ -39,12 +39,11 @@ class RecordingMeasurer {
       const std::vector<metrics::MetricResult>& results) const;
 
  private:
-  void addAgents(const std::vector<sim2d::TraceHuman>& humans);
   void addValues(double time);
 
   metrics::FrameEvaluation evaluation_;
   std::function<double(double)> gap_;
-  std::set<int> known_;        // agents that were passed to the metrics
+  sim2d::KnownPeople known_;   // to the metrics
   std::size_t events_ = 0;     // that were passed to the metrics
   std::vector<double> times_;  // of all states [s]
   std::map<std::string, MetricTimeSeries> soFar_;

@@ -13,10 +13,11 @@
 #include "app/run/PlannerFiles.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/Report.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"
-#include "sim2d/trace/Scans.h"
+#include "sim2d/trace/Trace.h"
 
 namespace app {
 
@@ -116,17 +117,16 @@ Json goalEndJson(const sim2d::GoalResult& end) {
 
 /// Adds the result of a robot; for planners that end goals themselves, also their report per goal.
 void addRobotResult(const sim2d::RunResult& run, int robot, Json& to) {
-  for (const sim2d::RobotResult& result : run.robots) {
-    if (result.id != robot) {
-      continue;
-    }
-    to["result"] = result.result ? Json(sim2d::navigationOutcomeName(*result.result)) : Json();
-    to["time"] = result.result ? Json(result.time) : Json();
-    if (result.decidesGoalEnd) {
-      to["navigation"] = Json::array();
-      for (const sim2d::GoalResult& end : result.goalResults) {
-        to["navigation"].push_back(goalEndJson(end));
-      }
+  const sim2d::RobotResult* const result = base::findBy(run.robots, &sim2d::RobotResult::id, robot);
+  if (result == nullptr) {
+    return;
+  }
+  to["result"] = result->result ? Json(sim2d::navigationOutcomeName(*result->result)) : Json();
+  to["time"] = result->result ? Json(result->time) : Json();
+  if (result->decidesGoalEnd) {
+    to["navigation"] = Json::array();
+    for (const sim2d::GoalResult& end : result->goalResults) {
+      to["navigation"].push_back(goalEndJson(end));
     }
   }
 }
@@ -190,7 +190,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
 
 /// `metrics_robot2.csv`, `steps_robot2.csv`.
 bool isFileOfOtherRobot(const std::string& name) {
-  const bool isTable = name.rfind("metrics_", 0) == 0 || name.rfind("steps_", 0) == 0;
+  const bool isTable = base::startsWith(name, "metrics_") || base::startsWith(name, "steps_");
   return isTable && fs::path(name).extension() == ".csv";
 }
 
@@ -290,8 +290,11 @@ base::Diagnostics removeRunFolder(const std::string& runFolder) {
   return {};
 }
 
-void RunWriter::begin(File file, std::string_view head) {
-  files_[file].emplace(pathIn(folder_, kRunFiles[file])).append(head);
+void RunWriter::begin(File file) {
+  const std::string heads[] = {
+      sim2d::headerLine(sim2d::kTrajectoryColumns), sim2d::headerLine(sim2d::kEventColumns),
+      sim2d::headerLine(sim2d::kTreeColumns), sim2d::inputsHeader(), sim2d::scansHeader()};
+  files_[file].emplace(pathIn(folder_, kRunFiles[file])).append(heads[file]);
 }
 
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
@@ -305,47 +308,36 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
       known_(header) {
   recordEvery_ = header.recordEvery;
   if (!folder_.empty()) {
-    begin(Trajectory, sim2d::headerLine(sim2d::kTrajectoryColumns));
-    begin(Events, sim2d::headerLine(sim2d::kEventColumns));
-    begin(Trees, sim2d::headerLine(sim2d::kTreeColumns));
+    for (const File file : {Trajectory, Events, Trees}) {
+      begin(file);
+    }
     // Allows a killed run to be displayed; finish() reports write errors.
     base::writeFileAtomically(pathIn(folder_, "trace.json"), sim2d::traceJson(header));
   }
 }
 
 void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
-  std::string rows;
+  std::array<std::string, kFileCount> rows;
   if (isRecorded) {
-    sim2d::appendTrajectoryRows(rows, frame);
-    files_[Trajectory]->append(rows);
+    sim2d::appendTrajectoryRows(rows[Trajectory], frame);
   }
-  rows.clear();
   for (const sim2d::Event& event : frame.events) {
-    sim2d::appendEventRow(rows, frame.step, dt_, event);
+    sim2d::appendEventRow(rows[Events], frame.step, dt_, event);
   }
-  files_[Events]->append(rows);
-  rows.clear();
-  sim2d::appendTreeRows(rows, frame.step, frame.treeChanges);
-  files_[Trees]->append(rows);
-  if (!frame.inputs.empty() && !files_[Inputs]) {
-    begin(Inputs, sim2d::inputsHeader());
-  }
+  sim2d::appendTreeRows(rows[Trees], frame.step, frame.treeChanges);
   for (const sim2d::Input& input : frame.inputs) {
-    rows.clear();
-    sim2d::appendInputRow(rows, frame.step, input);
-    files_[Inputs]->append(rows);
+    sim2d::appendInputRow(rows[Inputs], frame.step, input);
   }
-  writeScans(frame.scans);
-}
-
-void RunWriter::writeScans(const std::vector<sim2d::RecordedScan>& scans) {
-  if (!scans.empty() && !files_[Scans]) {
-    begin(Scans, sim2d::scansHeader());
+  for (const sim2d::RecordedScan& scan : frame.scans) {
+    sim2d::appendScanRow(rows[Scans], scan);
   }
-  for (const sim2d::RecordedScan& scan : scans) {
-    std::string row;
-    sim2d::appendScanRow(row, scan);
-    files_[Scans]->append(row);
+  for (const File file : {Trajectory, Events, Trees, Inputs, Scans}) {
+    if (!rows[file].empty() && !files_[file]) {
+      begin(file);
+    }
+    if (!rows[file].empty()) {
+      files_[file]->append(rows[file]);
+    }
   }
 }
 
@@ -484,7 +476,7 @@ base::Result<sim2d::Trace> readRun(const std::string& runFolder) {
   }
   base::Result<sim2d::Trace> trace = sim2d::readTrace(runFolder);
   problems = trace ? checkRunFiles(runFolder) : base::Diagnostics();
-  return problems.empty() ? std::move(trace) : base::Result<sim2d::Trace>(problems);
+  return problems.empty() ? std::move(trace) : problems;
 }
 
 }  // namespace app

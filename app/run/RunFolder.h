@@ -11,7 +11,6 @@
 #include "metrics/IncrementalEvaluation.h"
 #include "metrics/RunResults.h"
 #include "sim2d/base/Files.h"
-#include "sim2d/trace/KnownPeople.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
 
@@ -57,10 +56,9 @@ class RunWriter : public sim2d::FrameSink {
   base::Diagnostics finish();
 
  private:
-  enum File { Trajectory, Events, Trees, Inputs, Scans };
-  void begin(File file, std::string_view head);
+  enum File { Trajectory, Events, Trees, Inputs, Scans, kFileCount };
+  void begin(File file);
   void write(const sim2d::Frame& frame, bool isRecorded);
-  void writeScans(const std::vector<sim2d::RecordedScan>& scans);
   struct Column {
     std::string robot, key;
     metrics::Kind kind = metrics::Kind::Number;
@@ -72,7 +70,7 @@ class RunWriter : public sim2d::FrameSink {
   int recordEvery_ = 1;
   const std::string folder_;
   // inputs and scans after the first one
-  std::array<std::optional<base::AtomicFileWriter>, 5> files_;
+  std::array<std::optional<base::AtomicFileWriter>, kFileCount> files_;
   metrics::FrameEvaluation evaluation_;
   AdditionalRunWriter* additionalWriter_ = nullptr;
   sim2d::KnownPeople known_;  // to the metrics

@@ -8,9 +8,14 @@
 #include "app/run/MetricsSetup.h"
 #include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/Result.h"
-#include "sim2d/nav/external/CodePermission.h"
+#include "sim2d/nav/Planner.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/world/Compatibility.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
+class App;
+class Validator;
+}  // namespace CLI
 
 namespace app {
 
@@ -175,7 +180,24 @@ base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunSpec& spec,
                                const sim2d::Compatibility& compatibility);
 
 /// The command line of the run, without the program: `run`, the scenario and what is not at its
-/// default.
-std::vector<std::string> commandLineOf(const RunSpec& spec);
+/// default; of the options those with one of these uses (0: all).
+std::vector<std::string> commandLineOf(const RunSpec& spec, unsigned use = RunOption::Always);
+
+/// For CLI::Option::check(): one of these words; else the nearest one is suggested.
+CLI::Validator oneOf(const std::vector<std::string>& names);
+
+/// Adds one option of a run, by its name.
+void addRunOption(CLI::App& command, const char* name, RunSpec& spec);
+/// Adds all options that the command `run` and the window have in common.
+void addRunOptions(CLI::App& command, RunSpec& spec);
+/// Adds the scenario and all options of the command `run` that determine the run.
+void addRunArguments(CLI::App& command, RunSpec& spec);
+
+/// The run that a command line describes, as a manifest keeps it, without the program's name.
+/// Options that only write, show or pace the run are skipped. Error: it describes none.
+base::Result<RunSpec> runSpecOfCommandLine(const std::vector<std::string>& words);
+/// Names of the options that are skipped, with dashes: flags, and those with a value.
+const std::vector<std::string>& skippedFlags();
+const std::vector<std::string>& skippedOptions();
 
 }  // namespace app

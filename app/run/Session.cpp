@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 #include <vector>
 
+#include "app/run/MetricsSetup.h"
+#include "app/run/Nav2Robots.h"
+#include "app/run/RunFolder.h"
 #include "sim2d/base/StopFlag.h"
+#include "sim2d/trace/Trace.h"
+#include "sim2d/world/Registries.h"
 
 namespace app {
 
@@ -28,7 +32,7 @@ constexpr std::size_t kMaxRejected = 1000;  // maximum number of rejected inputs
 class Session::FrameDistributor : public sim2d::FrameSink {
  public:
   FrameDistributor(Session& session, const sim2d::World& world, sim2d::FrameSink* sink)
-      : session_(session), world_(world), sink_(sink) {
+      : session_(session), world_(world), sink_(sink), known_(world.header()) {
     if (session_.history_) {
       session_.history_->setHeader(world.header());
       const std::lock_guard<std::mutex> lock(session_.mutex_);
@@ -42,7 +46,9 @@ class Session::FrameDistributor : public sim2d::FrameSink {
     }
     if (frame.humans.id != present_) {
       present_ = frame.humans.id;
-      addNewAgents();
+      if (known_.addNew(frame)) {  // spawned by a source
+        session_.history_->setHeader(world_.header());
+      }
     }
     session_.history_->append(frame);
     newest_ = frame.step;
@@ -63,24 +69,11 @@ class Session::FrameDistributor : public sim2d::FrameSink {
   }
 
  private:
-  /// Adds agents that were spawned by sources to the header.
-  void addNewAgents() {
-    const auto isKnown = [this](int id) { return known_.count(id) > 0; };
-    if (std::all_of(present_.begin(), present_.end(), isKnown)) {
-      return;
-    }
-    sim2d::TraceHeader header = world_.header();
-    for (const sim2d::TraceHuman& human : header.humans) {
-      known_.insert(human.id);
-    }
-    session_.history_->setHeader(std::move(header));
-  }
-
   Session& session_;
   const sim2d::World& world_;
   sim2d::FrameSink* const sink_;
   std::vector<int> present_;
-  std::set<int> known_;  // agents in the header
+  sim2d::KnownPeople known_;  // in the header
   std::int64_t newest_ = -1;
 };
 
@@ -331,6 +324,80 @@ void Session::updateMeasuredSpeed(double time) {
     measureStart_ = Clock::now();
     measuredFrom_ = time;
   }
+}
+
+ManualDrive::ManualDrive(int robot, const sim2d::RobotBody& body) : robot_(robot) {
+  sim2d::PlannerSetup setup;
+  setup.body = body;
+  setup.parameters = {{"timeout", 0.0}};  // no timeout: releaseControl() ends the control
+  const sim2d::Registries registries = builtinRegistries();
+  if (const auto* const teleop = registries.planners.find("teleop")) {
+    if (const auto made = teleop->make(setup)) {
+      planner_ = std::dynamic_pointer_cast<sim2d::TeleopPlanner>(*made);
+    }
+  }
+}
+
+void ManualDrive::drive(const sim2d::BodyTwist& twist) {
+  planner_->input()->drive(twist);
+  isActive_ = true;
+}
+
+void ManualDrive::driveTo(const base::Vec2& point) {
+  planner_->input()->driveTo(point);
+  isActive_ = true;
+}
+
+void ManualDrive::releaseControl() {
+  isActive_ = false;
+}
+
+sim2d::StepInputs ManualDrive::inputs(const sim2d::Frame& frame) {
+  const sim2d::RobotColumns& robots = frame.robots;
+  const auto found = std::find(robots.id.begin(), robots.id.end(), robot_);
+  if (!isActive_ || found == robots.id.end()) {
+    return {};
+  }
+  const auto i = static_cast<std::size_t>(found - robots.id.begin());
+  sim2d::Observation seen;
+  seen.pose = {{robots.x[i], robots.y[i]}, robots.heading[i]};
+  seen.time = frame.time;
+  const base::Result<sim2d::BodyTwist> command = planner_->command(seen);
+  sim2d::Input input;
+  input.kind = sim2d::InputKind::Robot;
+  input.id = robot_;
+  input.velocity = {command ? command->linear : 0.0, 0.0};
+  input.omega = command ? command->angular : 0.0;
+  return {input};
+}
+
+FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& setup,
+                     RunWriter& writer, const std::function<bool(const sim2d::Frame&)>& wantsStop,
+                     PlanningClock clock) {
+  sim2d::StepTimes times;
+  metrics::PlanningTime planning;
+  double planned = 0.0;  // [s] up to the previous step
+  if (clock == PlanningClock::On && !world.frame().robots.id.empty()) {
+    world.measure(&times);
+  }
+  sim2d::RunResult result = session.run(world, &writer, [&](const sim2d::Frame& frame) {
+    const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
+    if (times.steps > planning.steps()) {
+      planning.add(now - planned);
+      planned = now;
+    }
+    if (wantsStop(frame) || writer.hasFailed()) {
+      session.stop();
+    }
+  });
+  world.measure(nullptr);
+  sim2d::TraceHeader header = world.header();
+  storeMetricsSelection(setup, header);
+  if (writer.additionalWriter() != nullptr) {
+    writer.additionalWriter()->conclude(header);
+  }
+  return {std::move(header),     std::move(result), planning, writer.evaluation(), {}, false, {},
+          world.plannerReports()};
 }
 
 }  // namespace app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -12,11 +13,17 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/nav/Teleop.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/Runner.h"
 
 namespace app {
+
+class RunWriter;
+struct FinishedRun;
+struct MetricsSetup;
 
 using WorldFactory = std::function<base::Result<std::unique_ptr<sim2d::World>>()>;
 using RecordingPtr = std::shared_ptr<const sim2d::Recording>;
@@ -152,5 +159,37 @@ class Session {
   Clock::time_point measureStart_;
   double measuredFrom_ = 0.0;
 };
+
+/// Manual control of a robot in a running world. Commands become an input of each step, which
+/// overrides the planner and is recorded. The limits of the robot apply. Commands: any thread;
+/// `inputs`: the run thread.
+class ManualDrive {
+ public:
+  /// `robot`: id as in frames (-1, -2 …).
+  ManualDrive(int robot, const sim2d::RobotBody& body);
+
+  int robot() const { return robot_; }
+  void drive(const sim2d::BodyTwist& twist);  // until the next command; zero brakes
+  void driveTo(const base::Vec2& point);      // drives there and stops
+  void releaseControl();                      // returns control to the planner
+
+  /// The inputs for the step after this frame; empty after releaseControl() or when the frame does
+  /// not contain the robot.
+  sim2d::StepInputs inputs(const sim2d::Frame& frame);
+
+ private:
+  const int robot_;
+  std::shared_ptr<sim2d::TeleopPlanner> planner_;
+  std::atomic<bool> isActive_{false};
+};
+
+enum class PlanningClock : bool { Off, On };
+
+/// Runs a world to its end, for `run` and `batch`: feeds the writer, measures planning time if
+/// `clock` is On, and computes the metrics. `wantsStop` receives each state; the run also stops
+/// when the writer fails. `setup`: metrics of the scenario, for the header of the recording.
+FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& setup,
+                     RunWriter& writer, const std::function<bool(const sim2d::Frame&)>& wantsStop,
+                     PlanningClock clock = PlanningClock::On);
 
 }  // namespace app

@@ -9,15 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/BatchReport.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/MapImages.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ExperimentRunner.h"
-#include "app/run/Merge.h"
-#include "app/run/ResultFiles.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 

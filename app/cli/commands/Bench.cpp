@@ -66,7 +66,7 @@ void resetPeakMemory() {
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 
-struct Row {
+struct BenchRow {
   BenchScene scene;
   sim2d::StepTimes times;
   double sensing = 0.0;    // a scan of the robot [s]
@@ -130,7 +130,7 @@ double peakMemoryOfOnePerson(BenchScene scene) {
 
 /// Measures some steps; false if the run failed.
 bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
-                  double atLeastSeconds, Row& row) {
+                  double atLeastSeconds, BenchRow& row) {
   constexpr int kMinSteps = 2;
   const int lastStep = crossingSteps(row.scene);
   const sim2d::StepClock clock = row.times.clock;
@@ -155,8 +155,8 @@ bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
 }
 
 /// The fastest of several rounds, because other processes only slow a round down.
-base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
-  Row row;
+base::Result<BenchRow> measure(const BenchScene& scene, double atLeastSeconds) {
+  BenchRow row;
   row.scene = scene;
   row.times.clock = scene.threads == 1 ? sim2d::StepClock::Thread : sim2d::StepClock::Wall;
   const double ofOne = peakMemoryOfOnePerson(scene);
@@ -169,7 +169,7 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   row.perPerson = (memoryOf("VmHWM") - before - ofOne) / (scene.people - 1);
   const sim2d::Surroundings surroundings =
       sim2d::makeSurroundings(makeBenchScenario(scene), sim2d::OccupancyGrid{});
-  Row best = row;
+  BenchRow best = row;
   for (int round = 0; round < kRounds; ++round) {
     if ((*made)->stepIndex() > crossingSteps(scene) / 2) {
       made->reset();  // two worlds at a time would increase the peak memory
@@ -178,7 +178,7 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
     if (!made) {
       return made.diagnostics();
     }
-    Row now = row;
+    BenchRow now = row;
     if (!measureRound(**made, surroundings, atLeastSeconds / kRounds, now)) {
       return base::error("run.failed", {(*made)->failure()});
     }
@@ -188,8 +188,8 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   return best;
 }
 
-/// Three significant digits.
-std::string rounded(double value) {
+/// With three significant digits.
+std::string threeDigits(double value) {
   if (value == 0.0) {
     return "0";
   }
@@ -209,17 +209,18 @@ std::vector<std::string> headline() {
 }
 
 /// Times of phases in ms per step.
-std::vector<std::string> cellsOf(const Row& row) {
+std::vector<std::string> cellsOf(const BenchRow& row) {
   std::vector<std::string> cells = {
       std::to_string(row.scene.people), row.scene.walls ? "200 walls" : "open",
-      rounded(row.realTimeFactor()), rounded(row.whole() / row.scene.people * 1e9)};
+      threeDigits(row.realTimeFactor()), threeDigits(row.whole() / row.scene.people * 1e9)};
   for (const double seconds : row.times.seconds) {
-    cells.push_back(rounded(row.perStep(seconds) * 1e3));
+    cells.push_back(threeDigits(row.perStep(seconds) * 1e3));
   }
-  cells.insert(cells.end(), {rounded(row.sensing * 1e3), rounded(row.recording * 1e3),
-                             rounded(row.plain * 1e3) + (row.isScaled ? "*" : ""),
-                             rounded(row.plain / row.forces()), rounded(row.plain / row.whole()),
-                             rounded(row.perPerson), rounded(row.peak)});
+  cells.insert(cells.end(),
+               {threeDigits(row.sensing * 1e3), threeDigits(row.recording * 1e3),
+                threeDigits(row.plain * 1e3) + (row.isScaled ? "*" : ""),
+                threeDigits(row.plain / row.forces()), threeDigits(row.plain / row.whole()),
+                threeDigits(row.perPerson), threeDigits(row.peak)});
   return cells;
 }
 
@@ -273,7 +274,7 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
                      : plainStepSeconds(makeBenchScenario(scene), atLeast / 4.0);
     for (const bool walls : {false, true}) {
       scene.walls = walls;
-      base::Result<Row> row = measure(scene, atLeast);
+      base::Result<BenchRow> row = measure(scene, atLeast);
       if (!row) {
         printDiagnostics(row.diagnostics());
         return std::nullopt;

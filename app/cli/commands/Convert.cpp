@@ -3,9 +3,8 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/MapImages.h"
+#include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "app/run/DiagnosticDedup.h"
 #include "app/run/Export.h"
 #include "app/run/OutputFolder.h"
 #include "sim2d/base/JsonText.h"

@@ -14,7 +14,6 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/MapImages.h"
 #include "app/run/RunReplay.h"
 #include "app/run/Session.h"
 #include "sim2d/base/JsonText.h"

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -11,9 +12,8 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/ParameterPage.h"
 #include "app/run/DataPaths.h"
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "bt/human/TreeLoader.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
@@ -277,6 +277,73 @@ void printJson(const std::vector<Entry>& entries) {
     all.push_back(std::move(json));
   }
   print(base::jsonText(all) + "\n");
+}
+
+/// A section of a Markdown page: a planner or model with its table of parameters.
+struct PageSection {
+  std::string name;
+  std::string help;  // a sentence or two
+  std::vector<base::ParameterSpec> parameters;
+};
+
+std::string rangeText(const base::Range& range) {
+  const bool hasLow = std::isfinite(range.low);
+  const bool hasHigh = std::isfinite(range.high);
+  if (hasLow && hasHigh) {
+    return (range.excludesLow ? "above " : "") + base::formatDouble(range.low) + " to " +
+           base::formatDouble(range.high);
+  }
+  const std::string low = (range.excludesLow ? "> " : "≥ ") + base::formatDouble(range.low);
+  return hasLow ? low : hasHigh ? "≤ " + base::formatDouble(range.high) : "";
+}
+
+std::string defaultText(const base::ParameterSpec& spec) {
+  const double* const number = std::get_if<double>(&spec.fallback);
+  const std::string* const word = std::get_if<std::string>(&spec.fallback);
+  return number != nullptr ? base::formatDouble(*number) : word != nullptr ? *word : "";
+}
+
+std::string rowText(const base::ParameterSpec& spec) {
+  const std::string range =
+      spec.choices.empty() ? rangeText(spec.range) : base::join(spec.choices, ", ");
+  return "| `" + spec.key + "` | " + spec.unit + " | " + defaultText(spec) + " | " + range + " | " +
+         spec.help + " | " + spec.source + " |\n";
+}
+
+std::string sectionText(const PageSection& section) {
+  std::string text = "\n## " + section.name + "\n\n" + section.help + "\n";
+  if (section.parameters.empty()) {
+    return text;
+  }
+  text +=
+      "\n| parameter | unit | default | values | meaning | source |\n|---|---|---|---|---|---|\n";
+  for (const base::ParameterSpec& spec : section.parameters) {
+    text += rowText(spec);
+  }
+  return text;
+}
+
+/// `key`: the map of a scenario that contains the parameters.
+std::string parameterPage(const std::string& title, const std::string& key,
+                          const std::vector<PageSection>& sections) {
+  std::string text = "# " + title + "\n\nWritten by `hunavsim list " + base::toLower(title) +
+                     " --format markdown`; do not edit by hand. A scenario sets the parameters in "
+                     "the map `" +
+                     key + "`.\n";
+  for (const PageSection& section : sections) {
+    text += sectionText(section);
+  }
+  return text;
+}
+
+template <class Maker>
+std::vector<PageSection> pageSections(const base::Registry<Maker>& registry) {
+  std::vector<PageSection> sections;
+  sections.reserve(registry.entries().size());
+  for (const auto& entry : registry.entries()) {
+    sections.push_back({entry.name, entry.help, entry.parameters});
+  }
+  return sections;
 }
 
 std::string plannersPage() {

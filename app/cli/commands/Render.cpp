@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -19,18 +18,17 @@
 #include "app/cli/PictureFiles.h"
 #include "app/cli/RunPicture.h"
 #include "app/report/PlayerPage.h"
-#include "app/report/TimePlot.h"
+#include "app/report/RunPictures.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/OutputFolder.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunFolder.h"
-#include "editor/look/Images.h"
+#include "editor/look/FigurePainter.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/RecordExport.h"
-#include "sim2d/trace/Scans.h"
 #include "sim2d/trace/Trace.h"
+#include "sim2d/trace/TrackImport.h"
 
 namespace app {
 

@@ -8,15 +8,13 @@
 #include "app/bridge/bag/RunBagWriter.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/LiveView.h"
-#include "app/cli/MapImages.h"
 #include "app/cli/RunObservers.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "app/run/RunReplay.h"
 #include "app/run/Session.h"
-#include "app/run/Simulation.h"
 #include "metrics/Report.h"
 #include "metrics/RunResults.h"
 #include "sim2d/base/Text.h"
@@ -38,35 +36,17 @@ struct RunCommandOptions : RunSpec {
   RunOnRos2Options onRos2;
 };
 
-/// Observers of each state of a run; all but the last may be null.
-struct Watchers {
-  RunReplay* replay = nullptr;
-  RunOnRos2* ros2 = nullptr;
-  live::FoxglovePublisher* live = nullptr;
-  groot::GrootPublisher* groot = nullptr;
-  NoViewerCheck* noViewer = nullptr;
-};
-
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
-                          RunWriter& writer, const Watchers& watchers, const Invocation& given) {
+                          RunWriter& writer, const std::vector<ShowFrame>& show,
+                          const Invocation& given) {
   const double end = static_cast<double>(session.rule().maximumSteps) * world.dt();
   Progress progress(given.quiet);
   return simulate(session, world, setup, writer, [&](const sim2d::Frame& frame) {
     if (progress.isDue()) {
       progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
     }
-    if (watchers.ros2 != nullptr) {
-      watchers.ros2->publishState(frame);
-    }
-    if (watchers.live != nullptr) {
-      watchers.live->show(frame);
-    }
-    if (watchers.groot != nullptr) {
-      watchers.groot->show(frame);
-    }
-    watchers.noViewer->update();
-    if (watchers.replay != nullptr) {
-      watchers.replay->observe(frame, world, session);
+    for (const ShowFrame& each : show) {
+      each(frame);
     }
     return wasInterrupted();
   });
@@ -317,18 +297,16 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
   if (options.counterfactual) {
     session.enableHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
-  const std::unique_ptr<RunOnRos2> ros2 =
-      RunOnRos2::open(options.onRos2, *bundle.scenario, world, session);
-  const std::unique_ptr<live::FoxglovePublisher> live =
-      openLive(options.live, bundle, verdict.metrics, ros2 == nullptr && prepared.replay == nullptr,
-               session, world);
-  const std::unique_ptr<groot::GrootPublisher> groot = openGroot(options.live, bundle, world);
-  NoViewerCheck noViewer(options.live, live.get(), groot.get());
+  RunOutputs outputs = openRunOutputs(options.live, options.onRos2, bundle, verdict.metrics,
+                                      prepared.replay != nullptr, {session, world});
+  if (prepared.replay) {
+    outputs.show.emplace_back(
+        [&](const sim2d::Frame& frame) { prepared.replay->observe(frame, world, session); });
+  }
   FinishedRun run =
-      simulateShown(session, verdict.scenarioMetrics, world, writer,
-                    {prepared.replay.get(), ros2.get(), live.get(), groot.get(), &noViewer}, given);
-  if (live) {
-    live->finish(world.frame(), "the run has ended: " + run.result.reason);
+      simulateShown(session, verdict.scenarioMetrics, world, writer, outputs.show, given);
+  if (outputs.finish) {
+    outputs.finish(world.frame(), run.result.reason);
   }
   run.totalsOnly = options.totals;
   if (prepared.replay) {

@@ -8,8 +8,6 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/MapImages.h"
-#include "app/cli/Ros2Options.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "sim2d/base/JsonText.h"

@@ -9,8 +9,8 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/Nav2Robots.h"
 #include "app/run/OutputFolder.h"
-#include "app/run/ProgramRegistries.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/World.h"
