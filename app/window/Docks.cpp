@@ -1,13 +1,11 @@
 #include "app/window/Docks.h"
 
-#include <algorithm>
 #include <iterator>
-#include <memory>
-#include <utility>
 
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/runs/Playback.h"
+#include "sim2d/base/Find.h"
 
 namespace app {
 
@@ -275,10 +273,8 @@ void Docks::showTreeLarge(bool on) {
 }
 
 QDockWidget* Docks::dock(const QString& name) const {
-  const auto found = std::find_if(docks_.begin(), docks_.end(), [&](const QDockWidget* dock) {
-    return dock->objectName() == name.toLower();
-  });
-  return found == docks_.end() ? nullptr : *found;
+  QDockWidget* const* found = base::findBy(docks_, &QObject::objectName, name.toLower());
+  return found == nullptr ? nullptr : *found;
 }
 
 QStringList Docks::names() const {
@@ -319,10 +315,8 @@ void Docks::setInitialSizes() {
 }
 
 void Docks::showCount(const QWidget* panel, int count, base::Severity worst) {
-  const auto found = std::find_if(docks_.begin(), docks_.end(), [panel](const QDockWidget* dock) {
-    return dock->widget() == panel;
-  });
-  if (found == docks_.end()) {
+  QDockWidget* const* found = base::findBy(docks_, &QDockWidget::widget, panel);
+  if (found == nullptr) {
     return;
   }
   QAction& toggle = *toggleOf(**found);

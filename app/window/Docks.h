@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "app/window/Workspace.h"
 #include "editor/panels/PanelRegistry.h"
 

@@ -1,28 +1,16 @@
 #include "app/window/MainWindow.h"
 
-#include <algorithm>
-#include <utility>
-
-#include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
-#include "app/window/ShortcutsDialog.h"
-#include "app/window/StatusLine.h"
-#include "app/window/ToolBars.h"
-#include "app/window/files/DocumentGuard.h"
+#include "app/window/RunCommands.h"
+#include "app/window/files/FileCommands.h"
 #include "app/window/files/FileDialogs.h"
-#include "app/window/runs/FigureCommands.h"
-#include "app/window/runs/HistoryDialog.h"
-#include "app/window/runs/PlaybackSettings.h"
-#include "app/window/runs/RunSharing.h"
-#include "app/window/study/ExternalCodePrompt.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
+#include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/look/PendingEdit.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
-#include "editor/panels/TextViewer.h"
 #include "editor/panels/behavior/BehaviorPanel.h"
 #include "editor/panels/behavior/GoalAssignment.h"
 #include "editor/trees/TreeEditor.h"
@@ -51,17 +39,11 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       workspace_(setup.theme, setup.tools),
       userSettings_(setup.storesSettings),
       followsSystem_(setup.followsSystem),
-      actions_(new WindowActions(workspace_, this)),
-      keys_(new KeyRules(*this, workspace_)),
       notices_(new NoticeBar(setup.theme, this)),
-      centre_(new QStackedWidget(this)),
-      canvas_(new QSplitter(Qt::Horizontal, this)),
       docks_(new Docks(*this, workspace_, setup.panels)),
       files_(
           new FileCommands(workspace_, docks_->panel<editor::IssuesPanel>(), userSettings_, *this)),
-      status_(new StatusLine(*statusBar(), workspace_)),
-      toolBar_(makeToolBar(*this, workspace_, *actions_)),
-      saved_(new QLabel(this)) {
+      toolBar_(makeToolBar(*this, workspace_, *actions_)) {
   setObjectName(QStringLiteral("window"));
   setMinimumSize(kLeastWindow);
   resize(std::min(defaultSize().width(), screen()->availableGeometry().width()),
@@ -73,8 +55,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   if (setup.options.allowCode) {
     workspace_.allowAllCodeOf(QString::fromStdString(setup.options.scenario));
   }
-  new ExternalCodePrompt(workspace_, *notices_,
-                         notices_);  // deleted with them, before the workspace
+  askBeforeExternalCode(workspace_, *notices_);
   files_->setOptions(setup.options, setup.compatibility);
   workspace_.runner().setHistory(historyMemory(userSettings_));
   actions_->restoreAndStore(userSettings_);
@@ -195,11 +176,11 @@ void MainWindow::connectFiles() {
       startPage_->fillRecent();  // the file may be missing
       return;
     }
-    showIssues();
+    showDock(QStringLiteral("issues"));
   });
   connect(startPage_, &StartPage::fileRequested, files, &FileCommands::openFile);
   StudyPanel& study = docks_->panel<StudyPanel>();
-  ExternalCodePrompt::attachTo(study, *notices_);
+  askBeforeExternalCode(study, *notices_);
   connect(&study, &StudyPanel::openRunRequested, this, [files](const QString& run) {
     if (files->maybeSave()) {
       files->openFile(run);
@@ -212,10 +193,10 @@ void MainWindow::connectFiles() {
   connect(&document, &editor::ScenarioDocument::dirtyChanged, this, &MainWindow::showTitle);
 }
 
-void MainWindow::showIssues() {
-  QDockWidget* issues = docks_->dock(QStringLiteral("issues"));
-  issues->show();
-  issues->raise();
+void MainWindow::showDock(const QString& name) {
+  QDockWidget* dock = docks_->dock(name);
+  dock->show();
+  dock->raise();
 }
 
 void MainWindow::connectView() {
@@ -273,7 +254,7 @@ void MainWindow::connectRun() {
   });
   const auto raise = [this](const base::Diagnostics& problems) {
     Q_EMIT docks_->context().problemsFound(problems);
-    showIssues();
+    showDock(QStringLiteral("issues"));
   };
   connect(&runner, &SimulationRunner::notStarted, this, raise);
   connect(&workspace_.feed(), &editor::MetricsFeed::failed, this, raise);
@@ -296,9 +277,7 @@ void MainWindow::showBreakpoint(const sim2d::TreeBreakpointHit& at) {
       document.setSelection({human.key});
     }
   }
-  QDockWidget* behaviour = docks_->dock(QStringLiteral("behaviour"));
-  behaviour->show();
-  behaviour->raise();
+  showDock(QStringLiteral("behaviour"));
   editor::TreeOutline& outline = docks_->panel<editor::BehaviorPanel>().outline();
   outline.selectNode(outline.nodeNamed(at.at.path));
 }

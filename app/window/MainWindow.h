@@ -1,11 +1,9 @@
 #pragma once
 
-#include <vector>
-
-#include <QtWidgets>
-
 #include "app/window/Docks.h"
+#include "app/window/KeyRules.h"
 #include "app/window/StartPage.h"
+#include "app/window/StatusLine.h"
 #include "app/window/WindowActions.h"
 #include "app/window/Workspace.h"
 #include "app/window/files/FileCommands.h"
@@ -18,9 +16,7 @@ class TextViewer;
 namespace app {
 
 class DocumentGuard;
-class KeyRules;
 class NoticeBar;
-class StatusLine;
 
 struct WindowSetup {
   editor::Theme theme = editor::Theme::light();
@@ -71,7 +67,7 @@ class MainWindow : public QMainWindow {
   void connectRun();
   void showStart(bool start);
   void showTitle();
-  void showIssues();
+  void showDock(const QString& name);
   void updateActions();
   void showSideBySide(QWidget* view, int columns);
   void showBreakpoint(const sim2d::TreeBreakpointHit& at);
@@ -86,19 +82,19 @@ class MainWindow : public QMainWindow {
   UserSettings userSettings_;
   bool followsSystem_;
   bool placed_ = false;
-  WindowActions* actions_;
-  KeyRules* keys_;
+  WindowActions* actions_ = new WindowActions(workspace_, this);
+  KeyRules* keys_ = new KeyRules(*this, workspace_);
   NoticeBar* notices_;
-  QStackedWidget* centre_;
-  QSplitter* canvas_;  // the map and views beside it
+  QStackedWidget* centre_ = new QStackedWidget(this);
+  QSplitter* canvas_ = new QSplitter(Qt::Horizontal, this);  // the map and views beside it
   StartPage* startPage_ = nullptr;
   Docks* docks_;
   FileCommands* files_;
   DocumentGuard* guard_;
-  StatusLine* status_;
+  StatusLine* status_ = new StatusLine(*statusBar(), workspace_);
   QToolBar* toolBar_;
   QMenu* recent_ = nullptr;
-  QLabel* saved_;
+  QLabel* saved_ = new QLabel(this);
   editor::TextViewer* viewer_ = nullptr;
   QPointer<QDialog> keysDialog_;
 };

@@ -1,10 +1,11 @@
 #include "app/window/NoticeBar.h"
 
-#include <algorithm>
-
+#include "app/window/Workspace.h"
+#include "app/window/study/StudyPanel.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "sim2d/nav/external/CommandLine.h"
 
 namespace app {
 
@@ -149,6 +150,60 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
   connect(close, &QToolButton::clicked, this, [this, id = notice.id] { drop(id); });
   row->add(close, NoticeRow::CrossColumn);
   return row;
+}
+
+namespace {
+
+/// "python3 follow.py (robot1)", with special characters escaped. Nothing is cut, because that
+/// could hide commands.
+QString codeText(const std::vector<ExternalCode>& code) {
+  QStringList all;
+  for (const ExternalCode& each : code) {
+    const std::string words = sim2d::printableText(each.words, each.words.size());
+    all << QStringLiteral("%1 (%2)").arg(QString::fromStdString(words),
+                                         QString::fromStdString(each.robot));
+  }
+  return all.join(QStringLiteral("; "));
+}
+
+void warnOfCode(NoticeBar& notices, const QString& id, const QString& file,
+                const std::vector<ExternalCode>& code, const std::function<void()>& allow) {
+  notices.warn(
+      id,
+      QObject::tr("%1 runs external code (%2) with your permissions.").arg(file, codeText(code)),
+      {{QObject::tr("Allow for this file"), allow}, {QObject::tr("Do not run"), {}}});
+}
+
+}  // namespace
+
+void askBeforeExternalCode(Workspace& workspace, NoticeBar& notices) {
+  QObject::connect(
+      &workspace, &Workspace::codePermissionNeeded, &notices, [&workspace, &notices](bool paused) {
+        const std::vector<ExternalCode> code = workspace.unapprovedCode();
+        const auto allow = [&workspace, code, paused] {
+          workspace.allowCode(code);
+          paused ? workspace.runner().stepOnce() : workspace.runner().play();
+        };
+        warnOfCode(notices, codeNoticeId(), workspace.document().displayName(), code, allow);
+      });
+  QObject::connect(&workspace.document(), &editor::ScenarioDocument::changed, &notices,
+                   [&notices](const editor::Change& change) {
+                     if (change.what == editor::Change::What::Everything) {
+                       notices.drop(codeNoticeId());  // another file was opened
+                     }
+                   });
+}
+
+void askBeforeExternalCode(StudyPanel& study, NoticeBar& notices) {
+  QObject::connect(&study, &StudyPanel::codePermissionNeeded, &notices,
+                   [&study, &notices](const std::vector<ExternalCode>& code) {
+                     if (code.empty()) {
+                       notices.drop(studyCodeNoticeId());
+                       return;
+                     }
+                     warnOfCode(notices, studyCodeNoticeId(), QFileInfo(study.file()).fileName(),
+                                code, [&study, code] { study.allowCode(code); });
+                   });
 }
 
 }  // namespace app

@@ -10,6 +10,9 @@
 
 namespace app {
 
+class StudyPanel;
+class Workspace;
+
 /// A non-modal message with optional choices.
 struct Notice {
   QString id;  // a later notice with the same id replaces it
@@ -53,5 +56,17 @@ class NoticeBar : public QWidget {
   std::vector<Notice> notices_;
   QVBoxLayout* rows_;
 };
+
+/// Asks for confirmation in a notice before a run starts programs or libraries named in the
+/// scenario. If allowed, the run starts as requested. The workspace stores the answer.
+void askBeforeExternalCode(Workspace& workspace, NoticeBar& notices);
+inline QString codeNoticeId() {
+  return QStringLiteral("code");
+}
+/// The same for the runs of a study; the panel stores the answer.
+void askBeforeExternalCode(StudyPanel& study, NoticeBar& notices);
+inline QString studyCodeNoticeId() {
+  return QStringLiteral("study-code");
+}
 
 }  // namespace app

@@ -218,12 +218,7 @@ void DemoCard::paintEvent(QPaintEvent*) {
 
 StartPage::StartPage(Workspace& workspace, WindowActions& actions, UserSettings& userSettings,
                      const std::vector<ShippedScenario>& demos, QWidget* parent)
-    : QScrollArea(parent),
-      workspace_(workspace),
-      userSettings_(userSettings),
-      page_(new QWidget),
-      column_(new QVBoxLayout),
-      recent_(new QVBoxLayout) {
+    : QScrollArea(parent), workspace_(workspace), userSettings_(userSettings) {
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "app/run/DataPaths.h"
 #include "app/window/WindowActions.h"
 #include "app/window/files/FileCommands.h"
@@ -105,9 +100,9 @@ class StartPage : public QScrollArea {
 
   Workspace& workspace_;
   UserSettings& userSettings_;
-  QWidget* page_;
-  QVBoxLayout* column_;
-  QVBoxLayout* recent_;
+  QWidget* page_ = new QWidget;
+  QVBoxLayout* column_ = new QVBoxLayout;
+  QVBoxLayout* recent_ = new QVBoxLayout;
   std::vector<std::pair<DemoCard*, QString>> thumbnails_;
   std::size_t painted_ = 0;  // number of painted thumbnails
 };

@@ -1,12 +1,10 @@
 #include "app/window/StatusLine.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
-#include "sim2d/trace/RobotArrival.h"
+#include "sim2d/base/Find.h"
+#include "sim2d/trace/Frame.h"
 
 namespace app {
 
@@ -72,18 +70,15 @@ QString endText(const SimulationRunner& runner) {
     return std::any_of(robots.begin(), robots.end(),
                        [end](const auto& robot) { return robot.result == end; });
   };
-  if (hasResult(sim2d::NavigationOutcome::Collision)) {
-    return StatusLine::tr("The robot collided, %1 · ").arg(time);
-  }
-  if (hasResult(sim2d::NavigationOutcome::NavigationFailed)) {
-    return StatusLine::tr("Navigation failed%1, %2 · ").arg(failureIn(*runner.result()), time);
-  }
-  if (hasResult(sim2d::NavigationOutcome::GoalMissed)) {
-    return StatusLine::tr("Navigation succeeded, but not at the goal, %1 · ").arg(time);
-  }
-  return hasResult(sim2d::NavigationOutcome::Stuck)
-             ? StatusLine::tr("The robot is stuck, %1 · ").arg(time)
-             : QString();
+  using Outcome = sim2d::NavigationOutcome;
+  const std::pair<Outcome, QString> ends[] = {
+      {Outcome::Collision, StatusLine::tr("The robot collided, ")},
+      {Outcome::NavigationFailed,
+       StatusLine::tr("Navigation failed%1, ").arg(failureIn(*runner.result()))},
+      {Outcome::GoalMissed, StatusLine::tr("Navigation succeeded, but not at the goal, ")},
+      {Outcome::Stuck, StatusLine::tr("The robot is stuck, ")}};
+  const auto* end = base::findIf(ends, [&](const auto& each) { return hasResult(each.first); });
+  return end == nullptr ? QString() : end->second + time + StatusLine::tr(" · ");
 }
 
 /// The displayed state and hint.
@@ -132,12 +127,7 @@ StateText stateTextOf(const SimulationRunner& runner, const QString& runEnd) {
 }  // namespace
 
 StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
-    : QObject(&bar),
-      bar_(bar),
-      workspace_(workspace),
-      dot_(new QLabel),
-      state_(new QLabel),
-      hint_(new editor::ElidedLabel(nullptr)) {
+    : QObject(&bar), bar_(bar), workspace_(workspace) {
   bar_.setSizeGripEnabled(false);
   bar_.setFixedHeight(24);
   bar_.setContentsMargins(8, 0, 4, 0);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QtWidgets>
-
 #include "app/window/Workspace.h"
 #include "editor/look/Form.h"
 
@@ -34,8 +32,8 @@ class StatusLine : public QObject {
   QString tip_;         // status tip of the hovered menu entry or button
   QString runEnd_;      // end condition of the run, when it started
   bool isRun_ = false;  // a run is displayed
-  QLabel *dot_, *state_;
-  editor::ElidedLabel* hint_;
+  QLabel *dot_ = new QLabel, *state_ = new QLabel;
+  editor::ElidedLabel* hint_ = new editor::ElidedLabel(nullptr);
   QWidget* panels_ = nullptr;
   QLabel *x_, *y_, *cellLabel_, *zoom_, *seed_, *speed_;
 };

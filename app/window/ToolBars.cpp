@@ -1,8 +1,5 @@
-#include "app/window/ToolBars.h"
 
-#include <algorithm>
-#include <map>
-
+#include "app/window/WindowActions.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"

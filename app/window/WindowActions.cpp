@@ -1,8 +1,5 @@
 #include "app/window/WindowActions.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <QtWidgets>
-
+#include "app/window/Docks.h"
 #include "app/window/Workspace.h"
 #include "app/window/files/FileDialogs.h"
 
@@ -60,5 +55,15 @@ class WindowActions : public QObject {
   std::vector<std::pair<QAction*, std::size_t>> arranging_;  // with the minimum selection size
   int pastes_ = 0;  // of the same copy; each is offset from the previous one
 };
+
+/// The tool bar: file, undo | tools | run | view.
+QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& actions);
+
+/// Creates the menus with all commands. Returns the menu for recent files, which the caller fills.
+QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks);
+
+/// The context menu of the map while the select tool is active; other tools end their lines with
+/// the right button.
+void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const Docks& docks);
 
 }  // namespace app

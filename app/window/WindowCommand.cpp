@@ -1,27 +1,23 @@
 #include "app/window/WindowCommand.h"
 
-#include <algorithm>
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
-#include <functional>
-#include <memory>
 
 #include <CLI/CLI.hpp>
-
-#include <QtWidgets>
 
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/window/KeyRules.h"
 #include "app/window/MainWindow.h"
-#include "app/window/files/DocumentGuard.h"
+#include "app/window/files/FileCommands.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -84,7 +80,7 @@ editor::Theme themeOf(const WindowOptions& options) {
 std::vector<ShippedScenario> demos() {
   std::vector<ShippedScenario> scenarios = shippedScenarios();
   const auto begins = [](const char* with) {
-    return [with](const ShippedScenario& one) { return one.name.rfind(with, 0) == 0; };
+    return [with](const ShippedScenario& one) { return base::startsWith(one.name, with); };
   };
   scenarios.erase(std::remove_if(scenarios.begin(), scenarios.end(), begins("realism_")),
                   scenarios.end());
@@ -227,12 +223,12 @@ base::Diagnostics save(const QPixmap& picture, const std::string& file) {
 /// Selects a person or robot; empty name: none.
 base::Diagnostics selectNamed(editor::ScenarioDocument& document, const std::string& name) {
   const auto select = [&](const auto& bodies) {
-    const auto found = std::find_if(bodies.begin(), bodies.end(),
-                                    [&name](const auto& body) { return body.name == name; });
-    if (found != bodies.end()) {
+    const auto* found =
+        base::findIf(bodies, [&name](const auto& body) { return body.name == name; });
+    if (found != nullptr) {
       document.setSelection({found->key});
     }
-    return found != bodies.end();
+    return found != nullptr;
   };
   const bool isFine =
       name.empty() || select(document.scenario().humans) || select(document.scenario().robots);

@@ -1,11 +1,9 @@
 #include "app/window/Workspace.h"
 
-#include <algorithm>
 #include <iterator>
 
 #include "editor/canvas/FrameLayer.h"
-#include "editor/panels/runs/RunOverlayUpdater.h"
-#include "editor/tools/ToolManager.h"
+#include "editor/panels/runs/RunInteraction.h"
 
 namespace app {
 
@@ -23,7 +21,6 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
     : QObject(parent),
       theme_(theme),
       scene_(document_, theme),
-      view_(new editor::MapView(scene_)),
       tools_(document_, scene_, tools),
       events_(document_, runner_),
       feed_(document_, runner_),

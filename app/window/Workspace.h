@@ -1,15 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "app/run/PlannerFiles.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/MapView.h"
@@ -82,7 +72,7 @@ class Workspace : public QObject {
   editor::RunSettings runSettings_;
   editor::ScenarioDocument document_;
   editor::MapScene scene_;
-  editor::MapView* view_;  // owned by its parent widget
+  editor::MapView* view_ = new editor::MapView(scene_);  // owned by its parent widget
   editor::ToolManager tools_;
   editor::SimulationRunner runner_;
   editor::RunEvents events_;

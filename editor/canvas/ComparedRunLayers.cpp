@@ -1,12 +1,10 @@
 #include "editor/canvas/ComparedRunLayers.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <utility>
 
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/Trails.h"
 #include "editor/document/PeopleEdits.h"
 
 namespace editor {
@@ -17,25 +15,36 @@ constexpr double kSamePlace = 0.05;  // Closer bodies of two runs are at the sam
 constexpr double kLetterPx = 9.0;    // Minimum body radius for drawing the letter.
 constexpr double kMinOutlinePx = 5.0;
 
+constexpr std::size_t kMaxPeople = 60;  // Above that only trajectories with contacts.
+constexpr double kCrossPx = 5.0;
+
 /// Calls visit(id, pose) for people, then robots.
 template <class Visit>
-void forEachBody(const sim2d::Frame& frame, Visit visit) {
-  for (const sim2d::BodyColumns* columns :
-       {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
-    for (std::size_t i = 0; i < columns->size(); ++i) {
-      visit(columns->id[i], base::Pose2{Vec2(columns->x[i], columns->y[i]), columns->heading[i]});
-    }
-  }
+void forEachPose(const sim2d::Frame& frame, Visit visit) {
+  forEachBody(frame, [&](const sim2d::BodyColumns& columns, std::size_t i) {
+    visit(columns.id[i], base::Pose2{Vec2(columns.x[i], columns.y[i]), columns.heading[i]});
+  });
 }
 
-std::optional<Vec2> placeIn(const sim2d::Frame& frame, int id) {
-  std::optional<Vec2> place;
-  forEachBody(frame, [&](int each, const base::Pose2& pose) {
-    if (each == id) {
-      place = pose.position;
+/// The positions of all bodies by id; empty without a frame.
+std::map<int, Vec2> placesIn(const sim2d::FramePtr& frame) {
+  std::map<int, Vec2> places;
+  if (frame != nullptr) {
+    forEachPose(*frame, [&](int id, const base::Pose2& pose) { places[id] = pose.position; });
+  }
+  return places;
+}
+
+/// The trajectory points between two times [s] at which the body is present.
+QPolygonF trajectorySection(const app::Future& future, const std::vector<Vec2>& way, double from,
+                            double to) {
+  QPolygonF line;
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    if (future.times[k] >= from - 1e-9 && future.times[k] <= to + 1e-9 && way[k].allFinite()) {
+      line << toScene(way[k]);
     }
-  });
-  return place;
+  }
+  return line;
 }
 
 QColor colorOf(const Theme& theme, int id, const BodyStyles::Body& body) {
@@ -56,11 +65,6 @@ BodyStyles::BodyStyles(const ScenarioDocument& document, const sim2d::TraceHeade
   for (const sim2d::TraceRobot& robot : header.robots) {
     bodies_[robot.id] = {robot.radius, Look::Regular, robot.footprint};
   }
-}
-
-const BodyStyles::Body& BodyStyles::of(int id) const {
-  const auto found = bodies_.find(id);
-  return found == bodies_.end() ? unknownAgent_ : found->second;
 }
 
 GhostStyle ghostStyle(std::size_t index, const Theme& theme) {
@@ -108,19 +112,18 @@ void OnionLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   const BodyStyles bodies(document(), *header_);
   for (const Skin& skin : skins_) {
     const double strength = 1.0 - (std::abs(skin.place) - 1) / double(kSkins);
-    forEachBody(*skin.frame, [&](int id, const base::Pose2& pose) {
+    forEachPose(*skin.frame, [&](int id, const base::Pose2& pose) {
       if (id < 0 ? !options().robots : !options().people) {
         return;
       }
       const BodyStyles::Body& body = bodies.of(id);
-      QColor ink = colorOf(theme(), id, body);
-      QColor fill = ink;
-      ink.setAlphaF(0.75 * strength);
-      fill.setAlphaF(0.22 * strength);
+      const QColor color = colorOf(theme(), id, body);
       const bool isPast = skin.place < 0;
-      setPenAndBrush(*painter,
-                     isPast ? QPen(Qt::NoPen) : screenPen(*painter, ink, 1.6, Qt::DashLine),
-                     isPast ? QBrush(fill) : QBrush(Qt::NoBrush));
+      setPenAndBrush(
+          *painter,
+          isPast ? QPen(Qt::NoPen)
+                 : screenPen(*painter, withAlpha(color, 0.75 * strength), 1.6, Qt::DashLine),
+          isPast ? QBrush(withAlpha(color, 0.22 * strength)) : QBrush(Qt::NoBrush));
       paintOutline(*painter, body, pose);
     });
   }
@@ -136,9 +139,10 @@ void GhostLayer::show(std::vector<Ghost> ghosts, sim2d::FramePtr shown) {
 }
 
 bool GhostLayer::isDisplaced(const Ghost& ghost, int id) const {
-  const std::optional<Vec2> here = shown_ ? placeIn(*shown_, id) : std::nullopt;
-  const std::optional<Vec2> there = placeIn(*ghost.frame, id);
-  return there && (!here || (*here - *there).norm() > kSamePlace);
+  const std::map<int, Vec2> here = placesIn(shown_);
+  const std::map<int, Vec2> there = placesIn(ghost.frame);
+  return there.count(id) > 0 &&
+         (here.count(id) == 0 || (here.at(id) - there.at(id)).norm() > kSamePlace);
 }
 
 void GhostLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -152,20 +156,15 @@ void GhostLayer::paintGhost(QPainter& painter, const Ghost& ghost) const {
   const GhostStyle style = ghostStyle(ghost.style, theme());
   const BodyStyles bodies(document(), *ghost.header);
   const double scale = pixelsPerMetreOf(painter);
-  std::map<int, Vec2> here;
-  if (shown_ != nullptr) {
-    forEachBody(*shown_, [&](int id, const base::Pose2& pose) { here[id] = pose.position; });
-  }
+  const std::map<int, Vec2> here = placesIn(shown_);
   const auto penOf = [&](double width, double alpha) {
-    QColor color = style.color;
-    color.setAlphaF(alpha);
-    QPen pen = screenPen(painter, color, width);
+    QPen pen = screenPen(painter, withAlpha(style.color, alpha), width);
     if (!style.dashes.isEmpty()) {
       pen.setDashPattern(style.dashes);
     }
     return pen;
   };
-  forEachBody(*ghost.frame, [&](int id, const base::Pose2& pose) {
+  forEachPose(*ghost.frame, [&](int id, const base::Pose2& pose) {
     const auto other = here.find(id);
     const bool isSame = other != here.end() && (other->second - pose.position).norm() <= kSamePlace;
     if (isSame || (id < 0 ? !options().robots : !options().people)) {
@@ -182,8 +181,7 @@ void GhostLayer::paintGhost(QPainter& painter, const Ghost& ghost) const {
       painter.drawLine(toScene(pose.position), toScene(other->second));
     }
     const BodyStyles::Body& body = bodies.of(id);
-    QColor fill = theme().color(Role::Panel, 0.6);
-    setPenAndBrush(painter, penOf(2.2, 1.0), fill);
+    setPenAndBrush(painter, penOf(2.2, 1.0), theme().color(Role::Panel, 0.6));
     paintOutline(painter, body, pose);
     if (body.radius * scale >= kLetterPx) {
       const PixelFrame frame(painter, toScene(pose.position));
@@ -193,25 +191,6 @@ void GhostLayer::paintGhost(QPainter& painter, const Ghost& ghost) const {
     }
   });
 }
-
-namespace {
-
-constexpr std::size_t kMaxPeople = 60;  // Above that only trajectories with contacts.
-constexpr double kCrossPx = 5.0;
-
-/// The trajectory points between two times [s] at which the body is present.
-QPolygonF trajectorySection(const app::Future& future, const std::vector<Vec2>& way, double from,
-                            double to) {
-  QPolygonF line;
-  for (std::size_t k = 0; k < way.size(); ++k) {
-    if (future.times[k] >= from - 1e-9 && future.times[k] <= to + 1e-9 && way[k].allFinite()) {
-      line << toScene(way[k]);
-    }
-  }
-  return line;
-}
-
-}  // namespace
 
 void FuturesLayer::show(Futures futures) {
   const bool isNothing = futures_ == nullptr && futures == nullptr;
@@ -240,13 +219,13 @@ void FuturesLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   }
   for (const app::Future& future : *futures_) {
     if (future.contact && future.contact->where.allFinite()) {
-      paintContact(*painter, toScene(future.contact->where));
+      paintContact(*painter, future.contact->where);
     }
   }
 }
 
-void FuturesLayer::paintContact(QPainter& painter, const QPointF& where) const {
-  const PixelFrame frame(painter, where);
+void FuturesLayer::paintContact(QPainter& painter, const Vec2& where) const {
+  const PixelFrame frame(painter, toScene(where));
   for (const bool isHalo : {true, false}) {
     const QColor color = isHalo ? theme().color(Role::Panel) : theme().color(Role::Error);
     painter.setPen(QPen(color, isHalo ? 5.0 : 2.4, Qt::SolidLine, Qt::RoundCap));

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <vector>
-
 #include "app/run/Futures.h"
 #include "editor/canvas/Layers.h"
-#include "sim2d/trace/Recording.h"
 
 namespace editor {
 
@@ -20,7 +15,10 @@ class BodyStyles {
   };
   /// The appearance is that of the document's people, where it has them.
   BodyStyles(const ScenarioDocument& document, const sim2d::TraceHeader& header);
-  const Body& of(int id) const;
+  const Body& of(int id) const {
+    const auto found = bodies_.find(id);
+    return found == bodies_.end() ? unknownAgent_ : found->second;
+  }
 
  private:
   std::map<int, Body> bodies_;
@@ -95,7 +93,7 @@ class FuturesLayer : public FullLayer {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  void paintContact(QPainter& painter, const QPointF& where) const;
+  void paintContact(QPainter& painter, const Vec2& where) const;
   void paintPeople(QPainter& painter, const app::Future& future) const;
   void paintRobots(QPainter& painter, const app::Future& future) const;
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
-#include <QGraphicsItem>
-
 #include "editor/canvas/MapScene.h"
 #include "editor/look/FigurePainter.h"
 
@@ -69,16 +64,12 @@ class EntityItem : public CanvasItem {
 };
 
 std::unique_ptr<EntityItem> makeEntityItem(const MapScene& scene, EntityId id);
-/// Creates the item of an obstacle, door, area or dock.
-std::unique_ptr<EntityItem> makeShapeItem(const MapScene& scene, EntityId id);
 
 /// Draws the marker of a robot's own goal point.
 void paintRobotGoal(QPainter& painter, const Theme& theme, const Vec2& at);
 /// A robot at its true size [px], with a minimum size for visibility.
 RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint,
                         sim2d::Kinematics kinematics, double heading, double pixelsPerMetre);
-/// Draws the intimate, personal and social space (Hall) around a person.
-void paintSpaces(QPainter& painter, const Vec2& at, QColor color);
 constexpr double kRobotGoalPx = 10.0;  // Radius.
 constexpr double kMinFigurePx = 5.0;   // Minimum radius of a figure.
 constexpr double kFewFigurePx = 9.0;   // Minimum radius if there are few people.

@@ -1,14 +1,11 @@
 #include "editor/canvas/FrameLayer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RobotPainters.h"
 #include "editor/canvas/RunOverlays.h"
-#include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/PeopleEdits.h"
 #include "sim2d/scenario/ResolvedValues.h"
 
@@ -42,13 +39,9 @@ void FrameLayer::begin() {
   const long long seed = scenario.desktop.seed.value_or(1);
   for (const sim2d::Human& human : scenario.humans) {
     const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
-    agents_[human.id] = {QString::fromStdString(human.name),
-                         human.key,
-                         lookOfPerson(document(), human),
-                         resolved.kind,
-                         mapScene().bodyRadius(human),
-                         {},
-                         {}};
+    agents_[human.id] = {QString::fromStdString(human.name), human.key,
+                         lookOfPerson(document(), human), resolved.kind,
+                         mapScene().bodyRadius(human)};
   }
   int id = 0;
   for (const sim2d::Robot& robot : scenario.robots) {
@@ -76,37 +69,25 @@ void FrameLayer::begin() {
   }
 }
 
-void FrameLayer::end() {
-  frame_.reset();
-  bodies_.clear();
+void FrameLayer::show(sim2d::FramePtr frame, const sim2d::Recording* recording) {
   before_.clear();
-  places_.clear();
-  speeches_.clear();
-  hearings_.clear();
-}
-
-void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
-                      const sim2d::Recording* recording) {
-  storePoses();
+  for (const Body& body : bodies_) {
+    before_.emplace(body.id, body.at);
+  }
   interpolation_ = 1.0;
   if (recording != nullptr && recording->size() > 0) {
     updateAgents(*recording->header(), *frame);
   }
-  trails_.setSeconds(options().trailSeconds);
-  trails_.advance(frame_.get(), *frame, recording);
+  trails_.advance(frame_.get(), *frame, recording, options().trailSeconds);
   frame_ = std::move(frame);
   bodies_.clear();
   places_.clear();
-  for (const sim2d::BodyColumns* columns :
-       {static_cast<const sim2d::BodyColumns*>(&frame_->humans), &frame_->robots}) {
-    for (std::size_t i = 0; i < columns->size(); ++i) {
-      const int id = columns->id[i];
-      const Pose2 pose{Vec2(columns->x[i], columns->y[i]), columns->heading[i]};
-      const bool isMoving = std::hypot(columns->vx[i], columns->vy[i]) > kStandingSpeed;
-      places_.emplace(id, bodies_.size());
-      bodies_.push_back({id, &agent(id), pose, pose, isMoving});
-    }
-  }
+  forEachBody(*frame_, [this](const sim2d::BodyColumns& columns, std::size_t i) {
+    const int id = columns.id[i];
+    const Pose2 pose{Vec2(columns.x[i], columns.y[i]), columns.heading[i]};
+    places_.emplace(id, bodies_.size());
+    bodies_.push_back({id, &agent(id), pose, pose, Vec2(columns.vx[i], columns.vy[i])});
+  });
 }
 
 /// Takes the body sizes from the run, where the pedestrian model determines them, and adds the
@@ -125,21 +106,10 @@ void FrameLayer::updateAgents(const sim2d::TraceHeader& header, const sim2d::Fra
   }
   for (const sim2d::TraceHuman& human : header.humans) {
     if (isNew(human.id)) {
-      agents_[human.id] = {QString::fromStdString(human.name),
-                           {},
+      agents_[human.id] = {QString::fromStdString(human.name), EntityId(),
                            lookOf(static_cast<sim2d::BehaviorType>(human.behavior)),
-                           unknownAgent_.kind,
-                           human.radius,
-                           {},
-                           {}};
+                           unknownAgent_.kind, human.radius};
     }
-  }
-}
-
-void FrameLayer::storePoses() {
-  before_.clear();
-  for (const Body& body : bodies_) {
-    before_.emplace(body.id, body.at);
   }
 }
 
@@ -150,9 +120,8 @@ bool FrameLayer::setInterpolation(double share) {
   interpolation_ = share;
   for (Body& body : bodies_) {
     const auto from = before_.find(body.id);
-    const bool isStep =
-        from != before_.end() && (body.at.position - from->second.position).norm() <= kFarthestStep;
-    if (isStep) {
+    if (from != before_.end() &&
+        (body.at.position - from->second.position).norm() <= kFarthestStep) {
       const Pose2& start = from->second;
       body.pose.position = start.position + share * (body.at.position - start.position);
       body.pose.heading = start.heading + share * base::angleDiff(body.at.heading, start.heading);
@@ -171,50 +140,20 @@ void FrameLayer::addSpeech(const std::vector<sim2d::Event>& events, double time)
   }
 }
 
-const FrameLayer::Agent& FrameLayer::agent(int id) const {
-  const auto found = agents_.find(id);
-  return found == agents_.end() ? unknownAgent_ : found->second;
-}
-
-const FrameLayer::Body* FrameLayer::body(int id) const {
-  const auto found = places_.find(id);
-  return found == places_.end() ? nullptr : &bodies_[found->second];
-}
-
 double FrameLayer::figureRadiusPx(const Body& body, double pixelsPerMetre) const {
   const EntityKind kind = body.isRobot() ? EntityKind::Robot : EntityKind::Human;
   return std::max(body.agent->radius * pixelsPerMetre, mapScene().minFigurePx(kind));
-}
-
-bool FrameLayer::isChosen(const Body& body) const {
-  return body.agent->entity ? document().isSelected(body.agent->entity)
-                            : mapScene().spawnedAgent() == body.id;
-}
-
-std::optional<Vec2> FrameLayer::positionOf(int id) const {
-  const Body* found = body(id);
-  return found == nullptr ? std::nullopt : std::optional<Vec2>(found->pose.position);
 }
 
 std::vector<ShownBody> FrameLayer::shownBodies() const {
   std::vector<ShownBody> shown;
   shown.reserve(bodies_.size());
   const double scale = mapScene().pixelsPerMetre();
-  std::size_t row = 0;  // People come first, in the order of the frame.
   for (const Body& body : bodies_) {
-    const sim2d::BodyColumns& columns =
-        body.isRobot() ? frame_->robots : static_cast<const sim2d::BodyColumns&>(frame_->humans);
-    const std::size_t k = body.isRobot() ? row - frame_->humans.size() : row;
-    ++row;
-    shown.push_back({body.id, body.pose, Vec2(columns.vx[k], columns.vy[k]),
-                     figureRadiusPx(body, scale), body.agent->look, isChosen(body)});
+    shown.push_back({body.id, body.pose, body.velocity, figureRadiusPx(body, scale),
+                     body.agent->look, isChosen(body)});
   }
   return shown;
-}
-
-bool FrameLayer::hasSelectedBody() const {
-  return std::any_of(bodies_.begin(), bodies_.end(),
-                     [this](const Body& body) { return isChosen(body); });
 }
 
 std::optional<int> FrameLayer::agentAt(const Vec2& world) const {
@@ -249,46 +188,28 @@ std::vector<QRectF> FrameLayer::labelObstacles() const {
 }
 
 std::vector<Label> FrameLayer::labels() const {
+  const double scale = mapScene().pixelsPerMetre();
+  const bool showsNames =
+      options().names && frame_->humans.size() <= kMaxNames && scale >= kNameZoom;
   std::vector<Label> labels;
   for (const Body& body : bodies_) {
-    if (std::optional<Label> label = body.isRobot() ? robotLabel(body) : personLabel(body)) {
-      labels.push_back(*std::move(label));
+    const bool chosen = isChosen(body);
+    const bool isNamed = chosen || (showsNames && body.agent->entity);  // Spawned: only if chosen.
+    if (body.isRobot() ? !options().robots || !options().names
+                       : !options().people || !isNamed || body.agent->name.isEmpty()) {
+      continue;
+    }
+    Label& label = labels.emplace_back();
+    label.text = body.agent->name;
+    label.centre = toScene(body.pose.position);
+    label.clearancePx = figureRadiusPx(body, scale) + (body.isRobot() ? 5.0 : chosen ? 9.0 : 4.0);
+    label.priority = body.isRobot() ? 2 : chosen ? 3 : 1;
+    if (!body.isRobot()) {
+      label.mark = body.agent->look;
+      label.detail = options().thoughts ? mapScene().overlays().thoughtOf(body.id) : QString();
     }
   }
   return labels;
-}
-
-std::optional<Label> FrameLayer::robotLabel(const Body& body) const {
-  if (!options().robots || !options().names) {
-    return std::nullopt;
-  }
-  Label label;
-  label.text = body.agent->name;
-  label.centre = toScene(body.pose.position);
-  label.clearancePx = figureRadiusPx(body, mapScene().pixelsPerMetre()) + 5.0;
-  label.priority = 2;
-  return label;
-}
-
-std::optional<Label> FrameLayer::personLabel(const Body& body) const {
-  const double scale = mapScene().pixelsPerMetre();
-  const bool showAll = options().names && frame_->humans.size() <= kMaxNames;
-  const bool chosen = isChosen(body);
-  const bool isKnown = showAll && body.agent->entity;  // Spawned people: only while selected.
-  const bool isShown = chosen || (isKnown && scale >= kNameZoom);
-  if (!options().people || !isShown || body.agent->name.isEmpty()) {
-    return std::nullopt;
-  }
-  Label label;
-  label.text = body.agent->name;
-  label.centre = toScene(body.pose.position);
-  label.mark = body.agent->look;
-  label.clearancePx = figureRadiusPx(body, scale) + (chosen ? 9.0 : 4.0);
-  label.priority = chosen ? 3 : 1;
-  if (options().thoughts) {
-    label.detail = mapScene().overlays().thoughtOf(body.id);
-  }
-  return label;
 }
 
 void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -296,32 +217,23 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     return;
   }
   painter->setRenderHint(QPainter::Antialiasing);
-  paintPerception(*painter);
-  if (options().trails) {
-    paintTrails(*painter);
-  }
-  if (options().robotPath) {
-    paintRobotPaths(*painter);
-  }
-  if (options().people) {
-    paintPeople(*painter);
-  }
-  if (options().detections) {
-    paintEstimatedPoses(*painter);
-  }
-  paintPull(*painter);
-  paintPush(*painter);
-  for (const Body& body : bodies_) {
-    if (options().robots && body.isRobot()) {
-      paintRobot(*painter, body);
+  const CanvasOptions& on = options();
+  const std::pair<bool, void (FrameLayer::*)(QPainter&) const> parts[] = {
+      {true, &FrameLayer::paintPerception},
+      {on.trails, &FrameLayer::paintTrails},
+      {on.robotPath, &FrameLayer::paintRobotPaths},
+      {on.people, &FrameLayer::paintPeople},
+      {on.detections, &FrameLayer::paintEstimatedPoses},
+      {true, &FrameLayer::paintPull},
+      {true, &FrameLayer::paintPush},
+      {on.robots, &FrameLayer::paintRobots},
+      {on.forces, &FrameLayer::paintForces},
+      {on.speech, &FrameLayer::paintHearing},
+      {on.speech, &FrameLayer::paintSpeech}};
+  for (const auto& [isOn, paintPart] : parts) {
+    if (isOn) {
+      (this->*paintPart)(*painter);
     }
-  }
-  if (options().forces) {
-    paintForces(*painter);
-  }
-  if (options().speech) {
-    paintHearing(*painter);
-    paintSpeech(*painter);
   }
 }
 
@@ -331,7 +243,7 @@ PersonFigure FrameLayer::figureOf(const Body& person, double pixelsPerMetre) con
   figure.kind = person.agent->kind;
   figure.radiusPx = figureRadiusPx(person, pixelsPerMetre);
   figure.headingDeg = degrees(person.pose.heading);
-  if (person.isMoving) {
+  if (std::hypot(person.velocity.x(), person.velocity.y()) > kStandingSpeed) {
     figure.stride = std::sin(2.0 * base::kPi * trails_.walked(person.id) / kStrideMetres);
   }
   return figure;
@@ -367,13 +279,19 @@ void FrameLayer::paintRobot(QPainter& painter, const Body& robot) const {
   FigurePainter(theme()).robot(painter, figure);
 }
 
+void FrameLayer::paintRobots(QPainter& painter) const {
+  for (const Body& body : bodies_) {
+    if (body.isRobot()) {
+      paintRobot(painter, body);
+    }
+  }
+}
+
 void FrameLayer::paintRobotPaths(QPainter& painter) const {
-  QPen pen(theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
-  pen.setDashPattern({3.5, 2.5});
-  makeCosmetic(pen, painter);
   for (const std::vector<Vec2>& points : frame_->robotPaths) {
     const QPainterPath path = roundedPath(points, 0.3);
-    setPenAndBrush(painter, pen);
+    setPenAndBrush(painter,
+                   cosmetic(dashedPen(theme().color(Role::RobotLine), 2.0, {3.5, 2.5}), painter));
     painter.drawPath(path);
     paintArrowHeads(painter, path, 1.5, 8.0, theme());
   }
@@ -389,17 +307,14 @@ void FrameLayer::paintPerception(QPainter& painter) const {
   if (frame_->senses == nullptr) {
     return;
   }
-  const SensePainter senses(theme());
   for (const sim2d::RobotTelemetry& each : *frame_->senses) {
     if (options().lidar && each.scan) {
-      senses.scan(painter, *each.scan);
+      paintScan(painter, theme(), *each.scan);
     }
   }
-  const PlannerPainter planners(theme());
   for (const sim2d::RobotTelemetry& each : *frame_->senses) {
     if (options().candidates) {
-      hasCostTerms(each) ? planners.ways(painter, each.ways) : senses.ways(painter, each.ways);
-      planners.aim(painter, each);
+      paintCandidates(painter, theme(), each);
     }
   }
 }
@@ -409,16 +324,13 @@ void FrameLayer::paintEstimatedPoses(QPainter& painter) const {
   if (frame_->senses == nullptr) {
     return;
   }
-  const SensePainter senses(theme());
-  const auto placeOf = [this](const sim2d::RobotTelemetry::Body& track) {
-    return positionOf(track.id);
-  };
   for (std::size_t i = 0; i < std::min(frame_->robots.size(), frame_->senses->size()); ++i) {
-    senses.tracks(painter, (*frame_->senses)[i].bodies, placeOf);
+    paintTracks(painter, theme(), (*frame_->senses)[i].bodies,
+                [this](const auto& track) { return positionOf(track.id); });
     const Body* robot = body(frame_->robots.id[i]);
     const std::optional<Pose2> believed = divergentPoseEstimate(*frame_, i);
     if (believed && robot != nullptr) {
-      senses.paintLocalizationError(painter, robot->pose.position, believed->position);
+      paintLocalizationError(painter, theme(), robot->pose.position, believed->position);
       Body ghost = *robot;
       ghost.pose = *believed;
       painter.setOpacity(0.4);
@@ -454,8 +366,8 @@ void FrameLayer::paintPush(QPainter& painter) const {
   painter.drawLine(toScene(person->pose.position), toScene(to));
   const PixelFrame frame(painter, toScene(to));
   painter.setPen(QPen(theme().color(Role::Accent), 3.0));
-  FigurePainter(theme()).arrowHead(painter, QPointF(),
-                                   base::headingOf(push->velocity) * 180.0 / base::kPi, 11.0);
+  FigurePainter(theme()).arrowHead(painter, QPointF(), degrees(base::headingOf(push->velocity)),
+                                   11.0);
   painter.setFont(theme().figureFont(9.0));
   const QString words = QStringLiteral("%1 m/s").arg(push->velocity.norm(), 0, 'f', 1);
   QRectF box = QFontMetricsF(painter.font()).boundingRect(words).adjusted(-6, -3, 6, 3);

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <unordered_map>
-#include <vector>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/OverlayPainter.h"
 #include "editor/canvas/Trails.h"
-#include "sim2d/trace/Recording.h"
 
 namespace editor {
 
@@ -32,11 +28,18 @@ class FrameLayer : public FullLayer {
   void begin();
   /// Shows a frame. With a recording, trails include the frames that were skipped since the
   /// previous one; otherwise they connect the shown frames.
-  void show(std::shared_ptr<const sim2d::Frame> frame, const sim2d::Recording* recording = nullptr);
+  void show(sim2d::FramePtr frame, const sim2d::Recording* recording = nullptr);
   /// Interpolates all bodies between the previous and the current frame; 1: current frame. Returns
   /// true if the picture changes.
   bool setInterpolation(double share);
-  void end();
+  void end() {
+    frame_.reset();
+    bodies_.clear();
+    before_.clear();
+    places_.clear();
+    speeches_.clear();
+    hearings_.clear();
+  }
   const sim2d::Frame* frame() const { return frame_.get(); }
   /// Adds speech events. They are shown for some seconds from `time` on, also when looking back.
   void addSpeech(const std::vector<sim2d::Event>& events, double time);
@@ -45,9 +48,16 @@ class FrameLayer : public FullLayer {
   std::optional<int> agentAt(const Vec2& world) const;
   EntityId entityOf(int id) const { return agent(id).entity; }  // None for spawned agents.
   QString nameOf(int id) const { return agent(id).name; }
-  std::optional<Vec2> positionOf(int agent) const;
+  std::optional<Vec2> positionOf(int id) const {
+    const Body* found = body(id);
+    return found == nullptr ? std::nullopt : std::optional<Vec2>(found->pose.position);
+  }
   std::vector<ShownBody> shownBodies() const;
-  bool hasSelectedBody() const;  // True if a body of the frame is selected.
+  /// True if a body of the frame is selected.
+  bool hasSelectedBody() const {
+    return std::any_of(bodies_.begin(), bodies_.end(),
+                       [this](const Body& body) { return isChosen(body); });
+  }
   std::vector<Label> labels() const;
   std::vector<QRectF> labelObstacles() const;
 
@@ -59,8 +69,8 @@ class FrameLayer : public FullLayer {
     EntityId entity;
     Look look = Look::Regular;
     sim2d::PersonKind kind = sim2d::PersonKind::Adult;
-    double radius = 0.35;         // [m]
-    std::vector<Vec2> footprint;  // Robots only.
+    double radius = 0.35;              // [m]
+    std::vector<Vec2> footprint = {};  // Robots only.
     sim2d::Kinematics kinematics = sim2d::Kinematics::Differential;
   };
   /// A person, or a robot (negative id), in the current frame.
@@ -68,8 +78,8 @@ class FrameLayer : public FullLayer {
     int id = 0;
     const Agent* agent = nullptr;
     Pose2 pose;
-    Pose2 at;  // Pose in the frame; `pose` is the interpolated one.
-    bool isMoving = false;
+    Pose2 at;                      // Pose in the frame; `pose` is the interpolated one.
+    Vec2 velocity = Vec2::Zero();  // [m/s]
     bool isRobot() const { return id < 0; }
   };
   struct Speech {
@@ -82,11 +92,18 @@ class FrameLayer : public FullLayer {
     double since = 0.0;  // [s]
   };
   void updateAgents(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
-  const Body* body(int id) const;
-  const Agent& agent(int id) const;
-  std::optional<Label> robotLabel(const Body& body) const;
-  std::optional<Label> personLabel(const Body& body) const;
-  bool isChosen(const Body& body) const;
+  const Body* body(int id) const {
+    const auto found = places_.find(id);
+    return found == places_.end() ? nullptr : &bodies_[found->second];
+  }
+  const Agent& agent(int id) const {
+    const auto found = agents_.find(id);
+    return found == agents_.end() ? unknownAgent_ : found->second;
+  }
+  bool isChosen(const Body& body) const {
+    return body.agent->entity ? document().isSelected(body.agent->entity)
+                              : mapScene().spawnedAgent() == body.id;
+  }
   double figureRadiusPx(const Body& body, double pixelsPerMetre) const;
   PersonFigure figureOf(const Body& person, double pixelsPerMetre) const;
   void paintTrails(QPainter& painter) const;
@@ -97,13 +114,13 @@ class FrameLayer : public FullLayer {
   void paintPush(QPainter& painter) const;
   void paintPeople(QPainter& painter) const;
   void paintRobot(QPainter& painter, const Body& robot) const;
+  void paintRobots(QPainter& painter) const;
   void paintSpeech(QPainter& painter) const;
   void paintHearing(QPainter& painter) const;
   void paintBubble(QPainter& painter, const Body& speaker, const Speech& speech) const;
   void paintForces(QPainter& painter) const;
 
-  void storePoses();
-  std::shared_ptr<const sim2d::Frame> frame_;
+  sim2d::FramePtr frame_;
   std::unordered_map<int, Pose2> before_;  // Poses in the previous frame, one step earlier.
   double interpolation_ = 1.0;
   std::vector<Body> bodies_;  // People, then robots.

@@ -1,9 +1,6 @@
 #include "editor/canvas/Layers.h"
 
-#include <algorithm>
 #include <limits>
-
-#include <QFontMetricsF>
 
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/PixelFrame.h"
@@ -29,11 +26,9 @@ QPen accentPen(const QPainter& painter, const Theme& theme, double widthPx) {
   return screenPen(painter, theme.color(Role::Accent), widthPx, Qt::SolidLine, Qt::SquareCap);
 }
 
-void paintGrid(QPainter& painter, QColor color, const QRectF& area, double step, double alpha) {
-  color.setAlphaF(alpha);
-  QPen pen(color, 1.0);
-  makeCosmetic(pen, painter);
-  painter.setPen(pen);
+void paintGrid(QPainter& painter, const QColor& color, const QRectF& area, double step,
+               double alpha) {
+  painter.setPen(cosmetic(QPen(withAlpha(color, alpha), 1.0), painter));
   QVector<QLineF> lines;
   for (const double x : multiplesIn(area.left(), area.right(), step)) {
     lines << QLineF(x, area.top(), x, area.bottom());
@@ -114,10 +109,7 @@ void GroupLayer::paintGroup(QPainter& painter, const QColor& color,
       radii.push_back(mapScene().figureRadius(*value));
     }
   }
-  QPen pen(color, 1.5, Qt::CustomDashLine, Qt::RoundCap);
-  pen.setDashPattern({1.0, 3.0});
-  makeCosmetic(pen, painter);
-  painter.setPen(pen);
+  painter.setPen(cosmetic(dashedPen(color, 1.5, {1.0, 3.0}, Qt::RoundCap), painter));
   for (const auto& [from, to] : minimumSpanningTree(places)) {
     painter.drawLine(toScene(places[from]), toScene(places[to]));
   }
@@ -293,9 +285,7 @@ void ToolLayer::paintLines(QPainter& painter) const {
   }
   for (const ToolDot& dot : marks_.dots) {
     const QPointF at = toScene(dot.at);
-    QColor fill = dot.color;
-    fill.setAlphaF(0.45);
-    setPenAndBrush(painter, screenPen(painter, dot.color, 1.2), fill);
+    setPenAndBrush(painter, screenPen(painter, dot.color, 1.2), withAlpha(dot.color, 0.45));
     painter.drawEllipse(at, dot.radius, dot.radius);
     if (dot.heading) {
       painter.drawLine(at, toScene(Pose2{dot.at, *dot.heading}.ahead(dot.radius)));

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <map>
 #include <tuple>
-#include <utility>
-#include <vector>
-
-#include <QPainterPath>
-#include <QPixmap>
 
 #include "editor/canvas/EntityItem.h"
 #include "editor/canvas/RouteModel.h"

@@ -1,16 +1,9 @@
 #include "editor/canvas/MapScene.h"
 
-#include <algorithm>
 #include <limits>
-#include <utility>
-
-#include <QGraphicsSceneMouseEvent>
-#include <QKeyEvent>
 
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/RunOverlays.h"
-#include "editor/canvas/SpriteAtlas.h"
-#include "editor/document/Entity.h"
 
 namespace editor {
 
@@ -151,11 +144,6 @@ MapScene::~MapScene() {
   QGraphicsScene::clear();
 }
 
-void MapScene::invalidateResting() {
-  ++restingRevision_;
-  update();
-}
-
 void MapScene::updateMap() {
   mapItem_->refresh();
   knownGround_ = knownGroundOf(*document_.map());
@@ -264,11 +252,6 @@ void MapScene::syncItems() {
   invalidateResting();
 }
 
-EntityItem* MapScene::item(EntityId id) const {
-  const auto found = items_.find(id);
-  return found == items_.end() ? nullptr : found->second;
-}
-
 EntityId MapScene::entityAt(const Vec2& world) const {
   const double reach = kReachPx / pixelsPerMetre_;
   EntityId best;
@@ -323,11 +306,6 @@ void MapScene::setPixelsPerMetre(double value) {
   sprites_->clear();
 }
 
-std::optional<Entity> MapScene::shown(EntityId id) const {
-  const auto found = preview_.find(id);
-  return found != preview_.end() ? std::optional<Entity>(found->second) : document_.entity(id);
-}
-
 void MapScene::setPreview(const std::vector<Entity>& values) {
   std::map<EntityId, Entity> old;
   old.swap(preview_);
@@ -379,12 +357,6 @@ bool MapScene::isShown(EntityId id) const {
       return options_.areas;
     default:
       return true;
-  }
-}
-
-void MapScene::clearPreview() {
-  if (!preview_.empty()) {
-    setPreview({});
   }
 }
 

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <vector>
-
-#include <QGraphicsScene>
-
-#include "editor/document/Geometry.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
 #include "sim2d/trace/Recording.h"
@@ -85,14 +77,25 @@ class MapScene : public QGraphicsScene {
   /// The topmost entity within 6 screen pixels; none if there is none.
   EntityId entityAt(const Vec2& world) const;
   std::vector<EntityId> entitiesIn(const Vec2& corner, const Vec2& opposite) const;
-  EntityItem* item(EntityId id) const;
+  EntityItem* item(EntityId id) const {
+    const auto found = items_.find(id);
+    return found == items_.end() ? nullptr : found->second;
+  }
   void setHovered(EntityId id);
 
   /// Shows these values instead of those of the document until cleared. New values (whose key is
   /// not in the document) are shown as ghosts.
   void setPreview(const std::vector<Entity>& values);
-  void clearPreview();
-  std::optional<Entity> shown(EntityId id) const;  // The value from the preview or the document.
+  void clearPreview() {
+    if (!preview_.empty()) {
+      setPreview({});
+    }
+  }
+  /// The value from the preview or the document.
+  std::optional<Entity> shown(EntityId id) const {
+    const auto found = preview_.find(id);
+    return found != preview_.end() ? std::optional<Entity>(found->second) : document_.entity(id);
+  }
   /// Shows these entities almost transparent, because they are about to be removed. Each call
   /// replaces the previous list.
   void setFaded(const std::vector<EntityId>& ids);
@@ -106,8 +109,7 @@ class MapScene : public QGraphicsScene {
 
   /// Run mode: people and robots are drawn from frames; null ends it. `recording` is the recording
   /// of the frame, if there is one: trails then include skipped frames.
-  void showFrame(std::shared_ptr<const sim2d::Frame> frame,
-                 const sim2d::Recording* recording = nullptr);
+  void showFrame(sim2d::FramePtr frame, const sim2d::Recording* recording = nullptr);
   /// Interpolates between the previous and the current frame for smooth motion; 1: current frame.
   void setFrameInterpolation(double share);
   bool isRunMode() const;
@@ -127,7 +129,10 @@ class MapScene : public QGraphicsScene {
     Vec2 velocity = Vec2::Zero();  // [m/s]
   };
   const std::optional<Push>& push() const { return push_; }
-  void setPush(std::optional<Push> push);
+  void setPush(std::optional<Push> push) {
+    push_ = isPullable_ ? std::move(push) : std::nullopt;
+    update();
+  }
   /// The next drag, wherever it begins, sets the push of this person; none: disarmed.
   void armPush(std::optional<int> person) { armedPush_ = person; }
   std::optional<int> armedPush() const { return armedPush_; }
@@ -152,9 +157,13 @@ class MapScene : public QGraphicsScene {
 
   // For items and layers
   CanvasPart paintedPart() const { return part_; }
-  bool isPainted(EntityId id) const;                  // Belongs to the part that is being painted.
-  bool isHovered(EntityId id) const;                  // Hovered, and highlighted in this part.
-  SpriteAtlas& sprites() const { return *sprites_; }  // Sprites of people at this zoom.
+  bool isPainted(EntityId id) const {  // Belongs to the part that is being painted.
+    return part_ == CanvasPart::All || (part_ == CanvasPart::Moving) == isMoving(id);
+  }
+  bool isHovered(EntityId id) const {  // Hovered, and highlighted in this part.
+    return id == hovered_ && (part_ != CanvasPart::Resting || hoveredOnTop() != id);
+  }
+  SpriteAtlas& sprites() const { return *sprites_; }            // Sprites of people at this zoom.
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // In shown frame, else at start.
   double bodyRadius(const Entity& entity) const;                // For people and robots [m].
   bool isSizable(const Entity& entity) const;  // False if a pedestrian model sets the radius.
@@ -191,8 +200,17 @@ class MapScene : public QGraphicsScene {
   bool isShown(EntityId id) const;
   bool isMoving(EntityId id) const;
   void updateRoutes();
-  void invalidateResting();
-  EntityId hoveredOnTop() const;
+  void invalidateResting() {
+    ++restingRevision_;
+    update();
+  }
+  /// The hovered small entity, which is painted over the resting picture so that the picture need
+  /// not change.
+  EntityId hoveredOnTop() const {
+    const bool isSmall = hovered_.kind == EntityKind::Human || hovered_.kind == EntityKind::Robot ||
+                         hovered_.kind == EntityKind::Goal;
+    return isSmall ? hovered_ : EntityId();
+  }
   void dispatchMouse(QGraphicsSceneMouseEvent& event, void (Tool::*handler)(const CanvasMouse&));
 
   ScenarioDocument& document_;

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/RunOverlays.h"
 #include "sim2d/scenario/ResolvedValues.h"
@@ -71,22 +71,6 @@ std::vector<EntityId> MapScene::movingIds() const {
 bool MapScene::isMoving(EntityId id) const {
   const bool isBody = id.kind == EntityKind::Human || id.kind == EntityKind::Robot;
   return preview_.count(id) > 0 || (isBody && isRunMode());
-}
-
-bool MapScene::isPainted(EntityId id) const {
-  return part_ == CanvasPart::All || (part_ == CanvasPart::Moving) == isMoving(id);
-}
-
-/// The hovered small entity, which is painted over the resting picture so that the picture need not
-/// change.
-EntityId MapScene::hoveredOnTop() const {
-  const bool isSmall = hovered_.kind == EntityKind::Human || hovered_.kind == EntityKind::Robot ||
-                       hovered_.kind == EntityKind::Goal;
-  return isSmall ? hovered_ : EntityId();
-}
-
-bool MapScene::isHovered(EntityId id) const {
-  return id == hovered_ && (part_ != CanvasPart::Resting || hoveredOnTop() != id);
 }
 
 void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& exposed) {
@@ -212,8 +196,7 @@ bool MapScene::isRunMode() const {
   return frameLayer_->frame() != nullptr;
 }
 
-void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame,
-                         const sim2d::Recording* recording) {
+void MapScene::showFrame(sim2d::FramePtr frame, const sim2d::Recording* recording) {
   const bool wasRunning = isRunMode();
   const bool turnsDoors =
       wasRunning && frame != nullptr && frame->doorOpen != frameLayer_->frame()->doorOpen;
@@ -255,11 +238,6 @@ void MapScene::setPull(std::optional<Pull> pull) {
     update();
     Q_EMIT pullChanged();
   }
-}
-
-void MapScene::setPush(std::optional<Push> push) {
-  push_ = isPullable_ ? std::move(push) : std::nullopt;
-  update();
 }
 
 void MapScene::setPullable(bool pullable) {

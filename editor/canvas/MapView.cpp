@@ -1,14 +1,6 @@
 #include "editor/canvas/MapView.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
-
-#include <QCoreApplication>
-#include <QPaintEvent>
-#include <QPainter>
-#include <QScrollBar>
-#include <QWheelEvent>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapLegend.h"
@@ -168,12 +160,6 @@ void MapView::zoomBy(double factor, const QPointF& viewportPoint) {
   applyView(fixed + (centre - fixed) * pixelsPerMetre() / scale, scale);
 }
 
-void MapView::setCanvasState(CanvasState state) {
-  state_ = state;
-  placeLegend();
-  viewport()->update();
-}
-
 /// Invalid while editing.
 QColor MapView::stateColor() const {
   return state_ == CanvasState::Editing   ? QColor()
@@ -247,11 +233,6 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
   QGraphicsView::mouseReleaseEvent(event);
 }
 
-void MapView::setLeftButtonPan(bool on) {
-  leftButtonPans_ = on;
-  updateCursor();
-}
-
 void MapView::updateCursor() {
   if (panning_) {
     viewport()->setCursor(Qt::ClosedHandCursor);
@@ -292,16 +273,6 @@ void MapView::keyReleaseEvent(QKeyEvent* event) {
   QGraphicsView::keyReleaseEvent(event);
 }
 
-void MapView::focusOutEvent(QFocusEvent* event) {
-  spaceHeld_ = false;  // Another widget receives its release.
-  QGraphicsView::focusOutEvent(event);
-}
-
-void MapView::leaveEvent(QEvent* event) {
-  scene_.setHovered({});  // The mouse has left the canvas.
-  QGraphicsView::leaveEvent(event);
-}
-
 void MapView::showEvent(QShowEvent* event) {
   QGraphicsView::showEvent(event);
   if (fitted_) {
@@ -318,11 +289,6 @@ void MapView::resizeEvent(QResizeEvent* event) {
   } else if (event->oldSize().isValid()) {
     centerOn(centre);
   }
-}
-
-/// Called while the view moves: crowded scenes use the cached picture meanwhile.
-void MapView::restartSettleTimer() {
-  settleTimer_.start();
 }
 
 void MapView::paintEvent(QPaintEvent* event) {
@@ -345,10 +311,6 @@ void MapView::paintEvent(QPaintEvent* event) {
   scene_.paintPart(painter, CanvasPart::Moving, seen);
   painter.resetTransform();
   drawForeground(&painter, seen);
-}
-
-void MapView::drawBackground(QPainter* painter, const QRectF& rect) {
-  painter->fillRect(rect, scene_.groundColor());
 }
 
 void MapView::drawForeground(QPainter* painter, const QRectF&) {

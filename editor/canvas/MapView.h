@@ -1,10 +1,5 @@
 #pragma once
 
-#include <QGraphicsView>
-#include <QPixmap>
-#include <QTimer>
-#include <QVariantAnimation>
-
 #include "editor/canvas/MapScene.h"
 
 namespace editor {
@@ -57,8 +52,16 @@ class MapView : public QGraphicsView {
   double pixelsPerMetre() const { return transform().m11(); }
   Vec2 worldAt(const QPoint& viewportPoint) const { return toWorld(mapToScene(viewportPoint)); }
   QPoint viewportFrom(const Vec2& world) const { return mapFromScene(toScene(world)); }
-  void setCanvasState(CanvasState state);
-  void setLeftButtonPan(bool on);  // The left button pans as well.
+  void setCanvasState(CanvasState state) {
+    state_ = state;
+    placeLegend();
+    viewport()->update();
+  }
+  /// The left button pans as well.
+  void setLeftButtonPan(bool on) {
+    leftButtonPans_ = on;
+    updateCursor();
+  }
   MapScene& mapScene() const { return scene_; }
 
  Q_SIGNALS:
@@ -74,9 +77,17 @@ class MapView : public QGraphicsView {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
-  void leaveEvent(QEvent* event) override;
-  void drawBackground(QPainter* painter, const QRectF& rect) override;
+  void focusOutEvent(QFocusEvent* event) override {
+    spaceHeld_ = false;  // Another widget receives its release.
+    QGraphicsView::focusOutEvent(event);
+  }
+  void leaveEvent(QEvent* event) override {
+    scene_.setHovered({});  // The mouse has left the canvas.
+    QGraphicsView::leaveEvent(event);
+  }
+  void drawBackground(QPainter* painter, const QRectF& rect) override {
+    painter->fillRect(rect, scene_.groundColor());
+  }
   void drawForeground(QPainter* painter, const QRectF& rect) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -92,7 +103,8 @@ class MapView : public QGraphicsView {
   void updateCursor();
   QColor stateColor() const;
   void placeLegend();
-  void restartSettleTimer();
+  /// Called while the view moves: crowded scenes use the cached picture meanwhile.
+  void restartSettleTimer() { settleTimer_.start(); }
   bool startsPan(const QMouseEvent& event) const;
 
   MapScene& scene_;

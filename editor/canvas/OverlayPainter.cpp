@@ -1,14 +1,7 @@
 #include "editor/canvas/OverlayPainter.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <QObject>
-
-#include "editor/canvas/PixelFrame.h"
-#include "editor/look/Images.h"
-#include "metrics/MapFields.h"
 
 namespace editor {
 
@@ -40,9 +33,7 @@ constexpr Shade kDarkShades[] = {{0.0, "#6B2A12", 0.0},
                                  {1.0, "#F7E87A", 0.80}};
 
 QColor shadeColor(const Shade& shade) {
-  QColor color(shade.color);
-  color.setAlphaF(shade.alpha);
-  return color;
+  return withAlpha(QColor(shade.color), shade.alpha);
 }
 
 }  // namespace
@@ -130,15 +121,13 @@ void OverlayPainter::density(const metrics::DensityField& field, const QImage& i
   painter_.restore();
 }
 
-void OverlayPainter::hallZones(const Vec2& at, QColor color, bool withSocial) const {
+void OverlayPainter::hallZones(const Vec2& at, const QColor& color, bool withSocial) const {
   for (const auto& [reach, alpha] : kHallZones) {
     if (reach > 2.0 && !withSocial) {
       continue;
     }
-    color.setAlphaF(2.6 * alpha);
-    const QPen rim(color, 0.8 * line_);
-    color.setAlphaF(alpha);
-    setPenAndBrush(painter_, rim, color);
+    setPenAndBrush(painter_, QPen(withAlpha(color, 2.6 * alpha), 0.8 * line_),
+                   withAlpha(color, alpha));
     QPainterPath zone;
     zone.addEllipse(frame_.at(at), reach * frame_.scale, reach * frame_.scale);
     shape(zone);
@@ -147,11 +136,7 @@ void OverlayPainter::hallZones(const Vec2& at, QColor color, bool withSocial) co
 
 void OverlayPainter::gaussian(const base::Pose2& person, double speed, const QColor& color) const {
   const metrics::GaussianPersonalSpace space = metrics::personalSpaceOf(speed);
-  QColor fill = color;
-  fill.setAlphaF(0.10);
-  QColor rim = color;
-  rim.setAlphaF(0.55);
-  setPenAndBrush(painter_, QPen(rim, line_), fill);
+  setPenAndBrush(painter_, QPen(withAlpha(color, 0.55), line_), withAlpha(color, 0.10));
   for (const double level : kGaussianLevels) {
     QPainterPath contour;
     contour.addPolygon(frame_.at(metrics::personalSpaceContour(space, person, level, 36)));
@@ -161,11 +146,9 @@ void OverlayPainter::gaussian(const base::Pose2& person, double speed, const QCo
 }
 
 void OverlayPainter::sight(const std::vector<Vec2>& polygon, const QColor& color) const {
-  QColor fill = color;
-  fill.setAlphaF(theme_.isDark() ? 0.20 : 0.16);
-  QColor rim = color;
-  rim.setAlphaF(0.6);
-  setPenAndBrush(painter_, QPen(rim, line_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin), fill);
+  setPenAndBrush(painter_,
+                 QPen(withAlpha(color, 0.6), line_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin),
+                 withAlpha(color, theme_.isDark() ? 0.20 : 0.16));
   painter_.drawPolygon(frame_.at(polygon));
 }
 
@@ -267,8 +250,8 @@ void OverlayPainter::contactSign(const QPointF& centre, ContactCause cause) cons
 void OverlayPainter::contact(const sim2d::ContactMark& mark, double age) const {
   const QPointF at = frame_.at(mark.position);
   if (age < kFreshContact) {
-    QColor ring = contactColor(theme_, mark.cause);
-    ring.setAlphaF(0.7 * (1.0 - age / kFreshContact));
+    const double share = age / kFreshContact;
+    const QColor ring = withAlpha(contactColor(theme_, mark.cause), 0.7 * (1.0 - share));
     paintRing(painter_, QPen(ring, 2.0 * line_), (10.0 + 8.0 * age / kFreshContact) * line_, at);
   }
   contactSign(at, mark.cause);

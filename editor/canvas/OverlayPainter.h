@@ -1,12 +1,5 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
-#include <QImage>
-#include <QPainter>
-#include <QPainterPath>
-
 #include "editor/look/FigurePainter.h"
 #include "metrics/MapFields.h"
 #include "sim2d/trace/ContactMarks.h"
@@ -59,7 +52,7 @@ class OverlayPainter {
 
   void density(const metrics::DensityField& field, const QImage& image) const;
   /// Hall's zones: intimate 0.45 m, personal 1.2 m, social 3.6 m.
-  void hallZones(const base::Vec2& at, QColor color, bool withSocial = true) const;
+  void hallZones(const base::Vec2& at, const QColor& color, bool withSocial = true) const;
   /// Contours of the Gaussian personal space at the heights `kGaussianLevels`.
   void gaussian(const base::Pose2& person, double speed, const QColor& color) const;
   void sight(const std::vector<base::Vec2>& polygon, const QColor& color) const;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QPainter>
-#include <QStyleOptionGraphicsItem>
-#include <QWidget>
+#include "editor/look/FigurePainter.h"
 
 namespace editor {
 
@@ -15,18 +13,25 @@ inline double pixelRatioOf(const QPainter& painter) {
   return painter.device()->devicePixelRatioF();
 }
 
-/// Makes the pen width independent of the zoom, in points. Qt interprets the width of a cosmetic
-/// pen as device pixels, which makes lines too thin on high-density screens.
-inline void makeCosmetic(QPen& pen, const QPainter& painter) {
+/// The pen with a width in points that is independent of the zoom. Qt interprets the width of a
+/// cosmetic pen as device pixels, which makes lines too thin on high-density screens.
+inline QPen cosmetic(QPen pen, const QPainter& painter) {
   pen.setCosmetic(true);
   pen.setWidthF(pen.widthF() * pixelRatioOf(painter));
+  return pen;
 }
 
 /// A pen with a constant width on the screen and sharp corners.
 inline QPen screenPen(const QPainter& painter, const QColor& color, double widthPx,
                       Qt::PenStyle style = Qt::SolidLine, Qt::PenCapStyle cap = Qt::FlatCap) {
-  QPen pen(color, widthPx, style, cap, Qt::MiterJoin);
-  makeCosmetic(pen, painter);
+  return cosmetic(QPen(color, widthPx, style, cap, Qt::MiterJoin), painter);
+}
+
+/// A pen with dashes; `dashes`: lengths of dashes and gaps in line widths.
+inline QPen dashedPen(const QColor& color, double width, const QVector<qreal>& dashes,
+                      Qt::PenCapStyle cap = Qt::FlatCap) {
+  QPen pen(color, width, Qt::CustomDashLine, cap);
+  pen.setDashPattern(dashes);
   return pen;
 }
 
@@ -36,19 +41,6 @@ inline QRectF shownRect(const QPainter& painter, const QStyleOptionGraphicsItem&
                         const QWidget* widget) {
   return widget == nullptr ? option.exposedRect
                            : painter.worldTransform().inverted().mapRect(QRectF(widget->rect()));
-}
-
-/// Sets pen and brush.
-inline void setPenAndBrush(QPainter& painter, const QPen& pen, const QBrush& fill = Qt::NoBrush) {
-  painter.setPen(pen);
-  painter.setBrush(fill);
-}
-
-/// Draws an unfilled ring.
-inline void paintRing(QPainter& painter, const QPen& pen, double radius,
-                      const QPointF& centre = {}) {
-  setPenAndBrush(painter, pen);
-  painter.drawEllipse(centre, radius, radius);
 }
 
 /// Sets the painter to pixel units with the origin at a scene point until destroyed, for parts with

@@ -1,16 +1,11 @@
 #include "editor/canvas/RobotPainters.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-#include <QPainter>
-
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/look/Images.h"
 #include "sim2d/base/Math.h"
 
 namespace editor {
@@ -19,15 +14,112 @@ namespace {
 
 constexpr double kMinLocalizationError = 0.05;              // [m]
 constexpr double kMinHeadingError = 2.0 * base::kPi / 180;  // [rad]
-constexpr double kAhead = 0.5;                              // Duration of a velocity arrow [s].
+constexpr double kArrowSeconds = 0.5;                       // Duration of a velocity arrow [s].
 constexpr double kWeakest = 0.1, kStrongest = 0.5;          // Opacity of other trajectories.
 
-/// A long-dashed line in the colour of robot perception.
-QPen dashed(const QPainter& painter, const QColor& color, double widthPx) {
-  QPen pen(color, widthPx, Qt::CustomDashLine, Qt::FlatCap);
-  pen.setDashPattern({3.0, 2.0});
-  makeCosmetic(pen, painter);
-  return pen;
+constexpr double kFarTrack = 0.25;       // A farther track is apart from its body [m].
+constexpr std::size_t kMaxBeams = 1200;  // Larger scans are thinned out.
+constexpr double kUsualShare = 0.9;      // Share of the trajectories within the colour scale.
+constexpr int kFreeCost = 0, kNearCost = 252, kTouchCost = 253, kObstacleCost = 254;
+constexpr int kArcParts = 24;
+constexpr double kAimPx = 6.0;
+
+/// A long-dashed pen in the colour of robot perception.
+QPen perceptionPen(const QPainter& painter, const Theme& theme, double widthPx) {
+  return cosmetic(dashedPen(theme.color(Role::Lidar), widthPx, {3.0, 2.0}), painter);
+}
+
+void paintLine(QPainter& painter, const std::vector<Vec2>& points, const QPen& pen) {
+  setPenAndBrush(painter, cosmetic(pen, painter));
+  painter.drawPolyline(toScene(points));
+}
+
+QPen roundPen(const QColor& color, double width) {
+  return QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+}
+
+bool hasPlannerData(const sim2d::RobotTelemetry& senses) {
+  return senses.localCosts != nullptr || senses.globalCosts != nullptr || hasCostTerms(senses) ||
+         !senses.lookahead.empty() || !senses.masks.empty();
+}
+
+/// The indices of trajectories by ascending or descending cost.
+std::vector<std::size_t> orderByCost(const std::vector<sim2d::RobotTelemetry::Candidate>& ways,
+                                     bool isAscending) {
+  std::vector<std::size_t> order(ways.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return isAscending ? ways[a].cost < ways[b].cost : ways[a].cost > ways[b].cost;
+  });
+  return order;
+}
+
+/// The perception of all robots of the shown frame, with their ids.
+template <class Visit>
+void forEachSenses(const MapScene& scene, Visit visit) {
+  const sim2d::Frame* frame = scene.frameLayer().frame();
+  if (frame == nullptr || frame->senses == nullptr) {
+    return;
+  }
+  for (std::size_t i = 0; i < std::min(frame->robots.size(), frame->senses->size()); ++i) {
+    visit(frame->robots.id[i], (*frame->senses)[i]);
+  }
+}
+
+void paintCandidatesByRank(QPainter& painter, const Theme& theme,
+                           const std::vector<sim2d::RobotTelemetry::Candidate>& ways) {
+  const std::vector<double> relativeCost = relativeCosts(ways);
+  for (const bool isChosenTurn : {false, true}) {  // The chosen trajectory is drawn last.
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      if (ways[i].isChosen == isChosenTurn) {
+        const double alpha = kStrongest + (kWeakest - kStrongest) * relativeCost[i];
+        const QColor color = isChosenTurn ? theme.color(Role::Accent)
+                             : std::isfinite(ways[i].cost)
+                                 ? theme.color(Role::Accent, alpha)
+                                 : theme.color(Role::Error, kWeakest + 0.15);
+        paintLine(painter, ways[i].points, roundPen(color, isChosenTurn ? 2.5 : 1.0));
+      }
+    }
+  }
+}
+
+void paintCandidatesByCost(QPainter& painter, const Theme& theme,
+                           const std::vector<sim2d::RobotTelemetry::Candidate>& ways) {
+  const CostScale scale = costScaleOf(ways);
+  for (const std::size_t i : orderByCost(ways, false)) {
+    if (!ways[i].isChosen) {
+      const QColor color =
+          std::isfinite(ways[i].cost)
+              ? withAlpha(trajectoryCostColor(theme, costShare(scale, ways[i].cost)), 0.75)
+              : theme.color(Role::TextSecondary, 0.3);
+      paintLine(painter, ways[i].points, roundPen(color, 1.0));
+    }
+  }
+  for (const sim2d::RobotTelemetry::Candidate& way : ways) {
+    if (way.isChosen) {
+      paintLine(painter, way.points, roundPen(theme.color(Role::MapFree, 0.9), 5.0));
+      paintLine(painter, way.points, roundPen(theme.color(Role::Text), 2.5));
+    }
+  }
+}
+
+/// Draws the lookahead point, the arc to it, and the goal.
+void paintAim(QPainter& painter, const Theme& theme, const sim2d::RobotTelemetry& senses) {
+  const QColor color = theme.color(Role::Accent);
+  if (senses.ways.empty() && !senses.lookahead.empty()) {
+    paintLine(painter, pursuitArc(senses.believed, senses.lookahead.front()),
+              QPen(color, 2.0, Qt::SolidLine, Qt::RoundCap));
+  }
+  if (senses.ways.empty() && senses.predicted.size() > 1) {
+    paintLine(painter, senses.predicted, dashedPen(theme.color(Role::Text), 2.0, {3.0, 2.0}));
+  }
+  for (const Vec2& point : senses.lookahead) {
+    const PixelFrame frame(painter, toScene(point));
+    paintRing(painter, QPen(theme.color(Role::MapFree), 4.5), kAimPx);
+    paintRing(painter, QPen(color, 2.0), kAimPx);
+    setPenAndBrush(painter, Qt::NoPen, color);
+    painter.drawEllipse(QPointF(), 1.8, 1.8);
+  }
 }
 
 }  // namespace
@@ -59,10 +151,7 @@ std::optional<Pose2> divergentPoseEstimate(const sim2d::Frame& frame, std::size_
 }
 
 std::vector<double> relativeCosts(const std::vector<sim2d::RobotTelemetry::Candidate>& ways) {
-  std::vector<std::size_t> order(ways.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return ways[a].cost < ways[b].cost; });
+  const std::vector<std::size_t> order = orderByCost(ways, true);
   const auto open = std::count_if(ways.begin(), ways.end(),
                                   [](const auto& way) { return std::isfinite(way.cost); });
   std::vector<double> relativeCost(ways.size(), 1.0);
@@ -75,7 +164,7 @@ std::vector<double> relativeCosts(const std::vector<sim2d::RobotTelemetry::Candi
   return relativeCost;
 }
 
-void SensePainter::scan(QPainter& painter, const sim2d::RobotTelemetry::Scan& scan) const {
+void paintScan(QPainter& painter, const Theme& theme, const sim2d::RobotTelemetry::Scan& scan) {
   const std::size_t stride = 1 + scan.distances.size() / kMaxBeams;
   QPolygonF seen;
   QPolygonF hits;
@@ -87,42 +176,26 @@ void SensePainter::scan(QPainter& painter, const sim2d::RobotTelemetry::Scan& sc
       hits << end;
     }
   }
-  setPenAndBrush(painter, Qt::NoPen, theme_.color(Role::Lidar, theme_.isDark() ? 0.05 : 0.07));
+  setPenAndBrush(painter, Qt::NoPen, theme.color(Role::Lidar, theme.isDark() ? 0.05 : 0.07));
   painter.drawPolygon(seen);
-  QPen dots(theme_.color(Role::Lidar), 3.0, Qt::SolidLine, Qt::RoundCap);
-  makeCosmetic(dots, painter);
-  painter.setPen(dots);
+  painter.setPen(
+      cosmetic(QPen(theme.color(Role::Lidar), 3.0, Qt::SolidLine, Qt::RoundCap), painter));
   painter.drawPoints(hits);
 }
 
-void SensePainter::ways(QPainter& painter,
-                        const std::vector<sim2d::RobotTelemetry::Candidate>& ways) const {
-  const std::vector<double> relativeCost = relativeCosts(ways);
-  for (const bool isChosenTurn : {false, true}) {  // The chosen trajectory is drawn last.
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-      if (ways[i].isChosen != isChosenTurn) {
-        continue;
-      }
-      const double alpha = kStrongest + (kWeakest - kStrongest) * relativeCost[i];
-      const QColor color = ways[i].isChosen ? theme_.color(Role::Accent)
-                           : std::isfinite(ways[i].cost)
-                               ? theme_.color(Role::Accent, alpha)
-                               : theme_.color(Role::Error, kWeakest + 0.15);
-      QPen pen(color, ways[i].isChosen ? 2.5 : 1.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-      makeCosmetic(pen, painter);
-      setPenAndBrush(painter, pen);
-      painter.drawPolyline(toScene(ways[i].points));
-    }
-  }
+void paintCandidates(QPainter& painter, const Theme& theme, const sim2d::RobotTelemetry& senses) {
+  hasCostTerms(senses) ? paintCandidatesByCost(painter, theme, senses.ways)
+                       : paintCandidatesByRank(painter, theme, senses.ways);
+  paintAim(painter, theme, senses);
 }
 
-void SensePainter::tracks(QPainter& painter, const std::vector<sim2d::RobotTelemetry::Body>& bodies,
-                          const Place& place) const {
-  const QColor color = theme_.color(Role::Lidar);
+void paintTracks(
+    QPainter& painter, const Theme& theme, const std::vector<sim2d::RobotTelemetry::Body>& bodies,
+    const std::function<std::optional<Vec2>(const sim2d::RobotTelemetry::Body&)>& place) {
   for (const sim2d::RobotTelemetry::Body& body : bodies) {
     const QPointF at = toScene(body.position);
     const double radius = body.radius + kTrackGap;
-    setPenAndBrush(painter, dashed(painter, color, 1.8));
+    setPenAndBrush(painter, perceptionPen(painter, theme, 1.8));
     painter.drawEllipse(at, radius, radius);
     const std::optional<Vec2> truth = place(body);
     if (truth && (*truth - body.position).norm() > kFarTrack) {
@@ -130,38 +203,18 @@ void SensePainter::tracks(QPainter& painter, const std::vector<sim2d::RobotTelem
     }
     if (body.velocity.norm() > 0.05) {
       const Vec2 ahead = body.velocity.normalized();
-      const Vec2 tip = body.position + radius * ahead + kAhead * body.velocity;
-      setPenAndBrush(painter, screenPen(painter, color, 1.8));
+      const Vec2 tip = body.position + radius * ahead + kArrowSeconds * body.velocity;
+      setPenAndBrush(painter, screenPen(painter, theme.color(Role::Lidar), 1.8));
       painter.drawLine(toScene(body.position + radius * ahead), toScene(tip));
     }
   }
 }
 
-void SensePainter::paintLocalizationError(QPainter& painter, const Vec2& from,
-                                          const Vec2& believed) const {
-  setPenAndBrush(painter, dashed(painter, theme_.color(Role::Lidar), 1.5));
+void paintLocalizationError(QPainter& painter, const Theme& theme, const Vec2& from,
+                            const Vec2& believed) {
+  setPenAndBrush(painter, perceptionPen(painter, theme, 1.5));
   painter.drawLine(toScene(from), toScene(believed));
 }
-
-namespace {
-
-constexpr double kUsualShare = 0.9;  // Share of the trajectories within the colour scale.
-constexpr int kFreeCost = 0, kNearCost = 252, kTouchCost = 253, kObstacleCost = 254;
-constexpr int kArcParts = 24;
-constexpr double kAimPx = 6.0;
-
-QColor shaded(const char* name, double alpha) {
-  QColor color(name);
-  color.setAlphaF(alpha);
-  return color;
-}
-
-bool hasPlannerData(const sim2d::RobotTelemetry& senses) {
-  return senses.localCosts != nullptr || senses.globalCosts != nullptr || hasCostTerms(senses) ||
-         !senses.lookahead.empty() || !senses.masks.empty();
-}
-
-}  // namespace
 
 CostScale costScaleOf(const std::vector<sim2d::RobotTelemetry::Candidate>& ways) {
   CostScale scale;
@@ -195,19 +248,15 @@ QColor trajectoryCostColor(const Theme& theme, double share) {
 }
 
 QColor costColor(const Theme& theme, std::uint8_t cost) {
-  const bool isDark = theme.isDark();
   if (cost == kFreeCost) {
     return Qt::transparent;
   }
-  if (cost <= kNearCost) {
-    const double share = static_cast<double>(cost) / kNearCost;
-    return shaded(isDark ? "#B98AE0" : "#7B3FA0", 0.06 + 0.34 * share);
-  }
-  if (cost == kTouchCost) {
-    return shaded(isDark ? "#B98AE0" : "#7B3FA0", 0.62);
-  }
-  return cost == kObstacleCost ? shaded(isDark ? "#F2C4FF" : "#4A1466", 0.9)
-                               : shaded(isDark ? "#9AA4AE" : "#5F6B76", 0.22);
+  const bool isDark = theme.isDark();
+  const QColor ramp(isDark ? "#B98AE0" : "#7B3FA0");
+  return cost <= kNearCost ? withAlpha(ramp, 0.06 + 0.34 * (static_cast<double>(cost) / kNearCost))
+         : cost == kTouchCost    ? withAlpha(ramp, 0.62)
+         : cost == kObstacleCost ? withAlpha(QColor(isDark ? "#F2C4FF" : "#4A1466"), 0.9)
+                                 : withAlpha(QColor(isDark ? "#9AA4AE" : "#5F6B76"), 0.22);
 }
 
 QColor maskColor(const Theme& theme, sim2d::MaskGrid::Kind kind, std::uint8_t percent) {
@@ -288,105 +337,47 @@ bool hasCostTerms(const sim2d::RobotTelemetry& senses) {
                      [](const auto& way) { return !way.scores.empty(); });
 }
 
-std::optional<ObservedPlanner> observedPlanner(const MapScene& scene) {
-  const FrameLayer& layer = scene.frameLayer();
-  const sim2d::Frame* frame = layer.frame();
-  if (frame == nullptr || frame->senses == nullptr) {
-    return std::nullopt;
-  }
-  std::optional<ObservedPlanner> first;
+std::optional<ObservedRobot> selectedRobot(const MapScene& scene) {
+  std::optional<ObservedRobot> found;
   const std::vector<EntityId>& selection = scene.document().selection();
-  for (std::size_t i = 0; i < std::min(frame->robots.size(), frame->senses->size()); ++i) {
-    const ObservedPlanner robot{&(*frame->senses)[i], layer.nameOf(frame->robots.id[i])};
-    if (selection.size() == 1 && layer.entityOf(frame->robots.id[i]) == selection.front()) {
-      return robot;
+  const FrameLayer& layer = scene.frameLayer();
+  forEachSenses(scene, [&](int id, const sim2d::RobotTelemetry& senses) {
+    if (!found && selection.size() == 1 && layer.entityOf(id) == selection.front()) {
+      found = ObservedRobot{&senses, layer.nameOf(id)};
     }
-    if (!first && hasPlannerData(*robot.senses)) {
-      first = robot;
-    }
-  }
-  return first;
+  });
+  return found;
 }
 
-void PlannerPainter::costs(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
-                           const QRectF& hole) const {
+std::optional<ObservedRobot> observedPlanner(const MapScene& scene) {
+  std::optional<ObservedRobot> found = selectedRobot(scene);
+  forEachSenses(scene, [&](int id, const sim2d::RobotTelemetry& senses) {
+    if (!found && hasPlannerData(senses)) {
+      found = ObservedRobot{&senses, scene.frameLayer().nameOf(id)};
+    }
+  });
+  return found;
+}
+
+void paintCosts(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
+                const QRectF& hole) {
   painter.save();
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
   const QRectF area = areaOf(grid);
-  if (hole.isEmpty()) {
-    painter.drawImage(area, image);
-  } else {
+  if (!hole.isEmpty()) {
     QPainterPath around;
     around.addRect(area);
     around.addRect(hole & area);
     painter.setClipPath(around, Qt::IntersectClip);
-    painter.drawImage(area, image);
   }
+  painter.drawImage(area, image);
   painter.restore();
 }
 
-void PlannerPainter::edge(QPainter& painter, const sim2d::CostGrid& grid) const {
-  QPen pen(costColor(theme_, kTouchCost), 1.2, Qt::CustomDashLine, Qt::FlatCap);
-  pen.setDashPattern({4.0, 3.0});
-  makeCosmetic(pen, painter);
-  setPenAndBrush(painter, pen);
+void paintCostEdge(QPainter& painter, const Theme& theme, const sim2d::CostGrid& grid) {
+  setPenAndBrush(painter,
+                 cosmetic(dashedPen(costColor(theme, kTouchCost), 1.2, {4.0, 3.0}), painter));
   painter.drawRect(areaOf(grid));
-}
-
-void PlannerPainter::line(QPainter& painter, const std::vector<Vec2>& points,
-                          const QPen& pen) const {
-  QPen ink = pen;
-  makeCosmetic(ink, painter);
-  setPenAndBrush(painter, ink);
-  painter.drawPolyline(toScene(points));
-}
-
-void PlannerPainter::ways(QPainter& painter,
-                          const std::vector<sim2d::RobotTelemetry::Candidate>& ways) const {
-  const CostScale scale = costScaleOf(ways);
-  std::vector<std::size_t> order(ways.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return ways[a].cost > ways[b].cost; });
-  const auto pen = [](const QColor& color, double width) {
-    return QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-  };
-  for (const std::size_t i : order) {
-    if (ways[i].isChosen) {
-      continue;
-    }
-    const bool isOpen = std::isfinite(ways[i].cost);
-    QColor color = isOpen ? trajectoryCostColor(theme_, costShare(scale, ways[i].cost))
-                          : theme_.color(Role::TextSecondary, 0.3);
-    color.setAlphaF(isOpen ? 0.75 : color.alphaF());
-    line(painter, ways[i].points, pen(color, 1.0));
-  }
-  for (const sim2d::RobotTelemetry::Candidate& way : ways) {
-    if (way.isChosen) {
-      line(painter, way.points, pen(theme_.color(Role::MapFree, 0.9), 5.0));
-      line(painter, way.points, pen(theme_.color(Role::Text), 2.5));
-    }
-  }
-}
-
-void PlannerPainter::aim(QPainter& painter, const sim2d::RobotTelemetry& senses) const {
-  const QColor color = theme_.color(Role::Accent);
-  if (senses.ways.empty() && !senses.lookahead.empty()) {
-    line(painter, pursuitArc(senses.believed, senses.lookahead.front()),
-         QPen(color, 2.0, Qt::SolidLine, Qt::RoundCap));
-  }
-  if (senses.ways.empty() && senses.predicted.size() > 1) {
-    QPen pen(theme_.color(Role::Text), 2.0, Qt::CustomDashLine, Qt::FlatCap);
-    pen.setDashPattern({3.0, 2.0});
-    line(painter, senses.predicted, pen);
-  }
-  for (const Vec2& point : senses.lookahead) {
-    const PixelFrame frame(painter, toScene(point));
-    paintRing(painter, QPen(theme_.color(Role::MapFree), 4.5), kAimPx);
-    paintRing(painter, QPen(color, 2.0), kAimPx);
-    setPenAndBrush(painter, Qt::NoPen, color);
-    painter.drawEllipse(QPointF(), 1.8, 1.8);
-  }
 }
 
 }  // namespace editor

@@ -1,42 +1,34 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
-#include <optional>
-#include <vector>
-
-#include <QImage>
-#include <QPainter>
 
 #include "editor/canvas/MapScene.h"
-#include "sim2d/trace/Frame.h"
-
-class QPainter;
 
 namespace editor {
 
-/// Draws the perception and the candidate trajectories of robots in a frame (`Frame::senses`) in
-/// the scene.
-class SensePainter {
- public:
-  explicit SensePainter(const Theme& theme) : theme_(theme) {}
+/// Functions that draw the perception and the planner data of robots in a frame (`Frame::senses`)
+/// in the scene.
 
-  /// The last scan of a lidar: the visible area, and a dot where a beam hits.
-  void scan(QPainter& painter, const sim2d::RobotTelemetry::Scan& scan) const;
-  /// Candidate trajectories of a planner: the chosen one strong, others paler with higher cost,
-  /// colliding ones in the error colour.
-  void ways(QPainter& painter, const std::vector<sim2d::RobotTelemetry::Candidate>& ways) const;
-  /// Rings at the positions of tracked bodies, and a line to the true position if it differs.
-  /// `place` returns the true position; none: no body has that number.
-  using Place = std::function<std::optional<Vec2>(const sim2d::RobotTelemetry::Body&)>;
-  void tracks(QPainter& painter, const std::vector<sim2d::RobotTelemetry::Body>& bodies,
-              const Place& place) const;
-  /// A line from the true to the estimated position of a robot.
-  void paintLocalizationError(QPainter& painter, const Vec2& from, const Vec2& believed) const;
-
- private:
-  const Theme& theme_;
-};
+/// The last scan of a lidar: the visible area, and a dot where a beam hits.
+void paintScan(QPainter& painter, const Theme& theme, const sim2d::RobotTelemetry::Scan& scan);
+/// Candidate trajectories of a planner. With cost terms: coloured by cost, expensive ones first and
+/// the chosen one last. Otherwise: the chosen one strong, others paler with higher cost, colliding
+/// ones in the error colour. Without any: the lookahead point, the arc to it, and the goal.
+void paintCandidates(QPainter& painter, const Theme& theme, const sim2d::RobotTelemetry& senses);
+/// Rings at the positions of tracked bodies, and a line to the true position if it differs.
+/// `place` returns the true position; none: no body has that number.
+void paintTracks(
+    QPainter& painter, const Theme& theme, const std::vector<sim2d::RobotTelemetry::Body>& bodies,
+    const std::function<std::optional<Vec2>(const sim2d::RobotTelemetry::Body&)>& place);
+/// A line from the true to the estimated position of a robot.
+void paintLocalizationError(QPainter& painter, const Theme& theme, const Vec2& from,
+                            const Vec2& believed);
+/// A costmap. `image`: picture of the grid. `hole`: area left out because a finer costmap covers
+/// it; may be empty.
+void paintCosts(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
+                const QRectF& hole = {});
+/// The border of a costmap that moves with the robot.
+void paintCostEdge(QPainter& painter, const Theme& theme, const sim2d::CostGrid& grid);
 
 /// Returns true if the beam hits something; other beams end at the range of the lidar.
 bool isBeamHit(const sim2d::RobotTelemetry::Scan& scan, std::size_t beam);
@@ -49,9 +41,7 @@ std::optional<Pose2> divergentPoseEstimate(const sim2d::Frame& frame, std::size_
 /// The relative cost of each trajectory: 0 the best, 1 the worst of the collision-free ones.
 std::vector<double> relativeCosts(const std::vector<sim2d::RobotTelemetry::Candidate>& ways);
 
-constexpr double kTrackGap = 0.08;       // Gap between a ring and its body [m].
-constexpr double kFarTrack = 0.25;       // A farther track is apart from its body [m].
-constexpr std::size_t kMaxBeams = 1200;  // Larger scans are thinned out.
+constexpr double kTrackGap = 0.08;  // Gap between a ring and its body [m].
 
 /// The colour scale for the costs of a planner's candidate trajectories.
 struct CostScale {
@@ -79,35 +69,16 @@ QRectF areaOf(const sim2d::CostGrid& grid);  // Scene coordinates.
 /// Straight if the point lies ahead.
 std::vector<Vec2> pursuitArc(const Pose2& robot, const Vec2& target);
 
-/// The robot whose planner data is shown: the selected one, else the first that reports any.
-struct ObservedPlanner {
+/// A robot of the shown frame with its perception and its planner data.
+struct ObservedRobot {
   const sim2d::RobotTelemetry* senses = nullptr;
   QString name;
 };
-std::optional<ObservedPlanner> observedPlanner(const MapScene& scene);
+/// The single selected robot, if the shown frame contains its perception.
+std::optional<ObservedRobot> selectedRobot(const MapScene& scene);
+/// The robot whose planner data is shown: the selected one, else the first that reports any.
+std::optional<ObservedRobot> observedPlanner(const MapScene& scene);
 /// Returns true if the candidate trajectories have cost terms, which colours and legend show.
 bool hasCostTerms(const sim2d::RobotTelemetry& senses);
-
-/// Draws the internal data of a planner like Nav2's in the scene.
-class PlannerPainter {
- public:
-  explicit PlannerPainter(const Theme& theme) : theme_(theme) {}
-
-  /// `image`: picture of the grid. `hole`: area left out because a finer costmap covers it; may be
-  /// empty.
-  void costs(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
-             const QRectF& hole = {}) const;
-  /// Draws the border of a costmap that moves with the robot.
-  void edge(QPainter& painter, const sim2d::CostGrid& grid) const;
-  /// Draws expensive trajectories first and the chosen one last.
-  void ways(QPainter& painter, const std::vector<sim2d::RobotTelemetry::Candidate>& ways) const;
-  /// Draws the lookahead point, the arc to it, and the goal.
-  void aim(QPainter& painter, const sim2d::RobotTelemetry& senses) const;
-
- private:
-  void line(QPainter& painter, const std::vector<Vec2>& points, const QPen& pen) const;
-
-  const Theme& theme_;
-};
 
 }  // namespace editor

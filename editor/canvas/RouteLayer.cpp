@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
@@ -23,34 +21,6 @@ QPointF towards(const QPointF& from, const QPointF& to, double distance) {
   const QLineF line(from, to);
   return line.length() > 0.0 ? line.pointAt(std::min(1.0, distance / line.length())) : from;
 }
-
-}  // namespace
-
-double routeOpacity(std::size_t inSight) {
-  const double count = std::max(1.0, static_cast<double>(inSight));
-  return std::clamp(std::sqrt(kFewRoutes / count), kFaintest, 1.0);
-}
-
-QPainterPath roundedPath(const std::vector<Vec2>& points, double softness) {
-  QPainterPath path;
-  if (points.empty()) {
-    return path;
-  }
-  path.moveTo(toScene(points.front()));
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const QPointF before = toScene(points[i - 1]);
-    const QPointF corner = toScene(points[i]);
-    const QPointF after = toScene(points[i + 1]);
-    const double in = std::min(softness, 0.5 * QLineF(corner, before).length());
-    const double out = std::min(softness, 0.5 * QLineF(corner, after).length());
-    path.lineTo(towards(corner, before, in));
-    path.quadTo(corner, towards(corner, after, out));
-  }
-  path.lineTo(toScene(points.back()));
-  return path;
-}
-
-namespace {
 
 std::vector<std::pair<QPointF, double>> arrowHeads(const QPainterPath& scenePath, double gap) {
   std::vector<std::pair<QPointF, double>> heads;
@@ -85,10 +55,34 @@ void paintHeads(QPainter& painter, const std::vector<std::pair<QPointF, double>>
 
 }  // namespace
 
+double routeOpacity(std::size_t inSight) {
+  const double count = std::max(1.0, static_cast<double>(inSight));
+  return std::clamp(std::sqrt(kFewRoutes / count), kFaintest, 1.0);
+}
+
+QPainterPath roundedPath(const std::vector<Vec2>& points, double softness) {
+  QPainterPath path;
+  if (points.empty()) {
+    return path;
+  }
+  path.moveTo(toScene(points.front()));
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const QPointF before = toScene(points[i - 1]);
+    const QPointF corner = toScene(points[i]);
+    const QPointF after = toScene(points[i + 1]);
+    const double in = std::min(softness, 0.5 * QLineF(corner, before).length());
+    const double out = std::min(softness, 0.5 * QLineF(corner, after).length());
+    path.lineTo(towards(corner, before, in));
+    path.quadTo(corner, towards(corner, after, out));
+  }
+  path.lineTo(toScene(points.back()));
+  return path;
+}
+
 void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double spacing,
                      double sizePx, const Theme& theme) {
-  const double gap = arrowGap(spacing, pixelsPerMetreOf(painter));
-  paintHeads(painter, arrowHeads(scenePath, gap), sizePx, theme);
+  paintHeads(painter, arrowHeads(scenePath, arrowGap(spacing, pixelsPerMetreOf(painter))), sizePx,
+             theme);
 }
 
 /// Removes the cached lines of entities without a route.
@@ -148,8 +142,7 @@ void RouteLayer::paintLeg(QPainter& painter, const Line& line, bool isReachable,
   } else if (style.dashes == Qt::CustomDashLine) {
     pen.setDashPattern({3.5, 2.5});
   }
-  makeCosmetic(pen, painter);
-  setPenAndBrush(painter, pen);
+  setPenAndBrush(painter, cosmetic(pen, painter));
   painter.drawPath(line.path);
   paintHeads(painter, line.heads, kArrowPx + style.widthPx, theme());
 }

@@ -1,12 +1,7 @@
 #include "editor/canvas/RouteModel.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <iterator>
-#include <optional>
 #include <set>
-#include <tuple>
 
 #include "app/run/Bundle.h"
 #include "sim2d/map/NavigationMap.h"
@@ -230,11 +225,6 @@ void RouteModel::finish() {
     start();
     task_.finish();
   }
-}
-
-const EntityRoute* RouteModel::route(EntityId id) const {
-  const auto found = routes_.find(id);
-  return found == routes_.end() ? nullptr : &found->second;
 }
 
 }  // namespace editor

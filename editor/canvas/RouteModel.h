@@ -1,16 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
-#include <vector>
-
-#include <QObject>
-#include <QTimer>
 
 #include "editor/document/Entity.h"
 #include "editor/document/LatestTask.h"
-#include "sim2d/base/StopFlag.h"
 #include "sim2d/map/OccupancyGrid.h"
 
 namespace app {
@@ -48,7 +42,10 @@ class RouteModel : public QObject {
   /// Schedules planning. `input` is called once for several requests. Unchanged routes are not
   /// planned again.
   void request(std::function<Input()> input);
-  const EntityRoute* route(EntityId id) const;
+  const EntityRoute* route(EntityId id) const {
+    const auto found = routes_.find(id);
+    return found == routes_.end() ? nullptr : &found->second;
+  }
   /// The entities whose routes changed with the last `routesChanged`.
   const std::vector<EntityId>& changed() const { return changed_; }
   void finish();  // Blocks until all requests are done.

@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "bt/human/Perception.h"
+#include "bt/human/Motions.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RobotPainters.h"
-#include "metrics/MapFields.h"
 
 namespace editor {
 
@@ -21,11 +20,6 @@ constexpr std::size_t kMaxSocialZones = 30;  // More zones are indistinguishable
 constexpr std::size_t kMaxDashedPlans = 100;
 constexpr std::ptrdiff_t kMaxContacts = 500;  // Only the newest ones are drawn.
 constexpr double kFieldMargin = 3.0;          // Margin around people [m].
-
-/// True for selected bodies, or for all if none is selected.
-bool isSelectedOrAll(const ShownBody& body, bool anyChosen) {
-  return body.isChosen || !anyChosen;
-}
 
 }  // namespace
 
@@ -40,23 +34,12 @@ void RunOverlays::end() {
   thoughts_.clear();
 }
 
-void RunOverlays::show(std::shared_ptr<const sim2d::Frame> frame,
-                       const sim2d::Recording* recording) {
+void RunOverlays::show(sim2d::FramePtr frame, const sim2d::Recording* recording) {
   if (recording != nullptr && recording->size() > 0) {
     header_ = recording->header();
   }
   frame_ = std::move(frame);
   field_.reset();
-}
-
-QString RunOverlays::thoughtOf(int id) const {
-  const auto found = thoughts_.find(id);
-  return found == thoughts_.end() ? QString() : found->second;
-}
-
-bool RunOverlays::hasForces() const {
-  return frame_ != nullptr && frame_->forces.goal.size() == frame_->humans.size() &&
-         frame_->humans.size() > 0;
 }
 
 std::size_t RunOverlays::contactsSoFar(ContactCause cause) const {
@@ -126,12 +109,11 @@ void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
 
 /// Draws the masks of filters, and the local costmap instead of that part of the global one.
 void RunOverlays::paintCosts(QPainter& painter) {
-  const std::optional<ObservedPlanner> robot = observedPlanner(scene_);
+  const std::optional<ObservedRobot> robot = observedPlanner(scene_);
   if (!robot) {
     return;
   }
   const CanvasOptions& options = scene_.options();
-  const PlannerPainter planners(scene_.theme());
   const auto picture = [this](CostPicture& kept, const sim2d::CostGridPtr& grid) -> const QImage& {
     if (kept.grid != grid) {
       kept = {grid, costImage(*grid, scene_.theme())};
@@ -144,17 +126,18 @@ void RunOverlays::paintCosts(QPainter& painter) {
       if (image.isNull()) {
         image = maskImage(mask, scene_.theme());
       }
-      planners.costs(painter, *mask.grid, image);
+      editor::paintCosts(painter, *mask.grid, image);
     }
   }
   const sim2d::CostGridPtr local = options.localCosts ? robot->senses->localCosts : nullptr;
   const sim2d::CostGridPtr global = options.globalCosts ? robot->senses->globalCosts : nullptr;
   if (global != nullptr) {
-    planners.costs(painter, *global, picture(costs_[1], global), local ? areaOf(*local) : QRectF());
+    editor::paintCosts(painter, *global, picture(costs_[1], global),
+                       local ? areaOf(*local) : QRectF());
   }
   if (local != nullptr) {
-    planners.costs(painter, *local, picture(costs_[0], local));
-    planners.edge(painter, *local);
+    editor::paintCosts(painter, *local, picture(costs_[0], local));
+    paintCostEdge(painter, scene_.theme(), *local);
   }
 }
 
@@ -168,12 +151,7 @@ void RunOverlays::paintDensity(const OverlayPainter& over) {
     if (people.empty()) {
       return;
     }
-    Vec2 low = people.front();
-    Vec2 high = low;
-    for (const Vec2& person : people) {
-      low = low.cwiseMin(person);
-      high = high.cwiseMax(person);
-    }
+    const auto [low, high] = *extentOf(people);
     const Vec2 margin(kFieldMargin, kFieldMargin);
     Field made;
     made.field = metrics::densityField(people, low - margin, high + margin);
@@ -187,9 +165,9 @@ void RunOverlays::paintDensity(const OverlayPainter& over) {
 void RunOverlays::paintSpaces(const OverlayPainter& over,
                               const std::vector<ShownBody>& bodies) const {
   const CanvasOptions& options = scene_.options();
-  const bool anyChosen = scene_.frameLayer().hasSelectedBody();
+  const bool isForAll = !scene_.frameLayer().hasSelectedBody();
   for (const ShownBody& body : bodies) {
-    if (body.id < 0 || !isSelectedOrAll(body, anyChosen)) {
+    if (body.id < 0 || !(body.isChosen || isForAll)) {
       continue;
     }
     if (options.proxemics) {
@@ -222,7 +200,7 @@ void RunOverlays::paintPlans(const OverlayPainter& over,
   if (frame_->humanPaths == nullptr) {
     return;
   }
-  const bool anyChosen = scene_.frameLayer().hasSelectedBody();
+  const bool isForAll = !scene_.frameLayer().hasSelectedBody();
   std::map<int, std::size_t> rows;
   for (std::size_t k = 0; k < std::min(frame_->humans.size(), frame_->humanPaths->size()); ++k) {
     rows.emplace(frame_->humans.id[k], k);
@@ -232,8 +210,8 @@ void RunOverlays::paintPlans(const OverlayPainter& over,
     if (row == rows.end()) {
       continue;
     }
-    QColor color = scene_.theme().line(body.look);
-    color.setAlphaF(isSelectedOrAll(body, anyChosen) ? 0.9 : 0.35);
+    const QColor color =
+        withAlpha(scene_.theme().line(body.look), body.isChosen || isForAll ? 0.9 : 0.35);
     over.plan(body.pose.position, (*frame_->humanPaths)[row->second], color,
               bodies.size() > kMaxDashedPlans && !body.isChosen);
   }

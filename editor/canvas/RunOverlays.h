@@ -1,16 +1,8 @@
 #pragma once
 
 #include <array>
-#include <map>
-#include <memory>
-#include <optional>
-#include <vector>
-
-#include <QImage>
-#include <QString>
 
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/OverlayPainter.h"
 
 namespace editor {
 
@@ -21,7 +13,7 @@ class RunOverlays {
  public:
   explicit RunOverlays(const MapScene& scene) : scene_(scene) {}
 
-  void show(std::shared_ptr<const sim2d::Frame> frame, const sim2d::Recording* recording);
+  void show(sim2d::FramePtr frame, const sim2d::Recording* recording);
   void end();
   void themeChanged() {
     field_.reset();
@@ -33,7 +25,10 @@ class RunOverlays {
   const std::vector<sim2d::ContactMark>& contacts() const { return contacts_; }
   /// The reasons for people's actions, by id.
   void setThoughts(std::map<int, QString> thoughts) { thoughts_ = std::move(thoughts); }
-  QString thoughtOf(int id) const;
+  QString thoughtOf(int id) const {
+    const auto found = thoughts_.find(id);
+    return found == thoughts_.end() ? QString() : found->second;
+  }
 
   /// Paint beneath and over the bodies; the painter uses scene units.
   void paintGround(QPainter& painter, const QRectF& exposed);
@@ -42,7 +37,10 @@ class RunOverlays {
   // For the legend
   double densityScaleMax() const { return most_; }  // Upper end of the scale [1/m²].
   /// Recorded runs contain neither forces nor plans.
-  bool hasForces() const;
+  bool hasForces() const {
+    return frame_ != nullptr && frame_->forces.goal.size() == frame_->humans.size() &&
+           frame_->humans.size() > 0;
+  }
   bool hasPlans() const { return frame_ != nullptr && frame_->humanPaths != nullptr; }
   std::size_t contactsSoFar(ContactCause cause) const;
   /// The distance at which a person notices others [m].
@@ -62,7 +60,7 @@ class RunOverlays {
   std::vector<ShownBody> bodiesIn(const QRectF& exposed) const;
 
   const MapScene& scene_;
-  std::shared_ptr<const sim2d::Frame> frame_;
+  sim2d::FramePtr frame_;
   std::shared_ptr<const sim2d::TraceHeader> header_;
   std::optional<Field> field_;  // Density in the current frame.
   double most_ = 0.0;           // Does not decrease during a run.

@@ -1,6 +1,5 @@
 #include "editor/canvas/Tool.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "sim2d/map/Outlines.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <QCursor>
-#include <QKeyEvent>
-#include <QObject>
-#include <QWidget>
-
 #include "editor/canvas/MapScene.h"
 
 namespace editor {

@@ -1,6 +1,5 @@
 #include "editor/canvas/Trails.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "editor/canvas/MapScene.h"
@@ -27,10 +26,11 @@ std::size_t gaitPhase(const sim2d::Recording& recording) {
 }  // namespace
 
 void Trails::advance(const sim2d::Frame* shown, const sim2d::Frame& next,
-                     const sim2d::Recording* recording) {
+                     const sim2d::Recording* recording, double seconds) {
+  const bool isOther = std::exchange(seconds_, seconds) != seconds;
   const bool isLater =
       shown != nullptr && next.time >= shown->time && next.time <= shown->time + seconds_;
-  if (!isLater) {
+  if (isOther || !isLater) {
     clear();
   }
   bool isPoint = true;
@@ -40,13 +40,6 @@ void Trails::advance(const sim2d::Frame* shown, const sim2d::Frame& next,
   }
   lengthen(next, isPoint);
   cut(next.time);
-}
-
-void Trails::setSeconds(double seconds) {
-  if (seconds != seconds_) {
-    seconds_ = seconds;
-    clear();
-  }
 }
 
 void Trails::addSkippedFrames(const sim2d::Recording& recording, const sim2d::Frame* shown,
@@ -63,24 +56,21 @@ void Trails::addSkippedFrames(const sim2d::Recording& recording, const sim2d::Fr
 }
 
 void Trails::lengthen(const sim2d::Frame& frame, bool isPoint) {
-  for (const sim2d::BodyColumns* columns :
-       {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
-    for (std::size_t i = 0; i < columns->size(); ++i) {
-      Trail& trail = trails_[columns->id[i]];
-      const base::Vec2 at(columns->x[i], columns->y[i]);
-      const double step = trail.last ? (at - *trail.last).norm() : 0.0;
-      if (step > kFarthestStep) {  // A restart, or a periodic corridor.
-        trail.points.clear();
-      }
-      trail.walked += step > kFarthestStep ? 0.0 : step;
-      trail.last = at;
-      const bool isApart =
-          trail.points.empty() || (at - trail.points.back().second).norm() >= kTrailStep;
-      if (isPoint && isApart) {
-        trail.points.emplace_back(frame.time, at);
-      }
+  forEachBody(frame, [&](const sim2d::BodyColumns& columns, std::size_t i) {
+    Trail& trail = trails_[columns.id[i]];
+    const base::Vec2 at(columns.x[i], columns.y[i]);
+    const double step = trail.last ? (at - *trail.last).norm() : 0.0;
+    if (step > kFarthestStep) {  // A restart, or a periodic corridor.
+      trail.points.clear();
     }
-  }
+    trail.walked += step > kFarthestStep ? 0.0 : step;
+    trail.last = at;
+    const bool isApart =
+        trail.points.empty() || (at - trail.points.back().second).norm() >= kTrailStep;
+    if (isPoint && isApart) {
+      trail.points.emplace_back(frame.time, at);
+    }
+  });
 }
 
 void Trails::cut(double time) {
@@ -120,9 +110,7 @@ void paintTrail(QPainter& painter, const Trail& trail, const base::Vec2& end, do
       line << toScene(end);
     }
     color.setAlphaF(0.5 * double(part + 1) / double(parts));
-    QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-    makeCosmetic(pen, painter);
-    painter.setPen(pen);
+    painter.setPen(cosmetic(QPen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin), painter));
     painter.drawPolyline(line);
   }
 }

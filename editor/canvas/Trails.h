@@ -2,10 +2,7 @@
 
 #include <deque>
 #include <map>
-#include <optional>
-#include <utility>
 
-#include <QColor>
 #include <QPainter>
 
 #include "sim2d/trace/Recording.h"
@@ -14,6 +11,17 @@ namespace editor {
 
 constexpr double kTrailSeconds = 6.0;  // Default length.
 constexpr double kFarthestStep = 2.0;  // Per frame [m]; a longer jump starts a new trail.
+
+/// Calls visit(columns, index) for all people, then all robots of a frame.
+template <class Visit>
+void forEachBody(const sim2d::Frame& frame, Visit visit) {
+  for (const sim2d::BodyColumns* columns :
+       {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
+    for (std::size_t i = 0; i < columns->size(); ++i) {
+      visit(*columns, i);
+    }
+  }
+}
 
 /// The positions of one body during the last seconds.
 struct Trail {
@@ -26,12 +34,10 @@ struct Trail {
 class Trails {
  public:
   void clear() { trails_.clear(); }
-  /// Takes effect with the next frame for the whole trail [s].
-  void setSeconds(double seconds);
   /// Extends the trails from the shown frame (null: none) to the next one. With a recording they
-  /// include skipped frames; otherwise they connect the shown frames.
+  /// include skipped frames; otherwise they connect the shown frames. `seconds`: length [s].
   void advance(const sim2d::Frame* shown, const sim2d::Frame& next,
-               const sim2d::Recording* recording);
+               const sim2d::Recording* recording, double seconds);
   const std::map<int, Trail>& all() const { return trails_; }  // By id, in painting order.
   double walked(int id) const { return trails_.at(id).walked; }
 

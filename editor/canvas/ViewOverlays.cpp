@@ -1,6 +1,5 @@
 #include "editor/canvas/ViewOverlays.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

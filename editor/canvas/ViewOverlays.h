@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QPainter>
-
 #include "editor/canvas/MapScene.h"
 
 namespace editor {

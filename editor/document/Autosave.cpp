@@ -1,7 +1,5 @@
 #include "editor/document/Autosave.h"
 
-#include <algorithm>
-
 #include "editor/document/DocumentDiskState.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
@@ -156,13 +154,6 @@ Autosave::~Autosave() {
   lock_.reset();
   if (!folder_.isEmpty()) {
     QDir(folder_).removeRecursively();
-  }
-}
-
-/// The timer is not restarted by each edit, so continuous editing is saved as well.
-void Autosave::scheduleWrite() {
-  if (!timer_.isActive()) {
-    timer_.start();
   }
 }
 

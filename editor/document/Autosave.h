@@ -1,11 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <string>
-
-#include <QtWidgets>
-
 #include "editor/document/LatestTask.h"
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/base/Files.h"
@@ -53,7 +47,12 @@ class Autosave : public QObject {
   void failed(const base::Diagnostics& problems);
 
  private:
-  void scheduleWrite();
+  /// The timer is not restarted by each edit, so continuous editing is saved as well.
+  void scheduleWrite() {
+    if (!timer_.isActive()) {
+      timer_.start();
+    }
+  }
   void write();
   bool makeFolder();
   void removeCopy();

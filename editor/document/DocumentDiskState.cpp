@@ -1,13 +1,11 @@
 #include "editor/document/DocumentDiskState.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <unistd.h>
 
 #include "app/run/Bundle.h"
-#include "editor/document/Entity.h"
+#include "editor/document/MapEdit.h"
 #include "editor/document/PersonTree.h"
-#include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -45,19 +43,10 @@ base::Result<MapState> DocumentDiskState::readMap(const QString& yamlPath,
   return {std::move(state), map.diagnostics()};
 }
 
-const TreeFileState* DocumentDiskState::known(EntityId human) const {
-  const auto found = trees.find(human);
-  return found == trees.end() ? nullptr : &found->second;
-}
-
 bool DocumentDiskState::holds(const MapState& map) const {
   const auto onDisk = maps.find(map.path);
   return !map.path.isEmpty() &&
          (onDisk == maps.end() || onDisk->second == map.grid || *onDisk->second == *map.grid);
-}
-
-bool DocumentDiskState::isMapFileChanged(const sim2d::Scenario& scenario) const {
-  return scenario.desktop.mapFile && scenario.desktop.mapFile != mapFile;
 }
 
 void DocumentDiskState::recordMapFiles(const SavePlan& plan, const DocumentDiskState& before) {

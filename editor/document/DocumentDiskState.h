@@ -1,14 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeGenerator.h"
 #include "editor/document/ScenarioDocument.h"
@@ -61,10 +52,15 @@ struct DocumentDiskState {
   void recordFile(const QString& file);  // Stores the hash of the current content.
   /// Reads a map by the rule `rule` for map names, and stores its hashes.
   base::Result<MapState> readMap(const QString& yamlPath, const std::optional<std::string>& rule);
-  const TreeFileState* known(EntityId human) const;
+  const TreeFileState* known(EntityId human) const {
+    const auto found = trees.find(human);
+    return found == trees.end() ? nullptr : &found->second;
+  }
   bool holds(const MapState& map) const;  // Returns true if the cells equal those of the file.
   /// Returns true if the user has changed the map file in the settings.
-  bool isMapFileChanged(const sim2d::Scenario& scenario) const;
+  bool isMapFileChanged(const sim2d::Scenario& scenario) const {
+    return scenario.desktop.mapFile && scenario.desktop.mapFile != mapFile;
+  }
   void recordMapFiles(const SavePlan& plan, const DocumentDiskState& before);
   void recordTree(const PlannedTree& written, bool isCustom, std::string generated,
                   const TreeFileState* before);

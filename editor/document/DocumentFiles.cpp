@@ -1,13 +1,7 @@
-#include <algorithm>
-#include <utility>
-
-#include <QFileInfo>
-
 #include "app/run/Bundle.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentDiskState.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Entity.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/PersonTree.h"
 #include "sim2d/base/Text.h"
@@ -335,11 +329,6 @@ app::Bundle ScenarioDocument::bundle() const {
     }
   }
   return bundle;
-}
-
-void ScenarioDocument::setSearchOverrides(const QString& map, const QString& trees) {
-  search_.mapOption = map.toStdString();
-  search_.treesOption = trees.toStdString();
 }
 
 bool ScenarioDocument::isShipped(const QString& file) const {

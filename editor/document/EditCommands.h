@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <utility>
-#include <vector>
-
-#include "editor/document/Entity.h"
 #include "editor/document/ScenarioDocument.h"
 
 namespace editor {
@@ -79,9 +74,14 @@ class Draft {
  public:
   explicit Draft(ScenarioDocument& document) : document_(document) {}
 
-  void set(Entity value, int index = -1);
+  void set(Entity value, int index = -1) {
+    const EntityId id = idOf(value);
+    slotOf(id) = {std::move(value), index};
+  }
   void remove(EntityId id) { slotOf(id) = {}; }
-  void setTree(EntityId human, std::optional<std::string> xml);
+  void setTree(EntityId human, std::optional<std::string> xml) {
+    trees_.push_back({human, std::move(xml)});
+  }
 
   /// Calls `change` for each entity of type T in the document that is not removed by the draft.
   template <class T, class Change>
@@ -123,5 +123,26 @@ class Draft {
   std::map<EntityId, std::size_t> places_;  // Index in edits_.
   std::vector<TreeEdit> trees_;
 };
+
+/// Generates names and numbers that are not used in a scenario and that the same object has not
+/// generated before.
+class UniqueNames {
+ public:
+  explicit UniqueNames(const sim2d::Scenario& scenario);
+  /// Assigns a name, and a number to goals and people, where it is missing or taken.
+  void assignTo(Entity& value);
+  std::string name(const std::string& stem);  // "agent1", "agent2" …
+  bool isTaken(const std::string& name) const { return names_.count(name) > 0; }
+  int nextGoal() const { return goals_.empty() ? 1 : *goals_.rbegin() + 1; }
+  int nextHuman() const { return humans_.empty() ? 1 : *humans_.rbegin() + 1; }
+
+ private:
+  std::set<std::string> names_;
+  std::map<std::string, int> next_;  // The next number to try for a stem; lower ones are taken.
+  std::set<int> goals_, humans_;
+};
+
+/// The name reduced to the characters that files allow.
+std::string sanitizedName(const Entity& entity);
 
 }  // namespace editor

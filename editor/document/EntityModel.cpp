@@ -1,6 +1,6 @@
 #include "editor/document/EntityModel.h"
 
-#include <algorithm>
+#include <iterator>
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
@@ -18,14 +18,14 @@ struct Group {
   std::vector<EntityKind> kinds;
 };
 
-const std::array<Group, 5>& groups() {
-  static const std::array<Group, 5> kGroups = {{
+const QVector<Group>& groups() {
+  static const QVector<Group> kGroups = {
       {QT_TRANSLATE_NOOP("EntityModel", "People"), {EntityKind::Human}},
       {QT_TRANSLATE_NOOP("EntityModel", "Goals"), {EntityKind::Goal}},
       {QT_TRANSLATE_NOOP("EntityModel", "Robots and docks"), {EntityKind::Robot, EntityKind::Dock}},
       {QT_TRANSLATE_NOOP("EntityModel", "Obstacles"), {EntityKind::Obstacle, EntityKind::Door}},
       {QT_TRANSLATE_NOOP("EntityModel", "Areas"), {EntityKind::Area}},
-  }};
+  };
   return kGroups;
 }
 
@@ -34,6 +34,24 @@ int groupOf(EntityKind kind) {
     return std::count(group.kinds.begin(), group.kinds.end(), kind) > 0;
   });
   return found == groups().end() ? -1 : static_cast<int>(found - groups().begin());
+}
+
+/// The first and last index of each contiguous range of ids that satisfy the predicate.
+template <class IsMeant>
+std::vector<std::pair<int, int>> contiguousRanges(const std::vector<EntityId>& ids,
+                                                  IsMeant&& isMeant) {
+  std::vector<std::pair<int, int>> runs;
+  for (int i = 0; i < static_cast<int>(ids.size()); ++i) {
+    if (!isMeant(ids[static_cast<std::size_t>(i)])) {
+      continue;
+    }
+    if (!runs.empty() && runs.back().second == i - 1) {
+      runs.back().second = i;
+    } else {
+      runs.emplace_back(i, i);
+    }
+  }
+  return runs;
 }
 
 }  // namespace
@@ -58,16 +76,19 @@ QString shapeIcon(const Entity& entity) {
 
 EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent)
     : QAbstractItemModel(parent), document_(document), theme_(theme) {
-  for (int group = 0; group < kGroupCount; ++group) {
-    rows_[static_cast<std::size_t>(group)] = idsOfGroup(group);
+  for (int group = 0; group < groups().size(); ++group) {
+    rows_.push_back(idsOfGroup(group));
   }
-  connect(&document_, &ScenarioDocument::changed, this, &EntityModel::note);
+  connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
+    isReplaced_ = isReplaced_ || change.what == Change::What::Everything;
+    changed_.insert(change.entity);
+  });
   connect(&document_, &ScenarioDocument::stepFinished, this, &EntityModel::follow);
 }
 
 void EntityModel::setTheme(const Theme& theme) {
   theme_ = theme;
-  for (int group = 0; group < kGroupCount; ++group) {
+  for (int group = 0; group < rows_.size(); ++group) {
     const QModelIndex parentIndex = index(group, 0);
     const int rows = rowCount(parentIndex);
     if (rows > 0) {
@@ -78,29 +99,85 @@ void EntityModel::setTheme(const Theme& theme) {
 
 std::vector<EntityId> EntityModel::idsOfGroup(int group) const {
   std::vector<EntityId> ids;
-  for (const EntityKind kind : groups()[static_cast<std::size_t>(group)].kinds) {
+  for (const EntityKind kind : groups()[group].kinds) {
     const std::vector<EntityId> more = document_.entities(kind);
     ids.insert(ids.end(), more.begin(), more.end());
   }
   return ids;
 }
 
-void EntityModel::note(const Change& change) {
-  settingsChanged_ = settingsChanged_ || change.what == Change::What::Everything;
-  if (const int group = groupOf(change.entity.kind); group >= 0) {
-    changed_[static_cast<std::size_t>(group)].push_back(change.entity);
+void EntityModel::follow() {
+  const std::set<EntityId> changed = std::exchange(changed_, {});
+  const bool isAll = std::exchange(isReplaced_, false);
+  isUpdating_ = true;
+  for (int group = 0; group < rows_.size(); ++group) {
+    if (isAll || std::any_of(changed.begin(), changed.end(),
+                             [group](EntityId id) { return groupOf(id.kind) == group; })) {
+      syncGroup(group, [&](EntityId id) { return isAll || changed.count(id) > 0; });
+    }
+  }
+  isUpdating_ = false;
+}
+
+/// Applies document changes to the rows of a group. An edit of thousands of entities results in few
+/// row changes.
+void EntityModel::syncGroup(int group, const std::function<bool(EntityId)>& isChanged) {
+  const QModelIndex parentIndex = index(group, 0);
+  std::vector<EntityId>& rows = rows_[group];
+  const std::vector<EntityId> fresh = idsOfGroup(group);
+  const std::size_t before = rows.size();
+  const std::set<EntityId> kept(fresh.begin(), fresh.end());
+  const auto removed = contiguousRanges(rows, [&](EntityId id) { return kept.count(id) == 0; });
+  for (auto run = removed.rbegin(); run != removed.rend(); ++run) {
+    beginRemoveRows(parentIndex, run->first, run->second);
+    rows.erase(rows.begin() + run->first, rows.begin() + run->second + 1);
+    endRemoveRows();
+  }
+  const std::set<EntityId> known(rows.begin(), rows.end());
+  std::vector<EntityId> wanted;
+  std::copy_if(fresh.begin(), fresh.end(), std::back_inserter(wanted),
+               [&](EntityId id) { return known.count(id) > 0; });
+  if (wanted != rows) {
+    reorder(group, std::move(wanted));
+  }
+  for (const auto& [first, last] :
+       contiguousRanges(fresh, [&](EntityId id) { return known.count(id) == 0; })) {
+    beginInsertRows(parentIndex, first, last);
+    rows.insert(rows.begin() + first, fresh.begin() + first, fresh.begin() + last + 1);
+    endInsertRows();
+  }
+  if (const auto runs = contiguousRanges(fresh, isChanged); !runs.empty()) {
+    Q_EMIT dataChanged(index(runs.front().first, 0, parentIndex),
+                       index(runs.back().second, ColumnCount - 1, parentIndex));
+  }
+  if (before != fresh.size()) {
+    Q_EMIT dataChanged(parentIndex, parentIndex, {Qt::DisplayRole});
   }
 }
 
-bool EntityModel::isGroup(const QModelIndex& at) const {
-  return at.isValid() && at.internalId() == 0;
+void EntityModel::reorder(int group, std::vector<EntityId> wanted) {
+  const QModelIndex parentIndex = index(group, 0);
+  Q_EMIT layoutAboutToBeChanged({parentIndex});
+  std::map<EntityId, int> places;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    places[wanted[i]] = static_cast<int>(i);
+  }
+  const QModelIndexList old = persistentIndexList();
+  QModelIndexList moved;
+  for (const QModelIndex& each : old) {
+    const EntityId id = each.parent() == parentIndex ? idOf(each) : EntityId{};
+    moved.push_back(id ? index(places.at(id), each.column(), parentIndex) : each);
+  }
+  rows_[group] = std::move(wanted);
+  changePersistentIndexList(old, moved);
+  Q_EMIT layoutChanged({parentIndex});
 }
 
 EntityId EntityModel::idOf(const QModelIndex& at) const {
   if (!at.isValid() || isGroup(at)) {
     return {};
   }
-  const auto& rows = rows_[at.internalId() - 1];
+  const auto& rows = rows_[static_cast<int>(at.internalId()) - 1];
   const auto row = static_cast<std::size_t>(at.row());
   return row < rows.size() ? rows[row] : EntityId{};
 }
@@ -110,7 +187,7 @@ QModelIndex EntityModel::indexOf(EntityId id) const {
   if (group < 0) {
     return {};
   }
-  const auto& rows = rows_[static_cast<std::size_t>(group)];
+  const auto& rows = rows_[group];
   const auto found = std::find(rows.begin(), rows.end(), id);
   return found == rows.end() ? QModelIndex()
                              : index(static_cast<int>(found - rows.begin()), 0, index(group, 0));
@@ -133,16 +210,12 @@ QModelIndex EntityModel::parent(const QModelIndex& child) const {
 
 int EntityModel::rowCount(const QModelIndex& parentIndex) const {
   if (!parentIndex.isValid()) {
-    return kGroupCount;
+    return rows_.size();
   }
   if (!isGroup(parentIndex) || parentIndex.column() != 0) {
     return 0;
   }
-  return static_cast<int>(rows_[static_cast<std::size_t>(parentIndex.row())].size());
-}
-
-int EntityModel::columnCount(const QModelIndex&) const {
-  return ColumnCount;
+  return static_cast<int>(rows_[parentIndex.row()].size());
 }
 
 QVariant EntityModel::data(const QModelIndex& at, int role) const {
@@ -154,13 +227,11 @@ QVariant EntityModel::data(const QModelIndex& at, int role) const {
 }
 
 QVariant EntityModel::groupData(int group, int column, int role) const {
-  const auto number = static_cast<std::size_t>(group);
-  const int count = static_cast<int>(rows_[number].size());
   if (role == Qt::DisplayRole && column == NameColumn) {
-    return tr(groups()[number].title);
+    return tr(groups()[group].title);
   }
   if (role == Qt::DisplayRole && column == BehaviorColumn) {
-    return QString::number(count);
+    return QString::number(rows_[group].size());
   }
   if (role == Qt::FontRole && column == NameColumn) {
     return theme_.font(9.5, QFont::DemiBold);
@@ -382,14 +453,6 @@ bool EntityFilter::filterAcceptsRow(int row, const QModelIndex& parentIndex) con
     }
   }
   return false;
-}
-
-EntityId EntityFilter::idOf(const QModelIndex& at) const {
-  return model_.idOf(mapToSource(at));
-}
-
-QModelIndex EntityFilter::indexOf(EntityId id) const {
-  return mapFromSource(model_.indexOf(id));
 }
 
 }  // namespace editor

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <set>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
 
@@ -30,13 +24,13 @@ class EntityModel : public QAbstractItemModel {
 
   EntityId idOf(const QModelIndex& index) const;  // None for group rows.
   QModelIndex indexOf(EntityId id) const;
-  bool isGroup(const QModelIndex& index) const;
+  bool isGroup(const QModelIndex& at) const { return at.isValid() && at.internalId() == 0; }
   bool isUpdating() const { return isUpdating_; }  // Rows are being updated from the document.
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& child) const override;
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
   QVariant data(const QModelIndex& index, int role) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
@@ -50,25 +44,21 @@ class EntityModel : public QAbstractItemModel {
                     const QModelIndex& parent) override;
 
  private:
-  static constexpr int kGroupCount = 5;
   std::vector<EntityId> dragged(const QMimeData& data) const;
   std::vector<EntityId> idsOfGroup(int group) const;
   QVariant groupData(int group, int column, int role) const;
   QVariant entityData(EntityId id, int column, int role) const;
   QString text(const Entity& entity, int column) const;
   QVariant icon(const Entity& entity) const;
-  void note(const Change& change);
   void follow();
-  void syncGroup(int group, const std::set<EntityId>& changed);
-  void removeDeletedRows(int group, const std::vector<EntityId>& fresh);
-  void reorderRows(int group, const std::vector<EntityId>& fresh);
-  void insertNewRows(int group, const std::vector<EntityId>& fresh);
+  void syncGroup(int group, const std::function<bool(EntityId)>& isChanged);
+  void reorder(int group, std::vector<EntityId> wanted);
 
   ScenarioDocument& document_;
   Theme theme_;
-  std::array<std::vector<EntityId>, kGroupCount> rows_;
-  std::array<std::vector<EntityId>, kGroupCount> changed_;  // Changes in the current step.
-  bool settingsChanged_ = false;                            // Settings changed in the current step.
+  QVector<std::vector<EntityId>> rows_;  // Of each group.
+  std::set<EntityId> changed_;           // Changes in the current step.
+  bool isReplaced_ = false;              // The document was replaced in the current step.
   bool isUpdating_ = false;
 };
 
@@ -80,8 +70,8 @@ class EntityFilter : public QSortFilterProxyModel {
   explicit EntityFilter(EntityModel& model, QObject* parent = nullptr);
   void setText(const QString& text);
   QVariant data(const QModelIndex& index, int role) const override;
-  EntityId idOf(const QModelIndex& index) const;
-  QModelIndex indexOf(EntityId id) const;
+  EntityId idOf(const QModelIndex& at) const { return model_.idOf(mapToSource(at)); }
+  QModelIndex indexOf(EntityId id) const { return mapFromSource(model_.indexOf(id)); }
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parentIndex) const override;

@@ -1,17 +1,12 @@
 #include "editor/document/Fixes.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
-#include <string_view>
 
 #include "app/run/Bundle.h"
 #include "app/run/Nav2Robots.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/PeopleEdits.h"
-#include "editor/document/UniqueNames.h"
 #include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -32,13 +27,13 @@ Action edit(Change change) {
   };
 }
 
-constexpr int kFarthest = 30;     // Maximum search distance [m].
+constexpr int kSearchReach = 30;  // Maximum search distance [m].
 constexpr double kMargin = 0.05;  // Added to the radius, so that the position stays valid [m].
 
 /// Rings of increasing radius around `centre`, in steps of one metre.
 std::vector<Vec2> probes(const Vec2& centre) {
   std::vector<Vec2> points = {centre};
-  for (int ring = 1; ring <= kFarthest; ++ring) {
+  for (int ring = 1; ring <= kSearchReach; ++ring) {
     const int count = std::max(8, static_cast<int>(std::lround(base::kPi * ring)));
     for (int i = 0; i < count; ++i) {
       points.emplace_back(centre + ring * base::directionOf(2.0 * base::kPi * i / count));

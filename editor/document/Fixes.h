@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-
-#include <QString>
-
 #include "editor/document/ScenarioDocument.h"
 
 namespace editor {

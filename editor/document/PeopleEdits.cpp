@@ -1,7 +1,5 @@
 #include "editor/document/PeopleEdits.h"
 
-#include <algorithm>
-
 #include "editor/document/EditCommands.h"
 #include "sim2d/scenario/Fields.h"
 
@@ -157,40 +155,10 @@ RoutePlan::RoutePlan(const ScenarioDocument& document) {
   }
 }
 
-std::optional<std::vector<int>> RoutePlan::commonRoute(const std::vector<EntityId>& people) const {
-  return common(people, &PlannedRoute::goals);
-}
-
-std::optional<bool> RoutePlan::commonRepeat(const std::vector<EntityId>& people) const {
-  return common(people, &PlannedRoute::repeat);
-}
-
-template <class T>
-std::optional<T> RoutePlan::common(const std::vector<EntityId>& people,
-                                   T PlannedRoute::*part) const {
-  const bool same = std::all_of(people.begin(), people.end(), [&](EntityId person) {
-    return plannedRoutes_.at(person).*part == plannedRoutes_.at(people.front()).*part;
-  });
-  return same && !people.empty() ? std::optional<T>(plannedRoutes_.at(people.front()).*part)
-                                 : std::nullopt;
-}
-
-void RoutePlan::setRoute(const std::vector<EntityId>& people, const std::vector<int>& goals) {
-  for (const EntityId person : people) {
-    plannedRoutes_.at(person).goals = goals;
-  }
-}
-
 void RoutePlan::append(const std::vector<EntityId>& people, const std::vector<int>& goals) {
   for (const EntityId person : people) {
     std::vector<int>& route = plannedRoutes_.at(person).goals;
     route.insert(route.end(), goals.begin(), goals.end());
-  }
-}
-
-void RoutePlan::setRepeat(const std::vector<EntityId>& people, bool repeat) {
-  for (const EntityId person : people) {
-    plannedRoutes_.at(person).repeat = repeat;
   }
 }
 

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <vector>
-
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
-#include "sim2d/scenario/Scenario.h"
 
 namespace editor {
 
@@ -53,13 +48,25 @@ class RoutePlan {
   const std::vector<EntityId>& people() const { return people_; }  // In file order.
   const std::vector<int>& route(EntityId person) const { return plannedRoutes_.at(person).goals; }
   /// The common value of all of them; none if they differ.
-  std::optional<std::vector<int>> commonRoute(const std::vector<EntityId>& people) const;
-  std::optional<bool> commonRepeat(const std::vector<EntityId>& people) const;
+  std::optional<std::vector<int>> commonRoute(const std::vector<EntityId>& people) const {
+    return common(people, &PlannedRoute::goals);
+  }
+  std::optional<bool> commonRepeat(const std::vector<EntityId>& people) const {
+    return common(people, &PlannedRoute::repeat);
+  }
 
-  void setRoute(const std::vector<EntityId>& people, const std::vector<int>& goals);
+  void setRoute(const std::vector<EntityId>& people, const std::vector<int>& goals) {
+    for (const EntityId person : people) {
+      plannedRoutes_.at(person).goals = goals;
+    }
+  }
   /// Appends goals to each route. A goal may occur more than once.
   void append(const std::vector<EntityId>& people, const std::vector<int>& goals);
-  void setRepeat(const std::vector<EntityId>& people, bool repeat);
+  void setRepeat(const std::vector<EntityId>& people, bool repeat) {
+    for (const EntityId person : people) {
+      plannedRoutes_.at(person).repeat = repeat;
+    }
+  }
 
   /// Pushes all routes as one command. Waiting times stay with their goals.
   void push(ScenarioDocument& document) const;
@@ -70,7 +77,13 @@ class RoutePlan {
     bool repeat = true;
   };
   template <class T>
-  std::optional<T> common(const std::vector<EntityId>& people, T PlannedRoute::*part) const;
+  std::optional<T> common(const std::vector<EntityId>& people, T PlannedRoute::*part) const {
+    const bool same = std::all_of(people.begin(), people.end(), [&](EntityId person) {
+      return plannedRoutes_.at(person).*part == plannedRoutes_.at(people.front()).*part;
+    });
+    return same && !people.empty() ? std::optional<T>(plannedRoutes_.at(people.front()).*part)
+                                   : std::nullopt;
+  }
 
   std::vector<EntityId> people_;
   std::map<EntityId, PlannedRoute> plannedRoutes_;

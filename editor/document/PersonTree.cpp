@@ -1,11 +1,7 @@
 #include "editor/document/PersonTree.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <string_view>
-#include <vector>
 
-#include "bt/human/TreeGenerator.h"
 #include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"

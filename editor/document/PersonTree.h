@@ -1,16 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "bt/human/BehaviorBlocks.h"
 #include "bt/human/TreeGenerator.h"
 #include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeSpec.h"
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/base/Files.h"
-#include "sim2d/scenario/Scenario.h"
 
 namespace editor {
 

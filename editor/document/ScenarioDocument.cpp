@@ -1,13 +1,7 @@
 #include "editor/document/ScenarioDocument.h"
 
-#include <algorithm>
-#include <chrono>
-#include <utility>
-
 #include "app/run/Bundle.h"
-#include "app/run/DiagnosticDedup.h"
 #include "editor/document/DocumentDiskState.h"
-#include "editor/document/Entity.h"
 #include "editor/document/LatestTask.h"
 #include "editor/document/PersonTree.h"
 
@@ -108,10 +102,6 @@ std::optional<Entity> ScenarioDocument::entity(EntityId id) const {
   });
 }
 
-bool ScenarioDocument::contains(EntityId id) const {
-  return id == kSettingsId || indexOf(id) >= 0;
-}
-
 std::vector<EntityId> ScenarioDocument::entities(EntityKind kind) const {
   return withList(scenario_, kind, [](const auto& list) {
     std::vector<EntityId> ids;
@@ -129,11 +119,6 @@ const sim2d::Human* ScenarioDocument::human(EntityId id) const {
 
 const sim2d::GlobalGoal* ScenarioDocument::goal(EntityId id) const {
   return findIn(scenario_.goals, id);
-}
-
-EntityId ScenarioDocument::goalKey(int goalId) const {
-  const sim2d::GlobalGoal* found = scenario_.goal(goalId);
-  return found == nullptr ? EntityId{} : found->key;
 }
 
 int ScenarioDocument::indexOf(EntityId id) const {
@@ -167,11 +152,6 @@ EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
   return old;
 }
 
-std::optional<std::string> ScenarioDocument::tree(EntityId human) const {
-  const auto found = trees_.find(human);
-  return found == trees_.end() ? std::nullopt : std::optional<std::string>(found->second);
-}
-
 std::optional<std::string> ScenarioDocument::exchangeTree(EntityId human,
                                                           std::optional<std::string> xml) {
   const Step step(*this);
@@ -186,10 +166,6 @@ std::optional<std::string> ScenarioDocument::exchangeTree(EntityId human,
   }
   Q_EMIT changed({Change::What::Tree, human});
   return old;
-}
-
-bool ScenarioDocument::isSelected(EntityId id) const {
-  return std::find(selection_.begin(), selection_.end(), id) != selection_.end();
 }
 
 void ScenarioDocument::setSelection(std::vector<EntityId> ids) {

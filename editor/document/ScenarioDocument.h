@@ -2,12 +2,7 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
-
-#include <QtWidgets>
 
 #include "editor/document/Entity.h"
 #include "sim2d/base/Result.h"
@@ -73,12 +68,16 @@ class ScenarioDocument : public QObject {
   // Model
   const sim2d::Scenario& scenario() const { return scenario_; }
   std::optional<Entity> entity(EntityId id) const;
-  bool contains(EntityId id) const;
+  bool contains(EntityId id) const { return id == kSettingsId || indexOf(id) >= 0; }
   std::vector<EntityId> entities(EntityKind kind) const;  // In file order.
   /// The entity as its own type; null if it does not exist. Valid until the next edit.
   const sim2d::Human* human(EntityId id) const;
   const sim2d::GlobalGoal* goal(EntityId id) const;
-  EntityId goalKey(int goalId) const;                             // Goal with this number.
+  /// Goal with this number.
+  EntityId goalKey(int goalId) const {
+    const sim2d::GlobalGoal* found = scenario_.goal(goalId);
+    return found == nullptr ? EntityId{} : found->key;
+  }
   int indexOf(EntityId id) const;                                 // Index in its list; -1 = none.
   EntityId newId(EntityKind kind) { return {kind, nextKey_++}; }  // Never used before here.
   EntitySlot exchange(EntityId id, EntitySlot slot);
@@ -95,7 +94,10 @@ class ScenarioDocument : public QObject {
   };
 
   /// The custom tree of a person (XML text); none = the tree generated from the behaviour.
-  std::optional<std::string> tree(EntityId human) const;
+  std::optional<std::string> tree(EntityId human) const {
+    const auto found = trees_.find(human);
+    return found == trees_.end() ? std::nullopt : std::optional<std::string>(found->second);
+  }
   std::optional<std::string> exchangeTree(EntityId human, std::optional<std::string> xml);
   /// The tree that a run uses: the custom tree, else that of the file while it still matches the
   /// person, else one in the style of the file; none = the generator's.
@@ -127,7 +129,9 @@ class ScenarioDocument : public QObject {
 
   // Selection (not undoable, in order of selection)
   const std::vector<EntityId>& selection() const { return selection_; }
-  bool isSelected(EntityId id) const;
+  bool isSelected(EntityId id) const {
+    return std::find(selection_.begin(), selection_.end(), id) != selection_.end();
+  }
   void setSelection(std::vector<EntityId> ids);
   void toggleSelected(EntityId id);
 
@@ -141,7 +145,10 @@ class ScenarioDocument : public QObject {
   /// only an empty document.
   base::Diagnostics open(const QString& path);
   /// Overrides the map and the tree folder of the scenarios that are opened next.
-  void setSearchOverrides(const QString& map, const QString& trees);
+  void setSearchOverrides(const QString& map, const QString& trees) {
+    search_.mapOption = map.toStdString();
+    search_.treesOption = trees.toStdString();
+  }
   /// The file was read only partly; it can be saved only under another name.
   bool isReadOnly() const;
   /// Writes canonical YAML and one tree per person: in ../behavior_trees if the folder is called

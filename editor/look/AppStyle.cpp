@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 
 namespace editor {
@@ -286,8 +287,7 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
         painter->fillRect(option->rect, theme_.color(Role::Window));
         if (option->state.testFlag(State_Selected)) {
           painter->setRenderHint(QPainter::Antialiasing);
-          painter->setPen(Qt::NoPen);
-          painter->setBrush(theme_.color(Role::RowSelected));
+          setPenAndBrush(*painter, Qt::NoPen, theme_.color(Role::RowSelected));
           painter->drawRoundedRect(QRectF(option->rect).adjusted(1, 2, -1, -2), 4, 4);
         }
         drawItemText(painter, option->rect,

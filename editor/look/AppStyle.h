@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QtWidgets>
-
 #include "editor/look/Theme.h"
 
 namespace editor {

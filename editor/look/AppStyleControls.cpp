@@ -1,8 +1,7 @@
 #include <algorithm>
 
-#include <QtWidgets>
-
 #include "editor/look/AppStyle.h"
+#include "editor/look/FigurePainter.h"
 
 // Drawing functions of AppStyle and the geometry of sub-controls.
 namespace editor {
@@ -31,8 +30,7 @@ bool isHovered(const QStyleOption& option) {
 void drawBox(QPainter& painter, const QRectF& rect, double radius, const QBrush& fill,
              const QPen& edge = QPen(Qt::NoPen)) {
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(edge);
-  painter.setBrush(fill);
+  setPenAndBrush(painter, edge, fill);
   painter.drawRoundedRect(rect, radius, radius);
 }
 
@@ -57,8 +55,7 @@ void AppStyle::drawChevron(QPainter& painter, const QRectF& rect, int quarterTur
   painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(rect.center());
   painter.rotate(90.0 * quarterTurns);
-  QColor color = theme_.color(Role::TextSecondary);
-  color.setAlphaF(enabled ? 1.0 : 0.4);
+  const QColor color = withAlpha(theme_.color(Role::TextSecondary), enabled ? 1.0 : 0.4);
   painter.setPen(QPen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolyline(QPolygonF({{-3.2, -1.6}, {0.0, 1.6}, {3.2, -1.6}}));
   painter.restore();
@@ -80,8 +77,7 @@ void AppStyle::drawIndicator(QPainter& painter, const QStyleOption& option, bool
     painter.setBrush(fill);
     painter.drawEllipse(middle, 6.4, 6.4);
     if (filled) {
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(mark);
+      setPenAndBrush(painter, Qt::NoPen, mark);
       painter.drawEllipse(middle, 2.5, 2.5);
     }
     return;
@@ -191,8 +187,8 @@ void AppStyle::drawSlider(QPainter& painter, const QStyleOptionSlider& slider,
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.setPen(QPen(theme_.color(Role::Accent, alpha), 3.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(handle.center().x(), y));
-  painter.setPen(QPen(theme_.color(Role::Accent, alpha), 2.0));
-  painter.setBrush(theme_.color(isHovered(slider) ? Role::RowSelected : Role::Field));
+  setPenAndBrush(painter, QPen(theme_.color(Role::Accent, alpha), 2.0),
+                 theme_.color(isHovered(slider) ? Role::RowSelected : Role::Field));
   painter.drawEllipse(QPointF(handle.center().x(), y), 5.5, 5.5);
   drawFocusRing(painter, slider, QRectF(slider.rect));
 }
@@ -285,8 +281,8 @@ void AppStyle::drawFrame(PrimitiveElement element, const QStyleOption& option, Q
     return;
   }
   const bool isTip = element == PE_PanelTipLabel;  // Otherwise a list or a text.
-  painter.setPen(theme_.color(Role::FieldEdge));
-  painter.setBrush(isTip ? QBrush(theme_.color(Role::Panel)) : option.palette.base());
+  setPenAndBrush(painter, theme_.color(Role::FieldEdge),
+                 isTip ? QBrush(theme_.color(Role::Panel)) : option.palette.base());
   painter.setRenderHint(QPainter::Antialiasing);  // Draws complete edges at a pixel ratio of 1.25.
   painter.drawRect(onPixels(option.rect));
 }

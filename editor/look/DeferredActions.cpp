@@ -51,10 +51,4 @@ QMenu& PanelMenu::begin(QWidget& owner) {
   return *menu_;
 }
 
-void PanelMenu::close() {
-  if (menu_) {
-    menu_->close();
-  }
-}
-
 }  // namespace editor

@@ -4,10 +4,6 @@
 
 #include <QtWidgets>
 
-class QDialog;
-class QLayout;
-class QObject;
-
 namespace editor {
 
 /// Calls `action` after the pending events, or after `milliseconds`, unless `context` has been
@@ -30,7 +26,11 @@ class PanelMenu {
  public:
   /// Replaces the menu with an empty one; `owner` is its parent.
   QMenu& begin(QWidget& owner);
-  void close();
+  void close() {
+    if (menu_) {
+      menu_->close();
+    }
+  }
 
  private:
   QPointer<QMenu> menu_;

@@ -17,11 +17,11 @@ constexpr int kMaxDecimals = 6;  // The maximum number of decimals shown.
 constexpr double kLong = 1e15;   // Larger numbers are shown with an exponent.
 constexpr int kWidest = 130;     // Maximum width [px].
 
-double rounded(double value, int decimals) {
+double roundedTo(double value, int decimals) {
   return QString::number(value, 'f', decimals).toDouble();
 }
 
-QString spaced(const QString& unit) {
+QString unitSuffix(const QString& unit) {
   return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit;
 }
 
@@ -41,7 +41,7 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
   setDecimals(range.decimals == 0 ? 0 : kExact);
   setRange(std::max(range.minimum, -kLargest), std::min(range.maximum, kLargest));
   setSingleStep(range.step);
-  setSuffix(spaced(unit));
+  setSuffix(unitSuffix(unit));
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setKeyboardTracking(false);
   setAccelerated(true);
@@ -119,7 +119,7 @@ void NumberField::show(double value, bool isDefault) {
     }
   }
   const bool isOne = this->value() == 1.0 && !singularUnit_.isEmpty();
-  const QString unit = spaced(isOne ? singularUnit_ : unit_);
+  const QString unit = unitSuffix(isOne ? singularUnit_ : unit_);
   if (suffix() != unit) {
     setSuffix(unit);
   }
@@ -168,9 +168,9 @@ QString NumberField::textFromValue(double value) const {
     return QString::fromStdString(base::formatDouble(value));
   }
   int decimals = range_.decimals;
-  const double shown = rounded(value, kMaxDecimals);
+  const double shown = roundedTo(value, kMaxDecimals);
   while (!default_ && decimals > 0 && decimals < kMaxDecimals &&
-         rounded(value, decimals) != shown) {
+         roundedTo(value, decimals) != shown) {
     ++decimals;
   }
   return QString::number(value, 'f', decimals);
@@ -191,7 +191,7 @@ void NumberField::stepBy(int steps) {
   int position = 0;
   const double from =
       validate(text, position) == QValidator::Acceptable ? valueFromText(text) : value();
-  const double to = rounded(from + steps * singleStep(), kMaxDecimals);
+  const double to = roundedTo(from + steps * singleStep(), kMaxDecimals);
   setValue(std::clamp(to, std::min(from, lowest()), maximum()));
   selectAll();
 }
@@ -244,8 +244,8 @@ LinkedSlider::LinkedSlider(NumberField& field, double maximum, QWidget* parent)
   };
   connect(&field_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, follow);
   connect(this, &QSlider::valueChanged, this, [this](int position) {
-    field_.setValue(rounded(minimum_ + (maximum_ - minimum_) * position / kSliderSteps,
-                            std::min(field_.shownDecimals(), 2)));
+    field_.setValue(roundedTo(minimum_ + (maximum_ - minimum_) * position / kSliderSteps,
+                              std::min(field_.shownDecimals(), 2)));
   });
   follow(field_.value());
 }
@@ -260,11 +260,6 @@ ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
 TextField::TextField(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::textEdited, this, &TextField::judge);
   connect(this, &QLineEdit::editingFinished, this, &TextField::commit);
-}
-
-void TextField::setHint(const QString& hint) {
-  hint_ = hint;
-  setToolTip(hint);
 }
 
 void TextField::show(const QString& text) {
@@ -294,6 +289,50 @@ void TextField::commit() {
   }
   shown_ = text();
   Q_EMIT edited(shown_);
+}
+
+namespace {
+
+/// The open item editor, or null. A list edits one row at a time.
+QWidget* openEditor(const QAbstractItemView& list) {
+  for (QWidget* each :
+       list.viewport()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    const bool isField =
+        qobject_cast<QLineEdit*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr;
+    if (isField && !each->isHidden()) {  // Hidden editors are about to be deleted.
+      return each;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void commitPendingEdit(QWidget& window) {
+  const QPointer<QWidget> field = window.focusWidget();
+  const bool isField = qobject_cast<QLineEdit*>(field) != nullptr ||
+                       qobject_cast<QAbstractSpinBox*>(field) != nullptr ||
+                       qobject_cast<QPlainTextEdit*>(field) != nullptr;
+  if (!isField || !field->hasFocus()) {
+    return;  // The menu or dialog that took the focus has already committed the text.
+  }
+  field->clearFocus();
+  if (field && field->isVisible()) {  // An editor in a list has already been closed.
+    field->setFocus();
+  }
+}
+
+void commitPendingEdit(const QAbstractItemView& list) {
+  if (QWidget* const field = openEditor(list)) {
+    Q_EMIT list.itemDelegate()->commitData(field);
+    Q_EMIT list.itemDelegate()->closeEditor(field);
+  }
+}
+
+void cancelPendingEdit(const QAbstractItemView& list) {
+  if (QWidget* const field = openEditor(list)) {
+    Q_EMIT list.itemDelegate()->closeEditor(field, QAbstractItemDelegate::RevertModelCache);
+  }
 }
 
 }  // namespace editor

@@ -94,7 +94,10 @@ class TextField : public QLineEdit {
   explicit TextField(QWidget* parent = nullptr);
   void setCheck(Check check) { check_ = std::move(check); }
   /// Sets the tooltip for valid text.
-  void setHint(const QString& hint);
+  void setHint(const QString& hint) {
+    hint_ = hint;
+    setToolTip(hint);
+  }
   void show(const QString& text);
 
  Q_SIGNALS:
@@ -106,5 +109,14 @@ class TextField : public QLineEdit {
   Check check_;
   QString hint_, shown_;
 };
+
+/// Commits the text being typed in a field of the window, as losing the focus does. The field keeps
+/// the focus.
+void commitPendingEdit(QWidget& window);
+/// Commits the text being typed in a row of the list and closes the editor.
+void commitPendingEdit(const QAbstractItemView& list);
+/// Closes the editor without a commit before its row is replaced; otherwise Qt commits during the
+/// replacement.
+void cancelPendingEdit(const QAbstractItemView& list);
 
 }  // namespace editor

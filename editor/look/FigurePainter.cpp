@@ -108,6 +108,22 @@ QPainterPath runner() {
   return path;
 }
 
+constexpr int kHeadings = 64;
+constexpr int kSteps = 3;
+constexpr std::size_t kSprites = std::size_t{kHeadings} * kSteps;
+constexpr int kColumns = 16;
+constexpr double kLargestPx = 40.0;  // Radius.
+constexpr double kReach = 1.5;       // Extent of luggage and feet in radii.
+
+int headingIndex(double headingDeg) {
+  const int index = static_cast<int>(std::lround(headingDeg * kHeadings / 360.0)) % kHeadings;
+  return index < 0 ? index + kHeadings : index;
+}
+
+int stepIndex(double stride) {
+  return stride > 0.33 ? 2 : stride < -0.33 ? 0 : 1;
+}
+
 }  // namespace
 
 QIcon drawnIcon(int sizePx, const std::function<void(QPainter&)>& draw,
@@ -140,8 +156,7 @@ QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QStri
 
 void paintHaloText(QPainter& painter, const QPointF& baseline, const QFont& font,
                    const QString& text, const QColor& halo, const QColor& color) {
-  painter.setPen(QPen(halo, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
+  setPenAndBrush(painter, QPen(halo, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(textOutline(baseline, font, text));
   painter.setFont(font);
   painter.setPen(color);
@@ -154,8 +169,7 @@ void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const 
   painter.save();
   painter.rotate(-figure.headingDeg);
   if (figure.kind != sim2d::PersonKind::Wheelchair && std::abs(figure.stride) >= 0.05) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme_.feet(figure.look));
+    setPenAndBrush(painter, Qt::NoPen, theme_.feet(figure.look));
     for (const double side : {-1.0, 1.0}) {
       const QPointF foot(side * figure.stride * 0.42 * r, side * 0.4 * r);
       painter.drawEllipse(foot, 0.3 * r, 0.17 * r);
@@ -163,8 +177,7 @@ void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const 
   }
   painter.setPen(outline);
   accessories(painter, figure);
-  painter.setPen(outline);
-  painter.setBrush(theme_.outline(figure.look));
+  setPenAndBrush(painter, outline, theme_.outline(figure.look));
   painter.drawPath(nosePath(r));
   painter.setBrush(theme_.fill(figure.look));
   const double half = 0.5 * outline.widthF();  // Keeps the outline inside the body.
@@ -214,8 +227,7 @@ void FigurePainter::wheels(QPainter& painter, const RobotFigure& figure, const Q
       painter.restore();
     }
   };
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(Role::RobotLine));
+  setPenAndBrush(painter, Qt::NoPen, theme_.color(Role::RobotLine));
   const double width = box.width();
   if (figure.kinematics == sim2d::Kinematics::Omnidirectional) {
     pair(box.center().x() + 0.3 * width, 0.13 * width, 0.0, 45.0);
@@ -235,8 +247,8 @@ void FigurePainter::robot(QPainter& painter, const RobotFigure& figure) const {
   painter.save();
   painter.rotate(-figure.headingDeg);
   wheels(painter, figure, box);
-  painter.setPen(outlinePen(theme_.color(Role::MapFree), 0.5 * box.height()));
-  painter.setBrush(theme_.color(Role::RobotBody));
+  setPenAndBrush(painter, outlinePen(theme_.color(Role::MapFree), 0.5 * box.height()),
+                 theme_.color(Role::RobotBody));
   painter.drawPath(body);
   QPainterPath front;
   front.addRect(QRectF(box.left() + 0.72 * box.width(), box.top(), box.width(), box.height()));
@@ -244,8 +256,7 @@ void FigurePainter::robot(QPainter& painter, const RobotFigure& figure) const {
   inset.translate(box.center().x(), box.center().y());
   inset.scale(0.86, 0.86);
   inset.translate(-box.center().x(), -box.center().y());
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(Role::RobotFront));
+  setPenAndBrush(painter, Qt::NoPen, theme_.color(Role::RobotFront));
   painter.drawPath(front.intersected(inset.map(body)));
   painter.setBrush(theme_.color(Role::TextSecondary));
   painter.drawEllipse(QPointF(), 0.1 * box.height(), 0.1 * box.height());
@@ -256,11 +267,9 @@ void FigurePainter::mark(QPainter& painter, Look look, const QPointF& centre, do
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(centre);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.line(look));
+  setPenAndBrush(painter, Qt::NoPen, theme_.line(look));
   if (markOf(look) == Mark::Ring) {
-    painter.setBrush(theme_.head(look));
-    painter.setPen(QPen(theme_.line(look), 0.26 * sizePx));
+    setPenAndBrush(painter, QPen(theme_.line(look), 0.26 * sizePx), theme_.head(look));
     painter.drawEllipse(QPointF(), 0.36 * sizePx, 0.36 * sizePx);
   } else {
     painter.drawPath(markPath(markOf(look), sizePx));
@@ -277,9 +286,9 @@ void FigurePainter::pin(QPainter& painter, const QString& text, bool selected, d
   path.arcTo(QRectF(-8.4, -25.4, 16.8, 16.8), 180.0, -180.0);
   path.cubicTo(8.4, -9.6, 2.2, -6.0, 0.0, 0.0);
   const QColor edge = theme_.color(selected ? Role::Accent : Role::Text);
-  painter.setPen(
-      QPen(edge, selected ? 2.2 : kOutlinePx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(theme_.color(Role::GoalPin));
+  setPenAndBrush(
+      painter, QPen(edge, selected ? 2.2 : kOutlinePx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin),
+      theme_.color(Role::GoalPin));
   painter.drawPath(path);
   QFont font = theme_.figureFont();
   font.setPixelSize(text.size() > 2 ? 8 : 11);
@@ -371,6 +380,64 @@ QIcon areaIcon(sim2d::AreaKind kind, const Theme& theme, int sizePx) {
     painter.strokePath(path, pen);
   };
   return drawnIcon(sizePx, draw, {1, 2});
+}
+
+SpriteAtlas::Sheet& SpriteAtlas::sheetFor(const PersonFigure& figure, double ratio) {
+  const int quarters = static_cast<int>(std::lround(4.0 * figure.radiusPx));
+  Sheet& sheet = sheets_[{figure.look, figure.kind, quarters}];
+  if (sheet.cell == 0) {
+    sheet.cell = 2 * static_cast<int>(std::ceil(kReach * figure.radiusPx * ratio + 1.0));
+    const int rows = kHeadings * kSteps / kColumns;
+    sheet.pixmap = QPixmap(kColumns * sheet.cell, rows * sheet.cell);
+    sheet.pixmap.fill(Qt::transparent);
+    sheet.painted.assign(kSprites, false);
+  }
+  return sheet;
+}
+
+void SpriteAtlas::add(Sheet& sheet, const Theme& theme, const QPointF& at,
+                      const PersonFigure& figure, double ratio) {
+  const int heading = headingIndex(figure.headingDeg);
+  const int step = stepIndex(figure.stride);
+  const int number = step * kHeadings + heading;
+  const int column = number % kColumns;
+  const int row = number / kColumns;
+  const QRectF source(column * sheet.cell, row * sheet.cell, sheet.cell, sheet.cell);
+  if (!sheet.painted[static_cast<std::size_t>(number)]) {
+    sheet.painted[static_cast<std::size_t>(number)] = true;
+    PersonFigure sprite = figure;
+    sprite.headingDeg = heading * 360.0 / kHeadings;
+    sprite.stride = step - 1.0;
+    QPainter painter(&sheet.pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(source.center());
+    painter.scale(ratio, ratio);
+    FigurePainter(theme).person(painter, sprite);
+  }
+  sheet.fragments.push_back(QPainter::PixmapFragment::create(at, source, 1.0 / ratio, 1.0 / ratio));
+}
+
+void SpriteAtlas::draw(QPainter& painter, const Theme& theme,
+                       const std::vector<std::pair<QPointF, PersonFigure>>& figures) {
+  const double ratio = painter.device()->devicePixelRatioF();
+  for (const auto& [at, figure] : figures) {
+    if (figure.radiusPx > kLargestPx) {
+      painter.save();
+      painter.translate(at);
+      FigurePainter(theme).person(painter, figure);
+      painter.restore();
+    } else {
+      add(sheetFor(figure, ratio), theme, at, figure, ratio);
+    }
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  for (auto& [key, sheet] : sheets_) {
+    if (!sheet.fragments.empty()) {
+      painter.drawPixmapFragments(sheet.fragments.data(), static_cast<int>(sheet.fragments.size()),
+                                  sheet.pixmap);
+      sheet.fragments.clear();
+    }
+  }
 }
 
 }  // namespace editor

@@ -1,17 +1,38 @@
 #pragma once
 
 #include <functional>
-#include <vector>
-
-#include <QIcon>
-#include <QPainter>
-#include <QPainterPath>
+#include <map>
+#include <new>
+#include <tuple>
 
 #include "editor/look/Theme.h"
 #include "sim2d/nav/Body.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace editor {
+
+/// An image to paint on. Throws std::bad_alloc if the allocation fails, where Qt returns a null
+/// image that crashes a painter. Thread: any.
+inline QImage blankImage(const QSize& size, QImage::Format format) {
+  QImage image(size, format);
+  if (image.isNull() && !size.isEmpty()) {
+    throw std::bad_alloc();
+  }
+  return image;
+}
+
+/// Sets pen and brush.
+inline void setPenAndBrush(QPainter& painter, const QPen& pen, const QBrush& fill = Qt::NoBrush) {
+  painter.setPen(pen);
+  painter.setBrush(fill);
+}
+
+/// Draws an unfilled ring.
+inline void paintRing(QPainter& painter, const QPen& pen, double radius,
+                      const QPointF& centre = {}) {
+  setPenAndBrush(painter, pen);
+  painter.drawEllipse(centre, radius, radius);
+}
 
 /// The appearance of a person drawn from above.
 struct PersonFigure {
@@ -66,6 +87,31 @@ class FigurePainter {
   void accessories(QPainter& painter, const PersonFigure& figure) const;
   void wheels(QPainter& painter, const RobotFigure& figure, const QRectF& box) const;
   const Theme& theme_;
+};
+
+/// Cached pictures of people: one sheet per appearance, kind and size with 64 headings and 3 step
+/// phases. A picture is rendered on first use; a new zoom requires new sheets (`clear`).
+class SpriteAtlas {
+ public:
+  void clear() { sheets_.clear(); }
+  /// Draws figures centred at their points (painter in pixels). Figures too large for sheets are
+  /// painted directly.
+  void draw(QPainter& painter, const Theme& theme,
+            const std::vector<std::pair<QPointF, PersonFigure>>& figures);
+
+ private:
+  using Key = std::tuple<Look, sim2d::PersonKind, int>;  // Radius in quarters of a pixel.
+  struct Sheet {
+    QPixmap pixmap;
+    std::vector<bool> painted;
+    int cell = 0;  // Side length [device pixels].
+    std::vector<QPainter::PixmapFragment> fragments;
+  };
+  Sheet& sheetFor(const PersonFigure& figure, double ratio);
+  static void add(Sheet& sheet, const Theme& theme, const QPointF& at, const PersonFigure& figure,
+                  double ratio);
+
+  std::map<Key, Sheet> sheets_;
 };
 
 /// A colour-free sign for the kind of an area: an arrow out of a gate (source) or into one (sink),

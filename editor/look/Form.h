@@ -1,9 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
-
-#include <QtWidgets>
 
 #include "editor/look/Theme.h"
 
@@ -16,8 +13,8 @@ class FormSection : public QWidget {
  public:
   explicit FormSection(const QString& title, QWidget* parent = nullptr);
 
-  QString title() const;
-  void setTitle(const QString& title);
+  QString title() const { return heading_->text(); }
+  void setTitle(const QString& title) { heading_->setText(title); }
   QString note() const { return note_->text(); }
   void setNote(const QString& note) { note_->setText(note); }  // Right of the heading, secondary.
   /// Adds a link at the right end of the heading, initially hidden. Call it at most once.
@@ -30,8 +27,11 @@ class FormSection : public QWidget {
   /// Moves the row added last below the row of `field`; null: to the top.
   void moveLastRow(const QWidget* field);
   void setRowVisible(const QWidget* field, bool visible);
-  void setOpen(bool open);
-  bool isOpen() const;
+  void setOpen(bool open) {
+    body_->setVisible(open);
+    heading_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+  }
+  bool isOpen() const { return heading_->arrowType() == Qt::DownArrow; }
 
  private:
   int rowOf(const QWidget* field) const;  // -1 = none
@@ -116,5 +116,11 @@ QAction* makeAction(const QString& text, const QKeySequence& shortcut, const QSt
 /// Sets the status tip of an action, and its tooltip from name, shortcut and `tip`. Call it again
 /// when one of them changes.
 void describe(QAction& action, const QString& tip);
+
+/// Disables deleting, renaming and moving files in the dialog; new folders are allowed if
+/// `allowNewFolders`. Call it before the dialog is shown. Native desktop dialogs are not affected.
+void restrictFileDialog(QFileDialog& dialog, bool allowNewFolders);
+/// Shows the restricted dialog. Returns the chosen files; empty: cancelled.
+QStringList chosenFiles(QFileDialog& dialog, bool allowNewFolders);
 
 }  // namespace editor

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace editor {
 
@@ -102,23 +101,9 @@ QColor Theme::line(Look look) const {
   return (isDark_ ? kDarkLines : kLightLines)[index(look)];
 }
 
-QColor Theme::color(Role role, double alpha) const {
-  QColor result = color(role);
-  result.setAlphaF(alpha);
-  return result;
-}
-
 QColor Theme::outline(Look look) const {
   return isDark() ? mixed(fill(look), QColor(Qt::white), 0.55)
                   : mixed(fill(look), QColor(Qt::black), 0.5);
-}
-
-QColor Theme::head(Look look) const {
-  return mixed(fill(look), QColor(Qt::white), 0.72);
-}
-
-QColor Theme::feet(Look look) const {
-  return mixed(fill(look), QColor(Qt::black), 0.5);
 }
 
 QPalette Theme::palette() const {

@@ -54,6 +54,15 @@ Look lookOf(sim2d::BehaviorType type);
 QString lookName(Look look);
 Mark markOf(Look look);
 
+/// The colour with another opacity, 0 … 1.
+inline QColor withAlpha(QColor color, double alpha) {
+  color.setAlphaF(alpha);
+  return color;
+}
+
+/// The colour, including alpha, between `a` (share 0) and `b` (share 1).
+QColor mixed(const QColor& a, const QColor& b, double share);
+
 /// All colours and fonts of the window, as a value. A class that draws takes a const reference and
 /// offers a setTheme that changes the colours immediately. There is no global theme.
 class Theme {
@@ -66,12 +75,12 @@ class Theme {
 
   bool isDark() const { return isDark_; }
   QColor color(Role role) const;
-  QColor color(Role role, double alpha) const;
+  QColor color(Role role, double alpha) const { return withAlpha(color(role), alpha); }
   QColor fill(Look look) const;
   QColor line(Look look) const;
   QColor outline(Look look) const;  // Outline of a figure: darker on light, lighter on dark themes.
-  QColor head(Look look) const;     // A light tint of the fill.
-  QColor feet(Look look) const;     // Darker than the body.
+  QColor head(Look look) const { return mixed(fill(look), Qt::white, 0.72); }  // A light tint.
+  QColor feet(Look look) const { return mixed(fill(look), Qt::black, 0.5); }   // Darker.
 
   QPalette palette() const;  // For QApplication::setPalette with the Fusion style.
   QFont font(double points = 9.0, QFont::Weight weight = QFont::Normal) const;
@@ -81,8 +90,6 @@ class Theme {
   bool isDark_;
 };
 
-/// The colour, including alpha, between `a` (share 0) and `b` (share 1).
-QColor mixed(const QColor& a, const QColor& b, double share);
 /// WCAG contrast ratio, 1 … 21.
 double contrastRatio(const QColor& a, const QColor& b);
 

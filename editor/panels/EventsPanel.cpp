@@ -1,7 +1,6 @@
 #include "editor/panels/EventsPanel.h"
 
 #include <array>
-#include <map>
 
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"

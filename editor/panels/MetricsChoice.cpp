@@ -1,9 +1,7 @@
-#include "editor/panels/MetricsChoice.h"
-
 #include <algorithm>
-#include <map>
 
 #include "editor/document/EditCommands.h"
+#include "editor/panels/MetricsDock.h"
 #include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
 
@@ -79,10 +77,7 @@ void styleChoices(QTreeWidget& tree) {
 }  // namespace
 
 MetricsChoice::MetricsChoice(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme)
-    : document_(document),
-      feed_(feed),
-      search_(new SearchField(tr("Find a metric"), tr("Find a metric"), this)),
-      count_(secondaryLabel({}, this)) {
+    : document_(document), feed_(feed) {
   auto* all =
       linkButton(tr("All"), tr("Measure all listed metrics"), this, [this] { chooseAll(true); });
   auto* none =

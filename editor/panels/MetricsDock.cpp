@@ -1,10 +1,7 @@
 #include "editor/panels/MetricsDock.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "editor/look/Form.h"
-#include "editor/panels/MetricsChoice.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -106,11 +103,7 @@ class SparklineDelegate : public QStyledItemDelegate {
 MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme)
     : feed_(feed),
       sparkline_(new SparklineDelegate(feed, this)),
-      parts_(new QSplitter(Qt::Horizontal, this)),
-      choose_(new QToolButton(this)),
-      stack_(new QStackedLayout),
       table_(new QTableWidget(0, MetricColumns, this)),
-      robot_(new QComboBox(this)),
       chooser_(makeChooser()),
       plot_(new MetricPlot(theme, true)) {
   makeTable();

@@ -38,13 +38,11 @@ QString metricText(const metrics::MetricResult& result) {
   if (std::isinf(*value.value)) {
     return *value.value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
   }
-  switch (result.info.kind) {
-    case metrics::Kind::Boolean:
-      return *value.value != 0.0 ? QStringLiteral("yes") : QStringLiteral("no");
-    case metrics::Kind::Count:
-      return QString::number(std::llround(*value.value));
-    case metrics::Kind::Number:
-      break;
+  if (result.info.kind == metrics::Kind::Boolean) {
+    return *value.value != 0.0 ? QStringLiteral("yes") : QStringLiteral("no");
+  }
+  if (result.info.kind == metrics::Kind::Count) {
+    return QString::number(std::llround(*value.value));
   }
   return QString::number(*value.value, 'f', decimalsOf(result.info.unit));
 }
@@ -111,17 +109,16 @@ metrics::Selection MetricsFeed::selection() const {
 
 void MetricsFeed::setSelection(std::optional<metrics::Selection> selection) {
   selection_ = std::move(selection);
-  if (recording_) {
-    begin();
-    follow();
-  }
+  restart();
 }
 
 void MetricsFeed::setRobot(int id) {
-  if (id == robot_) {
-    return;
+  if (std::exchange(robot_, id) != id) {
+    restart();
   }
-  robot_ = id;
+}
+
+void MetricsFeed::restart() {
   if (recording_) {
     begin();
     follow();

@@ -62,6 +62,7 @@ class MetricsFeed : public QObject {
   };
   void follow();
   void begin();
+  void restart();
   void startNextBatch();
   base::Result<app::MetricsSetup> setup() const;
   void deliver(MetricSnapshot snapshot);

@@ -1,13 +1,9 @@
 #include "editor/panels/ScenarioPanel.h"
 
-#include <algorithm>
-#include <functional>
-#include <utility>
-
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
+#include "editor/look/Fields.h"
 #include "editor/look/Icons.h"
-#include "editor/look/PendingEdit.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/panels/behavior/BehaviorDialogs.h"
@@ -130,14 +126,7 @@ QRect ScenarioPanel::eyeRect(const QRect& row) {
 }
 
 ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
-    : document_(document),
-      theme_(theme),
-      model_(new EntityModel(document, theme, this)),
-      filter_(new EntityFilter(*model_, this)),
-      filterField_(new SearchField(tr("Filter people, goals, areas"), tr("Filter"), this)),
-      tree_(new QTreeView(this)),
-      empty_(
-          emptyState(tr("Nothing on the map yet.\nPress P and click to place a person."), this)) {
+    : document_(document), theme_(theme), model_(new EntityModel(document, theme, this)) {
   tree_->setModel(filter_);
   tree_->setItemDelegate(
       new EntityRowDelegate([this](const QModelIndex& index) { toggleListed(index); }, this));

@@ -42,10 +42,12 @@ class ScenarioPanel : public QWidget {
   ScenarioDocument& document_;
   Theme theme_;
   EntityModel* model_;
-  EntityFilter* filter_;
-  SearchField* filterField_;
-  QTreeView* tree_;
-  QLabel* empty_;
+  EntityFilter* filter_ = new EntityFilter(*model_, this);
+  SearchField* filterField_ =
+      new SearchField(tr("Filter people, goals, areas"), tr("Filter"), this);
+  QTreeView* tree_ = new QTreeView(this);
+  QLabel* empty_ =
+      emptyState(tr("Nothing on the map yet.\nPress P and click to place a person."), this);
   PanelMenu menu_;
   NoMatchesPlaceholder* nothing_ = nullptr;
   bool syncing_ = false;

@@ -1,7 +1,5 @@
 #include "editor/run/FuturesProcess.h"
 
-#include <utility>
-
 #include "app/run/DataPaths.h"
 
 namespace editor {

@@ -1,11 +1,55 @@
-#include "editor/run/RunBranches.h"
-
-#include <algorithm>
-#include <utility>
-
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
+
+namespace {
+
+/// A re-run that diverges from the original from a step on.
+struct BranchRequest {
+  RunRequest request;
+  sim2d::StepInputs moves;  // Inputs of the following step.
+};
+
+/// `run`: a new, unstarted request. Changes after `at` and inputs from then on are not repeated.
+/// Errors: changes that are impossible during a run; changes of a run whose inputs are unknown.
+base::Result<BranchRequest> branchRequestFor(const RunRequest& run, std::int64_t at,
+                                             const app::RunSpec& changes,
+                                             const sim2d::TraceHeader& header) {
+  BranchRequest fork;
+  const bool isChanged = !app::changesText(changes).empty();
+  if (run.bundle == nullptr) {
+    fork.request = run;
+    return isChanged ? base::Result<BranchRequest>(base::error("again.not-told"))
+                     : base::Result<BranchRequest>(std::move(fork));
+  }
+  std::vector<app::RunBranch> branches = app::branchesUntil(run.branches, at);
+  base::Diagnostics problems;
+  if (isChanged) {
+    branches.push_back({at, changes});
+    const base::Result<app::Bundle> is = app::continueWith(*run.bundle, branches);
+    base::append(problems, is.diagnostics());
+    if (is) {
+      base::append(problems, app::errorsOf(app::check(*is, app::CheckDepth::Meaning).problems));
+    }
+  }
+  for (const app::RunBranch& branch : branches) {
+    if (branch.step != at) {
+      continue;  // Included in the inputs of the run.
+    }
+    const base::Result<sim2d::StepInputs> puts = app::inputsOfMoves(branch.changes.moves, header);
+    base::append(problems, puts.diagnostics());
+    if (puts) {
+      fork.moves.insert(fork.moves.end(), puts->begin(), puts->end());
+    }
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  fork.request = requestFor(*run.bundle, std::move(branches));
+  return {std::move(fork), std::move(problems)};
+}
+
+}  // namespace
 
 RunRequest requestFor(app::Bundle bundle, std::vector<app::RunBranch> branches) {
   RunRequest request;
@@ -55,43 +99,6 @@ QString runEndText(const sim2d::Scenario& scenario) {
                             : QString();
 }
 
-base::Result<BranchRequest> branchRequestFor(const RunRequest& run, std::int64_t at,
-                                             const app::RunSpec& changes,
-                                             const sim2d::TraceHeader& header) {
-  BranchRequest fork;
-  const bool isChanged = !app::changesText(changes).empty();
-  if (run.bundle == nullptr) {
-    fork.request = run;
-    return isChanged ? base::Result<BranchRequest>(base::error("again.not-told"))
-                     : base::Result<BranchRequest>(std::move(fork));
-  }
-  std::vector<app::RunBranch> branches = app::branchesUntil(run.branches, at);
-  base::Diagnostics problems;
-  if (isChanged) {
-    branches.push_back({at, changes});
-    const base::Result<app::Bundle> is = app::continueWith(*run.bundle, branches);
-    base::append(problems, is.diagnostics());
-    if (is) {
-      base::append(problems, app::errorsOf(app::check(*is, app::CheckDepth::Meaning).problems));
-    }
-  }
-  for (const app::RunBranch& branch : branches) {
-    if (branch.step != at) {
-      continue;  // Included in the inputs of the run.
-    }
-    const base::Result<sim2d::StepInputs> puts = app::inputsOfMoves(branch.changes.moves, header);
-    base::append(problems, puts.diagnostics());
-    if (puts) {
-      fork.moves.insert(fork.moves.end(), puts->begin(), puts->end());
-    }
-  }
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  fork.request = requestFor(*run.bundle, std::move(branches));
-  return {std::move(fork), std::move(problems)};
-}
-
 // Loop playback and branches of SimulationRunner.
 
 void SimulationRunner::setLoop(std::optional<LoopRange> loop) {
@@ -104,22 +111,6 @@ void SimulationRunner::setLoop(std::optional<LoopRange> loop) {
   }
   loop_ = loop;
   Q_EMIT loopChanged();
-}
-
-bool SimulationRunner::canLoop() const {
-  return loop_ && recording_ != nullptr && newest_ != nullptr && shown_ != nullptr &&
-         loop_->from < newest_->time;
-}
-
-bool SimulationRunner::canBranchFromShown() const {
-  return recreate_ && shown_ != nullptr && (lookingBack_ || isRecorded_) &&
-         branches_.size() < kMaxBranches;
-}
-
-/// Each branch gets an equal part of the memory limit; all branches together use as much as the
-/// first run.
-std::size_t SimulationRunner::memoryForNextRun() const {
-  return branch_ <= 0 ? historyMemory_ : historyMemory_ / (kMaxBranches - 1);
 }
 
 RunnerBranch* SimulationRunner::branchOf(int number) {

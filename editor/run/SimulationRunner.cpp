@@ -1,9 +1,6 @@
 #include "editor/run/SimulationRunner.h"
 
-#include <algorithm>
-#include <chrono>
 #include <iterator>
-#include <utility>
 
 namespace editor {
 
@@ -230,11 +227,6 @@ void SimulationRunner::setHistory(std::size_t mostInMemory, std::string folder) 
   historyFolder_ = std::move(folder);
 }
 
-double SimulationRunner::oldestTime() const {
-  const std::size_t first = recording_ == nullptr ? 0 : recording_->first();
-  return first == 0 ? 0.0 : recording_->timeOf(first);
-}
-
 /// A state of the recording; for dropped states the oldest one that is kept. Null: the file cannot
 /// be read.
 FramePtr SimulationRunner::stateAt(std::size_t index) const {
@@ -261,12 +253,6 @@ void SimulationRunner::checkHistoryLimit() {
   const auto problem = recording_ == nullptr ? std::nullopt : recording_->history().problem();
   if (problem && !std::exchange(isCut_, true)) {
     Q_EMIT historyTruncated({base::warning("run.history-cut", {problem->message()})});
-  }
-}
-
-void SimulationRunner::steer(app::Session::Steering steering) {
-  if (session_ != nullptr) {
-    session_->steer(std::move(steering));
   }
 }
 
@@ -320,18 +306,6 @@ void SimulationRunner::seek(std::int64_t step) {
     return;
   }
   showState(recording_->indexAt(step));
-}
-
-void SimulationRunner::stepBack() {
-  if (shown_ != nullptr && shown_->step > 0) {
-    seek(shown_->step - 1);
-  }
-}
-
-void SimulationRunner::seekNewest() {
-  if (lookingBack_ || isRecorded_) {
-    show(newest_, false);
-  }
 }
 
 void SimulationRunner::show(FramePtr frame, bool lookingBack) {
@@ -403,17 +377,6 @@ void SimulationRunner::applyGuestRequests(const app::SessionUpdate& news) {
   if (news.speed && *news.speed != speed_) {
     speed_ = *news.speed;
     Q_EMIT speedRequested(speed_);
-  }
-}
-
-bool SimulationRunner::isLive() const {
-  return state_ != State::Editing && session_ != nullptr && !finished_ && !lookingBack_ &&
-         !isLooping_;
-}
-
-void SimulationRunner::addInput(sim2d::Input input) {
-  if (isLive()) {
-    session_->add(std::move(input));
   }
 }
 

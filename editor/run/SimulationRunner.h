@@ -1,23 +1,49 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <future>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include <QtWidgets>
-
+#include "app/run/RunBranch.h"
 #include "app/run/RunSpec.h"
 #include "app/run/Session.h"
 #include "editor/document/ScenarioDocument.h"
-#include "editor/run/RunBranches.h"
+#include "sim2d/world/Runner.h"
 
 namespace editor {
 
+using app::RecordingPtr;
 using app::RunSettings;
+using sim2d::FramePtr;
+
+/// A run to be started.
+struct RunRequest {
+  app::WorldFactory makeWorld;    // Called in the worker thread, so it holds copies of all inputs.
+  app::Session::StepHook change;  // Null: the run does not change.
+  std::shared_ptr<base::StopFlag> left = std::make_shared<base::StopFlag>();  // Stops all waiting.
+  sim2d::StopRule rule;
+  int recordEvery = 1;
+  std::function<RunRequest()> again;  // Creates the same run again; null: not possible.
+  /// The inputs of the run; null: unknown, so that it cannot be branched.
+  std::shared_ptr<const app::Bundle> bundle;
+  std::vector<app::RunBranch> branches;
+};
+
+/// A run of the bundle with these branches.
+RunRequest requestFor(app::Bundle bundle, std::vector<app::RunBranch> branches = {});
+
+/// The first run or a branch, as stored by the runner.
+struct RunnerBranch {
+  int number = 0;  // 0: the first run.
+  QString name;
+  int from = -1;            // Number of the run from which it branched; -1: none.
+  double branchTime = 0.0;  // Branch time [s].
+  QString changed;          // Description of the changes; empty: none.
+  // For branches that are not shown
+  RecordingPtr recording;  // Null: not started yet.
+  FramePtr newest;
+  bool isFinished = false, isRecorded = false;
+  std::optional<sim2d::RunResult> result;
+  std::function<RunRequest()> again;
+};
 
 /// A run of the document in its current state, with copies of scenario, map and trees. GUI thread.
 /// A scenario with check errors does not run.
@@ -74,7 +100,11 @@ class SimulationRunner : public QObject {
       app::Session&, sim2d::World&, const std::shared_ptr<const app::Bundle>&)>;
   void setObserverFactory(ObserverFactory guests) { observerFactory_ = std::move(guests); }
   /// Sets the inputs of each step of the current run from now on.
-  void steer(app::Session::Steering steering);
+  void steer(app::Session::Steering steering) {
+    if (session_ != nullptr) {
+      session_->steer(std::move(steering));
+    }
+  }
 
   /// The run, and future runs, pause at these breakpoints.
   void setBreakpoints(std::vector<sim2d::TreeBreakpoint> points);
@@ -98,9 +128,16 @@ class SimulationRunner : public QObject {
 
   /// Returns true if a run is in progress and its newest state is shown, so that inputs act in the
   /// next step.
-  bool isLive() const;
+  bool isLive() const {
+    return state_ != State::Editing && session_ != nullptr && !finished_ && !lookingBack_ &&
+           !isLooping_;
+  }
   /// Adds an input that acts in the next step and is recorded. Does nothing without a current run.
-  void addInput(sim2d::Input input);
+  void addInput(sim2d::Input input) {
+    if (isLive()) {
+      session_->add(std::move(input));
+    }
+  }
 
   /// Shows a recorded run, which must contain states, from its beginning. reset() closes it.
   /// `again`: creates the same run; null: its inputs are unknown.
@@ -114,11 +151,22 @@ class SimulationRunner : public QObject {
   FramePtr shownFrame() const { return shown_; }
   bool isLookingBack() const { return lookingBack_; }
   /// Time of the oldest state that can still be shown [s]; 0 unless the disk was full.
-  double oldestTime() const;
+  double oldestTime() const {
+    const std::size_t first = recording_ == nullptr ? 0 : recording_->first();
+    return first == 0 ? 0.0 : recording_->timeOf(first);
+  }
   void seek(
       std::int64_t step);  // Shows the last kept frame up to the step, else the oldest; pauses.
-  void stepBack();
-  void seekNewest();
+  void stepBack() {
+    if (shown_ != nullptr && shown_->step > 0) {
+      seek(shown_->step - 1);
+    }
+  }
+  void seekNewest() {
+    if (lookingBack_ || isRecorded_) {
+      show(newest_, false);
+    }
+  }
   /// Repeats this section once it contains a state; none: normal playback.
   struct LoopRange {
     double from = 0.0, to = 0.0;  // [s], from < to
@@ -136,7 +184,10 @@ class SimulationRunner : public QObject {
   bool branchFromShown(const app::RunSpec& changes = {}, const QString& name = {});
   /// Returns true if the shown state is in the past of a reproducible run and another branch is
   /// allowed.
-  bool canBranchFromShown() const;
+  bool canBranchFromShown() const {
+    return recreate_ && shown_ != nullptr && (lookingBack_ || isRecorded_) &&
+           branches_.size() < kMaxBranches;
+  }
   /// All runs with the same beginning, in order of creation; empty while editing.
   const std::vector<RunnerBranch>& branches() const { return branches_; }
   int branch() const { return branch_; }  // Number of the shown branch; -1: none.
@@ -187,12 +238,19 @@ class SimulationRunner : public QObject {
   FramePtr stateAt(std::size_t index) const;
   void showState(std::size_t index);
   void checkHistoryLimit();
-  bool canLoop() const;
+  bool canLoop() const {
+    return loop_ && recording_ != nullptr && newest_ != nullptr && shown_ != nullptr &&
+           loop_->from < newest_->time;
+  }
   void clearRun();
   void storeShownBranch();
   RunnerBranch* branchOf(int number);
   void showStoredBranch(const RunnerBranch& kept, double time);
-  std::size_t memoryForNextRun() const;
+  /// Each branch gets an equal part of the memory limit; all branches together use as much as the
+  /// first run.
+  std::size_t memoryForNextRun() const {
+    return branch_ <= 0 ? historyMemory_ : historyMemory_ / (kMaxBranches - 1);
+  }
   void checkReplayDivergence();
 
   std::function<RunRequest()> request_;

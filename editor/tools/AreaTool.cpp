@@ -1,5 +1,4 @@
 #include "editor/document/EditCommands.h"
-#include "editor/document/UniqueNames.h"
 #include "editor/look/Fields.h"
 #include "editor/tools/CrowdGenerator.h"
 #include "editor/tools/DrawingTools.h"
@@ -44,19 +43,14 @@ class AreaTool : public ShapeDrawingTool {
 
  protected:
   QString idleText() const override {
-    switch (kind_) {
-      case sim2d::AreaKind::Source:
-        return tr(
-            "Drag an area where people appear, or click its corners · 1 to 4 choose the "
-            "kind");
-      case sim2d::AreaKind::Sink:
-        return tr("Drag an area where people leave after their last goal, or click its corners");
-      case sim2d::AreaKind::Wait:
-        return tr("Drag a waiting area, or click its corners · trees refer to it by name");
-      case sim2d::AreaKind::Exit:
-        break;
-    }
-    return tr("Drag an exit that people flee to, or click its corners");
+    static const char* const kTexts[kKindCount] = {
+        // By kind.
+        QT_TR_NOOP("Drag an area where people appear, or click its corners · 1 to 4 choose the "
+                   "kind"),
+        QT_TR_NOOP("Drag an area where people leave after their last goal, or click its corners"),
+        QT_TR_NOOP("Drag a waiting area, or click its corners · trees refer to it by name"),
+        QT_TR_NOOP("Drag an exit that people flee to, or click its corners")};
+    return tr(kTexts[static_cast<int>(kind_)]);
   }
 
   Entity shapeOf(const Corners& corners) const override {

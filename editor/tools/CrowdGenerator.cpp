@@ -1,6 +1,5 @@
 #include "editor/tools/CrowdGenerator.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -80,10 +79,6 @@ FreeSpace::FreeSpace(const ScenarioDocument& document)
 FreeSpace::Bucket FreeSpace::bucketOf(const Vec2& place) {
   return {static_cast<int>(std::floor(place.x() / kBucket)),
           static_cast<int>(std::floor(place.y() / kBucket))};
-}
-
-void FreeSpace::take(const Vec2& place, double radius) {
-  taken_[bucketOf(place)].emplace_back(place, radius);
 }
 
 bool FreeSpace::isClearOfWalls(const Vec2& place, double radius) const {

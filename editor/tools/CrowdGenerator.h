@@ -1,11 +1,6 @@
 #pragma once
 
 #include <array>
-#include <map>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
 #include "editor/canvas/Tool.h"
 #include "sim2d/map/Obstacles.h"
@@ -28,7 +23,9 @@ class FreeSpace {
  public:
   explicit FreeSpace(const ScenarioDocument& document);
   bool isFree(const Vec2& place, double radius) const;
-  void take(const Vec2& place, double radius);
+  void take(const Vec2& place, double radius) {
+    taken_[bucketOf(place)].emplace_back(place, radius);
+  }
 
  private:
   using Bucket = std::pair<int, int>;

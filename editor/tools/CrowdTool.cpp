@@ -92,11 +92,6 @@ void BrushTool::release(const CanvasMouse& mouse) {
   }
 }
 
-void BrushTool::show() {
-  showCrowd(scene(), people_);
-  Q_EMIT statusTextChanged();
-}
-
 void BrushTool::cancel() {
   ground_.reset();
   people_.clear();

@@ -27,7 +27,10 @@ class BrushTool : public Tool {
  private:
   void placeAt(const Vec2& at, double heading);
   void placeAlong(const Vec2& world);
-  void show();
+  void show() {
+    showCrowd(scene(), people_);
+    Q_EMIT statusTextChanged();
+  }
 
   CrowdRecipe recipe_;
   double spacing_ = 1.0;             // [m]

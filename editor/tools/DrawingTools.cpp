@@ -3,18 +3,17 @@
 #include <cmath>
 
 #include "editor/document/EditCommands.h"
-#include "editor/document/UniqueNames.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
 
 namespace {
 
-constexpr double kSamePlace = 0.01;  // [m]
-constexpr double kMinArea = 0.01;    // [m²]
+constexpr double kSameCorner = 0.01;  // [m]
+constexpr double kMinArea = 0.01;     // [m²]
 
 bool isSame(const Vec2& a, const Vec2& b) {
-  return (a - b).norm() < kSamePlace;
+  return (a - b).norm() < kSameCorner;
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include "editor/document/EditCommands.h"
-#include "editor/document/UniqueNames.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {

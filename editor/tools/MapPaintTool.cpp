@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include "editor/document/MapEdit.h"
@@ -11,8 +10,8 @@ namespace editor {
 namespace {
 
 constexpr std::array<MapPaint, 3> kPaints = {MapPaint::Occupied, MapPaint::Free, MapPaint::Unknown};
-constexpr double kMinWidth = 0.05;  // Brush width [m].
-constexpr double kMaxWidth = 5.0;
+constexpr double kMinBrush = 0.05;  // Brush width [m].
+constexpr double kMaxBrush = 5.0;
 
 /// Paints map cells as wall, free or unknown; one command per stroke. Shift paints free cells
 /// regardless of the choice; 1, 2 and 3 choose, brackets change the brush width.
@@ -50,7 +49,7 @@ class MapPaintTool : public Tool {
     ChoiceField* paint =
         addChoice(*row, tr("Paint"), words, paint_, [this](int index) { setPaint(index); });
     paint->setAccessibleName(tr("Cell type"));
-    NumberField* width = addNumber(*row, tr("Width"), {kMinWidth, kMaxWidth, 2, 0.05}, tr("m"),
+    NumberField* width = addNumber(*row, tr("Width"), {kMinBrush, kMaxBrush, 2, 0.05}, tr("m"),
                                    width_, [this](double value) { setWidth(value); });
     connect(this, &Tool::statusTextChanged, row, [this, paint, width] {
       paint->setCurrentIndex(paint_);
@@ -107,7 +106,7 @@ class MapPaintTool : public Tool {
   }
 
   void setWidth(double metres) {
-    width_ = std::clamp(metres, kMinWidth, kMaxWidth);
+    width_ = std::clamp(metres, kMinBrush, kMaxBrush);
     Q_EMIT statusTextChanged();
   }
 
@@ -115,12 +114,12 @@ class MapPaintTool : public Tool {
 
   /// Shows the current stroke and the brush.
   void show(const Vec2& at) {
-    constexpr int kCorners = 24;
+    constexpr int kCircleCorners = 24;
     ToolLine brush;
     brush.isClosed = true;
     brush.hasCorners = false;
-    for (int corner = 0; corner < kCorners; ++corner) {
-      const double angle = 2.0 * base::kPi * corner / kCorners;
+    for (int corner = 0; corner < kCircleCorners; ++corner) {
+      const double angle = 2.0 * base::kPi * corner / kCircleCorners;
       brush.points.emplace_back(at + 0.5 * width_ * Vec2(base::cos(angle), base::sin(angle)));
     }
     marks().outline = std::move(brush);

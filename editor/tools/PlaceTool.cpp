@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "editor/document/EditCommands.h"
 #include "editor/tools/CrowdGenerator.h"
 #include "editor/tools/DrawingTools.h"

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolRegistry.h"
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <map>
-
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/SelectionActions.h"

@@ -1,15 +1,6 @@
 #include "editor/tools/SelectionActions.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-
-#include <QtWidgets>
-
 #include "editor/document/EditCommands.h"
-#include "editor/document/Entity.h"
-#include "editor/document/Geometry.h"
-#include "editor/document/UniqueNames.h"
 
 namespace editor {
 
@@ -122,7 +113,7 @@ namespace {
 constexpr const char* kTrees = "application/x-hunavsim-trees";
 /// A comment in the text that lists goals included only because of routes.
 constexpr const char* kAlong = "# goals along: ";
-constexpr const char* kHead = "# copied from HuNavSim Desktop\n";
+constexpr const char* kCopyHead = "# copied from HuNavSim Desktop\n";
 
 void addRoute(sim2d::Scenario& copied, const sim2d::Scenario& all, const std::vector<int>& goals,
               QStringList& along) {
@@ -254,7 +245,7 @@ std::unique_ptr<QMimeData> copiedSelection(const ScenarioDocument& document) {
   for (const sim2d::Robot& robot : copied.robots) {
     addRoute(copied, document.scenario(), robot.goal.goals, along);
   }
-  QString text = QLatin1String(kHead);
+  QString text = QLatin1String(kCopyHead);
   if (!along.empty()) {
     text += QLatin1String(kAlong) + along.join(QLatin1Char(' ')) + QLatin1Char('\n');
   }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QMimeData>
-
 #include "editor/document/ScenarioDocument.h"
 
 namespace editor {

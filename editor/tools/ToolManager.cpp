@@ -1,7 +1,5 @@
 #include "editor/tools/ToolManager.h"
 
-#include <algorithm>
-
 #include "editor/canvas/ViewOverlays.h"
 #include "editor/look/Form.h"
 
@@ -99,7 +97,7 @@ bool ToolManager::eventFilter(QObject*, QEvent* event) {
 namespace {
 
 constexpr int kGapPx = 12;
-constexpr int kPadPx = 8;
+constexpr int kOptionsPadPx = 8;
 
 }  // namespace
 
@@ -107,7 +105,7 @@ ToolOptionsBar::ToolOptionsBar(ToolManager& tools, MapView& view) : QWidget(&vie
   setAccessibleName(tr("Tool options"));
   setCursor(Qt::ArrowCursor);
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kPadPx + 4, kPadPx, kPadPx + 4, kPadPx);
+  layout->setContentsMargins(kOptionsPadPx + 4, kOptionsPadPx, kOptionsPadPx + 4, kOptionsPadPx);
   layout->setSizeConstraint(QLayout::SetFixedSize);
   connect(&tools, &ToolManager::currentChanged, this, &ToolOptionsBar::showFor);
   connect(&view.mapScene(), &MapScene::optionsChanged, this, &ToolOptionsBar::place);

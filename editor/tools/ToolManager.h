@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "editor/canvas/MapView.h"
 #include "editor/tools/ToolRegistry.h"
 

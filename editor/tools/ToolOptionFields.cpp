@@ -1,6 +1,5 @@
 #include "editor/tools/ToolOptionFields.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "editor/look/FigurePainter.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-
-#include <QtWidgets>
-
 #include "editor/canvas/MapScene.h"
 #include "editor/look/Fields.h"
 #include "editor/tools/CrowdGenerator.h"

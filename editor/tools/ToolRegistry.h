@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
-#include <QKeySequence>
-
 #include "editor/canvas/Tool.h"
 
 namespace editor {

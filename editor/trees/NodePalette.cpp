@@ -1,8 +1,3 @@
-#include "editor/trees/NodePalette.h"
-
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "bt/human/BehaviorBlocks.h"
 #include "editor/document/PersonTree.h"
@@ -10,6 +5,7 @@
 #include "editor/panels/RowDelegate.h"
 #include "editor/trees/TreeCanvas.h"
 #include "editor/trees/TreeEdits.h"
+#include "editor/trees/TreeViews.h"
 
 namespace editor {
 
@@ -65,11 +61,7 @@ QString portsText(const bt::NodeManifest& manifest) {
 
 }  // namespace
 
-NodePalette::NodePalette(const Theme& theme)
-    : theme_(theme),
-      search_(new SearchField(tr("Find a node"), tr("Find a node"), this)),
-      list_(new NodeList),
-      help_(new QLabel(this)) {
+NodePalette::NodePalette(const Theme& theme) : theme_(theme), list_(new NodeList) {
   search_->setToolTip(tr("Search by name or description"));
   styleList(*list_, tr("Nodes"));
   list_->header()->hide();

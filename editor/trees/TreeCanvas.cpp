@@ -1,10 +1,7 @@
 #include "editor/trees/TreeCanvas.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <QtWidgets>
 
 #include "editor/document/PersonTree.h"
 

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <optional>
-
 #include <QWidget>
 
-#include "editor/trees/TreePainter.h"
+#include "editor/trees/TreeGraph.h"
 
 namespace editor {
 

@@ -1,12 +1,9 @@
 
 
 // Keyboard and mouse handling of TreeCanvas.
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
-
-#include <QtWidgets>
 
 #include "editor/trees/TreeCanvas.h"
 

@@ -1,11 +1,5 @@
 // The dock of the TreeEditor, and its widgets with their layout; their contents: TreeEditor.cpp.
-#include <algorithm>
-#include <utility>
 
-#include <QtWidgets>
-
-#include "editor/look/Fields.h"
-#include "editor/look/Form.h"
 #include "editor/trees/TreeEditor.h"
 
 namespace editor {
@@ -42,19 +36,12 @@ TreeEditor::TreeEditor(PanelContext& context)
     : context_(context),
       document_(context.document),
       runner_(context.runner),
-      people_(new ChoiceField(this)),
-      hint_(new QLabel(this)),
-      problem_(new QLabel(this)),
-      empty_(emptyState(tr("No people yet: press P and click on the map."), this)),
       canvas_(new TreeCanvas(context.theme())),
       palette_(new NodePalette(context.theme())),
       history_(new TreeHistory(canvas_->graph(), context.runner, context.theme())),
       text_(new TreeText(context.theme())),
       entries_(new BlackboardView(context.runner, context.theme())),
-      lower_(new QTabWidget(this)),
-      splitter_(new QSplitter(Qt::Vertical, this)),
-      inset_(new MapInset(context.view.mapScene(), context.runner, canvas_)),
-      nameField_(new QLineEdit(canvas_)) {
+      inset_(new MapInset(context.view.mapScene(), context.runner, canvas_)) {
   canvas_->installEventFilter(this);
   context.view.installEventFilter(this);
   nameField_->hide();

@@ -2,12 +2,8 @@
 
 // Display and signals of the TreeEditor; its widgets: TreeDock.cpp.
 
-#include <algorithm>
 #include <iterator>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"

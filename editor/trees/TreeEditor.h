@@ -1,21 +1,13 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "editor/look/DeferredActions.h"
+#include "editor/look/Fields.h"
+#include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/trees/BlackboardView.h"
-#include "editor/trees/MapInset.h"
-#include "editor/trees/NodePalette.h"
 #include "editor/trees/TreeCanvas.h"
 #include "editor/trees/TreeEdits.h"
 #include "editor/trees/TreeHistory.h"
-#include "editor/trees/TreeText.h"
+#include "editor/trees/TreeViews.h"
 
 namespace editor {
 
@@ -137,20 +129,21 @@ class TreeEditor : public QWidget {
   bool stale_ = true;
   bool choosing_ = false;
   std::string pickedPort_;
-  QComboBox* people_;
+  QComboBox* people_ = new ChoiceField(this);
   QToolButton *sharing_, *turn_, *folds_, *assignButton_, *positionSource_;
-  QLabel *hint_, *problem_, *empty_;
+  QLabel *hint_ = new QLabel(this), *problem_ = new QLabel(this),
+         *empty_ = emptyState(tr("No people yet: press P and click on the map."), this);
   QTimer hintTimer_;
   TreeCanvas* canvas_;
   NodePalette* palette_;
   TreeHistory* history_;
   TreeText* text_;
   BlackboardView* entries_;
-  QTabWidget* lower_;
-  QSplitter* splitter_;
+  QTabWidget* lower_ = new QTabWidget(this);
+  QSplitter* splitter_ = new QSplitter(Qt::Vertical, this);
   bool isSplitByUser_ = false;  // The user has moved the splitter.
   MapInset* inset_;
-  QLineEdit* nameField_;
+  QLineEdit* nameField_ = new QLineEdit(canvas_);
   PanelMenu menu_;
   std::vector<int> lines_;  // Line of each node in the text; 0 = in another file.
 };

@@ -1,11 +1,4 @@
 // Edits of the TreeEditor; display and signals: TreeEditor.cpp.
-#include <algorithm>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <QtWidgets>
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/PersonTree.h"
@@ -213,7 +211,7 @@ base::Result<bt::NodeSpec> nodeFromText(const std::string& text, bt::TreeFile& i
     const base::Result<bt::TreeFile> around =
         bt::readTreeText("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Pasted\">" + element +
                          "</BehaviorTree></root>");
-    const bool isElement = element.rfind("<root", 0) != 0 && element.rfind("<?", 0) != 0;
+    const bool isElement = !base::startsWith(element, "<root") && !base::startsWith(element, "<?");
     if (!around || !isElement) {
       return isElement ? around.diagnostics() : file.diagnostics();
     }

@@ -1,13 +1,10 @@
 #include "editor/trees/TreeGraph.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 
-#include "editor/document/PersonTree.h"
 #include "editor/panels/behavior/TreeOutline.h"
-#include "editor/trees/TreeLayout.h"
 
 namespace editor {
 
@@ -40,19 +37,7 @@ QString nodeDetail(const bt::NodeSpec& node) {
   if (!node.name.empty() && node.name != node.id) {
     return QString::fromStdString(node.id);
   }
-  switch (manifest->kind) {
-    case bt::NodeKind::Condition:
-      return QObject::tr("Condition");
-    case bt::NodeKind::Action:
-      return QObject::tr("Action");
-    case bt::NodeKind::Control:
-      return QObject::tr("Control");
-    case bt::NodeKind::Decorator:
-      return QObject::tr("Decorator");
-    case bt::NodeKind::SubTree:
-      break;
-  }
-  return QObject::tr("Subtree");
+  return QString::fromLatin1(bt::nodeKindName(manifest->kind));
 }
 
 void TreeGraph::setTree(const PersonTree& tree) {

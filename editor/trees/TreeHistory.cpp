@@ -1,8 +1,6 @@
 #include "editor/trees/TreeHistory.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <string_view>
 
 #include "editor/panels/RowDelegate.h"
@@ -22,18 +20,10 @@ constexpr int kRightRoom = 16;  // Margin to the right of the bands.
 constexpr double kTickRoom = 80.0;
 
 QString nodeStatusText(NodeStatus status) {
-  switch (status) {
-    case NodeStatus::Running:
-      return QObject::tr("Running");
-    case NodeStatus::Success:
-      return QObject::tr("Success");
-    case NodeStatus::Failure:
-      return QObject::tr("Failure");
-    case NodeStatus::Idle:
-    case NodeStatus::Skipped:
-      break;
-  }
-  return QObject::tr("not ticked");
+  return status == NodeStatus::Running   ? QObject::tr("Running")
+         : status == NodeStatus::Success ? QObject::tr("Success")
+         : status == NodeStatus::Failure ? QObject::tr("Failure")
+                                         : QObject::tr("not ticked");
 }
 
 Role roleOfStatus(NodeStatus status) {

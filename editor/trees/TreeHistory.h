@@ -1,10 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
-
-#include <QtWidgets>
 
 #include "editor/run/SimulationRunner.h"
 #include "editor/trees/TreeGraph.h"

@@ -1,12 +1,5 @@
-#include "editor/trees/TreePainter.h"
-
-#include <algorithm>
-#include <string>
-
-#include <QtWidgets>
-
-#include "editor/document/PersonTree.h"
 #include "editor/panels/behavior/TreeOutline.h"
+#include "editor/trees/TreeGraph.h"
 
 namespace editor {
 

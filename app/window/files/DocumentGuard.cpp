@@ -1,9 +1,6 @@
-#include "app/window/files/DocumentGuard.h"
-
-#include <utility>
-
 #include "app/run/Bundle.h"
 #include "app/window/StartPage.h"
+#include "app/window/files/FileCommands.h"
 #include "editor/document/Entity.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/Form.h"

@@ -1,11 +1,8 @@
-#include "app/window/files/ExportDialog.h"
-
 #include <algorithm>
 #include <array>
 
 #include "app/window/files/FileDialogs.h"
-#include "editor/document/UniqueNames.h"
-#include "editor/look/FileDialog.h"
+#include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "sim2d/base/Text.h"
@@ -48,15 +45,7 @@ ExportDialog::ExportDialog(Bundle source, const QString& folder, const editor::T
     : QDialog(parent),
       source_(std::move(source)),
       theme_(theme),
-      targets_(new QListWidget(this)),
-      folder_(new QLineEdit(folder, this)),
-      dialect_(new QComboBox(this)),
-      style_(new QComboBox(this)),
-      summary_(editor::secondaryLabel(QString(), this)),
-      files_(new QTreeWidget(this)),
-      reportTitle_(editor::headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
-      report_(new QListWidget(this)),
-      command_(new QPlainTextEdit(this)) {
+      folder_(new QLineEdit(folder, this)) {
   setWindowTitle(tr("Export"));
   build();
   fillTargets();

@@ -1,17 +1,13 @@
 #include "app/window/files/FileCommands.h"
 
-#include <algorithm>
-
 #include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
-#include "app/run/RunProvenance.h"
-#include "app/window/files/MapDialogs.h"
+#include "app/run/RunReplay.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/QtImageLoader.h"
 #include "editor/look/DeferredActions.h"
 #include "sim2d/base/Text.h"
 

@@ -1,10 +1,7 @@
-#include <QtWidgets>
 
-#include "app/window/files/ExportDialog.h"
 #include "app/window/files/FileCommands.h"
-#include "app/window/files/TreeChoiceDialog.h"
 #include "editor/document/Autosave.h"
-#include "editor/look/PendingEdit.h"
+#include "editor/look/Fields.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 

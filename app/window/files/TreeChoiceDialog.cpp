@@ -1,10 +1,7 @@
-#include "app/window/files/TreeChoiceDialog.h"
-
 #include <algorithm>
 
 #include "app/window/files/FileDialogs.h"
 #include "editor/document/LineDiff.h"
-#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 
 namespace app {
@@ -169,14 +166,8 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeConflict> questions, const ed
     : QDialog(parent),
       questions_(std::move(questions)),
       theme_(theme),
-      list_(new QListWidget(this)),
-      why_(new QLabel(this)),
-      keep_(new QRadioButton(this)),
-      replace_(new QRadioButton(this)),
-      all_(new QCheckBox(tr("Apply to all %1").arg(questions_.size()), this)),
       differences_(
           editor::linkButton({}, {}, this, [this] { showDifferences(diff_->isHidden()); })),
-      legend_(editor::secondaryLabel(QString(), this)),
       diff_(new DiffView(theme, this)) {
   setWindowTitle(tr("Custom trees"));
   build();

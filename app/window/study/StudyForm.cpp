@@ -1,16 +1,12 @@
-#include "app/window/study/StudyForm.h"
-
-#include <algorithm>
-
 #include "app/run/DataPaths.h"
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "app/window/files/FileDialogs.h"
+#include "app/window/study/StudyPanel.h"
 #include "editor/look/Fields.h"
-#include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlEmitter.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/world/Registries.h"
 
 namespace app {
@@ -70,14 +66,7 @@ class AutoHeightList : public QListWidget {
 }  // namespace
 
 StudyForm::StudyForm(editor::PanelContext& context)
-    : context_(context),
-      scenarios_(new QListWidget(this)),
-      emptyLabel_(new QLabel(tr("No scenarios: add or drop files here"), this)),
-      planners_(new AutoHeightList(this)),
-      seeds_(new QLineEdit(QStringLiteral("30"), this)),
-      duration_(new QLineEdit(this)),
-      record_(new editor::ChoiceField(this)),
-      values_(new QPlainTextEdit(this)) {
+    : context_(context), planners_(new AutoHeightList(this)) {
   auto* rows = editor::configuredLayout(new QVBoxLayout(this), {12, 6, 12, 6}, 6);
   rows->addWidget(makeScenarios());
   rows->addWidget(makePlanners());

@@ -1,8 +1,6 @@
 #include "app/window/study/StudyPanel.h"
 
-#include "app/window/study/RestoredStudy.h"
 #include "app/window/study/StudyRows.h"
-#include "editor/look/FileDialog.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace app {
@@ -20,20 +18,9 @@ constexpr int kProgressSteps = 1000;
 }  // namespace
 
 StudyPanel::StudyPanel(editor::PanelContext& context)
-    : context_(context),
-      form_(new StudyForm(context)),
-      results_(new StudyResults(this)),
-      process_(this),
-      name_(new editor::ElidedLabel(this)),
-      messageLabel_(new QLabel(this)),
-      progress_(new QProgressBar(this)),
-      start_(new QPushButton(this)),
-      report_(new QPushButton(tr("Report"), this)),
-      restartButton_(editor::linkButton(tr("Restart"), tr("Delete the results in the folder"), this,
-                                        [this] { start(StudyProcess::Begin::Restart); })) {
-  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {}, 0);
-  rows->addWidget(makeHead());
-  rows->addWidget(editor::dividerLine(this));
+    : context_(context), form_(new StudyForm(context)), process_(this) {
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {}, 0,
+                                        {makeHead(), editor::dividerLine(this)});
   auto* halves = new QSplitter(Qt::Horizontal, this);
   halves->setChildrenCollapsible(false);
   halves->addWidget(editor::scrollArea(form_, halves));
@@ -94,10 +81,9 @@ QWidget* StudyPanel::makeHead() {
                                tr("Save the experiment as a file; its results are stored beside "
                                   "it"),
                                head, [this] { askFile(true); });
-  row->addWidget(open_);
-  row->addWidget(saveAs_);
-  row->addWidget(start_);
-  row->addWidget(report_);
+  for (QWidget* button : std::initializer_list<QWidget*>{open_, saveAs_, start_, report_}) {
+    row->addWidget(button);
+  }
   report_->setToolTip(tr("Write a page with tables, confidence intervals, tests and figures"));
   connect(start_, &QPushButton::clicked, this, [this] { isRunning() ? stop() : start(); });
   connect(report_, &QPushButton::clicked, this, &StudyPanel::openReport);
@@ -156,7 +142,8 @@ void StudyPanel::setFile(const QString& path) {
   isEdited_ = true;  // until saved
   written_ = QString();
   restartButton_->hide();
-  code_.reset();
+  allowedCode_.clear();
+  whenAllowed_ = {};
   Q_EMIT codePermissionNeeded({});
   showRestored();
   updateControls();
@@ -292,13 +279,7 @@ bool StudyPanel::save() {
 editor::PanelRegistry windowPanels() {
   editor::PanelRegistry panels = editor::standardPanels();
   panels.add({90, QObject::tr("Study"), Qt::BottomDockWidgetArea, true, kRoom, false},
-             [](editor::PanelContext& context) {
-               auto* panel = new StudyPanel(context);
-               QObject::connect(
-                   panel, &StudyPanel::counted, &context,
-                   [&context, panel](int count) { Q_EMIT context.counted(panel, count); });
-               return panel;
-             });
+             [](editor::PanelContext& context) { return new StudyPanel(context); });
   return panels;
 }
 

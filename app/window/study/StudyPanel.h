@@ -1,17 +1,62 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
-#include <QtWidgets>
-
-#include "app/window/study/ExternalCodePrompt.h"
-#include "app/window/study/StudyForm.h"
+#include "app/run/Experiment.h"
+#include "app/run/PlannerFiles.h"
 #include "app/window/study/StudyProcess.h"
-#include "app/window/study/StudyResults.h"
+#include "app/window/study/StudyRows.h"
+#include "editor/look/Fields.h"
 #include "editor/look/Form.h"
+#include "editor/panels/PanelRegistry.h"
 
 namespace app {
+
+/// A form for an experiment: scenarios, planners, values and seeds. GUI thread.
+class StudyForm : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StudyForm(editor::PanelContext& context);
+
+  /// The experiment as YAML; scenarios below `folder` have relative paths.
+  QString yamlFor(const QString& folder) const;
+  void show(const Experiment& experiment);
+  void addScenario(const QString& path);  // ignored if present
+  QStringList scenarios() const;          // absolute paths, or names of shipped scenarios
+  void setEditable(bool editable);
+
+ Q_SIGNALS:
+  void changed();
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QWidget* makeScenarios();
+  QWidget* makePlanners();
+  QLayout* makeNumbers();
+  void styleValues();
+  void addItem(const QString& path);
+  void fitScenarios();
+  void askScenarios();
+  QString plannerPath() const;
+  void addPlanner(const QString& name, const QString& help);
+  QStringList chosenPlanners() const;
+  void showPlanners(const QStringList& chosen);
+
+  editor::PanelContext& context_;
+  QListWidget* scenarios_ = new QListWidget(this);
+  QLabel* emptyLabel_ = new QLabel(tr("No scenarios: add or drop files here"), this);
+  QListWidget* planners_;
+  QLineEdit* seeds_ = new QLineEdit(QStringLiteral("30"), this);
+  QLineEdit* duration_ = new QLineEdit(this);
+  QComboBox* record_ = new editor::ChoiceField(this);
+  QPlainTextEdit* values_ = new QPlainTextEdit(this);
+  QAbstractButton* addThis_ = nullptr;
+  QString plannerPath_;       // planner path in the opened file
+  QStringList plannerOrder_;  // planners in file order
+  QStringList others_;        // lines of the file without a field
+  bool isLoading_ = false;
+};
 
 /// The panel for studies: edits, starts, stops and resumes an experiment, shows results as they
 /// arrive, plays runs and opens the report. GUI thread.
@@ -34,7 +79,7 @@ class StudyPanel : public QWidget {
   /// Starts the study. If results of another experiment exist or external code is not allowed, it
   /// shows or asks this first.
   void start(StudyProcess::Begin begin = StudyProcess::Begin::Resume);
-  void allowCode(const std::vector<ExternalCode>& code) { code_.allow(code); }  // and continues
+  void allowCode(const std::vector<ExternalCode>& code);  // and continues
   void stop();
   bool isRunning() const { return process_.isRunning(); }
   void play(int run);
@@ -44,7 +89,6 @@ class StudyPanel : public QWidget {
 
  Q_SIGNALS:
   void openRunRequested(const QString& folder);  // requests playback
-  void counted(int finished);
   /// Asks the user to allow external code; call allowCode() on consent. Empty: the question is
   /// obsolete.
   void codePermissionNeeded(const std::vector<app::ExternalCode>& code);
@@ -78,25 +122,28 @@ class StudyPanel : public QWidget {
   QString written_;        // text of the fields equal to the file; null: none
   QString folderProblem_;  // problem with the results folder
   std::optional<Experiment> runningExperiment_,
-      displayedExperiment_;  // experiment running; experiment displayed
-  StudyCodePermissions code_;
+      displayedExperiment_;                // experiment running; experiment displayed
+  std::vector<ExternalCode> allowedCode_;  // by the user, for this file
+  std::function<void()> whenAllowed_;      // continues after the user allows the code
   StudyForm* form_;
-  StudyResults* results_;
+  StudyResults* results_ = new StudyResults(this);
   StudyProcess process_;
   QProcess helperProcess_;  // re-runs a run, writes a report
   std::unique_ptr<QTemporaryDir> played_;
   std::size_t total_ = 0, before_ = 0;  // number of runs; finished before the start
   QElapsedTimer since_;
   QTimer check_;
-  editor::ElidedLabel* name_;
-  QLabel* messageLabel_;
+  editor::ElidedLabel* name_ = new editor::ElidedLabel(this);
+  QLabel* messageLabel_ = new QLabel(this);
   bool isMessageProblem_ = false;
-  QProgressBar* progress_;
-  QPushButton* start_;
-  QPushButton* report_;
+  QProgressBar* progress_ = new QProgressBar(this);
+  QPushButton* start_ = new QPushButton(this);
+  QPushButton* report_ = new QPushButton(tr("Report"), this);
   QAbstractButton* open_ = nullptr;
   QAbstractButton* saveAs_ = nullptr;
-  QAbstractButton* restartButton_;
+  QAbstractButton* restartButton_ =
+      editor::linkButton(tr("Restart"), tr("Delete the results in the folder"), this,
+                         [this] { start(StudyProcess::Begin::Restart); });
 };
 
 /// The panels of the editor and the study panel.

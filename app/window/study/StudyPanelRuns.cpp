@@ -1,16 +1,36 @@
-#include <algorithm>
 #include <thread>
 
-#include <QtWidgets>
-
-#include "app/window/study/RestoredStudy.h"
+#include "app/run/ExperimentRunner.h"
+#include "app/run/RunSpec.h"
 #include "app/window/study/StudyPanel.h"
-#include "app/window/study/StudyRows.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
 
 namespace {
+
+bool holds(const std::vector<ExternalCode>& all, const ExternalCode& code) {
+  return std::find(all.begin(), all.end(), code) != all.end();
+}
+
+/// The external code that runs of the experiment would start: that of the first values, and of each
+/// other value varied alone, as reported by `batch`. Nothing is started. Errors in scenarios and
+/// values are reported when they are run.
+std::vector<ExternalCode> externalCodeOfStudy(const Experiment& experiment) {
+  std::vector<ExternalCode> all;
+  const std::size_t runs = experiment.runCount() / experiment.scenarios.size();
+  for (std::size_t k = 0; k < experiment.scenarios.size(); ++k) {
+    sim2d::Scenario first = sim2d::readScenario(experiment.scenarioPaths[k]).scenario;
+    applyOptions(first, experiment.specOf(k * runs), {});
+    for (const ExternalCode& code : externalCodeOf(experiment, first)) {
+      if (!holds(all, code)) {
+        all.push_back(code);
+      }
+    }
+  }
+  return all;
+}
 
 int cores() {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -40,13 +60,21 @@ bool StudyPanel::canUseFolder(StudyProcess::Begin begin) {
 /// If the code is not allowed, asks for it; `then` is called on consent.
 bool StudyPanel::isCodeAllowed(const std::vector<ExternalCode>& code,
                                const std::function<void()>& then) {
-  if (code_.allows(code)) {
+  if (std::all_of(code.begin(), code.end(),
+                  [this](const ExternalCode& each) { return holds(allowedCode_, each); })) {
     return true;
   }
-  code_.onAllowed(then);
+  whenAllowed_ = then;
   showMessage(tr("Its runs start external programs: allow them above the map"));
   Q_EMIT codePermissionNeeded(code);
   return false;
+}
+
+void StudyPanel::allowCode(const std::vector<ExternalCode>& code) {
+  allowedCode_.insert(allowedCode_.end(), code.begin(), code.end());
+  if (const auto then = std::exchange(whenAllowed_, {})) {
+    then();
+  }
 }
 
 void StudyPanel::start(StudyProcess::Begin begin) {
@@ -101,7 +129,7 @@ void StudyPanel::showProgress() {
           ? 0
           : static_cast<int>(static_cast<std::size_t>(progress_->maximum()) * finished / total_));
   showMessage(text);
-  Q_EMIT counted(static_cast<int>(finished));
+  Q_EMIT context_.counted(this, static_cast<int>(finished));
 }
 
 void StudyPanel::finish(bool isComplete, const QString& problems) {

@@ -1,14 +1,12 @@
 #include "editor/panels/behavior/BehaviorDialogs.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
-#include "editor/look/Form.h"
 #include "editor/tools/ToolOptionFields.h"
 
 namespace editor {
@@ -65,10 +63,7 @@ void fillBehaviorMenu(QMenu& menu, ScenarioDocument& document, const Theme& them
 
 BehaviorMixDialog::BehaviorMixDialog(ScenarioDocument& document, const Theme& theme,
                                      QWidget* parent)
-    : QDialog(parent),
-      document_(document),
-      people_(selectedOrAllPeople(document)),
-      result_(secondaryLabel({}, this)) {
+    : QDialog(parent), document_(document), people_(selectedOrAllPeople(document)) {
   setWindowTitle(tr("Behaviours of %1").arg(peopleText(people_.size())));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   buttons->button(QDialogButtonBox::Ok)->setDefault(true);
@@ -151,9 +146,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
       document_(document),
       ids_(document.entities(EntityKind::Human)),
       kinds_(new HintList(theme, tr("Blocks"), this)),
-      people_(new HintList(theme, tr("People"), this)),
-      about_(secondaryLabel({}, this)),
-      form_(new ValueForm(this)) {
+      people_(new HintList(theme, tr("People"), this)) {
   setWindowTitle(tr("Add a behaviour block"));
   resize(780, limitedToScreen(*this, 480));
   kinds_->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -1,21 +1,14 @@
 #include "editor/panels/behavior/BehaviorPanel.h"
 
-#include <algorithm>
 #include <iterator>
-#include <utility>
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
-#include "editor/document/PersonTree.h"
-#include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
-#include "editor/look/FileDialog.h"
+#include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
-#include "editor/panels/behavior/BehaviorDialogs.h"
-#include "editor/panels/behavior/TreeOutline.h"
-#include "editor/panels/behavior/ValueForm.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -41,17 +34,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       theme_(theme),
       runner_(runner),
       folder_(std::move(folder)),
-      stack_(new QStackedLayout(this)),
-      name_(headingLabel({}, theme.font(12.0, QFont::DemiBold))),
-      about_(secondaryLabel({})),
-      problem_(new QLabel),
-      outline_(new TreeOutline(theme)),
-      blockLinks_(new QWidget),
-      blockForm_(new ValueForm),
-      portForm_(new ValueForm),
-      hint_(emptyState(tr("Select a node above to see its ports."), this)),
-      entriesTitle_(headingLabel(tr("Blackboard"), theme.font(9.5, QFont::DemiBold))),
-      entries_(new QTableWidget(0, 2)) {
+      outline_(new TreeOutline(theme)) {
   setMinimumWidth(300);
   stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
   stack_->addWidget(makePage());

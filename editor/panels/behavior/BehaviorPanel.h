@@ -1,18 +1,14 @@
 #pragma once
 
-#include <functional>
-
-#include <QtWidgets>
-
 #include "bt/human/BehaviorBlocks.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/DeferredActions.h"
+#include "editor/look/Form.h"
+#include "editor/panels/behavior/BehaviorDialogs.h"
 #include "editor/panels/behavior/TreeOutline.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
-
-class ValueForm;
 
 /// The second tab of the right dock: the behaviour tree of the selected person as an outline, with
 /// the values of the chosen node or block below it. Shows the state of a run.
@@ -67,16 +63,18 @@ class BehaviorPanel : public QWidget {
   PersonTree tree_;
   std::vector<bt::Block> blocks_;  // Blocks of the main tree.
   bool stale_ = false;             // The document has changed while the panel was hidden.
-  QStackedLayout* stack_;
-  QLabel *name_, *about_, *problem_;
+  QStackedLayout* stack_ = new QStackedLayout(this);
+  QLabel *name_ = headingLabel({}, theme_.font(12.0, QFont::DemiBold)),
+         *about_ = secondaryLabel({}), *problem_ = new QLabel;
   QToolButton *add_, *template_, *regenerate_, *takeRoute_, *earlier_, *later_;
   TreeOutline* outline_;
-  QWidget* blockLinks_;
-  ValueForm *blockForm_, *portForm_;
-  QLabel* hint_;  // Shown while no node is chosen.
-  QLabel* entriesTitle_;
-  QTableWidget* entries_;  // Blackboard entries during a run.
-  PanelMenu menu_;         // Menu for the current person.
+  QWidget* blockLinks_ = new QWidget;
+  ValueForm *blockForm_ = new ValueForm, *portForm_ = new ValueForm;
+  QLabel* hint_ = emptyState(tr("Select a node above to see its ports."),
+                             this);  // Shown while no node is chosen.
+  QLabel* entriesTitle_ = headingLabel(tr("Blackboard"), theme_.font(9.5, QFont::DemiBold));
+  QTableWidget* entries_ = new QTableWidget(0, 2);  // Blackboard entries during a run.
+  PanelMenu menu_;                                  // Menu for the current person.
 };
 
 }  // namespace editor

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include <QHeaderView>
 #include <QInputDialog>
@@ -13,10 +12,10 @@
 #include <QPainter>
 
 #include "bt/human/TreeBehavior.h"
-#include "editor/document/PersonTree.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/RowDelegate.h"
+#include "sim2d/base/Find.h"
 
 namespace editor {
 
@@ -324,12 +323,9 @@ void askForCondition(SimulationRunner& runner, const TreeBreakpoint& point, QWid
 }  // namespace
 
 QString breakpointText(const TreeBreakpoint& point) {
-  const auto* const way =
-      std::find_if(std::begin(kBreakConditions), std::end(kBreakConditions),
-                   [&point](const BreakCondition& each) { return each.status == point.status; });
+  const auto* const way = base::findBy(kBreakConditions, &BreakCondition::status, point.status);
   QString words =
-      QObject::tr("when it %1")
-          .arg(QObject::tr(way == std::end(kBreakConditions) ? "is skipped" : way->words));
+      QObject::tr("when it %1").arg(QObject::tr(way == nullptr ? "is skipped" : way->words));
   if (!point.person) {
     words += QObject::tr(", for any person");
   }

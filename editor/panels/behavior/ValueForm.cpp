@@ -1,13 +1,11 @@
-#include "editor/panels/behavior/ValueForm.h"
-
 #include <cmath>
 #include <map>
-#include <string>
 
 #include <QHBoxLayout>
 
 #include "bt/tree/NodeCatalogue.h"
 #include "editor/document/PersonTree.h"
+#include "editor/panels/behavior/BehaviorDialogs.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {

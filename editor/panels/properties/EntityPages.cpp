@@ -1,11 +1,10 @@
 #include "editor/panels/properties/EntityPages.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "editor/run/SimulationRunner.h"
 #include "metrics/Samples.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Variation.h"
 #include "sim2d/world/Runner.h"
@@ -232,15 +231,15 @@ ParameterOwner modelsOf(const sim2d::Registries& registries) {
   };
   owner.given = [isModel](const Entity& entity) {
     const auto& all = desktop(entity).modelParameters;
-    const auto own = std::find_if(all.begin(), all.end(), isModel(entity));
-    return own == all.end() ? sim2d::ParameterTexts() : own->second;
+    const auto* own = base::findIf(all, isModel(entity));
+    return own == nullptr ? sim2d::ParameterTexts() : own->second;
   };
   owner.give = [isModel, name = owner.name](Entity& entity, sim2d::ParameterTexts texts) {
     auto& all = desktop(entity).modelParameters;
-    const auto own = std::find_if(all.begin(), all.end(), isModel(entity));
+    auto* own = base::findIf(all, isModel(entity));
     if (texts.empty()) {
       all.erase(std::remove_if(all.begin(), all.end(), isModel(entity)), all.end());
-    } else if (own != all.end()) {
+    } else if (own != nullptr) {
       own->second = std::move(texts);
     } else {
       all.emplace_back(name(entity), std::move(texts));

@@ -5,7 +5,7 @@
 
 #include <QtWidgets>
 
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "editor/panels/properties/PropertyPage.h"
 #include "sim2d/world/Registries.h"
 

@@ -1,11 +1,9 @@
-#include "editor/panels/properties/Nav2Form.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "editor/look/Fields.h"
-#include "editor/look/PendingEdit.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/properties/PageWidgets.h"
 
 namespace editor {
 
@@ -80,10 +78,7 @@ QString withUnit(const std::string& value, const app::Nav2Parameter& parameter) 
 
 }  // namespace
 
-Nav2Form::Nav2Form(QWidget* parent)
-    : QWidget(parent),
-      search_(new SearchField(tr("Find a parameter"), tr("Find a Nav2 parameter"), this)),
-      tree_(new QTreeWidget(this)) {
+Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   onlyChanged_ = linkButton(tr("Changed"), tr("Show only values that differ from the file"), this,
                             [this] { filter(); });
   onlyChanged_->setCheckable(true);

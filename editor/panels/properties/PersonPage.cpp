@@ -1,18 +1,16 @@
-#include <algorithm>
-#include <functional>
 #include <random>
 
 #include <QHBoxLayout>
 
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "editor/document/PeopleEdits.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/behavior/BehaviorDialogs.h"
 #include "editor/panels/behavior/GoalAssignment.h"
-#include "editor/panels/properties/AgentPictures.h"
 #include "editor/panels/properties/EntityPages.h"
-#include "editor/panels/properties/RouteEditor.h"
+#include "editor/panels/properties/PageWidgets.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/world/World.h"
 
 namespace editor {
@@ -315,9 +313,9 @@ void PersonPage::addGroupSection() {
     }
     members->setText(names.join(QStringLiteral(", ")));
     const auto& named = scenario.desktop.groups;
-    const auto own = std::find_if(named.begin(), named.end(),
-                                  [group](const auto& each) { return each.first == group; });
-    name->show(own == named.end() ? QString() : QString::fromStdString(own->second));
+    const auto* own =
+        base::findIf(named, [group](const auto& each) { return each.first == group; });
+    name->show(own == nullptr ? QString() : QString::fromStdString(own->second));
     for (QWidget* widget : std::initializer_list<QWidget*>{name, members, dissolve}) {
       section->setRowVisible(widget, grouped);
     }

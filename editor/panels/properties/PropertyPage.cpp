@@ -1,7 +1,6 @@
 #include "editor/panels/properties/PropertyPage.h"
 
-#include "editor/document/UniqueNames.h"
-
+#include "sim2d/base/Find.h"
 namespace editor {
 
 namespace {
@@ -142,10 +141,9 @@ FormSection* PropertyPage::addFold(const QString& title) {
 }
 
 FormSection* PropertyPage::foldOf(const QString& group) {
-  const auto found = std::find_if(folds_.begin(), folds_.end(), [&group](const Fold& fold) {
-    return fold.section->title() == group;
-  });
-  return found == folds_.end() ? addFold(group) : found->section;
+  const Fold* found =
+      base::findIf(folds_, [&](const Fold& fold) { return fold.section->title() == group; });
+  return found == nullptr ? addFold(group) : found->section;
 }
 
 void PropertyPage::showFold(const Fold& fold, QToolButton& reset,
@@ -169,8 +167,7 @@ void PropertyPage::showFold(const Fold& fold, QToolButton& reset,
 }
 
 void PropertyPage::resetFold(const FormSection* section) {
-  const auto fold = std::find_if(folds_.begin(), folds_.end(),
-                                 [section](const Fold& each) { return each.section == section; });
+  const Fold* fold = base::findBy(folds_, &Fold::section, section);
   apply(tr("Reset %1").arg(section->title().toLower()), [fold](Entity& entity) {
     for (const auto& [field, applies] : fold->rows) {
       if (ownValue(field, entity) != ParameterValue()) {

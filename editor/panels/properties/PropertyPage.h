@@ -1,12 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
-#include <map>
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
 #include <QtWidgets>
 

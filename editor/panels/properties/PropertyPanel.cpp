@@ -1,9 +1,7 @@
 #include "editor/panels/properties/PropertyPanel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "editor/canvas/Tool.h"
 #include "editor/document/EntityModel.h"
@@ -12,6 +10,7 @@
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/properties/EntityPages.h"
+#include "sim2d/base/Find.h"
 #include "sim2d/scenario/ResolvedValues.h"
 
 namespace editor {
@@ -38,13 +37,12 @@ QString firstGoals(const std::vector<int>& goals) {
 QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) {
   const QString number = QObject::tr("Person %1").arg(human.id);
   if (!human.listed) {
-    const auto source =
-        std::find_if(scenario.areas.begin(), scenario.areas.end(), [&](const sim2d::Area& area) {
-          return area.kind == sim2d::AreaKind::Source && area.like == human.name;
-        });
-    return source == scenario.areas.end() ? number + QObject::tr(" · switched off")
-                                          : QObject::tr("Template of people spawned by %1")
-                                                .arg(QString::fromStdString(source->name));
+    const sim2d::Area* source = base::findIf(scenario.areas, [&](const sim2d::Area& area) {
+      return area.kind == sim2d::AreaKind::Source && area.like == human.name;
+    });
+    return source == nullptr ? number + QObject::tr(" · switched off")
+                             : QObject::tr("Template of people spawned by %1")
+                                   .arg(QString::fromStdString(source->name));
   }
   if (human.goals.empty()) {
     return number + QObject::tr(" · stands still");
@@ -71,21 +69,107 @@ QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
   return capitalized(kindName(kindOf(entity)));
 }
 
+/// The current goal of a robot: a goal number, or its own goal point.
+QString goalOfRobot(const sim2d::Robot& robot, int goal, const base::Vec2& at) {
+  const std::optional<base::Vec2>& point = robot.goal.point;
+  if (goal > 0) {
+    return goalName(goal);
+  }
+  if (!point) {
+    return robot.goal.goals.empty() ? QObject::tr("none") : QObject::tr("all visited");
+  }
+  const double radius = sim2d::resolveRobot({}, robot, -1).goalRadius;
+  return (*point - at).norm() <= radius ? QObject::tr("%1, reached").arg(placeText(*point))
+                                        : placeText(*point);
+}
+
 }  // namespace
 
+/// The state of a person or robot in the shown frame: position, heading, speed, goal and distance
+/// to the robot. Hidden without a run.
+class RunStateSection : public FormSection {
+ public:
+  explicit RunStateSection(QWidget* parent) : FormSection(tr("Now"), parent) {
+    addRow(tr("Position"), position_);
+    addRow(tr("Heading"), heading_);
+    addRow(tr("Speed"), speed_);
+    addRow(tr("Goal"), goal_);
+    addRow(tr("Robot"), robot_);
+    drive_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    addRow(tr("Manual drive"), drive_);
+    setRowVisible(drive_, false);
+    hide();
+  }
+  /// The action that drives the shown robot; its button is visible while the action is enabled.
+  void setDriveAction(QAction* drive) { drive_->setDefaultAction(drive); }
+  /// `agent` as in frames: people by id, robots negative; `robot`: the settings of that robot.
+  void show(const sim2d::Frame* frame, std::optional<int> agent, const sim2d::Robot* robot) {
+    setVisible(frame != nullptr && agent &&
+               (robot != nullptr ? showRobot(*frame, *agent, *robot) : showPerson(*frame, *agent)));
+  }
+
+ private:
+  /// Shows the values common to people and robots. Returns the row in the columns; none = not in
+  /// the frame.
+  template <class Columns>
+  std::optional<std::size_t> showBody(const Columns& bodies, int id) {
+    const auto found = std::find(bodies.id.begin(), bodies.id.end(), id);
+    if (found == bodies.id.end()) {
+      return std::nullopt;
+    }
+    const auto i = static_cast<std::size_t>(found - bodies.id.begin());
+    const double speed = std::sqrt(bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]);
+    const double degrees = bodies.heading[i] * 180.0 / base::kPi;
+    position_->setText(placeText({bodies.x[i], bodies.y[i]}));
+    heading_->setText(QStringLiteral("%1°").arg(degrees, 0, 'f', 1));
+    speed_->setText(QStringLiteral("%1 m/s").arg(speed, 0, 'f', 2));
+    goal_->setText(bodies.goal[i] == sim2d::kNoGoal ? tr("none") : goalName(bodies.goal[i]));
+    return i;
+  }
+
+  bool showPerson(const sim2d::Frame& frame, int id) {
+    const sim2d::HumanColumns& people = frame.humans;
+    const std::optional<std::size_t> index = showBody(people, id);
+    if (!index) {
+      return false;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < frame.robots.size(); ++i) {
+      const double dx = frame.robots.x[i] - people.x[*index];
+      const double dy = frame.robots.y[i] - people.y[*index];
+      nearest = std::min(nearest, std::sqrt(dx * dx + dy * dy));
+    }
+    setRowVisible(drive_, false);
+    setNote(people.state[*index] != 0 ? tr("reacting") : QString());
+    setRowVisible(robot_, frame.robots.size() > 0);
+    robot_->setText(tr("%1 m away").arg(nearest, 0, 'f', 2));
+    return true;
+  }
+
+  bool showRobot(const sim2d::Frame& frame, int id, const sim2d::Robot& robot) {
+    const sim2d::RobotColumns& robots = frame.robots;
+    const std::optional<std::size_t> index = showBody(robots, id);
+    if (index) {
+      const base::Vec2 at(robots.x[*index], robots.y[*index]);
+      goal_->setText(goalOfRobot(robot, robots.goal[*index], at));
+    }
+    setNote({});
+    setRowVisible(robot_, false);
+    setRowVisible(drive_,
+                  drive_->defaultAction() != nullptr && drive_->defaultAction()->isEnabled());
+    return index.has_value();
+  }
+
+  QLabel* position_ = new QLabel(this);
+  QLabel* heading_ = new QLabel(this);
+  QLabel* speed_ = new QLabel(this);
+  QLabel* goal_ = new QLabel(this);
+  QLabel* robot_ = new QLabel(this);
+  QToolButton* drive_ = new QToolButton(this);
+};
+
 PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
-    : document_(document),
-      theme_(theme),
-      picture_(new QLabel(this)),
-      name_(new ElidedLabel(this)),
-      about_(secondaryLabel({}, this)),
-      runState_(new RunStateSection(this)),
-      later_(new QWidget(this)),
-      stack_(new QStackedWidget(this)),
-      spawnedPersonPage_(
-          emptyState(tr("Spawned by a source in this run. To change such people, select the person "
-                        "that the source copies."),
-                     stack_)) {
+    : document_(document), theme_(theme), runState_(new RunStateSection(this)) {
   setMinimumWidth(300);
   picture_->setFixedSize(kPictureSize, kPictureSize);
   name_->setFont(theme_.font(12.0, QFont::DemiBold));
@@ -306,96 +390,6 @@ void addPropertyPanel(PanelRegistry& to) {
                });
            return panel;
          });
-}
-
-namespace {
-
-/// The current goal of a robot: a goal number, or its own goal point.
-QString goalOfRobot(const sim2d::Robot& robot, int goal, const base::Vec2& at) {
-  const std::optional<base::Vec2>& point = robot.goal.point;
-  if (goal > 0) {
-    return goalName(goal);
-  }
-  if (!point) {
-    return robot.goal.goals.empty() ? QObject::tr("none") : QObject::tr("all visited");
-  }
-  const double radius = sim2d::resolveRobot({}, robot, -1).goalRadius;
-  return (*point - at).norm() <= radius ? QObject::tr("%1, reached").arg(placeText(*point))
-                                        : placeText(*point);
-}
-
-}  // namespace
-
-RunStateSection::RunStateSection(QWidget* parent) : FormSection(tr("Now"), parent) {
-  addRow(tr("Position"), position_);
-  addRow(tr("Heading"), heading_);
-  addRow(tr("Speed"), speed_);
-  addRow(tr("Goal"), goal_);
-  addRow(tr("Robot"), robot_);
-  drive_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  addRow(tr("Manual drive"), drive_);
-  setRowVisible(drive_, false);
-  hide();
-}
-
-void RunStateSection::setDriveAction(QAction* drive) {
-  drive_->setDefaultAction(drive);
-}
-
-void RunStateSection::show(const sim2d::Frame* frame, std::optional<int> agent,
-                           const sim2d::Robot* robot) {
-  setVisible(frame != nullptr && agent &&
-             (robot != nullptr ? showRobot(*frame, *agent, *robot) : showPerson(*frame, *agent)));
-}
-
-/// Shows the values common to people and robots. Returns the row in the columns; none = not in the
-/// frame.
-template <class Columns>
-std::optional<std::size_t> RunStateSection::showBody(const Columns& bodies, int id) {
-  const auto found = std::find(bodies.id.begin(), bodies.id.end(), id);
-  if (found == bodies.id.end()) {
-    return std::nullopt;
-  }
-  const auto i = static_cast<std::size_t>(found - bodies.id.begin());
-  const double speed = std::sqrt(bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]);
-  const double degrees = bodies.heading[i] * 180.0 / base::kPi;
-  position_->setText(placeText({bodies.x[i], bodies.y[i]}));
-  heading_->setText(QStringLiteral("%1°").arg(degrees, 0, 'f', 1));
-  speed_->setText(QStringLiteral("%1 m/s").arg(speed, 0, 'f', 2));
-  goal_->setText(bodies.goal[i] == sim2d::kNoGoal ? tr("none") : goalName(bodies.goal[i]));
-  return i;
-}
-
-bool RunStateSection::showPerson(const sim2d::Frame& frame, int id) {
-  const sim2d::HumanColumns& people = frame.humans;
-  const std::optional<std::size_t> index = showBody(people, id);
-  if (!index) {
-    return false;
-  }
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < frame.robots.size(); ++i) {
-    const double dx = frame.robots.x[i] - people.x[*index];
-    const double dy = frame.robots.y[i] - people.y[*index];
-    nearest = std::min(nearest, std::sqrt(dx * dx + dy * dy));
-  }
-  setRowVisible(drive_, false);
-  setNote(people.state[*index] != 0 ? tr("reacting") : QString());
-  setRowVisible(robot_, frame.robots.size() > 0);
-  robot_->setText(tr("%1 m away").arg(nearest, 0, 'f', 2));
-  return true;
-}
-
-bool RunStateSection::showRobot(const sim2d::Frame& frame, int id, const sim2d::Robot& robot) {
-  const sim2d::RobotColumns& robots = frame.robots;
-  const std::optional<std::size_t> index = showBody(robots, id);
-  if (index) {
-    const base::Vec2 at(robots.x[*index], robots.y[*index]);
-    goal_->setText(goalOfRobot(robot, robots.goal[*index], at));
-  }
-  setNote({});
-  setRowVisible(robot_, false);
-  setRowVisible(drive_, drive_->defaultAction() != nullptr && drive_->defaultAction()->isEnabled());
-  return index.has_value();
 }
 
 }  // namespace editor

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <optional>
-
-#include <QtWidgets>
-
 #include "editor/look/Form.h"
 #include "editor/panels/properties/PropertyPage.h"
 #include "editor/run/SimulationRunner.h"
@@ -44,43 +39,22 @@ class PropertyPanel : public QWidget {
 
   ScenarioDocument& document_;
   Theme theme_;
-  QLabel* picture_;
-  ElidedLabel* name_;
-  QLabel* about_;
+  QLabel* picture_ = new QLabel(this);
+  ElidedLabel* name_ = new ElidedLabel(this);
+  QLabel* about_ = secondaryLabel({}, this);
   RunStateSection* runState_;
-  QWidget* later_;
+  QWidget* later_ = new QWidget(this);
   bool isSame_ = true;  // No entities were added or removed in the current step.
   FramePtr frame_;
   bool isRecorded_ = false;
-  QStackedWidget* stack_;
-  QLabel* spawnedPersonPage_;
+  QStackedWidget* stack_ = new QStackedWidget(this);
+  QLabel* spawnedPersonPage_ =
+      emptyState(tr("Spawned by a source in this run. To change such people, select the person "
+                    "that the source copies."),
+                 stack_);
   std::optional<sim2d::TraceHuman> spawnedAgent_;
   std::map<EntityKind, PropertyPage*> pages_;
   PropertyPage* current_ = nullptr;
-};
-
-/// The state of a person or robot in the shown frame: position, heading, speed, goal and distance
-/// to the robot. Hidden without a run.
-class RunStateSection : public FormSection {
- public:
-  explicit RunStateSection(QWidget* parent);
-  /// The action that drives the shown robot; its button is visible while the action is enabled.
-  void setDriveAction(QAction* drive);
-  /// `agent` as in frames: people by id, robots negative; `robot`: the settings of that robot.
-  void show(const sim2d::Frame* frame, std::optional<int> agent, const sim2d::Robot* robot);
-
- private:
-  template <class Columns>
-  std::optional<std::size_t> showBody(const Columns& bodies, int id);
-  bool showPerson(const sim2d::Frame& frame, int id);
-  bool showRobot(const sim2d::Frame& frame, int id, const sim2d::Robot& robot);
-
-  QLabel* position_ = new QLabel(this);
-  QLabel* heading_ = new QLabel(this);
-  QLabel* speed_ = new QLabel(this);
-  QLabel* goal_ = new QLabel(this);
-  QLabel* robot_ = new QLabel(this);
-  QToolButton* drive_ = new QToolButton(this);
 };
 
 }  // namespace editor

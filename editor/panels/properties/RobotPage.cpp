@@ -1,17 +1,12 @@
-#include <algorithm>
-#include <utility>
 
 #include <QToolTip>
 
 #include "app/run/Nav2Robots.h"
-#include "editor/panels/properties/AgentPictures.h"
 #include "editor/panels/properties/EntityPages.h"
-#include "editor/panels/properties/Nav2Form.h"
-#include "editor/panels/properties/RouteEditor.h"
+#include "editor/panels/properties/PageWidgets.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/RobotTypes.h"
-#include "sim2d/nav/external/CodePermission.h"
 
 namespace editor {
 

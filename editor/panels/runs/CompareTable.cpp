@@ -1,12 +1,8 @@
-#include "editor/panels/runs/CompareTable.h"
-
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/panels/runs/Playback.h"
+#include "editor/panels/runs/RunsPanel.h"
 
 namespace editor {
 
@@ -41,8 +37,6 @@ QString differenceText(const metrics::MetricInfo& info, const std::optional<doub
 
 CompareTable::CompareTable(PanelContext& context)
     : context_(context),
-      stack_(new QStackedLayout(this)),
-      table_(new QTableWidget(this)),
       plot_(new MetricPlot(context.theme())),
       task_([this](Measured measured) { deliver(std::move(measured)); }) {
   styleTable(*table_, tr("Metrics of the runs"));

@@ -1,8 +1,6 @@
 #include "editor/panels/runs/FuturesPanel.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "editor/look/Form.h"
 #include "editor/panels/runs/Playback.h"
@@ -20,16 +18,7 @@ QString percent(double share) {
 
 }  // namespace
 
-FuturesPanel::FuturesPanel(PanelContext& context)
-    : context_(context),
-      process_(this),
-      start_(new QPushButton(tr("Simulate futures"), this)),
-      count_(new QSpinBox(this)),
-      horizon_(new NumberField({0.5, app::kLongestFuture, 1, 1.0}, QStringLiteral("s"), this)),
-      spread_(new NumberField({0.0, 1.0, 2, 0.05}, QStringLiteral("m/s"), this)),
-      progress_(new QProgressBar(this)),
-      says_(new QLabel(this)),
-      plot_(new ContactProbabilityPlot(context.theme())) {
+FuturesPanel::FuturesPanel(PanelContext& context) : context_(context), process_(this) {
   auto fan = std::make_unique<FuturesLayer>(context.view.mapScene());
   futuresLayer_ = fan.get();
   context.view.mapScene().addRunLayer(std::move(fan));
@@ -54,7 +43,9 @@ FuturesPanel::~FuturesPanel() {
 
 QWidget* FuturesPanel::makeHead() {
   auto* head = new QWidget(this);
-  auto* row = configuredLayout(new QHBoxLayout(head), {kFuturesMargin, 6, kFuturesMargin, 6}, 8);
+  auto* row = configuredLayout(new QHBoxLayout(head), {kFuturesMargin, 6, kFuturesMargin, 6}, 8,
+                               {start_, count_, secondaryLabel(tr("seeds,"), head), horizon_,
+                                secondaryLabel(tr("long, people ±"), head), spread_});
   count_->setRange(1, app::kMaxFutures);
   count_->setValue(app::FuturesOptions().count);
   count_->setAccessibleName(tr("Number of futures"));
@@ -70,12 +61,6 @@ QWidget* FuturesPanel::makeHead() {
   progress_->setTextVisible(false);
   progress_->setFixedHeight(kBarPx);
   progress_->hide();
-  row->addWidget(start_);
-  row->addWidget(count_);
-  row->addWidget(secondaryLabel(tr("seeds,"), head));
-  row->addWidget(horizon_);
-  row->addWidget(secondaryLabel(tr("long, people ±"), head));
-  row->addWidget(spread_);
   row->addWidget(progress_, 1);
   row->addStretch(1);
   start_->setToolTip(tr("Simulate from the displayed step, in the background"));

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
-#include <QtWidgets>
-
 #include "editor/canvas/ComparedRunLayers.h"
 #include "editor/look/Fields.h"
 #include "editor/panels/PanelRegistry.h"
@@ -50,12 +45,14 @@ class FuturesPanel : public QWidget {
   PanelContext& context_;
   FuturesProcess process_;
   FuturesLayer* futuresLayer_;  // Belongs to the scene.
-  QPushButton* start_;
-  QSpinBox* count_;
-  NumberField *horizon_, *spread_;
-  QProgressBar* progress_;
-  QLabel* says_;
-  ContactProbabilityPlot* plot_;
+  QPushButton* start_ = new QPushButton(tr("Simulate futures"), this);
+  QSpinBox* count_ = new QSpinBox(this);
+  NumberField *horizon_ =
+                  new NumberField({0.5, app::kLongestFuture, 1, 1.0}, QStringLiteral("s"), this),
+              *spread_ = new NumberField({0.0, 1.0, 2, 0.05}, QStringLiteral("m/s"), this);
+  QProgressBar* progress_ = new QProgressBar(this);
+  QLabel* says_ = new QLabel(this);
+  ContactProbabilityPlot* plot_ = new ContactProbabilityPlot(context_.theme());
   std::shared_ptr<std::vector<app::Future>> futures_ = std::make_shared<std::vector<app::Future>>();
   app::FuturesOptions asked_;
   double from_ = 0.0;        // [s]

@@ -1,6 +1,5 @@
 #include "editor/panels/runs/Playback.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -55,17 +54,10 @@ double tickStep(double length, double width) {
 
 /// Priority of a mark: rarer events are higher; 0: not shown.
 int priorityOf(EventMark mark) {
-  switch (mark) {
-    case EventMark::Cross:
-      return 3;
-    case EventMark::Triangle:
-      return 2;
-    case EventMark::Pin:
-    case EventMark::Bubble:
-      return 1;
-    default:
-      return 0;
-  }
+  return mark == EventMark::Cross                              ? 3
+         : mark == EventMark::Triangle                         ? 2
+         : mark == EventMark::Pin || mark == EventMark::Bubble ? 1
+                                                               : 0;
 }
 
 }  // namespace

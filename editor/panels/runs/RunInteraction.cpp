@@ -1,11 +1,15 @@
 #include "editor/panels/runs/RunInteraction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "bt/human/ActiveBranch.h"
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/RunOverlays.h"
 #include "editor/look/Form.h"
 #include "sim2d/scenario/ResolvedValues.h"
+#include "sim2d/trace/ContactMarks.h"
 #include "sim2d/world/WorldState.h"
 
 namespace editor {
@@ -14,23 +18,16 @@ namespace {
 
 /// Maps a key to an arrow key; 0: none.
 int arrowOf(int key) {
-  switch (key) {
-    case Qt::Key_W:
-      return Qt::Key_Up;
-    case Qt::Key_S:
-      return Qt::Key_Down;
-    case Qt::Key_A:
-      return Qt::Key_Left;
-    case Qt::Key_D:
-      return Qt::Key_Right;
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-      return key;
-    default:
-      return 0;
+  constexpr std::pair<int, int> kLetters[] = {{Qt::Key_W, Qt::Key_Up},
+                                              {Qt::Key_S, Qt::Key_Down},
+                                              {Qt::Key_A, Qt::Key_Left},
+                                              {Qt::Key_D, Qt::Key_Right}};
+  for (const auto& [letter, arrow] : kLetters) {
+    if (key == letter || key == arrow) {
+      return arrow;
+    }
   }
+  return 0;
 }
 
 }  // namespace
@@ -186,19 +183,16 @@ PeopleInteraction::PeopleInteraction(SimulationRunner& runner, MapScene& scene, 
   connect(&runner_, &SimulationRunner::frameShown, this, [this] { waiting_.clear(); });
 }
 
-void PeopleInteraction::push(int person, const Vec2& velocity) {
+void PeopleInteraction::addInput(sim2d::InputKind kind, int person, const Vec2& velocity) {
   sim2d::Input input;
-  input.kind = sim2d::InputKind::Push;
+  input.kind = kind;
   input.id = person;
   input.velocity = velocity;
   runner_.addInput(std::move(input));
 }
 
-void PeopleInteraction::addInput(sim2d::InputKind kind, int person) {
-  sim2d::Input input;
-  input.kind = kind;
-  input.id = person;
-  runner_.addInput(std::move(input));
+void PeopleInteraction::push(int person, const Vec2& velocity) {
+  addInput(sim2d::InputKind::Push, person, velocity);
 }
 
 void PeopleInteraction::stop(int person) {
@@ -215,16 +209,14 @@ bool PeopleInteraction::isStopped(int person) const {
   if (const auto waits = waiting_.find(person); waits != waiting_.end()) {
     return waits->second;
   }
-  bool isStopped = false;
   const FramePtr shown = runner_.shownFrame();
-  if (runner_.recording() == nullptr || shown == nullptr) {
-    return false;
-  }
-  for (const auto& [step, input] : runner_.recording()->inputsUntil(shown->step)) {
-    if (input.id == person && input.kind == sim2d::InputKind::Stop) {
-      isStopped = true;
-    } else if (input.id == person && input.kind == sim2d::InputKind::Resume) {
-      isStopped = false;
+  bool isStopped = false;
+  if (runner_.recording() != nullptr && shown != nullptr) {
+    for (const auto& [step, input] : runner_.recording()->inputsUntil(shown->step)) {
+      if (input.id == person) {
+        isStopped = input.kind == sim2d::InputKind::Stop ||
+                    (isStopped && input.kind != sim2d::InputKind::Resume);
+      }
     }
   }
   return isStopped;
@@ -274,6 +266,185 @@ void PeopleInteraction::fillMenu(QMenu& menu, std::optional<int> person, const V
     stop->setToolTip(tr("The person brakes and stays until resumed"));
   }
   addSpawnActions(menu, person, place);
+}
+
+namespace {
+
+constexpr std::size_t kContactsAtOnce = 64;  // Events; the event loop runs in between.
+constexpr qint64 kContactMs = 12;            // Duration of a batch.
+constexpr qint64 kThoughtMs = 100;           // Interval between updates during a run.
+constexpr std::size_t kMaxThinkers = 120;    // Above that only for selected people.
+constexpr double kSpeechMemory = 4.0;        // [s]
+
+QString spoken(const std::string& text) {
+  return QStringLiteral("“%1”").arg(QString::fromStdString(text));
+}
+
+}  // namespace
+
+RunOverlayUpdater::RunOverlayUpdater(SimulationRunner& runner, const RunEvents& events,
+                                     MapView& view)
+    : QObject(&view), runner_(runner), events_(events), view_(view) {
+  connect(&runner_, &SimulationRunner::frameShown, this, &RunOverlayUpdater::follow);
+  connect(&view_.mapScene(), &MapScene::optionsChanged, this, &RunOverlayUpdater::follow);
+  connect(&view_.mapScene(), &MapScene::spawnedAgentChanged, this, &RunOverlayUpdater::follow);
+  connect(&view_.mapScene().document(), &ScenarioDocument::selectionChanged, this,
+          &RunOverlayUpdater::follow);
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, &RunOverlayUpdater::follow);
+  view_.viewport()->installEventFilter(this);
+  follow();
+}
+
+void RunOverlayUpdater::follow() {
+  if (runner_.recording() != recording_) {
+    recording_ = runner_.recording();
+    read_ = 0;
+    thoughtStep_.reset();
+    view_.mapScene().overlays().setContacts({});
+    view_.mapScene().overlays().setThoughts({});
+  }
+  const CanvasOptions& options = view_.mapScene().options();
+  runner_.setPlannerDebug(options.localCosts || options.globalCosts || options.masks,
+                          options.candidates);
+  if (recording_ == nullptr || runner_.shownFrame() == nullptr) {
+    return;
+  }
+  if (options.contacts) {
+    readContacts();
+  }
+  if (options.thoughts) {
+    updateThoughts();
+  }
+}
+
+/// Reads for a limited time; the rest is scheduled.
+void RunOverlayUpdater::readContacts() {
+  const std::size_t there = recording_->events().size();
+  if (read_ >= there) {
+    return;
+  }
+  QElapsedTimer clock;
+  clock.start();
+  RunOverlays& overlays = view_.mapScene().overlays();
+  std::vector<sim2d::ContactMark> contacts = overlays.contacts();
+  while (read_ < there && clock.elapsed() < kContactMs) {
+    const std::size_t end = std::min(there, read_ + kContactsAtOnce);
+    for (sim2d::ContactMark& mark : sim2d::contactMarks(*recording_, read_, end)) {
+      contacts.push_back(mark);
+    }
+    read_ = end;
+  }
+  overlays.setContacts(std::move(contacts));
+  view_.mapScene().update();
+  if (read_ < there) {
+    soon_.start();
+  }
+}
+
+QString RunOverlayUpdater::thoughtOf(int id) const {
+  const RecordingPtr recording = runner_.recording();
+  const FramePtr frame = runner_.shownFrame();
+  if (recording == nullptr || frame == nullptr || id < 0) {
+    return {};
+  }
+  return QString::fromStdString(bt::activeBranchOf(recording->treeAt(id, frame->step)).words());
+}
+
+void RunOverlayUpdater::updateThoughts() {
+  const FramePtr frame = runner_.shownFrame();
+  const std::optional<int> spawnedAgent = view_.mapScene().spawnedAgent();
+  const bool isEarly = runner_.state() == SimulationRunner::State::Running &&
+                       sinceThoughts_.isValid() && sinceThoughts_.elapsed() < kThoughtMs;
+  const bool isCrowd = frame->humans.size() > kMaxThinkers;
+  const bool isSame = thoughtStep_ == frame->step && thoughtAgent_ == spawnedAgent && !isCrowd;
+  if (isEarly || isSame) {
+    return;
+  }
+  sinceThoughts_.start();
+  thoughtStep_ = frame->step;
+  thoughtAgent_ = spawnedAgent;
+  std::map<int, QString> thoughts;
+  if (isCrowd) {
+    for (const ShownBody& body : view_.mapScene().frameLayer().shownBodies()) {
+      if (body.isChosen && body.id >= 0 && thoughts.size() < kMaxThinkers) {
+        thoughts[body.id] = thoughtOf(body.id);
+      }
+    }
+  } else {
+    for (const auto& [id, tree] : recording_->treesAt(frame->step)) {
+      thoughts[id] = QString::fromStdString(bt::activeBranchOf(tree).words());
+    }
+  }
+  view_.mapScene().overlays().setThoughts(std::move(thoughts));
+  view_.mapScene().update();
+}
+
+/// Recent speech of an agent, said and heard.
+QStringList RunOverlayUpdater::speechOf(int id, double time) const {
+  const std::vector<RunEvent>& all = events_.events();
+  auto at = std::partition_point(all.begin(), all.end(), [&](const RunEvent& event) {
+    return event.time <= time - kSpeechMemory;
+  });
+  QStringList lines;
+  for (; at != all.end() && at->time <= time + 1e-9; ++at) {
+    const sim2d::Event& event = at->event;
+    if (!event.hasId || event.id != id) {
+      continue;
+    }
+    if (event.kind == sim2d::EventKind::Say) {
+      lines << tr("says %1").arg(spoken(event.text));
+    } else if (event.kind == sim2d::EventKind::Heard) {
+      lines << tr("hears %1: %2")
+                   .arg(view_.mapScene().frameLayer().nameOf(event.other), spoken(event.text));
+    }
+  }
+  lines.removeDuplicates();
+  return lines;
+}
+
+QString RunOverlayUpdater::tooltipFor(int id) const {
+  const FramePtr frame = runner_.shownFrame();
+  const FrameLayer& layer = view_.mapScene().frameLayer();
+  if (frame == nullptr || !layer.positionOf(id)) {
+    return {};
+  }
+  const sim2d::BodyColumns& columns =
+      id < 0 ? frame->robots : static_cast<const sim2d::BodyColumns&>(frame->humans);
+  const auto found = std::find(columns.id.begin(), columns.id.end(), id);
+  if (found == columns.id.end()) {
+    return {};
+  }
+  const auto k = static_cast<std::size_t>(found - columns.id.begin());
+  const QString name = layer.nameOf(id);
+  QStringList lines = {name.isEmpty() ? tr("Person %1").arg(id) : name};
+  if (const QString thought = thoughtOf(id); !thought.isEmpty()) {
+    lines << thought;
+  }
+  lines << speechOf(id, frame->time);
+  const double speed = std::hypot(columns.vx[k], columns.vy[k]);
+  QString last = QStringLiteral("%1 m/s").arg(speed, 0, 'f', 2);
+  if (columns.goal[k] != sim2d::kNoGoal) {
+    last += tr(" · to %1").arg(goalName(columns.goal[k]));
+  }
+  lines << last;
+  return lines.join(QLatin1Char('\n'));
+}
+
+bool RunOverlayUpdater::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::ToolTip || !view_.mapScene().isRunMode()) {
+    return QObject::eventFilter(watched, event);
+  }
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const std::optional<int> id = view_.mapScene().frameLayer().agentAt(view_.worldAt(help->pos()));
+  const QString words = id ? tooltipFor(*id) : QString();
+  if (words.isEmpty()) {
+    QToolTip::hideText();
+  } else {
+    QToolTip::showText(help->globalPos(), words, view_.viewport());
+  }
+  event->accept();
+  return true;
 }
 
 }  // namespace editor

@@ -8,8 +8,10 @@
 
 #include <QtWidgets>
 
-#include "app/run/ManualDrive.h"
+#include "app/run/Session.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/MapView.h"
+#include "editor/panels/EventsPanel.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
@@ -69,12 +71,43 @@ class PeopleInteraction : public QObject {
   void fillMenu(QMenu& menu, std::optional<int> person, const Vec2& place);
 
  private:
-  void addInput(sim2d::InputKind kind, int person);
+  void addInput(sim2d::InputKind kind, int person, const Vec2& velocity = Vec2::Zero());
   void addSpawnActions(QMenu& menu, std::optional<int> person, const Vec2& place);
 
   SimulationRunner& runner_;
   MapScene& scene_;
   std::map<int, bool> waiting_;  // Stops that have not taken effect yet.
+};
+
+/// Transfers contacts and thoughts from the recording of a run to the active map overlays. A
+/// tooltip at the mouse shows name, action, reason and speech of an agent.
+class RunOverlayUpdater : public QObject {
+  Q_OBJECT
+ public:
+  RunOverlayUpdater(SimulationRunner& runner, const RunEvents& events, MapView& view);
+
+  /// Text lines about a person or robot in the shown state; empty: not in it.
+  QString tooltipFor(int id) const;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void follow();
+  void readContacts();
+  void updateThoughts();
+  QString thoughtOf(int id) const;
+  QStringList speechOf(int id, double time) const;
+
+  SimulationRunner& runner_;
+  const RunEvents& events_;
+  MapView& view_;
+  QTimer soon_;             // Schedules reading of further contacts.
+  RecordingPtr recording_;  // Its contacts have been read.
+  std::size_t read_ = 0;    // Number of events read.
+  QElapsedTimer sinceThoughts_;
+  std::optional<std::int64_t> thoughtStep_;  // Step of the shown thoughts.
+  std::optional<int> thoughtAgent_;
 };
 
 }  // namespace editor

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/RowDelegate.h"
-#include "editor/panels/runs/BranchDialog.h"
 #include "editor/panels/runs/Playback.h"
 
 namespace editor {
@@ -44,14 +42,7 @@ QIcon styleIcon(int style, const Theme& theme) {
 
 RunsPanel::RunsPanel(PanelContext& context)
     : context_(context),
-      list_(new QTreeWidget(this)),
       table_(new CompareTable(context)),
-      branchButton_(new QPushButton(tr("Branch from here…"), this)),
-      add_(new QPushButton(tr("Add a run…"), this)),
-      show_(new QPushButton(tr("Show"), this)),
-      remove_(new QPushButton(tr("Remove"), this)),
-      sideBySideButton_(new QPushButton(tr("Side by side"), this)),
-      divergences_(secondaryLabel({}, this)),
       reading_([this](const std::shared_ptr<ReadRun>& read) { addReadRun(*read); }) {
   auto ghosts = std::make_unique<GhostLayer>(context.view.mapScene());
   ghosts_ = ghosts.get();

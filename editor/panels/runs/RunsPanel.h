@@ -1,20 +1,95 @@
 #pragma once
 
-#include <memory>
 #include <set>
 #include <tuple>
-#include <vector>
-
-#include <QtWidgets>
 
 #include "app/run/RecordedRun.h"
+#include "app/run/RunComparison.h"
+#include "app/run/RunSpec.h"
 #include "editor/canvas/ComparedRunLayers.h"
 #include "editor/document/LatestTask.h"
+#include "editor/look/Fields.h"
+#include "editor/look/Form.h"
+#include "editor/look/Theme.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/runs/CompareTable.h"
+#include "editor/panels/runs/RunPlots.h"
 #include "editor/panels/runs/SideBySide.h"
+#include "sim2d/trace/Trace.h"
 
 namespace editor {
+
+/// Metrics of several runs side by side with the differences from the first run, and the selected
+/// metric over time. Measured outside the GUI thread.
+class CompareTable : public QWidget {
+  Q_OBJECT
+ public:
+  struct Run {
+    RecordingPtr recording;
+    QString letter;
+    int style = -1;  // -1: the shown run, which is the first.
+  };
+  explicit CompareTable(PanelContext& context);
+  ~CompareTable() override;
+  Q_DISABLE_COPY_MOVE(CompareTable)
+
+  void compare(std::vector<Run> runs);
+  bool isBusy() const { return task_.isBusy(); }
+  QTableWidget& table() const { return *table_; }
+  MetricPlot& plot() const { return *plot_; }
+  /// The times at which the other runs diverge from the first, as text; empty: no comparison.
+  QString divergences() const { return divergences_; }
+
+ Q_SIGNALS:
+  void measuredAll();
+
+ private:
+  struct Measured {
+    std::vector<Run> runs;
+    std::vector<std::size_t> sizes;  // Sizes of the recordings.
+    std::vector<app::RecordingMetrics> measures;
+    std::vector<std::optional<double>> divergences;  // Divergence times of the other runs [s].
+  };
+  base::Result<app::MetricsSetup> setup() const;
+  void deliver(Measured measured);
+  bool hasOtherScenario(const Run& run) const;
+  void fill();
+  void showSelected();
+
+  PanelContext& context_;
+  QStackedLayout* stack_ = new QStackedLayout(this);
+  QTableWidget* table_ = new QTableWidget(this);
+  MetricPlot* plot_;
+  QString divergences_;
+  Measured shown_;
+  std::vector<app::ComparedMetric> rows_;
+  std::string chosen_;  // Key of the metric.
+  std::shared_ptr<base::StopFlag> stop_ = std::make_shared<base::StopFlag>();
+  LatestTask<Measured> task_;
+};
+
+/// Options of a new branch: planners and speeds of robots, and a new random seed; all may be
+/// unchanged.
+class BranchDialog : public QDialog {
+  Q_OBJECT
+ public:
+  BranchDialog(const sim2d::TraceHeader& header, double time, const QString& name,
+               const Theme& theme, QWidget* parent = nullptr);
+
+  app::RunSpec changes() const;
+  QString name() const { return name_->text().trimmed(); }
+
+ private:
+  struct RobotRow {
+    std::string name;
+    double maxVel = 1.0;  // Current value [m/s].
+    QComboBox* planner = nullptr;
+    NumberField* speed = nullptr;
+  };
+  std::vector<RobotRow> robots_;
+  QLineEdit* name_;
+  QCheckBox* drawsNewSeed_ = new QCheckBox(tr("New random seed"), this);
+  QSpinBox* seed_ = new QSpinBox(this);
+};
 
 /// The shown run, its branches and recorded runs. The others can be compared with the shown one as
 /// ghosts on the map, side by side, by their metrics and over time.
@@ -77,10 +152,14 @@ class RunsPanel : public QWidget {
 
   PanelContext& context_;
   GhostLayer* ghosts_;  // Belongs to the scene.
-  QTreeWidget* list_;
+  QTreeWidget* list_ = new QTreeWidget(this);
   CompareTable* table_;
-  QPushButton *branchButton_, *add_, *show_, *remove_, *sideBySideButton_;
-  QLabel* divergences_;
+  QPushButton *branchButton_ = new QPushButton(tr("Branch from here…"), this),
+              *add_ = new QPushButton(tr("Add a run…"), this),
+              *show_ = new QPushButton(tr("Show"), this),
+              *remove_ = new QPushButton(tr("Remove"), this),
+              *sideBySideButton_ = new QPushButton(tr("Side by side"), this);
+  QLabel* divergences_ = secondaryLabel({}, this);
   std::vector<Row> recordedRuns_;  // Recorded runs.
   std::set<Row> ticked_;
   std::unique_ptr<SideBySide> side_;

@@ -30,8 +30,7 @@ ScrubActions::ScrubActions(SimulationRunner& runner, RunEvents& events, MapScene
                            tr("Positions of all people 1, 2 and 3 s before and after"), this)),
       runner_(runner),
       events_(events),
-      scene_(scene),
-      lengths_(new QActionGroup(this)) {
+      scene_(scene) {
   auto onion = std::make_unique<OnionLayer>(scene_);
   onion_ = onion.get();
   scene_.addRunLayer(std::move(onion));

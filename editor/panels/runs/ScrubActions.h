@@ -1,11 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <optional>
-#include <vector>
-
-#include <QtWidgets>
 
 #include "editor/canvas/ComparedRunLayers.h"
 #include "editor/canvas/MapScene.h"
@@ -43,7 +39,7 @@ class ScrubActions : public QObject {
   RunEvents& events_;
   MapScene& scene_;
   OnionLayer* onion_;  // Belongs to the scene.
-  QActionGroup* lengths_;
+  QActionGroup* lengths_ = new QActionGroup(this);
   std::vector<std::int64_t> contacts_;  // Steps in ascending order.
 };
 

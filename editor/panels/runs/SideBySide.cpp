@@ -11,11 +11,7 @@
 namespace editor {
 
 SideView::SideView(MapView& canvas, const DocumentSnapshot& document, QWidget* parent)
-    : QWidget(parent),
-      canvas_(canvas),
-      scene_(document_, canvas.mapScene().theme()),
-      title_(new QLabel(this)),
-      view_(new MapView(scene_, this)) {
+    : QWidget(parent), canvas_(canvas), scene_(document_, canvas.mapScene().theme()) {
   document_.restore(document, true);
   scene_.setOptions(canvas.mapScene().options());
   title_->setContentsMargins(12, 6, 12, 6);
@@ -84,7 +80,7 @@ DocumentSnapshot documentOf(const sim2d::Recording& recording, const ScenarioDoc
 }
 
 SideBySide::SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget* parent)
-    : QWidget(parent), canvas_(canvas), edited_(edited), grid_(new QGridLayout(this)) {
+    : QWidget(parent), canvas_(canvas), edited_(edited) {
   grid_->setContentsMargins({});
   grid_->setSpacing(1);
 }

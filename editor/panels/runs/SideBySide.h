@@ -36,8 +36,8 @@ class SideView : public QWidget {
   MapView& canvas_;
   ScenarioDocument document_;
   MapScene scene_;
-  QLabel* title_;
-  MapView* view_;
+  QLabel* title_ = new QLabel(this);
+  MapView* view_ = new MapView(scene_, this);
 };
 
 /// The document shown for a run: `edited` if the run belongs to it, else one from the recording.
@@ -68,7 +68,7 @@ class SideBySide : public QWidget {
  private:
   MapView& canvas_;
   const ScenarioDocument& edited_;
-  QGridLayout* grid_;
+  QGridLayout* grid_ = new QGridLayout(this);
   std::vector<std::unique_ptr<SideView>> views_;
   std::vector<Run> runs_;  // The runs of the views.
 };

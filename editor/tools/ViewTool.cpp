@@ -1,10 +1,13 @@
+#include "editor/canvas/MapView.h"
 #include "editor/tools/ToolRegistry.h"
+
+// Tools that change nothing.
 
 namespace editor {
 
 namespace {
 
-/// Measures distance and angle by a drag; the line stays until the next one. Changes nothing.
+/// Measures distance and angle by a drag; the line stays until the next one.
 class MeasureTool : public Tool {
  public:
   using Tool::Tool;
@@ -64,10 +67,35 @@ class MeasureTool : public Tool {
   bool pressed_ = false;
 };
 
+/// The left button pans the map. The views implement it.
+class PanTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override { return tr("Drag to move the map · Wheel zooms"); }
+  QCursor cursor() const override { return Qt::OpenHandCursor; }
+  void activate() override { setLeftButtonPan(true); }
+  void deactivate() override { setLeftButtonPan(false); }
+  void press(const CanvasMouse&) override {}
+  void move(const CanvasMouse&) override {}
+  void release(const CanvasMouse&) override {}
+  void cancel() override {}
+
+ private:
+  void setLeftButtonPan(bool on) {
+    for (QGraphicsView* view : scene().views()) {
+      if (auto* mapView = qobject_cast<MapView*>(view)) {
+        mapView->setLeftButtonPan(on);
+      }
+    }
+  }
+};
+
 }  // namespace
 
-void addMeasureTool(ToolRegistry& to) {
+void addViewTool(ToolRegistry& to) {
   to.add<MeasureTool>({150, QObject::tr("Measure"), QStringLiteral("tool-measure"), Qt::Key_M});
+  to.add<PanTool>({170, QObject::tr("Pan"), QStringLiteral("tool-pan"), Qt::Key_H});
 }
 
 }  // namespace editor
