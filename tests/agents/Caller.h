@@ -6,6 +6,7 @@
 
 #include "app/bridge/agents/AgentManager.h"
 #include "app/run/RunSpec.h"
+#include "sim2d/base/Find.h"
 
 /// A caller of the agent manager as the wrappers are, and bundles without files.
 namespace agentstest {
@@ -47,6 +48,15 @@ inline sim2d::Human& addPerson(sim2d::Scenario& scenario, int id, double x, doub
   human.cyclicGoals = true;
   scenario.humans.push_back(human);
   return scenario.humans.back();
+}
+
+inline sim2d::Robot& addRobot(sim2d::Scenario& scenario, const sim2d::Vec2& start) {
+  sim2d::Robot robot;
+  robot.key = {base::EntityKind::Robot, scenario.nextKey()};
+  robot.name = "robot1";
+  robot.start = {start, 0.0};
+  scenario.robots.push_back(robot);
+  return scenario.robots.back();
 }
 
 /// One person at the origin who wants to (5, 0).
@@ -96,12 +106,7 @@ inline Agent robotAt(double x, double y) {
 }
 
 inline bool hasRemark(const base::Diagnostics& remarks, const std::string& code) {
-  for (const base::Diagnostic& remark : remarks) {
-    if (remark.code == code) {
-      return true;
-    }
-  }
-  return false;
+  return base::findBy(remarks, &base::Diagnostic::code, code) != nullptr;
 }
 
 }  // namespace agentstest

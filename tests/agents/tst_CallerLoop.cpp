@@ -8,19 +8,6 @@
 
 using namespace agentstest;
 
-/// The loops of HuNavSim's wrappers: in each step they send places, velocities, the robot and
-/// obstacle points, each in its own way, and put the answer into their scene. What comes of five
-/// minutes with ten people is held against a run of the same scenario alone.
-class CallerLoopTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void loop_tenPeopleFiveMinutes_isTheHeadlessRun_data();
-  void loop_tenPeopleFiveMinutes_isTheHeadlessRun();
-  void webots_asksForEachPerson_nobodyIsMovedByIt();
-  void loop_ourModels_staysAway();
-};
-
 namespace {
 
 /// Ten people between two walls who walk to and fro across each other's ways, some of whom react to
@@ -51,13 +38,9 @@ sim2d::Scenario busyHall() {
     wall.points = {{-12.0, y}, {12.0, y}};
     scenario.obstacles.push_back(wall);
   }
-  sim2d::Robot robot;
-  robot.key = {base::EntityKind::Robot, scenario.nextKey()};
-  robot.name = "robot1";
-  robot.start = {{-10.0, -5.8}, 0.0};
+  sim2d::Robot& robot = addRobot(scenario, {-10.0, -5.8});
   robot.goal.point = sim2d::Vec2(10.0, -5.8);
   robot.radius = 0.35;
-  scenario.robots.push_back(robot);
   return scenario;
 }
 
@@ -241,84 +224,92 @@ Difference differenceOfLoop(const sim2d::Scenario& scenario, const Wrapper& wrap
 
 }  // namespace
 
-void CallerLoopTest::loop_tenPeopleFiveMinutes_isTheHeadlessRun_data() {
-  QTest::addColumn<int>("number");
-  QTest::newRow("Gazebo Classic, 0.05 s") << int{Gazebo};
-  QTest::newRow("Gazebo Classic, 0.01 s") << int{GazeboFast};
-  QTest::newRow("Gazebo Fortress") << int{Fortress};
-  QTest::newRow("Isaac Sim") << int{Isaac};
-  QTest::newRow("Webots, its overseer") << int{Webots};
-}
+/// The loops of HuNavSim's wrappers: in each step they send places, velocities, the robot and
+/// obstacle points, each in its own way, and put the answer into their scene. What comes of five
+/// minutes with ten people is held against a run of the same scenario alone.
+class CallerLoopTest : public QObject {
+  Q_OBJECT
 
-// Only what messages carry as float32 differs: yaw, speeds, radii, factors (2^-24 of each).
-void CallerLoopTest::loop_tenPeopleFiveMinutes_isTheHeadlessRun() {
-  QFETCH(const int, number);
-  const Wrapper& wrapper = kWrappers[number];
-  sim2d::Scenario scenario = busyHall();
-  scenario.desktop.dt = wrapper.dt;
-  const Difference difference = differenceOfLoop(scenario, wrapper, 300.0);
-  qInfo("largest difference %.3g m, %.3g rad; least way %.1f m; %d states of reaction",
-        difference.place, difference.heading, difference.walked, difference.active);
-  QVERIFY(difference.place < 2e-4);
-  QVERIFY(difference.heading < 1e-3);
-  QVERIFY(difference.walked > 2.0);
-  QVERIFY(difference.active > 0);
-  QCOMPARE(difference.otherStates, 0);
-}
-
-/// The controller of each person asks by `compute_agent` after each step. In HuNavSim that lets the
-/// tree of the person take another step; by our rules who asks moves nobody.
-void CallerLoopTest::webots_asksForEachPerson_nobodyIsMovedByIt() {
-  sim2d::Scenario scenario = busyHall();
-  scenario.desktop.dt = kWrappers[Webots].dt;
-  const app::Verdict verdict = app::check(bundleOf(scenario));
-  QVERIFY(verdict.world);
-  Scene asking(scenario, "", kWrappers[Webots]);
-  Scene silent(scenario, "", kWrappers[Webots]);
-  const int steps = static_cast<int>(std::lround(300.0 / kWrappers[Webots].dt));
-  double walked = 0.0;
-  for (int k = 0; k <= steps; ++k) {
-    const double x =
-        -10.0 + 0.5 * kWrappers[Webots].dt * (k % 1200);  // the robot, of its own simulator
-    for (Scene* scene : {&asking, &silent}) {
-      scene->call(*verdict.world, robotAt(x, -5.8));
-    }
-    for (const sim2d::Human& human : scenario.humans) {
-      const Agent answer = asking.manager().computeOne({human.id}).updatedAgent;
-      const Agent& placed = asking.person(human.id);
-      QCOMPARE(answer.position.position.x, placed.position.position.x);
-      QCOMPARE(answer.behavior.state, placed.behavior.state);
-      QCOMPARE(placed.position.position.x, silent.person(human.id).position.position.x);
-      QCOMPARE(placed.position.position.y, silent.person(human.id).position.position.y);
-      walked = std::max(walked, std::fabs(placed.position.position.x));
-    }
+ private Q_SLOTS:
+  void loop_tenPeopleFiveMinutes_isTheHeadlessRun_data() {
+    QTest::addColumn<int>("number");
+    QTest::newRow("Gazebo Classic, 0.05 s") << int{Gazebo};
+    QTest::newRow("Gazebo Classic, 0.01 s") << int{GazeboFast};
+    QTest::newRow("Gazebo Fortress") << int{Fortress};
+    QTest::newRow("Isaac Sim") << int{Isaac};
+    QTest::newRow("Webots, its overseer") << int{Webots};
   }
-  QVERIFY(walked > 5.0);
-}
 
-/// With the models of ours nobody walks into anybody.
-void CallerLoopTest::loop_ourModels_staysAway() {
-  const sim2d::Scenario scenario = busyHall();
-  AgentManager manager(bundleOf(scenario));
-  std::vector<Agent> agents;
-  for (const sim2d::Human& human : scenario.humans) {
-    agents.push_back(firstState(scenario, human));
+  // Only what messages carry as float32 differs: yaw, speeds, radii, factors (2^-24 of each).
+  void loop_tenPeopleFiveMinutes_isTheHeadlessRun() {
+    QFETCH(const int, number);
+    const Wrapper& wrapper = kWrappers[number];
+    sim2d::Scenario scenario = busyHall();
+    scenario.desktop.dt = wrapper.dt;
+    const Difference difference = differenceOfLoop(scenario, wrapper, 300.0);
+    qInfo("largest difference %.3g m, %.3g rad; least way %.1f m; %d states of reaction",
+          difference.place, difference.heading, difference.walked, difference.active);
+    QVERIFY(difference.place < 2e-4);
+    QVERIFY(difference.heading < 1e-3);
+    QVERIFY(difference.walked > 2.0);
+    QVERIFY(difference.active > 0);
+    QCOMPARE(difference.otherStates, 0);
   }
-  double nearest = 1e9;
-  for (int k = 0; k <= 400; ++k) {
-    const Agents answer = manager.compute(requestOf(agents, 50.0 + k * 0.05)).updatedAgents;
-    for (std::size_t i = 0; i < agents.size(); ++i) {
-      putIntoScene(answer.agents[i], kWrappers[Gazebo], agents[i]);
-      for (std::size_t j = 0; j < i; ++j) {
-        const geometry_msgs::Point& a = agents[i].position.position;
-        const geometry_msgs::Point& b = agents[j].position.position;
-        nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y));
+
+  /// The controller of each person asks by `compute_agent` after each step. In HuNavSim that lets
+  /// the tree of the person take another step; by our rules who asks moves nobody.
+  void webots_asksForEachPerson_nobodyIsMovedByIt() {
+    sim2d::Scenario scenario = busyHall();
+    scenario.desktop.dt = kWrappers[Webots].dt;
+    const app::Verdict verdict = app::check(bundleOf(scenario));
+    QVERIFY(verdict.world);
+    Scene asking(scenario, "", kWrappers[Webots]);
+    Scene silent(scenario, "", kWrappers[Webots]);
+    const int steps = static_cast<int>(std::lround(300.0 / kWrappers[Webots].dt));
+    double walked = 0.0;
+    for (int k = 0; k <= steps; ++k) {
+      const double x =
+          -10.0 + 0.5 * kWrappers[Webots].dt * (k % 1200);  // the robot, of its own simulator
+      for (Scene* scene : {&asking, &silent}) {
+        scene->call(*verdict.world, robotAt(x, -5.8));
+      }
+      for (const sim2d::Human& human : scenario.humans) {
+        const Agent answer = asking.manager().computeOne({human.id}).updatedAgent;
+        const Agent& placed = asking.person(human.id);
+        QCOMPARE(answer.position.position.x, placed.position.position.x);
+        QCOMPARE(answer.behavior.state, placed.behavior.state);
+        QCOMPARE(placed.position.position.x, silent.person(human.id).position.position.x);
+        QCOMPARE(placed.position.position.y, silent.person(human.id).position.position.y);
+        walked = std::max(walked, std::fabs(placed.position.position.x));
       }
     }
+    QVERIFY(walked > 5.0);
   }
-  QVERIFY2(nearest > 0.8 - 1e-3, qPrintable(QString::number(nearest)));  // two radii of 0.4 m
-  QVERIFY(manager.takeWarnings().empty());
-}
+
+  /// With the models of ours nobody walks into anybody.
+  void loop_ourModels_staysAway() {
+    const sim2d::Scenario scenario = busyHall();
+    AgentManager manager(bundleOf(scenario));
+    std::vector<Agent> agents;
+    for (const sim2d::Human& human : scenario.humans) {
+      agents.push_back(firstState(scenario, human));
+    }
+    double nearest = 1e9;
+    for (int k = 0; k <= 400; ++k) {
+      const Agents answer = manager.compute(requestOf(agents, 50.0 + k * 0.05)).updatedAgents;
+      for (std::size_t i = 0; i < agents.size(); ++i) {
+        putIntoScene(answer.agents[i], kWrappers[Gazebo], agents[i]);
+        for (std::size_t j = 0; j < i; ++j) {
+          const geometry_msgs::Point& a = agents[i].position.position;
+          const geometry_msgs::Point& b = agents[j].position.position;
+          nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y));
+        }
+      }
+    }
+    QVERIFY2(nearest > 0.8 - 1e-3, qPrintable(QString::number(nearest)));  // two radii of 0.4 m
+    QVERIFY(manager.takeWarnings().empty());
+  }
+};
 
 QTEST_APPLESS_MAIN(CallerLoopTest)
 #include "tst_CallerLoop.moc"

@@ -1,16 +1,5 @@
 #pragma once
 
-#include <QApplication>
-#include <QComboBox>
-#include <QDialog>
-#include <QFileDialog>
-#include <QLineEdit>
-#include <QListWidget>
-#include <QMenu>
-#include <QMenuBar>
-#include <QMessageBox>
-#include <QtTest>
-
 #include "tests/app/QuietWindow.h"
 
 /// The hands of a user: real events of mouse and keyboard, counted. Message boxes that come up

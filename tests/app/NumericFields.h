@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "metrics/MetricParameters.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"

@@ -1,24 +1,13 @@
 #pragma once
 
-#include <algorithm>
-#include <functional>
-
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QListWidget>
-#include <QMessageBox>
-#include <QPushButton>
-#include <QRadioButton>
-#include <QTemporaryDir>
-#include <QTimer>
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
 #include "app/window/NoticeBar.h"
-#include "app/window/files/ExportDialog.h"
-#include "app/window/files/MapDialogs.h"
+#include "app/window/files/FileDialogs.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/support/Widgets.h"
 
 /// A window for tests: its theme and its memory do not depend on who runs them.
 namespace quiet {
@@ -71,10 +60,7 @@ inline QString copyOnMap(const QString& file, const char* map) {
 /// The field or list of a dialog that screen readers call so.
 template <class Part>
 Part& part(const QWidget& dialog, const char* name) {
-  const QList<Part*> parts = dialog.findChildren<Part*>();
-  return **std::find_if(parts.begin(), parts.end(), [name](const Part* each) {
-    return each->accessibleName() == QString::fromUtf8(name);
-  });
+  return *widgets::named<Part>(dialog, QString::fromUtf8(name));
 }
 
 /// Chooses the simulator that an export is for.
@@ -180,9 +166,7 @@ class InFolder {
   app::Notice told(const char* id) const { return noticeOf(*window_, id); }
   /// Somewhere in the window.
   bool isSaid(const QString& words) const {
-    const QList<QLabel*> labels = window_->findChildren<QLabel*>();
-    return std::any_of(labels.begin(), labels.end(),
-                       [&](const QLabel* label) { return label->text() == words; });
+    return widgets::withText<QLabel>(*window_, words) != nullptr;
   }
   void answerBox(QMessageBox::StandardButton button) { quiet::answerBox(button, boxText_); }
 

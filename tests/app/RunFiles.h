@@ -14,6 +14,7 @@
 #include <QProcess>
 #include <QString>
 #include <QStringList>
+#include <QTemporaryDir>
 
 /// The program from outside, and its files read by code of the tests' own (none of the program's),
 /// so that numbers can be recomputed independently.
@@ -45,6 +46,42 @@ inline Finished runProgram(const QStringList& words, const QString& folder = {})
   return finishedOf(process);
 }
 
+/// The words of a command line; each word % is replaced by the next value.
+inline QStringList list(const char* line, const std::vector<QString>& values = {}) {
+  QStringList words = QString::fromUtf8(line).split(QLatin1Char(' '));
+  std::size_t next = 0;
+  for (QString& word : words) {
+    word = word == QLatin1String("%") ? values.at(next++) : word;
+  }
+  return words;
+}
+
+inline Finished runProgram(const char* line, const std::vector<QString>& values = {}) {
+  return runProgram(list(line, values));
+}
+
+/// Empty if the program ended with this code and message, else what it did.
+inline QString unexpected(const Finished& finished, int exitCode, const QString& message) {
+  return finished.exitCode == exitCode && finished.err.contains(message)
+             ? QString()
+             : QString::number(finished.exitCode) + QLatin1String(": ") + finished.err;
+}
+
+inline QString unexpected(const Finished& finished, int exitCode, const char* message) {
+  return unexpected(finished, exitCode, QString::fromUtf8(message));
+}
+
+/// Empty if the program succeeds with these words, else its exit code and messages.
+inline QString failureOf(const QStringList& words) {
+  const Finished finished = runProgram(words);
+  return finished.exitCode == 0
+             ? QString()
+             : QString::number(finished.exitCode) + QLatin1String(": ") + finished.err;
+}
+inline QString failureOf(const char* line, const std::vector<QString>& values = {}) {
+  return failureOf(list(line, values));
+}
+
 inline QByteArray bytesOf(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -62,6 +99,15 @@ inline void writeText(const QString& path, const QByteArray& text) {
 inline QString text(const char* words) {
   return QString::fromUtf8(words);
 }
+
+/// Tests that write into one folder.
+class InFolder {
+ protected:
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  QString path(const char* name) const { return path(text(name)); }
+
+  QTemporaryDir folder_;
+};
 
 /// Files and folders, hidden ones too.
 inline void copyFolder(const QString& from, const QString& to) {
@@ -149,6 +195,9 @@ inline std::vector<qint64> childrenOf(qint64 process) {
 inline bool isAlive(qint64 process) {  // one that waits for its parent to look is not
   const QByteArray state = bytesOf(text("/proc/%1/stat").arg(process));
   return !state.isEmpty() && !state.contains(") Z ");
+}
+inline bool isGone(const QByteArray& id) {
+  return !isAlive(id.trimmed().toLongLong());
 }
 
 struct Body {

@@ -3,22 +3,17 @@
 
 #include <QDir>
 #include <QRegularExpression>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
 #include "tests/bridge/WrapperBag.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::metricsOf;
-using outside::runProgram;
-using outside::text;
+using namespace outside;
 
 namespace {
 
 QString demo() {
-  return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+  return text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
 }
 
 /// Keys of metrics that differ by more than 1e-9 (relative above 1), or are undefined in one alone.
@@ -38,21 +33,14 @@ QString different(const QJsonObject& a, const QJsonObject& b) {
 }  // namespace
 
 /// Bags from outside: `run --record mcap`, `render -o x.mcap`, `evaluate BAG`.
-class BagsProgramTest : public QObject {
+class BagsProgramTest : public QObject, protected InFolder {
   Q_OBJECT
-
- private:
-  QTemporaryDir folder_;
-  QString path(const char* name) const { return folder_.filePath(text(name)); }
 
  private Q_SLOTS:
   void initTestCase() {
-    const QStringList words = {text("run"), demo(), text("--duration"), text("8"), text("-q")};
-    const Finished made =
-        runProgram(words + QStringList{text("--record"), text("mcap"), text("-o"), path("run")});
-    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
-    const Finished plain = runProgram(words + QStringList{text("-o"), path("plain")});
-    QVERIFY2(plain.exitCode == 0, qPrintable(plain.err));
+    const QStringList words = list("run % --duration 8 -q", {demo()});
+    QCOMPARE(failureOf(words + list("--record mcap -o %", {path("run")})), QString());
+    QCOMPARE(failureOf(words + list("-o %", {path("plain")})), QString());
   }
 
   void record_changesNothingOfTheRun() {
@@ -62,44 +50,28 @@ class BagsProgramTest : public QObject {
   }
 
   void record_again_takesTheBagAway() {
-    const Finished made =
-        runProgram({text("run"), demo(), text("--duration"), text("1"), text("-o"), path("plain"),
-                    text("-q"), text("--record"), text("mcap")});
-    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    QCOMPARE(failureOf("run % --duration 1 -o % -q --record mcap", {demo(), path("plain")}),
+             QString());
     QVERIFY(QFile::exists(path("plain/bag/bag_0.mcap")));
-    QCOMPARE(runProgram({text("run"), demo(), text("--duration"), text("1"), text("-o"),
-                         path("plain"), text("-q")})
-                 .exitCode,
-             0);
+    QCOMPARE(runProgram("run % --duration 1 -o % -q", {demo(), path("plain")}).exitCode, 0);
     QVERIFY(!QFile::exists(path("plain/bag/bag_0.mcap")));
   }
 
   void record_wrongWords_areTold() {
-    QCOMPARE(runProgram({text("run"), demo(), text("--record"), text("mcap")}).exitCode, 64);
-    QCOMPARE(
-        runProgram({text("run"), demo(), text("--record"), text("bag"), text("-o"), path("no")})
-            .exitCode,
-        64);
-    QCOMPARE(runProgram({text("run"), demo(), text("--record"), text("mcap"), text("--totals"),
-                         text("-o"), path("no")})
-                 .exitCode,
-             64);
+    QCOMPARE(runProgram("run % --record mcap", {demo()}).exitCode, 64);
+    QCOMPARE(runProgram("run % --record bag -o %", {demo(), path("no")}).exitCode, 64);
+    QCOMPARE(runProgram("run % --record mcap --totals -o %", {demo(), path("no")}).exitCode, 64);
     QVERIFY(!QFile::exists(path("no")));
   }
 
   void evaluate_bag_isAsEvaluateOfTheRun() {
-    const Finished run =
-        runProgram({text("evaluate"), path("run"), text("-o"), path("of_run"), text("-q")});
+    const Finished run = runProgram("evaluate % -o % -q", {path("run"), path("of_run")});
     QVERIFY2(run.exitCode == 0, qPrintable(run.err));
-    const Finished drawn =
-        runProgram({text("render"), path("run"), text("-o"), path("drawn.mcap"), text("-q")});
+    const Finished drawn = runProgram("render % -o % -q", {path("run"), path("drawn.mcap")});
     QVERIFY2(drawn.exitCode == 0, qPrintable(drawn.err));
-    const Finished database =
-        runProgram({text("render"), path("run"), text("-o"), path("drawn.db3"), text("-q")});
-    QVERIFY2(database.exitCode == 0, qPrintable(database.err));
+    QCOMPARE(failureOf("render % -o % -q", {path("run"), path("drawn.db3")}), QString());
     for (const char* source : {"run/bag", "run/bag/bag_0.mcap", "drawn.mcap", "drawn.db3"}) {
-      const Finished bag =
-          runProgram({text("evaluate"), path(source), text("-o"), path("of_bag"), text("-q")});
+      const Finished bag = runProgram("evaluate % -o % -q", {path(source), path("of_bag")});
       QVERIFY2(bag.exitCode == 0 && bag.err.isEmpty(), qPrintable(bag.err));
       const QJsonObject wanted = metricsOf(path("of_run"));
       QVERIFY(wanted.size() > 30);
@@ -109,9 +81,9 @@ class BagsProgramTest : public QObject {
   }
 
   void render_unknownEnding_namesThoseOfBags() {
-    const Finished drawn = runProgram({text("render"), path("run"), text("-o"), path("drawn.bag")});
-    QCOMPARE(drawn.exitCode, 64);
-    QVERIFY2(drawn.err.contains(text(".mcap, .db3")), qPrintable(drawn.err));
+    QCOMPARE(unexpected(runProgram("render % -o %", {path("run"), path("drawn.bag")}), 64,
+                        ".mcap, .db3"),
+             QString());
   }
 
   /// As yaml-cpp finds it, which rosbag2 reads the file with.
@@ -126,11 +98,9 @@ class BagsProgramTest : public QObject {
     QVERIFY(metadata.open(QIODevice::WriteOnly));
     QVERIFY(metadata.write(source.readAll() + names) > 0);
     metadata.close();
-    const Finished read =
-        runProgram({text("evaluate"), bag, text("-o"), path("of_repeated"), text("-q")});
-    QVERIFY2(read.exitCode == 0, qPrintable(read.err));
-    QVERIFY2(read.err.contains(text("key 'relative_file_paths' is repeated")),
-             qPrintable(read.err));
+    QCOMPARE(unexpected(runProgram("evaluate % -o % -q", {bag, path("of_repeated")}), 0,
+                        "key 'relative_file_paths' is repeated"),
+             QString());
     QVERIFY(different(metricsOf(path("of_run")), metricsOf(path("of_repeated"))).isEmpty());
   }
 
@@ -140,14 +110,13 @@ class BagsProgramTest : public QObject {
     const QString bag = path("folder");
     QVERIFY(QDir().mkpath(bag));
     QVERIFY(QFile::copy(path("run/bag/bag_0.mcap"), bag + text("/bag_0.mcap")));
-    const Finished plain =
-        runProgram({text("evaluate"), bag, text("-o"), path("of_folder"), text("-q")});
-    QVERIFY2(plain.exitCode == 0, qPrintable(plain.err));
-    QVERIFY2(plain.err.contains(text("has no metadata.yaml")), qPrintable(plain.err));
+    QCOMPARE(unexpected(runProgram("evaluate % -o % -q", {bag, path("of_folder")}), 0,
+                        "has no metadata.yaml"),
+             QString());
     QVERIFY(different(metricsOf(path("of_run")), metricsOf(path("of_folder"))).isEmpty());
     QVERIFY(QFile::copy(path("run/bag/metadata.yaml"), bag + text("/metadata.yaml")));
     QVERIFY(QFile::rename(bag + text("/bag_0.mcap"), bag + text("/other.mcap")));
-    const Finished absent = runProgram({text("evaluate"), bag, text("-o"), path("no"), text("-q")});
+    const Finished absent = runProgram("evaluate % -o % -q", {bag, path("no")});
     QCOMPARE(absent.exitCode, 2);
     QVERIFY2(absent.err.contains(text("lists bag_0.mcap, which is not in the folder (bag files "
                                       "there: other.mcap)")),
@@ -163,17 +132,14 @@ class BagsProgramTest : public QObject {
                                     people.agents[0].position.position.x = k == 3 ? nan : 2.0;
                                     robot.velocity.linear.x = k == 7 ? 1e300 : 0.0;
                                   }));
-    const Finished first =
-        runProgram({text("evaluate"), path("bad.mcap"), text("-o"), path("of_bad"), text("-q")});
+    const Finished first = runProgram("evaluate % -o % -q", {path("bad.mcap"), path("of_bad")});
     QVERIFY2(first.exitCode == 0, qPrintable(first.err));
     QCOMPARE(first.err.count(text("are ignored:")), 2);
-    const Finished second =
-        runProgram({text("evaluate"), path("of_bad"), text("-o"), path("of_bad2"), text("-q")});
+    const Finished second = runProgram("evaluate % -o % -q", {path("of_bad"), path("of_bad2")});
     QVERIFY2(second.exitCode == 0 && second.err.isEmpty(), qPrintable(second.err));
     const QString keys = different(metricsOf(path("of_bad")), metricsOf(path("of_bad2")));
     QVERIFY2(keys.isEmpty(), qPrintable(keys));
-    const double force =
-        outside::valueOf(metricsOf(path("of_bad2")), text("obstacle_force_on_agents"));
+    const double force = valueOf(metricsOf(path("of_bad2")), text("obstacle_force_on_agents"));
     QVERIFY2(std::fabs(force - 20 * 3.6787944117) < 1e-6, qPrintable(QString::number(force)));
   }
 
@@ -205,8 +171,7 @@ class BagsProgramTest : public QObject {
                                       agent.closestObs.clear();
                                     }
                                   }));
-    QStringList words = {text("evaluate"), path("poor.mcap"), text("-o"), path("of_poor"),
-                         text("-q")};
+    QStringList words = list("evaluate % -o % -q", {path("poor.mcap"), path("of_poor")});
     if (hasMap) {
       words << text("--map") << text(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml");
     }
@@ -223,11 +188,9 @@ class BagsProgramTest : public QObject {
       QVERIFY(file.open(QIODevice::WriteOnly));
       file.write(QByteArray("\x28\xB5\x2F\xFD\x24\x10", 6));
       file.close();
-      const Finished made =
-          runProgram({text("evaluate"), path(name), text("-o"), path("no"), text("-q")});
-      QCOMPARE(made.exitCode, 2);
-      QVERIFY2(made.err.contains(text("is compressed as a whole with 'zstd'")),
-               qPrintable(made.err));
+      QCOMPARE(unexpected(runProgram("evaluate % -o % -q", {path(name), path("no")}), 2,
+                          "is compressed as a whole with 'zstd'"),
+               QString());
     }
   }
 
@@ -261,30 +224,25 @@ class BagsProgramTest : public QObject {
     pointer.close();
     words.replaceInStrings(QRegularExpression(text("^FILE$")), file);
     words.replaceInStrings(QRegularExpression(text("^no$")), path("no"));
-    const Finished made = runProgram(words);
-    QCOMPARE(made.exitCode, 2);
-    QVERIFY2(made.err.contains(text("the file is a Git LFS pointer: fetch its content with git lfs "
-                                    "pull")),
-             qPrintable(made.err));
+    QCOMPARE(unexpected(runProgram(words), 2,
+                        "the file is a Git LFS pointer: fetch its content with git lfs "
+                        "pull"),
+             QString());
     QFile::remove(file);
   }
 
   void evaluate_topics_areChosen() {
-    const Finished bag =
-        runProgram({text("evaluate"), path("run/bag"), text("--topics"),
-                    text("people=/people,robot=/odom"), text("-o"), path("chosen"), text("-q")});
+    const Finished bag = runProgram("evaluate % --topics people=/people,robot=/odom -o % -q",
+                                    {path("run/bag"), path("chosen")});
     QVERIFY2(bag.exitCode == 0, qPrintable(bag.err));
-    const double length = outside::valueOf(metricsOf(path("chosen")), text("path_length"));
-    QVERIFY(std::fabs(length - outside::valueOf(metricsOf(path("run")), text("path_length"))) <
-            1e-6);
-    const Finished wrong = runProgram({text("evaluate"), path("run/bag"), text("--topics"),
-                                       text("robot=/odm"), text("-o"), path("no"), text("-q")});
+    const double length = valueOf(metricsOf(path("chosen")), text("path_length"));
+    QVERIFY(std::fabs(length - valueOf(metricsOf(path("run")), text("path_length"))) < 1e-6);
+    const Finished wrong =
+        runProgram("evaluate % --topics robot=/odm -o % -q", {path("run/bag"), path("no")});
     QCOMPARE(wrong.exitCode, 2);
     QVERIFY2(wrong.err.contains(text("/odom")), qPrintable(wrong.err));
     QCOMPARE(wrong.err.trimmed().count(QLatin1Char('\n')), 0);
-    QCOMPARE(runProgram({text("evaluate"), path("run"), text("--topics"), text("robot=/odom"),
-                         text("-o"), path("no")})
-                 .exitCode,
+    QCOMPARE(runProgram("evaluate % --topics robot=/odom -o %", {path("run"), path("no")}).exitCode,
              64);
   }
 };

@@ -4,7 +4,7 @@
 
 #include "tests/app/RunFiles.h"
 
-using outside::Finished;
+using namespace outside;
 
 /// `hunavsim bench` from outside: what the table says of itself, never how fast.
 class BenchProgramTest : public QObject {
@@ -18,12 +18,8 @@ class BenchProgramTest : public QObject {
 
 namespace {
 
-QString utf8(const char* text) {
-  return QString::fromUtf8(text);
-}
-
 Finished bench(const QStringList& words) {
-  return outside::runProgram(QStringList{utf8("bench"), utf8("--quick")} + words);
+  return runProgram(QStringList{text("bench"), text("--quick")} + words);
 }
 
 bool isNear(double value, double expected, double share) {
@@ -32,7 +28,7 @@ bool isNear(double value, double expected, double share) {
 
 /// Phases, scan and record together are the step; shown with three digits.
 void checkTimes(const std::map<QString, QString>& row) {
-  const auto number = [&row](const char* column) { return row.at(utf8(column)).toDouble(); };
+  const auto number = [&row](const char* column) { return row.at(text(column)).toDouble(); };
   double sum = 0.0;
   for (const char* phase : {"trees", "robots", "ways", "forces", "bodies", "contacts", "goals",
                             "grid", "frame", "sensing", "recording"}) {
@@ -50,18 +46,18 @@ void checkTimes(const std::map<QString, QString>& row) {
 
 void BenchProgramTest::quick_csv_rowsAgreeWithThemselves() {
   QTemporaryDir folder;
-  const QString picture = folder.filePath(utf8("bench.png"));
-  const Finished found = bench({utf8("--format"), utf8("csv"), utf8("--picture"), picture});
+  const QString picture = folder.filePath(text("bench.png"));
+  const Finished found = bench({text("--format"), text("csv"), text("--picture"), picture});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-  const QString table = folder.filePath(utf8("bench.csv"));
-  QString text = found.out;
-  text.replace(QRegularExpression(utf8("\"([^\"]*)\"")), utf8("machine"));  // it has a comma
-  outside::writeText(table, text.toUtf8());
-  const auto rows = outside::readCsv(table);
+  const QString table = folder.filePath(text("bench.csv"));
+  QString csv = found.out;
+  csv.replace(QRegularExpression(text("\"([^\"]*)\"")), text("machine"));  // it has a comma
+  writeText(table, csv.toUtf8());
+  const auto rows = readCsv(table);
   QCOMPARE(rows.size(), std::size_t(6));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    QCOMPARE(rows[i].at(utf8("people")), utf8(i < 2 ? "10" : i < 4 ? "100" : "1000"));
-    QCOMPARE(rows[i].at(utf8("scene")), utf8(i % 2 == 0 ? "open" : "200 walls"));
+    QCOMPARE(rows[i].at(text("people")), text(i < 2 ? "10" : i < 4 ? "100" : "1000"));
+    QCOMPARE(rows[i].at(text("scene")), text(i % 2 == 0 ? "open" : "200 walls"));
     checkTimes(rows[i]);
   }
   const QImage drawn(picture);
@@ -77,14 +73,14 @@ void BenchProgramTest::quick_csv_rowsAgreeWithThemselves() {
 
 void BenchProgramTest::picture_wrongName_exitsWith64_data() {
   QTest::addColumn<QString>("file");
-  QTest::newRow("ending") << utf8("bench.txt");
-  QTest::newRow("no ending") << utf8("bench");
-  QTest::newRow("no folder") << utf8("/nowhere/at/all/bench.png");
+  QTest::newRow("ending") << text("bench.txt");
+  QTest::newRow("no ending") << text("bench");
+  QTest::newRow("no folder") << text("/nowhere/at/all/bench.png");
 }
 
 void BenchProgramTest::picture_wrongName_exitsWith64() {
   QFETCH(QString, file);
-  const Finished found = bench({utf8("--picture"), file});
+  const Finished found = bench({text("--picture"), file});
   QCOMPARE(found.exitCode, 64);
   QVERIFY(found.out.isEmpty());
   QVERIFY(found.err.contains(file));

@@ -1,10 +1,5 @@
 #include <limits>
 
-#include <QInputDialog>
-#include <QMenu>
-#include <QStatusBar>
-#include <QtTest>
-
 #include "editor/panels/behavior/BehaviorPanel.h"
 #include "editor/panels/behavior/TreeOutline.h"
 #include "tests/app/QuietWindow.h"
@@ -74,13 +69,10 @@ class BreakpointsTest : public QObject {
     QTRY_VERIFY(panel().entries().isVisible());
     QCOMPARE(panel().entries().item(0, 0)->text(), QStringLiteral("id"));
     QCOMPARE(panel().entries().item(0, 1)->text(), QString::number(person(2).id));
-    bool isSaid = false;
-    for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
-      isSaid |= label->toolTip().startsWith(QStringLiteral("Stopped at")) ||
-                label->text().startsWith(QStringLiteral("Stopped at")) ||
-                label->text().contains(QStringLiteral("Stopped at"));
-    }
-    QVERIFY(isSaid);
+    const QString words = QStringLiteral("Stopped at");
+    QVERIFY(widgets::findIf<QLabel>(*window_->statusBar(), [&words](const QLabel* label) {
+              return label->toolTip().startsWith(words) || label->text().contains(words);
+            }) != nullptr);
     runner().stepOnce();
     QTRY_COMPARE(runner().newestFrame()->step, std::int64_t{2});
     QVERIFY(!runner().currentBreak());
@@ -115,14 +107,7 @@ class BreakpointsTest : public QObject {
     dialog->setTextValue(QStringLiteral("id := 7"));
     dialog->accept();
     QVERIFY(runner().breakpoints().empty());
-    const auto open = [this]() -> QInputDialog* {
-      for (auto* each : window_->findChildren<QInputDialog*>()) {
-        if (each->isVisible()) {
-          return each;
-        }
-      }
-      return nullptr;
-    };
+    const auto open = [this] { return widgets::shown<QInputDialog>(*window_); };
     QTRY_VERIFY(open() != nullptr);
     QVERIFY(open()->labelText().contains(QStringLiteral("id := 7")));
     open()->setTextValue(QStringLiteral("dt > 1"));

@@ -9,9 +9,7 @@
 #include "app/run/RecordedRun.h"
 #include "tests/app/RunFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -32,7 +30,7 @@ class Group {
 
   pid_t pid() const { return static_cast<pid_t>(process_.processId()); }
   bool isRunning() const { return process_.state() == QProcess::Running; }
-  Finished wait() { return outside::finishedOf(process_); }
+  Finished wait() { return finishedOf(process_); }
 
  private:
   QProcess process_;
@@ -54,7 +52,7 @@ QStringList runWords(const char* duration, const QString& folder) {
 }
 
 QString statusOf(const QString& folder) {
-  return outside::readJson(folder + text("/manifest.json")).value(text("status")).toString();
+  return readJson(folder + text("/manifest.json")).value(text("status")).toString();
 }
 
 }  // namespace
@@ -67,12 +65,12 @@ class BrokenRunsTest : public QObject {
   static QString program() { return text(HUNAVSIM_PROGRAM); }
   static QString longExperiment(const QTemporaryDir& folder) {
     QString path = folder.filePath(text("long.yaml"));
-    outside::writeText(path,
-                       "hunavsim_experiment: 1\n"
-                       "scenarios: [corner_cafe_agents]\n"
-                       "seeds: 3\n"
-                       "duration: 20000.0\n"
-                       "record: all\n");
+    writeText(path,
+              "hunavsim_experiment: 1\n"
+              "scenarios: [corner_cafe_agents]\n"
+              "seeds: 3\n"
+              "duration: 20000.0\n"
+              "record: all\n");
     return path;
   }
 
@@ -84,13 +82,11 @@ class BrokenRunsTest : public QObject {
     Group batch({program(), text("batch"), experiment, text("-o"), out, text("--jobs"), text("2")});
     QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 6, 30000);
     QVERIFY(::kill(-batch.pid(), SIGINT) == 0);  // the whole group, as Ctrl-C does
-    const Finished found = batch.wait();
-    QVERIFY2(found.exitCode == 1, qPrintable(found.err));
-    QVERIFY2(found.err.contains(text("interrupted")), qPrintable(found.err));
+    QCOMPARE(unexpected(batch.wait(), 1, "interrupted"), QString());
     QCOMPARE(halfWritten(out), QStringList());
     QVERIFY(!QDir(out + text("/runs")).exists());
     QCOMPARE(statusOf(out), text("interrupted"));
-    QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{0});
+    QCOMPARE(readCsv(out + text("/results.csv")).size(), std::size_t{0});
   }
 
   /// It cannot end them cleanly: they end with it, and what they left goes when it is resumed.
@@ -98,20 +94,19 @@ class BrokenRunsTest : public QObject {
     QTemporaryDir folder;
     const QString experiment = longExperiment(folder);
     const QString out = folder.filePath(text("out"));
-    const QStringList words{program(), text("batch"),  experiment, text("-o"),
-                            out,       text("--jobs"), text("2")};
+    const QStringList words = list("% batch % -o % --jobs 2", {program(), experiment, out});
     Group batch(words);
     QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 6, 30000);
-    const std::vector<qint64> workers = outside::childrenOf(batch.pid());
+    const std::vector<qint64> workers = childrenOf(batch.pid());
     QCOMPARE(workers.size(), std::size_t{2});
     QVERIFY(::kill(batch.pid(), SIGKILL) == 0);
     batch.wait();
     for (const qint64 worker : workers) {
-      QTRY_VERIFY_WITH_TIMEOUT(!outside::isAlive(worker), 10000);
+      QTRY_VERIFY_WITH_TIMEOUT(!isAlive(worker), 10000);
     }
     const QStringList rests = halfWritten(out);
     QVERIFY(rests.size() >= 6);
-    Group again(words + QStringList{text("--resume")});
+    Group again(words + list("--resume"));
     const auto areOthersThere = [&] {  // not some of the rests while they are taken away
       const QStringList now = halfWritten(out);
       return now.size() >= 6 && std::none_of(now.begin(), now.end(), [&](const QString& file) {
@@ -152,7 +147,7 @@ class BrokenRunsTest : public QObject {
   void run_endOfTheTerminalUnderNohup_goesOn() {
     QTemporaryDir folder;
     const QString out = folder.filePath(text("out"));
-    Group run(QStringList{text("nohup"), program()} + runWords("20000", out));
+    Group run(list("nohup %", {program()}) + runWords("20000", out));
     QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
     QVERIFY(::kill(run.pid(), SIGHUP) == 0);
     QTest::qWait(500);
@@ -163,15 +158,13 @@ class BrokenRunsTest : public QObject {
   void run_fileThatCannotBeReplaced_leavesTheFormerRun() {
     QTemporaryDir folder;
     const QString out = folder.filePath(text("out"));
-    QCOMPARE(outside::runProgram(runWords("2", out)).exitCode, 0);
+    QCOMPARE(runProgram(runWords("2", out)).exitCode, 0);
     QVERIFY(QFile::remove(out + text("/metrics.csv")));
     QVERIFY(QDir().mkpath(out + text("/metrics.csv/in_the_way")));
-    const Finished found = outside::runProgram(runWords("20000", out));  // ends at once
+    const Finished found = runProgram(runWords("20000", out));  // ends at once
     QVERIFY2(found.exitCode == 2, qPrintable(found.err));
     QVERIFY2(found.err.contains(text("metrics.csv: error: ")), qPrintable(found.err));
-    const Finished evaluated = outside::runProgram(
-        {text("evaluate"), out, text("-o"), folder.filePath(text("evaluated"))});
-    QVERIFY2(evaluated.exitCode == 0, qPrintable(evaluated.err));
+    QCOMPARE(failureOf("evaluate % -o %", {out, folder.filePath(text("evaluated"))}), QString());
   }
 
   /// Two runs into one folder: the second is told who has it, and nothing is mixed.
@@ -180,14 +173,13 @@ class BrokenRunsTest : public QObject {
     const QString out = folder.filePath(text("out"));
     Group run(QStringList{program()} + runWords("20000", out));
     QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
-    const Finished second = outside::runProgram(runWords("1", out));
-    QCOMPARE(second.exitCode, 2);
-    QVERIFY2(second.err.contains(text("process ") + QString::number(run.pid())),
-             qPrintable(second.err));
+    QCOMPARE(unexpected(runProgram(runWords("1", out)), 2,
+                        text("process ") + QString::number(run.pid())),
+             QString());
     QVERIFY(::kill(run.pid(), SIGINT) == 0);
     QCOMPARE(run.wait().exitCode, 1);
     QCOMPARE(statusOf(out), text("interrupted"));
-    QCOMPARE(outside::runProgram(runWords("1", out)).exitCode, 0);
+    QCOMPARE(runProgram(runWords("1", out)).exitCode, 0);
   }
 
   /// Nothing is left of a run that was killed once another one went into the folder.
@@ -198,10 +190,10 @@ class BrokenRunsTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
     QVERIFY(::kill(run.pid(), SIGKILL) == 0);
     run.wait();
-    const Finished unread = outside::runProgram(
-        {text("evaluate"), out, text("-o"), folder.filePath(text("evaluated"))});
+    const Finished unread =
+        runProgram("evaluate % -o %", {out, folder.filePath(text("evaluated"))});
     QCOMPARE(unread.exitCode, 2);
-    QCOMPARE(outside::runProgram(runWords("1", out)).exitCode, 0);
+    QCOMPARE(runProgram(runWords("1", out)).exitCode, 0);
     QCOMPARE(halfWritten(out), QStringList());
     QVERIFY(!QFile::exists(out + text("/.hunavsim-lock")));
   }
@@ -238,12 +230,12 @@ class BrokenRunsTest : public QObject {
   void run_trajectoryThatCannotBeWritten_leavesTheFormerRun() {
     QTemporaryDir folder;
     const QString out = folder.filePath(text("out"));
-    QCOMPARE(outside::runProgram(runWords("2", out)).exitCode, 0);
+    QCOMPARE(runProgram(runWords("2", out)).exitCode, 0);
     const QByteArray manifest = bytesOf(out + text("/manifest.json"));
     const QByteArray events = bytesOf(out + text("/events.csv"));
     QVERIFY(QFile::rename(out + text("/trajectory.csv"), out + text("/kept.csv")));
     QVERIFY(QDir().mkpath(out + text("/trajectory.csv")));
-    const Finished found = outside::runProgram(runWords("20000", out));  // ends at once
+    const Finished found = runProgram(runWords("20000", out));  // ends at once
     QVERIFY2(found.exitCode == 2, qPrintable(found.err));
     QCOMPARE(bytesOf(out + text("/manifest.json")), manifest);
     QCOMPARE(bytesOf(out + text("/events.csv")), events);
@@ -253,9 +245,8 @@ class BrokenRunsTest : public QObject {
   void run_diskFull_endsEarlyAndTellsTheMetrics() {
     QTemporaryDir folder;
     const QString out = folder.filePath(text("out"));
-    Group run(
-        QStringList{text("sh"), text("-c"), text("ulimit -f 400; exec \"$0\" \"$@\""), program()} +
-        runWords("20000", out) + QStringList{text("--json")});
+    Group run(list("sh -c % %", {text("ulimit -f 400; exec \"$0\" \"$@\""), program()}) +
+              runWords("20000", out) + list("--json"));
     const Finished found = run.wait();
     QVERIFY2(found.exitCode == 2, qPrintable(found.err));
     QVERIFY2(found.err.contains(out + text("/trajectory.csv: ")), qPrintable(found.err));

@@ -9,10 +9,7 @@ class CanvasMenuTest : public QObject {
 
  private Q_SLOTS:
   void init() {
-    window_ = std::make_unique<app::MainWindow>(quiet::setup());
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = quiet::shownWindow();
     QVERIFY(window_->open(quiet::demoPath()));
   }
   void cleanup() { window_.reset(); }

@@ -7,6 +7,8 @@
 
 #include "tests/app/RunFiles.h"
 
+using namespace outside;
+
 /// `hunavsim check` from outside.
 class CheckProgramTest : public QObject {
   Q_OBJECT
@@ -24,9 +26,8 @@ class CheckProgramTest : public QObject {
   void check_badFiles_sameLinesAsReaders_data() {
     QTest::addColumn<QString>("folder");
     QTest::addColumn<QString>("pattern");
-    QTest::newRow("scenarios") << QStringLiteral(TEST_DATA_DIR "/scenario/bad")
-                               << QStringLiteral("*.yaml");
-    QTest::newRow("trees") << QStringLiteral(TEST_DATA_DIR "/bt/bad") << QStringLiteral("*.xml");
+    QTest::newRow("scenarios") << text(TEST_DATA_DIR "/scenario/bad") << text("*.yaml");
+    QTest::newRow("trees") << text(TEST_DATA_DIR "/bt/bad") << text("*.xml");
   }
   /// All at once: exit code 2, every line names a file of the folder, and each file with an error
   /// of its own has exit code 2 when checked alone.
@@ -35,17 +36,14 @@ class CheckProgramTest : public QObject {
     QFETCH(QString, pattern);
     const QStringList files = filesIn(folder, pattern.toLatin1().constData());
     QVERIFY(files.size() > 20);
-    const outside::Finished all =
-        outside::runProgram(QStringList{QStringLiteral("check")} + files +
-                            QStringList{QStringLiteral("--map"), QStringLiteral("none")});
+    const Finished all = runProgram(list("check") + files + list("--map none"));
     QCOMPARE(all.exitCode, 2);
     const QStringList lines = all.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-    const QRegularExpression shape(
-        QStringLiteral("^[^:]+(:[1-9][0-9]*){0,2}: (info|warning|error): \\S"));
+    const QRegularExpression shape(text("^[^:]+(:[1-9][0-9]*){0,2}: (info|warning|error): \\S"));
     int errors = 0;
     for (const QString& line : lines) {
       QVERIFY2(shape.match(line).hasMatch(), qPrintable(line));
-      errors += line.contains(QStringLiteral(": error: ")) ? 1 : 0;
+      errors += line.contains(text(": error: ")) ? 1 : 0;
     }
     QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
   }
@@ -55,14 +53,13 @@ class CheckProgramTest : public QObject {
     const QByteArray pursuit =
         "controller_server:\n  ros__parameters:\n    FollowPath:\n      plugin: "
         "\"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\"\n";
-    outside::writeText(folder.filePath(QStringLiteral("plain.yaml")), pursuit);
-    outside::writeText(folder.filePath(QStringLiteral("layer.yaml")),
-                       "local_costmap:\n  local_costmap:\n    ros__parameters:\n"
-                       "      plugins: [sonar]\n"
-                       "      sonar: {plugin: \"my_layers::SonarLayer\"}\n");
+    writeText(folder.filePath(text("plain.yaml")), pursuit);
+    writeText(folder.filePath(text("layer.yaml")),
+              "local_costmap:\n  local_costmap:\n    ros__parameters:\n"
+              "      plugins: [sonar]\n"
+              "      sonar: {plugin: \"my_layers::SonarLayer\"}\n");
     const auto externalCodeOfStudy = [&folder](const char* words) {
-      return outside::runProgram(QString::fromLatin1(words).split(QLatin1Char(' ')), folder.path())
-          .exitCode;
+      return runProgram(QString::fromLatin1(words).split(QLatin1Char(' ')), folder.path()).exitCode;
     };
     QCOMPARE(externalCodeOfStudy("check plain.yaml layer.yaml"), 0);
     QCOMPARE(externalCodeOfStudy("check plain.yaml --strict"), 0);
@@ -86,38 +83,34 @@ class CheckProgramTest : public QObject {
 
   void check_experiment_itsScenariosAreChecked() {
     QTemporaryDir folder;
-    const QByteArray scenario =
-        outside::bytesOf(QStringLiteral(SOURCE_DIR "/maps/planners/doorway_agents.yaml"));
-    const QString file = folder.filePath(QStringLiteral("wrong_agents.yaml"));
-    outside::writeText(file, QByteArray(scenario).replace("max_vel: 1", "max_vel: -1"));
-    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [wrong_agents.yaml]\nseeds: 2\n");
-    const QStringList words{QStringLiteral("check"), experiment};
-    const outside::Finished wrong = outside::runProgram(words);
+    const QByteArray scenario = bytesOf(text(SOURCE_DIR "/maps/planners/doorway_agents.yaml"));
+    const QString file = folder.filePath(text("wrong_agents.yaml"));
+    writeText(file, QByteArray(scenario).replace("max_vel: 1", "max_vel: -1"));
+    const QString experiment = folder.filePath(text("e.yaml"));
+    writeText(experiment, "hunavsim_experiment: 1\nscenarios: [wrong_agents.yaml]\nseeds: 2\n");
+    const QStringList words = list("check %", {experiment});
+    const Finished wrong = runProgram(words);
     QCOMPARE(wrong.exitCode, 2);
-    QVERIFY2(wrong.err.contains(QRegularExpression(
-                 QStringLiteral("wrong_agents.yaml:[0-9]+:[0-9]+: error: .*max_vel"))),
+    QVERIFY2(wrong.err.contains(
+                 QRegularExpression(text("wrong_agents.yaml:[0-9]+:[0-9]+: error: .*max_vel"))),
              qPrintable(wrong.err));
-    outside::writeText(file, scenario);
-    const outside::Finished right = outside::runProgram(words);
-    QVERIFY2(right.exitCode == 0, qPrintable(right.err));
+    writeText(file, scenario);
+    QCOMPARE(failureOf(words), QString());
   }
 
   /// No row names a planner that never drove: neither one that an option of all runs would replace,
   /// nor one that does not exist.
   void check_valuesThatCannotCount_areErrors() {
     QTemporaryDir folder;
-    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [doorway_agents]\nduration: 1.0\n"
-                       "values:\n  robot1.planner: [pursuit, dva]\n  duration: [4.0, 6.0]\n"
-                       "  seed: [5, 9]\n");
-    const QString out = folder.filePath(QStringLiteral("out"));
+    const QString experiment = folder.filePath(text("e.yaml"));
+    writeText(experiment,
+              "hunavsim_experiment: 1\nscenarios: [doorway_agents]\nduration: 1.0\n"
+              "values:\n  robot1.planner: [pursuit, dva]\n  duration: [4.0, 6.0]\n"
+              "  seed: [5, 9]\n");
+    const QString out = folder.filePath(text("out"));
     for (const QStringList& words :
-         {QStringList{QStringLiteral("check"), experiment},
-          QStringList{QStringLiteral("batch"), experiment, QStringLiteral("-o"), out}}) {
-      const outside::Finished found = outside::runProgram(words);
+         {list("check %", {experiment}), list("batch % -o %", {experiment, out})}) {
+      const Finished found = runProgram(words);
       QCOMPARE(found.exitCode, 2);
       for (const char* place :
            {"e.yaml:5:29: error: robot1: planner 'dva'", "e.yaml:6:3: error: 'duration'",
@@ -131,20 +124,18 @@ class CheckProgramTest : public QObject {
   /// libpng writes to the standard error by itself.
   void check_damagedImage_isToldByUsAlone() {
     QTemporaryDir folder;
-    outside::writeText(folder.filePath(QStringLiteral("room.yaml")),
-                       "image: room.png\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
-                       "occupied_thresh: 0.65\nfree_thresh: 0.2\n");
+    writeText(folder.filePath(text("room.yaml")),
+              "image: room.png\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+              "occupied_thresh: 0.65\nfree_thresh: 0.2\n");
     QImage image(64, 64, QImage::Format_Grayscale8);
     image.fill(255);
-    const QString png = folder.filePath(QStringLiteral("room.png"));
+    const QString png = folder.filePath(text("room.png"));
     QVERIFY(image.save(png));
-    outside::writeText(png, outside::bytesOf(png).left(50));
-    const outside::Finished found = outside::runProgram(
-        {QStringLiteral("check"), folder.filePath(QStringLiteral("room.yaml"))});
+    writeText(png, bytesOf(png).left(50));
+    const Finished found = runProgram("check %", {folder.filePath(text("room.yaml"))});
     QCOMPARE(found.exitCode, 2);
     QCOMPARE(found.err.count(QLatin1Char('\n')), 1);
-    QVERIFY2(found.err.contains(QStringLiteral("room.png': cannot read the image")),
-             qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("room.png': cannot read the image")), qPrintable(found.err));
   }
 
   void check_aMillionPeople_isRefusedWithOnePlace() {
@@ -154,10 +145,9 @@ class CheckProgramTest : public QObject {
     for (int i = 1; i <= 1000000; ++i) {
       text += "      - agent" + QByteArray::number(i) + "\n";
     }
-    outside::writeText(file, text);
+    writeText(file, text);
     for (const char* command : {"check", "run"}) {
-      const outside::Finished refused = outside::runProgram(
-          {QString::fromLatin1(command), file, QStringLiteral("--map"), QStringLiteral("none")});
+      const Finished refused = runProgram("% % --map none", {QString::fromLatin1(command), file});
       QCOMPARE(refused.exitCode, 2);
       QCOMPARE(refused.err.trimmed(),
                file + QStringLiteral(":100004:9: error: more than 100000 people in agents, which "
@@ -168,40 +158,39 @@ class CheckProgramTest : public QObject {
   /// Also what is wrong in meaning has line and column, and a missing map hides nothing.
   void check_meaning_hasPlaces() {
     QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("s.yaml"));
-    outside::writeText(
-        file,
-        "hunav_loader:\n"
-        "  ros__parameters:\n"
-        "    map: nowhere\n"
-        "    global_goals:\n"
-        "      1: {x: 0.0, y: 0.0}\n"
-        "    agents: [anna]\n"
-        "    anna:\n"
-        "      id: 1\n"
-        "      skin: 0\n"
-        "      group_id: -1\n"
-        "      max_vel: 1.0\n"
-        "      radius: 0.4\n"
-        "      behavior: {type: Regular, configuration: 0}\n"
-        "      init_pose: {x: 1.0, y: 1.0, z: 1.0, h: 0.0}\n"
-        "      goal_radius: 0.3\n"
-        "      cyclic_goals: true\n"
-        "      goals: [1, 9]\n"
-        "hunavsim_desktop:\n"
-        "  ros__parameters:\n"
-        "    areas:\n"
-        "      - {name: in, kind: source, polygon: [[0, 0], [1, 0], [1, 1]], like: bob}\n");
-    const outside::Finished found = outside::runProgram({QStringLiteral("check"), file});
+    const QString file = folder.filePath(text("s.yaml"));
+    writeText(file,
+              "hunav_loader:\n"
+              "  ros__parameters:\n"
+              "    map: nowhere\n"
+              "    global_goals:\n"
+              "      1: {x: 0.0, y: 0.0}\n"
+              "    agents: [anna]\n"
+              "    anna:\n"
+              "      id: 1\n"
+              "      skin: 0\n"
+              "      group_id: -1\n"
+              "      max_vel: 1.0\n"
+              "      radius: 0.4\n"
+              "      behavior: {type: Regular, configuration: 0}\n"
+              "      init_pose: {x: 1.0, y: 1.0, z: 1.0, h: 0.0}\n"
+              "      goal_radius: 0.3\n"
+              "      cyclic_goals: true\n"
+              "      goals: [1, 9]\n"
+              "hunavsim_desktop:\n"
+              "  ros__parameters:\n"
+              "    areas:\n"
+              "      - {name: in, kind: source, polygon: [[0, 0], [1, 0], [1, 1]], like: bob}\n");
+    const Finished found = runProgram("check %", {file});
     QCOMPARE(found.exitCode, 2);
-    const QStringList starts = {QStringLiteral(":3:5: error: map 'nowhere' not found"),
-                                QStringLiteral(":6:5: info: no tree file for 1 person"),
-                                QStringLiteral(":7:5: error: anna: goal 9 is not defined")};
+    const QStringList starts = {text(":3:5: error: map 'nowhere' not found"),
+                                text(":6:5: info: no tree file for 1 person"),
+                                text(":7:5: error: anna: goal 9 is not defined")};
     for (const QString& start : starts) {
       QVERIFY2(found.err.contains(file + start), qPrintable(found.err));
     }
     for (const QString& line : found.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-      static const QRegularExpression place(QStringLiteral(":[1-9][0-9]*:[1-9][0-9]*: "));
+      static const QRegularExpression place(text(":[1-9][0-9]*:[1-9][0-9]*: "));
       QVERIFY2(line.contains(place), qPrintable(line));
     }
   }
@@ -209,23 +198,20 @@ class CheckProgramTest : public QObject {
   void check_tree_saysEachThingOnce_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<int>("lines");
-    QTest::newRow("of the check") << QStringLiteral("unknown_port.xml") << 1;
-    QTest::newRow("of the check and the compiler") << QStringLiteral("placeholders.xml") << 2;
+    QTest::newRow("of the check") << text("unknown_port.xml") << 1;
+    QTest::newRow("of the check and the compiler") << text("placeholders.xml") << 2;
   }
   void check_tree_saysEachThingOnce() {
     QFETCH(QString, file);
     QFETCH(int, lines);
-    const outside::Finished found = outside::runProgram(
-        {QStringLiteral("check"), QStringLiteral(TEST_DATA_DIR "/bt/bad/") + file});
+    const Finished found = runProgram("check %", {text(TEST_DATA_DIR "/bt/bad/") + file});
     QCOMPARE(found.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts).size(), lines);
-    QVERIFY2(found.out.contains(QStringLiteral(" 0 errors, %1 warning").arg(lines)),
-             qPrintable(found.out));
+    QVERIFY2(found.out.contains(text(" 0 errors, %1 warning").arg(lines)), qPrintable(found.out));
   }
 
   void check_json_knownFields() {
-    const outside::Finished found = outside::runProgram(
-        {QStringLiteral("check"), QStringLiteral(TEST_DATA_DIR "/scenario/bad/duplicate_key.yaml"),
-         QStringLiteral("--json")});
+    const Finished found =
+        runProgram("check % --json", {text(TEST_DATA_DIR "/scenario/bad/duplicate_key.yaml")});
     QCOMPARE(found.exitCode, 2);
     const QJsonArray all = QJsonDocument::fromJson(found.out.toUtf8()).array();
     QVERIFY(!all.isEmpty());
@@ -233,64 +219,54 @@ class CheckProgramTest : public QObject {
     for (const char* key : {"file", "line", "column", "severity", "message"}) {
       QVERIFY2(first.contains(QString::fromLatin1(key)), key);
     }
-    QVERIFY(first[QStringLiteral("line")].toInt() > 0);
+    QVERIFY(first[text("line")].toInt() > 0);
   }
 
   void check_shippedFiles_areFine() {
-    const outside::Finished found =
-        outside::runProgram({QStringLiteral("check"),
-                             QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"),
-                             QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml")});
+    const Finished found =
+        runProgram({text("check"), text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"),
+                    text(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml")});
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
     // Its trees are those of the behaviours, which is told; nothing that is told is a warning.
-    QVERIFY2(found.err.contains(QStringLiteral("info: no tree file for 8 people")),
-             qPrintable(found.err));
-    QVERIFY2(found.out.contains(QStringLiteral("2 files checked: 0 errors, 0 warnings")),
+    QVERIFY2(found.err.contains(text("info: no tree file for 8 people")), qPrintable(found.err));
+    QVERIFY2(found.out.contains(text("2 files checked: 0 errors, 0 warnings")),
              qPrintable(found.out));
   }
 
   /// Whoever runs what comes with the program is warned of nothing.
   void check_everyShippedScenario_hasNoWarning() {
-    const outside::Finished listed = outside::runProgram(
-        {QStringLiteral("list"), QStringLiteral("scenarios"), QStringLiteral("--json")});
-    QStringList words{QStringLiteral("check"), QStringLiteral("--json")};
+    const Finished listed = runProgram("list scenarios --json");
+    QStringList words = list("check --json");
     const QJsonArray scenarios = QJsonDocument::fromJson(listed.out.toUtf8()).array();
     QVERIFY(scenarios.size() > 8);
     for (const auto& scenario : scenarios) {
-      words << scenario.toObject()[QStringLiteral("path")].toString();
+      words << scenario.toObject()[text("path")].toString();
     }
-    const outside::Finished found = outside::runProgram(words);
+    const Finished found = runProgram(words);
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
     for (const auto& said : QJsonDocument::fromJson(found.out.toUtf8()).array()) {
       const QJsonObject problem = said.toObject();
-      QVERIFY2(problem[QStringLiteral("severity")] == QStringLiteral("info"),
-               qPrintable(problem[QStringLiteral("message")].toString()));
+      QVERIFY2(problem[text("severity")] == text("info"),
+               qPrintable(problem[text("message")].toString()));
     }
   }
 
   /// People of HuNavSim come with trees, and of some of ours without the others' a file is lost.
   void check_lostTrees_areAWarning() {
     QTemporaryDir folder;
-    const QString plain = folder.filePath(QStringLiteral("people_only.yaml"));
-    QVERIFY(QFile::copy(QStringLiteral(TEST_DATA_DIR "/scenario/people_only.yaml"), plain));
+    const QString plain = folder.filePath(text("people_only.yaml"));
+    QVERIFY(QFile::copy(text(TEST_DATA_DIR "/scenario/people_only.yaml"), plain));
     const auto toldOf = [](const QString& file) {
-      return outside::runProgram(
-                 {QStringLiteral("check"), file, QStringLiteral("--map"), QStringLiteral("none")})
-          .err;
+      return runProgram("check % --map none", {file}).err;
     };
-    QVERIFY2(toldOf(plain).contains(QStringLiteral("warning: no tree file for")),
-             qPrintable(toldOf(plain)));
-    const QString ours = folder.filePath(QStringLiteral("corner_cafe_agents.yaml"));
-    QVERIFY(
-        QFile::copy(QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"), ours));
-    QVERIFY(toldOf(ours).contains(QStringLiteral("info: no tree file for 8 people")));
-    QCOMPARE(
-        outside::runProgram({QStringLiteral("trees"), ours, QStringLiteral("-o"), folder.path()})
-            .exitCode,
-        0);
-    QVERIFY(!toldOf(ours).contains(QStringLiteral("no tree file")));
-    QVERIFY(QFile::remove(folder.filePath(QStringLiteral("corner_cafe_agents__agent_2_bt.xml"))));
-    QVERIFY2(toldOf(ours).contains(QStringLiteral("warning: no tree file for 1 person (Ben)")),
+    QVERIFY2(toldOf(plain).contains(text("warning: no tree file for")), qPrintable(toldOf(plain)));
+    const QString ours = folder.filePath(text("corner_cafe_agents.yaml"));
+    QVERIFY(QFile::copy(text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"), ours));
+    QVERIFY(toldOf(ours).contains(text("info: no tree file for 8 people")));
+    QCOMPARE(runProgram("trees % -o %", {ours, folder.path()}).exitCode, 0);
+    QVERIFY(!toldOf(ours).contains(text("no tree file")));
+    QVERIFY(QFile::remove(folder.filePath(text("corner_cafe_agents__agent_2_bt.xml"))));
+    QVERIFY2(toldOf(ours).contains(text("warning: no tree file for 1 person (Ben)")),
              qPrintable(toldOf(ours)));
   }
 
@@ -308,14 +284,12 @@ class CheckProgramTest : public QObject {
   void check_strangeFiles_clearLines() {
     QFETCH(QByteArray, content);
     QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("strange.yaml"));
+    const QString path = folder.filePath(text("strange.yaml"));
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(content);
     file.close();
-    const outside::Finished found = outside::runProgram({QStringLiteral("check"), path});
-    QVERIFY2(found.exitCode == 2, qPrintable(found.err));
-    QVERIFY2(found.err.contains(QStringLiteral("error: ")), qPrintable(found.err));
+    QCOMPARE(unexpected(runProgram("check %", {path}), 2, "error: "), QString());
   }
 };
 

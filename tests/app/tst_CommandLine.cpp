@@ -1,3 +1,4 @@
+#include <QImage>
 #include <QJsonArray>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -5,39 +6,32 @@
 
 #include "tests/app/RunFiles.h"
 
-using outside::Finished;
-using outside::runProgram;
-using outside::text;
+using namespace outside;
 
 namespace {
 
 QString demo() {
-  return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+  return text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
 }
 
 }  // namespace
 
-/// What all commands do alike.
-class CommandLineTest : public QObject {
+/// What all commands do alike, and the window started with words of the command line.
+class CommandLineTest : public QObject, protected InFolder {
   Q_OBJECT
-
- private:
-  QTemporaryDir folder_;
-  QString path(const char* name) const { return folder_.filePath(text(name)); }
 
  private Q_SLOTS:
   void initTestCase() {
-    outside::writeText(path("walk.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0\n2,1,2,0\n");
-    outside::writeText(path("few.yaml"), "hunavsim_experiment: 1\nscenarios: [" + demo().toUtf8() +
-                                             "]\nseeds: 1\nduration: 0.1\n");
+    writeText(path("walk.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0\n2,1,2,0\n");
+    writeText(path("few.yaml"), "hunavsim_experiment: 1\nscenarios: [" + demo().toUtf8() +
+                                    "]\nseeds: 1\nduration: 0.1\n");
   }
 
   /// A folder cannot be the standard output: nothing is made, not even a folder of this name.
   void dash_isNoFolder_data() {
     QTest::addColumn<QStringList>("words");
     const auto row = [](const char* command, const QStringList& more) {
-      QTest::newRow(command) << (QStringList{text(command)} + more +
-                                 QStringList{text("-o"), text("-")});
+      QTest::newRow(command) << (QStringList{text(command)} + more + list("-o -"));
     };
     row("run", {demo(), text("--duration"), text("0.1")});
     row("batch", {path("few.yaml")});
@@ -50,9 +44,7 @@ class CommandLineTest : public QObject {
     QFETCH(QStringList, words);
     const QString where = path("dash");
     QVERIFY(QDir().mkpath(where));
-    const Finished finished = runProgram(words, where);
-    QCOMPARE(finished.exitCode, 64);
-    QVERIFY2(finished.err.contains(text("a folder is required")), qPrintable(finished.err));
+    QCOMPARE(unexpected(runProgram(words, where), 64, "a folder is required"), QString());
     QVERIFY(QDir(where).isEmpty());
   }
 
@@ -75,24 +67,21 @@ class CommandLineTest : public QObject {
     QFETCH(QString, name);
     const QTemporaryDir folder;
     const QString file = folder.filePath(name);
-    outside::writeText(file, "mine");
+    writeText(file, "mine");
     words += {text("-o"), folder.path()};
-    const Finished refused = runProgram(words);
-    QCOMPARE(refused.exitCode, 2);
-    QVERIFY2(refused.err.contains(name), qPrintable(refused.err));
-    QCOMPARE(outside::bytesOf(file), QByteArray("mine"));
-    const Finished forced = runProgram(words + QStringList{text("--force")});
-    QVERIFY2(forced.exitCode == 0, qPrintable(forced.err));
-    QVERIFY(outside::bytesOf(file) != QByteArray("mine"));
-    outside::writeText(folder.filePath(text("own.txt")), "beside");
+    QCOMPARE(unexpected(runProgram(words), 2, name), QString());
+    QCOMPARE(bytesOf(file), QByteArray("mine"));
+    QCOMPARE(failureOf(words + list("--force")), QString());
+    QVERIFY(bytesOf(file) != QByteArray("mine"));
+    writeText(folder.filePath(text("own.txt")), "beside");
     const Finished again = runProgram(words);  // its own files are no others'
     QVERIFY2(again.exitCode == 0, qPrintable(again.err));
   }
 
   void json_badInput_isListedOnStandardOutput_data() {
     QTest::addColumn<QStringList>("words");
-    outside::writeText(path("bad.yaml"), "hunav_loader:\n  ros__parameters:\n    agents: [a, \n");
-    outside::writeText(path("bad.csv"), "time,id,x,y\n0,1,nan,0\n");
+    writeText(path("bad.yaml"), "hunav_loader:\n  ros__parameters:\n    agents: [a, \n");
+    writeText(path("bad.csv"), "time,id,x,y\n0,1,nan,0\n");
     const auto row = [](const char* command, const QStringList& more) {
       QTest::newRow(command) << (QStringList{text(command)} + more);
     };
@@ -105,7 +94,7 @@ class CommandLineTest : public QObject {
   }
   void json_badInput_isListedOnStandardOutput() {
     QFETCH(QStringList, words);
-    const Finished finished = runProgram(words + QStringList{text("--json")});
+    const Finished finished = runProgram(words + list("--json"));
     QCOMPARE(finished.exitCode, 2);
     const QJsonArray all = QJsonDocument::fromJson(finished.out.toUtf8()).array();
     QVERIFY2(!all.isEmpty(), qPrintable(finished.out));
@@ -119,21 +108,19 @@ class CommandLineTest : public QObject {
   /// A command line that cannot be followed is an error as well.
   void json_wrongWords_areListedOnStandardOutput_data() {
     QTest::addColumn<QStringList>("words");
-    QTest::newRow("value") << QStringList{text("run"), demo(), text("--seed"), text("x")};
-    QTest::newRow("missing") << QStringList{text("run")};
-    QTest::newRow("unknown option") << QStringList{text("bench"), text("--foo")};
-    QTest::newRow("name") << QStringList{text("list"), text("keyz")};
-    QTest::newRow("command") << QStringList{text("chekc"), demo()};
-    QTest::newRow("format and json")
-        << QStringList{text("list"), text("nodes"), text("--format"), text("xml")};
-    QTest::newRow("trees of nothing") << QStringList{text("trees")};
-    QTest::newRow("time between ticks")
-        << QStringList{text("trees"), text("--play"), demo(), text("--dt"), text("nan")};
-    QTest::newRow("realism test") << QStringList{text("validate"), text("nope")};
+    QTest::newRow("value") << list("run % --seed x", {demo()});
+    QTest::newRow("missing") << list("run");
+    QTest::newRow("unknown option") << list("bench --foo");
+    QTest::newRow("name") << list("list keyz");
+    QTest::newRow("command") << list("chekc %", {demo()});
+    QTest::newRow("format and json") << list("list nodes --format xml");
+    QTest::newRow("trees of nothing") << list("trees");
+    QTest::newRow("time between ticks") << list("trees --play % --dt nan", {demo()});
+    QTest::newRow("realism test") << list("validate nope");
   }
   void json_wrongWords_areListedOnStandardOutput() {
     QFETCH(QStringList, words);
-    const Finished finished = runProgram(words + QStringList{text("--json")});
+    const Finished finished = runProgram(words + list("--json"));
     QCOMPARE(finished.exitCode, 64);
     const QJsonArray all = QJsonDocument::fromJson(finished.out.toUtf8()).array();
     QCOMPARE(all.size(), 1);
@@ -156,7 +143,7 @@ class CommandLineTest : public QObject {
     QFETCH(QStringList, words);
     QProcess program;
     program.setStandardOutputFile(text("/dev/full"));
-    program.start(QStringLiteral(HUNAVSIM_PROGRAM), words);
+    program.start(text(HUNAVSIM_PROGRAM), words);
     QVERIFY(program.waitForFinished(55000));
     const QString said = QString::fromUtf8(program.readAllStandardError());
     QCOMPARE(program.exitCode(), 2);
@@ -167,15 +154,14 @@ class CommandLineTest : public QObject {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("says");
-    QTest::newRow("command") << QStringList{text("evalute"), path("walk.csv"), text("x")} << 64
+    QTest::newRow("command") << list("evalute % x", {path("walk.csv")}) << 64
                              << text("unknown command 'evalute' (did you mean 'evaluate'?)");
-    QTest::newRow("list") << QStringList{text("list"), text("modles")} << 64
-                          << text("(did you mean 'models'?)");
+    QTest::newRow("list") << list("list modles") << 64 << text("(did you mean 'models'?)");
     QTest::newRow("scenario of a command")
-        << QStringList{text("run"), text("corner_cafe_agent")} << 2
+        << list("run corner_cafe_agent") << 2
         << text("no shipped scenario of this name (did you mean 'corner_cafe_agents'?)");
     QTest::newRow("scenario of the window")
-        << QStringList{text("corner_cafe_agent")} << 2
+        << list("corner_cafe_agent") << 2
         << text("no command or shipped scenario of this name (did you mean 'corner_cafe_agents'?)");
   }
   void mistypedWords_nameTheNearest() {
@@ -215,9 +201,54 @@ class CommandLineTest : public QObject {
   }
 
   void window_standardInput_isRefused() {
-    const Finished finished = runProgram({text("-"), text("-q")});
-    QCOMPARE(finished.exitCode, 64);
-    QVERIFY2(finished.err.contains(text("cannot read standard input")), qPrintable(finished.err));
+    QCOMPARE(unexpected(runProgram("- -q"), 64, "cannot read standard input"), QString());
+  }
+
+  void window_dock_beforeOrBehindTheScenario_showsItAndOpensTheFile_data() {
+    QTest::addColumn<QStringList>("words");
+    const QString demo = text("corner_cafe_agents");
+    const auto dock = text("--dock");
+    const auto issues = text("issues");
+    QTest::newRow("behind") << QStringList{demo, dock, issues};
+    QTest::newRow("before") << QStringList{dock, issues, demo};
+    QTest::newRow("two before") << QStringList{dock, issues, text("events"), demo};
+    QTest::newRow("with a sign") << QStringList{dock + text("=issues"), demo};
+  }
+  void window_dock_beforeOrBehindTheScenario_showsItAndOpensTheFile() {
+    QFETCH(QStringList, words);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(text("a.png"));
+    words << text("--at") << text("0") << text("--theme") << text("light") << text("--screenshot")
+          << file;
+    QCOMPARE(failureOf(words), QString());
+    const QImage picture(file);
+    QCOMPARE(picture.size(), QSize(1280, 800));
+    // Properties stood at the right edge, and the start page is white there: now it is the canvas.
+    QCOMPARE(picture.pixelColor(1270, 300), QColor(0xEC, 0xEE, 0xF0));
+  }
+
+  void window_imageAsPicture_isRefusedAtOnce() {
+    const QTemporaryDir folder;
+    const QString picture = folder.filePath(text("a.png"));
+    QCOMPARE(unexpected(runProgram("% --at 0 --screenshot %",
+                                   {text(SOURCE_DIR "/maps/reactions/reactions.pgm"), picture}),
+                        2, "reactions.pgm: error: an image has no scale"),
+             QString());
+    QVERIFY(!QFile::exists(picture));
+  }
+
+  void window_tooManyWords_areToldInOrder() {
+    QCOMPARE(unexpected(runProgram("% a b",
+                                   {text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")}),
+                        64, "unexpected arguments: a b"),
+             QString());
+  }
+
+  void window_dock_unknown_isRefused() {
+    QCOMPARE(
+        unexpected(runProgram("corner_cafe_agents --dock nothing --at 0 --screenshot /tmp/x.png"),
+                   64, "nothing"),
+        QString());
   }
 };
 

@@ -10,8 +10,7 @@
 #include "tests/app/RunFiles.h"
 #include "tests/support/TreeAttributes.h"
 
-using outside::bytesOf;
-using outside::Finished;
+using namespace outside;
 
 /// `hunavsim convert` from outside; what it wrote is read by yaml-cpp and Qt alone.
 class ConvertProgramTest : public QObject {
@@ -42,25 +41,19 @@ class ConvertProgramTest : public QObject {
  private:
   static Finished convert(const QString& scenario, const QString& folder, const char* target,
                           const QStringList& more = {}) {
-    return outside::runProgram(QStringList{QStringLiteral("convert"), scenario,
-                                           QStringLiteral("-o"), folder, QStringLiteral("--target"),
-                                           QString::fromUtf8(target)} +
-                               more);
+    return runProgram(
+        list("convert % -o % --target %", {scenario, folder, QString::fromUtf8(target)}) + more);
   }
 };
 
 namespace {
-
-QString utf8(const char* text) {
-  return QString::fromUtf8(text);
-}
 
 YAML::Node loaderOf(const QString& path) {
   return YAML::Load(bytesOf(path).toStdString())["hunav_loader"]["ros__parameters"];
 }
 
 QString shipped(const char* name) {
-  return utf8(SOURCE_DIR "/maps/") + utf8(name);
+  return text(SOURCE_DIR "/maps/") + text(name);
 }
 
 /// A scenario with all that must be mended: gaps, ids from 7, names with blanks, nobody's goal.
@@ -102,8 +95,7 @@ void ConvertProgramTest::convert_shippedScenario_everyTargetTakesIt() {
   const Finished found =
       convert(shipped("corner_cafe/corner_cafe_agents.yaml"), folder.path(), target.constData());
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-  const YAML::Node loader =
-      loaderOf(folder.filePath(QStringLiteral("scenarios/corner_cafe_agents.yaml")));
+  const YAML::Node loader = loaderOf(folder.filePath(text("scenarios/corner_cafe_agents.yaml")));
   QVERIFY(isB || loader["simulator"].as<std::string>() == simulator.toStdString());
   int number = 0;
   for (const YAML::Node& listed : loader["agents"]) {
@@ -117,20 +109,18 @@ void ConvertProgramTest::convert_shippedScenario_everyTargetTakesIt() {
       QVERIFY(agent["behavior"][factor]);
     }
     QVERIFY(isB == (agent["behavior"]["type"].as<std::string>().size() == 1));
-    QVERIFY(QFile::exists(folder.filePath(
-        QStringLiteral("behavior_trees/corner_cafe_agents__agent_%1_bt.xml").arg(number))));
+    QVERIFY(QFile::exists(
+        folder.filePath(text("behavior_trees/corner_cafe_agents__agent_%1_bt.xml").arg(number))));
   }
   QVERIFY(number >= 1);
-  QVERIFY(QFile::exists(folder.filePath(QStringLiteral("behavior_trees/BTRegularNav.xml"))));
+  QVERIFY(QFile::exists(folder.filePath(text("behavior_trees/BTRegularNav.xml"))));
   const YAML::Node map =
-      YAML::Load(bytesOf(folder.filePath(QStringLiteral("maps/corner_cafe.yaml"))).toStdString());
-  QVERIFY(QFile::exists(folder.filePath(QStringLiteral("maps/")) +
+      YAML::Load(bytesOf(folder.filePath(text("maps/corner_cafe.yaml"))).toStdString());
+  QVERIFY(QFile::exists(folder.filePath(text("maps/")) +
                         QString::fromStdString(map["image"].as<std::string>())));
-  QVERIFY(found.out.contains(QStringLiteral("ros2 ")));
-  const Finished checked =
-      outside::runProgram({QStringLiteral("check"),
-                           folder.filePath(QStringLiteral("scenarios/corner_cafe_agents.yaml"))});
-  QVERIFY2(checked.exitCode == 0, qPrintable(checked.err));
+  QVERIFY(found.out.contains(text("ros2 ")));
+  QCOMPARE(failureOf("check %", {folder.filePath(text("scenarios/corner_cafe_agents.yaml"))}),
+           QString());
 }
 
 void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals_data() {
@@ -148,15 +138,14 @@ void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals_data() {
 void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals() {
   QFETCH(QByteArray, file);
   QFETCH(QByteArray, target);
-  const QString path = outside::interop(QStringLiteral("hunavsim2/") + QString::fromUtf8(file));
+  const QString path = interop(text("hunavsim2/") + QString::fromUtf8(file));
   if (!QFile::exists(path)) {
     QSKIP("the stored scenarios of HuNavSim are not here");
   }
   const QTemporaryDir folder;
   const Finished found = convert(path, folder.path(), target.constData());
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-  const QString written =
-      folder.filePath(QStringLiteral("scenarios/")) + QFileInfo(path).fileName();
+  const QString written = folder.filePath(text("scenarios/")) + QFileInfo(path).fileName();
   const YAML::Node before = loaderOf(path);
   const YAML::Node after = loaderOf(written);
   QCOMPARE(after["agents"].size(), before["agents"].size());
@@ -172,8 +161,7 @@ void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals() {
   const QTemporaryDir again;
   const Finished back = convert(written, again.path(), "native");
   QVERIFY2(back.exitCode == 0, qPrintable(back.err));
-  const YAML::Node home =
-      loaderOf(again.filePath(QStringLiteral("scenarios/")) + QFileInfo(path).fileName());
+  const YAML::Node home = loaderOf(again.filePath(text("scenarios/")) + QFileInfo(path).fileName());
   QCOMPARE(home["agents"].size(), before["agents"].size());
   QVERIFY(home["global_goals"].size() > 0);
 }
@@ -181,7 +169,7 @@ void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals() {
 void ConvertProgramTest::convert_nativeOfNative_isByteIdentical() {
   const QTemporaryDir first;
   const QTemporaryDir second;
-  const QString name = QStringLiteral("scenarios/corner_cafe_agents.yaml");
+  const QString name = text("scenarios/corner_cafe_agents.yaml");
   QCOMPARE(convert(shipped("corner_cafe/corner_cafe_agents.yaml"), first.path(), "native").exitCode,
            0);
   QCOMPARE(convert(first.filePath(name), second.path(), "native").exitCode, 0);
@@ -198,12 +186,12 @@ void ConvertProgramTest::convert_nativeOfNative_isByteIdentical() {
 
 void ConvertProgramTest::convert_gapsAndNames_areMended() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("in/odd.yaml"));
-  outside::writeText(path, kOdd);
-  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "webots",
-                                 {QStringLiteral("--dialect"), QStringLiteral("C")});
+  const QString path = folder.filePath(text("in/odd.yaml"));
+  writeText(path, kOdd);
+  const Finished found =
+      convert(path, folder.filePath(text("out")), "webots", {text("--dialect"), text("C")});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-  const YAML::Node loader = loaderOf(folder.filePath(QStringLiteral("out/scenarios/odd.yaml")));
+  const YAML::Node loader = loaderOf(folder.filePath(text("out/scenarios/odd.yaml")));
   QCOMPARE(loader["agents"][0].as<std::string>().c_str(), "Ana_Maria");
   QCOMPARE(loader["agents"][1].as<std::string>().c_str(), "agent_2nd");
   QCOMPARE(loader["map"].as<std::string>().c_str(), "cafe");
@@ -216,45 +204,43 @@ void ConvertProgramTest::convert_gapsAndNames_areMended() {
   QCOMPARE(loader["global_goals"]["2"]["y"].as<double>(), 4.0);
   QCOMPARE(loader["agent_2nd"]["goals"][0].as<int>(), 3);  // a place to stand at
   QCOMPARE(loader["global_goals"]["3"]["x"].as<double>(), 2.5);
-  QVERIFY(found.err.contains(QStringLiteral("has no goal")));
-  QVERIFY(found.err.contains(QStringLiteral("3-D world 'cafe'")));
+  QVERIFY(found.err.contains(text("has no goal")));
+  QVERIFY(found.err.contains(text("3-D world 'cafe'")));
 }
 
 void ConvertProgramTest::convert_ownTree_followsTheNewGoalNumbers() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  outside::writeText(path, kOdd);
-  outside::writeText(folder.filePath(QStringLiteral("odd__agent_7_bt.xml")),
-                     "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>"
-                     "<SetGoal agent_id='7' goal_id='5'/><GoTo agent_id='{id}' goal_id='2' "
-                     "time_step='{dt}'/><LookAtAgent observer_id='7' target_id='9'/>"
-                     "<WanderInArea agent_id='{id}' area='hall'/>"
-                     "</Sequence></BehaviorTree></root>");
-  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "gazebo-classic");
+  const QString path = folder.filePath(text("odd.yaml"));
+  writeText(path, kOdd);
+  writeText(folder.filePath(text("odd__agent_7_bt.xml")),
+            "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>"
+            "<SetGoal agent_id='7' goal_id='5'/><GoTo agent_id='{id}' goal_id='2' "
+            "time_step='{dt}'/><LookAtAgent observer_id='7' target_id='9'/>"
+            "<WanderInArea agent_id='{id}' area='hall'/>"
+            "</Sequence></BehaviorTree></root>");
+  const Finished found = convert(path, folder.filePath(text("out")), "gazebo-classic");
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-  const QString tree = folder.filePath(QStringLiteral("out/behavior_trees/odd__agent_1_bt.xml"));
-  QCOMPARE(attributesIn(bytesOf(tree), "goal_id"), (QStringList{utf8("2"), utf8("1")}));
-  QCOMPARE(attributesIn(bytesOf(tree), "target_id"), QStringList{utf8("2")});
-  QCOMPARE(attributesIn(bytesOf(tree), "observer_id"), QStringList{utf8("1")});
-  QVERIFY(attributesIn(bytesOf(tree), "agent_id").contains(utf8("{id}")));
-  QVERIFY2(found.err.contains(QStringLiteral("WanderInArea")), qPrintable(found.err));
+  const QString tree = folder.filePath(text("out/behavior_trees/odd__agent_1_bt.xml"));
+  QCOMPARE(attributesIn(bytesOf(tree), "goal_id"), (QStringList{text("2"), text("1")}));
+  QCOMPARE(attributesIn(bytesOf(tree), "target_id"), QStringList{text("2")});
+  QCOMPARE(attributesIn(bytesOf(tree), "observer_id"), QStringList{text("1")});
+  QVERIFY(attributesIn(bytesOf(tree), "agent_id").contains(text("{id}")));
+  QVERIFY2(found.err.contains(text("WanderInArea")), qPrintable(found.err));
 }
 
 void ConvertProgramTest::convert_whatOnlyWeHave_isListed() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  outside::writeText(path,
-                     QByteArray("# a remark\n") + kOdd + "    Ana Maria:\n      start_time: 3.0\n");
-  const Finished found =
-      convert(path, folder.filePath(QStringLiteral("out")), "isaac", {QStringLiteral("--json")});
+  const QString path = folder.filePath(text("odd.yaml"));
+  writeText(path, QByteArray("# a remark\n") + kOdd + "    Ana Maria:\n      start_time: 3.0\n");
+  const Finished found = convert(path, folder.filePath(text("out")), "isaac", {text("--json")});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
   const QJsonObject json = QJsonDocument::fromJson(found.out.toUtf8()).object();
   QString report;
-  for (const auto& line : json[QStringLiteral("report")].toArray()) {
-    report += line.toObject()[QStringLiteral("message")].toString() + QLatin1Char('\n');
+  for (const auto& line : json[text("report")].toArray()) {
+    report += line.toObject()[text("message")].toString() + QLatin1Char('\n');
   }
   for (const char* word : {"robot1", "start_time", "comment"}) {
-    QVERIFY2(report.contains(utf8(word)), qPrintable(report));
+    QVERIFY2(report.contains(text(word)), qPrintable(report));
   }
   // and it is not lost: our block has it
   const QByteArray text = bytesOf(folder.filePath(QStringLiteral("out/scenarios/odd.yaml")));
@@ -270,26 +256,26 @@ void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere_data() {
   QTest::addColumn<QString>("start");
   QTest::addColumn<QString>("world");
   QTest::newRow("classic") << QByteArray("gazebo-classic")
-                           << utf8(
+                           << text(
                                   "ros2 launch hunav_gazebo_wrapper simulation.launch.py "
                                   "configuration_file:=odd.yaml gzpose_x:=1.000 gzpose_y:=1.000 "
                                   "gzpose_Y:=0.000")
-                           << utf8("'cafe'");
+                           << text("'cafe'");
   QTest::newRow("webots") << QByteArray("webots")
-                          << utf8(
+                          << text(
                                  "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py "
                                  "configuration_file:=odd.yaml")
-                          << utf8("'factory'");
+                          << text("'factory'");
   QTest::newRow("fortress") << QByteArray("gazebo-fortress")
-                            << utf8(
+                            << text(
                                    "ros2 launch hunav_gazebo_fortress_wrapper "
                                    "cafe_fortress_test.launch.py configuration_file:=odd.yaml")
-                            << utf8("'cafe'");
+                            << text("'cafe'");
   QTest::newRow("isaac") << QByteArray("isaac")
-                         << utf8(
+                         << text(
                                 "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config "
                                 "odd.yaml --world empty_world --batch")
-                         << utf8("'empty_world'");
+                         << text("'empty_world'");
 }
 
 void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere() {
@@ -297,73 +283,72 @@ void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere() {
   QFETCH(QString, start);
   QFETCH(QString, world);
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  outside::writeText(path, QByteArray(kOdd).replace("    map: cafe.yaml\n", ""));
-  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), target.constData(),
-                                 {QStringLiteral("--json")});
+  const QString path = folder.filePath(text("odd.yaml"));
+  writeText(path, QByteArray(kOdd).replace("    map: cafe.yaml\n", ""));
+  const Finished found =
+      convert(path, folder.filePath(text("out")), target.constData(), {text("--json")});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
   const QJsonObject json = QJsonDocument::fromJson(found.out.toUtf8()).object();
-  QCOMPARE(json[QStringLiteral("start")].toString(), start);
-  QVERIFY2(found.err.contains(QStringLiteral("names no map: ")) && found.err.contains(world),
+  QCOMPARE(json[text("start")].toString(), start);
+  QVERIFY2(found.err.contains(text("names no map: ")) && found.err.contains(world),
            qPrintable(found.err));
 }
 
 void ConvertProgramTest::convert_blankInTheName_standsInQuotes() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  outside::writeText(
-      path, QByteArray(kOdd).replace("    map: ", "    yaml_base_name: it's odd\n    map: "));
-  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "gazebo-fortress",
-                                 {QStringLiteral("--json")});
+  const QString path = folder.filePath(text("odd.yaml"));
+  writeText(path, QByteArray(kOdd).replace("    map: ", "    yaml_base_name: it's odd\n    map: "));
+  const Finished found =
+      convert(path, folder.filePath(text("out")), "gazebo-fortress", {text("--json")});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
   const QJsonObject json = QJsonDocument::fromJson(found.out.toUtf8()).object();
-  QCOMPARE(json[QStringLiteral("start")].toString(),
-           utf8("ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py "
+  QCOMPARE(json[text("start")].toString(),
+           text("ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py "
                 "'configuration_file:=it'\\''s odd.yaml'"));
 }
 
 void ConvertProgramTest::convert_again_saysWhatBecameOfEachFile() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  const QString out = folder.filePath(QStringLiteral("out"));
-  outside::writeText(path, kOdd);
-  QVERIFY(convert(path, out, "isaac").out.contains(QStringLiteral("written   ")));
+  const QString path = folder.filePath(text("odd.yaml"));
+  const QString out = folder.filePath(text("out"));
+  writeText(path, kOdd);
+  QVERIFY(convert(path, out, "isaac").out.contains(text("written   ")));
   const Finished again = convert(path, out, "isaac");
-  QVERIFY(!again.out.contains(QStringLiteral("written")));
-  QVERIFY(again.out.contains(QStringLiteral("unchanged ")));
+  QVERIFY(!again.out.contains(text("written")));
+  QVERIFY(again.out.contains(text("unchanged ")));
   const Finished other = convert(path, out, "webots");
-  QVERIFY(other.out.contains(QStringLiteral("replaced  ")));
+  QVERIFY(other.out.contains(text("replaced  ")));
 }
 
 void ConvertProgramTest::convert_fileInTheWay_writesNothing() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  outside::writeText(path, kOdd);
-  QVERIFY(QDir().mkpath(folder.filePath(QStringLiteral("out/scenarios/odd.yaml"))));
-  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "isaac");
+  const QString path = folder.filePath(text("odd.yaml"));
+  writeText(path, kOdd);
+  QVERIFY(QDir().mkpath(folder.filePath(text("out/scenarios/odd.yaml"))));
+  const Finished found = convert(path, folder.filePath(text("out")), "isaac");
   QCOMPARE(found.exitCode, 2);
-  QVERIFY(found.err.contains(QStringLiteral("error:")));
-  QDirIterator files(folder.filePath(QStringLiteral("out")), QDir::Files | QDir::Hidden,
+  QVERIFY(found.err.contains(text("error:")));
+  QDirIterator files(folder.filePath(text("out")), QDir::Files | QDir::Hidden,
                      QDirIterator::Subdirectories);
   QVERIFY(!files.hasNext());
 }
 
 void ConvertProgramTest::convert_folderByWayOfAnother_isThatFolder() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  outside::writeText(path, kOdd);
-  QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("other")));
-  const Finished found = convert(path, folder.path() + QStringLiteral("/./other/../out"), "isaac");
+  const QString path = folder.filePath(text("odd.yaml"));
+  writeText(path, kOdd);
+  QVERIFY(QDir(folder.path()).mkdir(text("other")));
+  const Finished found = convert(path, folder.path() + text("/./other/../out"), "isaac");
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-  const QDir out(folder.filePath(QStringLiteral("out")));
+  const QDir out(folder.filePath(text("out")));
   QCOMPARE(out.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
-           (QStringList{QStringLiteral("behavior_trees"), QStringLiteral("scenarios")}));
+           (list("behavior_trees scenarios")));
 }
 
 void ConvertProgramTest::convert_ontoItself_isRefused() {
   const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("scenarios/odd.yaml"));
-  outside::writeText(path, kOdd);
+  const QString path = folder.filePath(text("scenarios/odd.yaml"));
+  writeText(path, kOdd);
   const Finished found = convert(path, folder.path(), "webots");
   QCOMPARE(found.exitCode, 2);
   QCOMPARE(bytesOf(path), QByteArray(kOdd));
@@ -390,11 +375,11 @@ void ConvertProgramTest::convert_badInput_isTold() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("in.yaml"));
   if (text != "-") {
-    outside::writeText(path, text);
+    writeText(path, text);
   }
-  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "isaac");
-  QCOMPARE(found.exitCode, 2);
-  QVERIFY2(found.err.contains(QString::fromUtf8(says)), qPrintable(found.err));
+  QCOMPARE(unexpected(convert(path, folder.filePath(QStringLiteral("out")), "isaac"), 2,
+                      QString::fromUtf8(says)),
+           QString());
   QVERIFY(!QDir(folder.filePath(QStringLiteral("out"))).exists());
 }
 
@@ -402,20 +387,18 @@ void ConvertProgramTest::run_convertedScenario_manifestListsIncludedTrees() {
   const QTemporaryDir folder;
   QCOMPARE(
       convert(shipped("corner_cafe/corner_cafe_agents.yaml"), folder.path(), "native").exitCode, 0);
-  const Finished found = outside::runProgram(
-      {QStringLiteral("run"), folder.filePath(QStringLiteral("scenarios/corner_cafe_agents.yaml")),
-       QStringLiteral("-o"), folder.filePath(QStringLiteral("run")), QStringLiteral("--duration"),
-       QStringLiteral("0.2")});
-  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-  const QJsonObject manifest =
-      outside::readJson(folder.filePath(QStringLiteral("run/manifest.json")));
+  QCOMPARE(failureOf("run % -o % --duration 0.2",
+                     {folder.filePath(text("scenarios/corner_cafe_agents.yaml")),
+                      folder.filePath(text("run"))}),
+           QString());
+  const QJsonObject manifest = readJson(folder.filePath(text("run/manifest.json")));
   int included = 0;
   int trees = 0;
-  for (const auto& input : manifest[QStringLiteral("inputs")].toArray()) {
-    const QString path = input.toObject()[QStringLiteral("path")].toString();
-    included += path.endsWith(QStringLiteral("BTRegularNav.xml")) ? 1 : 0;
-    trees += path.contains(QStringLiteral("__agent_")) ? 1 : 0;
-    QVERIFY(input.toObject()[QStringLiteral("sha256")].toString().size() == 64);
+  for (const auto& input : manifest[text("inputs")].toArray()) {
+    const QString path = input.toObject()[text("path")].toString();
+    included += path.endsWith(text("BTRegularNav.xml")) ? 1 : 0;
+    trees += path.contains(text("__agent_")) ? 1 : 0;
+    QVERIFY(input.toObject()[text("sha256")].toString().size() == 64);
   }
   QCOMPARE(included, 1);
   QVERIFY(trees > 1);
@@ -424,17 +407,17 @@ void ConvertProgramTest::run_convertedScenario_manifestListsIncludedTrees() {
 void ConvertProgramTest::words_wrong_exitWith64_data() {
   QTest::addColumn<QStringList>("words");
   const QString file = shipped("corner_cafe/corner_cafe_agents.yaml");
-  QTest::newRow("no target") << QStringList{file, utf8("-o"), utf8("x")};
-  QTest::newRow("no folder") << QStringList{file, utf8("--target"), utf8("isaac")};
-  QTest::newRow("no scenario") << QStringList{utf8("-o"), utf8("x"), utf8("--target"),
-                                              utf8("isaac")};
-  QTest::newRow("unknown target") << QStringList{file, utf8("-o"), utf8("x"), utf8("--target"),
-                                                 utf8("unity")};
+  QTest::newRow("no target") << QStringList{file, text("-o"), text("x")};
+  QTest::newRow("no folder") << QStringList{file, text("--target"), text("isaac")};
+  QTest::newRow("no scenario") << QStringList{text("-o"), text("x"), text("--target"),
+                                              text("isaac")};
+  QTest::newRow("unknown target") << QStringList{file, text("-o"), text("x"), text("--target"),
+                                                 text("unity")};
 }
 
 void ConvertProgramTest::words_wrong_exitWith64() {
   QFETCH(QStringList, words);
-  QCOMPARE(outside::runProgram(QStringList{QStringLiteral("convert")} + words).exitCode, 64);
+  QCOMPARE(runProgram(list("convert") + words).exitCode, 64);
 }
 
 QTEST_GUILESS_MAIN(ConvertProgramTest)

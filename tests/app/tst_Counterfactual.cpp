@@ -1,16 +1,9 @@
 #include <QDir>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::metricsOf;
-using outside::runProgram;
-using outside::text;
-using outside::turn;
-using outside::valueOf;
+using namespace outside;
 
 namespace {
 
@@ -30,7 +23,7 @@ QByteArray personText(int id, double x, double y, int behavior, const QByteArray
 
 /// When the first goal was reached; -1: none was.
 double goalTime(const QString& folder) {
-  for (const auto& event : outside::readCsv(folder + text("/events.csv"))) {
+  for (const auto& event : readCsv(folder + text("/events.csv"))) {
     if (event.at(text("kind")) == text("goal")) {
       return event.at(text("time")).toDouble();
     }
@@ -39,11 +32,11 @@ double goalTime(const QString& folder) {
 }
 
 /// Of the first person's way until the end [m].
-double length(const std::vector<outside::Sample>& samples, double end) {
+double length(const std::vector<Sample>& samples, double end) {
   double sum = 0.0;
   for (std::size_t k = 1; k < samples.size() && samples[k].time < end + 1e-6; ++k) {
-    const outside::Body& a = samples[k - 1].people.at(0);
-    const outside::Body& b = samples[k].people.at(0);
+    const Body& a = samples[k - 1].people.at(0);
+    const Body& b = samples[k].people.at(0);
     sum += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
   }
   return sum;
@@ -52,13 +45,10 @@ double length(const std::vector<outside::Sample>& samples, double end) {
 }  // namespace
 
 /// `hunavsim run --counterfactual` from outside.
-class CounterfactualTest : public QObject {
+class CounterfactualTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private:
-  QTemporaryDir folder_;
-  QString path(const char* name) const { return folder_.filePath(text(name)); }
-
   /// A corridor 3 m wide: a person walks from left to right, a robot stands where it is put.
   QString corridor(const char* name, const char* robot) {
     QString file = path(name);
@@ -77,7 +67,7 @@ class CounterfactualTest : public QObject {
         robot + "\n    obstacles: [low, high]\n" +
         "    low: {kind: wall, xs: [-3.0, 13.0], ys: [-1.5, -1.5]}\n"
         "    high: {kind: wall, xs: [-3.0, 13.0], ys: [1.5, 1.5]}\n";
-    outside::writeText(file, content);
+    writeText(file, content);
     return file;
   }
 
@@ -98,7 +88,7 @@ class CounterfactualTest : public QObject {
         "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n    map_file: none\n"
         "    duration: 12.0\n    robots: [robot1]\n    robot1:\n      start: " +
         robot + "\n";
-    outside::writeText(path(name), content);
+    writeText(path(name), content);
     return path(name);
   }
 
@@ -118,10 +108,8 @@ class CounterfactualTest : public QObject {
     QFETCH(int, people);
     QFETCH(QByteArray, robot);
     const QString scenario = crowd("crowd.yaml", people, robot);
-    const Finished finished =
-        runProgram({text("run"), scenario, text("--counterfactual"), text("-o"), path("crowd")});
-    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
-    const auto rows = outside::readCsv(path("crowd/counterfactual.csv"));
+    QCOMPARE(failureOf("run % --counterfactual -o %", {scenario, path("crowd")}), QString());
+    const auto rows = readCsv(path("crowd/counterfactual.csv"));
     QCOMPARE(rows.size(), static_cast<std::size_t>(people));
     for (const auto& row : rows) {
       for (const auto& [column, value] : row) {
@@ -133,10 +121,8 @@ class CounterfactualTest : public QObject {
 
   void robotFarAway_isExactlyZero() {
     const QString scenario = corridor("far.yaml", "{x: 0.0, y: 25.0, h: 0.0}");
-    const Finished finished =
-        runProgram({text("run"), scenario, text("--counterfactual"), text("-o"), path("far")});
-    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
-    const auto rows = outside::readCsv(path("far/counterfactual.csv"));
+    QCOMPARE(failureOf("run % --counterfactual -o %", {scenario, path("far")}), QString());
+    const auto rows = readCsv(path("far/counterfactual.csv"));
     QCOMPARE(rows.size(), std::size_t{1});
     for (const auto& [column, value] : rows[0]) {
       QVERIFY2(column == text("id") || value == text("0"), qPrintable(column + value));
@@ -150,16 +136,14 @@ class CounterfactualTest : public QObject {
     const QString alone = corridor("alone.yaml", "{x: 5.0, y: 0.05, h: 0.0}");
     QByteArray without = bytesOf(alone);
     without.replace("    robots: [robot1]\n", "");
-    outside::writeText(alone, without);
-    const Finished finished =
-        runProgram({text("run"), scenario, text("--counterfactual"), text("-o"), path("block")});
-    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+    writeText(alone, without);
+    QCOMPARE(failureOf("run % --counterfactual -o %", {scenario, path("block")}), QString());
     QVERIFY(bytesOf(path("block/metrics.csv")).contains("counterfactual_delay"));
-    QCOMPARE(runProgram({text("run"), alone, text("-o"), path("alone")}).exitCode, 0);
-    const auto row = outside::readCsv(path("block/counterfactual.csv")).at(0);
+    QCOMPARE(runProgram("run % -o %", {alone, path("alone")}).exitCode, 0);
+    const auto row = readCsv(path("block/counterfactual.csv")).at(0);
     const auto told = [&row](const char* column) { return row.at(text(column)).toDouble(); };
-    const auto with = outside::readTrajectory(path("block/trajectory.csv"));
-    const auto bare = outside::readTrajectory(path("alone/trajectory.csv"));
+    const auto with = readTrajectory(path("block/trajectory.csv"));
+    const auto bare = readTrajectory(path("alone/trajectory.csv"));
     QCOMPARE(with.size(), bare.size());
     const double end = goalTime(path("block"));
     const double endAlone = goalTime(path("alone"));
@@ -168,12 +152,12 @@ class CounterfactualTest : public QObject {
     double turned = 0.0;
     double slowed = 0.0;
     for (std::size_t k = 0; k < with.size(); ++k) {
-      const outside::Body& a = with[k].people.at(0);
-      const outside::Body& b = bare[k].people.at(0);
+      const Body& a = with[k].people.at(0);
+      const Body& b = bare[k].people.at(0);
       turned += std::fabs(turn(a.heading - b.heading)) / static_cast<double>(with.size());
       if (k > 0) {
-        const outside::Body& a0 = with[k - 1].people.at(0);
-        const outside::Body& b0 = bare[k - 1].people.at(0);
+        const Body& a0 = with[k - 1].people.at(0);
+        const Body& b0 = bare[k - 1].people.at(0);
         const double x = (a.vx - a0.vx) - (b.vx - b0.vx);
         const double y = (a.vy - a0.vy) - (b.vy - b0.vy);
         force += std::sqrt(x * x + y * y);

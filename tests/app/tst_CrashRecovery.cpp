@@ -1,13 +1,10 @@
 #include <csignal>
 #include <cstdio>
 
-#include <QElapsedTimer>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
-#include "app/window/files/DocumentGuard.h"
+#include "app/window/files/FileCommands.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"

@@ -2,15 +2,11 @@
 #include <set>
 
 #include <QDir>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::runProgram;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -18,7 +14,7 @@ namespace {
 using Places = std::map<int, std::map<int, std::pair<double, double>>>;
 
 QString recording(const QString& file) {
-  return outside::interop(text("trajectories/") + file);
+  return interop(text("trajectories/") + file);
 }
 
 /// Rows of an obsmat.txt, read by code of this test.
@@ -110,27 +106,23 @@ QByteArray written(const Places& places, const QString& format) {
 }  // namespace
 
 /// `hunavsim evaluate` on recordings of real people, one of them taken for the robot.
-class EvaluateRecordingsTest : public QObject {
+class EvaluateRecordingsTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private:
-  QTemporaryDir folder_;
-  QString path(const char* name) const { return folder_.filePath(text(name)); }
-
   void compare(const Places& places, int robot) {
-    const QJsonObject metrics = outside::metricsOf(path("out"));
+    const QJsonObject metrics = metricsOf(path("out"));
     for (const auto& [key, expected] : recomputed(places, robot)) {
-      const double actual = outside::valueOf(metrics, key);
+      const double actual = valueOf(metrics, key);
       const bool isSame = std::fabs(actual - expected) <= 1e-9 * std::max(1.0, expected);
-      QVERIFY2(isSame, qPrintable(key + QStringLiteral(" %1 %2").arg(actual).arg(expected)));
+      QVERIFY2(isSame, qPrintable(key + text(" %1 %2").arg(actual).arg(expected)));
     }
   }
   void evaluate(const QString& file, int robot, const QStringList& more = {}) {
-    const Finished finished =
-        runProgram(QStringList{text("evaluate"), file, text("-o"), path("out"), text("--robot"),
-                               QString::number(robot)} +
-                   more);
-    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+    QCOMPARE(
+        failureOf(list("evaluate % -o % --robot %", {file, path("out"), QString::number(robot)}) +
+                  more),
+        QString());
   }
 
  private Q_SLOTS:
@@ -161,23 +153,23 @@ class EvaluateRecordingsTest : public QObject {
       QSKIP("the recordings are not here (HUNAV_INTEROP_DIR)");
     }
     evaluate(file, 171);
-    const QJsonObject metrics = outside::metricsOf(path("out"));
-    QCOMPARE(outside::valueOf(metrics, text("personal_zone_entries")), 13.0);
-    QCOMPARE(outside::valueOf(metrics, text("personal_zone_entries_by_robot")), 4.0);
-    QCOMPARE(outside::valueOf(metrics, text("personal_zone_entries_by_person")), 9.0);
+    const QJsonObject metrics = metricsOf(path("out"));
+    QCOMPARE(valueOf(metrics, text("personal_zone_entries")), 13.0);
+    QCOMPARE(valueOf(metrics, text("personal_zone_entries_by_robot")), 4.0);
+    QCOMPARE(valueOf(metrics, text("personal_zone_entries_by_person")), 9.0);
   }
 
   void otherFormats_samePeople_sameMetrics_data() {
     QTest::addColumn<QString>("format");
     QTest::addColumn<QString>("file");
     QTest::addColumn<QStringList>("options");
-    const QStringList rate{text("--fps"), text("25")};
+    const QStringList rate = list("--fps 25");
     QTest::newRow("csv") << text("csv") << text("zara.csv") << rate;
     QTest::newRow("trajnet") << text("trajnet") << text("zara.txt")
-                             << (rate + QStringList{text("--format"), text("trajnet")});
+                             << (rate + list("--format trajnet"));
     QTest::newRow("ndjson") << text("ndjson") << text("zara.ndjson") << rate;
     QTest::newRow("socnavbench") << text("socnavbench") << text("zara_4.csv")
-                                 << QStringList{text("--format"), text("socnavbench")};
+                                 << list("--format socnavbench");
   }
   void otherFormats_samePeople_sameMetrics() {
     QFETCH(QString, format);
@@ -202,7 +194,7 @@ class EvaluateRecordingsTest : public QObject {
     }
     evaluate(file, 10);
     Places places;
-    for (const auto& row : outside::readCsv(path("out/trajectory.csv"))) {
+    for (const auto& row : readCsv(path("out/trajectory.csv"))) {
       const int id = row.at(text("kind")) == text("robot") ? 10 : row.at(text("id")).toInt();
       places[row.at(text("step")).toInt()][id] = {row.at(text("x")).toDouble(),
                                                   row.at(text("y")).toDouble()};
@@ -213,7 +205,7 @@ class EvaluateRecordingsTest : public QObject {
     const auto own = recomputed(places, 10);
     const QString key = text("avg_distance_to_closest_person");
     QVERIFY2(std::fabs(own.at(key) - other.at(key)) < 0.03,
-             qPrintable(QStringLiteral("%1 %2").arg(own.at(key)).arg(other.at(key))));
+             qPrintable(text("%1 %2").arg(own.at(key)).arg(other.at(key))));
   }
 };
 

@@ -1,14 +1,10 @@
 #include "app/window/WindowCommand.h"
-#include "app/window/study/ExternalCodePrompt.h"
 #include "editor/document/EditCommands.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/RunFiles.h"
 
-using app::ExternalCodePrompt;
 using editor::SimulationRunner;
-using outside::bytesOf;
-using outside::text;
-using outside::writeText;
+using namespace outside;
 
 /// A scenario with a program in it is run in the window.
 class CodeQuestionTest : public QObject {
@@ -32,8 +28,8 @@ class CodeQuestionTest : public QObject {
   QString path(const char* name) const { return folder_->filePath(text(name)); }
   app::Workspace& space() { return window_->workspace(); }
   SimulationRunner& runner() { return space().runner(); }
-  bool isAsked() { return window_->notices().has(ExternalCodePrompt::noticeId()); }
-  void answer(int choice) { window_->notices().choose(ExternalCodePrompt::noticeId(), choice); }
+  bool isAsked() { return window_->notices().has(app::codeNoticeId()); }
+  void answer(int choice) { window_->notices().choose(app::codeNoticeId(), choice); }
   /// A scenario whose robot is driven by a program, which notes its number in the file `child`.
   QString written(const char* name, const QByteArray& planner, const QByteArray& child) const;
   void open(const QByteArray& planner, bool isAllowed = false);
@@ -49,13 +45,6 @@ const char* const kDrives =
     "while read -r line; do echo '{\"linear\":0.5,\"angular\":0}'; done\n";
 const char* const kHangs =
     "read -r line; echo '{\"ready\":true}'\nread -r line; touch asked; sleep 600\n";
-
-bool isGone(const QByteArray& id) {
-  const QByteArray stat =
-      bytesOf(text("/proc/") + QString::fromLatin1(id.trimmed()) + text("/stat"));
-  const QByteArray state = stat.mid(stat.lastIndexOf(')') + 2, 1);
-  return state.isEmpty() || state == "Z" || state == "X";
-}
 
 }  // namespace
 

@@ -3,17 +3,11 @@
 #include <QCryptographicHash>
 #include <QJsonArray>
 #include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::readJson;
-using outside::runProgram;
-using outside::text;
-using outside::writeText;
+using namespace outside;
 
 namespace {
 
@@ -47,24 +41,16 @@ QString sha256Of(const QString& file) {
       QCryptographicHash::hash(bytesOf(file), QCryptographicHash::Sha256).toHex());
 }
 
-/// A process that neither runs nor waits to be reaped.
-bool isGone(const QByteArray& id) {
-  const QByteArray stat =
-      bytesOf(text("/proc/") + QString::fromLatin1(id.trimmed()) + text("/stat"));
-  const QByteArray state = stat.mid(stat.lastIndexOf(')') + 2, 1);
-  return state.isEmpty() || state == "Z" || state == "X";
-}
-
 /// Of the first robot, in the last row of the file.
 QPointF lastPlaceOfRobot(const QString& folder) {
-  const auto samples = outside::readTrajectory(folder + text("/trajectory.csv"));
+  const auto samples = readTrajectory(folder + text("/trajectory.csv"));
   return {samples.back().robot->x, samples.back().robot->y};
 }
 
 }  // namespace
 
 /// Planners of others, by the program from outside.
-class ExternalPlannersTest : public QObject {
+class ExternalPlannersTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -85,7 +71,6 @@ class ExternalPlannersTest : public QObject {
   void run_teleop_stands();
 
  private:
-  QString path(const char* name) const { return folder_.filePath(text(name)); }
   /// A scenario in the test's folder.
   QString scenario(const QByteArray& content) const {
     QString file = path("yard.yaml");
@@ -98,8 +83,6 @@ class ExternalPlannersTest : public QObject {
     writeText(path("planner.sh"), "echo $$ > '" + path("child").toUtf8() + "'\n" + what);
     return "/bin/sh '" + path("planner.sh").toUtf8() + "'";
   }
-
-  QTemporaryDir folder_;
 };
 
 void ExternalPlannersTest::run_examples_reachTheGoalInLockStep_data() {
@@ -130,8 +113,7 @@ void ExternalPlannersTest::run_examples_reachTheGoalInLockStep() {
   const QString yard = scenario(scenarioWith(ofRobot));
   const QString folders[] = {path("first"), path("second")};
   for (const QString& folder : folders) {
-    const Finished run = runProgram({text("run"), yard, text("--allow-code"), text("-o"), folder});
-    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    QCOMPARE(failureOf("run % --allow-code -o %", {yard, folder}), QString());
     QVERIFY(bytesOf(folder + text("/events.csv")).contains(",arrived,-1,"));
     const QPointF end = lastPlaceOfRobot(folder);
     QVERIFY(std::hypot(end.x() - 3.0, end.y() - 1.0) < 0.2 + 0.5);  // the radius, and to brake
@@ -158,15 +140,16 @@ void ExternalPlannersTest::run_examples_reachTheGoalInLockStep() {
 void ExternalPlannersTest::run_commandByOptions_drives() {
   QByteArray plain = scenarioWith({});
   const QString file = scenario(plain.left(plain.indexOf("hunavsim_desktop")));
-  const Finished run = runProgram(
-      {text("run"), file, text("--map"), text("none"), text("--robot-start"), text("0 0 0"),
-       text("--robot-goal"), text("2 0"), text("--planner"), text("external"), text("--set"),
-       text("robot1.command=") +
-           QString::fromUtf8(script(QByteArray(kReady) +
-                                    "while read -r line; do echo '{\"linear\":1,\"angular\":0}'; "
-                                    "done\n")),
-       text("--allow-code"), text("-o"), path("out")});
-  QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+  QCOMPARE(failureOf("run % --map none --robot-start % --robot-goal % --planner external --set % "
+                     "--allow-code -o %",
+                     {file, text("0 0 0"), text("2 0"),
+                      text("robot1.command=") +
+                          QString::fromUtf8(
+                              script(QByteArray(kReady) +
+                                     "while read -r line; do echo '{\"linear\":1,\"angular\":0}'; "
+                                     "done\n")),
+                      path("out")}),
+           QString());
   QVERIFY(bytesOf(path("out/events.csv")).contains(",arrived,-1,"));
   QVERIFY(isGone(bytesOf(path("child"))));
 }
@@ -194,19 +177,19 @@ void ExternalPlannersTest::run_withoutPermission_startsNothing() {
   const QString place =
       text("%1:%2:%3: ").arg(yard).arg(line).arg(isLibrary ? 9 : 7);  // behind the blanks
 
-  const Finished run = runProgram({text("run"), yard, text("-o"), path("none")});
-  QCOMPARE(run.exitCode, 2);
-  QVERIFY2(run.err.contains(place + text("error: ") + problem), qPrintable(run.err));
+  QCOMPARE(unexpected(runProgram("run % -o %", {yard, path("none")}), 2,
+                      place + text("error: ") + problem),
+           QString());
   QVERIFY(!QFile::exists(path("none/manifest.json")));
-  const Finished check = runProgram({text("check"), yard});
+  const Finished check = runProgram("check %", {yard});
   QVERIFY2(check.err.contains(place + text("warning: ") + problem), qPrintable(check.err));
   QCOMPARE(check.exitCode, isLibrary ? 2 : 0);  // there is no ours.so
-  outside::writeText(path("study.yaml"), "hunavsim_experiment: 1\nscenarios: ['" + yard.toUtf8() +
-                                             "']\nduration: 1.0\n");
-  const Finished study = runProgram({text("check"), path("study.yaml")});
+  writeText(path("study.yaml"),
+            "hunavsim_experiment: 1\nscenarios: ['" + yard.toUtf8() + "']\nduration: 1.0\n");
+  const Finished study = runProgram("check %", {path("study.yaml")});
   QVERIFY2(study.err.contains(place + text("warning: ") + problem), qPrintable(study.err));
   QCOMPARE(study.exitCode, isLibrary ? 2 : 0);
-  const Finished batch = runProgram({text("batch"), path("study.yaml"), text("-o"), path("none")});
+  const Finished batch = runProgram("batch % -o %", {path("study.yaml"), path("none")});
   QVERIFY2(batch.err.contains(place + text("error: ") + problem), qPrintable(batch.err));
   QCOMPARE(batch.exitCode, 2);
   QTest::qWait(200);
@@ -215,8 +198,7 @@ void ExternalPlannersTest::run_withoutPermission_startsNothing() {
 
 void ExternalPlannersTest::otherCommands_neverStartCode() {
   const QString yard = scenario(scenarioWith(externalBy("'" TEST_OUTPUT_DIR "/planners/follow'")));
-  const Finished run =
-      runProgram({text("run"), yard, text("--allow-code"), text("-o"), path("run")});
+  const Finished run = runProgram("run % --allow-code -o %", {yard, path("run")});
   QVERIFY2(run.exitCode == 0, qPrintable(run.err));
   const QByteArray command = "touch '" + path("was-here").toUtf8() + "'";
   scenario(scenarioWith(externalBy(command)));
@@ -257,9 +239,7 @@ void ExternalPlannersTest::run_misbehaviour_endsWithItsReason() {
   QFETCH(QString, reason);
   const QString yard = scenario(scenarioWith(externalBy(script(what), "0.5")));
   const QString out = path("out");
-  const Finished run = runProgram({text("run"), yard, text("--allow-code"), text("-o"), out});
-  QCOMPARE(run.exitCode, 1);
-  QVERIFY2(run.err.contains(reason), qPrintable(run.err));
+  QCOMPARE(unexpected(runProgram("run % --allow-code -o %", {yard, out}), 1, reason), QString());
   const QJsonObject manifest = readJson(out + text("/manifest.json"));
   QCOMPARE(manifest[text("status")].toString(), text("failed"));
   const QString told = manifest[text("reason")].toString();
@@ -296,10 +276,9 @@ void ExternalPlannersTest::run_interruptedWhileItHangs_ends() {
 void ExternalPlannersTest::batch_permission_isHandedOn() {
   scenario(scenarioWith(externalBy("'" TEST_OUTPUT_DIR "/planners/follow'")));
   writeText(path("two.yaml"), "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 2\n");
-  const Finished batch = runProgram({text("batch"), path("two.yaml"), text("-o"), path("two"),
-                                     text("--jobs"), text("2"), text("--allow-code")});
-  QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
-  const auto rows = outside::readCsv(path("two/results.csv"));
+  QCOMPARE(failureOf("batch % -o % --jobs 2 --allow-code", {path("two.yaml"), path("two")}),
+           QString());
+  const auto rows = readCsv(path("two/results.csv"));
   QCOMPARE(rows.size(), std::size_t{2});
   for (const auto& row : rows) {
     QCOMPARE(row.at(text("status")), text("ok"));
@@ -314,10 +293,9 @@ void ExternalPlannersTest::batch_withoutPermission_isRefused() {
   writeText(path("two.yaml"),
             "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 1\nvalues:\n"
             "  robot1.planner: [pursuit, external]\n");
-  const Finished batch = runProgram({text("batch"), path("two.yaml"), text("-o"), path("refused")});
-  QCOMPARE(batch.exitCode, 2);
-  QVERIFY2(batch.err.contains(text("error: robot 'robot1' runs external code")),
-           qPrintable(batch.err));
+  QCOMPARE(unexpected(runProgram("batch % -o %", {path("two.yaml"), path("refused")}), 2,
+                      "error: robot 'robot1' runs external code"),
+           QString());
   QVERIFY(!QFile::exists(path("refused/results.csv")));
   QVERIFY(!QFile::exists(path("was-here")));
 }
@@ -348,7 +326,7 @@ void ExternalPlannersTest::check_parameters_areChecked_data() {
 void ExternalPlannersTest::check_parameters_areChecked() {
   QFETCH(QByteArray, ofRobot);
   QFETCH(QString, problem);
-  const Finished check = runProgram({text("check"), scenario(scenarioWith(ofRobot))});
+  const Finished check = runProgram("check %", {scenario(scenarioWith(ofRobot))});
   QVERIFY2(check.err.contains(problem), qPrintable(check.err));
   QCOMPARE(check.exitCode, problem.startsWith(text("warning")) ? 0 : 2);
 }
@@ -360,17 +338,14 @@ void ExternalPlannersTest::run_replay_drivesTheSameWay() {
     return content.replace("x: 1.500", "x: 30.0");
   };
   const QString yard = scenario(alone(scenarioWith({}, duration)));
-  const Finished first = runProgram({text("run"), yard, text("-o"), path("driven")});
-  QVERIFY2(first.exitCode == 0, qPrintable(first.err));
+  QCOMPARE(failureOf("run % -o %", {yard, path("driven")}), QString());
   QByteArray again = scenarioWith(
       "      planner: replay\n      planner_parameters:\n        file: driven/trajectory.csv\n",
       duration);
   again.truncate(again.indexOf("      goal:\n"));  // it needs none
-  const Finished second =
-      runProgram({text("run"), scenario(alone(again)), text("-o"), path("replayed")});
-  QVERIFY2(second.exitCode == 0, qPrintable(second.err));
-  const auto was = outside::readTrajectory(path("driven/trajectory.csv"));
-  const auto is = outside::readTrajectory(path("replayed/trajectory.csv"));
+  QCOMPARE(failureOf("run % -o %", {scenario(alone(again)), path("replayed")}), QString());
+  const auto was = readTrajectory(path("driven/trajectory.csv"));
+  const auto is = readTrajectory(path("replayed/trajectory.csv"));
   QCOMPARE(is.size(), was.size());
   QVERIFY(was.back().robot->x > 2.0);
   for (std::size_t k = 0; k < was.size(); ++k) {
@@ -385,8 +360,7 @@ void ExternalPlannersTest::run_replay_drivesTheSameWay() {
 
 void ExternalPlannersTest::run_teleop_stands() {
   const QString yard = scenario(scenarioWith("      planner: teleop\n", "    duration: 2.0\n"));
-  const Finished run = runProgram({text("run"), yard, text("-o"), path("teleop")});
-  QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+  QCOMPARE(failureOf("run % -o %", {yard, path("teleop")}), QString());
   QCOMPARE(lastPlaceOfRobot(path("teleop")), QPointF(0.0, 0.0));
 }
 

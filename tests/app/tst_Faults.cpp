@@ -15,10 +15,7 @@ using faults::Kind;
 using faults::Known;
 using faults::Operation;
 using faults::Outcome;
-using outside::bytesOf;
-using outside::copyFolder;
-using outside::text;
-using outside::writeText;
+using namespace outside;
 
 /// The program killed, the power gone, the disk full or broken, at calls to the system that are
 /// counted: nothing of the user's is lost, nothing half-made is taken for whole, what failed is
@@ -164,14 +161,14 @@ int saveChanged(int argc, char** argv) {
 }
 
 void make(const char* words) {
-  const outside::Finished found = outside::runProgram(faults::wordsIn(words));
+  const Finished found = runProgram(faults::wordsIn(words));
   if (found.exitCode != 0) {
     qFatal("%s: %s", words, qPrintable(found.err));
   }
 }
 
 void writeScenarios(const QString& folder) {
-  writeText(folder + text("/yard.yaml"), outside::kYardText);
+  writeText(folder + text("/yard.yaml"), kYardText);
   const QByteArray head =
       "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nduration: 0.2\n"
       "values:\n  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n";
@@ -195,7 +192,7 @@ void FaultsTest::initTestCase() {
   }
   writeScenarios(faults::work() + text("/s"));
   writeScenarios(faults::work() + text("/d"));
-  outside::writeNav2Yard(faults::work() + text("/n"));
+  writeNav2Yard(faults::work() + text("/n"));
   QDir().mkpath(faults::scratch());
   make("run @/s/yard.yaml -q --duration 0.3 --seed 1 --counterfactual -o @/r");
   make("batch @/s/earlier.yaml -q -o @/b");

@@ -1,13 +1,11 @@
-#include <QScopeGuard>
-#include <QStandardPaths>
-
 #include "app/window/files/FileDialogs.h"
 #include "editor/look/AppStyle.h"
-#include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/panels/behavior/BehaviorPanel.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/RunFiles.h"
+
+using outside::text;
 
 /// Where dialogs for files begin, and what can be done in them.
 class FileDialogsTest : public QObject, protected quiet::InFolder {
@@ -41,7 +39,7 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     QVERIFY(document().isShipped(quiet::demoPath()));
     QCOMPARE(QDir(window_->files().folder()).absolutePath(), ownFiles());
     QCOMPARE(window_->files().suggestedPath(),
-             QDir(window_->files().folder()).filePath(QStringLiteral("corner_cafe_agents.yaml")));
+             QDir(window_->files().folder()).filePath(text("corner_cafe_agents.yaml")));
     const QString own = copyOfDemo();
     QVERIFY(window_->open(own));
     QVERIFY(!document().isShipped(own));
@@ -69,23 +67,19 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     source.scenario = std::make_shared<const sim2d::Scenario>(document().scenario());
     app::ExportDialog dialog(source, folder_->path(), editor::Theme::light());
     look(seen);
-    for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
-      if (button->text().remove(QLatin1Char('&')) == QString::fromUtf8("Choose…")) {
-        button->click();
-      }
-    }
+    widgets::withText<QPushButton>(dialog, QString::fromUtf8("C&hoose…"))->click();
     QCOMPARE(seen.count, 1);
     QVERIFY(!seen.isReadOnly);
   }
 
   void dialogs_forWriting_deleteNothing_data() {
     QTest::addColumn<QString>("view");
-    QTest::newRow("list") << QStringLiteral("listView");
-    QTest::newRow("details") << QStringLiteral("treeView");
+    QTest::newRow("list") << text("listView");
+    QTest::newRow("details") << text("treeView");
   }
   void dialogs_forWriting_deleteNothing() {
     QFETCH(QString, view);
-    const QString precious = folder_->filePath(QStringLiteral("precious.yaml"));
+    const QString precious = folder_->filePath(text("precious.yaml"));
     outside::writeText(precious, "mine");
     QTimer yes;  // to the question that must not come
     connect(&yes, &QTimer::timeout, &yes, [] {
@@ -112,7 +106,7 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
       QTest::keyClick(&files, Qt::Key_F2);
       isEdited = files.indexWidget(row) != nullptr;
       QTest::keyClick(&files, Qt::Key_Delete);
-      isDeleteOffered = dialog.findChild<QAction*>(QStringLiteral("qt_delete_action"))->isVisible();
+      isDeleteOffered = dialog.findChild<QAction*>(text("qt_delete_action"))->isVisible();
     });
     QVERIFY(window_->open(copyOfDemo()));
     window_->actions().saveAs->trigger();
@@ -124,7 +118,7 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
   void dialogs_forWriting_leavingTheFolderWhileANewOneIsNamed() {
     for (const QFileDialog::ViewMode mode : {QFileDialog::Detail, QFileDialog::List}) {
       QTemporaryDir top;
-      const QString below = top.filePath(QStringLiteral("below"));
+      const QString below = top.filePath(text("below"));
       QVERIFY(QDir().mkpath(below));
       QFileDialog dialog(nullptr, {}, below);
       dialog.setOption(QFileDialog::DontUseNativeDialog);
@@ -136,16 +130,16 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
         return dialog.findChild<QToolButton*>(QString::fromUtf8(name));
       };
       const auto* files = dialog.findChild<QAbstractItemView*>(
-          mode == QFileDialog::Detail ? QStringLiteral("treeView") : QStringLiteral("listView"));
+          mode == QFileDialog::Detail ? text("treeView") : text("listView"));
       const auto editors = [files] { return files->viewport()->findChildren<QLineEdit*>(); };
       QTest::mouseClick(button("newFolderButton"), Qt::LeftButton);
       QTRY_COMPARE(editors().size(), 1);
-      editors().front()->setText(QStringLiteral("mine"));
+      editors().front()->setText(text("mine"));
       QTest::mousePress(button("toParentButton"), Qt::LeftButton);
       QTRY_VERIFY(editors().isEmpty());
       QTest::mouseRelease(button("toParentButton"), Qt::LeftButton);
       QCOMPARE(dialog.directory().canonicalPath(), QFileInfo(top.path()).canonicalFilePath());
-      QVERIFY(QDir(below + QStringLiteral("/mine")).exists());
+      QVERIFY(QDir(below + text("/mine")).exists());
     }
   }
 
@@ -159,12 +153,11 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     dialog.setViewMode(QFileDialog::Detail);
     editor::restrictFileDialog(dialog, true);
     dialog.show();
-    const auto* files = dialog.findChild<QAbstractItemView*>(QStringLiteral("treeView"));
+    const auto* files = dialog.findChild<QAbstractItemView*>(text("treeView"));
     const auto editors = [files] { return files->viewport()->findChildren<QLineEdit*>(); };
-    QTest::mouseClick(dialog.findChild<QToolButton*>(QStringLiteral("newFolderButton")),
-                      Qt::LeftButton);
+    QTest::mouseClick(dialog.findChild<QToolButton*>(text("newFolderButton")), Qt::LeftButton);
     QTRY_COMPARE(editors().size(), 1);
-    editors().front()->setText(QStringLiteral("a/b"));
+    editors().front()->setText(text("a/b"));
     bool isPressing = true;
     bool wasTold = false;
     bool wasInUse = false;
@@ -177,20 +170,18 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
       }
     });
     look.start(1);
-    QTest::mousePress(dialog.findChild<QToolButton*>(QStringLiteral("toParentButton")),
-                      Qt::LeftButton);
+    QTest::mousePress(dialog.findChild<QToolButton*>(text("toParentButton")), Qt::LeftButton);
     isPressing = false;
     QTRY_VERIFY(wasTold);
     QVERIFY(!wasInUse);
-    QTest::mouseRelease(dialog.findChild<QToolButton*>(QStringLiteral("toParentButton")),
-                        Qt::LeftButton);
+    QTest::mouseRelease(dialog.findChild<QToolButton*>(text("toParentButton")), Qt::LeftButton);
   }
 
   void treeDialogs_beginWithTheUsersFiles_data() {
     QTest::addColumn<QString>("button");
     QTest::addColumn<bool>("isReading");
-    QTest::newRow("open") << QStringLiteral("Load a tree from a file") << true;
-    QTest::newRow("save") << QStringLiteral("Save the tree to a file") << false;
+    QTest::newRow("open") << text("Load a tree from a file") << true;
+    QTest::newRow("save") << text("Save the tree to a file") << false;
   }
   void treeDialogs_beginWithTheUsersFiles() {
     QFETCH(QString, button);
@@ -203,8 +194,7 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
                              button.toUtf8().constData())
         .click();
     QCOMPARE(seen.count, 1);
-    QVERIFY2(!document().isShipped(seen.folder + QStringLiteral("/tree.xml")),
-             qPrintable(seen.folder));
+    QVERIFY2(!document().isShipped(seen.folder + text("/tree.xml")), qPrintable(seen.folder));
     QCOMPARE(seen.isReadOnly, isReading);
   }
 

@@ -1,20 +1,12 @@
-#include <QClipboard>
-#include <QPlainTextEdit>
-#include <QScrollBar>
-#include <QTemporaryDir>
-#include <QTimer>
-#include <QtTest>
-
 #include "app/run/Export.h"
 #include "app/window/MainWindow.h"
-#include "app/window/files/DocumentGuard.h"
-#include "app/window/files/ExportDialog.h"
-#include "app/window/files/MapDialogs.h"
+#include "app/window/files/FileCommands.h"
+#include "app/window/files/FileDialogs.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
-#include "sim2d/base/Problems.h"
+#include "sim2d/base/Result.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
 

@@ -1,15 +1,8 @@
-#include <QMimeData>
-#include <QScrollBar>
-#include <QTemporaryDir>
-#include <QTimer>
-#include <QTreeView>
-#include <QtTest>
-
 #include "app/window/MainWindow.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/StartPage.h"
-#include "app/window/files/DocumentGuard.h"
-#include "app/window/files/MapDialogs.h"
+#include "app/window/files/FileCommands.h"
+#include "app/window/files/FileDialogs.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"
@@ -359,9 +352,8 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     }
     const QString folders[] = {at("runA"), at("runB")};
     for (const QString& folder : folders) {
-      const outside::Finished run = outside::runProgram(
-          {QStringLiteral("run"), quiet::demoPath(), QStringLiteral("-o"), folder,
-           QStringLiteral("--duration"), QStringLiteral("3"), QStringLiteral("--quiet")});
+      const outside::Finished run =
+          outside::runProgram("run % -o % --duration 3 --quiet", {quiet::demoPath(), folder});
       QCOMPARE(run.exitCode, 0);
     }
     QVERIFY(window_->open(folders[0]));

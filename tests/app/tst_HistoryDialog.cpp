@@ -1,5 +1,5 @@
 #include "QuietWindow.h"
-#include "app/window/runs/HistoryDialog.h"
+#include "app/window/RunCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
 

@@ -1,19 +1,12 @@
-#include <QCheckBox>
-#include <QDoubleSpinBox>
-#include <QToolButton>
-#include <QTreeWidget>
-#include <QtTest>
-
 #include "app/window/MainWindow.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
-#include "editor/panels/MetricsChoice.h"
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/behavior/BehaviorPanel.h"
+#include "editor/panels/properties/PageWidgets.h"
 #include "editor/panels/properties/PropertyPanel.h"
-#include "editor/panels/properties/RouteEditor.h"
 #include "editor/tools/ToolManager.h"
 #include "tests/app/QuietWindow.h"
 
@@ -157,9 +150,7 @@ class KeyRulesTest : public QObject {
     QVERIFY(route != nullptr);
     const std::vector<int> goals = route->goals();
     QVERIFY(!goals.empty());
-    const QList<QToolButton*> chips = route->findChildren<QToolButton*>();
-    QToolButton* chip = *std::find_if(chips.begin(), chips.end(),
-                                      [](QToolButton* each) { return each->isVisible(); });
+    auto* chip = widgets::shown<QToolButton>(*route);
     chip->setFocus();
     QVERIFY(chip->hasFocus());
     key(Qt::Key_Delete);
@@ -299,12 +290,10 @@ class KeyRulesTest : public QObject {
     return nullptr;
   }
   QVariant areaKind() {
-    for (QComboBox* box : window_->findChildren<QComboBox*>()) {
-      if (box->isVisible() && box->accessibleName() == QLatin1String("Kind")) {
-        return box->currentIndex();
-      }
-    }
-    return {};
+    const auto* box = widgets::findIf<QComboBox>(*window_, [](const QComboBox* each) {
+      return each->isVisible() && each->accessibleName() == QLatin1String("Kind");
+    });
+    return box == nullptr ? QVariant() : QVariant(box->currentIndex());
   }
   static int firstBlock(const editor::TreeOutline& outline) {
     for (std::size_t i = 0; i < outline.nodes().size(); ++i) {

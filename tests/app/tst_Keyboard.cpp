@@ -1,15 +1,5 @@
-#include <QDialog>
-#include <QKeySequence>
-#include <QMenuBar>
-#include <QPushButton>
-#include <QRadioButton>
-#include <QTemporaryDir>
-#include <QtTest>
-
 #include "app/window/MainWindow.h"
-#include "app/window/files/ExportDialog.h"
-#include "app/window/files/MapDialogs.h"
-#include "app/window/files/TreeChoiceDialog.h"
+#include "app/window/files/FileDialogs.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"

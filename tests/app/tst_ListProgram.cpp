@@ -11,46 +11,46 @@
 #include "bt/tree/TreeXml.h"
 #include "tests/app/RunFiles.h"
 
+using namespace outside;
+
 /// `hunavsim list` from outside: nodes as a model file for Groot2, metrics as METRICS.md.
 class ListProgramTest : public QObject {
   Q_OBJECT
 
  private:
-  outside::Finished found_;
+  Finished found_;
 
  private Q_SLOTS:
   void initTestCase() {
-    found_ = outside::runProgram({QStringLiteral("list"), QStringLiteral("nodes"),
-                                  QStringLiteral("--format"), QStringLiteral("xml")});
+    found_ = runProgram("list nodes --format xml");
     QVERIFY2(found_.exitCode == 0, qPrintable(found_.err));
   }
 
   void shortOptions_areTheLongOnes() {
     for (const auto& [brief, full] : {std::pair("-h", "--help"), std::pair("-V", "--version")}) {
-      const outside::Finished one = outside::runProgram({QString::fromUtf8(brief)});
+      const Finished one = runProgram({QString::fromUtf8(brief)});
       QCOMPARE(one.exitCode, 0);
       QVERIFY(!one.out.isEmpty());
-      QCOMPARE(one.out, outside::runProgram({QString::fromUtf8(full)}).out);
+      QCOMPARE(one.out, runProgram({QString::fromUtf8(full)}).out);
     }
-    const outside::Finished quiet = outside::runProgram(
-        {QStringLiteral("check"), QStringLiteral("-q"),
-         QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")});
+    const Finished quiet =
+        runProgram("check -q %", {text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")});
     QCOMPARE(quiet.exitCode, 0);
     QVERIFY(quiet.out.isEmpty());
   }
 
   void fullStandardOutput_isAnError() {
-    const QString scenario = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
-    const QStringList lines = {QStringLiteral("--help"),
-                               QStringLiteral("list nodes --json"),
-                               QStringLiteral("list metrics"),
-                               QStringLiteral("check ") + scenario,
-                               QStringLiteral("run --duration 0.1 ") + scenario,
-                               QStringLiteral("trees ") + scenario};
+    const QString scenario = text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    const QStringList lines = {text("--help"),
+                               text("list nodes --json"),
+                               text("list metrics"),
+                               text("check ") + scenario,
+                               text("run --duration 0.1 ") + scenario,
+                               text("trees ") + scenario};
     for (const QString& line : lines) {
       QProcess program;
-      program.setStandardOutputFile(QStringLiteral("/dev/full"));
-      program.start(QStringLiteral(HUNAVSIM_PROGRAM), line.split(QLatin1Char(' ')));
+      program.setStandardOutputFile(text("/dev/full"));
+      program.start(text(HUNAVSIM_PROGRAM), line.split(QLatin1Char(' ')));
       QVERIFY(program.waitForFinished(60000));
       QVERIFY2(program.exitCode() == 2, qPrintable(line));
       QVERIFY2(program.readAllStandardError().contains("standard output"), qPrintable(line));
@@ -58,21 +58,13 @@ class ListProgramTest : public QObject {
   }
 
   void mistypedScenario_namesTheNearest() {
-    for (const QStringList& words : {QStringList{QStringLiteral("run")},
-                                     QStringList{QStringLiteral("check")}, QStringList()}) {
-      const outside::Finished one =
-          outside::runProgram(words + QStringList{QStringLiteral("corner_cafe_agent")});
-      QCOMPARE(one.exitCode, 2);
-      QVERIFY2(one.err.contains(QStringLiteral("(did you mean 'corner_cafe_agents'?)")),
-               qPrintable(one.err));
+    for (const QStringList& words : {list("run"), list("check"), QStringList()}) {
+      QCOMPARE(unexpected(runProgram(words + list("corner_cafe_agent")), 2,
+                          "(did you mean 'corner_cafe_agents'?)"),
+               QString());
     }
-    const outside::Finished shipped =
-        outside::runProgram({QStringLiteral("check"), QStringLiteral("corner_cafe_agents")});
-    QVERIFY2(shipped.exitCode == 0, qPrintable(shipped.err));
-    const outside::Finished command = outside::runProgram({QStringLiteral("chekc")});
-    QCOMPARE(command.exitCode, 2);
-    QVERIFY2(command.err.contains(QStringLiteral("(did you mean 'check'?)")),
-             qPrintable(command.err));
+    QCOMPARE(failureOf("check corner_cafe_agents"), QString());
+    QCOMPARE(unexpected(runProgram("chekc"), 2, "(did you mean 'check'?)"), QString());
   }
 
   void everyList_namesWhatThereIs_data() {
@@ -81,31 +73,28 @@ class ListProgramTest : public QObject {
     const auto row = [](const char* what, const QStringList& known) {
       QTest::newRow(what) << QString::fromUtf8(what) << known;
     };
-    row("nodes", {QStringLiteral("Sequence"), QStringLiteral("IsRobotVisible")});
-    row("metrics", {QStringLiteral("path_length"), QStringLiteral("spl")});
-    row("keys", {QStringLiteral("ROBOT.planner"), QStringLiteral("seed")});
-    row("models", {QStringLiteral("sfm"), QStringLiteral("das"), QStringLiteral("orca")});
-    row("robots", {QStringLiteral("generic"), QStringLiteral("tiago"), QStringLiteral("pepper")});
-    row("planners",
-        {QStringLiteral("pursuit"), QStringLiteral("dwa"), QStringLiteral("social_mppi"),
-         QStringLiteral("external"), QStringLiteral("library"), QStringLiteral("replay"),
-         QStringLiteral("teleop"), QStringLiteral("ros2"), QStringLiteral("nav2")});
-    row("scenarios", {QStringLiteral("corner_cafe_agents"), QStringLiteral("two_workers_agents")});
+    row("nodes", {text("Sequence"), text("IsRobotVisible")});
+    row("metrics", {text("path_length"), text("spl")});
+    row("keys", {text("ROBOT.planner"), text("seed")});
+    row("models", {text("sfm"), text("das"), text("orca")});
+    row("robots", {text("generic"), text("tiago"), text("pepper")});
+    row("planners", {text("pursuit"), text("dwa"), text("social_mppi"), text("external"),
+                     text("library"), text("replay"), text("teleop"), text("ros2"), text("nav2")});
+    row("scenarios", {text("corner_cafe_agents"), text("two_workers_agents")});
   }
   void everyList_namesWhatThereIs() {
     QFETCH(QString, what);
     QFETCH(QStringList, known);
-    const outside::Finished plain = outside::runProgram({QStringLiteral("list"), what});
+    const Finished plain = runProgram("list %", {what});
     QVERIFY2(plain.exitCode == 0, qPrintable(plain.err));
     QStringList first;
     for (const QString& line : plain.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
       first << line.section(QLatin1Char(' '), 0, 0);
     }
     QStringList named;
-    const outside::Finished json = outside::runProgram(
-        {QStringLiteral("list"), what, QStringLiteral("--format"), QStringLiteral("json")});
+    const Finished json = runProgram("list % --format json", {what});
     for (const auto& each : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
-      named << each.toObject()[QStringLiteral("name")].toString();
+      named << each.toObject()[text("name")].toString();
     }
     QCOMPARE(first, named);
     for (const QString& name : known) {
@@ -114,34 +103,30 @@ class ListProgramTest : public QObject {
   }
 
   void parameters_textAndNumber_tellTheirType() {
-    const outside::Finished json =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("planners"),
-                             QStringLiteral("--format"), QStringLiteral("json")});
+    const Finished json = runProgram("list planners --format json");
     QStringList types;
     for (const auto& planner : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
       const QJsonObject found = planner.toObject();
-      if (found[QStringLiteral("name")] == QStringLiteral("replay")) {
-        for (const auto& each : found[QStringLiteral("parameters")].toArray()) {
-          types << each.toObject()[QStringLiteral("name")].toString() + QLatin1Char(' ') +
-                       each.toObject()[QStringLiteral("type")].toString();
+      if (found[text("name")] == text("replay")) {
+        for (const auto& each : found[text("parameters")].toArray()) {
+          types << each.toObject()[text("name")].toString() + QLatin1Char(' ') +
+                       each.toObject()[text("type")].toString();
         }
       }
     }
-    QCOMPARE(types, QStringList({QStringLiteral("file text"), QStringLiteral("robot number")}));
+    QCOMPARE(types, QStringList({text("file text"), text("robot number")}));
   }
 
   void parameters_ofAPlanner_areTold() {
-    const outside::Finished json =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("planners"),
-                             QStringLiteral("--format"), QStringLiteral("json")});
+    const Finished json = runProgram("list planners --format json");
     for (const auto& planner : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
       const QJsonObject found = planner.toObject();
-      for (const auto& each : found[QStringLiteral("parameters")].toArray()) {
+      for (const auto& each : found[text("parameters")].toArray()) {
         const QJsonObject parameter = each.toObject();
-        if (found[QStringLiteral("name")] == QStringLiteral("pursuit") &&
-            parameter[QStringLiteral("name")] == QStringLiteral("lookahead")) {
-          QCOMPARE(parameter[QStringLiteral("unit")].toString(), QStringLiteral("m"));
-          QCOMPARE(parameter[QStringLiteral("default")].toDouble(), 0.6);
+        if (found[text("name")] == text("pursuit") &&
+            parameter[text("name")] == text("lookahead")) {
+          QCOMPARE(parameter[text("unit")].toString(), text("m"));
+          QCOMPARE(parameter[text("default")].toDouble(), 0.6);
           return;
         }
       }
@@ -158,14 +143,12 @@ class ListProgramTest : public QObject {
       const QXmlStreamReader::TokenType token = xml.readNext();
       depth += token == QXmlStreamReader::StartElement ? 1 : 0;
       if (token == QXmlStreamReader::StartElement && depth == 1) {
-        QCOMPARE(xml.name().toString(), QStringLiteral("root"));
-        QCOMPARE(xml.attributes().value(QStringLiteral("BTCPP_format")).toString(),
-                 QStringLiteral("4"));
+        QCOMPARE(xml.name().toString(), text("root"));
+        QCOMPARE(xml.attributes().value(text("BTCPP_format")).toString(), text("4"));
       }
       if (token == QXmlStreamReader::StartElement && depth == 3) {
-        const std::string entry =
-            xml.name().toString().toStdString() + " " +
-            xml.attributes().value(QStringLiteral("ID")).toString().toStdString();
+        const std::string entry = xml.name().toString().toStdString() + " " +
+                                  xml.attributes().value(text("ID")).toString().toStdString();
         QVERIFY2(seen.insert(entry).second, entry.c_str());
       }
       depth -= token == QXmlStreamReader::EndElement ? 1 : 0;
@@ -200,7 +183,7 @@ class ListProgramTest : public QObject {
     QVERIFY(file->trees.empty() && file.diagnostics().empty());
     QVERIFY(file->model->children.size() > 45);
     QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("model.xml"));
+    const QString path = folder.filePath(text("model.xml"));
     QFile out(path);
     QVERIFY(out.open(QIODevice::WriteOnly));
     out.write(found_.out.toUtf8());
@@ -209,116 +192,97 @@ class ListProgramTest : public QObject {
   }
 
   void xml_ofOtherThings_isAWrongWord() {
-    const outside::Finished wrong =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("robots"),
-                             QStringLiteral("--format"), QStringLiteral("xml")});
+    const Finished wrong = runProgram("list robots --format xml");
     QCOMPARE(wrong.exitCode, 64);
     QVERIFY(wrong.out.isEmpty());
   }
 
   void markdown_metrics_isWhatIsCommitted() {
-    const outside::Finished written =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("metrics"),
-                             QStringLiteral("--format"), QStringLiteral("markdown")});
+    const Finished written = runProgram("list metrics --format markdown");
     QCOMPARE(written.exitCode, 0);
-    const QByteArray committed = outside::bytesOf(QStringLiteral(SOURCE_DIR "/metrics/METRICS.md"));
+    const QByteArray committed = bytesOf(text(SOURCE_DIR "/metrics/METRICS.md"));
     QVERIFY(!committed.isEmpty() && written.out.toUtf8() == committed);
     // The same metrics in both, with all their columns.
-    const outside::Finished listed =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("metrics"),
-                             QStringLiteral("--format"), QStringLiteral("json")});
+    const Finished listed = runProgram("list metrics --format json");
     const QJsonArray metrics = QJsonDocument::fromJson(listed.out.toUtf8()).array();
     QVERIFY(metrics.size() > 64);
     QCOMPARE(committed.count("\n|  | `") + 34, metrics.size());
     for (const QJsonValue& value : metrics) {
       const QJsonObject metric = value.toObject();
-      const QByteArray name = metric[QStringLiteral("name")].toString().toUtf8();
+      const QByteArray name = metric[text("name")].toString().toUtf8();
       QVERIFY2(committed.contains(" | `" + name + "` | "), name.constData());
       for (const char* column : {"range", "better", "formula", "source"}) {
         QVERIFY2(!metric[QString::fromUtf8(column)].toString().isEmpty(), name.constData());
       }
-      QVERIFY2(metric.contains(QStringLiteral("unit")), name.constData());
+      QVERIFY2(metric.contains(text("unit")), name.constData());
     }
   }
 
   void json_metrics_haveTheirParameters() {
-    const outside::Finished listed =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("metrics"),
-                             QStringLiteral("--format"), QStringLiteral("json")});
-    const QByteArray committed = outside::bytesOf(QStringLiteral(SOURCE_DIR "/metrics/METRICS.md"));
+    const Finished listed = runProgram("list metrics --format json");
+    const QByteArray committed = bytesOf(text(SOURCE_DIR "/metrics/METRICS.md"));
     QJsonObject lanes;
     std::set<QString> names;
     for (const auto& metric : QJsonDocument::fromJson(listed.out.toUtf8()).array()) {
-      for (const auto& value : metric.toObject()[QStringLiteral("parameters")].toArray()) {
+      for (const auto& value : metric.toObject()[text("parameters")].toArray()) {
         const QJsonObject parameter = value.toObject();
-        names.insert(parameter[QStringLiteral("name")].toString());
-        lanes =
-            parameter[QStringLiteral("name")] == QStringLiteral("lane_width") ? parameter : lanes;
+        names.insert(parameter[text("name")].toString());
+        lanes = parameter[text("name")] == text("lane_width") ? parameter : lanes;
       }
     }
-    QCOMPARE(lanes[QStringLiteral("default")].toDouble(), 0.75);
-    QCOMPARE(lanes[QStringLiteral("unit")].toString(), QStringLiteral("m"));
-    QCOMPARE(lanes[QStringLiteral("minimum")].toDouble(-1.0), 0.0);
-    QCOMPARE(lanes[QStringLiteral("maximum")].toDouble(), 1e6);
-    QVERIFY(!lanes[QStringLiteral("description")].toString().isEmpty());
+    QCOMPARE(lanes[text("default")].toDouble(), 0.75);
+    QCOMPARE(lanes[text("unit")].toString(), text("m"));
+    QCOMPARE(lanes[text("minimum")].toDouble(-1.0), 0.0);
+    QCOMPARE(lanes[text("maximum")].toDouble(), 1e6);
+    QVERIFY(!lanes[text("description")].toString().isEmpty());
     // All of the table of parameters.
     const QByteArray table = committed.mid(committed.indexOf("## Parameters"));
     QCOMPARE(static_cast<int>(names.size()), table.count("\n| `"));
   }
 
   void markdown_keys_isWhatIsCommitted() {
-    const outside::Finished written =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("keys"),
-                             QStringLiteral("--format"), QStringLiteral("markdown")});
+    const Finished written = runProgram("list keys --format markdown");
     QCOMPARE(written.exitCode, 0);
-    const QByteArray committed =
-        outside::bytesOf(QStringLiteral(SOURCE_DIR "/sim2d/scenario/FORMAT.md"));
+    const QByteArray committed = bytesOf(text(SOURCE_DIR "/sim2d/scenario/FORMAT.md"));
     QVERIFY(committed.contains("markdown -->\n" + written.out.toUtf8() + "<!-- end -->"));
-    const outside::Finished listed =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("keys"),
-                             QStringLiteral("--format"), QStringLiteral("json")});
+    const Finished listed = runProgram("list keys --format json");
     const QJsonArray keys = QJsonDocument::fromJson(listed.out.toUtf8()).array();
-    QCOMPARE(written.out.count(QStringLiteral("\n| `")), keys.size());
+    QCOMPARE(written.out.count(text("\n| `")), keys.size());
   }
 
   void markdown_parameters_isWhatIsCommitted_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QByteArray>("row");  // by hand: one whole row, with all of its columns
-    QTest::newRow("planners") << QStringLiteral("sim2d/nav/PLANNERS.md")
+    QTest::newRow("planners") << text("sim2d/nav/PLANNERS.md")
                               << QByteArray(
                                      "| `window` | s | 0.25 | 0.01 to 2 | Time within which a "
                                      "sampled velocity must be reachable. | Fox, Burgard & Thrun "
                                      "1997, 0.25 |\n");
-    QTest::newRow("models") << QStringLiteral("sim2d/world/MODELS.md") << QByteArray("\n## das\n");
+    QTest::newRow("models") << text("sim2d/world/MODELS.md") << QByteArray("\n## das\n");
   }
   void markdown_parameters_isWhatIsCommitted() {
     QFETCH(QString, file);
     QFETCH(QByteArray, row);
     const QString what = QString::fromUtf8(QTest::currentDataTag());
-    const outside::Finished written = outside::runProgram(
-        {QStringLiteral("list"), what, QStringLiteral("--format"), QStringLiteral("markdown")});
+    const Finished written = runProgram("list % --format markdown", {what});
     QCOMPARE(written.exitCode, 0);
-    const QByteArray committed =
-        outside::bytesOf(QStringLiteral(SOURCE_DIR) + QLatin1Char('/') + file);
+    const QByteArray committed = bytesOf(text(SOURCE_DIR) + QLatin1Char('/') + file);
     QVERIFY(!committed.isEmpty() && written.out.toUtf8() == committed);
     QVERIFY(committed.contains(row));
     // The same names in both.
-    const outside::Finished listed = outside::runProgram(
-        {QStringLiteral("list"), what, QStringLiteral("--format"), QStringLiteral("json")});
+    const Finished listed = runProgram("list % --format json", {what});
     int parameters = 0;
     for (const auto& value : QJsonDocument::fromJson(listed.out.toUtf8()).array()) {
       const QJsonObject thing = value.toObject();
-      const QByteArray name = thing[QStringLiteral("name")].toString().toUtf8();
+      const QByteArray name = thing[text("name")].toString().toUtf8();
       QVERIFY2(committed.contains("\n## " + name + "\n"), name.constData());
-      parameters += thing[QStringLiteral("parameters")].toArray().size();
+      parameters += thing[text("parameters")].toArray().size();
     }
     QCOMPARE(committed.count("\n| `"), parameters);
   }
 
   void markdown_ofOtherThings_isAWrongWord() {
-    const outside::Finished wrong =
-        outside::runProgram({QStringLiteral("list"), QStringLiteral("robots"),
-                             QStringLiteral("--format"), QStringLiteral("markdown")});
+    const Finished wrong = runProgram("list robots --format markdown");
     QCOMPARE(wrong.exitCode, 64);
   }
 };

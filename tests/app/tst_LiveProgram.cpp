@@ -2,7 +2,6 @@
 #include <memory>
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
@@ -10,9 +9,7 @@
 #include "tests/support/Peers.h"
 
 using client::LiveClient;
-using outside::bytesOf;
-using outside::Finished;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -27,7 +24,7 @@ struct Running {
 
   explicit Running(const QStringList& words) {
     process.setReadChannel(QProcess::StandardError);
-    process.start(QStringLiteral(HUNAVSIM_PROGRAM), QStringList{text("run")} + words);
+    process.start(text(HUNAVSIM_PROGRAM), list("run") + words);
     while (port == 0 && process.waitForReadyRead(20000)) {
       read();
     }
@@ -49,7 +46,7 @@ struct Running {
     port = found.captured(1).toInt();
   }
   Finished finish() {
-    Finished finished = outside::finishedOf(process);
+    Finished finished = finishedOf(process);
     finished.err.prepend(QString::fromUtf8(said));
     return finished;
   }
@@ -69,7 +66,7 @@ QStringList cafe(const QString& out, double duration) {
 }  // namespace
 
 /// `run --foxglove` from outside.
-class LiveProgramTest : public QObject {
+class LiveProgramTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -89,10 +86,6 @@ class LiveProgramTest : public QObject {
   void run_watchedByNobody_isTold();
   void run_forGroot2_filesAreTheSame();
   void run_forGroot2_ofNobody_isToldAndNothingIsWritten();
-
- private:
-  QString path(const char* name) const { return folder_.filePath(text(name)); }
-  QTemporaryDir folder_;
 };
 
 void LiveProgramTest::initTestCase() {
@@ -112,11 +105,9 @@ void LiveProgramTest::run_watchedByNobody_isTold_data() {
 void LiveProgramTest::run_watchedByNobody_isTold() {
   QFETCH(const QString, address);
   QFETCH(const QString, words);
-  const QStringList given =
-      QStringList{text("run")} + cafe(path("unwatched"), 7.0) +
-      QStringList{text("--foxglove"), text("0"), text("--foxglove-address"), address,
-                  text("--groot2"),   text("0")};
-  const Finished run = outside::runProgram(given);
+  const QStringList given = list("run") + cafe(path("unwatched"), 7.0) +
+                            list("--foxglove 0 --foxglove-address % --groot2 0", {address});
+  const Finished run = runProgram(given);
   QCOMPARE(run.exitCode, 0);
   QVERIFY2(run.err.count(words) == 1, qPrintable(run.err));
   QCOMPARE(run.err.contains(text("or --foxglove-address)")), address == text("127.0.0.1"));
@@ -124,9 +115,9 @@ void LiveProgramTest::run_watchedByNobody_isTold() {
 }
 
 void LiveProgramTest::run_watched_filesAreTheSame() {
-  const Finished alone = outside::runProgram(QStringList{text("run")} + cafe(path("alone"), 8.0));
+  const Finished alone = runProgram(list("run") + cafe(path("alone"), 8.0));
   QCOMPARE(alone.exitCode, 0);
-  Running run(cafe(path("watched"), 8.0) + QStringList{text("--foxglove"), text("0")});
+  Running run(cafe(path("watched"), 8.0) + list("--foxglove 0"));
   QVERIFY2(run.port > 0, run.said);
   LiveClient client(run.port);
   QVERIFY(client.open());
@@ -153,11 +144,10 @@ void LiveProgramTest::run_watched_filesAreTheSame() {
 namespace {
 
 void comparePeople(const QJsonArray& people, const QString& folder) {
-  const std::vector<outside::Sample> samples =
-      outside::readTrajectory(folder + text("/trajectory.csv"));
+  const std::vector<Sample> samples = readTrajectory(folder + text("/trajectory.csv"));
   QCOMPARE(static_cast<std::size_t>(people.size()), samples.back().people.size());
   for (int i = 0; i < people.size(); ++i) {
-    const outside::Body& body = samples.back().people[static_cast<std::size_t>(i)];
+    const Body& body = samples.back().people[static_cast<std::size_t>(i)];
     const QJsonObject person = people[i].toObject();
     QCOMPARE(person.value(QLatin1String("id")).toInt(), body.id);
     QVERIFY(std::abs(person.value(QLatin1String("x")).toDouble() - body.x) < 1e-9);
@@ -192,11 +182,11 @@ void LiveProgramTest::run_foxglovesOwnClient_readsAll() {
   QFETCH(const QString, protocol);
   QFETCH(const QString, how);
   const QString peers = peersFolder();
-  if (!hasPeer(QStringLiteral("@foxglove/ws-protocol"))) {
+  if (!hasPeer(text("@foxglove/ws-protocol"))) {
     QSKIP("no client of Foxglove here (tests/support/Peers.h)");
   }
   const QString out = path("peer");
-  Running run(cafe(out, 8.0) + QStringList{text("--foxglove"), text("0")});
+  Running run(cafe(out, 8.0) + list("--foxglove 0"));
   QVERIFY2(run.port > 0, run.said);
   QProcess node;
   QStringList words;
@@ -206,7 +196,7 @@ void LiveProgramTest::run_foxglovesOwnClient_readsAll() {
   node.start(text("node"),
              words + QStringList{text(SOURCE_DIR "/tests/peers/live_peer.js"), peers,
                                  text("ws://127.0.0.1:%1").arg(run.port), protocol, how});
-  const Finished seen = outside::finishedOf(node);
+  const Finished seen = finishedOf(node);
   QCOMPARE(run.finish().exitCode, 0);
   const QJsonObject report = QJsonDocument::fromJson(seen.out.toUtf8()).object();
   const auto value = [&report](const char* key) { return report.value(QLatin1String(key)); };
@@ -238,29 +228,27 @@ void LiveProgramTest::run_foxglovesOwnClient_readsAll() {
   QVERIFY(map.value(QLatin1String("cells")).toInt() > 0);
   QCOMPARE(map.value(QLatin1String("cells")).toInt(),
            map.value(QLatin1String("width")).toInt() * map.value(QLatin1String("height")).toInt());
-  compareMetrics(value("metrics").toObject(), outside::metricsOf(out));
+  compareMetrics(value("metrics").toObject(), metricsOf(out));
 }
 
 void LiveProgramTest::run_paused_ctrlCEndsIt() {
-  Running run(cafe(path("stopped"), 60.0) + QStringList{text("--foxglove"), text("0")});
+  Running run(cafe(path("stopped"), 60.0) + list("--foxglove 0"));
   QVERIFY2(run.port > 0, run.said);
   LiveClient client(run.port);
   QVERIFY(client.open());
   QVERIFY(client::pause(client, true));
   ::kill(static_cast<pid_t>(run.process.processId()), SIGINT);
   QCOMPARE(client.awaitClose(), 1001);
-  const Finished finished = run.finish();
-  QCOMPARE(finished.exitCode, 1);
-  QVERIFY2(finished.err.contains(text("interrupted after ")), qPrintable(finished.err));
+  QCOMPARE(unexpected(run.finish(), 1, "interrupted after "), QString());
   QVERIFY(QFileInfo::exists(path("stopped/trajectory.csv")));
 }
 
 void LiveProgramTest::run_portTaken_isToldAndNothingIsWritten() {
-  Running run(cafe(path("first"), 60.0) + QStringList{text("--foxglove"), text("0")});
+  Running run(cafe(path("first"), 60.0) + list("--foxglove 0"));
   QVERIFY2(run.port > 0, run.said);
   const QString port = QString::number(run.port);
-  const Finished second = outside::runProgram(QStringList{text("run")} + cafe(path("second"), 1.0) +
-                                              QStringList{text("--foxglove"), port});
+  const Finished second =
+      runProgram(list("run") + cafe(path("second"), 1.0) + list("--foxglove %", {port}));
   QCOMPARE(second.exitCode, 2);
   QCOMPARE(second.err.section(QLatin1Char('\n'), -2, -2),
            text("error: port %1 is already in use (--foxglove 0 chooses a free port)").arg(port));
@@ -288,36 +276,26 @@ void LiveProgramTest::run_wrongWords_areRefused_data() {
 
 void LiveProgramTest::run_wrongWords_areRefused() {
   QFETCH(const QStringList, words);
-  QCOMPARE(
-      outside::runProgram(QStringList{text("run"), text("corner_cafe_agents")} + words).exitCode,
-      64);
+  QCOMPARE(runProgram(list("run corner_cafe_agents") + words).exitCode, 64);
 }
 
 void LiveProgramTest::run_otherAddress_isWarnedOf() {
-  const QStringList words = {text("run"),
-                             text("corner_cafe_agents"),
-                             text("--duration"),
-                             text("0.5"),
-                             text("--speed"),
-                             text("max"),
-                             text("--foxglove"),
-                             text("0"),
-                             text("--foxglove-address")};
-  const Finished open = outside::runProgram(words + QStringList{text("0.0.0.0")});
+  const QStringList words =
+      list("run corner_cafe_agents --duration 0.5 --speed max --foxglove 0 --foxglove-address");
+  const Finished open = runProgram(words + list("0.0.0.0"));
   QCOMPARE(open.exitCode, 0);
   QVERIFY2(
       open.err.contains(text("warning: anyone who can connect to 0.0.0.0 can watch and control "
                              "this run\n")),
       qPrintable(open.err));
-  const Finished nowhere = outside::runProgram(words + QStringList{text("nowhere")});
+  const Finished nowhere = runProgram(words + list("nowhere"));
   QCOMPARE(nowhere.exitCode, 2);
   QVERIFY(nowhere.err.contains(text("error: 'nowhere' is not a numeric IP address")));
 }
 
 void LiveProgramTest::run_foreignPage_isRefusedAndTold() {
-  Running run(cafe(path("page"), 60.0) + QStringList{text("--foxglove"), text("0"),
-                                                     text("--foxglove-origin"),
-                                                     text("https://lab.example")});
+  Running run(cafe(path("page"), 60.0) +
+              list("--foxglove 0 --foxglove-origin https://lab.example"));
   QVERIFY2(run.port > 0, run.said);
   LiveClient evil(run.port);
   QVERIFY(evil.request("Origin: https://evil.example\r\n").rfind("HTTP/1.1 403", 0) == 0);
@@ -325,16 +303,14 @@ void LiveProgramTest::run_foreignPage_isRefusedAndTold() {
   QVERIFY(lab.request("Origin: https://lab.example\r\n").rfind("HTTP/1.1 101", 0) == 0);
   lab.await("advertiseServices");
   speedUp(lab);
-  const Finished finished = run.finish();
-  QCOMPARE(finished.exitCode, 0);
-  QVERIFY2(finished.err.contains(
-               text("warning: a connection from a page of https://evil.example was refused")),
-           qPrintable(finished.err));
+  QCOMPARE(unexpected(run.finish(), 0,
+                      "warning: a connection from a page of https://evil.example was refused"),
+           QString());
 }
 
 /// A robot that listens; what it was told is in inputs.csv, and the run can be made again by it.
 void LiveProgramTest::run_teleop_isDrivenAndRecorded() {
-  outside::writeText(
+  writeText(
       path("driven.yaml"),
       "hunav_loader:\n  ros__parameters:\n    agents: []\nhunavsim_desktop:\n"
       "  ros__parameters:\n    format: 1\n    map_file: none\n    duration: 20.0\n    robots:\n"
@@ -363,31 +339,28 @@ void LiveProgramTest::run_teleop_isDrivenAndRecorded() {
   QCOMPARE(lines.size(), 2);
   QVERIFY2(lines[1].contains(",robot,-1,") && lines[1].contains("0.5") && lines[1].contains("0.25"),
            lines[1]);
-  const Finished again = outside::runProgram(
-      {text("run"), text("--from"), path("driven") + text("@20"), text("-o"), path("again")});
+  const Finished again =
+      runProgram("run --from % -o %", {path("driven") + text("@20"), path("again")});
   QVERIFY2(again.exitCode == 0, qPrintable(again.err));
   QVERIFY(bytesOf(path("again/trajectory.csv")) == bytesOf(path("driven/trajectory.csv")));
 }
 
 /// The command line of a watched run is read again for `--from`.
 void LiveProgramTest::run_again_ignoresTheseWords() {
-  const QStringList words = cafe(path("before"), 2.0) + QStringList{text("--foxglove"), text("0"),
-                                                                    text("--speed"), text("max")};
-  QCOMPARE(outside::runProgram(QStringList{text("run")} + words).exitCode, 0);
-  const Finished again = outside::runProgram(
-      {text("run"), text("--from"), path("before") + text("@1"), text("-o"), path("after")});
+  const QStringList words = cafe(path("before"), 2.0) + list("--foxglove 0 --speed max");
+  QCOMPARE(runProgram(list("run") + words).exitCode, 0);
+  const Finished again =
+      runProgram("run --from % -o %", {path("before") + text("@1"), path("after")});
   QVERIFY2(again.exitCode == 0, qPrintable(again.err));
   QVERIFY(!again.err.contains(text("live view")));
   QVERIFY(bytesOf(path("before/trajectory.csv")) == bytesOf(path("after/trajectory.csv")));
 }
 
 void LiveProgramTest::run_forGroot2_filesAreTheSame() {
-  const Finished alone = outside::runProgram(QStringList{text("run")} + cafe(path("plain"), 3.0));
+  const Finished alone = runProgram(list("run") + cafe(path("plain"), 3.0));
   QCOMPARE(alone.exitCode, 0);
-  const Finished watched =
-      outside::runProgram(QStringList{text("run")} + cafe(path("groot"), 3.0) +
-                          QStringList{text("--speed"), text("max"), text("--groot2"), text("0"),
-                                      text("--groot2-of"), text("Greta")});
+  const Finished watched = runProgram(list("run") + cafe(path("groot"), 3.0) +
+                                      list("--speed max --groot2 0 --groot2-of Greta"));
   QVERIFY2(watched.exitCode == 0, qPrintable(watched.err));
   QVERIFY(watched.err.contains(text("tree of Greta at 127.0.0.1:")));
   for (const char* name : kSameFiles) {
@@ -398,13 +371,12 @@ void LiveProgramTest::run_forGroot2_filesAreTheSame() {
 }
 
 void LiveProgramTest::run_forGroot2_ofNobody_isToldAndNothingIsWritten() {
-  const Finished run = outside::runProgram(
-      QStringList{text("run")} + cafe(path("nobody"), 1.0) +
-      QStringList{text("--groot2"), text("0"), text("--groot2-of"), text("Grete")});
-  QCOMPARE(run.exitCode, 2);
-  QVERIFY2(run.err.contains(text("there is no person 'Grete' with a tree for Groot2 (did you mean "
-                                 "'Greta'?)")),
-           qPrintable(run.err));
+  QCOMPARE(unexpected(runProgram(list("run") + cafe(path("nobody"), 1.0) +
+                                 list("--groot2 0 --groot2-of Grete")),
+                      2,
+                      "there is no person 'Grete' with a tree for Groot2 (did you mean "
+                      "'Greta'?)"),
+           QString());
   QVERIFY(!QFileInfo::exists(path("nobody")));
 }
 

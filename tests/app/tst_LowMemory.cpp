@@ -1,12 +1,10 @@
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/Nav2Yard.h"
 #include "tests/app/RunFiles.h"
 #include "tests/support/Sanitizers.h"
 
-using outside::Finished;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -23,7 +21,7 @@ Finished runWithin(int kib, const QStringList& words) {
   process.start(text("sh"), QStringList{text("-c"), text("ulimit -v $0 && exec \"$@\""),
                                         QString::number(kib), text(HUNAVSIM_PROGRAM)} +
                                 words);
-  return outside::finishedOf(process);
+  return finishedOf(process);
 }
 
 /// Without a word no command begins: libraries are loaded, no more.
@@ -39,14 +37,12 @@ int leastToStart() {
 }  // namespace
 
 /// Commands end with a line where memory does, never with a signal.
-class LowMemoryTest : public QObject {
+class LowMemoryTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private:
-  QTemporaryDir folder_;
   int least_ = 0;  // [KiB]
   bool hadTooLittle_ = false;
-  QString path(const char* name) const { return folder_.filePath(text(name)); }
 
  private Q_SLOTS:
   void initTestCase() {
@@ -54,23 +50,20 @@ class LowMemoryTest : public QObject {
       QSKIP("sanitizers take address space by the terabyte");
     }
     // Without memory fontconfig finds no fonts and remembers it: not for those who come after.
-    outside::writeText(
-        path("fonts.conf"),
-        "<?xml version=\"1.0\"?>\n<fontconfig><dir>/usr/share/fonts</dir><cachedir>" +
-            path("fonts").toUtf8() + "</cachedir></fontconfig>\n");
+    writeText(path("fonts.conf"),
+              "<?xml version=\"1.0\"?>\n<fontconfig><dir>/usr/share/fonts</dir><cachedir>" +
+                  path("fonts").toUtf8() + "</cachedir></fontconfig>\n");
     qputenv("FONTCONFIG_FILE", path("fonts.conf").toUtf8());
-    outside::writeText(path("room.yaml"),
-                       "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"
-                       "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
+    writeText(path("room.yaml"),
+              "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"
+              "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
     QByteArray pixels("P5\n1500 1500\n255\n");
-    outside::writeText(path("room.pgm"), pixels + QByteArray(1500 * 1500, '\xff'));
+    writeText(path("room.pgm"), pixels + QByteArray(1500 * 1500, '\xff'));
     const QString scenario = text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
-    const Finished made = outside::runProgram({text("run"), scenario, text("--duration"), text("5"),
-                                               text("-q"), text("-o"), path("run")});
-    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
-    outside::writeNav2Yard(path("n"));
-    outside::writeText(path("e.yaml"), "hunavsim_experiment: 1\nscenarios: [" + scenario.toUtf8() +
-                                           "]\nseeds: 2\nduration: 1.0\n");
+    QCOMPARE(failureOf("run % --duration 5 -q -o %", {scenario, path("run")}), QString());
+    writeNav2Yard(path("n"));
+    writeText(path("e.yaml"), "hunavsim_experiment: 1\nscenarios: [" + scenario.toUtf8() +
+                                  "]\nseeds: 2\nduration: 1.0\n");
     least_ = leastToStart();
     QVERIFY(least_ > 0);
   }
@@ -92,13 +85,12 @@ class LowMemoryTest : public QObject {
     row("evaluate", {text("evaluate"), path("run"), text("-q"), text("--force"), text("-o"),
                      path("evaluated")});
     // No picture: Qt's painter does not look at what malloc hands out.
-    const QStringList page{text("render"), path("run"), text("-o"), path("run.html")};
+    const QStringList page = list("render % -o %", {path("run"), path("run.html")});
     row("page", page);
     // Qt's plugin is in, its fonts are not: for some 150 KiB.
     QTest::newRow("page in small steps") << page << -1024 << 2048 << 32;
     QTest::newRow("window in small steps")
-        << QStringList{scenario, text("--screenshot"), path("window.png"), text("--at"), text("0")}
-        << -1024 << 2048 << 32;
+        << list("% --screenshot % --at 0", {scenario, path("window.png")}) << -1024 << 2048 << 32;
     row("from", {text("run"), text("--from"), path("run@3"), text("--seed"), text("5"), text("-q"),
                  text("--force"), text("-o"), path("from")});
     row("futures", {text("futures"), path("run@3"), text("--seeds"), text("2"), text("--horizon"),
@@ -124,7 +116,7 @@ class LowMemoryTest : public QObject {
       QVERIFY2(finished.exitCode == 0 || finished.exitCode == 1, where.constData());
       if (finished.exitCode != 0) {
         const QByteArray told =
-            finished.err.toUtf8() + outside::bytesOf(path("batch/results.csv"));  // of its runs
+            finished.err.toUtf8() + bytesOf(path("batch/results.csv"));  // of its runs
         QVERIFY2(
             told.contains("not enough memory") ||
                 told.contains("error: This application failed to start because no Qt platform"),
@@ -132,7 +124,7 @@ class LowMemoryTest : public QObject {
       }
       failures += finished.exitCode;
     }
-    const Finished enough = outside::runProgram(words);  // what they left is in nobody's way
+    const Finished enough = runProgram(words);  // what they left is in nobody's way
     QVERIFY2(enough.exitCode == 0, qPrintable(enough.err));
     hadTooLittle_ = hadTooLittle_ || failures > 0;
   }

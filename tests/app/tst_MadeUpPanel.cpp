@@ -1,7 +1,3 @@
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenuBar>
-
 #include "QuietWindow.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PanelRegistry.h"

@@ -1,12 +1,4 @@
-#include <algorithm>
 #include <cmath>
-
-#include <QLabel>
-#include <QLineEdit>
-#include <QScreen>
-#include <QStatusBar>
-#include <QTemporaryDir>
-#include <QtTest>
 
 #include "app/window/MainWindow.h"
 #include "app/window/StartPage.h"
@@ -90,9 +82,7 @@ class MainWindowTest : public QObject {
         std::make_shared<sim2d::OccupancyGrid>(10, 10, 1.0, base::Pose2{}, std::move(cells)));
     QTest::qWait(50);
     const auto says = [this](const QString& word) {
-      const QList<QLabel*> labels = window_->statusBar()->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(),
-                         [&](const QLabel* label) { return label->text() == word; });
+      return widgets::withText<QLabel>(*window_->statusBar(), word) != nullptr;
     };
     Q_EMIT view().cursorMoved(base::Vec2(5.0, 2.0));
     QVERIFY(says(QStringLiteral("unknown")));

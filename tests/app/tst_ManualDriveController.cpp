@@ -1,7 +1,5 @@
 #include <cmath>
 
-#include <QLineEdit>
-
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapLegend.h"
 #include "editor/document/EditCommands.h"

@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "app/run/Bundle.h"
-#include "editor/document/QtImageLoader.h"
+#include "editor/document/MapEdit.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "tests/map/ImageValues.h"

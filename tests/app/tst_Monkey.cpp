@@ -1,18 +1,9 @@
-#include <algorithm>
 #include <cstdio>
 #include <grp.h>
 #include <malloc.h>
-#include <map>
 #include <unistd.h>
 
 #include <QAbstractItemModelTester>
-#include <QComboBox>
-#include <QDesktopServices>
-#include <QDrag>
-#include <QFileDialog>
-#include <QMenu>
-#include <QScrollBar>
-#include <QtTest>
 
 #include "app/window/study/StudyPanel.h"
 #include "editor/look/AppStyle.h"

@@ -14,10 +14,7 @@
 #include "tests/support/Mutator.h"
 #include "tests/support/Sanitizers.h"
 
-using outside::copyFolder;
-using outside::Ended;
-using outside::runForked;
-using outside::text;
+using namespace outside;
 
 // Findings of the sanitizers are told apart from what the program says. The names are theirs.
 // NOLINTBEGIN(bugprone-reserved-identifier)
@@ -143,7 +140,7 @@ QTemporaryDir& corpus() {
 
 /// Why the end of a command is none that users should see; empty: it is fine.
 QString faultOf(const Ended& ended, bool wantsJson) {
-  if (QString signal = outside::signalOf(ended); !signal.isEmpty()) {
+  if (QString signal = signalOf(ended); !signal.isEmpty()) {
     return signal;
   }
   const int code = WEXITSTATUS(ended.status);
@@ -184,12 +181,12 @@ void adaptManifest(const QString& folder, const char* file, std::size_t way) {
     QFile::remove(manifest);
     return;
   }
-  QJsonObject whole = QJsonDocument::fromJson(outside::bytesOf(manifest)).object();
+  QJsonObject whole = QJsonDocument::fromJson(bytesOf(manifest)).object();
   QJsonArray outputs = whole.value(text("outputs")).toArray();
   for (auto&& each : outputs) {
     QJsonObject output = each.toObject();
     if (output.value(text("path")).toString() == name) {
-      const QByteArray bytes = outside::bytesOf(folder + text("/r/") + name);
+      const QByteArray bytes = bytesOf(folder + text("/r/") + name);
       output.insert(
           text("sha256"),
           QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex()));
@@ -197,7 +194,7 @@ void adaptManifest(const QString& folder, const char* file, std::size_t way) {
     }
   }
   whole.insert(text("outputs"), outputs);
-  outside::writeText(manifest, QJsonDocument(whole).toJson());
+  writeText(manifest, QJsonDocument(whole).toJson());
 }
 
 /// Nothing: fine.
@@ -211,16 +208,16 @@ QString faultOfMutation(std::uint64_t number) {
   const QString folder = place.filePath(text("w"));
   copyFolder(corpus().path(), folder);
   const QString damaged = folder + QLatin1Char('/') + text(kind.file);
-  const std::string whole = outside::bytesOf(damaged).toStdString();
+  const std::string whole = bytesOf(damaged).toStdString();
   const bool isByNumbers = mutator.pick(text(kind.file).startsWith(text("n/")) ? 2 : 5) == 0;
   const QByteArray bytes = QByteArray::fromStdString(isByNumbers ? mutator.withOtherNumbers(whole)
                                                                  : mutator.mutated(whole));
-  outside::writeText(damaged, bytes);
+  writeText(damaged, bytes);
   adaptManifest(folder, kind.file, mutator.pick(3));
   const Ended ended = runForked(folder, command, kIsSanitized ? 120 : 30);
   QString fault = faultOf(ended, command.contains(text("--json")));
   const bool isOutput = command.contains(text("--resume")) || command.endsWith(text("r"));
-  if (fault.isEmpty() && !isOutput && outside::bytesOf(damaged) != bytes) {
+  if (fault.isEmpty() && !isOutput && bytesOf(damaged) != bytes) {
     fault = text("what it read has changed");
   }
   if (fault.isEmpty()) {
@@ -248,12 +245,12 @@ bool standAll(std::uint64_t first, std::uint64_t end, std::uint64_t step) {
 }
 
 /// A robot of Nav2 that sets out at once, with all that its files can say.
-void writeNav2Yard(const QString& folder) {
-  outside::writeNav2Yard(folder);
-  outside::writeText(folder + text("/study.yaml"),
-                     "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 1\nduration: 0.2\n"
-                     "record: metrics\nvalues:\n  robot1.nav2.FollowPath.batch_size: [100, 200]\n"
-                     "");
+void writeNav2Study(const QString& folder) {
+  writeNav2Yard(folder);
+  writeText(folder + text("/study.yaml"),
+            "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 1\nduration: 0.2\n"
+            "record: metrics\nvalues:\n  robot1.nav2.FollowPath.batch_size: [100, 200]\n"
+            "");
 }
 
 }  // namespace
@@ -265,23 +262,23 @@ void MutationsTest::initTestCase() {
         "two_workers/two_workers.pgm", "two_workers/two_workers_agents__agent_1_bt.xml",
         "two_workers/two_workers_agents__agent_2_bt.xml", "corner_cafe/corner_cafe_agents.yaml",
         "corner_cafe/corner_cafe.yaml", "corner_cafe/corner_cafe.pgm"}) {
-    const QByteArray bytes = outside::bytesOf(text(SOURCE_DIR "/maps/") + text(file));
+    const QByteArray bytes = bytesOf(text(SOURCE_DIR "/maps/") + text(file));
     QVERIFY2(!bytes.isEmpty(), file);
-    outside::writeText(folder + text("/s/") + QFileInfo(text(file)).fileName(), bytes);
+    writeText(folder + text("/s/") + QFileInfo(text(file)).fileName(), bytes);
   }
-  outside::writeText(folder + text("/m.yaml"),
-                     "use_all: false\nmetrics:\n  time_to_reach_goal: true\n  path_length: true\n"
-                     "frequency: 0\nwindow: {from: begin, until: end}\n");
-  outside::writeText(folder + text("/e.yaml"),
-                     "hunavsim_experiment: 1\nscenarios: [s/two_workers_agents.yaml]\nseeds: 2\n"
-                     "duration: 0.2\nrecord: metrics\nvalues:\n"
-                     "  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n  dt: [0.05, 0.1]\n");
-  outside::writeText(folder + text("/t.csv"),
-                     "time,id,x,y\n0,1,0,0\n0.4,1,0.5,0\n0.8,1,1,0.1\n"
-                     "0,2,3,3\n0.4,2,3,2.5\n0.8,2,3,2\n");
-  outside::writeText(folder + text("/obsmat.txt"),
-                     outside::bytesOf(text(TEST_DATA_DIR "/interop/trajectories/own/obsmat.txt")));
-  writeNav2Yard(folder + text("/n"));
+  writeText(folder + text("/m.yaml"),
+            "use_all: false\nmetrics:\n  time_to_reach_goal: true\n  path_length: true\n"
+            "frequency: 0\nwindow: {from: begin, until: end}\n");
+  writeText(folder + text("/e.yaml"),
+            "hunavsim_experiment: 1\nscenarios: [s/two_workers_agents.yaml]\nseeds: 2\n"
+            "duration: 0.2\nrecord: metrics\nvalues:\n"
+            "  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n  dt: [0.05, 0.1]\n");
+  writeText(folder + text("/t.csv"),
+            "time,id,x,y\n0,1,0,0\n0.4,1,0.5,0\n0.8,1,1,0.1\n"
+            "0,2,3,3\n0.4,2,3,2.5\n0.8,2,3,2\n");
+  writeText(folder + text("/obsmat.txt"),
+            bytesOf(text(TEST_DATA_DIR "/interop/trajectories/own/obsmat.txt")));
+  writeNav2Study(folder + text("/n"));
   for (const char* command : {"run s/corner_cafe_agents.yaml -q -o r --duration 1 --record-every 4",
                               "batch e.yaml -q -o b --jobs 1"}) {
     const Ended ended = runForked(folder, words(command), 300);

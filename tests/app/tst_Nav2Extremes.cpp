@@ -4,8 +4,7 @@
 #include "tests/app/ForkedProgram.h"
 #include "tests/app/Nav2Yard.h"
 
-using outside::Ended;
-using outside::text;
+using namespace outside;
 
 /// Parameters of Nav2 and navigator trees that ask for too much: refused in a line, or driven in
 /// the end. Each row took all memory, never ended or broke a rule of C++ once.
@@ -39,14 +38,14 @@ constexpr char kControllers[] =
     "    FollowPath: {plugin: \"nav2_graceful_controller::GracefulController\"}\n";
 
 QByteArray paramsOf(const char* distro) {
-  return outside::bytesOf(text(TEST_DATA_DIR "/nav2/params_") + text(distro) + text(".yaml"));
+  return bytesOf(text(TEST_DATA_DIR "/nav2/params_") + text(distro) + text(".yaml"));
 }
 
 }  // namespace
 
 void Nav2ExtremesTest::initTestCase() {
-  outside::writeNav2Yard(folder_.path());
-  outside::writeText(at("params_graceful.yaml"), kControllers);
+  writeNav2Yard(folder_.path());
+  writeText(at("params_graceful.yaml"), kControllers);
 }
 
 void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
@@ -97,13 +96,13 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine() {
   QFETCH(QString, value);
   QFETCH(QString, told);
   const QString distro = file == text("graceful") ? text("main") : file;
-  const Ended ended = outside::runForked(
-      folder_.path(),
-      {text("run"), text("yard.yaml"), text("-q"), text("--duration"), text("1"),
-       text("--nav2-params"), text("params_%1.yaml").arg(file), text("--nav2-distro"), distro,
-       text("--set"), text("robot1.nav2.") + value},
-      kSeconds);
-  QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+  const Ended ended =
+      runForked(folder_.path(),
+                {text("run"), text("yard.yaml"), text("-q"), text("--duration"), text("1"),
+                 text("--nav2-params"), text("params_%1.yaml").arg(file), text("--nav2-distro"),
+                 distro, text("--set"), text("robot1.nav2.") + value},
+                kSeconds);
+  QVERIFY2(signalOf(ended).isEmpty(), qPrintable(signalOf(ended)));
   const int expected = told.isEmpty() ? 0 : 2;
   QVERIFY2(WEXITSTATUS(ended.status) == expected, qPrintable(ended.err));
   QVERIFY2(ended.err.contains(told), qPrintable(ended.err));
@@ -152,11 +151,10 @@ void Nav2ExtremesTest::file_ofMasses_isRefused_data() {
 void Nav2ExtremesTest::file_ofMasses_isRefused() {
   QFETCH(QByteArray, bytes);
   QFETCH(QString, told);
-  outside::writeText(at("masses.yaml"), bytes);
+  writeText(at("masses.yaml"), bytes);
   for (const char* words : {"check masses.yaml", "run yard.yaml -q --nav2-params masses.yaml"}) {
-    const Ended ended =
-        outside::runForked(folder_.path(), text(words).split(QLatin1Char(' ')), kSeconds);
-    QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+    const Ended ended = runForked(folder_.path(), text(words).split(QLatin1Char(' ')), kSeconds);
+    QVERIFY2(signalOf(ended).isEmpty(), qPrintable(signalOf(ended)));
     QCOMPARE(WEXITSTATUS(ended.status), 2);
     const QString said = ended.out + ended.err;
     QVERIFY2(said.contains(told), qPrintable(said.left(2000)));
@@ -170,13 +168,13 @@ void Nav2ExtremesTest::tree_thatGoesRound_endsWithALine() {
     open += "<RecoveryNode number_of_retries=\"2147483647\">";
     close.prepend("<AlwaysSuccess/></RecoveryNode>");
   }
-  outside::writeText(at("round.xml"), "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + open +
-                                          "<AlwaysFailure/>" + close + "</BehaviorTree></root>");
-  const Ended ended = outside::runForked(
-      folder_.path(),
-      text("run yard.yaml -q --duration 1 --nav2-tree round.xml").split(QLatin1Char(' ')),
-      kSeconds);
-  QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+  writeText(at("round.xml"), "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + open +
+                                 "<AlwaysFailure/>" + close + "</BehaviorTree></root>");
+  const Ended ended =
+      runForked(folder_.path(),
+                text("run yard.yaml -q --duration 1 --nav2-tree round.xml").split(QLatin1Char(' ')),
+                kSeconds);
+  QVERIFY2(signalOf(ended).isEmpty(), qPrintable(signalOf(ended)));
   QVERIFY2(ended.err.contains(text("never returns RUNNING")), qPrintable(ended.err));
   QCOMPARE(WEXITSTATUS(ended.status), 1);
 }
@@ -186,8 +184,8 @@ void Nav2ExtremesTest::problem_ofTheParameterFile_namesIt() {
   QByteArray bytes = paramsOf("jazzy");
   bytes.replace("batch_size: 200", "batch_size: 0");
   const int line = bytes.left(bytes.indexOf("batch_size: 0")).count('\n') + 1;
-  outside::writeText(at("wrong.yaml"), bytes);
-  const Ended ended = outside::runForked(
+  writeText(at("wrong.yaml"), bytes);
+  const Ended ended = runForked(
       folder_.path(), text("run yard.yaml -q --nav2-params wrong.yaml").split(QLatin1Char(' ')),
       kSeconds);
   const QString place = text("wrong.yaml:%1:").arg(line);
@@ -208,13 +206,13 @@ void Nav2ExtremesTest::futures_ofWordsThatDoNotFit_areRefused_data() {
 void Nav2ExtremesTest::futures_ofWordsThatDoNotFit_areRefused() {
   QFETCH(QStringList, words);
   QFETCH(int, code);
-  const Ended made = outside::runForked(
+  const Ended made = runForked(
       folder_.path(), text("run yard.yaml -q --duration 0.5 -o r --force").split(QLatin1Char(' ')),
       kSeconds);
   QVERIFY2(made.status == 0, qPrintable(made.err));
-  const Ended ended = outside::runForked(
+  const Ended ended = runForked(
       folder_.path(), QStringList{text("futures"), text("r@0.2"), text("-q")} + words, kSeconds);
-  QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+  QVERIFY2(signalOf(ended).isEmpty(), qPrintable(signalOf(ended)));
   QCOMPARE(WEXITSTATUS(ended.status), code);
   QVERIFY2(ended.err.contains(text("error")), qPrintable(ended.err));
 }

@@ -15,9 +15,7 @@ namespace app {
 void addAllCommands(CommandRegistry& to);  // written by CMake
 }
 
-using outside::Ended;
-using outside::NumericField;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -125,7 +123,7 @@ base::YamlNode yamlOf(const std::string& words) {
 /// Empty: it ended by itself, in time, with one of these exit codes, and reported the reason of a
 /// failure.
 QString faultOf(const Ended& ended, const std::vector<int>& codes) {
-  if (const QString signal = outside::signalOf(ended); !signal.isEmpty()) {
+  if (const QString signal = signalOf(ended); !signal.isEmpty()) {
     return signal + QLatin1Char('\n') + ended.err.left(2000);
   }
   if (ended.seconds > kMostSeconds) {
@@ -154,10 +152,10 @@ class NumericFieldsTest : public QObject {
   QTemporaryDir folder_;
 
   Ended run(const QString& words) const {
-    return outside::runForked(folder_.path(), words.split(QLatin1Char(' ')), kWait, kMostMemory);
+    return runForked(folder_.path(), words.split(QLatin1Char(' ')), kWait, kMostMemory);
   }
   void write(const char* name, const std::string& content) const {
-    outside::writeText(folder_.filePath(text(name)), QByteArray::fromStdString(content));
+    writeText(folder_.filePath(text(name)), QByteArray::fromStdString(content));
   }
   QString faultOfScenario(const NumericField& field, const std::string& value) const;
   static std::vector<std::pair<QStringList, QString>> numericOptions();
@@ -191,7 +189,7 @@ void NumericFieldsTest::initTestCase() {
 
 void NumericFieldsTest::ranges_ofAllTables_haveTwoEnds() {
   const base::YamlNode root = yamlOf(kScenario);
-  const outside::NumericFields fields(root);
+  const NumericFields fields(root);
   QVERIFY2(fields.unbounded().empty(), base::join(fields.unbounded(), ", ").c_str());
   QVERIFY(fields.all().size() > 300);
 }
@@ -206,7 +204,7 @@ void NumericFieldsTest::scenario_asItIs_runs() {
 QString NumericFieldsTest::faultOfScenario(const NumericField& field,
                                            const std::string& value) const {
   static const base::YamlNode root = yamlOf(kScenario);
-  write("fields.yaml", base::emitYaml(outside::withValue(root, field, value)) + "\n");
+  write("fields.yaml", base::emitYaml(withValue(root, field, value)) + "\n");
   const Ended checked = run(text("check fields.yaml"));
   QString fault = faultOf(checked, {0, 2});
   if (!fault.isEmpty()) {
@@ -229,7 +227,7 @@ QString NumericFieldsTest::faultOfScenario(const NumericField& field,
 void NumericFieldsTest::scenario_anyNumber_isTakenOrRefused() {
   constexpr std::size_t kSampled = 211;  // one in so many, a prime
   const base::YamlNode root = yamlOf(kScenario);
-  const outside::NumericFields fields(root);
+  const NumericFields fields(root);
   std::size_t number = 0;
   QStringList faults;
   for (const NumericField& field : fields.all()) {
@@ -255,17 +253,17 @@ void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
   constexpr double kLongest = 10.0;  // [s]; longer runs take as long as they are asked to
   const base::YamlNode root = yamlOf(kExperiment);
   std::vector<NumericField> fields;
-  const std::function<void(const base::YamlNode&, const outside::YamlPath&)> add =
-      [&](const base::YamlNode& node, const outside::YamlPath& path) {
+  const std::function<void(const base::YamlNode&, const YamlPath&)> add =
+      [&](const base::YamlNode& node, const YamlPath& path) {
         for (std::size_t k = 0; k < node.items.size(); ++k) {
-          outside::YamlPath inner = path;
+          YamlPath inner = path;
           inner.push_back(node.isMap() ? node.items[k].key : "[" + std::to_string(k) + "]");
           add(node.items[k], inner);
         }
-        if (outside::isNumber(node)) {
+        if (isNumber(node)) {
           fields.push_back({base::join(path, "."),
                             {path},
-                            outside::extremeValues(base::parseInt(node.text).has_value())});
+                            extremeValues(base::parseInt(node.text).has_value())});
         }
       };
   add(root, {});
@@ -277,7 +275,7 @@ void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
       if (++number % kSampled != 0 && !takesAll()) {
         continue;
       }
-      write("study.yaml", base::emitYaml(outside::withValue(root, field, value)) + "\n");
+      write("study.yaml", base::emitYaml(withValue(root, field, value)) + "\n");
       const Ended checked = run(text("check study.yaml"));
       QString fault = faultOf(checked, {0, 2});
       const base::Result<app::Experiment> experiment = app::readExperiment(path);
@@ -334,14 +332,13 @@ void NumericFieldsTest::commandLine_anyNumber_isTakenOrRefused() {
   QVERIFY(options.size() >= 12);
   std::size_t number = 0;
   for (const auto& [words, option] : options) {
-    for (const std::string& value : outside::extremeValues(false)) {
+    for (const std::string& value : extremeValues(false)) {
       const bool isLong = option == text("--duration") && value == "1000000.0";  // as asked for
       if (isLong || (++number % kSampled != 0 && !takesAll())) {
         continue;
       }
       const QString word = option + QLatin1Char('=') + QString::fromStdString(value);
-      const Ended ended =
-          outside::runForked(folder_.path(), QStringList(words) << word, kWait, kMostMemory);
+      const Ended ended = runForked(folder_.path(), QStringList(words) << word, kWait, kMostMemory);
       const QString fault = faultOf(ended, {0, 1, 2, 64});
       QVERIFY2(fault.isEmpty(), qPrintable(words.join(QLatin1Char(' ')) + QLatin1Char(' ') + word +
                                            text(": ") + fault));
@@ -376,7 +373,7 @@ void NumericFieldsTest::given_farTooLarge_isRefusedAtItsPlace() {
             robot.toStdString() + "\n");
   for (const char* words : {"check bad.yaml", "run bad.yaml -q --duration 1"}) {
     const Ended ended = run(text(words));
-    QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+    QVERIFY2(signalOf(ended).isEmpty(), qPrintable(signalOf(ended)));
     QCOMPARE(WEXITSTATUS(ended.status), 2);
     QVERIFY2(ended.err.contains(told), qPrintable(ended.err));
   }

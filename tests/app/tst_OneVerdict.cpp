@@ -7,12 +7,11 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "editor/document/QtImageLoader.h"
+#include "editor/document/MapEdit.h"
 #include "editor/run/SimulationRunner.h"
 #include "tests/app/RunFiles.h"
 
-using outside::Finished;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -228,7 +227,7 @@ QStringList verdictOf(const QString& file) {
 }
 
 QByteArray treeFile(const char* name) {
-  return outside::bytesOf(text(TEST_DATA_DIR "/bt/bad/") + text(name));
+  return bytesOf(text(TEST_DATA_DIR "/bt/bad/") + text(name));
 }
 
 }  // namespace
@@ -242,9 +241,9 @@ class OneVerdictTest : public QObject {
            const std::map<QString, QByteArray>& beside = {}) {
     const QString folder = folder_.filePath(QString::number(rows_.size()));
     rows_.push_back({name, folder + text("/s.yaml")});
-    outside::writeText(rows_.back().file, scenario);
+    writeText(rows_.back().file, scenario);
     for (const auto& [file, content] : beside) {
-      outside::writeText(folder + QLatin1Char('/') + file, content);
+      writeText(folder + QLatin1Char('/') + file, content);
     }
   }
 
@@ -280,13 +279,13 @@ class OneVerdictTest : public QObject {
   void addFiles() {
     for (const QFileInfo& bad :
          QDir(text(TEST_DATA_DIR "/scenario/bad")).entryInfoList({text("*.yaml")})) {
-      add(bad.fileName().toUtf8(), outside::bytesOf(bad.filePath()));
+      add(bad.fileName().toUtf8(), bytesOf(bad.filePath()));
     }
     for (const QFileInfo& bad :
          QDir(text(TEST_DATA_DIR "/bt/bad")).entryInfoList({text("*.xml")})) {
       add(bad.fileName().toUtf8(), kScenario,
-          {{text("s__agent_1_bt.xml"), outside::bytesOf(bad.filePath())},
-           {text("s__agent_2_bt.xml"), outside::bytesOf(bad.filePath())}});
+          {{text("s__agent_1_bt.xml"), bytesOf(bad.filePath())},
+           {text("s__agent_2_bt.xml"), bytesOf(bad.filePath())}});
     }
     add("empty file", {});
     add("named tree is lost",
@@ -390,8 +389,7 @@ class OneVerdictTest : public QObject {
     QCOMPARE(errorLines(document.issues()), wanted);
     QCOMPARE(errorLines(editor::runRequestOf(document).makeWorld().diagnostics()), wanted);
     const QString out = folder_.filePath(text("converted"));
-    const Finished converted = outside::runProgram(
-        {text("convert"), file, text("-o"), out, text("--target"), text("native")});
+    const Finished converted = runProgram("convert % -o % --target native", {file, out});
     QCOMPARE(converted.exitCode, 2);
     QCOMPARE(errorLines(converted.err), wanted);
     QVERIFY(!QDir(out).exists());
@@ -421,11 +419,11 @@ class OneVerdictTest : public QObject {
   }
 
   void check_allAtOnce_saysTheSame() {
-    QStringList words = {text("check"), text("--quiet")};
+    QStringList words = list("check --quiet");
     for (const Row& row : rows_) {
       words << row.file;
     }
-    const Finished found = outside::runProgram(words);
+    const Finished found = runProgram(words);
     QCOMPARE(found.exitCode, 2);
     QCOMPARE(errorLines(found.err), allErrors());
   }
@@ -436,9 +434,9 @@ class OneVerdictTest : public QObject {
       experiment += "  - \"" + row.file.toUtf8() + "\"\n";
     }
     const QString file = folder_.filePath(text("all.yaml"));
-    outside::writeText(file, experiment);
+    writeText(file, experiment);
     const QString out = folder_.filePath(text("out"));
-    const Finished found = outside::runProgram({text("batch"), file, text("-o"), out});
+    const Finished found = runProgram("batch % -o %", {file, out});
     QCOMPARE(found.exitCode, 2);
     QCOMPARE(errorLines(found.err), allErrors());
     QVERIFY(!QDir(out).exists());
@@ -448,8 +446,7 @@ class OneVerdictTest : public QObject {
   void convert_ofBroken_refusesTheSame() {
     for (const Row& row : someBroken(3)) {
       const QString out = folder_.filePath(text("converted"));
-      const Finished found = outside::runProgram(
-          {text("convert"), row.file, text("-o"), out, text("--target"), text("native")});
+      const Finished found = runProgram("convert % -o % --target native", {row.file, out});
       QStringList wanted = verdicts_.at(row.file);
       if (row.name.contains("map") || row.name.contains("image") ||
           wanted.join(QLatin1Char(' ')).contains(text("error: map '"))) {
@@ -464,7 +461,7 @@ class OneVerdictTest : public QObject {
 
   void run_ofBroken_saysTheSame() {
     for (const Row& row : someBroken(3)) {
-      const Finished run = outside::runProgram({text("run"), row.file});
+      const Finished run = runProgram("run %", {row.file});
       QVERIFY2(run.exitCode == 2, row.name.constData());
       QCOMPARE(errorLines(run.err), verdicts_.at(row.file));
     }
@@ -473,8 +470,7 @@ class OneVerdictTest : public QObject {
   void screenshot_ofBroken_saysTheSame() {
     for (const Row& row : someBroken(10)) {
       const QString picture = folder_.filePath(text("a.png"));
-      const Finished window =
-          outside::runProgram({row.file, text("--screenshot"), picture, text("--at"), text("0.1")});
+      const Finished window = runProgram("% --screenshot % --at 0.1", {row.file, picture});
       QVERIFY2(window.exitCode == 2, row.name.constData());
       QCOMPARE(errorLines(window.err), verdicts_.at(row.file));
       QVERIFY(!QFile::exists(picture));

@@ -1,15 +1,14 @@
-#include <QClipboard>
-#include <QMimeData>
 #include <QSvgRenderer>
-#include <QToolTip>
 #include <QtTest>
 
 #include "QuietWindow.h"
 #include "RunFiles.h"
-#include "app/window/runs/FigureCommands.h"
+#include "app/window/RunCommands.h"
 #include "editor/canvas/RunOverlays.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/runs/RunOverlayUpdater.h"
+#include "editor/panels/runs/RunInteraction.h"
+
+using namespace outside;
 
 using editor::CanvasOptions;
 
@@ -86,12 +85,11 @@ class OverlayActionsTest : public QObject {
     QVERIFY2(words.startsWith(
                  QString::fromStdString(workspace().document().scenario().humans.front().name)),
              qPrintable(words));
-    QVERIFY2(words.contains(QStringLiteral("walks to the goal")) ||
-                 words.contains(QStringLiteral("because")),
+    QVERIFY2(words.contains(text("walks to the goal")) || words.contains(text("because")),
              qPrintable(words));
-    QVERIFY(words.contains(QStringLiteral("m/s")));
+    QVERIFY(words.contains(text("m/s")));
     QVERIFY(layers().tooltipFor(12345).isEmpty());
-    QVERIFY(layers().tooltipFor(-1).contains(QStringLiteral("m/s")));  // the robot
+    QVERIFY(layers().tooltipFor(-1).contains(text("m/s")));  // the robot
   }
 
   void hover_overSomebody_tellsWhoItIs() {
@@ -115,10 +113,10 @@ class OverlayActionsTest : public QObject {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const QImage image = qvariant_cast<QImage>(data->imageData());
     QVERIFY(std::abs(image.width() - 170.0 / 25.4 * 300.0) < 3.0);  // 170 mm at 300 dpi
-    QSvgRenderer vectors(data->data(QStringLiteral("image/svg+xml")));
+    QSvgRenderer vectors(data->data(text("image/svg+xml")));
     QVERIFY(vectors.isValid());
     QVERIFY(std::abs(vectors.viewBoxF().width() - 170.0 / 25.4 * 96.0) < 1.0);
-    QVERIFY(!data->data(QStringLiteral("image/svg+xml")).contains("<text"));
+    QVERIFY(!data->data(text("image/svg+xml")).contains("<text"));
   }
 
   void copyPlot_isOfTheMetricThatIsSelected() {
@@ -129,29 +127,26 @@ class OverlayActionsTest : public QObject {
     copy.trigger();
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     QVERIFY(data->hasImage());
-    QSvgRenderer vectors(data->data(QStringLiteral("image/svg+xml")));
+    QSvgRenderer vectors(data->data(text("image/svg+xml")));
     QVERIFY(vectors.isValid());
   }
 
   void picture_withOverlays_isMadeByTheCommandLine() {
     QTemporaryDir folder;
     const auto shoot = [&folder](const QStringList& more) {
-      return outside::runProgram(QStringList{quiet::demoPath(), QStringLiteral("--at"),
-                                             QStringLiteral("1"), QStringLiteral("--screenshot"),
-                                             folder.filePath(QStringLiteral("x.png"))} +
-                                 more);
+      return runProgram(
+          list("% --at 1 --screenshot %", {quiet::demoPath(), folder.filePath(text("x.png"))}) +
+          more);
     };
     const QString name = QString::fromStdString(
         sim2d::readScenario(quiet::demoPath().toStdString()).scenario.humans.front().name);
-    const outside::Finished made =
-        shoot({QStringLiteral("--overlay"), QStringLiteral("sight,density"),
-               QStringLiteral("--select"), name});
+    const Finished made = shoot({text("--overlay"), text("sight,density"), text("--select"), name});
     QVERIFY2(made.exitCode == 0, qPrintable(made.err));
-    QVERIFY(!QImage(folder.filePath(QStringLiteral("x.png"))).isNull());
-    const outside::Finished told = shoot({QStringLiteral("--select"), QStringLiteral("Nobody")});
-    QVERIFY2(told.exitCode != 0 && told.err.contains(QStringLiteral("no person or robot 'Nobody'")),
+    QVERIFY(!QImage(folder.filePath(text("x.png"))).isNull());
+    const Finished told = shoot({text("--select"), text("Nobody")});
+    QVERIFY2(told.exitCode != 0 && told.err.contains(text("no person or robot 'Nobody'")),
              qPrintable(told.err));
-    QVERIFY(shoot({QStringLiteral("--overlay"), QStringLiteral("fog")}).exitCode == 64);
+    QVERIFY(shoot({text("--overlay"), text("fog")}).exitCode == 64);
   }
 
   void figureTrace_endsAtTheMoment() {

@@ -8,7 +8,7 @@
 #include "editor/document/EditCommands.h"
 
 using app::MainWindow;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -18,8 +18,7 @@ constexpr std::int64_t kStepsBetween = 10;
 /// The demo, run for 10.5 s by the program; empty when that failed.
 QString runOfDemo(const QTemporaryDir& folder, const QString& scenario = quiet::demoPath()) {
   const QString path = folder.filePath(text("run"));
-  const outside::Finished run = outside::runProgram(
-      {text("run"), scenario, text("-o"), path, text("--duration"), text("10.5"), text("--quiet")});
+  const Finished run = runProgram("run % -o % --duration 10.5 --quiet", {scenario, path});
   return run.exitCode == 0 ? path : QString();
 }
 
@@ -86,7 +85,7 @@ class RecordedRunTest : public QObject {
     const QString path = runOfDemo(folder);
     QVERIFY(!path.isEmpty());
     QFile file(path + text("/trajectory.csv"));
-    const QByteArray whole = outside::bytesOf(file.fileName());
+    const QByteArray whole = bytesOf(file.fileName());
     const int length = whole.lastIndexOf('\n', 2 * whole.size() / 3) + 9;
     QVERIFY(file.resize(length));
     const int lastStep = whole.left(length).trimmed().split('\n').last().split(',').first().toInt();
@@ -106,8 +105,8 @@ class RecordedRunTest : public QObject {
     quiet::shoot(*window, "cut_run");
     QVERIFY(window->open(quiet::demoPath()));
     QVERIFY(quiet::noticeOf(*window, "cut-run").text.isEmpty());
-    const outside::Finished measured = outside::runProgram(
-        {text("evaluate"), path, text("-o"), folder.filePath(text("measured"))});
+    const Finished measured =
+        runProgram("evaluate % -o %", {path, folder.filePath(text("measured"))});
     QCOMPARE(measured.exitCode, 2);  // figures are made of whole runs alone
     QVERIFY(QFile::remove(path + text("/manifest.json")));
     QVERIFY(file.resize(1000));
@@ -204,23 +203,18 @@ class RecordedRunTest : public QObject {
     const QTemporaryDir folder;
     const QString path = runOfDemo(folder);
     const QString picture = folder.filePath(text("a.png"));
-    const QStringList words = {path, text("--at"), text("4"), text("--screenshot"), picture};
-    const outside::Finished good = outside::runProgram(words);
-    QVERIFY2(good.exitCode == 0, qPrintable(good.err));
+    const QStringList words = list("% --at 4 --screenshot %", {path, picture});
+    QCOMPARE(failureOf(words), QString());
     QCOMPARE(QImage(picture).size(), QSize(1280, 800));
-    const QByteArray trajectory = outside::bytesOf(path + text("/trajectory.csv"));
-    outside::writeText(path + text("/trajectory.csv"), trajectory.left(trajectory.size() / 2));
-    const outside::Finished cut = outside::runProgram(words);
+    const QByteArray trajectory = bytesOf(path + text("/trajectory.csv"));
+    writeText(path + text("/trajectory.csv"), trajectory.left(trajectory.size() / 2));
+    const Finished cut = runProgram(words);
     QCOMPARE(cut.exitCode, 0);  // what is whole is shown, and told that there was more
     QVERIFY2(cut.err.contains(text("the run is incomplete")), qPrintable(cut.err));
-    outside::writeText(path + text("/trace.json"), "{");
-    const outside::Finished broken = outside::runProgram(words);
-    QCOMPARE(broken.exitCode, 2);
-    QVERIFY2(broken.err.contains(text("trace.json")), qPrintable(broken.err));
-    QCOMPARE(outside::runProgram({path}).exitCode, 2);  // without a picture as well
-    const outside::Finished none = outside::runProgram({folder.path()});
-    QCOMPARE(none.exitCode, 2);
-    QVERIFY2(none.err.contains(text("not a run folder")), qPrintable(none.err));
+    writeText(path + text("/trace.json"), "{");
+    QCOMPARE(unexpected(runProgram(words), 2, "trace.json"), QString());
+    QCOMPARE(runProgram({path}).exitCode, 2);  // without a picture as well
+    QCOMPARE(unexpected(runProgram({folder.path()}), 2, "not a run folder"), QString());
   }
 };
 

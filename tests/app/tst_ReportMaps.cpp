@@ -1,7 +1,7 @@
 #include <QRegularExpression>
 #include <QtTest>
 
-#include "app/report/Labels.h"
+#include "app/report/Plots.h"
 #include "app/report/RunPictures.h"
 #include "tests/app/RunFiles.h"
 

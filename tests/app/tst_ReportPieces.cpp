@@ -9,8 +9,8 @@
 #include "app/report/Figure.h"
 #include "app/report/Markup.h"
 #include "app/report/Plots.h"
+#include "app/report/RunPictures.h"
 #include "app/report/Tables.h"
-#include "app/report/TimePlot.h"
 
 using namespace report;
 
@@ -229,7 +229,7 @@ class ReportPiecesTest : public QObject {
     const auto blocks = blocksOf(study);
     const Comparisons both = {compare(study, 0, blocks), compare(study, 1, blocks)};
     for (const std::optional<Figure>& figure :
-         {intervalsFigure(study, both), distributionFigure(study, both),
+         {intervalsFigure(study, both, false), distributionFigure(study, both),
           paretoFigure(study, both[0], both[1])}) {
       for (const std::string& option : study.options) {
         QVERIFY2(figure->markup().find(">" + option + "<") != std::string::npos,

@@ -5,7 +5,7 @@
 
 #include "tests/app/StudyFiles.h"
 
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -74,8 +74,8 @@ QString browser() {
 
 /// What a reader's script says of a page.
 QJsonObject readBy(const char* reader, const QString& page, const QString& profile) {
-  QByteArray html = outside::bytesOf(page);
-  outside::writeText(page, html.replace("</body>", reader));
+  QByteArray html = bytesOf(page);
+  writeText(page, html.replace("</body>", reader));
   QProcess process;
   process.start(browser(), {text("--headless"), text("--no-sandbox"), text("--disable-gpu"),
                             text("--user-data-dir=") + profile, text("--virtual-time-budget=90000"),
@@ -101,14 +101,10 @@ class ReportPlayerTest : public QObject {
     }
     QTemporaryDir folder;
     const QString run = folder.filePath(text("run"));
-    const outside::Finished made =
-        outside::runProgram({text("run"), text("corner_cafe_agents"), text("--duration"), text("6"),
-                             text("-q"), text("-o"), run});
-    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    QCOMPARE(failureOf("run corner_cafe_agents --duration 6 -q -o %", {run}), QString());
     const QString page = folder.filePath(text("run.html"));
-    const outside::Finished rendered = outside::runProgram({text("render"), run, text("-o"), page});
-    QVERIFY2(rendered.exitCode == 0, qPrintable(rendered.err));
-    QCOMPARE(outside::bytesOf(page).count("</body>"), 1);
+    QCOMPARE(failureOf("render % -o %", {run, page}), QString());
+    QCOMPARE(bytesOf(page).count("</body>"), 1);
     const QJsonObject found = readBy(kReader, page, folder.filePath(text("browser")));
     const QByteArray title = QJsonDocument(found).toJson();
     QVERIFY(!found.isEmpty());
@@ -126,15 +122,13 @@ class ReportPlayerTest : public QObject {
     if (browser().isEmpty()) {
       QSKIP("there is no Chromium here");
     }
-    const outside::StudyFolder yard;
+    const StudyFolder yard;
     const QString out = yard.path(text("out"));
     const QString study = yard.writeStudy("short.yaml",
                                           "duration: 2.0\nseeds: 2\nrecord: all\nvalues:\n"
                                           "  robot1.planner: [pursuit, dwa]\n");
-    const outside::Finished batch = outside::runProgram({text("batch"), study, text("-o"), out});
-    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
-    const outside::Finished made = outside::runProgram({text("report"), out, text("--no-pdf")});
-    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    QCOMPARE(failureOf("batch % -o %", {study, out}), QString());
+    QCOMPARE(failureOf("report % --no-pdf", {out}), QString());
     const QJsonObject found =
         readBy(kChooser, out + text("/report.html"), yard.path(text("browser")));
     const QByteArray all = QJsonDocument(found).toJson();

@@ -5,9 +5,8 @@
 #include "tests/app/ReportFiles.h"
 #include "tests/app/StudyFiles.h"
 
+using namespace outside;
 using outside::report;
-using outside::text;
-using outside::textsOf;
 
 /// Runs in a report: their ways on the map, contacts, and what its player has.
 class ReportedRunsTest : public QObject {
@@ -18,49 +17,44 @@ class ReportedRunsTest : public QObject {
   void report_keptRuns_canBePlayed() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(text("e.yaml"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: 2\n"
-                       "duration: 4.0\nrecord: all\nvalues:\n  robot1.max_vel: [0.5, 1.0]\n");
+    writeText(experiment,
+              "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: 2\n"
+              "duration: 4.0\nrecord: all\nvalues:\n  robot1.max_vel: [0.5, 1.0]\n");
     const QString out = folder.filePath(text("out"));
-    const outside::Finished batch =
-        outside::runProgram({text("batch"), experiment, text("-o"), out});
-    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
-    const outside::Finished done = report(out);
+    QCOMPARE(failureOf("batch % -o %", {experiment, out}), QString());
+    const Finished done = report(out);
     QVERIFY2(done.exitCode == 0, qPrintable(done.err));
     QVERIFY(QFile::exists(out + text("/figures/trajectories.svg")));
-    const QByteArray page = outside::bytesOf(out + text("/report.html"));
+    const QByteArray page = bytesOf(out + text("/report.html"));
     checkPlayer(page, out + text("/runs/0/trajectory.csv"), 0.2);
     QVERIFY(!textsOf(page, "code").filter(text("hunavsim ") + out + text("/runs/0")).isEmpty());
 
     const QString single = folder.filePath(text("run.html"));
-    const outside::Finished render =
-        outside::runProgram({text("render"), out + text("/runs/0"), text("-o"), single});
-    QVERIFY2(render.exitCode == 0, qPrintable(render.err));
-    checkPlayer(outside::bytesOf(single), out + text("/runs/0/trajectory.csv"), 0.1);
+    QCOMPARE(failureOf("render % -o %", {out + text("/runs/0"), single}), QString());
+    checkPlayer(bytesOf(single), out + text("/runs/0/trajectory.csv"), 0.1);
   }
 
   /// A robot that looks at nobody passes somebody who stands, 3 cm and 1 cm away, and shoves her:
   /// the second, too, is a contact to the metrics, though no body touches.
   void report_contacts_areThoseOfTheMetrics() {
-    const outside::StudyFolder yard;
-    QByteArray scene = outside::kYardText;
+    const StudyFolder yard;
+    QByteArray scene = kYardText;
     scene.replace("max_vel: 1.2", "max_vel: 0.0");
     scene.replace("h: 1.5}", "h: 1.5707963}");  // along x = 3 m; together they are 0.65 m wide
     scene += "      planner: replay\n      planner_parameters:\n        file: velocities.csv\n";
-    outside::writeText(yard.path(text("yard.yaml")), scene);
-    outside::writeText(yard.path(text("velocities.csv")), "time,linear,angular\n0,0.5,0\n");
+    writeText(yard.path(text("yard.yaml")), scene);
+    writeText(yard.path(text("velocities.csv")), "time,linear,angular\n0,0.5,0\n");
     const QString study =
         yard.writeStudy("passes.yaml",
                         "duration: 10.0\nrecord: all\nvalues:\n"
                         "  ben.init_pose.y: [9.0]\n  anna.init_pose.x: [2.32, 2.34, 2.4]\n");
     const QString out = yard.path(text("out"));
-    const outside::Finished batch = outside::runProgram({text("batch"), study, text("-o"), out});
-    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
-    const outside::Finished done = report(out, {text("--no-pdf")});
+    QCOMPARE(failureOf("batch % -o %", {study, out}), QString());
+    const Finished done = report(out, {text("--no-pdf")});
     QVERIFY2(done.exitCode == 0, qPrintable(done.err));
-    const QByteArray figure = outside::bytesOf(out + text("/figures/contacts.svg"));
+    const QByteArray figure = bytesOf(out + text("/figures/contacts.svg"));
     QVERIFY2(figure.contains("yard.yaml: 2 contacts"), figure.constData());
-    const QJsonArray runs = playedRuns(outside::bytesOf(out + text("/report.html")));
+    const QJsonArray runs = playedRuns(bytesOf(out + text("/report.html")));
     QCOMPARE(runs.size(), 3);
     int told = 0;
     for (const auto& run : runs) {
@@ -69,27 +63,24 @@ class ReportedRunsTest : public QObject {
       QVERIFY2(isTold || run.toObject().value(text("title")) == text("Run 0"), "the wrong run");
     }
     QCOMPARE(told, 2);
-    const auto events = outside::bytesOf(out + text("/runs/1/events.csv"));
+    const auto events = bytesOf(out + text("/runs/1/events.csv"));
     QVERIFY2(!events.contains("contact"), events.constData());
     const QString page = yard.path(text("run.html"));
-    const outside::Finished render =
-        outside::runProgram({text("render"), out + text("/runs/1"), text("-o"), page});
-    QVERIFY2(render.exitCode == 0, qPrintable(render.err));
-    QVERIFY(tellsContact(playedRuns(outside::bytesOf(page)).at(0).toObject()));
+    QCOMPARE(failureOf("render % -o %", {out + text("/runs/1"), page}), QString());
+    QVERIFY(tellsContact(playedRuns(bytesOf(page)).at(0).toObject()));
   }
 
   /// 28 runs that a second does not suffice for: the player has some, and what it has is told.
   void report_manyFailures_saysWhichCanBePlayed() {
-    const outside::StudyFolder yard;
+    const StudyFolder yard;
     const QString out = yard.path(text("out"));
     const QString study = yard.writeStudy("short.yaml",
                                           "duration: 1.0\nseeds: 14\nrecord: all\nvalues:\n"
                                           "  robot1.planner: [pursuit, dwa]\n");
-    const outside::Finished batch = outside::runProgram({text("batch"), study, text("-o"), out});
-    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
-    const outside::Finished done = report(out, {text("--no-pdf")});
+    QCOMPARE(failureOf("batch % -o %", {study, out}), QString());
+    const Finished done = report(out, {text("--no-pdf")});
     QVERIFY2(done.exitCode == 0, qPrintable(done.err));
-    const QByteArray page = outside::bytesOf(out + text("/report.html"));
+    const QByteArray page = bytesOf(out + text("/report.html"));
     QCOMPARE(textsOf(page, "button").count(text("Play")), 24 + 1);  // the player has one itself
     const QStringList captions = textsOf(page, "caption");
     QVERIFY2(!captions.filter(text("24 of the 28 can be played here")).isEmpty(),
@@ -105,24 +96,22 @@ class ReportedRunsTest : public QObject {
   void report_noFailures_playsSomeOfEachOption() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(text("e.yaml"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: 4\n"
-                       "duration: 1.0\nrecord: all\nvalues:\n  robot1.max_vel: [0.5, 1.0]\n");
+    writeText(experiment,
+              "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: 4\n"
+              "duration: 1.0\nrecord: all\nvalues:\n  robot1.max_vel: [0.5, 1.0]\n");
     const QString out = folder.filePath(text("out"));
-    const outside::Finished batch =
-        outside::runProgram({text("batch"), experiment, text("-o"), out});
-    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
-    QByteArray results = outside::bytesOf(out + text("/results.csv"));
+    QCOMPARE(failureOf("batch % -o %", {experiment, out}), QString());
+    QByteArray results = bytesOf(out + text("/results.csv"));
     const QByteArray head = results.left(results.indexOf('\n'));
     for (const char* key : {",success,", ",completed,"}) {  // as if nobody had asked
       QVERIFY(head.contains(key));
       results.replace(key, QByteArray(",own") + QByteArray(key).mid(1));
     }
-    outside::writeText(out + text("/results.csv"), results);
+    writeText(out + text("/results.csv"), results);
     QVERIFY(QFile::remove(out + text("/manifest.json")));  // which knows what they were
-    const outside::Finished done = report(out, {text("--no-pdf")});
+    const Finished done = report(out, {text("--no-pdf")});
     QVERIFY2(done.exitCode == 0, qPrintable(done.err));
-    const QByteArray page = outside::bytesOf(out + text("/report.html"));
+    const QByteArray page = bytesOf(out + text("/report.html"));
     QStringList told;
     for (const auto& run : playedRuns(page)) {
       told.append(run.toObject().value(text("about")).toString().section(QLatin1Char(','), 0, 0));
@@ -151,7 +140,7 @@ class ReportedRunsTest : public QObject {
   static void checkPlayer(const QByteArray& page, const QString& trajectory, double step) {
     const QJsonObject run = playedRuns(page).at(0).toObject();
     QCOMPARE(run.value(text("dt")).toDouble(), step);
-    const auto samples = outside::readTrajectory(trajectory);
+    const auto samples = readTrajectory(trajectory);
     QVERIFY(samples.size() > 60);
     const QJsonArray bodies = run.value(text("bodies")).toArray();
     int compared = 0;

@@ -1,8 +1,4 @@
-#include <algorithm>
 #include <cmath>
-
-#include <QToolButton>
-#include <QtTest>
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"

@@ -1,8 +1,6 @@
 #include <QSignalSpy>
-#include <QTableWidget>
 
 #include "app/window/Docks.h"
-#include "app/window/study/ExternalCodePrompt.h"
 #include "app/window/study/StudyPanel.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
@@ -10,10 +8,7 @@
 
 using app::StudyPanel;
 using app::StudyProcess;
-using outside::bytesOf;
-using outside::runProgram;
-using outside::StudyFolder;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -32,20 +27,15 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
   StudyPanel& panel() { return window_->docks().panel<StudyPanel>(); }
   std::size_t rows() { return panel().results().runs().rows().size(); }
   QPushButton& button(const char* words) {
-    const QList<QPushButton*> all = panel().findChildren<QPushButton*>();
-    return **std::find_if(all.begin(), all.end(),
-                          [words](const QPushButton* each) { return each->text() == text(words); });
+    return *widgets::withText<QPushButton>(panel(), text(words));
   }
   bool hasButton(const char* words) {
-    const QList<QPushButton*> all = panel().findChildren<QPushButton*>();
-    return std::any_of(all.begin(), all.end(),
-                       [words](const QPushButton* each) { return each->text() == text(words); });
+    return widgets::withText<QPushButton>(panel(), text(words)) != nullptr;
   }
   bool isAnewOffered() {
-    const QList<QAbstractButton*> all = panel().findChildren<QAbstractButton*>();
-    return std::any_of(all.begin(), all.end(), [](const QAbstractButton* each) {
-      return each->text() == text("Restart") && !each->isHidden();
-    });
+    return widgets::findIf<QAbstractButton>(panel(), [](const QAbstractButton* each) {
+             return each->text() == text("Restart") && !each->isHidden();
+           }) != nullptr;
   }
   QLineEdit& seeds() { return quiet::part<QLineEdit>(panel(), "Seeds"); }
   QString result(const char* name) { return panel().resultsFolder() + text("/") + text(name); }
@@ -61,19 +51,17 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
   }
   /// Its robot is driven by a program, which makes the file `started`.
   QString withCode() const {
-    outside::writeText(study_->path(text("drive.sh")),
-                       "touch '" + study_->path(text("started")).toUtf8() +
-                           "'\nread -r line; echo '{\"ready\":true}'\n"
-                           "while read -r line; do echo '{\"linear\":0.5,\"angular\":0}'; done\n");
+    writeText(study_->path(text("drive.sh")),
+              "touch '" + study_->path(text("started")).toUtf8() +
+                  "'\nread -r line; echo '{\"ready\":true}'\n"
+                  "while read -r line; do echo '{\"linear\":0.5,\"angular\":0}'; done\n");
     return study_->writeStudy("code.yaml",
                               "seeds: 1\nduration: 1.0\nvalues:\n  robot1.command: [\"/bin/sh " +
                                   study_->path(text("drive.sh")).toUtf8() +
                                   "\"]\n  robot1.planner: [pursuit, external]\n");
   }
-  bool isAsked() { return window_->notices().has(app::ExternalCodePrompt::studyNoticeId()); }
-  void answer(int choice) {
-    window_->notices().choose(app::ExternalCodePrompt::studyNoticeId(), choice);
-  }
+  bool isAsked() { return window_->notices().has(app::studyCodeNoticeId()); }
+  void answer(int choice) { window_->notices().choose(app::studyCodeNoticeId(), choice); }
 
  private Q_SLOTS:
   void initTestCase() { editor::applyTheme(editor::Theme::light()); }
@@ -92,7 +80,7 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     QVERIFY(button("Report").isEnabled());
     QTRY_VERIFY2(panel().message().endsWith(text("= 4 runs: 4 of 4 finished")),
                  qPrintable(panel().message()));
-    const auto table = outside::readCsv(result("results.csv"));
+    const auto table = readCsv(result("results.csv"));
     for (std::size_t k = 0; k < table.size(); ++k) {
       const app::StudyRow& row = panel().results().runs().rows()[k];
       QCOMPARE(row.run, static_cast<int>(k));
@@ -114,7 +102,7 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     const QString file = study_->study();
     const QString out = study_->path(text("study_results"));
     {
-      outside::Running batch(StudyFolder::words(file, out, {text("--jobs"), text("1")}));
+      Running batch(StudyFolder::words(file, out, {text("--jobs"), text("1")}));
       QTRY_VERIFY_WITH_TIMEOUT(StudyFolder::runFolders(out).size() >= 5, kLong);
       QVERIFY(panel().openFile(file));  // while it runs
       QTRY_VERIFY2(panel().message().contains(text("process %1").arg(batch.pid())),
@@ -136,8 +124,8 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
   /// The batch refuses to go on; what it has found stays in sight.
   void open_inputChanged_stillShowsRows() {
     const QString file = finished();
-    outside::writeText(study_->path(text("yard.yaml")),
-                       QByteArray(outside::kYardText).replace("max_vel: 1.2", "max_vel: 1.1"));
+    writeText(study_->path(text("yard.yaml")),
+              QByteArray(kYardText).replace("max_vel: 1.2", "max_vel: 1.1"));
     QVERIFY(panel().openFile(file));
     QCOMPARE(rows(), std::size_t{4});
     panel().start();
@@ -161,7 +149,7 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     QVERIFY2(panel().message().contains(text("have no results.sqlite")),
              qPrintable(panel().message()));
     QCOMPARE(bytesOf(result("results.csv")), before);
-    outside::writeText(result("results.csv"), "run,scenario\n1,2\n");
+    writeText(result("results.csv"), "run,scenario\n1,2\n");
     QVERIFY(panel().openFile(file));
     QCOMPARE(rows(), std::size_t{0});
     QTRY_VERIFY2(panel().message().contains(text("results.csv: the first line must be")),
@@ -173,7 +161,7 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     const QString store = study_->path(text("done_results/results.sqlite"));
     const QByteArray whole = bytesOf(store);
     for (const QByteArray& bytes : {whole.left(5000), QByteArray("no database at all, no no no")}) {
-      outside::writeText(store, bytes);
+      writeText(store, bytes);
       QVERIFY(panel().openFile(file));
       QTRY_VERIFY2(panel().message().contains(text("results.sqlite: the results cannot be read")),
                    qPrintable(panel().message()));
@@ -225,8 +213,8 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
   void start_whileABatchRunsThere_doesNotWriteTheFile() {
     const QString file = study_->endless();
     const QByteArray mine = bytesOf(file);
-    outside::Running batch(StudyFolder::words(file, study_->path(text("endless_results")),
-                                              {text("--jobs"), text("1")}));
+    Running batch(StudyFolder::words(file, study_->path(text("endless_results")),
+                                     {text("--jobs"), text("1")}));
     QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), kLong);
     QVERIFY(panel().openFile(file));
     seeds().setText(text("1"));

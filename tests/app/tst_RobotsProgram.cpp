@@ -1,17 +1,10 @@
 #include <QDir>
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::metricsOf;
-using outside::readJson;
-using outside::runProgram;
-using outside::text;
-using outside::valueOf;
+using namespace outside;
 
 namespace {
 
@@ -60,7 +53,7 @@ QString reasonOf(const QString& folder) {
 
 /// [s] of the first event of this kind and robot; -1 when there is none.
 double timeOf(const QString& folder, const char* kind, const char* id) {
-  for (const auto& row : outside::readCsv(folder + text("/events.csv"))) {
+  for (const auto& row : readCsv(folder + text("/events.csv"))) {
     if (row.at(text("kind")) == text(kind) && row.at(text("id")) == text(id)) {
       return row.at(text("time")).toDouble();
     }
@@ -71,18 +64,14 @@ double timeOf(const QString& folder, const char* kind, const char* id) {
 }  // namespace
 
 /// Several robots, and what ends a run, from outside.
-class RobotsProgramTest : public QObject {
+class RobotsProgramTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private:
-  QString path(const QString& name) const { return folder_.filePath(name); }
   Finished run(const QByteArray& scenario, const QString& name, const QStringList& more = {}) {
-    outside::writeText(path(name + text(".yaml")), scenario);
-    return runProgram(QStringList{text("run"), path(name + text(".yaml")), text("-o"), path(name)} +
-                      more);
+    writeText(path(name + text(".yaml")), scenario);
+    return runProgram(list("run % -o %", {path(name + text(".yaml")), path(name)}) + more);
   }
-
-  QTemporaryDir folder_;
 
  private Q_SLOTS:
   void run_twoRobots_measuresBoth() {
@@ -106,7 +95,7 @@ class RobotsProgramTest : public QObject {
     const auto lengthOf = [this](const char* id) {
       const double end = timeOf(path(text("pair")), "arrived", id);
       double length = 0.0;
-      for (const auto& row : outside::readCsv(path(text("pair/trajectory.csv")))) {
+      for (const auto& row : readCsv(path(text("pair/trajectory.csv")))) {
         const bool isIts = row.at(text("id")) == text(id);
         length = isIts && row.at(text("time")).toDouble() < end + 1e-9
                      ? row.at(text("x")).toDouble()
@@ -118,11 +107,11 @@ class RobotsProgramTest : public QObject {
     QVERIFY(std::fabs(valueOf(metricsOf(path(text("pair"))), text("path_length")) -
                       lengthOf("-1")) < 1e-6);
     QVERIFY(std::fabs(valueOf(far, text("path_length")) - lengthOf("-2")) < 1e-6);
-    const auto row = outside::readCsv(path(text("pair/metrics_far.csv")));
+    const auto row = readCsv(path(text("pair/metrics_far.csv")));
     QCOMPARE(row.size(), std::size_t{1});
     QCOMPARE(row[0].at(text("path_length")).toDouble(), valueOf(far, text("path_length")));
-    QCOMPARE(outside::readCsv(path(text("pair/steps_far.csv"))).size(),
-             outside::readCsv(path(text("pair/steps.csv"))).size());
+    QCOMPARE(readCsv(path(text("pair/steps_far.csv"))).size(),
+             readCsv(path(text("pair/steps.csv"))).size());
   }
 
   void run_json_isTheFile() {
@@ -137,17 +126,14 @@ class RobotsProgramTest : public QObject {
     const Finished made = run(scenarioOf("near, far", QByteArray(kNear) + kFar), text("again"));
     QVERIFY2(made.exitCode == 0, qPrintable(made.err));
     const QString out = path(text("evaluated"));
-    const Finished evaluated = runProgram({text("evaluate"), path(text("again")), text("-o"), out});
-    QVERIFY2(evaluated.exitCode == 0, qPrintable(evaluated.err));
+    QCOMPARE(failureOf("evaluate % -o %", {path(text("again")), out}), QString());
     for (const char* name :
          {"/metrics.json", "/metrics.csv", "/steps.csv", "/metrics_far.csv", "/steps_far.csv"}) {
       QVERIFY2(!bytesOf(out + text(name)).isEmpty(), name);
       QVERIFY2(bytesOf(out + text(name)) == bytesOf(path(text("again")) + text(name)), name);
     }
     // One alone leaves no tables of the others behind.
-    const Finished one = runProgram(
-        {text("evaluate"), path(text("again")), text("-o"), out, text("--robot"), text("far")});
-    QVERIFY2(one.exitCode == 0, qPrintable(one.err));
+    QCOMPARE(failureOf("evaluate % -o % --robot far", {path(text("again")), out}), QString());
     QVERIFY(!QFile::exists(out + text("/metrics_far.csv")));
     QVERIFY(!readJson(out + text("/metrics.json")).contains(text("robots")));
     QCOMPARE(metricsOf(out), furtherMetrics(path(text("again")), text("far")));
@@ -175,7 +161,7 @@ class RobotsProgramTest : public QObject {
     QCOMPARE(run(scenarioOf("near, far", QByteArray(kNear) + kFar, "1.0"), text("less")).exitCode,
              0);
     QVERIFY(QFile::exists(path(text("less/steps_far.csv"))));
-    outside::writeText(path(text("less/metrics_mine.csv")), "mine");
+    writeText(path(text("less/metrics_mine.csv")), "mine");
     QCOMPARE(run(scenarioOf("near", kNear, "1.0"), text("less")).exitCode, 0);
     QVERIFY(!QFile::exists(path(text("less/metrics_far.csv"))));
     QVERIFY(!QFile::exists(path(text("less/steps_far.csv"))));
@@ -208,9 +194,8 @@ class RobotsProgramTest : public QObject {
   }
 
   void run_wrongWords_areRefused() {
-    for (const QStringList& words : {QStringList{text("--stop-on-collision"), text("maybe")},
-                                     QStringList{text("--stuck-after"), text("-1")},
-                                     QStringList{text("--stuck-after"), text("soon")}}) {
+    for (const QStringList& words : {list("--stop-on-collision maybe"), list("--stuck-after -1"),
+                                     list("--stuck-after soon")}) {
       const Finished made = run(scenarioOf("near", kNear), text("wrong"), words);
       QVERIFY2(made.exitCode == 64, qPrintable(words.join(QLatin1Char(' '))));
       QVERIFY(made.err.contains(words[0]));
@@ -218,18 +203,15 @@ class RobotsProgramTest : public QObject {
   }
 
   void batch_severalRobots_haveColumnsOfTheirOwn() {
-    outside::writeText(path(text("s.yaml")),
-                       scenarioOf("near, far", QByteArray(kNear) + kFar, "4.0"));
-    outside::writeText(path(text("hit.yaml")),
-                       scenarioOf("near, block", QByteArray(kBlind) + kBlock, "4.0"));
-    outside::writeText(path(text("e.yaml")),
-                       "hunavsim_experiment: 1\nscenarios: [s.yaml, hit.yaml]\n"
-                       "stop_on_collision: any\nstuck_after: 60.0\n");
+    writeText(path(text("s.yaml")), scenarioOf("near, far", QByteArray(kNear) + kFar, "4.0"));
+    writeText(path(text("hit.yaml")),
+              scenarioOf("near, block", QByteArray(kBlind) + kBlock, "4.0"));
+    writeText(path(text("e.yaml")),
+              "hunavsim_experiment: 1\nscenarios: [s.yaml, hit.yaml]\n"
+              "stop_on_collision: any\nstuck_after: 60.0\n");
     const QString out = path(text("batch"));
-    const Finished made = runProgram(
-        {text("batch"), path(text("e.yaml")), text("-o"), out, text("--jobs"), text("1")});
-    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
-    const auto rows = outside::readCsv(out + text("/results.csv"));
+    QCOMPARE(failureOf("batch % -o % --jobs 1", {path(text("e.yaml")), out}), QString());
+    const auto rows = readCsv(out + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{2});
     QCOMPARE(rows[0].at(text("status")), text("ok"));
     QCOMPARE(rows[0].at(text("reason")), text("duration"));
@@ -246,8 +228,7 @@ class RobotsProgramTest : public QObject {
     QVERIFY(head.indexOf(text(",path_length,")) < head.indexOf(text("far.")));
     QVERIFY(head.lastIndexOf(text("far.")) < head.indexOf(text("block.")));
     // The same for one run of the first scenario alone.
-    const Finished alone =
-        runProgram({text("run"), path(text("s.yaml")), text("-o"), path(text("alone"))});
+    const Finished alone = runProgram("run % -o %", {path(text("s.yaml")), path(text("alone"))});
     QVERIFY2(alone.exitCode == 0, qPrintable(alone.err));
     QCOMPARE(rows[0].at(text("far.path_length")).toDouble(),
              valueOf(furtherMetrics(path(text("alone")), text("far")), text("path_length")));

@@ -5,16 +5,13 @@
 #include <QtTest>
 
 #include "app/run/Bundle.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/OutputFolder.h"
 #include "app/run/RunSpec.h"
-#include "app/run/Simulation.h"
-#include "editor/document/QtImageLoader.h"
+#include "editor/document/MapEdit.h"
 #include "tests/app/RunFiles.h"
 
-using outside::bytesOf;
-using outside::runProgram;
-using outside::text;
-using outside::writeText;
+using namespace outside;
 
 /// `run --from RUN@SECONDS` from outside.
 class RunFromTest : public QObject {
@@ -29,12 +26,10 @@ class RunFromTest : public QObject {
 
   QString at(const char* name) const { return ground_.filePath(text(name)); }
   static void run(const QStringList& words) {
-    const outside::Finished found = runProgram(QStringList{text("run"), text("-q")} + words);
+    const Finished found = runProgram(list("run -q") + words);
     QVERIFY2(found.exitCode == 0, qPrintable(words.join(QLatin1Char(' ')) + found.err));
   }
-  static outside::Finished refused(const QStringList& words) {
-    return runProgram(QStringList{text("run"), text("-q")} + words);
-  }
+  static Finished refused(const QStringList& words) { return runProgram(list("run -q") + words); }
   static QString scene(const char* name) { return text(SOURCE_DIR "/maps/") + text(name); }
 
   /// Rows of the trajectory up to a step, or those behind it.
@@ -80,7 +75,7 @@ class RunFromTest : public QObject {
     QTemporaryDir ground;
     const QString first = ground.filePath(text("first"));
     const QString again = ground.filePath(text("again"));
-    run(words + QStringList{text("-o"), first});
+    run(words + list("-o %", {first}));
     for (const char* time : {"0", "1.73", "4"}) {
       run({text("--from"), first + QLatin1Char('@') + text(time), text("-o"), again});
       for (const char* file : kFiles) {
@@ -102,8 +97,7 @@ class RunFromTest : public QObject {
                                 scene("planners/doorway_agents.yaml").toUtf8() +
                                 "]\nduration: 2\nseeds: 2\nrecord: all\n"
                                 "values:\n  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n");
-    QCOMPARE(
-        runProgram({text("batch"), at("e.yaml"), text("-q"), text("-o"), at("batch")}).exitCode, 0);
+    QCOMPARE(runProgram("batch % -q -o %", {at("e.yaml"), at("batch")}).exitCode, 0);
     run({text("--from"), at("batch/runs/1@1"), text("-o"), at("ofBatch")});
     for (const char* file : kFiles) {
       QCOMPARE(bytesOf(at("ofBatch/") + text(file)), bytesOf(at("batch/runs/1/") + text(file)));
@@ -121,7 +115,7 @@ class RunFromTest : public QObject {
         jsonOf(at("other/trace.json"))[text("robots")].toArray().first().toObject();
     QCOMPARE(robot[text("planner")].toString(), text("social_force"));
     double fastest = 0.0;  // after it has had time to slow down
-    for (const auto& row : outside::readCsv(at("other/trajectory.csv"))) {
+    for (const auto& row : readCsv(at("other/trajectory.csv"))) {
       if (row.at(text("kind")) == text("robot") && row.at(text("step")).toInt() > 80) {
         fastest = std::max(
             fastest, std::hypot(row.at(text("vx")).toDouble(), row.at(text("vy")).toDouble()));
@@ -141,10 +135,9 @@ class RunFromTest : public QObject {
     QCOMPARE(last[text("planner")].toString(), text("orca"));
     for (const char* older : {"straight", "other", "third"}) {
       const QByteArray before = bytesOf(at(older) + text("/trajectory.csv"));
-      const outside::Finished over =
-          refused({text("--from"), at("fourth@1"), text("-o"), at(older)});
-      QCOMPARE(over.exitCode, 2);
-      QVERIFY2(over.err.contains(text("would be overwritten")), qPrintable(over.err));
+      QCOMPARE(unexpected(refused({text("--from"), at("fourth@1"), text("-o"), at(older)}), 2,
+                          "would be overwritten"),
+               QString());
       QCOMPARE(bytesOf(at(older) + text("/trajectory.csv")), before);
     }
   }
@@ -154,7 +147,7 @@ class RunFromTest : public QObject {
   void navigatorsEnd_isKept() {
     const auto ends = [this](const char* folder) {
       std::vector<double> times;
-      for (const auto& row : outside::readCsv(at(folder) + text("/events.csv"))) {
+      for (const auto& row : readCsv(at(folder) + text("/events.csv"))) {
         if (row.at(text("kind")) == text("navigation_succeeded")) {
           times.push_back(row.at(text("time")).toDouble());
         }
@@ -177,14 +170,9 @@ class RunFromTest : public QObject {
   }
 
   void anotherSeed_drawsAnewFromThere() {
-    const QStringList words = {scene("planners/crowd_agents.yaml"),
-                               text("--duration"),
-                               text("8"),
-                               text("--planner"),
-                               text("mppi"),
-                               text("--seed"),
-                               text("5")};
-    run(words + QStringList{text("-o"), at("five")});
+    const QStringList words =
+        list("% --duration 8 --planner mppi --seed 5", {scene("planners/crowd_agents.yaml")});
+    run(words + list("-o %", {at("five")}));
     for (const char* seed : {"5", "6"}) {
       const QString folder = at("seed") + text(seed);
       run({text("--from"), at("five@2"), text("--seed"), text(seed), text("-o"), folder});
@@ -250,7 +238,7 @@ class RunFromTest : public QObject {
                 .empty());
     output = std::unique_ptr<app::OutputFolder>();
     QStringList kinds;
-    for (const auto& row : outside::readCsv(at("hands/inputs.csv"))) {
+    for (const auto& row : readCsv(at("hands/inputs.csv"))) {
       kinds << row.at(text("input"));
     }
     QVERIFY2(kinds.size() >= 4, qPrintable(kinds.join(QLatin1Char(' '))));
@@ -274,16 +262,16 @@ class RunFromTest : public QObject {
                              .first()
                              .toObject()[text("name")]
                              .toString();
-    const auto first = outside::readCsv(at("workers/trajectory.csv")).front();
+    const auto first = readCsv(at("workers/trajectory.csv")).front();
     const double x = first.at(text("x")).toDouble() + 0.4, y = first.at(text("y")).toDouble();
     run({text("--from"), at("workers@1"), text("--move"),
          text("%1 %2 %3 0.5").arg(name).arg(x, 0, 'g', 17).arg(y, 0, 'g', 17), text("-o"),
          at("moved")});
     QCOMPARE(rows(at("moved"), 20, true), rows(at("workers"), 20, true));
-    const auto inputs = outside::readCsv(at("moved/inputs.csv"));
+    const auto inputs = readCsv(at("moved/inputs.csv"));
     QCOMPARE(inputs.size(), std::size_t{1});
     QCOMPARE(inputs.front().at(text("step")).toInt(), 21);
-    for (const auto& row : outside::readCsv(at("moved/trajectory.csv"))) {
+    for (const auto& row : readCsv(at("moved/trajectory.csv"))) {
       if (row.at(text("step")).toInt() == 21 && row.at(text("id")) == first.at(text("id"))) {
         QVERIFY(std::hypot(row.at(text("x")).toDouble() - x, row.at(text("y")).toDouble() - y) <
                 0.15);  // a step from standing
@@ -297,14 +285,13 @@ class RunFromTest : public QObject {
   void ofTheStandardInput_isRefusedAndDoesNotWait() {
     QProcess process;
     process.setStandardInputFile(scene("planners/crossing_agents.yaml"));
-    process.start(QStringLiteral(HUNAVSIM_PROGRAM),
-                  {text("run"), text("-q"), text("-"), text("--duration"), text("1"), text("-o"),
-                   at("said")});
-    const outside::Finished first = outside::finishedOf(process);
+    process.start(text(HUNAVSIM_PROGRAM), {text("run"), text("-q"), text("-"), text("--duration"),
+                                           text("1"), text("-o"), at("said")});
+    const Finished first = finishedOf(process);
     QVERIFY2(first.exitCode == 0, qPrintable(first.err));
-    const outside::Finished again = refused({text("--from"), at("said@0.5")});
-    QCOMPARE(again.exitCode, 2);
-    QVERIFY2(again.err.contains(text("was read from standard input")), qPrintable(again.err));
+    QCOMPARE(
+        unexpected(refused({text("--from"), at("said@0.5")}), 2, "was read from standard input"),
+        QString());
   }
 
   void wrong_isSaid_data() {
@@ -341,12 +328,12 @@ class RunFromTest : public QObject {
     const auto in = [&ground](const char* name) { return ground.filePath(text(name)); };
     QVERIFY(QFile::copy(scene("planners/crossing_agents.yaml"), in("s.yaml")));
     run({in("s.yaml"), text("--duration"), text("2"), text("-o"), in("run")});
-    outside::copyFolder(in("run"), in("foreign"));
+    copyFolder(in("run"), in("foreign"));
     QJsonObject manifest = jsonOf(in("run/manifest.json"));
     QJsonObject foreign = manifest;
     foreign[text("command_line")] = QJsonArray{text("hunavsim"), text("evaluate"), text("x")};
     writeText(in("foreign/manifest.json"), QJsonDocument(foreign).toJson());
-    outside::copyFolder(in("run"), in("damaged"));
+    copyFolder(in("run"), in("damaged"));
     QByteArray trajectory = bytesOf(in("damaged/trajectory.csv"));
     const int row = trajectory.indexOf("\n10,0.5,");
     const int number = trajectory.indexOf(",human,", row) + 7;
@@ -375,7 +362,7 @@ class RunFromTest : public QObject {
       given << text("-o") << in("new");
     }
     const QByteArray before = bytesOf(in("run/trajectory.csv"));
-    const outside::Finished found = refused(given);
+    const Finished found = refused(given);
     QCOMPARE(found.exitCode, code);
     QVERIFY2(found.err.contains(says), qPrintable(found.err));
     QVERIFY(!QFile::exists(in("new")));
@@ -384,4 +371,6 @@ class RunFromTest : public QObject {
 };
 
 QTEST_GUILESS_MAIN(RunFromTest)
+#include "app/run/RunFolder.h"
+#include "app/run/Session.h"
 #include "tst_RunFrom.moc"

@@ -9,18 +9,20 @@
 #include "sim2d/scenario/ScenarioFile.h"
 #include "tests/app/RunRecomputation.h"
 
-using outside::Body;
-using outside::hypot2;
-using outside::interop;
-using outside::recompute;
-using outside::Run;
-using outside::Sample;
+using namespace outside;
 
 /// `hunavsim run` from outside: files, numbers, invariants.
-class RunProgramTest : public QObject {
+class RunProgramTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private:
+  Finished runFor5s(const char* scenario, const char* to) {
+    return runProgram("run % --duration 5 -o %", {text(scenario), path(to)});
+  }
+  QJsonValue ofManifest(const char* run, const char* key) const {
+    return readJson(path(run) + text("/manifest.json")).value(text(key));
+  }
+
   /// Robot start and goal: two global goals of the file, the start where most room is.
   static QStringList robotWords(const sim2d::Scenario& scenario) {
     for (const sim2d::Robot& robot : scenario.robots) {
@@ -47,28 +49,27 @@ class RunProgramTest : public QObject {
     }
     const sim2d::Vec2 start = from.position;
     const sim2d::Vec2 goal = to.position;
-    const auto text = [](double number) { return QString::number(number, 'g', 17); };
-    return {QStringLiteral("--robot-start"),
-            text(start.x()) + QLatin1Char(' ') + text(start.y()) + QStringLiteral(" 0"),
-            QStringLiteral("--robot-goal"), text(goal.x()) + QLatin1Char(' ') + text(goal.y())};
+    const auto digits = [](double number) { return QString::number(number, 'g', 17); };
+    return {text("--robot-start"),
+            digits(start.x()) + QLatin1Char(' ') + digits(start.y()) + text(" 0"),
+            text("--robot-goal"), digits(goal.x()) + QLatin1Char(' ') + digits(goal.y())};
   }
 
   /// Of the robot's way: it ends at its arrival.
   static void compareMetrics(Run run, const QString& folder) {
-    for (const auto& row : outside::readCsv(folder + QStringLiteral("/events.csv"))) {
-      const bool isRobots = row.at(QStringLiteral("id")) == QStringLiteral("-1");
-      if (isRobots && row.at(QStringLiteral("kind")) == QStringLiteral("arrived")) {
-        run.samples.resize(row.at(QStringLiteral("step")).toUInt() + 1);
+    for (const auto& row : readCsv(folder + text("/events.csv"))) {
+      const bool isRobots = row.at(text("id")) == text("-1");
+      if (isRobots && row.at(text("kind")) == text("arrived")) {
+        run.samples.resize(row.at(text("step")).toUInt() + 1);
         run.hasArrived = true;
         break;
       }
     }
     for (const auto& [key, expected] : recompute(run)) {
-      const QJsonValue value = run.metrics[key].toObject()[QStringLiteral("value")];
+      const QJsonValue value = run.metrics[key].toObject()[text("value")];
       const double found = value.isBool() ? (value.toBool() ? 1.0 : 0.0) : value.toDouble(-1e9);
-      QVERIFY2(
-          std::fabs(found - expected) <= 1e-9 * std::max(1.0, std::fabs(expected)),
-          qPrintable(QStringLiteral("%1: %2, recomputed %3").arg(key).arg(found).arg(expected)));
+      QVERIFY2(std::fabs(found - expected) <= 1e-9 * std::max(1.0, std::fabs(expected)),
+               qPrintable(text("%1: %2, recomputed %3").arg(key).arg(found).arg(expected)));
     }
   }
 
@@ -87,12 +88,12 @@ class RunProgramTest : public QObject {
         }
       }
     }
-    QVERIFY2(deepest <= 0.05, qPrintable(QStringLiteral("overlap of %1 m").arg(deepest)));
+    QVERIFY2(deepest <= 0.05, qPrintable(text("overlap of %1 m").arg(deepest)));
   }
 
   /// Centres are never in a cell of the map that is dark in the picture file itself.
   static void checkWalls(const Run& run, const QString& mapYaml) {
-    const QString text = QString::fromUtf8(outside::bytesOf(mapYaml));
+    const QString text = QString::fromUtf8(bytesOf(mapYaml));
     const auto field = [&text](const char* key) {
       const QRegularExpression line(QString::fromLatin1(key) + QStringLiteral(":\\s*(\\S.*)"));
       return line.match(text).captured(1).trimmed();
@@ -119,11 +120,9 @@ class RunProgramTest : public QObject {
 
   static void checkGoals(const QString& folder, const sim2d::Scenario& scenario) {
     std::map<int, std::vector<int>> reached;
-    for (const auto& row : outside::readCsv(folder + QStringLiteral("/events.csv"))) {
-      if (row.at(QStringLiteral("kind")) == QLatin1String("goal") &&
-          row.at(QStringLiteral("id")).toInt() >= 0) {
-        reached[row.at(QStringLiteral("id")).toInt()].push_back(
-            row.at(QStringLiteral("text")).toInt());
+    for (const auto& row : readCsv(folder + text("/events.csv"))) {
+      if (row.at(text("kind")) == QLatin1String("goal") && row.at(text("id")).toInt() >= 0) {
+        reached[row.at(text("id")).toInt()].push_back(row.at(text("text")).toInt());
       }
     }
     for (const sim2d::Human& human : scenario.humans) {
@@ -145,10 +144,9 @@ class RunProgramTest : public QObject {
     QTest::addColumn<QString>("scenario");
     QTest::addColumn<QString>("map");
     QTest::addColumn<bool>("goalsFromFile");  // no reaction holds people up for long
-    QTest::newRow("demo") << QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")
-                          << QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml")
-                          << false;
-    const QString root = interop(QStringLiteral("hunavsim2/"));
+    QTest::newRow("demo") << text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")
+                          << text(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml") << false;
+    const QString root = interop(text("hunavsim2/"));
     const auto row = [&root](const char* scenario, const char* map, bool goals) {
       QTest::newRow(scenario) << root + QString::fromLatin1(scenario)
                               << root + QString::fromLatin1(map) << goals;
@@ -179,22 +177,19 @@ class RunProgramTest : public QObject {
     const sim2d::ScenarioReading reading = sim2d::readScenario(scenario.toStdString());
     QVERIFY(reading.ok());
     QTemporaryDir folder;
-    const QStringList words = QStringList{QStringLiteral("run"),        scenario,
-                                          QStringLiteral("--map"),      map,
-                                          QStringLiteral("--duration"), QStringLiteral("60")} +
-                              robotWords(reading.scenario);
-    const QString first = folder.filePath(QStringLiteral("first"));
-    const QString second = folder.filePath(QStringLiteral("second"));
-    const outside::Finished a =
-        outside::runProgram(words + QStringList{QStringLiteral("-o"), first});
+    const QStringList words =
+        list("run % --map % --duration 60", {scenario, map}) + robotWords(reading.scenario);
+    const QString first = folder.filePath(text("first"));
+    const QString second = folder.filePath(text("second"));
+    const Finished a = runProgram(words + list("-o %", {first}));
     QVERIFY2(a.exitCode == 0, qPrintable(a.err));
-    QVERIFY(a.out.trimmed().split(QLatin1Char('\n')).last().contains(QStringLiteral("real time")));
-    QCOMPARE(outside::runProgram(words + QStringList{QStringLiteral("-o"), second}).exitCode, 0);
+    QVERIFY(a.out.trimmed().split(QLatin1Char('\n')).last().contains(text("real time")));
+    QCOMPARE(runProgram(words + list("-o %", {second})).exitCode, 0);
     for (const char* name :
          {"trajectory.csv", "events.csv", "trees.csv", "trace.json", "metrics.csv"}) {
       const QString file = QLatin1Char('/') + QString::fromLatin1(name);
-      QVERIFY2(!outside::bytesOf(first + file).isEmpty(), name);
-      QVERIFY2(outside::bytesOf(first + file) == outside::bytesOf(second + file), name);
+      QVERIFY2(!bytesOf(first + file).isEmpty(), name);
+      QVERIFY2(bytesOf(first + file) == bytesOf(second + file), name);
     }
     const Run run(first);
     QCOMPARE(run.samples.size(), std::size_t{1201});
@@ -207,36 +202,28 @@ class RunProgramTest : public QObject {
   }
 
   void run_personInsideWall_saysWhatTheFormatDemands() {
-    const QString scenario =
-        interop(QStringLiteral("hunavsim2/third_party_fork/config/custom_agents.yaml"));
+    const QString scenario = interop(text("hunavsim2/third_party_fork/config/custom_agents.yaml"));
     if (!QFile::exists(scenario)) {
       QSKIP("the files of the original are not here (HUNAV_INTEROP_DIR)");
     }
-    const QString map = interop(QStringLiteral("hunavsim2/hunav_sim_v1/maps/small_warehouse.yaml"));
-    const outside::Finished found =
-        outside::runProgram({QStringLiteral("run"), scenario, QStringLiteral("--map"), map});
-    QVERIFY2(found.err.contains(QStringLiteral("-1.207")), qPrintable(found.err));
+    const QString map = interop(text("hunavsim2/hunav_sim_v1/maps/small_warehouse.yaml"));
+    const Finished found = runProgram("run % --map %", {scenario, map});
+    QVERIFY2(found.err.contains(text("-1.207")), qPrintable(found.err));
     QVERIFY(found.exitCode == 0 || found.exitCode == 2);
   }
 
   void run_withoutRobot_peopleOnlyAndReasons() {
     QTemporaryDir folder;
-    const QString scenario = QStringLiteral(TEST_DATA_DIR "/scenario/people_only.yaml");
-    const QString out = folder.filePath(QStringLiteral("out"));
-    const outside::Finished found =
-        outside::runProgram({QStringLiteral("run"), scenario, QStringLiteral("--map"),
-                             QStringLiteral("none"), QStringLiteral("-o"), out});
-    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-    const QJsonObject length = outside::metricsOf(out)[QStringLiteral("path_length")].toObject();
-    QVERIFY(length[QStringLiteral("value")].isNull());
-    QVERIFY(!length[QStringLiteral("why")].toString().isEmpty());
+    const QString scenario = text(TEST_DATA_DIR "/scenario/people_only.yaml");
+    const QString out = folder.filePath(text("out"));
+    QCOMPARE(failureOf("run % --map none -o %", {scenario, out}), QString());
+    const QJsonObject length = metricsOf(out)[text("path_length")].toObject();
+    QVERIFY(length[text("value")].isNull());
+    QVERIFY(!length[text("why")].toString().isEmpty());
   }
 
   void run_nameOfAShippedScenario_isFound() {
-    const outside::Finished found = outside::runProgram(
-        {QStringLiteral("run"), QStringLiteral("corner_cafe_agents"), QStringLiteral("--duration"),
-         QStringLiteral("0.1"), QStringLiteral("--metrics"), QStringLiteral("path_length")});
-    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    QCOMPARE(failureOf("run corner_cafe_agents --duration 0.1 --metrics path_length"), QString());
   }
 
   void run_wrongInput_exitCodesAndMessages_data() {
@@ -277,9 +264,32 @@ class RunProgramTest : public QObject {
     QFETCH(QStringList, words);
     QFETCH(int, exitCode);
     QFETCH(QString, message);
-    const outside::Finished found = outside::runProgram(words);
+    const Finished found = runProgram(words);
     QVERIFY2(found.exitCode == exitCode, qPrintable(found.err + QString::number(found.exitCode)));
     QVERIFY2(found.err.contains(message), qPrintable(found.err));
+  }
+
+  /// What the clock says of a run is told, and in none of the files that are equal from run to run.
+  void clock_withRobot_tellsPlanningTime() {
+    const Finished first = runFor5s("two_workers_agents", "first");
+    QCOMPARE(first.exitCode, 0);
+    QCOMPARE(runFor5s("two_workers_agents", "second").exitCode, 0);
+    for (const char* key : {"planning_time_mean", "planning_time_std"}) {
+      QVERIFY2(ofManifest("first", key).toDouble() > 0.0, key);
+      QVERIFY2(first.out.contains(QRegularExpression(text(key) + text(" +[0-9.e-]+  s\n"))), key);
+    }
+    for (const char* name : {"/metrics.json", "/metrics.csv", "/steps.csv", "/trace.json"}) {
+      const QByteArray bytes = bytesOf(path("first") + text(name));
+      QVERIFY2(!bytes.isEmpty() && !bytes.contains("planning_time"), name);
+      QVERIFY2(bytes == bytesOf(path("second") + text(name)), name);
+    }
+  }
+  void clock_withoutRobot_saysWhyNot() {
+    const Finished finished = runFor5s("realism_corner_agents", "alone");
+    QCOMPARE(finished.exitCode, 0);
+    QVERIFY(ofManifest("alone", "planning_time_mean").isNull());
+    QVERIFY(finished.out.contains(
+        QRegularExpression(text("planning_time_mean +-  s \\(no planner was called\\)"))));
   }
 };
 

@@ -1,5 +1,3 @@
-#include <QtTest>
-
 #include "app/cli/RunObservers.h"
 #include "app/window/MainWindow.h"
 #include "editor/look/AppStyle.h"

@@ -1,10 +1,6 @@
 #include <limits>
 
-#include <QComboBox>
-#include <QDialogButtonBox>
-#include <QJsonArray>
 #include <QSignalSpy>
-#include <QToolBar>
 #include <QtTest>
 
 #include "Hands.h"
@@ -12,14 +8,13 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
-#include "editor/panels/runs/BranchDialog.h"
 #include "editor/panels/runs/FuturesPanel.h"
 #include "editor/panels/runs/RunsPanel.h"
 
 using editor::FuturesPanel;
 using editor::RunsPanel;
 using editor::SimulationRunner;
-using outside::text;
+using namespace outside;
 
 /// Branches, comparisons and futures in the window, by mouse.
 class RunsAndFuturesTest : public QObject {
@@ -241,16 +236,15 @@ class RunsAndFuturesTest : public QObject {
     const QString one = folder.filePath(text("one")), two = folder.filePath(text("two"));
     for (const QString& path : {one, two}) {
       const QString seed = path == one ? text("1") : text("7");
-      QCOMPARE(outside::runProgram({text("run"), quiet::demoPath(), text("-q"), text("-o"), path,
-                                    text("--duration"), text("5"), text("--seed"), seed,
-                                    text("--planner"), path == one ? text("dwa") : text("orca")})
+      QCOMPARE(runProgram("run % -q -o % --duration 5 --seed % --planner %",
+                          {quiet::demoPath(), path, seed, path == one ? text("dwa") : text("orca")})
                    .exitCode,
                0);
     }
-    QByteArray manifest = outside::bytesOf(one + text("/manifest.json"));
+    QByteArray manifest = bytesOf(one + text("/manifest.json"));
     const int at = manifest.indexOf("\"version\": \"") + 12;
     manifest.replace(at, manifest.indexOf('"', at) - at, "0.0.1");
-    outside::writeText(one + text("/manifest.json"), manifest);
+    writeText(one + text("/manifest.json"), manifest);
     QVERIFY(window_->open(one));
     const base::Diagnostics& said = window_->files().problems();
     QVERIFY(std::any_of(said.begin(), said.end(),
@@ -274,10 +268,7 @@ class RunsAndFuturesTest : public QObject {
     window_->docks().show({text("runs")});
     const QTemporaryDir folder;
     const QString other = folder.filePath(text("other"));
-    QCOMPARE(outside::runProgram({text("run"), text("crossing_agents"), text("-q"), text("-o"),
-                                  other, text("--duration"), text("1")})
-                 .exitCode,
-             0);
+    QCOMPARE(runProgram("run crossing_agents -q -o % --duration 1", {other}).exitCode, 0);
     runs().addRecorded(other);
     QTRY_COMPARE_WITH_TIMEOUT(runs().comparison().divergences(), text("B has another scenario"),
                               30000);
@@ -296,24 +287,16 @@ class RunsAndFuturesTest : public QObject {
   void program_futures_tellsChances() {
     const QTemporaryDir folder;
     const QString run = folder.filePath(text("run"));
-    QCOMPARE(outside::runProgram({text("run"), quiet::demoPath(), text("-q"), text("-o"), run,
-                                  text("--duration"), text("4")})
-                 .exitCode,
-             0);
-    const outside::Finished told =
-        outside::runProgram({text("futures"), run + text("@2"), text("--seeds"), text("4"),
-                             text("--horizon"), text("3")});
+    QCOMPARE(runProgram("run % -q -o % --duration 4", {quiet::demoPath(), run}).exitCode, 0);
+    const Finished told = runProgram("futures % --seeds 4 --horizon 3", {run + text("@2")});
     QVERIFY2(told.exitCode == 0, qPrintable(told.err));
     QVERIFY2(told.out.contains(text("95 % CI")), qPrintable(told.out));
     QVERIFY2(told.out.contains(text("/ 4")), qPrintable(told.out));
-    const outside::Finished json = outside::runProgram(
-        {text("futures"), run + text("@2"), text("--seeds"), text("2"), text("--json")});
+    const Finished json = runProgram("futures % --seeds 2 --json", {run + text("@2")});
     QCOMPARE(QJsonDocument::fromJson(json.out.toUtf8()).array().size(), 2);
-    QCOMPARE(outside::runProgram({text("futures"), run + text("@2"), text("--seeds"), text("0")})
-                 .exitCode,
-             64);
-    QCOMPARE(outside::runProgram({text("futures"), text("nowhere")}).exitCode, 64);
-    QCOMPARE(outside::runProgram({text("futures"), run + text("@99")}).exitCode, 2);
+    QCOMPARE(runProgram("futures % --seeds 0", {run + text("@2")}).exitCode, 64);
+    QCOMPARE(runProgram("futures nowhere").exitCode, 64);
+    QCOMPARE(runProgram("futures %", {run + text("@99")}).exitCode, 2);
   }
 };
 

@@ -1,11 +1,5 @@
-#include <QMessageBox>
-#include <QTemporaryDir>
-#include <QTimer>
-#include <QtTest>
-
 #include "app/window/MainWindow.h"
-#include "app/window/files/ExportDialog.h"
-#include "app/window/files/TreeChoiceDialog.h"
+#include "app/window/files/FileDialogs.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/AppStyle.h"

@@ -1,15 +1,12 @@
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::runProgram;
+using namespace outside;
 
 /// What the program writes about the sensors of robots, and what it says of bad ones.
-class SensorRunsTest : public QObject {
+class SensorRunsTest : public QObject, protected InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -24,12 +21,9 @@ class SensorRunsTest : public QObject {
   void batch_localizationVaried_isInTheTable();
 
  private:
-  QString path(const char* name) const { return folder_.filePath(QString::fromUtf8(name)); }
   QByteArray scenarioWith(const QByteArray& robotKeys) const;
   Finished runWith(const QByteArray& robotKeys, const QString& out,
                    const QStringList& more = {}) const;
-
-  QTemporaryDir folder_;
 };
 
 void SensorRunsTest::initTestCase() {
@@ -46,10 +40,8 @@ QByteArray SensorRunsTest::scenarioWith(const QByteArray& robotKeys) const {
 
 Finished SensorRunsTest::runWith(const QByteArray& robotKeys, const QString& out,
                                  const QStringList& more) const {
-  outside::writeText(path("s.yaml"), scenarioWith(robotKeys));
-  return runProgram(QStringList{QStringLiteral("run"), path("s.yaml"), QStringLiteral("-o"), out,
-                                QStringLiteral("--quiet")} +
-                    more);
+  writeText(path("s.yaml"), scenarioWith(robotKeys));
+  return runProgram(list("run % -o % --quiet", {path("s.yaml"), out}) + more);
 }
 
 /// 1 s at 4 Hz: turns at 0, 0.25, 0.5 and 0.75 s.
@@ -87,18 +79,18 @@ void SensorRunsTest::run_manifest_namesTheSensors() {
                    path("manifest"))
                .exitCode,
            0);
-  const QJsonObject robot = outside::readJson(path("manifest/manifest.json"))
+  const QJsonObject robot = readJson(path("manifest/manifest.json"))
                                 .value(QLatin1String("robots"))
                                 .toArray()
                                 .at(0)
                                 .toObject();
-  QCOMPARE(robot.value(QLatin1String("kinematics")).toString(), QStringLiteral("omnidirectional"));
+  QCOMPARE(robot.value(QLatin1String("kinematics")).toString(), text("omnidirectional"));
   const QJsonObject detector = robot.value(QLatin1String("detector")).toObject();
-  QCOMPARE(detector.value(QLatin1String("kind")).toString(), QStringLiteral("sensor"));
+  QCOMPARE(detector.value(QLatin1String("kind")).toString(), text("sensor"));
   QCOMPARE(detector.value(QLatin1String("range")).toDouble(), 10.0);
   QCOMPARE(detector.value(QLatin1String("noise")).toDouble(), 0.05);
   QCOMPARE(detector.value(QLatin1String("latency")).toDouble(), 0.2);
-  QCOMPARE(detector.value(QLatin1String("velocities")).toString(), QStringLiteral("filtered"));
+  QCOMPARE(detector.value(QLatin1String("velocities")).toString(), text("filtered"));
   const QJsonObject lidar = robot.value(QLatin1String("lidar")).toObject();
   QCOMPARE(lidar.value(QLatin1String("beams")).toInt(), 360);
   QCOMPARE(lidar.value(QLatin1String("range")).toDouble(), 10.0);
@@ -118,22 +110,22 @@ void SensorRunsTest::run_groundTruth_isToldInTheManifest() {
                    path("truth"))
                .exitCode,
            0);
-  const QJsonObject robot = outside::readJson(path("truth/manifest.json"))
+  const QJsonObject robot = readJson(path("truth/manifest.json"))
                                 .value(QLatin1String("robots"))
                                 .toArray()
                                 .at(0)
                                 .toObject();
-  const QJsonObject all = {{QStringLiteral("kind"), QStringLiteral("ground_truth")}};
+  const QJsonObject all = {{text("kind"), text("ground_truth")}};
   QCOMPARE(robot.value(QLatin1String("detector")).toObject(), all);
-  const QJsonObject none = {{QStringLiteral("beams"), 0}};
+  const QJsonObject none = {{text("beams"), 0}};
   QCOMPARE(robot.value(QLatin1String("lidar")).toObject(), none);
 }
 
 void SensorRunsTest::run_setOnTheCommandLine_counts() {
-  const Finished run = runWith({}, path("set"),
-                               {QStringLiteral("--set"), QStringLiteral("r.lidar.record=true"),
-                                QStringLiteral("--set"), QStringLiteral("r.lidar.beams=3"),
-                                QStringLiteral("--set"), QStringLiteral("r.detector.range=4.5")});
+  const Finished run =
+      runWith({}, path("set"),
+              {text("--set"), text("r.lidar.record=true"), text("--set"), text("r.lidar.beams=3"),
+               text("--set"), text("r.detector.range=4.5")});
   QVERIFY2(run.exitCode == 0, qPrintable(run.err));
   QVERIFY(bytesOf(path("set/scans.csv")).contains(",10,10 10 10\n"));
   QVERIFY(bytesOf(path("set/manifest.json")).contains("\"range\": 4.5"));
@@ -141,60 +133,54 @@ void SensorRunsTest::run_setOnTheCommandLine_counts() {
 
 /// The keys of the robot begin in line 19.
 void SensorRunsTest::check_badValues_areToldWithTheirLines() {
-  outside::writeText(path("bad.yaml"),
-                     scenarioWith("      kinematics: hover\n"
-                                  "      lidar:\n        beams: -1\n        range: far\n"
-                                  "      detector:\n        misses: 1.5\n        rnage: 2.0\n"));
-  const Finished check = runProgram({QStringLiteral("check"), path("bad.yaml")});
+  writeText(path("bad.yaml"),
+            scenarioWith("      kinematics: hover\n"
+                         "      lidar:\n        beams: -1\n        range: far\n"
+                         "      detector:\n        misses: 1.5\n        rnage: 2.0\n"));
+  const Finished check = runProgram("check %", {path("bad.yaml")});
   QCOMPARE(check.exitCode, 2);
-  const QStringList told = {QStringLiteral(":19:"), QStringLiteral(":21:"), QStringLiteral(":22:"),
-                            QStringLiteral(":24:"), QStringLiteral(":25:")};
+  const QStringList told = list(":19: :21: :22: :24: :25:");
   for (const QString& line : told) {
-    QVERIFY2(check.err.contains(QStringLiteral("bad.yaml") + line), qPrintable(check.err));
+    QVERIFY2(check.err.contains(text("bad.yaml") + line), qPrintable(check.err));
   }
-  QVERIFY(check.err.contains(QStringLiteral("'range'")));  // for rnage
-  outside::writeText(path("span.yaml"), scenarioWith("      lidar:\n        angle_min: 1.0\n"
-                                                     "        angle_max: 0.5\n"));
-  const Finished span = runProgram({QStringLiteral("check"), path("span.yaml")});
-  QCOMPARE(span.exitCode, 2);
-  QVERIFY2(span.err.contains(QStringLiteral("span.yaml:11:")) &&
-               span.err.contains(QStringLiteral("angle_max must be above angle_min")),
-           qPrintable(span.err));
+  QVERIFY(check.err.contains(text("'range'")));  // for rnage
+  writeText(path("span.yaml"), scenarioWith("      lidar:\n        angle_min: 1.0\n"
+                                            "        angle_max: 0.5\n"));
+  const Finished span = runProgram("check %", {path("span.yaml")});
+  QCOMPARE(unexpected(span, 2, "span.yaml:11:"), QString());
+  QVERIFY2(span.err.contains(text("angle_max must be above angle_min")), qPrintable(span.err));
 }
 
 /// The keys of the robot begin in line 19.
 void SensorRunsTest::check_badLocalization_isToldWithItsLines() {
-  outside::writeText(
-      path("lost.yaml"),
-      scenarioWith("      localization:\n        std_x: -0.1\n        std_yaw: 2.0\n"
-                   "        correlation_time: .nan\n        jump_rate: often\n"
-                   "        start_yaw: 4.0\n        std_z: 0.1\n        rate: 1e9\n"));
-  const Finished check = runProgram({QStringLiteral("check"), path("lost.yaml")});
+  writeText(path("lost.yaml"),
+            scenarioWith("      localization:\n        std_x: -0.1\n        std_yaw: 2.0\n"
+                         "        correlation_time: .nan\n        jump_rate: often\n"
+                         "        start_yaw: 4.0\n        std_z: 0.1\n        rate: 1e9\n"));
+  const Finished check = runProgram("check %", {path("lost.yaml")});
   QCOMPARE(check.exitCode, 2);
   for (const char* line : {":20:16: error", ":21:18: error", ":22:27: error", ":23:20: error",
                            ":24:20: error", ":25:9: warning", ":26:15: error"}) {
-    QVERIFY2(check.err.contains(QStringLiteral("lost.yaml") + QLatin1String(line)),
+    QVERIFY2(check.err.contains(text("lost.yaml") + QLatin1String(line)),
              qPrintable(QLatin1String(line) + QLatin1Char('\n') + check.err));
   }
-  const Finished set = runWith(
-      {}, path("refused"), {QStringLiteral("--set"), QStringLiteral("r.localization.std_x=11")});
+  const Finished set =
+      runWith({}, path("refused"), {text("--set"), text("r.localization.std_x=11")});
   QCOMPARE(set.exitCode, 64);  // a wrong command line
-  QVERIFY2(set.err.contains(QStringLiteral("std_x")), qPrintable(set.err));
+  QVERIFY2(set.err.contains(text("std_x")), qPrintable(set.err));
 }
 
 void SensorRunsTest::batch_localizationVaried_isInTheTable() {
-  outside::writeText(path("s.yaml"), scenarioWith({}));
-  outside::writeText(path("e.yaml"),
-                     "hunavsim_experiment: 1\nscenarios: [" + path("s.yaml").toUtf8() +
-                         "]\nseeds: 2\nvalues:\n  r.localization.std_y: [0.0, 0.1]\n");
-  const Finished batch = runProgram({QStringLiteral("batch"), path("e.yaml"), QStringLiteral("-q"),
-                                     QStringLiteral("-o"), path("batch")});
+  writeText(path("s.yaml"), scenarioWith({}));
+  writeText(path("e.yaml"), "hunavsim_experiment: 1\nscenarios: [" + path("s.yaml").toUtf8() +
+                                "]\nseeds: 2\nvalues:\n  r.localization.std_y: [0.0, 0.1]\n");
+  const Finished batch = runProgram("batch % -q -o %", {path("e.yaml"), path("batch")});
   QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
-  const auto rows = outside::readCsv(path("batch/results.csv"));
+  const auto rows = readCsv(path("batch/results.csv"));
   QCOMPARE(rows.size(), 4);
   int varied = 0;
   for (const auto& row : rows) {
-    const QString value = row.at(QStringLiteral("r.localization.std_y"));
+    const QString value = row.at(text("r.localization.std_y"));
     varied += value.toDouble() == 0.1 ? 1 : 0;
   }
   QCOMPARE(varied, 2);

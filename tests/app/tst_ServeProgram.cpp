@@ -5,10 +5,7 @@
 
 #include "tests/app/RunFiles.h"
 
-using outside::Finished;
-using outside::runProgram;
-using outside::text;
-using outside::writeText;
+using namespace outside;
 
 /// `serve` and `run --ros2` from outside.
 class ServeProgramTest : public QObject {
@@ -56,15 +53,11 @@ QProcessEnvironment with(const QString& name, const QString& value) {
 
 void ServeProgramTest::serve_withoutRos2_isAWrongCommandLine() {
   writeText(scenario(), kWalk);
-  const Finished finished = runProgram({text("serve"), scenario()});
+  const Finished finished = runProgram("serve %", {scenario()});
   QCOMPARE(finished.exitCode, 64);
   QVERIFY(finished.err.contains(text("--ros2")));
-  QCOMPARE(runProgram({text("serve"), scenario(), text("--ros2"), text("--domain"), text("233")})
-               .exitCode,
-           64);
-  QCOMPARE(runProgram({text("serve"), scenario(), text("--ros2"), text("--namespace"), text("lab")})
-               .exitCode,
-           64);
+  QCOMPARE(runProgram("serve % --ros2 --domain 233", {scenario()}).exitCode, 64);
+  QCOMPARE(runProgram("serve % --ros2 --namespace lab", {scenario()}).exitCode, 64);
 }
 
 /// They would do nothing.
@@ -72,10 +65,10 @@ void ServeProgramTest::run_optionsOfRos2WithoutIt_areAWrongCommandLine() {
   writeText(scenario(), kWalk);
   for (const char* options : {"--domain 5", "--rmw fastrtps", "--ros-distro jazzy", "--network",
                               "--lockstep", "--stamped"}) {
-    const Finished finished =
-        runProgram(QStringList{text("run"), scenario()} + text(options).split(QLatin1Char(' ')));
-    QCOMPARE(finished.exitCode, 64);
-    QVERIFY2(finished.err.contains(text("--ros2")), qPrintable(finished.err));
+    QCOMPARE(
+        unexpected(runProgram(list("run %", {scenario()}) + text(options).split(QLatin1Char(' '))),
+                   64, "--ros2"),
+        QString());
   }
 }
 
@@ -83,7 +76,7 @@ void ServeProgramTest::run_optionsOfRos2WithoutIt_areAWrongCommandLine() {
 /// explanation.
 void ServeProgramTest::help_ofRos2_saysWhoIsFound() {
   for (const char* command : {"run", "serve", "evaluate"}) {
-    const QString help = runProgram({text(command), text("--help")}).out.simplified();
+    const QString help = runProgram("% --help", {text(command)}).out.simplified();
     QVERIFY2(help.contains(text("loopback interface only, unless --network is given, and in one "
                                 "domain only (--domain or ROS_DOMAIN_ID)")),
              qPrintable(help));
@@ -94,7 +87,7 @@ void ServeProgramTest::serve_badDomainOfTheVariable_isTold() {
   QProcess process;
   process.setProcessEnvironment(with(text("ROS_DOMAIN_ID"), text("many")));
   process.start(text(HUNAVSIM_PROGRAM), {text("serve"), scenario(), text("--ros2")});
-  const Finished finished = outside::finishedOf(process);
+  const Finished finished = finishedOf(process);
   QCOMPARE(finished.exitCode, 2);
   hasNoRos2_ = finished.err.contains(text("has no ROS 2 support"));
   QVERIFY(hasNoRos2_ || finished.err.contains(text("ROS_DOMAIN_ID is 'many'")));
@@ -107,10 +100,7 @@ void ServeProgramTest::serve_brokenScenario_isTold() {
   const QString broken = folder_.filePath(text("broken.yaml"));
   QByteArray words = kWalk;
   writeText(broken, words.replace("goals:\n        - 1", "goals:\n        - 9"));
-  const Finished finished =
-      runProgram({text("serve"), broken, text("--ros2"), text("--domain"), text("27")});
-  QCOMPARE(finished.exitCode, 2);
-  QVERIFY2(finished.err.contains(text("goal 9")), qPrintable(finished.err));
+  QCOMPARE(unexpected(runProgram("serve % --ros2 --domain 27", {broken}), 2, "goal 9"), QString());
 }
 
 void ServeProgramTest::serve_interrupted_endsCleanly() {
@@ -123,7 +113,7 @@ void ServeProgramTest::serve_interrupted_endsCleanly() {
   QVERIFY(process.waitForReadyRead(30000));
   QVERIFY(process.readAllStandardOutput().contains("in domain 27 on this machine"));
   ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-  const Finished finished = outside::finishedOf(process);
+  const Finished finished = finishedOf(process);
   QCOMPARE(finished.exitCode, 0);
   QVERIFY(finished.out.contains(text("0 requests answered")));
   QCOMPARE(finished.err, QString());
@@ -148,9 +138,9 @@ void ServeProgramTest::serve_peerOnCyclone_isAnswered() {
   QProcess client;
   client.setProcessEnvironment(with(text("CYCLONEDDS_URI"), text("file://") + configuration));
   client.start(peer, {text("28"), text("5")});
-  const Finished called = outside::finishedOf(client);
+  const Finished called = finishedOf(client);
   ::kill(static_cast<pid_t>(server.processId()), SIGTERM);
-  const Finished served = outside::finishedOf(server);
+  const Finished served = finishedOf(server);
   QVERIFY2(called.exitCode == 0, qPrintable(called.out + called.err + served.err));
   QVERIFY2(called.out.contains(text("answer 2 0.015000000 0.300000000 map")),
            qPrintable(called.out));
@@ -165,15 +155,12 @@ void ServeProgramTest::run_onRos2_keepsPaceAndIsTheSameRun() {
   }
   const QString alone = folder_.filePath(text("alone"));
   const QString told = folder_.filePath(text("told"));
-  QCOMPARE(runProgram({text("run"), scenario(), text("-q"), text("-o"), alone}).exitCode, 0);
+  QCOMPARE(runProgram("run % -q -o %", {scenario(), alone}).exitCode, 0);
   QElapsedTimer clock;
   clock.start();
-  const Finished finished = runProgram({text("run"), scenario(), text("-q"), text("-o"), told,
-                                        text("--ros2"), text("--domain"), text("29")});
-  QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+  QCOMPARE(failureOf("run % -q -o % --ros2 --domain 29", {scenario(), told}), QString());
   QVERIFY(clock.elapsed() > 900);  // one second, in real time
-  QCOMPARE(outside::bytesOf(told + text("/trajectory.csv")),
-           outside::bytesOf(alone + text("/trajectory.csv")));
+  QCOMPARE(bytesOf(told + text("/trajectory.csv")), bytesOf(alone + text("/trajectory.csv")));
 }
 
 QTEST_GUILESS_MAIN(ServeProgramTest)

@@ -1,5 +1,4 @@
 #include "app/window/KeyRules.h"
-#include "app/window/ShortcutsDialog.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"

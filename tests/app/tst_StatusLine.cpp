@@ -1,5 +1,3 @@
-#include <QStatusBar>
-
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
@@ -16,10 +14,9 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
  private:
   SimulationRunner& runner() { return window_->workspace().runner(); }
   bool isHinted(const char* words) const {
-    const QList<QLabel*> labels = window_->statusBar()->findChildren<QLabel*>();
-    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-      return label->text().contains(QString::fromUtf8(words));
-    });
+    return widgets::findIf<QLabel>(*window_->statusBar(), [&](const QLabel* label) {
+             return label->text().contains(QString::fromUtf8(words));
+           }) != nullptr;
   }
   void setDuration(std::optional<double> seconds) {
     editor::pushChange<editor::ScenarioSettings>(

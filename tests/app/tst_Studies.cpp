@@ -9,12 +9,7 @@
 #include "tests/app/LoopbackSlurm.h"
 #include "tests/app/StudyFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::Running;
-using outside::runProgram;
-using outside::StudyFolder;
-using outside::text;
+using namespace outside;
 
 /// Studies of many runs: interrupted, resumed, split; their results are always the same.
 class StudiesTest : public QObject {
@@ -30,9 +25,9 @@ class StudiesTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    const Finished found =
-        runProgram(StudyFolder::words(folder_.study(), undisturbed(), {text("--jobs"), text("1")}));
-    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    QCOMPARE(
+        failureOf(StudyFolder::words(folder_.study(), undisturbed(), {text("--jobs"), text("1")})),
+        QString());
     QCOMPARE(StudyFolder::runFolders(undisturbed()).size(), 24);
     QVERIFY(!QFile::exists(undisturbed() + text("/.hunavsim-lock")));
     QVERIFY(!QFile::exists(undisturbed() + text("/results.sqlite-wal")));
@@ -43,7 +38,7 @@ class StudiesTest : public QObject {
     const Finished found = runProgram(StudyFolder::words(
         folder_.path(text("study.yaml")), undisturbed(), {text("--resume"), text("--rows")}));
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-    const auto rows = outside::readCsv(undisturbed() + text("/results.csv"));
+    const auto rows = readCsv(undisturbed() + text("/results.csv"));
     QStringList lines = found.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     QCOMPARE(lines.takeFirst(), text("{\"runs\":24,\"finished\":24}"));
     QCOMPARE(static_cast<std::size_t>(lines.size()), rows.size());
@@ -66,14 +61,14 @@ class StudiesTest : public QObject {
   void draws_areEqualForAllPlanners() {
     std::map<QString, QString> speeds;
     std::set<QString> different;
-    for (const auto& row : outside::readCsv(undisturbed() + text("/results.csv"))) {
+    for (const auto& row : readCsv(undisturbed() + text("/results.csv"))) {
       const QString speed = row.at(text("*.max_vel"));
       QVERIFY(speed.toDouble() >= 0.6 && speed.toDouble() <= 1.8);
       QCOMPARE(speeds.emplace(row.at(text("seed")), speed).first->second, speed);
       different.insert(speed);
     }
     QCOMPARE(different.size(), std::size_t{4});
-    const QJsonObject drawn = outside::readJson(undisturbed() + text("/manifest.json"))
+    const QJsonObject drawn = readJson(undisturbed() + text("/manifest.json"))
                                   .value(text("drawn"))
                                   .toObject()
                                   .value(text("yard.yaml"))
@@ -83,11 +78,10 @@ class StudiesTest : public QObject {
     }
     // People are alike in both, down to what the world has drawn for them.
     const auto people = [this](int run) {
-      return outside::readJson(undisturbed() + text("/runs/%1/trace.json").arg(run))
-          .value(text("humans"));
+      return readJson(undisturbed() + text("/runs/%1/trace.json").arg(run)).value(text("humans"));
     };
     const QString planner = text("robot1.planner");
-    const auto rows = outside::readCsv(undisturbed() + text("/results.csv"));
+    const auto rows = readCsv(undisturbed() + text("/results.csv"));
     QVERIFY(rows[2].at(planner) != rows[14].at(planner));
     QVERIFY(people(2).toArray().size() == 2 && people(2) == people(14));
     QVERIFY(people(2) != people(3));
@@ -95,9 +89,8 @@ class StudiesTest : public QObject {
 
   void jobs_anyNumber_sameBytes() {
     const QString out = folder_.path(text("four"));
-    const Finished found =
-        runProgram(StudyFolder::words(folder_.study(), out, {text("--jobs"), text("4")}));
-    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    QCOMPARE(failureOf(StudyFolder::words(folder_.study(), out, {text("--jobs"), text("4")})),
+             QString());
     QCOMPARE(StudyFolder::results(out), StudyFolder::results(undisturbed()));
     QCOMPARE(bytesOf(out + text("/manifest.json")),
              bytesOf(undisturbed() + text("/manifest.json")));
@@ -123,11 +116,10 @@ class StudiesTest : public QObject {
         batch.wait();
       }
       for (const qint64 worker : left) {  // none is left behind
-        QTRY_VERIFY_WITH_TIMEOUT(!outside::isAlive(worker), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(!isAlive(worker), 10000);
       }
     }
-    const Finished last = runProgram(StudyFolder::words(folder_.study(), out, {text("--resume")}));
-    QVERIFY2(last.exitCode == 0, qPrintable(last.err));
+    QCOMPARE(failureOf(StudyFolder::words(folder_.study(), out, {text("--resume")})), QString());
     QCOMPARE(StudyFolder::results(out), StudyFolder::results(undisturbed()));
     QCOMPARE(bytesOf(out + text("/manifest.json")),
              bytesOf(undisturbed() + text("/manifest.json")));
@@ -145,22 +137,19 @@ class StudiesTest : public QObject {
     Running batch(StudyFolder::words(experiment, out, {text("--jobs"), text("1")}));
     QTRY_VERIFY_WITH_TIMEOUT(StudyFolder::runFolders(out).size() >= 3, 30000);
     ::kill(batch.pid(), SIGTERM);
-    const Finished found = batch.wait();
-    QCOMPARE(found.exitCode, 1);
-    QVERIFY2(found.err.contains(text("batch --resume")), qPrintable(found.err));
-    const auto rows = outside::readCsv(out + text("/results.csv"));
+    QCOMPARE(unexpected(batch.wait(), 1, "batch --resume"), QString());
+    const auto rows = readCsv(out + text("/results.csv"));
     QVERIFY(rows.size() >= 2 && rows.size() < 24);
     QCOMPARE(StudyFolder::runFolders(out).size(), static_cast<int>(rows.size()));
     QVERIFY(StudyFolder::results(undisturbed()).startsWith(StudyFolder::results(out)));
     // Not again by mistake, and not with anything else.
-    const Finished again = runProgram(StudyFolder::words(experiment, out));
-    QCOMPARE(again.exitCode, 2);
-    QVERIFY2(again.err.contains(text("--resume continues it")), qPrintable(again.err));
+    QCOMPARE(
+        unexpected(runProgram(StudyFolder::words(experiment, out)), 2, "--resume continues it"),
+        QString());
     const Finished shard = runProgram(
         StudyFolder::words(experiment, out, {text("--resume"), text("--shard"), text("1/2")}));
     QCOMPARE(shard.exitCode, 2);
-    const Finished resumed = runProgram(StudyFolder::words(experiment, out, {text("--resume")}));
-    QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.err));
+    QCOMPARE(failureOf(StudyFolder::words(experiment, out, {text("--resume")})), QString());
     QCOMPARE(StudyFolder::results(out), StudyFolder::results(undisturbed()));
     // A finished one is left as it is.
     const QDateTime made = QFileInfo(out + text("/runs/0/manifest.json")).lastModified();
@@ -172,12 +161,11 @@ class StudiesTest : public QObject {
   void resume_changedExperimentOrScenario_isRefused() {
     const QString out = folder_.path(text("changed"));
     QVERIFY(QDir().mkpath(folder_.path(text("other"))));
-    outside::writeText(folder_.path(text("other/yard.yaml")), outside::kYardText);
+    writeText(folder_.path(text("other/yard.yaml")), kYardText);
     const auto write = [this](const char* seeds) {
       QString file = folder_.path(text("other/e.yaml"));
-      outside::writeText(
-          file, QByteArray("hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: ") + seeds +
-                    "\nduration: 1.0\n");
+      writeText(file, QByteArray("hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: ") +
+                          seeds + "\nduration: 1.0\n");
       return file;
     };
     const QString experiment = write("2");
@@ -189,12 +177,10 @@ class StudiesTest : public QObject {
     QVERIFY2(other.err.contains(text("e.yaml:3: error:")) && other.err.contains(text("'seeds: 2'")),
              qPrintable(other.err));
     write("2");
-    outside::writeText(folder_.path(text("other/yard.yaml")),
-                       QByteArray(outside::kYardText) + "    duration: 3.0\n");
-    const Finished moved = runProgram(StudyFolder::words(experiment, out, {text("--resume")}));
-    QCOMPARE(moved.exitCode, 2);
-    QVERIFY2(moved.err.contains(text("yard.yaml: error: this file has changed since")),
-             qPrintable(moved.err));
+    writeText(folder_.path(text("other/yard.yaml")), QByteArray(kYardText) + "    duration: 3.0\n");
+    QCOMPARE(unexpected(runProgram(StudyFolder::words(experiment, out, {text("--resume")})), 2,
+                        "yard.yaml: error: this file has changed since"),
+             QString());
     QCOMPARE(StudyFolder::results(out), before);
   }
 
@@ -208,20 +194,19 @@ class StudiesTest : public QObject {
     QFETCH(int, count);
     const QString base = folder_.path(text("shards%1").arg(count));
     const QString out = base + text("/all");
-    QStringList merge = {text("merge"), text("-o"), out};
+    QStringList merge = list("merge -o %", {out});
     for (int k = count; k >= 1; --k) {  // in any order
       const QString shard = base + text("/%1").arg(k);
-      const Finished part = runProgram(
-          StudyFolder::words(folder_.study(), shard,
-                             {text("--shard"), text("%1/%2").arg(k).arg(count), text("--resume")}));
-      QVERIFY2(part.exitCode == 0, qPrintable(part.err));
-      for (const auto& row : outside::readCsv(shard + text("/results.csv"))) {
+      QCOMPARE(failureOf(StudyFolder::words(
+                   folder_.study(), shard,
+                   {text("--shard"), text("%1/%2").arg(k).arg(count), text("--resume")})),
+               QString());
+      for (const auto& row : readCsv(shard + text("/results.csv"))) {
         QCOMPARE(row.at(text("run")).toInt() % count, k - 1);
       }
       merge << shard;
     }
-    const Finished merged = runProgram(merge);
-    QVERIFY2(merged.exitCode == 0, qPrintable(merged.err));
+    QCOMPARE(failureOf(merge), QString());
     QCOMPARE(StudyFolder::results(out), StudyFolder::results(undisturbed()));
     QCOMPARE(bytesOf(out + text("/manifest.json")),
              bytesOf(undisturbed() + text("/manifest.json")));
@@ -240,7 +225,7 @@ class StudiesTest : public QObject {
         folder_.study(), out, {text("--script"), text("parallel"), text("--chunks"), text("3")}));
     QVERIFY2(script.exitCode == 0, qPrintable(script.err));
     QVERIFY(!QDir(out).exists());
-    outside::writeText(folder_.path(text("job.sh")), script.out.toUtf8());
+    writeText(folder_.path(text("job.sh")), script.out.toUtf8());
     for (int k = 0; k < 2; ++k) {  // the second time nothing is left to do
       QProcess bash;
       QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -256,9 +241,9 @@ class StudiesTest : public QObject {
 
   /// By the cluster of whoever runs this, else by one of our own on loopback.
   void script_slurm_sameBytes() {
-    outside::LoopbackSlurm cluster;
-    if (outside::LoopbackSlurm::nodeState().isEmpty()) {
-      if (!outside::LoopbackSlurm::isInstalled()) {
+    LoopbackSlurm cluster;
+    if (LoopbackSlurm::nodeState().isEmpty()) {
+      if (!LoopbackSlurm::isInstalled()) {
         QSKIP("there is no Slurm here");
       }
       QVERIFY(cluster.start());
@@ -266,7 +251,7 @@ class StudiesTest : public QObject {
     const QString out = folder_.path(text("by slurm"));
     const Finished script = runProgram(StudyFolder::words(
         folder_.study(), out, {text("--script"), text("slurm"), text("--chunks"), text("3")}));
-    outside::writeText(folder_.path(text("job.sh")), script.out.toUtf8());
+    writeText(folder_.path(text("job.sh")), script.out.toUtf8());
     QProcess bash;
     bash.start(text("bash"), {folder_.path(text("job.sh"))});
     QVERIFY(bash.waitForFinished(50000));

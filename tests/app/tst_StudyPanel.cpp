@@ -1,5 +1,4 @@
 #include <QSignalSpy>
-#include <QTableWidget>
 
 #include "app/window/Docks.h"
 #include "app/window/study/StudyPanel.h"
@@ -10,8 +9,7 @@
 
 using app::StudyPanel;
 using app::StudyRow;
-using outside::StudyFolder;
-using outside::text;
+using namespace outside;
 
 namespace {
 
@@ -55,7 +53,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   Part& field(const char* name) {
     return quiet::part<Part>(panel(), name);
   }
-  static QByteArray bytes(const QString& path) { return outside::bytesOf(path); }
+  static QByteArray bytes(const QString& path) { return bytesOf(path); }
   void waitForEnd() { QTRY_VERIFY_WITH_TIMEOUT(!panel().isRunning(), kLong); }
 
  private Q_SLOTS:
@@ -207,11 +205,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
 
   /// Chosen by mouse: the scenario that is open, planners, a number of seeds.
   void form_chosen_isAnExperiment() {
-    for (QAbstractButton* button : form().findChildren<QAbstractButton*>()) {
-      if (button->text() == text("Add current")) {
-        button->click();
-      }
-    }
+    widgets::withText<QAbstractButton>(form(), text("Add current"))->click();
     auto& planners = field<QListWidget>("Planners");
     for (const char* name : {"pursuit", "dwa"}) {
       planners.findItems(text(name), Qt::MatchExactly).front()->setCheckState(Qt::Checked);
@@ -230,7 +224,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QVERIFY(panel().isRunning());
     waitForEnd();
     QCOMPARE(panel().message(), text("24 of 24 runs"));
-    const auto rows = outside::readCsv(panel().resultsFolder() + text("/results.csv"));
+    const auto rows = readCsv(panel().resultsFolder() + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{24});
     QCOMPARE(panel().results().runs().rows().size(), rows.size());
     double sum = 0.0;
@@ -273,7 +267,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     panel().play(3);
     QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
     const QString folder = played.front().front().toString();
-    const double length = outside::valueOf(outside::metricsOf(folder), text("path_length"));
+    const double length = valueOf(metricsOf(folder), text("path_length"));
     QCOMPARE(length, panel().results().runs().rows()[3].metrics.at(text("path_length")));
   }
 
@@ -347,7 +341,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   void closedWindow_endsTheStudy() {
     QVERIFY(panel().openFile(study_->endless()));
     panel().start();
-    const auto batches = [] { return outside::childrenOf(QCoreApplication::applicationPid()); };
+    const auto batches = [] { return childrenOf(QCoreApplication::applicationPid()); };
     QTRY_VERIFY(!batches().empty());
     end();
     QTRY_VERIFY(batches().empty());

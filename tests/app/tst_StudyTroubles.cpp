@@ -2,12 +2,7 @@
 
 #include "tests/app/StudyFiles.h"
 
-using outside::bytesOf;
-using outside::Finished;
-using outside::Running;
-using outside::runProgram;
-using outside::StudyFolder;
-using outside::text;
+using namespace outside;
 
 /// Studies that cannot go on, and what is said of it.
 class StudyTroublesTest : public QObject {
@@ -36,62 +31,56 @@ class StudyTroublesTest : public QObject {
       QVERIFY2(found.err.contains(text(said)), qPrintable(found.err));
     }
     QVERIFY(!QDir(out).exists());
-    QCOMPARE(runProgram({text("merge"), text("-o"), one, one}).exitCode, 2);
+    QCOMPARE(runProgram("merge -o % %", {one, one}).exitCode, 2);
     const Finished same = runProgram({text("merge"), text("-o"), out, one, one});
     QCOMPARE(same.exitCode, 2);
     QVERIFY2(same.err.contains(text("shard 1/4 is duplicated")), qPrintable(same.err));
     QVERIFY2(!same.err.contains(text("process")), qPrintable(same.err));
-    const Finished none =
-        runProgram({text("merge"), text("-o"), out, folder_.path(text("nowhere"))});
+    const Finished none = runProgram("merge -o % %", {out, folder_.path(text("nowhere"))});
     QVERIFY2(none.err.contains(text("there are no results of a batch")), qPrintable(none.err));
     // One that is not complete.
     const QString half = folder_.path(text("half"));
     Running batch(StudyFolder::words(folder_.endless(), half,
                                      {text("--shard"), text("1/1"), text("--jobs"), text("1")}));
     QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), 20000);
-    const Finished busy = runProgram({text("merge"), text("-o"), out, half});
-    QCOMPARE(busy.exitCode, 2);
-    QVERIFY2(busy.err.contains(text("process %1").arg(batch.pid())), qPrintable(busy.err));
+    QCOMPARE(
+        unexpected(runProgram("merge -o % %", {out, half}), 2, text("process %1").arg(batch.pid())),
+        QString());
     ::kill(batch.pid(), SIGINT);
     batch.wait();
-    const Finished partly = runProgram({text("merge"), text("-o"), out, half});
-    QCOMPARE(partly.exitCode, 2);
-    QVERIFY2(partly.err.contains(text("not complete: 0 of 2 runs")), qPrintable(partly.err));
+    QCOMPARE(unexpected(runProgram("merge -o % %", {out, half}), 2, "not complete: 0 of 2 runs"),
+             QString());
   }
 
   /// Two definitions of a metric do not belong into one table.
   void merge_anotherMetricsFile_isRefused() {
     const QString metrics = folder_.path(text("own_metrics.yaml"));
     const QString scenario = folder_.path(text("own.yaml"));
-    outside::writeText(
-        scenario, QByteArray(outside::kYardText) + "    metrics:\n      file: own_metrics.yaml\n");
+    writeText(scenario, QByteArray(kYardText) + "    metrics:\n      file: own_metrics.yaml\n");
     const QString experiment = folder_.path(text("own_e.yaml"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [own.yaml]\nseeds: 2\n"
-                       "duration: 0.5\n");
-    QStringList merge = {text("merge"), text("-o"), folder_.path(text("own_all"))};
+    writeText(experiment,
+              "hunavsim_experiment: 1\nscenarios: [own.yaml]\nseeds: 2\n"
+              "duration: 0.5\n");
+    QStringList merge = list("merge -o %", {folder_.path(text("own_all"))});
     for (const char* shard : {"1/2", "2/2"}) {
-      outside::writeText(metrics, QByteArray("metrics: {path_length: true}\n# ") + shard + "\n");
+      writeText(metrics, QByteArray("metrics: {path_length: true}\n# ") + shard + "\n");
       merge << folder_.path(text("own_%1").arg(text(shard).left(1)));
-      const Finished made =
-          runProgram(StudyFolder::words(experiment, merge.back(), {text("--shard"), text(shard)}));
-      QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+      QCOMPARE(
+          failureOf(StudyFolder::words(experiment, merge.back(), {text("--shard"), text(shard)})),
+          QString());
     }
-    const Finished found = runProgram(merge);
-    QCOMPARE(found.exitCode, 2);
-    QVERIFY2(found.err.contains(text("own_metrics.yaml: error: this file has changed since")),
-             qPrintable(found.err));
+    QCOMPARE(
+        unexpected(runProgram(merge), 2, "own_metrics.yaml: error: this file has changed since"),
+        QString());
   }
 
   void twoBatches_inOneFolder_theSecondIsRefused() {
     const QString out = folder_.path(text("busy"));
     Running first(StudyFolder::words(folder_.endless(), out, {text("--jobs"), text("1")}));
     QTRY_VERIFY_WITH_TIMEOUT(!first.workers().empty(), 20000);
-    const Finished second =
-        runProgram(StudyFolder::words(folder_.endless(), out, {text("--resume")}));
-    QCOMPARE(second.exitCode, 2);
-    QVERIFY2(second.err.contains(text("process %1 is writing results here").arg(first.pid())),
-             qPrintable(second.err));
+    QCOMPARE(unexpected(runProgram(StudyFolder::words(folder_.endless(), out, {text("--resume")})),
+                        2, text("process %1 is writing results here").arg(first.pid())),
+             QString());
     QVERIFY(first.isRunning());
     ::kill(first.pid(), SIGKILL);  // the lock ends with it
     first.wait();
@@ -108,11 +97,11 @@ class StudyTroublesTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(batch.workers().size() == 1, 20000);
       const qint64 worker = batch.workers().front();
       ::kill(static_cast<pid_t>(worker), SIGKILL);
-      QTRY_VERIFY_WITH_TIMEOUT(!outside::isAlive(worker), 20000);
+      QTRY_VERIFY_WITH_TIMEOUT(!isAlive(worker), 20000);
     }
     const Finished found = batch.wait();
     QVERIFY2(found.exitCode == 1, qPrintable(text("%1 ").arg(found.exitCode) + found.err));
-    const auto rows = outside::readCsv(out + text("/results.csv"));
+    const auto rows = readCsv(out + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{1});
     QCOMPARE(rows[0].at(text("status")), text("failed"));
     QVERIFY2(rows[0].at(text("reason")).startsWith(text("the process was killed (signal 9)")),
@@ -133,10 +122,10 @@ class StudyTroublesTest : public QObject {
     const Finished found =
         runProgram(StudyFolder::words(folder_.endless(), out, {text("--time-limit"), text("0.2")}));
     QCOMPARE(found.exitCode, 1);
-    const auto rows = outside::readCsv(out + text("/results.csv"));
+    const auto rows = readCsv(out + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{2});
     QCOMPARE(rows[1].at(text("reason")), text("not finished within 0.2 s"));
-    QCOMPARE(runProgram({text("report"), out, text("-q")}).exitCode, 0);
+    QCOMPARE(runProgram("report % -q", {out}).exitCode, 0);
     QVERIFY(bytesOf(out + text("/report.html")).contains("--time-limit 0.2"));
   }
 
@@ -146,7 +135,7 @@ class StudyTroublesTest : public QObject {
     const QString out = folder_.path(text("retried"));
     const auto reasonsAfter = [&](const QStringList& more) {
       const Finished found =
-          runProgram(StudyFolder::words(folder_.endless(), out, more + QStringList{text("-q")}));
+          runProgram(StudyFolder::words(folder_.endless(), out, more + list("-q")));
       [&] { QCOMPARE(found.exitCode, 1); }();
       [&] { QCOMPARE(found.out, QString()); }();
       // The reason for exit code 1 is also reported without other output.
@@ -156,7 +145,7 @@ class StudyTroublesTest : public QObject {
                  qPrintable(found.err));
       }();
       QStringList reasons;
-      for (const auto& row : outside::readCsv(out + text("/results.csv"))) {
+      for (const auto& row : readCsv(out + text("/results.csv"))) {
         reasons += row.at(text("reason"));
       }
       return reasons.join(text("; "));
@@ -174,28 +163,24 @@ class StudyTroublesTest : public QObject {
     QVERIFY(QDir().mkpath(folder_.path(text("edited"))));
     const QString scenario = folder_.path(text("edited/yard.yaml"));
     const QString experiment = folder_.path(text("edited/e.yaml"));
-    outside::writeText(scenario, outside::kYardText);
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 3\n"
-                       "duration: 4000.0\n");
+    writeText(scenario, kYardText);
+    writeText(experiment,
+              "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 3\n"
+              "duration: 4000.0\n");
     const QString out = folder_.path(text("edited/out"));
     const QStringList words =
         StudyFolder::words(experiment, out, {text("--jobs"), text("1"), text("--resume")});
     Running batch(words);
     QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), 20000);
-    outside::writeText(scenario,
-                       QByteArray(outside::kYardText).replace("max_vel: 1.2", "max_vel: 1.3"));
+    writeText(scenario, QByteArray(kYardText).replace("max_vel: 1.2", "max_vel: 1.3"));
     const Finished found = batch.wait();
-    QCOMPARE(found.exitCode, 2);
-    QVERIFY2(found.err.contains(text("yard.yaml: error: this file changed during")) &&
-                 found.err.contains(text(" of 3 runs: continue with batch --resume")),
+    QCOMPARE(unexpected(found, 2, "yard.yaml: error: this file changed during"), QString());
+    QVERIFY2(found.err.contains(text(" of 3 runs: continue with batch --resume")),
              qPrintable(found.err));
-    const Finished other = runProgram(words);
-    QCOMPARE(other.exitCode, 2);
-    QVERIFY2(other.err.contains(text("this file has changed since")), qPrintable(other.err));
-    outside::writeText(scenario, outside::kYardText);
+    QCOMPARE(unexpected(runProgram(words), 2, "this file has changed since"), QString());
+    writeText(scenario, kYardText);
     QCOMPARE(runProgram(words).exitCode, 0);
-    QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{3});
+    QCOMPARE(readCsv(out + text("/results.csv")).size(), std::size_t{3});
   }
 
   void damagedDatabase_isToldAndKept() {
@@ -209,16 +194,15 @@ class StudyTroublesTest : public QObject {
     QByteArray broken = whole;
     broken.replace(4096, 4000, QByteArray(4000, 'x'));
     for (const QByteArray& bytes : {cut, broken, QByteArray("no database at all, by no means")}) {
-      outside::writeText(file, bytes);
+      writeText(file, bytes);
       for (const char* option : {"--resume", "--quiet"}) {
-        const Finished found = runProgram(StudyFolder::words(experiment, out, {text(option)}));
-        QCOMPARE(found.exitCode, 2);
-        QVERIFY2(found.err.contains(text("results.sqlite: error: the results cannot be read")),
-                 qPrintable(found.err));
+        QCOMPARE(unexpected(runProgram(StudyFolder::words(experiment, out, {text(option)})), 2,
+                            "results.sqlite: error: the results cannot be read"),
+                 QString());
         QCOMPARE(bytesOf(file), bytes);
       }
     }
-    outside::writeText(file, whole);  // as the message advises
+    writeText(file, whole);  // as the message advises
     QCOMPARE(runProgram(StudyFolder::words(experiment, out, {text("--resume")})).exitCode, 0);
   }
 
@@ -230,13 +214,12 @@ class StudyTroublesTest : public QObject {
     Running batch(
         StudyFolder::words(experiment, out, {text("--jobs"), text("1"), text("--allow-code")}));
     QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), 20000);
-    const Finished early = runProgram({text("report"), out});
-    QCOMPARE(early.exitCode, 2);
-    QVERIFY2(early.err.contains(text("not-ended: error: the batch in this folder is running")),
-             qPrintable(early.err));
+    QCOMPARE(unexpected(runProgram("report %", {out}), 2,
+                        "not-ended: error: the batch in this folder is running"),
+             QString());
     ::kill(batch.pid(), SIGKILL);
     batch.wait();
-    const Finished cut = runProgram({text("report"), out});
+    const Finished cut = runProgram("report %", {out});
     QCOMPARE(cut.exitCode, 2);
     const QString goOn = text("hunavsim batch '%1' -o %2 --resume --allow-code\n");
     QVERIFY2(cut.err.contains(text("is incomplete (0 of 2 runs): continue it with ")) &&
@@ -260,8 +243,7 @@ class StudyTroublesTest : public QObject {
              qPrintable(said));
     const QString free = folder_.path(text("free"));
     QCOMPARE(runProgram(StudyFolder::words(experiment, free)).exitCode, 0);
-    const Finished resumed = runProgram(StudyFolder::words(experiment, out, {text("--resume")}));
-    QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.err));
+    QCOMPARE(failureOf(StudyFolder::words(experiment, out, {text("--resume")})), QString());
     QCOMPARE(StudyFolder::results(out), StudyFolder::results(free));
   }
 
@@ -272,9 +254,8 @@ class StudyTroublesTest : public QObject {
     if (::access(qPrintable(out), W_OK) == 0) {
       QSKIP("this user may write everywhere");
     }
-    const Finished found = runProgram(StudyFolder::words(folder_.study(), out));
-    QCOMPARE(found.exitCode, 2);
-    QVERIFY2(found.err.contains(text("no permission")), qPrintable(found.err));
+    QCOMPARE(unexpected(runProgram(StudyFolder::words(folder_.study(), out)), 2, "no permission"),
+             QString());
     QFile::setPermissions(out, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
   }
 
@@ -315,7 +296,7 @@ class StudyTroublesTest : public QObject {
       QCOMPARE(script.exitCode, 0);
       QVERIFY2(script.out.contains(text("MORE='--retry-failed --time-limit 9'\n")),
                qPrintable(script.out));
-      outside::writeText(folder_.path(text("check.sh")), script.out.toUtf8());
+      writeText(folder_.path(text("check.sh")), script.out.toUtf8());
       QProcess bash;
       bash.start(text("bash"), {text("-n"), folder_.path(text("check.sh"))});
       QVERIFY(bash.waitForFinished(10000));

@@ -1,14 +1,6 @@
 #include <limits>
 
-#include <QDialogButtonBox>
-#include <QFileDialog>
-#include <QLineEdit>
-#include <QMenu>
-#include <QMenuBar>
-#include <QPointer>
 #include <QSignalSpy>
-#include <QTreeWidget>
-#include <QtTest>
 
 #include "app/window/StartPage.h"
 #include "editor/document/EditCommands.h"
@@ -18,7 +10,6 @@
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/behavior/BehaviorPanel.h"
 #include "editor/panels/properties/PropertyPanel.h"
-#include "editor/panels/runs/BranchDialog.h"
 #include "editor/panels/runs/RunsPanel.h"
 #include "editor/trees/TreeEditor.h"
 #include "tests/app/QuietWindow.h"
@@ -107,9 +98,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     const QModelIndex person = tree.model()->index(0, 0, tree.model()->index(0, 0));
     const QPoint at = tree.visualRect(person).center();
     QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, at);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree.viewport()->mapToGlobal(at));
-    QApplication::sendEvent(tree.viewport(), &event);
-    const QPointer<QMenu> menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    const QPointer<QMenu> menu = menuAt(*tree.viewport(), at);
     QVERIFY(menu && menu->isVisible());
     document().setSelection({people()[1]});
     QTRY_VERIFY(menu.isNull());
@@ -120,10 +109,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     window_->docks().show({QStringLiteral("tree"), QStringLiteral("behaviour")});
     auto& studio = *window_->findChild<editor::TreeEditor*>();
     QTRY_VERIFY(studio.isVisible() && studio.person() == people()[0]);
-    const QPoint at = studio.canvas().centreOf(0);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, studio.canvas().mapToGlobal(at));
-    QApplication::sendEvent(&studio.canvas(), &event);
-    const QPointer<QMenu> menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    const QPointer<QMenu> menu = menuAt(studio.canvas(), studio.canvas().centreOf(0));
     QVERIFY(menu && menu->isVisible());
     document().setSelection({people()[1]});
     QTRY_VERIFY(menu.isNull());
@@ -143,10 +129,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
       name->setText(file);
       QTest::keyClick(name, Qt::Key_Return);
     });
-    QToolButton* save = nullptr;
-    for (QToolButton* each : panel.findChildren<QToolButton*>()) {
-      save = each->text() == QStringLiteral("Save…") ? each : save;
-    }
+    auto* save = widgets::withText<QToolButton>(panel, QStringLiteral("Save…"));
     QVERIFY(save != nullptr);
     QTest::mouseClick(save, Qt::LeftButton);
     QCOMPARE(panel.person(), people()[1]);
@@ -325,11 +308,14 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     QTest::mouseRelease(window_->windowHandle(), Qt::LeftButton, {}, inWindow(world));
     QCoreApplication::processEvents();
   }
-  QMenu* canvasMenuOn(EntityId person) {
-    const QPoint at = view().viewportFrom(document().human(person)->initPose.position);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, view().viewport()->mapToGlobal(at));
-    QApplication::sendEvent(view().viewport(), &event);
+  static QMenu* menuAt(QWidget& part, const QPoint& at) {
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, part.mapToGlobal(at));
+    QApplication::sendEvent(&part, &event);
     return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  }
+  QMenu* canvasMenuOn(EntityId person) {
+    return menuAt(*view().viewport(),
+                  view().viewportFrom(document().human(person)->initPose.position));
   }
   void rememberingWindow() {
     end();
@@ -355,19 +341,11 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     QTest::keyClicks(name, QString::fromUtf8(text));
     return *name;
   }
-  app::RecentRow* recentRow() const {
-    const QList<app::RecentRow*> rows = window_->findChildren<app::RecentRow*>();
-    const auto shown = std::find_if(rows.begin(), rows.end(),
-                                    [](const app::RecentRow* row) { return row->isVisible(); });
-    return shown == rows.end() ? nullptr : *shown;
-  }
+  app::RecentRow* recentRow() const { return widgets::shown<app::RecentRow>(*window_); }
   QMenu* recentMenu() const {
-    for (QMenu* menu : window_->findChildren<QMenu*>()) {
-      if (menu->title().contains(QStringLiteral("recen"))) {
-        return menu;
-      }
-    }
-    return nullptr;
+    return widgets::findIf<QMenu>(*window_, [](const QMenu* menu) {
+      return menu->title().contains(QStringLiteral("recen"));
+    });
   }
 };
 

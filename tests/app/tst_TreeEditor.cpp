@@ -1,12 +1,5 @@
 #include <limits>
 
-#include <QClipboard>
-#include <QDockWidget>
-#include <QMimeData>
-#include <QTextBlock>
-#include <QUndoStack>
-#include <QtTest>
-
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"

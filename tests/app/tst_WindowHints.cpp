@@ -1,11 +1,3 @@
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QMenu>
-#include <QMenuBar>
-#include <QTabBar>
-#include <QToolButton>
-#include <QtTest>
-
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
 

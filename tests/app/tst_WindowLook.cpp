@@ -1,13 +1,3 @@
-#include <algorithm>
-
-#include <QCheckBox>
-#include <QComboBox>
-#include <QLabel>
-#include <QRadioButton>
-#include <QStatusBar>
-#include <QStatusTipEvent>
-#include <QtTest>
-
 #include "app/window/MainWindow.h"
 #include "app/window/StartPage.h"
 #include "editor/look/AppStyle.h"
@@ -27,12 +17,7 @@ class WindowLookTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() { editor::applyTheme(editor::Theme::light()); }
-  void init() {
-    window_ = std::make_unique<MainWindow>(quiet::setup());
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  }
+  void init() { window_ = quiet::shownWindow(); }
   void cleanup() { window_.reset(); }
 
   void start_demosStandInTheColumnsOfTheActions() {

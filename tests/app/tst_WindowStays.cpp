@@ -1,13 +1,5 @@
-#include <QMessageBox>
-#include <QPushButton>
-#include <QStatusBar>
-#include <QTemporaryDir>
-#include <QToolBar>
-#include <QToolButton>
-#include <QtTest>
-
 #include "app/window/MainWindow.h"
-#include "app/window/files/DocumentGuard.h"
+#include "app/window/files/FileCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/MetricsDock.h"

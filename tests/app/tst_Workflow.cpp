@@ -1,6 +1,3 @@
-#include <set>
-
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "Hands.h"
@@ -8,10 +5,10 @@
 #include "editor/look/Fields.h"
 #include "editor/look/Theme.h"
 #include "editor/panels/IssuesPanel.h"
-#include "editor/panels/TextViewer.h"
 #include "editor/panels/behavior/GoalAssignment.h"
 #include "editor/panels/properties/PropertyPage.h"
 #include "editor/panels/properties/PropertyPanel.h"
+#include "tests/support/Widgets.h"
 
 using app::MainWindow;
 using base::Vec2;
@@ -71,13 +68,11 @@ class WorkflowTest : public QObject {
     QTest::qWait(300);  // the view fits
   }
   void clickButton(QWidget& dialog, const QString& name) {
-    for (QAbstractButton* button : dialog.findChildren<QAbstractButton*>()) {
-      if (button->text() == name || button->accessibleName().startsWith(name)) {
-        hands_->clickOn(*button, button->rect().center());
-        return;
-      }
-    }
-    QFAIL(qPrintable(name));
+    auto* button = widgets::findIf<QAbstractButton>(dialog, [&](const QAbstractButton* each) {
+      return each->text() == name || each->accessibleName().startsWith(name);
+    });
+    QVERIFY2(button != nullptr, qPrintable(name));
+    hands_->clickOn(*button, button->rect().center());
   }
   void give(int person, const std::vector<int>& goalRows) {
     hands_->clickRow(assignment()->people(), person);

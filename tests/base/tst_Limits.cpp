@@ -11,6 +11,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
+#include "tests/support/Columns.h"
 
 namespace {
 
@@ -84,60 +85,53 @@ std::string problemsOf(const std::string& yaml) {
 class LimitsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void page_figures_areThoseOfTheCode_data();
-  void page_figures_areThoseOfTheCode();
-  void people_oneMore_isRefused();
-  void keys_oneMore_isRefused();
-};
-
-void LimitsTest::page_figures_areThoseOfTheCode_data() {
-  QTest::addColumn<QString>("figure");
-  QTest::addColumn<QString>("name");
-  QTest::addColumn<QString>("file");
-  std::istringstream page(contentOf(SOURCE_DIR "/sim2d/scenario/LIMITS.md"));
-  int rows = 0;
-  for (std::string line; std::getline(page, line);) {
-    const std::vector<std::string> cells = cellsOf(line);
-    std::smatch place;
-    if (cells.size() > 3 && std::regex_match(cells[3], place, std::regex("`(k\\w+)`, (\\S+)"))) {
-      QTest::addRow("%d %s", ++rows, cells[1].c_str())
-          << QString::fromStdString(cells[2]) << QString::fromStdString(place[1])
-          << QString::fromStdString(place[2]);
+  void page_figures_areThoseOfTheCode_data() {
+    addColumns<QString, QString, QString>({"figure", "name", "file"});
+    std::istringstream page(contentOf(SOURCE_DIR "/sim2d/scenario/LIMITS.md"));
+    int rows = 0;
+    for (std::string line; std::getline(page, line);) {
+      const std::vector<std::string> cells = cellsOf(line);
+      std::smatch place;
+      if (cells.size() > 3 && std::regex_match(cells[3], place, std::regex("`(k\\w+)`, (\\S+)"))) {
+        QTest::addRow("%d %s", ++rows, cells[1].c_str())
+            << QString::fromStdString(cells[2]) << QString::fromStdString(place[1])
+            << QString::fromStdString(place[2]);
+      }
     }
+    QVERIFY2(rows >= 36, "rows of the table are no longer found");
   }
-  QVERIFY2(rows >= 36, "rows of the table are no longer found");
-}
 
-void LimitsTest::page_figures_areThoseOfTheCode() {
-  QFETCH(const QString, figure);
-  QFETCH(const QString, name);
-  QFETCH(const QString, file);
-  const std::optional<double> onPage = figureOf(figure.toStdString());
-  const std::optional<double> inCode = constantOf(file.toStdString(), name.toStdString());
-  QVERIFY2(onPage, qPrintable(figure));
-  QVERIFY2(inCode, qPrintable(file + QStringLiteral(" has no ") + name));
-  QCOMPARE(*onPage, *inCode);
-}
-
-void LimitsTest::people_oneMore_isRefused() {
-  std::string list = "agents:\n";
-  for (int i = 0; i < 100000; ++i) {
-    list += "  - p\n";
+  void page_figures_areThoseOfTheCode() {
+    QFETCH(const QString, figure);
+    QFETCH(const QString, name);
+    QFETCH(const QString, file);
+    const std::optional<double> onPage = figureOf(figure.toStdString());
+    const std::optional<double> inCode = constantOf(file.toStdString(), name.toStdString());
+    QVERIFY2(onPage, qPrintable(figure));
+    QVERIFY2(inCode, qPrintable(file + QStringLiteral(" has no ") + name));
+    QCOMPARE(*onPage, *inCode);
   }
-  QCOMPARE(problemsOf(list), std::string());
-  const std::string told = problemsOf(list + "  - p\n");
-  QVERIFY2(told.find("more than 100000 people") != std::string::npos, told.c_str());
-}
 
-void LimitsTest::keys_oneMore_isRefused() {
-  std::string map;
-  for (int i = 0; i < 250000; ++i) {
-    map += "k" + std::to_string(i) + ": 1\n";
+  void people_oneMore_isRefused() {
+    std::string list = "agents:\n";
+    for (int i = 0; i < 100000; ++i) {
+      list += "  - p\n";
+    }
+    QCOMPARE(problemsOf(list), std::string());
+    const std::string told = problemsOf(list + "  - p\n");
+    QVERIFY2(told.find("more than 100000 people") != std::string::npos, told.c_str());
   }
-  QCOMPARE(problemsOf(map), std::string());
-  const std::string told = problemsOf(map + "more: 1\n");
-  QVERIFY2(told.find("more than 250000 keys") != std::string::npos, told.c_str());
-}
+
+  void keys_oneMore_isRefused() {
+    std::string map;
+    for (int i = 0; i < 250000; ++i) {
+      map += "k" + std::to_string(i) + ": 1\n";
+    }
+    QCOMPARE(problemsOf(map), std::string());
+    const std::string told = problemsOf(map + "more: 1\n");
+    QVERIFY2(told.find("more than 250000 keys") != std::string::npos, told.c_str());
+  }
+};
 
 QTEST_APPLESS_MAIN(LimitsTest)
 #include "tst_Limits.moc"

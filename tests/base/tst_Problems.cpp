@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "sim2d/base/Problems.h"
+#include "sim2d/base/Result.h"
 
 namespace {
 

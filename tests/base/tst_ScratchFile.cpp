@@ -32,87 +32,80 @@ bool isEmpty(const QTemporaryDir& folder) {
 class ScratchFileTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void append_somePieces_areReadBack();
-  void overwrite_piece_leavesTheOthers();
-  void append_withTmpdir_liesThereWithoutAName();
-  void append_folderThatIsNone_tellsWhy();
-  void append_tooLittleIsLeftFree_isFull();
-  void append_diskFillsUp_keepsWhatWasThere();
-};
-
-void ScratchFileTest::append_somePieces_areReadBack() {
-  ScratchFile file;
-  QVERIFY(!file.read({0, 1}));
-  const auto first = file.append("one");
-  const auto second = file.append(std::string(100000, 'x'));
-  QVERIFY(first && second);
-  file.prefetch(*second);
-  QVERIFY(file.read(*first) == std::optional<std::string>("one"));
-  QVERIFY(file.read(*second) == std::optional<std::string>(std::string(100000, 'x')));
-  QCOMPARE(file.size(), 100003LL);
-  QVERIFY(!file.read({100000, 4}));  // beyond its end
-}
-
-void ScratchFileTest::overwrite_piece_leavesTheOthers() {
-  ScratchFile file;
-  const auto first = file.append("one");
-  const auto second = file.append("two");
-  QVERIFY(first && second && file.overwrite(*first, "ONE"));
-  QVERIFY(file.read(*first) == std::optional<std::string>("ONE"));
-  QVERIFY(file.read(*second) == std::optional<std::string>("two"));
-  QCOMPARE(file.size(), 6LL);
-}
-
-void ScratchFileTest::append_withTmpdir_liesThereWithoutAName() {
-  const QTemporaryDir folder;
-  const QByteArray before = qgetenv("TMPDIR");
-  qputenv("TMPDIR", folder.path().toLocal8Bit());
-  {
+  void append_somePieces_areReadBack() {
     ScratchFile file;
-    QCOMPARE(openFilesIn(folder.path()), 0);  // not needed yet
-    QVERIFY(file.append("bytes"));
-    QCOMPARE(openFilesIn(folder.path()), 1);
-    QVERIFY(isEmpty(folder));
+    QVERIFY(!file.read({0, 1}));
+    const auto first = file.append("one");
+    const auto second = file.append(std::string(100000, 'x'));
+    QVERIFY(first && second);
+    file.prefetch(*second);
+    QVERIFY(file.read(*first) == std::optional<std::string>("one"));
+    QVERIFY(file.read(*second) == std::optional<std::string>(std::string(100000, 'x')));
+    QCOMPARE(file.size(), 100003LL);
+    QVERIFY(!file.read({100000, 4}));  // beyond its end
   }
-  QCOMPARE(openFilesIn(folder.path()), 0);
-  qputenv("TMPDIR", (folder.path() + QStringLiteral("/none")).toLocal8Bit());
-  ScratchFile elsewhere;
-  QVERIFY(elsewhere.append("bytes"));
-  before.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
-}
 
-void ScratchFileTest::append_folderThatIsNone_tellsWhy() {
-  ScratchFile missing("/nowhere/at/all");
-  QVERIFY(!missing.append("bytes"));
-  QVERIFY(missing.problem() == std::errc::no_such_file_or_directory);
-  ScratchFile device("/dev/null");
-  QVERIFY(!device.append("bytes"));
-  QVERIFY(device.problem() == std::errc::not_a_directory);
-}
-
-void ScratchFileTest::append_tooLittleIsLeftFree_isFull() {
-  ScratchFile file({}, std::numeric_limits<long long>::max() / 2);
-  QVERIFY(!file.append("bytes"));
-  QVERIFY(file.problem() == std::errc::no_space_on_device);
-  QCOMPARE(file.size(), 0LL);
-}
-
-void ScratchFileTest::append_diskFillsUp_keepsWhatWasThere() {
-  ScratchFile file;
-  const auto first = file.append(std::string(1000, 'a'));
-  QVERIFY(first);
-  {
-    const support::FullDisk disk(1500);
-    QVERIFY(!file.append(std::string(1000, 'b')));
-    QVERIFY(file.problem() == std::errc::file_too_large);
-    QCOMPARE(file.size(), 1000LL);
-    QVERIFY(file.append(std::string(500, 'c')));
+  void overwrite_piece_leavesTheOthers() {
+    ScratchFile file;
+    const auto first = file.append("one");
+    const auto second = file.append("two");
+    QVERIFY(first && second && file.overwrite(*first, "ONE"));
+    QVERIFY(file.read(*first) == std::optional<std::string>("ONE"));
+    QVERIFY(file.read(*second) == std::optional<std::string>("two"));
+    QCOMPARE(file.size(), 6LL);
   }
-  const auto next = file.append(std::string(1000, 'd'));
-  QVERIFY(next && next->place == 1500);
-  QVERIFY(file.read(*first) == std::optional<std::string>(std::string(1000, 'a')));
-  QVERIFY(file.read(*next) == std::optional<std::string>(std::string(1000, 'd')));
-}
+
+  void append_withTmpdir_liesThereWithoutAName() {
+    const QTemporaryDir folder;
+    const QByteArray before = qgetenv("TMPDIR");
+    qputenv("TMPDIR", folder.path().toLocal8Bit());
+    {
+      ScratchFile file;
+      QCOMPARE(openFilesIn(folder.path()), 0);  // not needed yet
+      QVERIFY(file.append("bytes"));
+      QCOMPARE(openFilesIn(folder.path()), 1);
+      QVERIFY(isEmpty(folder));
+    }
+    QCOMPARE(openFilesIn(folder.path()), 0);
+    qputenv("TMPDIR", (folder.path() + QStringLiteral("/none")).toLocal8Bit());
+    ScratchFile elsewhere;
+    QVERIFY(elsewhere.append("bytes"));
+    before.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+  }
+
+  void append_folderThatIsNone_tellsWhy() {
+    ScratchFile missing("/nowhere/at/all");
+    QVERIFY(!missing.append("bytes"));
+    QVERIFY(missing.problem() == std::errc::no_such_file_or_directory);
+    ScratchFile device("/dev/null");
+    QVERIFY(!device.append("bytes"));
+    QVERIFY(device.problem() == std::errc::not_a_directory);
+  }
+
+  void append_tooLittleIsLeftFree_isFull() {
+    ScratchFile file({}, std::numeric_limits<long long>::max() / 2);
+    QVERIFY(!file.append("bytes"));
+    QVERIFY(file.problem() == std::errc::no_space_on_device);
+    QCOMPARE(file.size(), 0LL);
+  }
+
+  void append_diskFillsUp_keepsWhatWasThere() {
+    ScratchFile file;
+    const auto first = file.append(std::string(1000, 'a'));
+    QVERIFY(first);
+    {
+      const support::FullDisk disk(1500);
+      QVERIFY(!file.append(std::string(1000, 'b')));
+      QVERIFY(file.problem() == std::errc::file_too_large);
+      QCOMPARE(file.size(), 1000LL);
+      QVERIFY(file.append(std::string(500, 'c')));
+    }
+    const auto next = file.append(std::string(1000, 'd'));
+    QVERIFY(next && next->place == 1500);
+    QVERIFY(file.read(*first) == std::optional<std::string>(std::string(1000, 'a')));
+    QVERIFY(file.read(*next) == std::optional<std::string>(std::string(1000, 'd')));
+  }
+};
 
 QTEST_APPLESS_MAIN(ScratchFileTest)
 #include "tst_ScratchFile.moc"

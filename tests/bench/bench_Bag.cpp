@@ -6,9 +6,9 @@
 #include <QtTest>
 
 #include "app/bridge/bag/RunBagWriter.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
-#include "app/run/Simulation.h"
 #include "tests/bench/FastestOf.h"
 
 /// What a bag beside the other files adds to the time of a run, 60 s of scenes with a robot, as it

@@ -30,23 +30,11 @@ constexpr int kCycles = 400;
 using Names = std::vector<std::string>;
 
 Nav2ParameterBlock dwbBlock(const Names& critics) {
-  return {{"max_vel_x", 0.26},
-          {"max_vel_theta", 1.0},
-          {"max_speed_xy", 0.27},  // so that 20 velocities ahead count
-          {"acc_lim_x", 2.5},
-          {"acc_lim_theta", 3.2},
-          {"decel_lim_x", -2.5},
-          {"decel_lim_theta", -3.2},
-          {"linear_granularity", 0.05},
-          {"critics", critics},
-          {"BaseObstacle.scale", 0.02},
-          {"GoalAlign.scale", 24.0},
-          {"GoalAlign.forward_point_distance", 0.1},
-          {"PathAlign.scale", 32.0},
-          {"PathAlign.forward_point_distance", 0.1},
-          {"PathDist.scale", 32.0},
-          {"GoalDist.scale", 24.0},
-          {"RotateToGoal.scale", 32.0}};
+  Nav2ParameterBlock block = bringup();
+  block["max_speed_xy"] = 0.27;  // so that 20 velocities ahead count
+  block["critics"] = critics;
+  block["RotateToGoal.scale"] = 32.0;
+  return block;
 }
 
 /// A path that winds along x.

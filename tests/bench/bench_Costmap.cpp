@@ -9,7 +9,7 @@
 #include <QtTest>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/nav/nav2/costmap/InflationLayer.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "tests/nav/CostmapScenes.h"
 #include "tests/nav/MetaTypes.h"
 

@@ -7,7 +7,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
-#include "sim2d/nav/nav2/global/GlobalPlannerFactory.h"
+#include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 #include "tests/nav/CostmapSketch.h"
 
@@ -133,10 +133,10 @@ void GlobalPlannersBench::smooth() {
   const Costmap costmap = building();
   const auto planner = makeGlobalPlanner(NavfnParameters(), Distro::Jazzy);
   const Path path = planner->plan({costmap, {{1.0, 10.0}, 0.0}, {{19.0, 10.0}, 0.0}}).path;
-  const auto smoother = makePathSmoother(
-      *pathSmootherPlugin(plugin.toStdString(), Distro::Jazzy).parameters, Distro::Jazzy);
+  const auto smoother = *pathSmootherPlugin(plugin.toStdString(), Distro::Jazzy).parameters;
   SmoothResult result;
-  const double time = leastOf(9, [&] { result = smoother->smooth(path, costmap, 3.0); });
+  const double time =
+      leastOf(9, [&] { result = smoothPath(smoother, Distro::Jazzy, path, costmap, 3.0); });
   QVERIFY(result.error == SmoothError::None);
   qInfo("%.3f ms for %zu poses", time, path.size());
   QTest::setBenchmarkResult(time, QTest::WalltimeMilliseconds);

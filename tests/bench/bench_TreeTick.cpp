@@ -52,12 +52,12 @@ bt::NodeManifest manifest(const char* id, const char* second) {
 
 bt::NodeLibrary library() {
   bt::NodeLibrary result;
-  result.addCondition(manifest("Near", "distance"), [](bt::LeafContext& leaf) {
-    return isNear(leaf.host<Counter>(), leaf.require<int>(0), leaf.require<double>(1));
-  });
-  result.addAction(manifest("Walk", "step"), [](bt::LeafContext& leaf) {
-    return walk(leaf.host<Counter>(), leaf.require<int>(0), leaf.require<double>(1));
-  });
+  result.add(manifest("Near", "distance"), bt::synchronous([](bt::LeafContext& leaf) {
+               return isNear(leaf.host<Counter>(), leaf.require<int>(0), leaf.require<double>(1));
+             }));
+  result.add(manifest("Walk", "step"), bt::synchronous([](bt::LeafContext& leaf) {
+               return walk(leaf.host<Counter>(), leaf.require<int>(0), leaf.require<double>(1));
+             }));
   return result;
 }
 

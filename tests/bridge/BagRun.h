@@ -4,10 +4,26 @@
 #include <string>
 
 #include "app/bridge/bag/RunBagWriter.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
-#include "app/run/Simulation.h"
 #include "metrics/Report.h"
+
+inline std::string codesOf(const base::Diagnostics& problems) {
+  std::string codes;
+  for (const base::Diagnostic& each : problems) {
+    codes += (codes.empty() ? "" : " ") + std::string(each.code);
+  }
+  return codes;
+}
+
+inline std::string textsOf(const base::Diagnostics& problems) {
+  std::string texts;
+  for (const base::Diagnostic& each : problems) {
+    texts += each.text() + "\n";
+  }
+  return texts;
+}
 
 /// Runs the café for some seconds into a folder, with a bag beside the other files. `steering`:
 /// what somebody outside does.

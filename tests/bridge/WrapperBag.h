@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
-#include "app/bridge/bag/McapWriter.h"
+#include "app/bridge/bag/Bag.h"
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/hunav_msgs.h"
 
@@ -25,21 +26,25 @@ inline std::int64_t timeOfSample(int k) {
 /// A writer of messages of known types.
 class Wrapper {
  public:
-  explicit Wrapper(const std::string& path) : writer_(path) {}
+  explicit Wrapper(const std::string& path) : writer_(bridge::makeMcapWriter(path)) {}
 
   template <class M>
   void write(const std::string& topic, int sample, const M& message) {
+    writeAt(timeOfSample(sample), topic, message);
+  }
+  template <class M>
+  void writeAt(std::int64_t time, const std::string& topic, const M& message) {
     const auto known = channels_.find(topic);
     const std::uint16_t channel = known != channels_.end()
                                       ? known->second
-                                      : writer_.addChannel({topic, M::kType, M::kDefinition, {}});
+                                      : writer_->addChannel({topic, M::kType, M::kDefinition, {}});
     channels_[topic] = channel;
-    writer_.write(channel, timeOfSample(sample), bridge::encode(message));
+    writer_->write(channel, time, bridge::encode(message));
   }
-  bool finish() { return writer_.finish().empty(); }
+  bool finish() { return writer_->finish().empty(); }
 
  private:
-  bridge::McapWriter writer_;
+  std::unique_ptr<bridge::BagWriter> writer_;
   std::map<std::string, std::uint16_t> channels_;
 };
 

@@ -12,7 +12,6 @@
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/BagBodies.h"
 #include "app/bridge/bag/BagTrace.h"
-#include "app/bridge/bag/Compression.h"
 #include "app/bridge/bag/McapFormat.h"
 #include "app/bridge/bag/RunBagWriter.h"
 #include "app/bridge/messages/Codec.h"
@@ -20,6 +19,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "tests/bridge/BagRun.h"
+#include "tests/bridge/WrapperBag.h"
 #include "tests/support/FullDisk.h"
 #include "tests/support/Mutator.h"
 #include "tests/support/Peers.h"
@@ -29,18 +29,6 @@ using namespace bridge;
 namespace {
 
 constexpr double kSeconds = 4.0;
-
-std::string codesOf(const base::Diagnostics& problems) {
-  std::string codes;
-  for (const base::Diagnostic& each : problems) {
-    codes += (codes.empty() ? "" : " ") + std::string(each.code);
-  }
-  return codes;
-}
-
-std::string firstText(const base::Diagnostics& problems) {
-  return problems.empty() ? "" : problems.front().text();
-}
 
 metrics::Evaluation measured(const sim2d::Trace& trace) {
   metrics::Selection selection;
@@ -154,7 +142,7 @@ class BagTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     const base::Diagnostics problems = runCafeInto(path("run"), kSeconds);
-    QVERIFY2(problems.empty(), firstText(problems).c_str());
+    QVERIFY2(problems.empty(), textsOf(problems).c_str());
   }
 
   void crc32_isThatOfZlib() {
@@ -178,7 +166,7 @@ class BagTest : public QObject {
     base::Diagnostics problems;
     const base::YamlNode root =
         base::parseYaml(bytes(path("run/bag/metadata.yaml")), "metadata.yaml", problems);
-    QVERIFY2(problems.empty(), firstText(problems).c_str());
+    QVERIFY2(problems.empty(), textsOf(problems).c_str());
     const base::YamlNode& info = *root.find("rosbag2_bagfile_information");
     QCOMPARE(info.find("version")->text, std::string("5"));
     QCOMPARE(info.find("storage_identifier")->text, std::string("mcap"));
@@ -242,8 +230,8 @@ class BagTest : public QObject {
     QVERIFY(static_cast<bool>(run));
     for (const std::string& source : {path("run/bag"), bagFile()}) {
       const base::Result<sim2d::Trace> bag = readBagTrace(source, {}, {});
-      QVERIFY2(static_cast<bool>(bag), firstText(bag.diagnostics()).c_str());
-      QVERIFY2(bag.diagnostics().empty(), firstText(bag.diagnostics()).c_str());
+      QVERIFY2(static_cast<bool>(bag), textsOf(bag.diagnostics()).c_str());
+      QVERIFY2(bag.diagnostics().empty(), textsOf(bag.diagnostics()).c_str());
       QCOMPARE(bag->frames.size(), run->frames.size());
       QVERIFY(bag->header == run->header);
       QCOMPARE(bag->events.size(), run->events.size());
@@ -262,7 +250,7 @@ class BagTest : public QObject {
     for (const char* robot : {"/robot_states", "/odom", "/tf"}) {
       const base::Result<sim2d::Trace> bag =
           readBagTrace(path("run/bag"), {"/human_states", robot, "/map"}, {});
-      QVERIFY2(static_cast<bool>(bag), firstText(bag.diagnostics()).c_str());
+      QVERIFY2(static_cast<bool>(bag), textsOf(bag.diagnostics()).c_str());
       QCOMPARE(bag->frames.size(), run->frames.size());
       const metrics::Evaluation got = measured(*bag);
       const metrics::MetricResult* const length = got.find("path_length");
@@ -277,7 +265,7 @@ class BagTest : public QObject {
     }
     const base::Result<sim2d::Trace> people =
         readBagTrace(path("run/bag"), {"/people", "", ""}, {});
-    QVERIFY2(static_cast<bool>(people), firstText(people.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(people), textsOf(people.diagnostics()).c_str());
     QVERIFY(std::fabs(people->frames[40].humans.x[0] - run->frames[40].humans.x[0]) < 1e-9);
   }
 
@@ -286,7 +274,7 @@ class BagTest : public QObject {
     QVERIFY(static_cast<bool>(run));
     QVERIFY(writeRunBag(path("again.mcap"), *run->recording).empty());
     const base::Result<sim2d::Trace> bag = readBagTrace(path("again.mcap"), {}, {});
-    QVERIFY2(static_cast<bool>(bag), firstText(bag.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(bag), textsOf(bag.diagnostics()).c_str());
     const base::Result<sim2d::Trace> wanted = app::readRun(path("run"));
     const std::string keys = different(measured(*wanted), measured(*bag), 1e-9);
     QVERIFY2(keys.empty(), keys.c_str());
@@ -319,11 +307,11 @@ class BagTest : public QObject {
     QVERIFY(static_cast<bool>(mcap));
     writeDatabase(**mcap, path("bag_0.db3"));
     base::Result<std::unique_ptr<Bag>> database = openBag(path("bag_0.db3"));
-    QVERIFY2(static_cast<bool>(database), firstText(database.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(database), textsOf(database.diagnostics()).c_str());
     QCOMPARE(messagesIn(**database), messagesIn(**mcap));
     const base::Result<sim2d::Trace> run = app::readRun(path("run"));
     const base::Result<sim2d::Trace> trace = readBagTrace(path("bag_0.db3"), {}, {});
-    QVERIFY2(static_cast<bool>(trace), firstText(trace.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(trace), textsOf(trace.diagnostics()).c_str());
     QCOMPARE(trace->frames.size(), run->frames.size());
     QVERIFY(std::fabs(trace->frames[40].robots.x[0] - run->frames[40].robots.x[0]) < 1e-12);
     QVERIFY(!openBag(written("no.db3", "SQLite format 3 and nothing else")));
@@ -379,13 +367,13 @@ class BagTest : public QObject {
     const std::string whole = bytes(bagFile());
     const std::string cut = written("cut.mcap", whole.substr(0, whole.size() * 2 / 3));
     base::Result<std::unique_ptr<Bag>> bag = openBag(cut);
-    QVERIFY2(static_cast<bool>(bag), firstText(bag.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(bag), textsOf(bag.diagnostics()).c_str());
     QCOMPARE(codesOf(bag.diagnostics()), std::string("bag.cut"));
     const std::size_t count = messagesIn(**bag);
     base::Result<std::unique_ptr<Bag>> all = openBag(bagFile());
     QVERIFY(count > 100 && count < messagesIn(**all));  // also those of the chunk that is cut
     const base::Result<sim2d::Trace> trace = readBagTrace(cut, {}, {});
-    QVERIFY2(static_cast<bool>(trace), firstText(trace.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(trace), textsOf(trace.diagnostics()).c_str());
     QVERIFY(codesOf(trace.diagnostics()).find("bag.cut") != std::string::npos);
     // Without its summary alone nothing is lost.
     const std::string noMagic = written("open.mcap", whole.substr(0, whole.size() - 8));
@@ -406,10 +394,10 @@ class BagTest : public QObject {
 
   /// A chunk of 1 MiB of nothing is some hundred bytes; of 4300 of them the last are not unpacked.
   void open_chunksThatUnpackWithoutEnd_areRefused() {
-    McapWriter writer(path("bomb.mcap"));
-    const std::uint16_t channel = writer.addChannel({"/people", "t", "", {}});
-    writer.write(channel, 1, std::string(std::size_t{1} << 20U, '\0'));
-    QVERIFY(writer.finish().empty());
+    const std::unique_ptr<BagWriter> writer = makeMcapWriter(path("bomb.mcap"));
+    const std::uint16_t channel = writer->addChannel({"/people", "t", "", {}});
+    writer->write(channel, 1, std::string(std::size_t{1} << 20U, '\0'));
+    QVERIFY(writer->finish().empty());
     const std::string whole = bytes(path("bomb.mcap"));
     std::string_view rest = std::string_view(whole).substr(kMcapMagic.size());
     std::string beginning;
@@ -470,11 +458,7 @@ class BagTest : public QObject {
   /// metadata.
   void evaluate_recordingOfAWrapper_keepsItsDigits() {
     constexpr std::int64_t kBegin = 1700000000;  // [s]
-    McapWriter writer(path("wrapper.mcap"));
-    const std::uint16_t people = writer.addChannel(
-        {"/human_states", hunav_msgs::Agents::kType, hunav_msgs::Agents::kDefinition, {}});
-    const std::uint16_t robots = writer.addChannel(
-        {"/robot_states", hunav_msgs::Agent::kType, hunav_msgs::Agent::kDefinition, {}});
+    wrapper::Wrapper recording(path("wrapper.mcap"));
     for (int k = 0; k < 20; ++k) {
       hunav_msgs::Agents all;
       all.header.stamp = {static_cast<std::int32_t>(kBegin + k / 10),
@@ -494,13 +478,13 @@ class BagTest : public QObject {
       robot.goals = {{{5.0, 5.0, 0.0}, {}}};
       robot.goalRadius = 0.5F;
       const std::int64_t recorded = (kBegin + 3) * 1000000000 + k * 100000000;
-      writer.write(people, recorded, encode(all));
-      writer.write(robots, recorded + 2000, encode(robot));
+      recording.writeAt(recorded, "/human_states", all);
+      recording.writeAt(recorded + 2000, "/robot_states", robot);
     }
-    QVERIFY(writer.finish().empty());
+    QVERIFY(recording.finish());
     const base::Result<sim2d::Trace> trace = readBagTrace(path("wrapper.mcap"), {}, {});
-    QVERIFY2(static_cast<bool>(trace), firstText(trace.diagnostics()).c_str());
-    QVERIFY2(trace.diagnostics().empty(), firstText(trace.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(trace), textsOf(trace.diagnostics()).c_str());
+    QVERIFY2(trace.diagnostics().empty(), textsOf(trace.diagnostics()).c_str());
     QCOMPARE(trace->frames.size(), std::size_t{17});  // the time of the robot
     QVERIFY(std::fabs(trace->header.dt - 0.1) < 1e-9);
     const sim2d::Frame& frame = trace->frames[7];  // the tenth message
@@ -514,42 +498,36 @@ class BagTest : public QObject {
 
   /// A publisher that never fills its stamps: one place is left of many, and that is told.
   void evaluate_stampsThatStand_areTold() {
-    McapWriter writer(path("stamps.mcap"));
-    const std::uint16_t people = writer.addChannel(
-        {"/human_states", hunav_msgs::Agents::kType, hunav_msgs::Agents::kDefinition, {}});
+    wrapper::Wrapper recording(path("stamps.mcap"));
     for (int k = 0; k < 20; ++k) {
       hunav_msgs::Agents all;
       all.agents.emplace_back().id = 1;
       all.agents.back().position.position.x = 0.1 * (k / 2);  // each place twice
-      writer.write(people, k * 100000000, encode(all));
+      recording.write("/human_states", k, all);
     }
-    QVERIFY(writer.finish().empty());
+    QVERIFY(recording.finish());
     const base::Result<sim2d::Trace> trace = readBagTrace(path("stamps.mcap"), {}, {});
     QCOMPARE(codesOf(trace.diagnostics()), std::string("bag.same-stamp"));
-    QVERIFY(firstText(trace.diagnostics()).find("18 positions") != std::string::npos);
+    QVERIFY(textsOf(trace.diagnostics()).find("18 positions") != std::string::npos);
   }
 
   /// The robot of such a recording gets a number that nobody has.
   void evaluate_greatestId_isRead() {
-    McapWriter writer(path("ids.mcap"));
-    const std::uint16_t people = writer.addChannel(
-        {"/human_states", hunav_msgs::Agents::kType, hunav_msgs::Agents::kDefinition, {}});
-    const std::uint16_t robots = writer.addChannel(
-        {"/robot_states", hunav_msgs::Agent::kType, hunav_msgs::Agent::kDefinition, {}});
+    wrapper::Wrapper recording(path("ids.mcap"));
     for (int k = 0; k < 10; ++k) {
       hunav_msgs::Agents all;
-      all.header.stamp.nanosec = static_cast<std::uint32_t>(k) * 100000000U;
+      all.header.stamp = wrapper::stampOfSample(k);
       all.agents.resize(2);
       all.agents[0].id = std::numeric_limits<std::int32_t>::max();
       all.agents[0].position.position.x = 0.1 * k;
       hunav_msgs::Agent robot;
       robot.position.position.y = 1.0 + 0.1 * k;
-      writer.write(people, k * 100000000, encode(all));
-      writer.write(robots, k * 100000000, encode(robot));
+      recording.write("/human_states", k, all);
+      recording.write("/robot_states", k, robot);
     }
-    QVERIFY(writer.finish().empty());
+    QVERIFY(recording.finish());
     const base::Result<sim2d::Trace> trace = readBagTrace(path("ids.mcap"), {}, {});
-    QVERIFY2(static_cast<bool>(trace), firstText(trace.diagnostics()).c_str());
+    QVERIFY2(static_cast<bool>(trace), textsOf(trace.diagnostics()).c_str());
     QCOMPARE(trace->header.humans.size(), std::size_t{2});
     QCOMPARE(trace->frames.back().humans.id.back(), std::numeric_limits<std::int32_t>::max());
     QCOMPARE(trace->frames.size(), std::size_t{10});

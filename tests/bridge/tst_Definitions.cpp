@@ -6,7 +6,6 @@
 
 #include "app/bridge/messages/AllMessages.h"
 #include "app/bridge/messages/Codec.h"
-#include "app/bridge/messages/TypeNames.h"
 #include "tests/bridge/Samples.h"
 #include "tests/support/Peers.h"
 
@@ -147,29 +146,29 @@ class DefinitionsTest : public QObject {
     }
   }
 
-  void generator_wrongDefinition_namesTheFile_data() {
+  void generator_wrongDefinition_isNamed_data() {
     QTest::addColumn<QByteArray>("definition");
     QTest::addColumn<QByteArray>("problem");
     QTest::newRow("type") << QByteArray("flaot32 x\n") << QByteArray("unknown type: flaot32 x");
     QTest::newRow("line") << QByteArray("float32\n")
                           << QByteArray("neither field nor constant: float32");
   }
-  void generator_wrongDefinition_namesTheFile() {
+  void generator_wrongDefinition_isNamed() {
     QFETCH(const QByteArray, definition);
     QFETCH(const QByteArray, problem);
     QTemporaryDir folder;
-    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("test_msgs/msg")));
-    QFile file(folder.filePath(QStringLiteral("test_msgs/msg/A.msg")));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(definition) > 0);
+    QFile file(folder.filePath(QStringLiteral("definitions.txt")));
+    QVERIFY(file.open(QIODevice::WriteOnly) &&
+            file.write("=== test_msgs/msg/A\n" + definition) > 0);
     file.close();
     QProcess generator;
     generator.start(QStringLiteral("python3"),
-                    {QStringLiteral(SOURCE_DIR "/app/bridge/messages/generate.py"), folder.path(),
+                    {QStringLiteral(SOURCE_DIR "/app/bridge/messages/generate.py"), file.fileName(),
                      folder.filePath(QStringLiteral("made"))});
     QVERIFY(generator.waitForFinished());
     QCOMPARE(generator.exitCode(), 1);
     const QByteArray told = generator.readAllStandardError();
-    QVERIFY2(told.contains("A.msg: " + problem), told.constData());
+    QVERIFY2(told.contains("test_msgs/msg/A: " + problem), told.constData());
   }
 
   void defaults_areThoseOfRos() {

@@ -10,8 +10,6 @@
 
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/BagTrace.h"
-#include "app/bridge/bag/McapWriter.h"
-#include "app/bridge/bag/RunBagWriter.h"
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/hunav_msgs.h"
 #include "app/bridge/messages/nav_msgs.h"
@@ -29,22 +27,6 @@ using namespace wrapper;
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
-
-std::string codesOf(const base::Diagnostics& problems) {
-  std::string codes;
-  for (const base::Diagnostic& each : problems) {
-    codes += (codes.empty() ? "" : " ") + std::string(each.code);
-  }
-  return codes;
-}
-
-std::string textsOf(const base::Diagnostics& problems) {
-  std::string texts;
-  for (const base::Diagnostic& each : problems) {
-    texts += each.text() + "\n";
-  }
-  return texts;
-}
 
 struct Measured {
   base::Result<sim2d::Trace> trace;
@@ -85,17 +67,17 @@ bool copyMessages(const std::string& from, const std::string& to,
   if (!bag) {
     return false;
   }
-  McapWriter writer(to);
+  const std::unique_ptr<BagWriter> writer = makeMcapWriter(to);
   std::vector<std::uint16_t> channels;
   std::vector<bool> wanted;
   for (const BagChannel& channel : (*bag)->channels()) {
-    channels.push_back(writer.addChannel({channel.topic, channel.type, "", {}}));
+    channels.push_back(writer->addChannel({channel.topic, channel.type, "", {}}));
     wanted.push_back(!isLeft || isLeft(channel.topic));
   }
   (*bag)->read(wanted, [&](std::size_t channel, std::int64_t time, std::string_view bytes) {
-    writer.write(channels[channel], time, bytes);
+    writer->write(channels[channel], time, bytes);
   });
-  return writer.finish().empty();
+  return writer->finish().empty();
 }
 
 }  // namespace
@@ -295,21 +277,21 @@ class ForeignBagTest : public QObject {
   void evaluate_cutBagOfOurs_isReadByItsMessages() {
     base::Result<std::unique_ptr<Bag>> bag = openBag(path("run/bag/bag_0.mcap"));
     QVERIFY(static_cast<bool>(bag));
-    McapWriter writer(path("cut.mcap"));
+    const std::unique_ptr<BagWriter> writer = makeMcapWriter(path("cut.mcap"));
     std::vector<std::uint16_t> channels;
     for (const BagChannel& channel : (*bag)->channels()) {
-      channels.push_back(writer.addChannel({channel.topic, channel.type, "", {}}));
+      channels.push_back(writer->addChannel({channel.topic, channel.type, "", {}}));
     }
     const std::vector<bool> all(channels.size(), true);
     (*bag)->read(all, [&](std::size_t channel, std::int64_t time, std::string_view bytes) {
       if (time >= 2000000000 || (*bag)->channels()[channel].topic == "/map") {
-        writer.write(channels[channel], time, bytes);
+        writer->write(channels[channel], time, bytes);
       }
     });
-    writer.addMetadata(kRunMetadata,
-                       {{"trace.json", (*bag)->metadata(kRunMetadata, "trace.json")},
-                        {"events.csv", (*bag)->metadata(kRunMetadata, "events.csv")}});
-    QVERIFY(writer.finish().empty());
+    writer->addMetadata(kRunMetadata,
+                        {{"trace.json", (*bag)->metadata(kRunMetadata, "trace.json")},
+                         {"events.csv", (*bag)->metadata(kRunMetadata, "events.csv")}});
+    QVERIFY(writer->finish().empty());
     const base::Result<sim2d::Trace> trace = readBagTrace(path("cut.mcap"), {}, {});
     QVERIFY2(static_cast<bool>(trace), textsOf(trace.diagnostics()).c_str());
     QCOMPARE(codesOf(trace.diagnostics()), std::string("bag.not-as-written"));

@@ -158,6 +158,13 @@ class FakeWorld final : public sim2d::WorldView {
   }
 };
 
+/// A world with person 1 at the origin, looking along x.
+inline FakeWorld withOnePerson() {
+  FakeWorld world;
+  world.addPerson(1, 0.0, 0.0);
+  return world;
+}
+
 /// One tree of one person (index 0 unless said), ticked by hand.
 class TreeBench {
  public:

@@ -145,20 +145,23 @@ class ScriptParser {
     }
     return {"?", {}, {test, first, choice()}, {}};
   }
-  Expression either() {
-    Expression left = both();
-    while (take("||")) {
-      left = {"||", {}, {left, both()}, {}};
+  /// Operands joined from left to right by signs, each with what does not follow it.
+  Expression chain(Expression (ScriptParser::*operand)(),
+                   const std::vector<std::pair<const char*, const char*>>& signs) {
+    Expression left = (this->*operand)();
+    for (bool isJoined = true; isJoined;) {
+      isJoined = false;
+      for (const auto& [sign, notBefore] : signs) {
+        if (!isJoined && takeAlone(sign, notBefore)) {
+          left = {sign, {}, {left, (this->*operand)()}, {}};
+          isJoined = true;
+        }
+      }
     }
     return left;
   }
-  Expression both() {
-    Expression left = comparison();
-    while (take("&&")) {
-      left = {"&&", {}, {left, comparison()}, {}};
-    }
-    return left;
-  }
+  Expression either() { return chain(&ScriptParser::both, {{"||", ""}}); }
+  Expression both() { return chain(&ScriptParser::comparison, {{"&&", ""}}); }
   Expression comparison() {
     Expression all{"<", {}, {bits()}, {}};
     while (true) {
@@ -176,51 +179,10 @@ class ScriptParser {
       all.parts.push_back(bits());
     }
   }
-  Expression bits() {
-    Expression left = bitAnd();
-    while (true) {
-      if (takeAlone("|", "|")) {
-        left = {"|", {}, {left, bitAnd()}, {}};
-      } else if (take("^")) {
-        left = {"^", {}, {left, bitAnd()}, {}};
-      } else {
-        return left;
-      }
-    }
-  }
-  Expression bitAnd() {
-    Expression left = sum();
-    while (takeAlone("&", "&")) {
-      left = {"&", {}, {left, sum()}, {}};
-    }
-    return left;
-  }
-  Expression sum() {
-    Expression left = product();
-    while (true) {
-      if (take("..")) {
-        left = {"..", {}, {left, product()}, {}};
-      } else if (takeAlone("+", "=")) {
-        left = {"+", {}, {left, product()}, {}};
-      } else if (takeAlone("-", "=")) {
-        left = {"-", {}, {left, product()}, {}};
-      } else {
-        return left;
-      }
-    }
-  }
-  Expression product() {
-    Expression left = unary();
-    while (true) {
-      if (takeAlone("*", "=")) {
-        left = {"*", {}, {left, unary()}, {}};
-      } else if (takeAlone("/", "=")) {
-        left = {"/", {}, {left, unary()}, {}};
-      } else {
-        return left;
-      }
-    }
-  }
+  Expression bits() { return chain(&ScriptParser::bitAnd, {{"|", "|"}, {"^", ""}}); }
+  Expression bitAnd() { return chain(&ScriptParser::sum, {{"&", "&"}}); }
+  Expression sum() { return chain(&ScriptParser::product, {{"..", ""}, {"+", "="}, {"-", "="}}); }
+  Expression product() { return chain(&ScriptParser::unary, {{"*", "="}, {"/", "="}}); }
   Expression unary() {
     for (const char* sign : {"-", "~"}) {
       if (take(sign)) {

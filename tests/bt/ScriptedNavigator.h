@@ -10,19 +10,24 @@
 #include "bt/engine/Program.h"
 #include "bt/engine/TreeState.h"
 #include "bt/robot/NavigatorHost.h"
-#include "bt/robot/NavigatorTopics.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/nav/nav2/params/FrameNames.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
 
 /// A navigator whose servers do as a script says: each request takes `steps` ticks and ends as
 /// told.
 namespace navigator {
 
+using base::NodeStatus;
 using bt::RobotAction;
 using sim2d::nav2::Distro;
 using sim2d::nav2::Path;
 using State = bt::RobotOutcome::State;
+using Steps = std::vector<long long>;
+
+inline constexpr NodeStatus kSuccess = NodeStatus::Success;
+inline constexpr NodeStatus kFailure = NodeStatus::Failure;
+inline constexpr NodeStatus kRunning = NodeStatus::Running;
 
 struct Answer {
   State state = State::Succeeded;
@@ -154,6 +159,14 @@ class Scripted : public bt::NavigatorHost {
   std::map<RobotAction, bt::PathId> planned_;
 };
 
+inline bt::TreeTable tableOf(const std::string& nodes) {
+  const std::string xml =
+      "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
+      "</BehaviorTree></root>";
+  const auto file = bt::readTreeText(xml);
+  return file ? *bt::resolveIncludes(*file) : bt::TreeTable();
+}
+
 /// A tree with its navigator, ticked at 20 Hz.
 class Played {
  public:
@@ -169,6 +182,9 @@ class Played {
     }
   }
 
+  explicit Played(const std::string& nodes, Distro distro = Distro::Humble)
+      : Played(tableOf(nodes), distro) {}
+
   Scripted host;
   base::Diagnostics problems;
   std::shared_ptr<const bt::Program> program;
@@ -180,21 +196,21 @@ class Played {
     state->set(program->hostSlot(0), static_cast<int>(goal));
     state->set(program->hostSlot(1), static_cast<int>(goal));
   }
-  base::NodeStatus tick() {
+  NodeStatus tick() {
     host.step = ++step;
     return state->tickOnce({step, 0.05, &host});
   }
   /// Until the root is done, at most so often.
-  base::NodeStatus play(int most) {
-    base::NodeStatus status = base::NodeStatus::Running;
-    for (int i = 0; i < most && status == base::NodeStatus::Running; ++i) {
+  NodeStatus play(int most) {
+    NodeStatus status = NodeStatus::Running;
+    for (int i = 0; i < most && status == NodeStatus::Running; ++i) {
       status = tick();
     }
     return status;
   }
   /// The steps of `ticks` ticks in which `word` was asked for.
-  std::vector<long long> stepsOf(const std::string& word, int ticks) {
-    std::vector<long long> steps;
+  Steps stepsOf(const std::string& word, int ticks) {
+    Steps steps;
     for (int i = 0; i < ticks; ++i) {
       const std::size_t before = host.log.size();
       tick();
@@ -207,13 +223,5 @@ class Played {
     return steps;
   }
 };
-
-inline bt::TreeTable tableOf(const std::string& nodes) {
-  const std::string xml =
-      "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
-      "</BehaviorTree></root>";
-  const auto file = bt::readTreeText(xml);
-  return file ? *bt::resolveIncludes(*file) : bt::TreeTable();
-}
 
 }  // namespace navigator

@@ -19,6 +19,9 @@
 namespace shipped {
 
 using base::Vec2;
+using sim2d::Event;
+using sim2d::EventKind;
+using sim2d::Frame;
 
 inline std::string mapsFolder() {
   return SOURCE_DIR "/maps";
@@ -101,8 +104,8 @@ inline std::string pendingDiagnostics(const base::Diagnostics& diagnostics) {
 }
 
 /// All frames of so many steps, step 0 first. Ends early when the world fails.
-inline std::vector<sim2d::Frame> framesOf(sim2d::World& world, std::int64_t steps) {
-  std::vector<sim2d::Frame> frames = {world.frame()};
+inline std::vector<Frame> framesOf(sim2d::World& world, std::int64_t steps) {
+  std::vector<Frame> frames = {world.frame()};
   while (world.stepIndex() < steps && world.step()) {
     frames.push_back(world.frame());
   }
@@ -110,20 +113,33 @@ inline std::vector<sim2d::Frame> framesOf(sim2d::World& world, std::int64_t step
 }
 
 /// As long as the scenario says.
-inline std::vector<sim2d::Frame> framesOf(sim2d::World& world) {
+inline std::vector<Frame> framesOf(sim2d::World& world) {
   return framesOf(world, sim2d::stopRuleOf(world.view().scenario()).maximumSteps);
 }
 
-inline base::Pose2 poseOf(const sim2d::Frame& frame, std::size_t row = 0) {
+/// Time of the first such event, with this text if it is not empty; -1: there is none.
+inline double timeOf(const std::vector<Frame>& frames, EventKind kind, int id,
+                     const std::string& text = {}) {
+  for (const Frame& frame : frames) {
+    for (const Event& event : frame.events) {
+      if (event.kind == kind && event.id == id && (text.empty() || event.text == text)) {
+        return frame.time;
+      }
+    }
+  }
+  return -1.0;
+}
+
+inline base::Pose2 poseOf(const Frame& frame, std::size_t row = 0) {
   return {Vec2(frame.humans.x[row], frame.humans.y[row]), frame.humans.heading[row]};
 }
-inline base::Pose2 robotPoseOf(const sim2d::Frame& frame) {
+inline base::Pose2 robotPoseOf(const Frame& frame) {
   return {Vec2(frame.robots.x[0], frame.robots.y[0]), frame.robots.heading[0]};
 }
-inline double speedOf(const sim2d::Frame& frame, std::size_t row = 0) {
+inline double speedOf(const Frame& frame, std::size_t row = 0) {
   return Vec2(frame.humans.vx[row], frame.humans.vy[row]).norm();
 }
-inline double robotSpeedOf(const sim2d::Frame& frame) {
+inline double robotSpeedOf(const Frame& frame) {
   return Vec2(frame.robots.vx[0], frame.robots.vy[0]).norm();
 }
 /// Angle between where somebody looks and a point [rad], 0 to pi.

@@ -51,31 +51,33 @@ inline bt::PortSpec port(const char* name, bt::PortType type, const char* defaul
 }
 
 inline void addSynchronousLeaves(bt::NodeLibrary& library) {
-  library.addAction(manifest("S"), [](bt::LeafContext& leaf) {
-    return note(leaf, leaf.label(), NodeStatus::Success);
-  });
-  library.addAction(manifest("F"), [](bt::LeafContext& leaf) {
-    return note(leaf, leaf.label(), NodeStatus::Failure);
-  });
+  library.add(manifest("S"), bt::synchronous([](bt::LeafContext& leaf) {
+                return note(leaf, leaf.label(), NodeStatus::Success);
+              }));
+  library.add(manifest("F"), bt::synchronous([](bt::LeafContext& leaf) {
+                return note(leaf, leaf.label(), NodeStatus::Failure);
+              }));
   bt::PortSpec output = port("value", bt::PortType::Int);
   output.direction = bt::PortDirection::Output;
-  library.addAction(manifest("Put", {output, port("number", bt::PortType::Int, "1")}),
-                    [](bt::LeafContext& leaf) {
-                      const bool done = leaf.set(0, leaf.require<int>(1));
-                      return done ? NodeStatus::Success : NodeStatus::Failure;
-                    });
-  library.addCondition(
-      manifest("ReadInt", {port("value", bt::PortType::Int)}), [](bt::LeafContext& leaf) {
-        return note(leaf, std::to_string(leaf.require<int>(0)), NodeStatus::Success);
-      });
-  library.addCondition(
-      manifest("ReadDouble", {port("value", bt::PortType::Double)}), [](bt::LeafContext& leaf) {
-        return note(leaf, bt::Value::of(leaf.require<double>(0)).toText(), NodeStatus::Success);
-      });
-  library.addCondition(
-      manifest("ReadText", {port("value", bt::PortType::String)}), [](bt::LeafContext& leaf) {
-        return note(leaf, std::string(leaf.require<std::string_view>(0)), NodeStatus::Success);
-      });
+  library.add(manifest("Put", {output, port("number", bt::PortType::Int, "1")}),
+              bt::synchronous([](bt::LeafContext& leaf) {
+                const bool done = leaf.set(0, leaf.require<int>(1));
+                return done ? NodeStatus::Success : NodeStatus::Failure;
+              }));
+  library.add(manifest("ReadInt", {port("value", bt::PortType::Int)}),
+              bt::synchronous([](bt::LeafContext& leaf) {
+                return note(leaf, std::to_string(leaf.require<int>(0)), NodeStatus::Success);
+              }));
+  library.add(manifest("ReadDouble", {port("value", bt::PortType::Double)}),
+              bt::synchronous([](bt::LeafContext& leaf) {
+                return note(leaf, bt::Value::of(leaf.require<double>(0)).toText(),
+                            NodeStatus::Success);
+              }));
+  library.add(manifest("ReadText", {port("value", bt::PortType::String)}),
+              bt::synchronous([](bt::LeafContext& leaf) {
+                return note(leaf, std::string(leaf.require<std::string_view>(0)),
+                            NodeStatus::Success);
+              }));
 }
 
 /// St: RUNNING at first, `result` in the `runs`-th onRunning.
@@ -92,10 +94,9 @@ inline void addStatefulLeaf(bt::NodeLibrary& library) {
                 ends ? leaf.require<NodeStatus>(1) : NodeStatus::Running);
   };
   stateful.onHalted = [](bt::LeafContext& leaf) { note(leaf, "halt", NodeStatus::Idle); };
-  library.addStateful<CountedMemory>(
-      manifest("St", {port("runs", bt::PortType::Int, "1"),
-                      port("result", bt::PortType::Status, "SUCCESS")}),
-      stateful);
+  library.add(manifest("St", {port("runs", bt::PortType::Int, "1"),
+                              port("result", bt::PortType::Status, "SUCCESS")}),
+              bt::stateful<CountedMemory>(stateful));
 }
 
 /// TD: FAILURE until the delay is over, never armed again after it was.
@@ -110,8 +111,8 @@ inline void addDelayDecorator(bt::NodeLibrary& library) {
                                                                    : NodeStatus::Failure;
   };
   functions.onHalted = [](bt::ParentContext& node) { node.memory<DelayMemory>() = {}; };
-  library.addDecorator<DelayMemory>(manifest("TD", {port("delay", bt::PortType::Double, "0.3")}),
-                                    functions);
+  library.add(manifest("TD", {port("delay", bt::PortType::Double, "0.3")}),
+              bt::decorator<DelayMemory>(functions));
 }
 
 inline bt::NodeLibrary library() {
@@ -138,25 +139,24 @@ inline std::string fileOf(const std::string& xml) {
   return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml + "</BehaviorTree></root>";
 }
 
-inline base::Result<std::shared_ptr<const bt::Program>> compiled(const std::string& xml) {
+inline base::Result<std::shared_ptr<const bt::Program>> compiled(
+    const std::string& xml, const bt::NodeLibrary& nodes = library()) {
   const base::Result<bt::TreeFile> file = bt::readTreeText(fileOf(xml), "t.xml");
   if (!file) {
     return file.diagnostics();
   }
-  return bt::compile(*file, library());
+  return bt::compile(*file, nodes);
 }
 
 /// One running tree at 0.1 s per step.
 class Run {
  public:
-  explicit Run(const std::string& xml) {
-    const auto program = compiled(xml);
-    if (!program) {
-      problems = textOf(program.diagnostics());
-      return;
-    }
+  explicit Run(const std::string& xml, const bt::NodeLibrary& nodes = library()) {
+    const auto program = compiled(xml, nodes);
     problems = textOf(program.diagnostics());
-    state = std::make_unique<bt::TreeState>(*program);
+    if (program) {
+      state = std::make_unique<bt::TreeState>(*program);
+    }
   }
 
   NodeStatus tick() {

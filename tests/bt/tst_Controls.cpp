@@ -1,19 +1,5 @@
 #include "tests/bt/TraceRows.h"
 
-/// Control nodes, leaves and conditions: what is called and returned in each step.
-class ControlsTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void tick_control_givesTrace_data();
-  void tick_control_givesTrace();
-  void tick_leaf_givesTrace_data();
-  void tick_leaf_givesTrace();
-  void tick_condition_givesTrace_data();
-  void tick_condition_givesTrace();
-  void tick_faultyTree_staysIdle();
-};
-
 using traces::checkRow;
 using traces::columns;
 using traces::row;
@@ -178,22 +164,6 @@ void rowsOfSwitchAndTry() {
   row("try, all skipped", "<TryCatch><AlwaysSuccess _skipIf='1'/><S/></TryCatch>", "-> SKIPPED");
 }
 
-}  // namespace
-
-void ControlsTest::tick_control_givesTrace_data() {
-  columns();
-  rowsOfSequences();
-  rowsOfParallels();
-  rowsOfConditions();
-  rowsOfSwitchAndTry();
-}
-
-void ControlsTest::tick_control_givesTrace() {
-  checkRow();
-}
-
-namespace {
-
 void rowsOfSetting() {
   row("always", "<Fallback><AlwaysFailure/><AlwaysSuccess/></Fallback>", "-> SUCCESS");
   row("set a constant",
@@ -333,75 +303,87 @@ void rowsOfOtherLeaves() {
 
 }  // namespace
 
-void ControlsTest::tick_leaf_givesTrace_data() {
-  columns();
-  rowsOfSetting();
-  rowsOfTypes();
-  rowsOfOtherLeaves();
-}
+/// Control nodes, leaves and conditions: what is called and returned in each step.
+class ControlsTest : public QObject {
+  Q_OBJECT
 
-void ControlsTest::tick_leaf_givesTrace() {
-  checkRow();
-}
-
-void ControlsTest::tick_condition_givesTrace_data() {
-  columns();
-  row("failure first", "<S _failureIf='1' _successIf='1' _skipIf='1'/>", "-> FAILURE");
-  row("success before skip", "<S _failureIf='0' _successIf='1' _skipIf='1'/>", "-> SUCCESS");
-  row("skip", "<S _skipIf='1'/>", "-> SKIPPED|-> SKIPPED");
-  row("nothing fires", "<S _skipIf='0'/>", "S -> SUCCESS");
-  row("while, at the start", "<S _while='0'/>", "-> SKIPPED");
-  row("while, running",
-      "<Sequence><Script code='n := 0'/><ReactiveSequence><Script code='n += 1'/>"
-      "<St runs='9' _while='n &lt; 3'/></ReactiveSequence></Sequence>",
-      "start -> RUNNING|run1 -> RUNNING|halt -> SUCCESS");
-  row("pre-conditions are asked only at the start",
-      "<Sequence><Script code='n := 0'/><ReactiveSequence><Script code='n += 1'/>"
-      "<St runs='2' _failureIf='n &gt; 1'/></ReactiveSequence></Sequence>",
-      "start -> RUNNING|run1 -> RUNNING|run2 -> SUCCESS");
-  row("post scripts",
-      "<Sequence><Script code='a := 0; b := 0; c := 0'/>"
-      "<S _onSuccess='a := 1' _onFailure='b := 1' _post='c := a + 1'/>"
-      "<ScriptCondition code='a == 1 &amp;&amp; b == 0 &amp;&amp; c == 2'/></Sequence>",
-      "S -> SUCCESS");
-  row("post scripts of a failure",
-      "<Sequence><Script code='a := 0; b := 0; c := 0'/>"
-      "<ForceSuccess><F _onSuccess='a := 1' _onFailure='b := 1' _post='c := 1'/></ForceSuccess>"
-      "<ScriptCondition code='a == 0 &amp;&amp; b == 1 &amp;&amp; c == 1'/></Sequence>",
-      "F -> SUCCESS");
-  row("script when halted",
-      "<Sequence><Script code='h := 0'/><ForceSuccess><Timeout msec='100'>"
-      "<St runs='9' _onHalted='h := 1'/></Timeout></ForceSuccess><ScriptCondition code='h == 1'/>"
-      "</Sequence>",
-      "start -> RUNNING|halt -> SUCCESS");
-  row("post script after a pre-condition",
-      "<Sequence><S _successIf='1' _onSuccess='a := 3'/><ReadDouble value='{a}'/></Sequence>",
-      "3 -> SUCCESS");
-  row("composite that skipped is halted by its parent",
-      "<Sequence><Script code='h := 0'/><Sequence _onHalted='h := 1'><AlwaysSuccess _skipIf='1'/>"
-      "</Sequence></Sequence>",
-      "-> SUCCESS|-> SUCCESS");
-  row("text as a condition", "<S _skipIf=\"'a'\"/>", "!text");
-}
-
-void ControlsTest::tick_condition_givesTrace() {
-  checkRow();
-}
-
-void ControlsTest::tick_faultyTree_staysIdle() {
-  probe::Run run("<Parallel><St runs='9'/><Repeat><S/></Repeat></Parallel>");
-  QVERIFY2(run.state, run.problems.c_str());
-  QCOMPARE(QString::fromStdString(run.trace()), QStringLiteral("start halt -> IDLE"));
-  QVERIFY(run.state->fault());
-  QVERIFY(run.state->fault()->path == "Parallel/Repeat");
-  for (const base::NodeStatus status : run.state->statuses()) {
-    QVERIFY(status == base::NodeStatus::Idle);
+ private Q_SLOTS:
+  void tick_control_givesTrace_data() {
+    columns();
+    rowsOfSequences();
+    rowsOfParallels();
+    rowsOfConditions();
+    rowsOfSwitchAndTry();
   }
-  QCOMPARE(run.trace(), std::string("-> IDLE"));
-  run.state->reset();
-  QVERIFY(!run.state->fault());
-  QCOMPARE(run.trace(), std::string("start halt -> IDLE"));
-}
+
+  void tick_control_givesTrace() { checkRow(); }
+
+  void tick_leaf_givesTrace_data() {
+    columns();
+    rowsOfSetting();
+    rowsOfTypes();
+    rowsOfOtherLeaves();
+  }
+
+  void tick_leaf_givesTrace() { checkRow(); }
+
+  void tick_condition_givesTrace_data() {
+    columns();
+    row("failure first", "<S _failureIf='1' _successIf='1' _skipIf='1'/>", "-> FAILURE");
+    row("success before skip", "<S _failureIf='0' _successIf='1' _skipIf='1'/>", "-> SUCCESS");
+    row("skip", "<S _skipIf='1'/>", "-> SKIPPED|-> SKIPPED");
+    row("nothing fires", "<S _skipIf='0'/>", "S -> SUCCESS");
+    row("while, at the start", "<S _while='0'/>", "-> SKIPPED");
+    row("while, running",
+        "<Sequence><Script code='n := 0'/><ReactiveSequence><Script code='n += 1'/>"
+        "<St runs='9' _while='n &lt; 3'/></ReactiveSequence></Sequence>",
+        "start -> RUNNING|run1 -> RUNNING|halt -> SUCCESS");
+    row("pre-conditions are asked only at the start",
+        "<Sequence><Script code='n := 0'/><ReactiveSequence><Script code='n += 1'/>"
+        "<St runs='2' _failureIf='n &gt; 1'/></ReactiveSequence></Sequence>",
+        "start -> RUNNING|run1 -> RUNNING|run2 -> SUCCESS");
+    row("post scripts",
+        "<Sequence><Script code='a := 0; b := 0; c := 0'/>"
+        "<S _onSuccess='a := 1' _onFailure='b := 1' _post='c := a + 1'/>"
+        "<ScriptCondition code='a == 1 &amp;&amp; b == 0 &amp;&amp; c == 2'/></Sequence>",
+        "S -> SUCCESS");
+    row("post scripts of a failure",
+        "<Sequence><Script code='a := 0; b := 0; c := 0'/>"
+        "<ForceSuccess><F _onSuccess='a := 1' _onFailure='b := 1' _post='c := 1'/></ForceSuccess>"
+        "<ScriptCondition code='a == 0 &amp;&amp; b == 1 &amp;&amp; c == 1'/></Sequence>",
+        "F -> SUCCESS");
+    row("script when halted",
+        "<Sequence><Script code='h := 0'/><ForceSuccess><Timeout msec='100'>"
+        "<St runs='9' _onHalted='h := 1'/></Timeout></ForceSuccess><ScriptCondition code='h == 1'/>"
+        "</Sequence>",
+        "start -> RUNNING|halt -> SUCCESS");
+    row("post script after a pre-condition",
+        "<Sequence><S _successIf='1' _onSuccess='a := 3'/><ReadDouble value='{a}'/></Sequence>",
+        "3 -> SUCCESS");
+    row("composite that skipped is halted by its parent",
+        "<Sequence><Script code='h := 0'/><Sequence _onHalted='h := 1'><AlwaysSuccess _skipIf='1'/>"
+        "</Sequence></Sequence>",
+        "-> SUCCESS|-> SUCCESS");
+    row("text as a condition", "<S _skipIf=\"'a'\"/>", "!text");
+  }
+
+  void tick_condition_givesTrace() { checkRow(); }
+
+  void tick_faultyTree_staysIdle() {
+    probe::Run run("<Parallel><St runs='9'/><Repeat><S/></Repeat></Parallel>");
+    QVERIFY2(run.state, run.problems.c_str());
+    QCOMPARE(QString::fromStdString(run.trace()), QStringLiteral("start halt -> IDLE"));
+    QVERIFY(run.state->fault());
+    QVERIFY(run.state->fault()->path == "Parallel/Repeat");
+    for (const base::NodeStatus status : run.state->statuses()) {
+      QVERIFY(status == base::NodeStatus::Idle);
+    }
+    QCOMPARE(run.trace(), std::string("-> IDLE"));
+    run.state->reset();
+    QVERIFY(!run.state->fault());
+    QCOMPARE(run.trace(), std::string("start halt -> IDLE"));
+  }
+};
 
 QTEST_APPLESS_MAIN(ControlsTest)
 #include "tst_Controls.moc"

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include <QtTest>
 
@@ -47,6 +48,11 @@ Vec2 positionOf(FakeWorld& world, int human) {
 class HumanCrowdNodesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void init() {
+    world_ = withOnePerson();
+    bench_.emplace(world_);
+  }
+
   void probabilityChoice_weights_giveTheShares() {
     const std::vector<int> chosen = choices("3;1;1", 1, 3000);
     QVERIFY(std::fabs(share(chosen, 0) - 0.6) < 0.04);
@@ -71,20 +77,17 @@ class HumanCrowdNodesTest : public QObject {
   }
 
   void probabilityChoice_restartedInOneTick_drawsAnew() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
     // A waiting child that was running fails and is tried again at once: half of the new draws are
     // the other child, which ends in that tick.
     QVERIFY(
-        bench.load("<RetryUntilSuccessful num_attempts='-1'><ProbabilityChoice>"
-                   "<ForceFailure><StopAndWaitTimerAction agent_id='{id}' wait_duration='0.1'/>"
-                   "</ForceFailure><AlwaysSuccess/></ProbabilityChoice></RetryUntilSuccessful>"));
+        bench_->load("<RetryUntilSuccessful num_attempts='-1'><ProbabilityChoice>"
+                     "<ForceFailure><StopAndWaitTimerAction agent_id='{id}' wait_duration='0.1'/>"
+                     "</ForceFailure><AlwaysSuccess/></ProbabilityChoice></RetryUntilSuccessful>"));
     int atOnce = 0;
     int restarts = 0;
     bool wasRunning = false;
     for (int i = 0; i < 400; ++i) {
-      const bool ended = bench.step() == NodeStatus::Success;
+      const bool ended = bench_->step() == NodeStatus::Success;
       atOnce += wasRunning && ended ? 1 : 0;
       restarts += wasRunning ? 1 : 0;
       wasRunning = !ended;
@@ -93,22 +96,19 @@ class HumanCrowdNodesTest : public QObject {
   }
 
   void probabilityChoice_halted_drawsAnew() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
     QVERIFY(
-        bench.load("<ProbabilityChoice weights='1;1'>"
-                   "<StopAndWaitTimerAction agent_id='{id}' wait_duration='9' name='a'/>"
-                   "<StopAndWaitTimerAction agent_id='{id}' wait_duration='9' name='b'/>"
-                   "</ProbabilityChoice>"));
+        bench_->load("<ProbabilityChoice weights='1;1'>"
+                     "<StopAndWaitTimerAction agent_id='{id}' wait_duration='9' name='a'/>"
+                     "<StopAndWaitTimerAction agent_id='{id}' wait_duration='9' name='b'/>"
+                     "</ProbabilityChoice>"));
     int first = 0;
     for (int i = 0; i < 100; ++i) {
-      QCOMPARE(bench.step(), NodeStatus::Running);
-      const NodeStatus a = bench.tree().statuses()[1];
-      QCOMPARE(bench.step(), NodeStatus::Running);
-      QVERIFY(bench.tree().statuses()[1] == a);
+      QCOMPARE(bench_->step(), NodeStatus::Running);
+      const NodeStatus a = bench_->tree().statuses()[1];
+      QCOMPARE(bench_->step(), NodeStatus::Running);
+      QVERIFY(bench_->tree().statuses()[1] == a);
       first += a == NodeStatus::Running ? 1 : 0;
-      bench.halt();
+      bench_->halt();
     }
     QVERIFY(first > 25 && first < 75);
   }
@@ -126,14 +126,11 @@ class HumanCrowdNodesTest : public QObject {
   }
   void probabilityChoice_badWeights_stopTheTree() {
     QFETCH(QByteArray, weights);
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<ProbabilityChoice weights='" + weights.toStdString() +
-                       "'><AlwaysSuccess/><AlwaysSuccess/></ProbabilityChoice>"));
-    bench.step();
-    QVERIFY(bench.isFaulty());
-    QVERIFY(bench.tree().fault()->message.find("weights") != std::string::npos);
+    QVERIFY(bench_->load("<ProbabilityChoice weights='" + weights.toStdString() +
+                         "'><AlwaysSuccess/><AlwaysSuccess/></ProbabilityChoice>"));
+    bench_->step();
+    QVERIFY(bench_->isFaulty());
+    QVERIFY(bench_->tree().fault()->message.find("weights") != std::string::npos);
   }
 
   void waitInQueue_threePeople_areServedInTurn() {
@@ -233,13 +230,10 @@ class HumanCrowdNodesTest : public QObject {
   }
 
   void waitInQueue_unknownGoal_failsWithOneWarning() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<WaitInQueue agent_id='{id}' goal_id='9'/>"));
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.pendingDiagnostics().size(), std::size_t(1));
+    QVERIFY(bench_->load("<WaitInQueue agent_id='{id}' goal_id='9'/>"));
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    QCOMPARE(bench_->pendingDiagnostics().size(), std::size_t(1));
   }
 
   void yieldToRobot_comes_standsUntilItHasPassed() {
@@ -262,45 +256,36 @@ class HumanCrowdNodesTest : public QObject {
   }
 
   void yieldToRobot_robotWaitsAsWell_goesOnAfterItsPatience() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    world.addRobot(2.0, 0.0);
-    world.robots[0].velocity = Vec2(-1.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<YieldToRobot agent_id='{id}' patience='1'/>"));
-    QCOMPARE(bench.step(), NodeStatus::Running);
-    QCOMPARE(bench.step(), NodeStatus::Running);
-    QVERIFY(bench.intent().motion == sim2d::Motion::Turn && bench.intent().active);
-    world.robots[0].velocity = Vec2::Zero();
-    QCOMPARE(bench.stepsUntil(NodeStatus::Success), 11);
+    world_.addRobot(2.0, 0.0);
+    world_.robots[0].velocity = Vec2(-1.0, 0.0);
+    QVERIFY(bench_->load("<YieldToRobot agent_id='{id}' patience='1'/>"));
+    QCOMPARE(bench_->step(), NodeStatus::Running);
+    QCOMPARE(bench_->step(), NodeStatus::Running);
+    QVERIFY(bench_->intent().motion == sim2d::Motion::Turn && bench_->intent().active);
+    world_.robots[0].velocity = Vec2::Zero();
+    QCOMPARE(bench_->stepsUntil(NodeStatus::Success), 11);
   }
 
   void yieldToRobot_noRobotOrFar_fails() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<YieldToRobot agent_id='{id}' distance='3'/>"));
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    world.addRobot(3.5, 0.0);
-    world.robots[0].velocity = Vec2(-1.0, 0.0);
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    world.robots[0].pose.position.x() = 2.5;
-    QCOMPARE(bench.step(), NodeStatus::Running);
-    world.at(0).isPresent = false;
-    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QVERIFY(bench_->load("<YieldToRobot agent_id='{id}' distance='3'/>"));
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    world_.addRobot(3.5, 0.0);
+    world_.robots[0].velocity = Vec2(-1.0, 0.0);
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    world_.robots[0].pose.position.x() = 2.5;
+    QCOMPARE(bench_->step(), NodeStatus::Running);
+    world_.at(0).isPresent = false;
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
   }
 
   void yieldToRobot_halted_startsAfresh() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    world.addRobot(2.0, 0.0);
-    world.robots[0].velocity = Vec2(-1.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<YieldToRobot agent_id='{id}'/>"));
-    QCOMPARE(bench.step(), NodeStatus::Running);
-    bench.halt();
-    world.robots[0].velocity = Vec2(1.0, 0.0);
-    QCOMPARE(bench.step(), NodeStatus::Failure);
+    world_.addRobot(2.0, 0.0);
+    world_.robots[0].velocity = Vec2(-1.0, 0.0);
+    QVERIFY(bench_->load("<YieldToRobot agent_id='{id}'/>"));
+    QCOMPARE(bench_->step(), NodeStatus::Running);
+    bench_->halt();
+    world_.robots[0].velocity = Vec2(1.0, 0.0);
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
   }
 
   void passOnSide_robotAhead_leavesItOnTheOtherSide_data() {
@@ -312,29 +297,25 @@ class HumanCrowdNodesTest : public QObject {
   void passOnSide_robotAhead_leavesItOnTheOtherSide() {
     QFETCH(QByteArray, side);
     QFETCH(double, sign);
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    world.addRobot(3.5, 0.0);
-    TreeBench bench(world);
-    bench.control().goals = {{1, Vec2(8.0, 0.0), 0.3}};
-    QVERIFY(bench.load("<PassOnSide agent_id='{id}' side='" + side.toStdString() +
-                       "' clearance='0.8'/>"));
+    world_.addRobot(3.5, 0.0);
+    bench_->control().goals = {{1, Vec2(8.0, 0.0), 0.3}};
+    QVERIFY(bench_->load("<PassOnSide agent_id='{id}' side='" + side.toStdString() +
+                         "' clearance='0.8'/>"));
     double closest = 100.0;
     int steps = 0;
     for (NodeStatus status = NodeStatus::Running; status == NodeStatus::Running && steps < 200;
          ++steps) {
-      status = bench.step();
-      closest = std::min(closest, (positionOf(world, 0) - Vec2(3.5, 0.0)).norm());
+      status = bench_->step();
+      closest = std::min(closest, (positionOf(world_, 0) - Vec2(3.5, 0.0)).norm());
     }
     QVERIFY(steps > 20 && steps < 80);
-    QVERIFY(positionOf(world, 0).y() * sign > 0.5);
+    QVERIFY(positionOf(world_, 0).y() * sign > 0.5);
     QVERIFY2(closest > 0.5, qPrintable(QString::number(closest)));
-    QCOMPARE(bench.step(), NodeStatus::Failure);  // it is behind now
+    QCOMPARE(bench_->step(), NodeStatus::Failure);  // it is behind now
   }
 
   void passOnSide_noRobotOrBadSide_fails() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
+    FakeWorld world = withOnePerson();
     TreeBench bench(world);
     QVERIFY(bench.load("<PassOnSide agent_id='{id}'/>"));
     QCOMPARE(bench.step(), NodeStatus::Failure);
@@ -349,6 +330,10 @@ class HumanCrowdNodesTest : public QObject {
     QCOMPARE(other.step(), NodeStatus::Failure);
     QCOMPARE(other.pendingDiagnostics().size(), std::size_t(1));
   }
+
+ private:
+  FakeWorld world_;
+  std::optional<TreeBench> bench_;
 };
 
 QTEST_APPLESS_MAIN(HumanCrowdNodesTest)

@@ -1,7 +1,6 @@
 #include <QtTest>
 
-#include "bt/human/HumanContext.h"
-#include "bt/human/Perception.h"
+#include "bt/human/Motions.h"
 #include "tests/bt/FakeWorld.h"
 
 namespace bt {
@@ -19,7 +18,7 @@ agent_id
 
 // All that a new node takes: this would be the file nodes/IsAlone.cpp.
 void addIsAlone(NodeLibrary& to) {
-  to.addCondition(*humanManifests(kNodes).find("IsAlone"), withPorts<isAlone, 0>);
+  to.add(humanManifests(kNodes), {{"IsAlone", synchronous(withPorts<isAlone, 0>)}});
 }
 
 }  // namespace
@@ -29,8 +28,7 @@ class HumanExtensionTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void newNode_fromOneFunction_isInCatalogueAndTree() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
+    FakeWorld world = withOnePerson();
     world.addPerson(2, 5.0, 0.0);
     TreeBench bench(world);
     bt::addIsAlone(bench.library());

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <QtTest>
 
 #include "tests/bt/FakeWorld.h"
@@ -8,26 +10,25 @@ using base::NodeStatus;
 class HumanOwnNodesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void init() {
+    world_ = withOnePerson();
+    bench_.emplace(world_);
+  }
+
   void cooldown_afterARun_failsForItsTime() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<Cooldown duration='0.3'><AlwaysSuccess/></Cooldown>"));
-    QCOMPARE(bench.step(), NodeStatus::Success);
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.step(), NodeStatus::Success);
+    QVERIFY(bench_->load("<Cooldown duration='0.3'><AlwaysSuccess/></Cooldown>"));
+    QCOMPARE(bench_->step(), NodeStatus::Success);
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    QCOMPARE(bench_->step(), NodeStatus::Success);
   }
 
   void isTimeBetween_atTheEnds_includesTheFirst() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<IsTimeBetween from='0.1' until='0.3'/>"));
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.step(), NodeStatus::Success);
-    QCOMPARE(bench.step(), NodeStatus::Success);
-    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QVERIFY(bench_->load("<IsTimeBetween from='0.1' until='0.3'/>"));
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    QCOMPARE(bench_->step(), NodeStatus::Success);
+    QCOMPARE(bench_->step(), NodeStatus::Success);
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
   }
 
   void isCrowded_countsOthersWithinTheDistance() {
@@ -44,8 +45,7 @@ class HumanOwnNodesTest : public QObject {
   }
 
   void isAgentGroupFormed_needsAllMembers() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
+    FakeWorld world = withOnePerson();
     world.addPerson(2, 1.0, 0.0);
     world.addPerson(3, 3.0, 0.0);
     TreeBench bench(world);
@@ -58,8 +58,7 @@ class HumanOwnNodesTest : public QObject {
   }
 
   void waitForAgent_endsWhenTheyCome() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
+    FakeWorld world = withOnePerson();
     world.addPerson(2, 5.0, 0.0);
     TreeBench bench(world);
     QVERIFY(bench.load("<WaitForAgent agent_id='{id}' target_agent_id='2' distance='2'/>"));
@@ -70,8 +69,7 @@ class HumanOwnNodesTest : public QObject {
   }
 
   void fleeFrom_walksAwayUntilSafe() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
+    FakeWorld world = withOnePerson();
     world.addPerson(2, 1.0, 0.0);
     TreeBench bench(world);
     QVERIFY(bench.load("<FleeFrom agent_id='{id}' target_agent_id='2' safe_distance='3'/>"));
@@ -112,21 +110,18 @@ class HumanOwnNodesTest : public QObject {
   }
 
   void goToNearestExit_choosesTheNearest() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
     for (const double x : {-9.0, 4.0}) {
       sim2d::Area area;
       area.name = x < 0.0 ? "far" : "near";
       area.kind = sim2d::AreaKind::Exit;
       area.points = {base::Vec2(x - 1.0, -1.0), base::Vec2(x + 1.0, -1.0), base::Vec2(x, 2.0)};
-      world.settings.areas.push_back(area);
+      world_.settings.areas.push_back(area);
     }
-    TreeBench bench(world);
-    QVERIFY(bench.load("<GoToNearestExit agent_id='{id}'/>"));
-    QVERIFY(bench.stepsUntil(NodeStatus::Success) > 0);
-    QVERIFY((world.at(0).pose.position - base::Vec2(4.0, 0.0)).norm() <= 0.3);
-    world.settings.areas.clear();
-    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QVERIFY(bench_->load("<GoToNearestExit agent_id='{id}'/>"));
+    QVERIFY(bench_->stepsUntil(NodeStatus::Success) > 0);
+    QVERIFY((world_.at(0).pose.position - base::Vec2(4.0, 0.0)).norm() <= 0.3);
+    world_.settings.areas.clear();
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
   }
 
   void goToNearestExit_concaveArea_endsInsideIt() {
@@ -149,8 +144,7 @@ class HumanOwnNodesTest : public QObject {
   }
 
   void isAgentGroupFormed_changesOfThisStep_countInTheNext() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
+    FakeWorld world = withOnePerson();
     world.addPerson(2, 1.0, 0.0);
     TreeBench bench(world);
     bench.control(1).group = 4;
@@ -164,8 +158,7 @@ class HumanOwnNodesTest : public QObject {
   }
 
   void waitForAgent_yetToCome_waits() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
+    FakeWorld world = withOnePerson();
     world.addPerson(2, 1.0, 0.0);
     world.at(1).isPresent = false;
     TreeBench bench(world);
@@ -178,24 +171,22 @@ class HumanOwnNodesTest : public QObject {
   }
 
   void waitForAgent_unknownId_failsWithOneWarning() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<WaitForAgent agent_id='{id}' target_agent_id='9'/>"));
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.step(), NodeStatus::Failure);
-    QCOMPARE(bench.pendingDiagnostics().size(), std::size_t(1));
+    QVERIFY(bench_->load("<WaitForAgent agent_id='{id}' target_agent_id='9'/>"));
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    QCOMPARE(bench_->step(), NodeStatus::Failure);
+    QCOMPARE(bench_->pendingDiagnostics().size(), std::size_t(1));
   }
 
   void useObject_staysForItsTime() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    world.goals[1] = base::Vec2(0.2, 0.0);
-    TreeBench bench(world);
-    QVERIFY(bench.load("<UseObject agent_id='{id}' goal_id='1' duration='0.5'/>"));
+    world_.goals[1] = base::Vec2(0.2, 0.0);
+    QVERIFY(bench_->load("<UseObject agent_id='{id}' goal_id='1' duration='0.5'/>"));
     // start, arrived in the second step, half a second
-    QCOMPARE(bench.stepsUntil(NodeStatus::Success), 7);
+    QCOMPARE(bench_->stepsUntil(NodeStatus::Success), 7);
   }
+
+ private:
+  FakeWorld world_;
+  std::optional<TreeBench> bench_;
 };
 
 QTEST_APPLESS_MAIN(HumanOwnNodesTest)

@@ -70,6 +70,16 @@ const char* const kRegNav =
     R"(<SetBlackboard output_key="timestep" value="{dt}"/>)"
     R"(<SubTree ID="RegularNavTree" id="{agentid}" dt="{timestep}"/></Sequence></Fallback>)";
 
+/// Problems of a sequence of these nodes as the tree of the scenario's first person.
+base::Diagnostics problemsOf(const std::string& nodes, const sim2d::Scenario& scenario) {
+  const auto file = bt::readTreeText("<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>" +
+                                         nodes + "</Sequence></BehaviorTree></root>",
+                                     "t.xml");
+  const auto table = bt::resolveIncludes(*file);
+  return bt::checkAgentTree(*table, scenario.humans.front(), scenario,
+                            bt::humanNodes().catalogue());
+}
+
 }  // namespace
 
 Q_DECLARE_METATYPE(sim2d::BehaviorType)
@@ -325,39 +335,22 @@ class HumanTemplatesTest : public QObject {
   }
 
   void checkAgentTree_badWeights_warns() {
-    const sim2d::Scenario scenario = scenarioWith(BehaviorType::Regular, {});
-    const bt::NodeLibrary library = bt::humanNodes();
-    const auto file = bt::readTreeText(
-        "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>\n"
-        "<ProbabilityChoice weights='3;1'><AlwaysSuccess/><AlwaysFailure/></ProbabilityChoice>\n"
+    const base::Diagnostics found = problemsOf(
+        "\n<ProbabilityChoice weights='3;1'><AlwaysSuccess/><AlwaysFailure/></ProbabilityChoice>\n"
         "<ProbabilityChoice weights='3;1;1'><AlwaysSuccess/></ProbabilityChoice>\n"
-        "<ProbabilityChoice weights='often'><AlwaysSuccess/></ProbabilityChoice>\n"
-        "</Sequence></BehaviorTree></root>",
-        "t.xml");
-    QVERIFY(file);
-    const auto table = bt::resolveIncludes(*file);
-    QVERIFY(table);
-    const base::Diagnostics found =
-        bt::checkAgentTree(*table, scenario.humans.front(), scenario, library.catalogue());
+        "<ProbabilityChoice weights='often'><AlwaysSuccess/></ProbabilityChoice>\n",
+        scenarioWith(BehaviorType::Regular, {}));
     QCOMPARE(found.size(), std::size_t(2));
     QCOMPARE(found[0].line, 3);
     QCOMPARE(found[1].line, 4);
   }
 
   void checkAgentTree_strangeIds_warns() {
-    const sim2d::Scenario scenario = scenarioWith(BehaviorType::Regular, {1, 2});
-    const bt::NodeLibrary library = bt::humanNodes();
-    const auto file = bt::readTreeText(
-        "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>\n"
-        "<SetGoal agent_id='{id}' goal_id='7'/>\n<LookAtAgent observer_id='{id}' target_id='5'/>\n"
-        "<SetGroupWalk main_agent_id='1' "
-        "non_main_agent_ids='1,8'/></Sequence></BehaviorTree></root>",
-        "t.xml");
-    QVERIFY(file);
-    const auto table = bt::resolveIncludes(*file);
-    QVERIFY(table);
-    const base::Diagnostics found =
-        bt::checkAgentTree(*table, scenario.humans.front(), scenario, library.catalogue());
+    const base::Diagnostics found = problemsOf(
+        "\n<SetGoal agent_id='{id}' goal_id='7'/>\n"
+        "<LookAtAgent observer_id='{id}' target_id='5'/>\n"
+        "<SetGroupWalk main_agent_id='1' non_main_agent_ids='1,8'/>",
+        scenarioWith(BehaviorType::Regular, {1, 2}));
     QCOMPARE(found.size(), std::size_t(4));  // goal 7, person 5, person 8, other goals
     QCOMPARE(found[0].line, 2);
     QCOMPARE(found[1].line, 3);
@@ -366,20 +359,13 @@ class HumanTemplatesTest : public QObject {
 
   /// Two numbers of one place are one goal, as files have them that name each person's goals.
   void checkAgentTree_otherNumbersOfTheSamePlaces_isSilent() {
-    const bt::NodeLibrary library = bt::humanNodes();
-    const auto file = bt::readTreeText(
-        "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence><SetGoal agent_id='{id}' "
-        "goal_id='1'/><SetGoal agent_id='{id}' goal_id='2'/></Sequence></BehaviorTree></root>",
-        "t.xml");
-    QVERIFY(file);
-    const auto table = bt::resolveIncludes(*file);
-    QVERIFY(table);
     sim2d::Scenario scenario = scenarioWith(BehaviorType::Regular, {3, 4});
     scenario.goals.at(2).position = base::Vec2(1.0, 0.0);         // as goal 1
     scenario.goals.push_back({{}, 4, base::Vec2(2.0, 0.0), {}});  // as goal 2
     const auto check = [&](const std::vector<int>& goals) {
       scenario.humans.front().goals = goals;
-      return bt::checkAgentTree(*table, scenario.humans.front(), scenario, library.catalogue());
+      return problemsOf(
+          "<SetGoal agent_id='{id}' goal_id='1'/><SetGoal agent_id='{id}' goal_id='2'/>", scenario);
     };
     QVERIFY(check({3, 4}).empty());
     QVERIFY(check({3, 2}).empty());

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -103,30 +105,30 @@ class Run {
 class HumanTreeBehaviorTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void init() { run_.emplace(); }
+
   void generatedTree_regular_walksFromTheFirstStep() {
-    Run run;
-    run.add(1, {1, 2});
-    QVERIFY(run.start());
-    run.step();
-    QCOMPARE(run.last.motion, Motion::Walk);
-    QVERIFY(run.last.targetIsGoal);
-    QCOMPARE(run.last.target.id, 1);
-    QCOMPARE(run.controls[0].goals.size(), std::size_t(2));
-    QCOMPARE(run.shown("RegularNavFallback/SetGoals"), QStringLiteral("FAILURE"));
-    run.step();
-    QCOMPARE(run.shown("RegularNavFallback/SetGoals"), QStringLiteral("SKIPPED"));
-    QCOMPARE(run.last.motion, Motion::Walk);
+    run_->add(1, {1, 2});
+    QVERIFY(run_->start());
+    run_->step();
+    QCOMPARE(run_->last.motion, Motion::Walk);
+    QVERIFY(run_->last.targetIsGoal);
+    QCOMPARE(run_->last.target.id, 1);
+    QCOMPARE(run_->controls[0].goals.size(), std::size_t(2));
+    QCOMPARE(run_->shown("RegularNavFallback/SetGoals"), QStringLiteral("FAILURE"));
+    run_->step();
+    QCOMPARE(run_->shown("RegularNavFallback/SetGoals"), QStringLiteral("SKIPPED"));
+    QCOMPARE(run_->last.motion, Motion::Walk);
   }
 
   void generatedTree_cyclicGoals_areVisitedInOrder() {
-    Run run;
-    run.add(1, {1, 2}).goalRadius = 0.3;
-    run.scenario.humans.front().maxVel = 1.0;
-    QVERIFY(run.start());
+    run_->add(1, {1, 2}).goalRadius = 0.3;
+    run_->scenario.humans.front().maxVel = 1.0;
+    QVERIFY(run_->start());
     std::string visited;
     for (int i = 0; i < 200; ++i) {
-      run.step();
-      for (const sim2d::Event& event : run.events) {
+      run_->step();
+      for (const sim2d::Event& event : run_->events) {
         visited += event.kind == EventKind::Goal ? event.text : "";
       }
     }
@@ -134,39 +136,37 @@ class HumanTreeBehaviorTest : public QObject {
   }
 
   void curious_robotNeverVisible_neverReacts() {
-    Run run;
-    run.add(1, {1, 2}).behavior.type = BehaviorType::Curious;
-    QVERIFY(run.start());
+    run_->add(1, {1, 2}).behavior.type = BehaviorType::Curious;
+    QVERIFY(run_->start());
     for (int i = 0; i < 50; ++i) {
-      run.step();
-      QVERIFY(!run.last.active);
-      QVERIFY(!run.hasEvent(EventKind::Action, "ApproachRobot"));
+      run_->step();
+      QVERIFY(!run_->last.active);
+      QVERIFY(!run_->hasEvent(EventKind::Action, "ApproachRobot"));
     }
   }
 
   void curious_robotVisible_reactsForItsDurationThenWalksOn() {
-    Run run;
-    sim2d::Human& human = run.add(1, {1, 2});
+    sim2d::Human& human = run_->add(1, {1, 2});
     human.behavior.type = BehaviorType::Curious;
     human.behavior.duration = 1.0;
     human.behavior.once = true;
-    run.world.addRobot(3.0, 1.0);
-    QVERIFY(run.start());
-    run.step();
-    QVERIFY(run.hasEvent(EventKind::Action, "ApproachRobot"));
-    QVERIFY(run.last.active);
+    run_->world.addRobot(3.0, 1.0);
+    QVERIFY(run_->start());
+    run_->step();
+    QVERIFY(run_->hasEvent(EventKind::Action, "ApproachRobot"));
+    QVERIFY(run_->last.active);
     int steps = 1;
-    while (!run.hasEvent(EventKind::ActionEnd, "ApproachRobot SUCCESS") && steps < 100) {
-      run.step();
+    while (!run_->hasEvent(EventKind::ActionEnd, "ApproachRobot SUCCESS") && steps < 100) {
+      run_->step();
       ++steps;
-      QVERIFY(run.last.active);
+      QVERIFY(run_->last.active);
     }
     QCOMPARE(steps, 11);
     int walked = 0;  // a step is lost at each goal
     for (int i = 0; i < 20; ++i) {
-      run.step();
-      QVERIFY(!run.last.active);
-      walked += run.last.motion == Motion::Walk ? 1 : 0;
+      run_->step();
+      QVERIFY(!run_->last.active);
+      walked += run_->last.motion == Motion::Walk ? 1 : 0;
     }
     QVERIFY(walked >= 18);
   }
@@ -179,34 +179,31 @@ class HumanTreeBehaviorTest : public QObject {
   }
   void q08_brokenFile_isAnError() {
     QFETCH(QByteArray, body);
-    Run run;
-    run.add(1, {1});
-    run.file("agent1", body.toStdString());
-    QVERIFY(!run.start());
-    QVERIFY(base::hasErrors(run.diagnostics));
+    run_->add(1, {1});
+    run_->file("agent1", body.toStdString());
+    QVERIFY(!run_->start());
+    QVERIFY(base::hasErrors(run_->diagnostics));
   }
 
   void q08_d06_missingFile_isAnErrorBeforeTheFirstTick() {
-    Run run;
-    run.add(1, {1});
-    run.files["agent1"] = std::string("/does/not/exist.xml");
-    QVERIFY(!run.start());
+    run_->add(1, {1});
+    run_->files["agent1"] = std::string("/does/not/exist.xml");
+    QVERIFY(!run_->start());
   }
 
   void q33_faultyTree_brakesWithOneWarning() {
-    Run run;
-    run.add(1, {1});
-    run.add(2, {1});
-    run.file("agent1",
-             "<Sequence><RegularNav agent_id='{id}'/><GoTo agent_id='{id}' "
-             "goal_id='{nothing}'/></Sequence>");
-    QVERIFY(run.start());
+    run_->add(1, {1});
+    run_->add(2, {1});
+    run_->file("agent1",
+               "<Sequence><RegularNav agent_id='{id}'/><GoTo agent_id='{id}' "
+               "goal_id='{nothing}'/></Sequence>");
+    QVERIFY(run_->start());
     base::Diagnostics pendingDiagnostics;
     for (int i = 0; i < 3; ++i) {
-      run.step();
-      QCOMPARE(run.last.motion, Motion::Brake);
+      run_->step();
+      QCOMPARE(run_->last.motion, Motion::Brake);
       base::Diagnostics found;
-      run.behavior->takeDiagnostics(found);
+      run_->behavior->takeDiagnostics(found);
       base::append(pendingDiagnostics, found);
     }
     QCOMPARE(pendingDiagnostics.size(), std::size_t(1));
@@ -214,58 +211,54 @@ class HumanTreeBehaviorTest : public QObject {
   }
 
   void loopTrees_off_standsAfterTheEnd() {
-    Run run;
-    run.add(1, {});
-    run.scenario.desktop.loopTrees = false;
-    run.file("agent1",
-             "<SequenceWithMemory><TimeDelay delay='0.2'><AlwaysSuccess/></TimeDelay>"
-             "<GoTo agent_id='{id}' goal_id='1' time_step='{dt}'/></SequenceWithMemory>");
-    QVERIFY(run.start());
+    run_->add(1, {});
+    run_->scenario.desktop.loopTrees = false;
+    run_->file("agent1",
+               "<SequenceWithMemory><TimeDelay delay='0.2'><AlwaysSuccess/></TimeDelay>"
+               "<GoTo agent_id='{id}' goal_id='1' time_step='{dt}'/></SequenceWithMemory>");
+    QVERIFY(run_->start());
     bool hasEnded = false;
     for (int i = 0; i < 100; ++i) {
-      run.step();
-      hasEnded = hasEnded || run.hasEvent(EventKind::ActionEnd, "GoTo SUCCESS");
+      run_->step();
+      hasEnded = hasEnded || run_->hasEvent(EventKind::ActionEnd, "GoTo SUCCESS");
     }
     QVERIFY(hasEnded);
-    QCOMPARE(run.last.motion, Motion::Stand);
-    QVERIFY((run.world.at(0).pose.position - base::Vec2(2.0, 0.0)).norm() <= 0.2);
-    QVERIFY(run.changes.size() == 0);
+    QCOMPARE(run_->last.motion, Motion::Stand);
+    QVERIFY((run_->world.at(0).pose.position - base::Vec2(2.0, 0.0)).norm() <= 0.2);
+    QVERIFY(run_->changes.size() == 0);
   }
 
   void loopTrees_off_navigationGoesOn() {
-    Run run;
-    run.add(1, {1, 2});
-    run.scenario.desktop.loopTrees = false;
-    QVERIFY(run.start());
+    run_->add(1, {1, 2});
+    run_->scenario.desktop.loopTrees = false;
+    QVERIFY(run_->start());
     int goals = 0;
     for (int i = 0; i < 200; ++i) {
-      run.step();
+      run_->step();
       goals += static_cast<int>(
-          std::count_if(run.events.begin(), run.events.end(),
+          std::count_if(run_->events.begin(), run_->events.end(),
                         [](const sim2d::Event& event) { return event.kind == EventKind::Goal; }));
     }
     QVERIFY(goals >= 4);
   }
 
   void loopTrees_on_startsAgain() {
-    Run run;
-    run.add(1, {});
-    run.file("agent1", "<StopAndWaitTimerAction agent_id='{id}' wait_duration='0.2'/>");
-    QVERIFY(run.start());
+    run_->add(1, {});
+    run_->file("agent1", "<StopAndWaitTimerAction agent_id='{id}' wait_duration='0.2'/>");
+    QVERIFY(run_->start());
     int starts = 0;
     for (int i = 0; i < 9; ++i) {
-      run.step();
-      starts += run.hasEvent(EventKind::Action, "StopAndWaitTimerAction") ? 1 : 0;
+      run_->step();
+      starts += run_->hasEvent(EventKind::Action, "StopAndWaitTimerAction") ? 1 : 0;
     }
     QCOMPARE(starts, 3);
   }
 
   void blackboard_hasIdAndStep() {
-    Run run;
-    run.add(7, {1});
-    QVERIFY(run.start());
-    run.step();
-    const auto lines = run.behavior->blackboard(0);
+    run_->add(7, {1});
+    QVERIFY(run_->start());
+    run_->step();
+    const auto lines = run_->behavior->blackboard(0);
     const auto has = [&lines](const std::string& key, const std::string& text) {
       return std::find(lines.begin(), lines.end(), std::make_pair(key, text)) != lines.end();
     };
@@ -275,146 +268,143 @@ class HumanTreeBehaviorTest : public QObject {
 
   /// The entry `mood` chooses what is said; a number stays a number, words become words.
   void setEntry_actsInTheNextTick() {
-    Run run;
-    run.add(7, {1});
-    run.file("agent7",
-             "<Sequence><RunOnce><Script code='mood := 1'/></RunOnce><Fallback><Sequence>"
-             "<ScriptCondition code='mood &gt; 3'/>"
-             "<SaySomething agent_id='{id}' message='well'/></Sequence>"
-             "<AlwaysSuccess/></Fallback></Sequence>");
-    QVERIFY2(run.start(), run.diagnostics.empty() ? "" : run.diagnostics.front().text().c_str());
-    run.step();
-    run.step();
-    QVERIFY(!run.hasEvent(EventKind::Say, "well"));
-    QCOMPARE(run.behavior->setBlackboardEntry(0, "mood", "3.5"), std::string());
-    const auto lines = run.behavior->blackboard(0);
+    run_->add(7, {1});
+    run_->file("agent7",
+               "<Sequence><RunOnce><Script code='mood := 1'/></RunOnce><Fallback><Sequence>"
+               "<ScriptCondition code='mood &gt; 3'/>"
+               "<SaySomething agent_id='{id}' message='well'/></Sequence>"
+               "<AlwaysSuccess/></Fallback></Sequence>");
+    QVERIFY2(run_->start(),
+             run_->diagnostics.empty() ? "" : run_->diagnostics.front().text().c_str());
+    run_->step();
+    run_->step();
+    QVERIFY(!run_->hasEvent(EventKind::Say, "well"));
+    QCOMPARE(run_->behavior->setBlackboardEntry(0, "mood", "3.5"), std::string());
+    const auto lines = run_->behavior->blackboard(0);
     QVERIFY(std::find(lines.begin(), lines.end(),
                       std::make_pair(std::string("mood"), std::string("3.5"))) != lines.end());
-    run.step();
-    QVERIFY(run.hasEvent(EventKind::Say, "well"));
-    QVERIFY(
-        !run.behavior->setBlackboardEntry(0, "mood", "happy").empty());  // it is a number for ever
-    QVERIFY(!run.behavior->setBlackboardEntry(0, "nothing", "1").empty());
-    QVERIFY(!run.behavior->setBlackboardEntry(0, "id", "9").empty());
-    QVERIFY(!run.behavior->setBlackboardEntry(0, "dt", "1.0").empty());
-    QVERIFY(!run.behavior->setBlackboardEntry(5, "mood", "1").empty());
+    run_->step();
+    QVERIFY(run_->hasEvent(EventKind::Say, "well"));
+    QVERIFY(!run_->behavior->setBlackboardEntry(0, "mood", "happy")
+                 .empty());  // it is a number for ever
+    QVERIFY(!run_->behavior->setBlackboardEntry(0, "nothing", "1").empty());
+    QVERIFY(!run_->behavior->setBlackboardEntry(0, "id", "9").empty());
+    QVERIFY(!run_->behavior->setBlackboardEntry(0, "dt", "1.0").empty());
+    QVERIFY(!run_->behavior->setBlackboardEntry(5, "mood", "1").empty());
   }
 
   void personOfASource_runsTheTreeOfItsModel() {
-    Run run;
-    sim2d::Human& pattern = run.add(1, {1});
+    sim2d::Human& pattern = run_->add(1, {1});
     pattern.listed = false;
-    run.file("agent1", "<SaySomething agent_id='{id}' message='I am new'/>");
+    run_->file("agent1", "<SaySomething agent_id='{id}' message='I am new'/>");
     sim2d::Area source;
     source.name = "entrance";
     source.kind = sim2d::AreaKind::Source;
     source.like = "agent1";
-    run.scenario.areas = {source};
-    QVERIFY(run.start());
-    QCOMPARE(run.world.humanCount(), 0);
-    run.world.addPerson(5, 0.0, 0.0);
-    run.world.at(0).constants.name = "entrance_1";
-    run.controls.emplace_back();
-    run.intents = std::make_unique<sim2d::Intents>(run.controls);
-    run.behavior->enter(0, run.world);
-    run.step();
-    QVERIFY(run.hasEvent(EventKind::Say, "I am new"));
-    QCOMPARE(run.events.front().id, 5);
+    run_->scenario.areas = {source};
+    QVERIFY(run_->start());
+    QCOMPARE(run_->world.humanCount(), 0);
+    run_->world.addPerson(5, 0.0, 0.0);
+    run_->world.at(0).constants.name = "entrance_1";
+    run_->controls.emplace_back();
+    run_->intents = std::make_unique<sim2d::Intents>(run_->controls);
+    run_->behavior->enter(0, run_->world);
+    run_->step();
+    QVERIFY(run_->hasEvent(EventKind::Say, "I am new"));
+    QCOMPARE(run_->events.front().id, 5);
   }
 
   void enter_again_givesAFreshMind() {
-    Run run;
-    run.add(1, {1});
-    run.file("agent1", "<RunOnce><SaySomething agent_id='{id}' message='once'/></RunOnce>");
-    QVERIFY(run.start());
-    run.step();
-    QVERIFY(run.hasEvent(EventKind::Say, "once"));
-    run.step();
-    QVERIFY(!run.hasEvent(EventKind::Say, "once"));
-    run.behavior->enter(0, run.world);
-    run.step();
-    QVERIFY(run.hasEvent(EventKind::Say, "once"));
+    run_->add(1, {1});
+    run_->file("agent1", "<RunOnce><SaySomething agent_id='{id}' message='once'/></RunOnce>");
+    QVERIFY(run_->start());
+    run_->step();
+    QVERIFY(run_->hasEvent(EventKind::Say, "once"));
+    run_->step();
+    QVERIFY(!run_->hasEvent(EventKind::Say, "once"));
+    run_->behavior->enter(0, run_->world);
+    run_->step();
+    QVERIFY(run_->hasEvent(EventKind::Say, "once"));
   }
 
   void enter_again_endsWhatWasDoneToOthers() {
-    Run run;
-    run.add(1, {1});
-    run.add(2, {2});
-    run.file("agent1", "<SetGroupWalk main_agent_id='{id}' non_main_agent_ids='2'/>");
-    run.file("agent2", "<RegularNav agent_id='{id}'/>");
-    QVERIFY(run.start());
-    run.step();
-    QCOMPARE(run.controls[1].group, 1);
-    QCOMPARE(run.controls[1].goals.front().id, 1);
-    run.behavior->enter(0, run.world);
-    run.world.at(0).isPresent = false;
-    run.step();
-    QCOMPARE(run.controls[1].group, -1);
-    QCOMPARE(run.controls[1].goals.front().id, 2);
+    run_->add(1, {1});
+    run_->add(2, {2});
+    run_->file("agent1", "<SetGroupWalk main_agent_id='{id}' non_main_agent_ids='2'/>");
+    run_->file("agent2", "<RegularNav agent_id='{id}'/>");
+    QVERIFY(run_->start());
+    run_->step();
+    QCOMPARE(run_->controls[1].group, 1);
+    QCOMPARE(run_->controls[1].goals.front().id, 1);
+    run_->behavior->enter(0, run_->world);
+    run_->world.at(0).isPresent = false;
+    run_->step();
+    QCOMPARE(run_->controls[1].group, -1);
+    QCOMPARE(run_->controls[1].goals.front().id, 2);
   }
 
   void enter_memberOfAGroupWalk_keepsWhatItCameWith() {
-    Run run;
-    run.add(1, {1});
-    run.add(2, {2});
-    run.file("agent1",
-             "<SetGroupWalk main_agent_id='{id}' non_main_agent_ids='2' duration='0.3'/>");
-    run.file("agent2", "<RegularNav agent_id='{id}'/>");
-    QVERIFY(run.start());
-    run.step();
-    QCOMPARE(run.controls[1].group, 1);
-    run.controls[1] = {};
-    run.controls[1].group = 8;
-    run.controls[1].goals = {{3, run.world.goals[3], 0.3}};
-    run.behavior->enter(1, run.world);
+    run_->add(1, {1});
+    run_->add(2, {2});
+    run_->file("agent1",
+               "<SetGroupWalk main_agent_id='{id}' non_main_agent_ids='2' duration='0.3'/>");
+    run_->file("agent2", "<RegularNav agent_id='{id}'/>");
+    QVERIFY(run_->start());
+    run_->step();
+    QCOMPARE(run_->controls[1].group, 1);
+    run_->controls[1] = {};
+    run_->controls[1].group = 8;
+    run_->controls[1].goals = {{3, run_->world.goals[3], 0.3}};
+    run_->behavior->enter(1, run_->world);
     for (int i = 0; i < 3; ++i) {
-      run.step();
+      run_->step();
     }
-    QVERIFY(run.hasEvent(EventKind::ActionEnd, "SetGroupWalk SUCCESS"));
-    QCOMPARE(run.controls[0].group, -1);
-    QCOMPARE(run.controls[1].group, 8);
-    QCOMPARE(run.controls[1].goals.front().id, 3);
+    QVERIFY(run_->hasEvent(EventKind::ActionEnd, "SetGroupWalk SUCCESS"));
+    QCOMPARE(run_->controls[0].group, -1);
+    QCOMPARE(run_->controls[1].group, 8);
+    QCOMPARE(run_->controls[1].goals.front().id, 3);
   }
 
   void leaving_haltsTheTree() {
-    Run run;
-    run.add(1, {1});
-    run.file("agent1", "<StopAndWaitTimerAction name='pause' agent_id='{id}' wait_duration='9'/>");
-    QVERIFY(run.start());
-    run.step();
-    QCOMPARE(run.shown("pause"), QStringLiteral("RUNNING"));
-    run.world.at(0).isPresent = false;
-    run.step();
-    QVERIFY(run.hasEvent(EventKind::ActionEnd, "pause HALTED"));
-    QCOMPARE(run.shown("pause"), QStringLiteral("IDLE"));
-    run.step();
-    QVERIFY(run.changes.size() == 0);
+    run_->add(1, {1});
+    run_->file("agent1",
+               "<StopAndWaitTimerAction name='pause' agent_id='{id}' wait_duration='9'/>");
+    QVERIFY(run_->start());
+    run_->step();
+    QCOMPARE(run_->shown("pause"), QStringLiteral("RUNNING"));
+    run_->world.at(0).isPresent = false;
+    run_->step();
+    QVERIFY(run_->hasEvent(EventKind::ActionEnd, "pause HALTED"));
+    QCOMPARE(run_->shown("pause"), QStringLiteral("IDLE"));
+    run_->step();
+    QVERIFY(run_->changes.size() == 0);
   }
 
   void placeholdersOfVersion15_areFilled() {
-    Run run;
-    sim2d::Human& human = run.add(1, {1});
+    sim2d::Human& human = run_->add(1, {1});
     human.behavior.dist = 3.0;
-    run.file("agent1", "<IsRobotVisible agent_id='{id}' distance='{dist}'/>");
-    run.world.addRobot(2.9, 1.0);
-    QVERIFY(run.start());
-    run.step();
-    QCOMPARE(run.shown("IsRobotVisible"), QStringLiteral("SUCCESS"));
-    run.world.robots[0].pose.position.x() = 3.1;
-    run.step();
-    QCOMPARE(run.shown("IsRobotVisible"), QStringLiteral("FAILURE"));
+    run_->file("agent1", "<IsRobotVisible agent_id='{id}' distance='{dist}'/>");
+    run_->world.addRobot(2.9, 1.0);
+    QVERIFY(run_->start());
+    run_->step();
+    QCOMPARE(run_->shown("IsRobotVisible"), QStringLiteral("SUCCESS"));
+    run_->world.robots[0].pose.position.x() = 3.1;
+    run_->step();
+    QCOMPARE(run_->shown("IsRobotVisible"), QStringLiteral("FAILURE"));
   }
 
   void q28_twoPeople_areTickedInTheOrderOfTheirIds() {
-    Run run;
-    run.add(5, {});
-    run.add(2, {});
-    run.file("agent5", "<SaySomething agent_id='{id}' message='five'/>");
-    run.file("agent2", "<SaySomething agent_id='{id}' message='two'/>");
-    QVERIFY(run.start());
-    run.step();
-    QVERIFY(run.events[0].text == "two" && run.events[1].text == "five");
+    run_->add(5, {});
+    run_->add(2, {});
+    run_->file("agent5", "<SaySomething agent_id='{id}' message='five'/>");
+    run_->file("agent2", "<SaySomething agent_id='{id}' message='two'/>");
+    QVERIFY(run_->start());
+    run_->step();
+    QVERIFY(run_->events[0].text == "two" && run_->events[1].text == "five");
   }
+
+ private:
+  std::optional<Run> run_;
 };
 
 QTEST_APPLESS_MAIN(HumanTreeBehaviorTest)

@@ -3,20 +3,6 @@
 
 #include "bt/engine/Script.h"
 
-/// Values of scripts. The numbers were worked out by hand.
-class ScriptsTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void run_script_givesValue_data();
-  void run_script_givesValue();
-  void run_badScript_fails_data();
-  void run_badScript_fails();
-  void compile_badText_saysColumn_data();
-  void compile_badText_saysColumn();
-  void compile_deepNesting_isRefused();
-};
-
 namespace {
 
 /// A script with entries a = 2, s = 'text', and whatever it makes itself.
@@ -141,90 +127,96 @@ void rowsOfTheEngine() {
 
 }  // namespace
 
-void ScriptsTest::run_script_givesValue_data() {
-  QTest::addColumn<QString>("source");
-  QTest::addColumn<QString>("value");
-  rowsOfNumbers();
-  rowsOfChoicesAndTexts();
-  rowsOfAssignments();
-  rowsOfTheEngine();
-}
+/// Values of scripts. The numbers were worked out by hand.
+class ScriptsTest : public QObject {
+  Q_OBJECT
 
-void ScriptsTest::run_script_givesValue() {
-  QFETCH(QString, source);
-  QFETCH(QString, value);
-  Bench bench(source);
-  QVERIFY2(bench.compiles(), bench.compiles() ? "" : bench.problem().c_str());
-  QCOMPARE(bench.run(), value);
-}
-
-void ScriptsTest::run_badScript_fails_data() {
-  QTest::addColumn<QString>("source");
-  QTest::addColumn<QString>("message");
-  row("unknown + 1", "no value");
-  row("unknown = 1", "does not exist");
-  row("unknown += 1", "does not exist");
-  row("s + 1", "arithmetic with text");
-  row("s - s", "arithmetic with text");
-  QByteArray doubling("t := 'x'");  // 2^21 bytes
-  for (int k = 0; k < 21; ++k) {
-    doubling += "; t := t + t";
+ private Q_SLOTS:
+  void run_script_givesValue_data() {
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("value");
+    rowsOfNumbers();
+    rowsOfChoicesAndTexts();
+    rowsOfAssignments();
+    rowsOfTheEngine();
   }
-  row(doubling, "more than 1 MB");
-  row("s -= 'a'", "arithmetic with text");
-  row("1 && 's'", "take neither text");
-  row("2 && 1", "whole numbers other than 0 and 1");
-  row("x := 1 .. 2", "has no value");
-  row("x := 1; x := 0.5", "does not fit");
-  row("x := 1; x += 0.5", "does not fit");
-  row("x := 'a'; x := 1", "does not fit");
-  row("s == 3", "not a number");
-  row("-s", "a sign is applied to text");
-  row("1.5 & 1", "not an integer");
-  row("~1e300", "too large");
-  row("'' ? 1 : 2", "empty text");
-  row("a = 'text'", "does not fit");
-  row("0 && unknown", "no value");  // both sides are evaluated
-}
 
-void ScriptsTest::run_badScript_fails() {
-  QFETCH(QString, source);
-  QFETCH(QString, message);
-  Bench bench(source);
-  QVERIFY(bench.compiles());
-  const QString result = bench.run();
-  QVERIFY2(result.startsWith(QLatin1Char('!')) && result.contains(message), qPrintable(result));
-}
+  void run_script_givesValue() {
+    QFETCH(QString, source);
+    QFETCH(QString, value);
+    Bench bench(source);
+    QVERIFY2(bench.compiles(), bench.compiles() ? "" : bench.problem().c_str());
+    QCOMPARE(bench.run(), value);
+  }
 
-void ScriptsTest::compile_badText_saysColumn_data() {
-  QTest::addColumn<QString>("source");
-  QTest::addColumn<QString>("message");
-  row("", "empty");
-  row("1 +", "value expected at column 4");
-  row("(1", "')' expected at column 3");
-  row("1 ? 2", "':' expected at column 6");
-  row("x := 'a", "parsed at column 6");
-  row("1 # 2", "parsed at column 3");
-  row("5 := 3", "name of an entry expected before ':=' at column 3");
-  row("12abc", "parsed at column 1");
-  row("{a} == 1", "parsed at column 1");
-}
+  void run_badScript_fails_data() {
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("message");
+    row("unknown + 1", "no value");
+    row("unknown = 1", "does not exist");
+    row("unknown += 1", "does not exist");
+    row("s + 1", "arithmetic with text");
+    row("s - s", "arithmetic with text");
+    QByteArray doubling("t := 'x'");  // 2^21 bytes
+    for (int k = 0; k < 21; ++k) {
+      doubling += "; t := t + t";
+    }
+    row(doubling, "more than 1 MB");
+    row("s -= 'a'", "arithmetic with text");
+    row("1 && 's'", "take neither text");
+    row("2 && 1", "whole numbers other than 0 and 1");
+    row("x := 1 .. 2", "has no value");
+    row("x := 1; x := 0.5", "does not fit");
+    row("x := 1; x += 0.5", "does not fit");
+    row("x := 'a'; x := 1", "does not fit");
+    row("s == 3", "not a number");
+    row("-s", "a sign is applied to text");
+    row("1.5 & 1", "not an integer");
+    row("~1e300", "too large");
+    row("'' ? 1 : 2", "empty text");
+    row("a = 'text'", "does not fit");
+    row("0 && unknown", "no value");  // both sides are evaluated
+  }
 
-void ScriptsTest::compile_badText_saysColumn() {
-  QFETCH(QString, source);
-  QFETCH(QString, message);
-  Bench bench(source);
-  QVERIFY(!bench.compiles());
-  QVERIFY2(QString::fromStdString(bench.problem()).contains(message), bench.problem().c_str());
-}
+  void run_badScript_fails() {
+    QFETCH(QString, source);
+    QFETCH(QString, message);
+    Bench bench(source);
+    QVERIFY(bench.compiles());
+    const QString result = bench.run();
+    QVERIFY2(result.startsWith(QLatin1Char('!')) && result.contains(message), qPrintable(result));
+  }
 
-void ScriptsTest::compile_deepNesting_isRefused() {
-  for (const char* const opening : {"(", "!", "1 ? ", "x := ", "1 ? 1 : "}) {
-    const QString source = QString::fromUtf8(opening).repeated(100000) + QStringLiteral("1");
+  void compile_badText_saysColumn_data() {
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("message");
+    row("", "empty");
+    row("1 +", "value expected at column 4");
+    row("(1", "')' expected at column 3");
+    row("1 ? 2", "':' expected at column 6");
+    row("x := 'a", "parsed at column 6");
+    row("1 # 2", "parsed at column 3");
+    row("5 := 3", "name of an entry expected before ':=' at column 3");
+    row("12abc", "parsed at column 1");
+    row("{a} == 1", "parsed at column 1");
+  }
+
+  void compile_badText_saysColumn() {
+    QFETCH(QString, source);
+    QFETCH(QString, message);
     Bench bench(source);
     QVERIFY(!bench.compiles());
+    QVERIFY2(QString::fromStdString(bench.problem()).contains(message), bench.problem().c_str());
   }
-}
+
+  void compile_deepNesting_isRefused() {
+    for (const char* const opening : {"(", "!", "1 ? ", "x := ", "1 ? 1 : "}) {
+      const QString source = QString::fromUtf8(opening).repeated(100000) + QStringLiteral("1");
+      Bench bench(source);
+      QVERIFY(!bench.compiles());
+    }
+  }
+};
 
 QTEST_APPLESS_MAIN(ScriptsTest)
 #include "tst_Scripts.moc"

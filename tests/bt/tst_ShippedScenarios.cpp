@@ -11,24 +11,6 @@
 using namespace shipped;
 namespace fs = std::filesystem;
 
-/// Whatever lies in maps/ or is made by the build must work out of the box, and run as it did
-/// before.
-class ShippedScenariosTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void scenario_loaded_saysNothing_data() { addScenarios(); }
-  void scenario_loaded_saysNothing();
-  void scenario_run_keepsPeopleApartAndOutOfWalls_data() { addScenarios(); }
-  void scenario_run_keepsPeopleApartAndOutOfWalls();
-  void scenario_run_givesTheHashOnFile_data() { addScenarios(); }
-  void scenario_run_givesTheHashOnFile();
-  void hashesOnFile_areOfScenariosThatExist();
-
- private:
-  static void addScenarios();
-};
-
 namespace {
 
 constexpr double kLeastRun = 20.0;        // [s]
@@ -136,90 +118,102 @@ double deepestOverlap(const std::vector<Disc>& discs) {
 
 }  // namespace
 
-void ShippedScenariosTest::addScenarios() {
-  QTest::addColumn<QString>("path");
-  for (const auto& [name, path] : scenarios()) {
-    QTest::newRow(name.c_str()) << QString::fromStdString(path);
-  }
-}
+/// Whatever lies in maps/ or is made by the build must work out of the box, and run as it did
+/// before.
+class ShippedScenariosTest : public QObject {
+  Q_OBJECT
 
-void ShippedScenariosTest::scenario_loaded_saysNothing() {
-  QFETCH(QString, path);
-  Loaded loaded = load(path.toStdString());
-  const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
-  const std::string said = pendingDiagnostics(loaded.diagnostics);
-  QVERIFY2(said.empty(), said.c_str());
-  QVERIFY(world != nullptr);
-  QVERIFY(loaded.map.isEmpty() == (loaded.scenario->desktop.mapFile == "none"));
-  const fs::path file = path.toStdString();
-  QVERIFY(loaded.scenario->yamlBaseName == file.stem().string());
-  QVERIFY(*base::readTextFile(file.string()) == sim2d::writeScenario(*loaded.scenario));
-  for (const fs::directory_entry& entry : fs::directory_iterator(file.parent_path())) {
-    if (entry.path().filename().string().rfind(file.stem().string() + "__agent_", 0) == 0) {
-      const bool isUsed =
-          std::any_of(loaded.trees.begin(), loaded.trees.end(), [&](const auto& tree) {
-            return fs::path(tree.second.path).filename() == entry.path().filename();
-          });
-      QVERIFY2(isUsed, entry.path().c_str());
+ private Q_SLOTS:
+  void scenario_loaded_saysNothing_data() { addScenarios(); }
+  void scenario_loaded_saysNothing() {
+    QFETCH(QString, path);
+    Loaded loaded = load(path.toStdString());
+    const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
+    const std::string said = pendingDiagnostics(loaded.diagnostics);
+    QVERIFY2(said.empty(), said.c_str());
+    QVERIFY(world != nullptr);
+    QVERIFY(loaded.map.isEmpty() == (loaded.scenario->desktop.mapFile == "none"));
+    const fs::path file = path.toStdString();
+    QVERIFY(loaded.scenario->yamlBaseName == file.stem().string());
+    QVERIFY(*base::readTextFile(file.string()) == sim2d::writeScenario(*loaded.scenario));
+    for (const fs::directory_entry& entry : fs::directory_iterator(file.parent_path())) {
+      if (entry.path().filename().string().rfind(file.stem().string() + "__agent_", 0) == 0) {
+        const bool isUsed =
+            std::any_of(loaded.trees.begin(), loaded.trees.end(), [&](const auto& tree) {
+              return fs::path(tree.second.path).filename() == entry.path().filename();
+            });
+        QVERIFY2(isUsed, entry.path().c_str());
+      }
     }
   }
-}
 
-void ShippedScenariosTest::scenario_run_keepsPeopleApartAndOutOfWalls() {
-  QFETCH(QString, path);
-  Loaded loaded = load(path.toStdString());
-  if (isTooLarge(loaded)) {
-    QSKIP("a large crowd, too slow under a sanitizer");
-  }
-  const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
-  QVERIFY(world != nullptr);
-  const sim2d::Surroundings around = sim2d::makeSurroundings(*loaded.scenario, loaded.map);
-  const std::vector<sim2d::Frame> frames = framesOf(*world, stopRuleOf(loaded).maximumSteps);
-  QVERIFY2(world->failure().empty(), world->failure().c_str());
-  QVERIFY(frames.back().time >= kLeastRun - 1e-9);
-  for (const sim2d::Frame& frame : frames) {
-    const std::vector<Disc> discs = discsOf(frame, world->view());
-    for (const Disc& disc : discs) {
-      QVERIFY2(!around.obstacles.isInside(disc.position), std::to_string(frame.time).c_str());
+  void scenario_run_keepsPeopleApartAndOutOfWalls_data() { addScenarios(); }
+  void scenario_run_keepsPeopleApartAndOutOfWalls() {
+    QFETCH(QString, path);
+    Loaded loaded = load(path.toStdString());
+    if (isTooLarge(loaded)) {
+      QSKIP("a large crowd, too slow under a sanitizer");
     }
-    const double overlap = deepestOverlap(discs);
-    QVERIFY2(overlap <= kDeepestOverlap,
-             qPrintable(QStringLiteral("%1 m at %2 s").arg(overlap).arg(frame.time)));
+    const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
+    QVERIFY(world != nullptr);
+    const sim2d::Surroundings around = sim2d::makeSurroundings(*loaded.scenario, loaded.map);
+    const std::vector<sim2d::Frame> frames = framesOf(*world, stopRuleOf(loaded).maximumSteps);
+    QVERIFY2(world->failure().empty(), world->failure().c_str());
+    QVERIFY(frames.back().time >= kLeastRun - 1e-9);
+    for (const sim2d::Frame& frame : frames) {
+      const std::vector<Disc> discs = discsOf(frame, world->view());
+      for (const Disc& disc : discs) {
+        QVERIFY2(!around.obstacles.isInside(disc.position), std::to_string(frame.time).c_str());
+      }
+      const double overlap = deepestOverlap(discs);
+      QVERIFY2(overlap <= kDeepestOverlap,
+               qPrintable(QStringLiteral("%1 m at %2 s").arg(overlap).arg(frame.time)));
+    }
+    base::Diagnostics found;
+    world->behavior().takeDiagnostics(found);
+    QVERIFY2(found.empty(), pendingDiagnostics(found).c_str());
   }
-  base::Diagnostics found;
-  world->behavior().takeDiagnostics(found);
-  QVERIFY2(found.empty(), pendingDiagnostics(found).c_str());
-}
 
-void ShippedScenariosTest::scenario_run_givesTheHashOnFile() {
-  QFETCH(QString, path);
-  if (isTooLarge(load(path.toStdString()))) {
-    QSKIP("a large crowd, too slow under a sanitizer");
+  void scenario_run_givesTheHashOnFile_data() { addScenarios(); }
+  void scenario_run_givesTheHashOnFile() {
+    QFETCH(QString, path);
+    if (isTooLarge(load(path.toStdString()))) {
+      QSKIP("a large crowd, too slow under a sanitizer");
+    }
+    const std::string name = fs::path(path.toStdString()).stem().string();
+    const std::string hash = hashOfRun(path.toStdString(), 1);
+    QCOMPARE(QString::fromStdString(hashOfRun(path.toStdString(), 2)),
+             QString::fromStdString(hash));
+    std::map<std::string, std::string> golden = readGolden();
+    if (qEnvironmentVariableIntValue("HUNAV_UPDATE") == 1) {
+      golden[name] = hash;
+      QVERIFY(writeGolden(golden));
+    }
+    QCOMPARE(QString::fromStdString(hash), QString::fromStdString(golden[name]));
   }
-  const std::string name = fs::path(path.toStdString()).stem().string();
-  const std::string hash = hashOfRun(path.toStdString(), 1);
-  QCOMPARE(QString::fromStdString(hashOfRun(path.toStdString(), 2)), QString::fromStdString(hash));
-  std::map<std::string, std::string> golden = readGolden();
-  if (qEnvironmentVariableIntValue("HUNAV_UPDATE") == 1) {
-    golden[name] = hash;
-    QVERIFY(writeGolden(golden));
-  }
-  QCOMPARE(QString::fromStdString(hash), QString::fromStdString(golden[name]));
-}
 
-void ShippedScenariosTest::hashesOnFile_areOfScenariosThatExist() {
-  std::map<std::string, std::string> golden = readGolden();
-  const std::map<std::string, std::string> existing = scenarios();
-  for (const auto& entry : readGolden()) {
-    if (existing.count(entry.first) == 0) {
-      golden.erase(entry.first);
+  void hashesOnFile_areOfScenariosThatExist() {
+    std::map<std::string, std::string> golden = readGolden();
+    const std::map<std::string, std::string> existing = scenarios();
+    for (const auto& entry : readGolden()) {
+      if (existing.count(entry.first) == 0) {
+        golden.erase(entry.first);
+      }
+    }
+    if (qEnvironmentVariableIntValue("HUNAV_UPDATE") == 1) {
+      QVERIFY(writeGolden(golden));
+    }
+    QCOMPARE(readGolden().size(), existing.size());
+  }
+
+ private:
+  static void addScenarios() {
+    QTest::addColumn<QString>("path");
+    for (const auto& [name, path] : scenarios()) {
+      QTest::newRow(name.c_str()) << QString::fromStdString(path);
     }
   }
-  if (qEnvironmentVariableIntValue("HUNAV_UPDATE") == 1) {
-    QVERIFY(writeGolden(golden));
-  }
-  QCOMPARE(readGolden().size(), existing.size());
-}
+};
 
 QTEST_APPLESS_MAIN(ShippedScenariosTest)
 #include "tst_ShippedScenarios.moc"

@@ -63,110 +63,102 @@ class VariedPeopleTest : public QObject {
 
  private Q_SLOTS:
   void seeds_ofAShippedScenario_areDifferentRuns_data() { addScenarios(); }
-  void seeds_ofAShippedScenario_areDifferentRuns();
+  void seeds_ofAShippedScenario_areDifferentRuns() {
+    QFETCH(QString, path);
+    const Loaded loaded = load(path.toStdString());
+    std::set<std::uint64_t> hashes;
+    for (long long seed = 1; seed <= 10; ++seed) {
+      hashes.insert(hashOfRun(ofSeed(loaded, seed), 60));
+    }
+    QCOMPARE(hashes.size(), std::size_t{10});
+  }
+
   void starts_ofManySeeds_areFree_data() { addScenarios(); }
-  void starts_ofManySeeds_areFree();
+  void starts_ofManySeeds_areFree() {
+    QFETCH(QString, path);
+    const Loaded loaded = load(path.toStdString());
+    const sim2d::Surroundings around = sim2d::makeSurroundings(*loaded.scenario, loaded.map);
+    const long long seeds = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS") ? 200 : 20;
+    for (long long seed = 1; seed <= seeds; ++seed) {
+      Loaded drawn = ofSeed(loaded, seed);
+      const std::unique_ptr<sim2d::World> world = makeWorld(drawn);
+      QVERIFY(world != nullptr);
+      const sim2d::Frame& frame = world->frame();
+      for (std::size_t i = 0; i < frame.humans.size(); ++i) {
+        const Vec2 place = poseOf(frame, i).position;
+        const double radius =
+            world->view().constants(world->view().indexOf(frame.humans.id[i])).radius;
+        QVERIFY(!around.obstacles.isInside(place));
+        for (std::size_t k = 0; k < i; ++k) {
+          const double other =
+              world->view().constants(world->view().indexOf(frame.humans.id[k])).radius;
+          QVERIFY((poseOf(frame, k).position - place).norm() > radius + other - kTouch);
+        }
+        for (std::size_t k = 0; k < frame.robots.size(); ++k) {
+          const Vec2 robot(frame.robots.x[k], frame.robots.y[k]);
+          QVERIFY((robot - place).norm() >
+                  radius + world->view().robotRadius(static_cast<int>(k)) - kTouch);
+        }
+      }
+    }
+  }
+
   void people_ofOneSeed_areThoseOfEveryRobot_data() { addScenarios(); }
-  void people_ofOneSeed_areThoseOfEveryRobot();
-  void people_inAnotherOrder_areTheSame();
-  void noVariation_isTheRunWithoutTheKey();
+  void people_ofOneSeed_areThoseOfEveryRobot() {
+    QFETCH(QString, path);
+    const Loaded loaded = load(path.toStdString());
+    const Draws usual = drawsOf(ofSeed(loaded, 5));
+    QVERIFY(usual != drawsOf(ofSeed(loaded, 6)));
+    const auto planner = changed(loaded, 5, [](sim2d::Scenario& scenario) {
+      for (sim2d::Robot& robot : scenario.robots) {
+        robot.planner = "mppi";
+      }
+    });
+    QVERIFY(drawsOf(planner) == usual);
+    const auto noRobot = changed(loaded, 5, [](sim2d::Scenario& scenario) {
+      for (sim2d::Robot& robot : scenario.robots) {
+        robot.listed = false;
+      }
+    });
+    QVERIFY(drawsOf(noRobot) == usual);
+    const auto otherStep =
+        changed(loaded, 5, [](sim2d::Scenario& scenario) { scenario.desktop.dt = 0.02; });
+    QVERIFY(drawsOf(otherStep) == usual);
+  }
+
+  void people_inAnotherOrder_areTheSame() {
+    const Loaded loaded = load("corner_cafe", "corner_cafe_agents");
+    const auto turned = changed(loaded, 5, [](sim2d::Scenario& scenario) {
+      std::reverse(scenario.humans.begin(), scenario.humans.end());
+    });
+    QVERIFY(drawsOf(turned) == drawsOf(ofSeed(loaded, 5)));
+    QCOMPARE(hashOfRun(ofSeed(loaded, 5), 100, 2), hashOfRun(ofSeed(loaded, 5), 100, 1));
+  }
+
+  void noVariation_isTheRunWithoutTheKey() {
+    const Loaded loaded = load("corner_cafe", "corner_cafe_agents");
+    const auto without = changed(loaded, 7, [](sim2d::Scenario& scenario) {
+      scenario.desktop.variation = sim2d::VariationSettings();
+    });
+    const auto none = changed(loaded, 7, [](sim2d::Scenario& scenario) {
+      scenario.desktop.variation.preset = sim2d::VariationPreset::None;
+    });
+    QCOMPARE(hashOfRun(none, 100), hashOfRun(without, 100));
+    QVERIFY(hashOfRun(ofSeed(loaded, 7), 100) != hashOfRun(without, 100));
+  }
 
  private:
-  static void addScenarios();
+  static void addScenarios() {
+    QTest::addColumn<QString>("path");
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(mapsFolder())) {
+      const base::Result<std::string> text = base::readTextFile(entry.path().string());
+      if (entry.path().extension() == ".yaml" && text &&
+          text->find("hunav_loader:") != std::string::npos) {
+        QTest::newRow(entry.path().stem().c_str()) << QString::fromStdString(entry.path().string());
+      }
+    }
+  }
 };
-
-void VariedPeopleTest::addScenarios() {
-  QTest::addColumn<QString>("path");
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(mapsFolder())) {
-    const base::Result<std::string> text = base::readTextFile(entry.path().string());
-    if (entry.path().extension() == ".yaml" && text &&
-        text->find("hunav_loader:") != std::string::npos) {
-      QTest::newRow(entry.path().stem().c_str()) << QString::fromStdString(entry.path().string());
-    }
-  }
-}
-
-void VariedPeopleTest::seeds_ofAShippedScenario_areDifferentRuns() {
-  QFETCH(QString, path);
-  const Loaded loaded = load(path.toStdString());
-  std::set<std::uint64_t> hashes;
-  for (long long seed = 1; seed <= 10; ++seed) {
-    hashes.insert(hashOfRun(ofSeed(loaded, seed), 60));
-  }
-  QCOMPARE(hashes.size(), std::size_t{10});
-}
-
-void VariedPeopleTest::starts_ofManySeeds_areFree() {
-  QFETCH(QString, path);
-  const Loaded loaded = load(path.toStdString());
-  const sim2d::Surroundings around = sim2d::makeSurroundings(*loaded.scenario, loaded.map);
-  const long long seeds = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS") ? 200 : 20;
-  for (long long seed = 1; seed <= seeds; ++seed) {
-    Loaded drawn = ofSeed(loaded, seed);
-    const std::unique_ptr<sim2d::World> world = makeWorld(drawn);
-    QVERIFY(world != nullptr);
-    const sim2d::Frame& frame = world->frame();
-    for (std::size_t i = 0; i < frame.humans.size(); ++i) {
-      const Vec2 place = poseOf(frame, i).position;
-      const double radius =
-          world->view().constants(world->view().indexOf(frame.humans.id[i])).radius;
-      QVERIFY(!around.obstacles.isInside(place));
-      for (std::size_t k = 0; k < i; ++k) {
-        const double other =
-            world->view().constants(world->view().indexOf(frame.humans.id[k])).radius;
-        QVERIFY((poseOf(frame, k).position - place).norm() > radius + other - kTouch);
-      }
-      for (std::size_t k = 0; k < frame.robots.size(); ++k) {
-        const Vec2 robot(frame.robots.x[k], frame.robots.y[k]);
-        QVERIFY((robot - place).norm() >
-                radius + world->view().robotRadius(static_cast<int>(k)) - kTouch);
-      }
-    }
-  }
-}
-
-void VariedPeopleTest::people_ofOneSeed_areThoseOfEveryRobot() {
-  QFETCH(QString, path);
-  const Loaded loaded = load(path.toStdString());
-  const Draws usual = drawsOf(ofSeed(loaded, 5));
-  QVERIFY(usual != drawsOf(ofSeed(loaded, 6)));
-  const auto planner = changed(loaded, 5, [](sim2d::Scenario& scenario) {
-    for (sim2d::Robot& robot : scenario.robots) {
-      robot.planner = "mppi";
-    }
-  });
-  QVERIFY(drawsOf(planner) == usual);
-  const auto noRobot = changed(loaded, 5, [](sim2d::Scenario& scenario) {
-    for (sim2d::Robot& robot : scenario.robots) {
-      robot.listed = false;
-    }
-  });
-  QVERIFY(drawsOf(noRobot) == usual);
-  const auto otherStep =
-      changed(loaded, 5, [](sim2d::Scenario& scenario) { scenario.desktop.dt = 0.02; });
-  QVERIFY(drawsOf(otherStep) == usual);
-}
-
-void VariedPeopleTest::people_inAnotherOrder_areTheSame() {
-  const Loaded loaded = load("corner_cafe", "corner_cafe_agents");
-  const auto turned = changed(loaded, 5, [](sim2d::Scenario& scenario) {
-    std::reverse(scenario.humans.begin(), scenario.humans.end());
-  });
-  QVERIFY(drawsOf(turned) == drawsOf(ofSeed(loaded, 5)));
-  QCOMPARE(hashOfRun(ofSeed(loaded, 5), 100, 2), hashOfRun(ofSeed(loaded, 5), 100, 1));
-}
-
-void VariedPeopleTest::noVariation_isTheRunWithoutTheKey() {
-  const Loaded loaded = load("corner_cafe", "corner_cafe_agents");
-  const auto without = changed(loaded, 7, [](sim2d::Scenario& scenario) {
-    scenario.desktop.variation = sim2d::VariationSettings();
-  });
-  const auto none = changed(loaded, 7, [](sim2d::Scenario& scenario) {
-    scenario.desktop.variation.preset = sim2d::VariationPreset::None;
-  });
-  QCOMPARE(hashOfRun(none, 100), hashOfRun(without, 100));
-  QVERIFY(hashOfRun(ofSeed(loaded, 7), 100) != hashOfRun(without, 100));
-}
 
 QTEST_APPLESS_MAIN(VariedPeopleTest)
 #include "tst_VariedPeople.moc"

@@ -91,6 +91,22 @@ class CanvasTester {
   int undoCount() { return document_.undoStack().count(); }
   void undo() { document_.undoStack().undo(); }
   void redo() { document_.undoStack().redo(); }
+  /// Undoing that many commands gives `before`, redoing them what there was.
+  void checkUndoAndRedo(const sim2d::Scenario& before, int commands = 1) {
+    const sim2d::Scenario made = scenario();
+    for (int i = 0; i < commands; ++i) {
+      undo();
+    }
+    QVERIFY(scenario() == before);
+    for (int i = 0; i < commands; ++i) {
+      redo();
+    }
+    QVERIFY(scenario() == made);
+  }
+  void checkUnchanged(const sim2d::Scenario& before) {
+    QVERIFY(scenario() == before);
+    QCOMPARE(undoCount(), 0);
+  }
 
   editor::ScenarioDocument document_;
   editor::MapScene scene_{document_, editor::Theme::light()};

@@ -2,7 +2,8 @@
 
 #include <QtTest>
 
-#include "sim2d/base/Result.h"
+#include "SmallScenario.h"
+#include "editor/document/ScenarioDocument.h"
 
 /// For tests of documents and their files.
 namespace small {
@@ -11,6 +12,16 @@ namespace small {
 constexpr const char* kOwnTree =
     "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
     "    <AlwaysSuccess/>\n  </BehaviorTree>\n</root>\n";
+
+/// The small scenario, in its room unless on the open plane.
+struct Document : editor::ScenarioDocument {
+  explicit Document(bool hasRoom = true) {
+    load(small::scenario());
+    if (hasRoom) {
+      setMap(small::room());
+    }
+  }
+};
 
 /// No errors; the first fails the test.
 inline void check(const base::Diagnostics& found) {

@@ -1,6 +1,3 @@
-#include <QDialogButtonBox>
-#include <QPushButton>
-
 #include "CanvasTester.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/behavior/BehaviorDialogs.h"

@@ -1,4 +1,3 @@
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "SmallScenario.h"
@@ -11,6 +10,7 @@
 #include "editor/panels/behavior/BehaviorPanel.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/base/Text.h"
+#include "tests/support/Widgets.h"
 
 using editor::BehaviorPanel;
 using editor::EntityId;
@@ -50,12 +50,9 @@ class BehaviorPanelTest : public QObject {
   }
   template <class Widget>
   Widget* named(const QString& name) const {
-    for (Widget* each : panel_->findChildren<Widget*>()) {
-      if (each->accessibleName() == name && each->isVisible()) {
-        return each;
-      }
-    }
-    return nullptr;
+    return widgets::findIf<Widget>(*panel_, [&](const Widget* each) {
+      return each->accessibleName() == name && each->isVisible();
+    });
   }
   void type(QWidget* field, const QString& text) {
     QVERIFY(field != nullptr);
@@ -168,13 +165,13 @@ class BehaviorPanelTest : public QObject {
     const std::string before = distance();
     QVERIFY(named<editor::TextField>(QStringLiteral("distance")) == nullptr);
     const auto press = [this](const QString& tip) {
-      for (auto* button : panel_->findChildren<QToolButton*>()) {
-        if (button->isVisible() && button->toolTip().startsWith(tip)) {
-          QTest::mouseClick(button, Qt::LeftButton);
-          return true;
-        }
+      auto* button = widgets::findIf<QToolButton>(*panel_, [&](const QToolButton* each) {
+        return each->isVisible() && each->toolTip().startsWith(tip);
+      });
+      if (button != nullptr) {
+        QTest::mouseClick(button, Qt::LeftButton);
       }
-      return false;
+      return button != nullptr;
     };
     QVERIFY(press(QStringLiteral("Read distance from a blackboard entry")));
     QCOMPARE(distance(), std::string("{distance}"));

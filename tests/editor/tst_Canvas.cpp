@@ -1,14 +1,12 @@
-#include <QApplication>
 #include <QtTest>
 
-#include "SmallScenario.h"
+#include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/Layers.h"
-#include "editor/canvas/MapView.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/canvas/ViewOverlays.h"
 #include "editor/document/EditCommands.h"
-#include "editor/tools/ToolManager.h"
+#include "editor/document/MapEdit.h"
 
 using namespace editor;
 
@@ -30,30 +28,17 @@ sim2d::Frame frameOf(const sim2d::Scenario& scenario, double time) {
   frame.time = time;
   frame.step = std::llround(time / 0.05);
   for (const sim2d::Human& human : scenario.humans) {
-    const Vec2 at = human.initPose.ahead(time);
-    frame.humans.id.push_back(human.id);
-    frame.humans.x.push_back(at.x());
-    frame.humans.y.push_back(at.y());
-    frame.humans.heading.push_back(human.initPose.heading);
-    frame.humans.vx.push_back(std::cos(human.initPose.heading));
-    frame.humans.vy.push_back(std::sin(human.initPose.heading));
-    frame.humans.omega.push_back(0.0);
+    const double heading = human.initPose.heading;
+    frame.humans.add(human.id, {human.initPose.ahead(time), heading},
+                     {std::cos(heading), std::sin(heading)}, 0.0, sim2d::kNoGoal);
     frame.humans.group.push_back(-1);
     frame.humans.state.push_back(0);
-    frame.humans.goal.push_back(sim2d::kNoGoal);
     frame.forces.goal.push_back({1.2, 0.3});
     frame.forces.social.push_back({-0.5, 0.6});
     frame.forces.obstacle.push_back({0.1, -0.4});
     frame.forces.group.push_back(Vec2::Zero());
   }
-  frame.robots.id = {-1};
-  frame.robots.x = {10.6 - time};
-  frame.robots.y = {3.4};
-  frame.robots.heading = {base::kPi};
-  frame.robots.vx = {-1.0};
-  frame.robots.vy = {0.0};
-  frame.robots.omega = {0.0};
-  frame.robots.goal = {sim2d::kNoGoal};
+  frame.robots.add(-1, {{10.6 - time, 3.4}, base::kPi}, {-1.0, 0.0}, 0.0, sim2d::kNoGoal);
   frame.robotPaths = {{{10.6 - time, 3.4}, {6.0, 4.5}, {1.5, 1.0}}};
   frame.doorOpen = {1};
   return frame;
@@ -62,17 +47,13 @@ sim2d::Frame frameOf(const sim2d::Scenario& scenario, double time) {
 }  // namespace
 
 /// With HUNAV_PICTURES set to a folder, what the canvas looks like is written there.
-class CanvasTest : public QObject {
+class CanvasTest : public QObject, private CanvasTester {
   Q_OBJECT
 
  private Q_SLOTS:
   void init() {
-    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
-    document_.load(small::scenario());
-    document_.setMap(small::room());
+    start(small::scenario());
     view_.resize(860, 640);
-    view_.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view_));
     view_.fitAll(false);
     scene_.routes().finish();
   }
@@ -254,6 +235,39 @@ class CanvasTest : public QObject {
     QVERIFY(forcesOn(frameOf(document_.scenario(), 0.0), 99).empty());
   }
 
+  void map_thatIsPaintedOn_leavesTheViewWhereItIs() {
+    view_.zoomIn();
+    const double scale = view_.pixelsPerMetre();
+    const Vec2 corner = view_.worldAt({0, 0});
+    document_.setMap(std::make_shared<sim2d::OccupancyGrid>(*small::room()));
+    QCOMPARE(view_.pixelsPerMetre(), scale);
+    QVERIFY(isNear(view_.worldAt({0, 0}), corner));
+    document_.setMap(emptyRoom(40.0, 30.0));  // another ground is shown as a whole
+    QVERIFY(view_.pixelsPerMetre() < scale);
+    QVERIFY(view_.viewport()->rect().contains(view_.viewportFrom({39.0, 29.0})));
+  }
+
+  /// Maps of robots have much around them that nobody has seen.
+  void fit_onAMapThatIsKnownInPart_showsWhatIsKnown() {
+    constexpr int kSize = 400;
+    std::vector<std::int8_t> cells(static_cast<std::size_t>(kSize) * kSize, -1);
+    for (int row = 180; row < 220; ++row) {
+      for (int column = 160; column < 220; ++column) {
+        const int cell = row * kSize + column;
+        cells[static_cast<std::size_t>(cell)] = 0;
+      }
+    }
+    document_.load(sim2d::Scenario());
+    document_.setMap(std::make_shared<sim2d::OccupancyGrid>(kSize, kSize, 0.1, sim2d::Pose2{},
+                                                            std::move(cells)));
+    view_.fitAll(false);
+    const QRect seen = view_.viewport()->rect();
+    QVERIFY(seen.contains(view_.viewportFrom({16.0, 18.0})));
+    QVERIFY(seen.contains(view_.viewportFrom({22.0, 22.0})));
+    QVERIFY(!seen.contains(view_.viewportFrom({1.0, 20.0})));
+    QVERIFY(!seen.contains(view_.viewportFrom({39.0, 20.0})));
+  }
+
   void pictures() {
     const QString folder = qEnvironmentVariable("HUNAV_PICTURES");
     if (folder.isEmpty()) {
@@ -306,10 +320,6 @@ class CanvasTest : public QObject {
   void save(const QString& folder, const QString& name) {
     QVERIFY(view_.grab().save(QStringLiteral("%1/canvas-%2.png").arg(folder, name)));
   }
-
-  ScenarioDocument document_;
-  MapScene scene_{document_, Theme::light()};
-  MapView view_{scene_};
 };
 
 QTEST_MAIN(CanvasTest)

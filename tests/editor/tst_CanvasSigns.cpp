@@ -28,6 +28,14 @@ sim2d::Scenario scenarioWithGroup() {
   return scenario;
 }
 
+/// A document and its canvas.
+struct Canvas {
+  explicit Canvas(sim2d::Scenario scenario) { document.load(std::move(scenario)); }
+
+  ScenarioDocument document;
+  MapScene scene{document, Theme::light()};
+};
+
 QImage picture(MapScene& scene) {
   constexpr double kPixelsPerMetre = 50.0;
   scene.setPixelsPerMetre(kPixelsPerMetre);
@@ -67,15 +75,13 @@ class CanvasSignsTest : public QObject {
   void area_eachKind_hasASignOfItsOwn() {
     std::vector<QImage> pictures;
     for (const sim2d::AreaKind kind : kKinds) {
-      ScenarioDocument document;
       sim2d::Scenario scenario;
       scenario.areas = {areaOf(kind)};
-      document.load(scenario);
-      MapScene scene(document, Theme::light());
+      Canvas canvas(scenario);
       CanvasOptions options;
       options.names = false;  // the names say the kind as well
-      scene.setOptions(options);
-      pictures.push_back(picture(scene));
+      canvas.scene.setOptions(options);
+      pictures.push_back(picture(canvas.scene));
     }
     for (std::size_t a = 0; a < pictures.size(); ++a) {
       for (std::size_t b = a + 1; b < pictures.size(); ++b) {
@@ -94,9 +100,8 @@ class CanvasSignsTest : public QObject {
   }
 
   void group_itsPeople_haveRingsInItsColor() {
-    ScenarioDocument document;
-    document.load(scenarioWithGroup());
-    MapScene scene(document, Theme::light());
+    Canvas canvas(scenarioWithGroup());
+    auto& [document, scene] = canvas;
     const QColor color = groupColor(3, scene.theme());
     const QImage with = picture(scene);
     for (const int person : {0, 2}) {
@@ -112,9 +117,8 @@ class CanvasSignsTest : public QObject {
   }
 
   void group_personIsDragged_ringFollows() {
-    ScenarioDocument document;
-    document.load(scenarioWithGroup());
-    MapScene scene(document, Theme::light());
+    Canvas canvas(scenarioWithGroup());
+    auto& [document, scene] = canvas;
     sim2d::Human moved = document.scenario().humans[0];
     moved.initPose.position = {2.0, 4.6};
     scene.setPreview({Entity(moved)});
@@ -133,11 +137,10 @@ class CanvasSignsTest : public QObject {
   }
 
   void legend_coversNobody() {
-    ScenarioDocument document;
     sim2d::Scenario scenario = scenarioWithGroup();
     scenario.humans[1].initPose.position = {11.0, 0.6};  // lower right
-    document.load(scenario);
-    const MapScene scene(document, Theme::light());
+    const Canvas canvas(scenario);
+    const MapScene& scene = canvas.scene;
     const QTransform view = QTransform::fromScale(50.0, 50.0).translate(0.0, 9.0);
     const QRectF box = groupLegendBox({scene, QRectF(0.0, 0.0, 600.0, 450.0), view, 50.0});
     QVERIFY(!box.isEmpty());
@@ -148,9 +151,8 @@ class CanvasSignsTest : public QObject {
   }
 
   void legend_cornerIsFreeAgain_staysWhereItIs() {
-    ScenarioDocument document;
-    document.load(scenarioWithGroup());
-    const MapScene scene(document, Theme::light());
+    const Canvas canvas(scenarioWithGroup());
+    const MapScene& scene = canvas.scene;
     const QTransform nobodyHere = QTransform::fromTranslate(-5000.0, 0.0);
     const QRectF window(0.0, 0.0, 600.0, 450.0);
     const QRectF lower = groupLegendBox({scene, window, nobodyHere, 50.0});
@@ -163,10 +165,9 @@ class CanvasSignsTest : public QObject {
   }
 
   void legend_withoutGroups_isNone() {
-    ScenarioDocument document;
-    document.load(small::scenario());
-    const MapScene scene(document, Theme::light());
-    QVERIFY(groupLegendBox({scene, QRectF(0.0, 0.0, 600.0, 450.0), QTransform(), 50.0}).isEmpty());
+    const Canvas canvas(small::scenario());
+    QVERIFY(groupLegendBox({canvas.scene, QRectF(0.0, 0.0, 600.0, 450.0), QTransform(), 50.0})
+                .isEmpty());
   }
 
   void lines_onADenseScreen_areAsWideAsElsewhere() {
@@ -176,9 +177,7 @@ class CanvasSignsTest : public QObject {
       image.fill(Qt::white);
       QPainter painter(&image);
       painter.scale(25.0, 25.0);  // points per metre
-      QPen pen(Qt::black, 3.0, Qt::SolidLine, Qt::FlatCap);
-      makeCosmetic(pen, painter);
-      painter.setPen(pen);
+      painter.setPen(cosmetic(QPen(Qt::black, 3.0, Qt::SolidLine, Qt::FlatCap), painter));
       painter.drawLine(QPointF(0.0, 2.02), QPointF(4.0, 2.02));
       painter.end();
       int dark = 0;

@@ -23,25 +23,264 @@ class CrowdToolsTest : public QObject, private CanvasTester {
     brush().setWidth(0.0);
   }
 
-  void brush_drag_laysPeopleAlongIt();
-  void brush_click_placesOne();
-  void brush_overWalls_leavesThemOut();
-  void brush_escapeOrRightButton_leavesNothing();
-  void fill_rectangle_holdsTheNumberApartFromEachOther();
-  void fill_mix_isKept();
-  void fill_sameSeed_givesTheSamePeople();
-  void fill_goals_becomeRoutes();
-  void fill_tooLittleRoom_saysHowMany();
-  void fill_manyMoreThanFit_areToldToo();
-  void fill_escapeOrNoSize_leavesNothing();
-  void eraser_click_removesTheTopmost();
-  void eraser_sweep_isOneCommandAndSparesAreas();
-  void eraser_escape_keepsAll();
-  void eraser_emptyGroundRightButtonDoubleClick_changeNothing();
-  void measure_drag_tellsDistanceAndAngle();
-  void measure_shift_runsInStepsOf15Degrees();
-  void measure_clickOrEscape_showsNothing();
-  void optionsBar_fields_changeTheTool();
+  void brush_drag_laysPeopleAlongIt() {
+    use("Brush");
+    drag(Vec2(7.0, 2.0), Vec2(11.05, 2.0));
+    QCOMPARE(undoCount(), 1);
+    const std::vector<sim2d::Human>& people = scenario().humans;
+    QCOMPARE(people.size(), std::size_t{5});
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      QVERIFY(isNear(people[i].initPose.position, Vec2(7.0 + double(i), 2.0), 0.05));
+      QVERIFY(std::abs(people[i].initPose.heading) < 0.02);
+      QVERIFY(people[i].maxVel && *people[i].maxVel > 0.2);
+    }
+    QCOMPARE(document_.selection().size(), std::size_t{5});
+    checkUndoAndRedo(sim2d::Scenario());
+  }
+
+  void brush_click_placesOne() {
+    use("Brush");
+    click(Vec2(8.0, 2.0));
+    QCOMPARE(scenario().humans.size(), std::size_t{1});
+    doubleClick(Vec2(10.0, 2.0));  // the second one has no room
+    QCOMPARE(scenario().humans.size(), std::size_t{2});
+  }
+
+  void brush_overWalls_leavesThemOut() {
+    use("Brush");
+    drag(Vec2(4.0, 2.0), Vec2(8.0, 2.0));  // through the wall at x = 6
+    for (const sim2d::Human& human : scenario().humans) {
+      QVERIFY(std::abs(human.initPose.position.x() - 6.0) > 0.1 + *human.radius - 0.01);
+    }
+    QVERIFY(scenario().humans.size() >= 3);
+    QVERIFY(brush().statusText().startsWith(
+        QStringLiteral("Space for only %1 of").arg(scenario().humans.size())));
+    click(Vec2(6.0, 2.0));  // in the wall
+    QCOMPARE(brush().statusText(), QStringLiteral("No space for people here"));
+  }
+
+  void brush_escapeOrRightButton_leavesNothing() {
+    use("Brush");
+    press(Vec2(7.0, 2.0));
+    move(Vec2(10.0, 2.0));
+    key(Qt::Key_Escape);
+    release(Vec2(10.0, 2.0));
+    press(Vec2(7.0, 2.0));
+    move(Vec2(10.0, 2.0));
+    rightClick(Vec2(10.0, 2.0));
+    release(Vec2(10.0, 2.0));
+    rightClick(Vec2(9.0, 2.0));
+    checkUnchanged(sim2d::Scenario());
+  }
+
+  void fill_rectangle_holdsTheNumberApartFromEachOther() {
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    QCOMPARE(undoCount(), 1);
+    const std::vector<sim2d::Human>& people = scenario().humans;
+    QCOMPARE(people.size(), std::size_t{20});
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      const bool reacts = *people[i].behavior.type > sim2d::BehaviorType::Impassive;
+      QCOMPARE(people[i].behavior.dist.has_value(),
+               reacts);  // what HuNavSim wants of them is there
+      const Vec2& at = people[i].initPose.position;
+      QVERIFY(at.x() > 6.4 && at.x() < 11.6 && at.y() > 0.4 && at.y() < 8.6);
+      for (std::size_t k = 0; k < i; ++k) {
+        const double apart = (people[k].initPose.position - at).norm();
+        QVERIFY(apart > *people[i].radius + *people[k].radius);
+      }
+    }
+    undo();
+    QVERIFY(scenario() == sim2d::Scenario());
+  }
+
+  void fill_mix_isKept() {
+    CrowdRecipe recipe;
+    recipe.mix = {0, 0, 0, 100, 0, 0};
+    recipe.kind = sim2d::PersonKind::Child;
+    fill().setRecipe(recipe);
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    for (const sim2d::Human& human : scenario().humans) {
+      QVERIFY(human.behavior.type == sim2d::BehaviorType::Scared);
+      QVERIFY(human.ours.kind == sim2d::PersonKind::Child);
+    }
+    start({});
+    recipe.mix = {50, 50, 0, 0, 0, 0};
+    recipe.kind.reset();
+    fill().setRecipe(recipe);
+    fill().setCount(40);
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    const std::vector<sim2d::Human>& people = scenario().humans;
+    const auto regular = std::count_if(people.begin(), people.end(), [](const sim2d::Human& human) {
+      return human.behavior.type == sim2d::BehaviorType::Regular;
+    });
+    QVERIFY(regular > 10 && regular < 30);  // binomial: outside once in a thousand
+  }
+
+  void fill_sameSeed_givesTheSamePeople() {
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    const sim2d::Scenario first = scenario();
+    start({});
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    QVERIFY(scenario() == first);
+    start({});
+    CrowdRecipe other;
+    other.seed = 2;
+    fill().setRecipe(other);
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    QVERIFY(!(scenario() == first));
+  }
+
+  void fill_goals_becomeRoutes() {
+    sim2d::Scenario withGoals;
+    withGoals.goals = small::scenario().goals;
+    start(withGoals);
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    for (const sim2d::Human& human : scenario().humans) {
+      QCOMPARE(human.goals.size(), std::size_t{3});
+      QVERIFY(std::is_permutation(human.goals.begin(), human.goals.end(),
+                                  std::vector<int>{1, 2, 3}.begin()));
+    }
+  }
+
+  void fill_tooLittleRoom_saysHowMany() {
+    fill().setCount(50);
+    use("Fill");
+    drag(Vec2(7.0, 1.0), Vec2(9.0, 2.5));
+    const std::size_t made = scenario().humans.size();
+    QVERIFY(made > 1 && made < 12);
+    QVERIFY(fill().statusText().contains(QString::number(made)));
+    QVERIFY(fill().statusText().contains(QStringLiteral("50")));
+  }
+
+  void fill_manyMoreThanFit_areToldToo() {
+    fill().setCount(std::size_t{editor::kLargestCrowd});
+    use("Fill");
+    drag(Vec2(7.0, 1.0), Vec2(9.0, 2.5));
+    const std::size_t made = scenario().humans.size();
+    QVERIFY(made > 1 && made < 30);
+    QCOMPARE(fill().statusText(), QStringLiteral("Space for only %1 of 2000 people").arg(made));
+  }
+
+  void fill_escapeOrNoSize_leavesNothing() {
+    use("Fill");
+    press(Vec2(7.0, 1.0));
+    move(Vec2(9.0, 3.0));
+    key(Qt::Key_Escape);
+    release(Vec2(9.0, 3.0));
+    click(Vec2(7.0, 1.0));
+    click(Vec2(9.0, 1.0));
+    key(Qt::Key_Escape);
+    doubleClick(Vec2(8.0, 2.0));
+    rightClick(Vec2(8.0, 2.0));
+    checkUnchanged(sim2d::Scenario());
+  }
+
+  void eraser_click_removesTheTopmost() {
+    start(small::scenario());
+    use("Eraser");
+    click(Vec2(2.0, 2.0));  // Ana
+    QVERIFY(scenario().human("Ana") == nullptr);
+    click(Vec2(1.4, 5.2));  // the area
+    QVERIFY(scenario().areas.empty());
+    click(Vec2(9.5, 7.5));  // goal 1: routes follow
+    QVERIFY(scenario().goal(1) == nullptr);
+    for (const sim2d::Human& human : scenario().humans) {
+      QVERIFY(std::find(human.goals.begin(), human.goals.end(), 1) == human.goals.end());
+    }
+    QCOMPARE(undoCount(), 3);
+    undo();
+    undo();
+    undo();
+    QVERIFY(scenario() == small::scenario());
+  }
+
+  void eraser_sweep_isOneCommandAndSparesAreas() {
+    start(small::scenario());
+    use("Eraser");
+    press(Vec2(1.0, 5.2));  // on the area
+    move(Vec2(2.0, 2.0));   // over Ana
+    move(Vec2(4.2, 1.4));   // over the table
+    release(Vec2(5.4, 1.4));
+    QCOMPARE(undoCount(), 1);
+    QVERIFY(scenario().human("Ana") == nullptr);
+    QCOMPARE(scenario().obstacles.size(), std::size_t{1});
+    QCOMPARE(scenario().areas.size(), std::size_t{1});
+    checkUndoAndRedo(small::scenario());
+  }
+
+  void eraser_escape_keepsAll() {
+    start(small::scenario());
+    use("Eraser");
+    press(Vec2(2.0, 2.0));
+    move(Vec2(4.2, 1.4));
+    key(Qt::Key_Escape);
+    release(Vec2(4.2, 1.4));
+    checkUnchanged(small::scenario());
+  }
+
+  void eraser_emptyGroundRightButtonDoubleClick_changeNothing() {
+    start(small::scenario());
+    use("Eraser");
+    click(Vec2(11.0, 8.3));
+    rightClick(Vec2(2.0, 2.0));
+    drag(Vec2(11.0, 8.3), Vec2(11.3, 8.3));
+    QVERIFY(scenario() == small::scenario());
+    doubleClick(Vec2(2.0, 2.0));  // the first click has removed it already
+    QCOMPARE(undoCount(), 1);
+  }
+
+  void measure_drag_tellsDistanceAndAngle() {
+    start(small::scenario());
+    use("Measure");
+    drag(Vec2(7.0, 4.0), Vec2(10.0, 8.0));
+    QCOMPARE(span().size(), std::size_t{2});
+    const Vec2 way = span().back() - span().front();
+    QVERIFY(std::abs(way.norm() - 5.0) < 0.05);
+    QVERIFY(measureText().contains(QString::number(way.norm(), 'f', 3)));
+    QVERIFY(measureText().contains(QString::fromUtf8("53.")));  // atan(4 / 3)
+    checkUnchanged(small::scenario());
+  }
+
+  void measure_shift_runsInStepsOf15Degrees() {
+    use("Measure");
+    drag(Vec2(7.0, 4.0), Vec2(10.0, 7.3), Qt::ShiftModifier);
+    QCOMPARE(span().size(), std::size_t{2});
+    const Vec2 way = span().back() - span().front();
+    QVERIFY(std::abs(way.x() - way.y()) < 1e-9);
+  }
+
+  void measure_clickOrEscape_showsNothing() {
+    use("Measure");
+    click(Vec2(7.0, 4.0));
+    QVERIFY(span().empty());
+    drag(Vec2(7.0, 4.0), Vec2(8.0, 4.0));
+    key(Qt::Key_Escape);
+    QVERIFY(span().empty());
+    doubleClick(Vec2(7.0, 4.0));
+    rightClick(Vec2(7.0, 4.0));
+    QVERIFY(span().empty());
+  }
+
+  void optionsBar_fields_changeTheTool() {
+    ToolOptionsBar bar(tools_, view_);
+    use("Fill");
+    auto* count = bar.findChild<NumberField*>();
+    QVERIFY(count != nullptr);
+    count->setFocus();
+    count->selectAll();
+    QTest::keyClicks(count, QStringLiteral("7"));
+    QTest::keyClick(count, Qt::Key_Return);
+    QCOMPARE(fill().count(), std::size_t{7});
+    drag(Vec2(6.5, 0.8), Vec2(11.5, 8.5));
+    QCOMPARE(scenario().humans.size(), std::size_t{7});
+  }
 
  private:
   FillTool& fill() { return *static_cast<FillTool*>(tool("Fill")); }
@@ -50,276 +289,5 @@ class CrowdToolsTest : public QObject, private CanvasTester {
   const std::vector<Vec2>& span() { return scene_.marks().outline.points; }
   QString measureText() { return tool("Measure")->statusText(); }
 };
-
-void CrowdToolsTest::brush_drag_laysPeopleAlongIt() {
-  use("Brush");
-  drag(Vec2(7.0, 2.0), Vec2(11.05, 2.0));
-  QCOMPARE(undoCount(), 1);
-  const std::vector<sim2d::Human>& people = scenario().humans;
-  QCOMPARE(people.size(), std::size_t{5});
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    QVERIFY(isNear(people[i].initPose.position, Vec2(7.0 + double(i), 2.0), 0.05));
-    QVERIFY(std::abs(people[i].initPose.heading) < 0.02);
-    QVERIFY(people[i].maxVel && *people[i].maxVel > 0.2);
-  }
-  QCOMPARE(document_.selection().size(), std::size_t{5});
-  const sim2d::Scenario made = scenario();
-  undo();
-  QVERIFY(scenario() == sim2d::Scenario());
-  redo();
-  QVERIFY(scenario() == made);
-}
-
-void CrowdToolsTest::brush_click_placesOne() {
-  use("Brush");
-  click(Vec2(8.0, 2.0));
-  QCOMPARE(scenario().humans.size(), std::size_t{1});
-  doubleClick(Vec2(10.0, 2.0));  // the second one has no room
-  QCOMPARE(scenario().humans.size(), std::size_t{2});
-}
-
-void CrowdToolsTest::brush_overWalls_leavesThemOut() {
-  use("Brush");
-  drag(Vec2(4.0, 2.0), Vec2(8.0, 2.0));  // through the wall at x = 6
-  for (const sim2d::Human& human : scenario().humans) {
-    QVERIFY(std::abs(human.initPose.position.x() - 6.0) > 0.1 + *human.radius - 0.01);
-  }
-  QVERIFY(scenario().humans.size() >= 3);
-  QVERIFY(brush().statusText().startsWith(
-      QStringLiteral("Space for only %1 of").arg(scenario().humans.size())));
-  click(Vec2(6.0, 2.0));  // in the wall
-  QCOMPARE(brush().statusText(), QStringLiteral("No space for people here"));
-}
-
-void CrowdToolsTest::brush_escapeOrRightButton_leavesNothing() {
-  use("Brush");
-  press(Vec2(7.0, 2.0));
-  move(Vec2(10.0, 2.0));
-  key(Qt::Key_Escape);
-  release(Vec2(10.0, 2.0));
-  press(Vec2(7.0, 2.0));
-  move(Vec2(10.0, 2.0));
-  rightClick(Vec2(10.0, 2.0));
-  release(Vec2(10.0, 2.0));
-  rightClick(Vec2(9.0, 2.0));
-  QVERIFY(scenario() == sim2d::Scenario());
-  QCOMPARE(undoCount(), 0);
-}
-
-void CrowdToolsTest::fill_rectangle_holdsTheNumberApartFromEachOther() {
-  use("Fill");
-  drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
-  QCOMPARE(undoCount(), 1);
-  const std::vector<sim2d::Human>& people = scenario().humans;
-  QCOMPARE(people.size(), std::size_t{20});
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    const bool reacts = *people[i].behavior.type > sim2d::BehaviorType::Impassive;
-    QCOMPARE(people[i].behavior.dist.has_value(), reacts);  // what HuNavSim wants of them is there
-    const Vec2& at = people[i].initPose.position;
-    QVERIFY(at.x() > 6.4 && at.x() < 11.6 && at.y() > 0.4 && at.y() < 8.6);
-    for (std::size_t k = 0; k < i; ++k) {
-      const double apart = (people[k].initPose.position - at).norm();
-      QVERIFY(apart > *people[i].radius + *people[k].radius);
-    }
-  }
-  undo();
-  QVERIFY(scenario() == sim2d::Scenario());
-}
-
-void CrowdToolsTest::fill_mix_isKept() {
-  CrowdRecipe recipe;
-  recipe.mix = {0, 0, 0, 100, 0, 0};
-  recipe.kind = sim2d::PersonKind::Child;
-  fill().setRecipe(recipe);
-  use("Fill");
-  drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
-  for (const sim2d::Human& human : scenario().humans) {
-    QVERIFY(human.behavior.type == sim2d::BehaviorType::Scared);
-    QVERIFY(human.ours.kind == sim2d::PersonKind::Child);
-  }
-  start({});
-  recipe.mix = {50, 50, 0, 0, 0, 0};
-  recipe.kind.reset();
-  fill().setRecipe(recipe);
-  fill().setCount(40);
-  use("Fill");
-  drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
-  const std::vector<sim2d::Human>& people = scenario().humans;
-  const auto regular = std::count_if(people.begin(), people.end(), [](const sim2d::Human& human) {
-    return human.behavior.type == sim2d::BehaviorType::Regular;
-  });
-  QVERIFY(regular > 10 && regular < 30);  // binomial: outside once in a thousand
-}
-
-void CrowdToolsTest::fill_sameSeed_givesTheSamePeople() {
-  use("Fill");
-  drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
-  const sim2d::Scenario first = scenario();
-  start({});
-  use("Fill");
-  drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
-  QVERIFY(scenario() == first);
-  start({});
-  CrowdRecipe other;
-  other.seed = 2;
-  fill().setRecipe(other);
-  use("Fill");
-  drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
-  QVERIFY(!(scenario() == first));
-}
-
-void CrowdToolsTest::fill_goals_becomeRoutes() {
-  sim2d::Scenario withGoals;
-  withGoals.goals = small::scenario().goals;
-  start(withGoals);
-  use("Fill");
-  drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
-  for (const sim2d::Human& human : scenario().humans) {
-    QCOMPARE(human.goals.size(), std::size_t{3});
-    QVERIFY(std::is_permutation(human.goals.begin(), human.goals.end(),
-                                std::vector<int>{1, 2, 3}.begin()));
-  }
-}
-
-void CrowdToolsTest::fill_tooLittleRoom_saysHowMany() {
-  fill().setCount(50);
-  use("Fill");
-  drag(Vec2(7.0, 1.0), Vec2(9.0, 2.5));
-  const std::size_t made = scenario().humans.size();
-  QVERIFY(made > 1 && made < 12);
-  QVERIFY(fill().statusText().contains(QString::number(made)));
-  QVERIFY(fill().statusText().contains(QStringLiteral("50")));
-}
-
-void CrowdToolsTest::fill_manyMoreThanFit_areToldToo() {
-  fill().setCount(std::size_t{editor::kLargestCrowd});
-  use("Fill");
-  drag(Vec2(7.0, 1.0), Vec2(9.0, 2.5));
-  const std::size_t made = scenario().humans.size();
-  QVERIFY(made > 1 && made < 30);
-  QCOMPARE(fill().statusText(), QStringLiteral("Space for only %1 of 2000 people").arg(made));
-}
-
-void CrowdToolsTest::fill_escapeOrNoSize_leavesNothing() {
-  use("Fill");
-  press(Vec2(7.0, 1.0));
-  move(Vec2(9.0, 3.0));
-  key(Qt::Key_Escape);
-  release(Vec2(9.0, 3.0));
-  click(Vec2(7.0, 1.0));
-  click(Vec2(9.0, 1.0));
-  key(Qt::Key_Escape);
-  doubleClick(Vec2(8.0, 2.0));
-  rightClick(Vec2(8.0, 2.0));
-  QVERIFY(scenario() == sim2d::Scenario());
-  QCOMPARE(undoCount(), 0);
-}
-
-void CrowdToolsTest::eraser_click_removesTheTopmost() {
-  start(small::scenario());
-  use("Eraser");
-  click(Vec2(2.0, 2.0));  // Ana
-  QVERIFY(scenario().human("Ana") == nullptr);
-  click(Vec2(1.4, 5.2));  // the area
-  QVERIFY(scenario().areas.empty());
-  click(Vec2(9.5, 7.5));  // goal 1: routes follow
-  QVERIFY(scenario().goal(1) == nullptr);
-  for (const sim2d::Human& human : scenario().humans) {
-    QVERIFY(std::find(human.goals.begin(), human.goals.end(), 1) == human.goals.end());
-  }
-  QCOMPARE(undoCount(), 3);
-  undo();
-  undo();
-  undo();
-  QVERIFY(scenario() == small::scenario());
-}
-
-void CrowdToolsTest::eraser_sweep_isOneCommandAndSparesAreas() {
-  start(small::scenario());
-  use("Eraser");
-  press(Vec2(1.0, 5.2));  // on the area
-  move(Vec2(2.0, 2.0));   // over Ana
-  move(Vec2(4.2, 1.4));   // over the table
-  release(Vec2(5.4, 1.4));
-  QCOMPARE(undoCount(), 1);
-  QVERIFY(scenario().human("Ana") == nullptr);
-  QCOMPARE(scenario().obstacles.size(), std::size_t{1});
-  QCOMPARE(scenario().areas.size(), std::size_t{1});
-  const sim2d::Scenario swept = scenario();
-  undo();
-  QVERIFY(scenario() == small::scenario());
-  redo();
-  QVERIFY(scenario() == swept);
-}
-
-void CrowdToolsTest::eraser_escape_keepsAll() {
-  start(small::scenario());
-  use("Eraser");
-  press(Vec2(2.0, 2.0));
-  move(Vec2(4.2, 1.4));
-  key(Qt::Key_Escape);
-  release(Vec2(4.2, 1.4));
-  QVERIFY(scenario() == small::scenario());
-  QCOMPARE(undoCount(), 0);
-}
-
-void CrowdToolsTest::eraser_emptyGroundRightButtonDoubleClick_changeNothing() {
-  start(small::scenario());
-  use("Eraser");
-  click(Vec2(11.0, 8.3));
-  rightClick(Vec2(2.0, 2.0));
-  drag(Vec2(11.0, 8.3), Vec2(11.3, 8.3));
-  QVERIFY(scenario() == small::scenario());
-  doubleClick(Vec2(2.0, 2.0));  // the first click has removed it already
-  QCOMPARE(undoCount(), 1);
-}
-
-void CrowdToolsTest::measure_drag_tellsDistanceAndAngle() {
-  start(small::scenario());
-  use("Measure");
-  drag(Vec2(7.0, 4.0), Vec2(10.0, 8.0));
-  QCOMPARE(span().size(), std::size_t{2});
-  const Vec2 way = span().back() - span().front();
-  QVERIFY(std::abs(way.norm() - 5.0) < 0.05);
-  QVERIFY(measureText().contains(QString::number(way.norm(), 'f', 3)));
-  QVERIFY(measureText().contains(QString::fromUtf8("53.")));  // atan(4 / 3)
-  QVERIFY(scenario() == small::scenario());
-  QCOMPARE(undoCount(), 0);
-}
-
-void CrowdToolsTest::measure_shift_runsInStepsOf15Degrees() {
-  use("Measure");
-  drag(Vec2(7.0, 4.0), Vec2(10.0, 7.3), Qt::ShiftModifier);
-  QCOMPARE(span().size(), std::size_t{2});
-  const Vec2 way = span().back() - span().front();
-  QVERIFY(std::abs(way.x() - way.y()) < 1e-9);
-}
-
-void CrowdToolsTest::measure_clickOrEscape_showsNothing() {
-  use("Measure");
-  click(Vec2(7.0, 4.0));
-  QVERIFY(span().empty());
-  drag(Vec2(7.0, 4.0), Vec2(8.0, 4.0));
-  key(Qt::Key_Escape);
-  QVERIFY(span().empty());
-  doubleClick(Vec2(7.0, 4.0));
-  rightClick(Vec2(7.0, 4.0));
-  QVERIFY(span().empty());
-}
-
-void CrowdToolsTest::optionsBar_fields_changeTheTool() {
-  ToolOptionsBar bar(tools_, view_);
-  use("Fill");
-  auto* count = bar.findChild<NumberField*>();
-  QVERIFY(count != nullptr);
-  count->setFocus();
-  count->selectAll();
-  QTest::keyClicks(count, QStringLiteral("7"));
-  QTest::keyClick(count, Qt::Key_Return);
-  QCOMPARE(fill().count(), std::size_t{7});
-  drag(Vec2(6.5, 0.8), Vec2(11.5, 8.5));
-  QCOMPARE(scenario().humans.size(), std::size_t{7});
-}
-
 QTEST_MAIN(CrowdToolsTest)
 #include "tst_CrowdTools.moc"

@@ -3,7 +3,6 @@
 #include <QtTest>
 
 #include "DocumentChecks.h"
-#include "SmallScenario.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
@@ -21,9 +20,7 @@ class DocumentFilesTest : public QObject {
   void save_andOpenAgain_givesAnEqualDocument() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("scenarios/room_agents.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     QVERIFY(document.isDirty());
     check(document.save(path));
     QVERIFY(!document.isDirty());
@@ -47,8 +44,7 @@ class DocumentFilesTest : public QObject {
   void save_ownTree_isKeptWordForWord() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
+    small::Document document(false);
     const EntityId ana{EntityKind::Human, 1};
     const std::string xml =
         "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
@@ -64,9 +60,7 @@ class DocumentFilesTest : public QObject {
 
   void saveAs_otherFolder_keepsMapAndTreesReachable() {
     const QTemporaryDir folder;
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     check(document.save(folder.filePath(QStringLiteral("a/first.yaml"))));
     check(document.save(folder.filePath(QStringLiteral("b/second.yaml"))));
     QVERIFY(document.scenario().yamlBaseName == std::string("second"));
@@ -77,8 +71,7 @@ class DocumentFilesTest : public QObject {
   }
 
   void open_missingFile_changesNothing() {
-    ScenarioDocument document;
-    document.load(small::scenario());
+    small::Document document(false);
     QVERIFY(base::hasErrors(document.open(QStringLiteral("/nowhere/at/all.yaml"))));
     QVERIFY(document.scenario() == small::scenario());
   }
@@ -93,17 +86,14 @@ class DocumentFilesTest : public QObject {
     QVERIFY(document.isReadOnly());
     QVERIFY(base::hasErrors(document.issues()));
     QVERIFY(base::hasErrors(document.save(path)));
-    ScenarioDocument busy;
-    busy.load(small::scenario());
+    small::Document busy(false);
     QVERIFY(base::hasErrors(busy.open(path)));
     QVERIFY(busy.scenario() == small::scenario());
     QVERIFY(!busy.isReadOnly());
   }
 
   void checkNow_startInWall_isTold() {
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     int told = 0;
     connect(&document, &ScenarioDocument::issuesChanged, this, [&told] { ++told; });
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(-2.0, 0.0));
@@ -119,8 +109,7 @@ class DocumentFilesTest : public QObject {
   void save_oneFileCannotBeWritten_leavesAllAsTheyWere() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
+    small::Document document(false);
     check(document.save(path));
     const std::map<QString, std::string> before = contentOf(folder);
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(1.0, 0.0));
@@ -139,8 +128,7 @@ class DocumentFilesTest : public QObject {
   void save_nothingChanged_writesNothing() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
+    small::Document document(false);
     check(document.save(path));
     const QFileInfo first(path);
     const QDateTime written = first.lastModified();
@@ -183,9 +171,7 @@ class DocumentFilesTest : public QObject {
   void changedOnDisk_anotherProgramWrites_isNoticedOnce() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     check(document.save(path));
     QVERIFY(document.changedOnDisk().isEmpty());
     check(base::writeFileAtomically(treePath(folder, 2), kOwnTree));
@@ -198,9 +184,7 @@ class DocumentFilesTest : public QObject {
   void snapshot_writtenAndRestored_isTheUnsavedDocument() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a/room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     check(document.save(path));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
     const EntityId ben{EntityKind::Human, 2};
@@ -232,9 +216,7 @@ class DocumentFilesTest : public QObject {
   void checkNow_afterSaving_issuesHaveLines() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     pushMove(document, {{EntityKind::Human, 3}}, Vec2(-1.5, 0.5));  // into the wall
     check(document.save(path));
     document.checkNow();

@@ -2,7 +2,6 @@
 #include <QtTest>
 
 #include "DocumentChecks.h"
-#include "SmallScenario.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
@@ -19,9 +18,7 @@ class DocumentMapsTest : public QObject {
 
  private Q_SLOTS:
   void setMap_another_endsTheWorkOnTheFirst() {
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     const base::StopFlagPtr first = document.mapStopFlag();
     first->check();
     document.checkNow();
@@ -40,8 +37,7 @@ class DocumentMapsTest : public QObject {
     const QTemporaryDir folder;
     const QString map = folder.filePath(QStringLiteral("flat.yaml"));
     check(base::writeFileAtomically(map.toStdString(), "image: flat.png\nresolution: 0\n"));
-    ScenarioDocument document;
-    document.load(small::scenario());
+    small::Document document(false);
     QVERIFY(base::hasErrors(document.newOnMap(map)));
     QVERIFY(document.scenario() == small::scenario());
     check(sim2d::writeMap(*small::room(), map.toStdString()));
@@ -79,9 +75,7 @@ class DocumentMapsTest : public QObject {
   void save_mapFileOfTheSettings_isKeptAndCountsFromTheNextOpening() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument first;
-    first.load(small::scenario());
-    first.setMap(small::room());
+    small::Document first;
     check(first.save(path));
     const auto other = std::make_shared<sim2d::OccupancyGrid>(20, 10, 0.1, sim2d::Pose2{},
                                                               std::vector<std::int8_t>(200, 0));
@@ -130,9 +124,7 @@ class DocumentMapsTest : public QObject {
     const QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("scenarios")));
     const QString path = folder.filePath(QStringLiteral("scenarios/room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     check(document.save(path));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
     QDir maps(folder.filePath(QStringLiteral("maps")));
@@ -165,9 +157,7 @@ class DocumentMapsTest : public QObject {
   void restore_brokenMap_isTheSameErrorAsOpening() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     check(document.save(path));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
     const QString copy = folder.filePath(QStringLiteral("copy"));
@@ -212,9 +202,7 @@ class DocumentMapsTest : public QObject {
 
   void openMap_undone_theMapBeforeIsBack() {
     const QTemporaryDir folder;
-    ScenarioDocument document;
-    document.load(small::scenario());
-    document.setMap(small::room());
+    small::Document document;
     check(document.save(folder.filePath(QStringLiteral("room.yaml"))));
     const std::string name = document.scenario().map.value_or("");
     const auto other = std::make_shared<sim2d::OccupancyGrid>(20, 10, 0.1, sim2d::Pose2{},

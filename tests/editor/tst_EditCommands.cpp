@@ -3,8 +3,6 @@
 
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Geometry.h"
-#include "sim2d/base/Rng.h"
 
 using namespace editor;
 
@@ -150,21 +148,6 @@ class EditCommandsTest : public QObject {
             1e-9);
   }
 
-  void randomEdits_undoAllRedoAll_giveTheSameScenarios() {
-    const base::AgentRng rng(7, 0);
-    for (std::uint32_t i = 0; i < 400; ++i) {
-      randomEdit(rng, i);
-    }
-    QVERIFY(document_.undoStack().count() > 200);
-    const sim2d::Scenario edited = document_.scenario();
-    undoAll();
-    QVERIFY(document_.scenario() == small::scenario());
-    while (document_.undoStack().canRedo()) {
-      document_.undoStack().redo();
-    }
-    QVERIFY(document_.scenario() == edited);
-  }
-
  private:
   static EntityId human(int key) { return {EntityKind::Human, key}; }
   static EntityId goal(int key) { return {EntityKind::Goal, key}; }
@@ -172,53 +155,6 @@ class EditCommandsTest : public QObject {
   void undoAll() {
     while (document_.undoStack().canUndo()) {
       document_.undoStack().undo();
-    }
-  }
-
-  EntityId anyOf(EntityKind kind, double part) {
-    const std::vector<EntityId> ids = document_.entities(kind);
-    return ids.empty() ? EntityId{}
-                       : ids[static_cast<std::size_t>(part * static_cast<double>(ids.size()))];
-  }
-
-  void randomEdit(const base::AgentRng& rng, std::uint32_t i) {
-    const auto draw = [&](std::uint32_t k) {
-      return rng.uniform01(base::DrawPurpose::Test, 8 * i + k);
-    };
-    static constexpr EntityKind kKinds[] = {EntityKind::Human, EntityKind::Goal, EntityKind::Robot,
-                                            EntityKind::Obstacle, EntityKind::Area};
-    const EntityId id = anyOf(kKinds[static_cast<int>(draw(1) * 5.0)], draw(2));
-    const EntityId person = anyOf(EntityKind::Human, draw(3));
-    const Vec2 delta(draw(4) - 0.5, draw(5) - 0.5);
-    switch (static_cast<int>(draw(0) * 9.0)) {
-      case 0:
-        pushAdd(document_, sim2d::Human());
-        break;
-      case 1:
-        pushAdd(document_, sim2d::GlobalGoal());
-        break;
-      case 2:
-        pushRemove(document_, {id, person});
-        break;
-      case 3:
-        pushMove(document_, {id, person}, delta, Merge::WithPrevious);
-        break;
-      case 4:
-        pushRename(document_, id, "name" + std::to_string(i));
-        break;
-      case 5:
-        pushDuplicate(document_, {id}, delta);
-        break;
-      case 6:
-        pushGoalNumber(document_, anyOf(EntityKind::Goal, draw(6)), static_cast<int>(i) + 100);
-        break;
-      case 7:
-        pushReorder(document_, {id}, static_cast<int>(draw(6) * 6.0));
-        break;
-      default:
-        if (const sim2d::GlobalGoal* goal = document_.goal(anyOf(EntityKind::Goal, draw(6)))) {
-          pushRoute(document_, {person}, {goal->id});
-        }
     }
   }
 

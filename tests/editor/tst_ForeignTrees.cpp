@@ -1,5 +1,3 @@
-#include <QDirIterator>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "SmallScenario.h"

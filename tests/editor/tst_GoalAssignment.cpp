@@ -1,13 +1,12 @@
 #include <memory>
 
-#include <QDrag>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "Drops.h"
 #include "SmallScenario.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/behavior/GoalAssignment.h"
+#include "tests/support/Widgets.h"
 
 using editor::GoalAssignment;
 using editor::ScenarioDocument;
@@ -49,13 +48,11 @@ class GoalAssignmentTest : public QObject {
     return document_->scenario().humans[static_cast<std::size_t>(index)];
   }
   void press(const QString& name) const {
-    for (QPushButton* button : dialog_->findChildren<QPushButton*>()) {
-      if (button->accessibleName().startsWith(name) || button->text() == name) {
-        QTest::mouseClick(button, Qt::LeftButton);
-        return;
-      }
-    }
-    QFAIL(qPrintable(name));
+    auto* button = widgets::findIf<QPushButton>(*dialog_, [&](const QPushButton* each) {
+      return each->accessibleName().startsWith(name) || each->text() == name;
+    });
+    QVERIFY2(button != nullptr, qPrintable(name));
+    QTest::mouseClick(button, Qt::LeftButton);
   }
   void open() {
     dialog_ = std::make_unique<GoalAssignment>(*document_, editor::Theme::light());

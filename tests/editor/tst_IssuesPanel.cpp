@@ -1,44 +1,20 @@
-#include <algorithm>
-
-#include <QLabel>
-#include <QPushButton>
-#include <QTemporaryDir>
-#include <QTextBlock>
 #include <QtTest>
 
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
-#include "editor/panels/TextViewer.h"
+#include "tests/editor/SmallScenario.h"
+#include "tests/support/Widgets.h"
 
 using editor::IssuesPanel;
 using editor::ScenarioDocument;
 
 namespace {
 
-QPushButton* outsideButton(const editor::TextViewer& viewer) {
-  const QList<QPushButton*> buttons = viewer.findChildren<QPushButton*>();
-  const auto found = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
-    return button->text().startsWith(QStringLiteral("Open with"));
-  });
-  return found == buttons.end() ? nullptr : *found;
-}
-
-bool saysThat(const QWidget& widget, const QString& text) {
-  const QList<QLabel*> labels = widget.findChildren<QLabel*>();
-  return std::any_of(labels.begin(), labels.end(),
-                     [&](const QLabel* label) { return label->text() == text; });
-}
-
 sim2d::Scenario personWithUnknownGoal() {
   sim2d::Scenario scenario;
-  sim2d::Human human;
-  human.key = {base::EntityKind::Human, 1};
-  human.name = "Ana";
-  human.id = 1;
-  human.behavior.type = sim2d::BehaviorType::Regular;
-  human.goals = {7};
-  scenario.humans.push_back(human);
+  scenario.humans.push_back(
+      small::person(1, "Ana", {0.0, 0.0}, 0.0, sim2d::BehaviorType::Regular, {7}));
   return scenario;
 }
 
@@ -52,7 +28,33 @@ void clickRow(QTableView& table, int row) {
 class IssuesPanelTest : public QObject {
   Q_OBJECT
 
+ private:
+  std::unique_ptr<ScenarioDocument> document_;
+  std::unique_ptr<IssuesPanel> panel_;
+
+  /// Shown in this width [px]; 0: not shown.
+  void open(int width = 0, const std::optional<sim2d::Scenario>& scenario = {}) {
+    if (scenario) {
+      document_->load(*scenario);
+    }
+    panel_ = std::make_unique<IssuesPanel>(*document_, editor::Theme::light());
+    if (width > 0) {
+      panel_->resize(width, 200);
+      panel_->show();
+      QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
+    }
+  }
+  void openUnknownGoal(int width = 0) {
+    open(width, personWithUnknownGoal());
+    document_->checkNow();
+    QTRY_VERIFY(panel_->hasErrors());
+  }
+  const sim2d::Human& ana() const { return document_->scenario().humans.front(); }
+
  private Q_SLOTS:
+  void init() { document_ = std::make_unique<ScenarioDocument>(); }
+  void cleanup() { panel_.reset(); }
+
   void sentence_keysAndNames_stayAsWritten_data() {
     QTest::addColumn<QString>("message");
     QTest::addColumn<QString>("shown");
@@ -91,166 +93,124 @@ class IssuesPanelTest : public QObject {
     QFETCH(QByteArray, code);
     QFETCH(QByteArray, goal);
     QFETCH(bool, isSame);
-    ScenarioDocument document;
-    document.load(personWithUnknownGoal());
-    IssuesPanel panel(document, editor::Theme::light());
-    document.checkNow();
-    QTRY_VERIFY(panel.hasErrors());
-    const int before = panel.table().model()->rowCount();
+    openUnknownGoal();
+    const int before = panel_->table().model()->rowCount();
     base::Diagnostic again = base::warning(code.constData(), {goal.toStdString()});
-    again.entity = document.scenario().humans.front().key;
-    panel.setActionIssues({again});
-    QCOMPARE(panel.table().model()->rowCount(), before + (isSame ? 0 : 1));
+    again.entity = ana().key;
+    panel_->setActionIssues({again});
+    QCOMPARE(panel_->table().model()->rowCount(), before + (isSame ? 0 : 1));
     again.entity = {};  // of nobody that is known
-    panel.setActionIssues({again});
-    QCOMPARE(panel.table().model()->rowCount(), before + (isSame ? 0 : 1));
+    panel_->setActionIssues({again});
+    QCOMPARE(panel_->table().model()->rowCount(), before + (isSame ? 0 : 1));
   }
 
   void issues_mended_doNotComeBackInOtherWords() {
-    ScenarioDocument document;
-    document.load(personWithUnknownGoal());
-    IssuesPanel panel(document, editor::Theme::light());
-    document.checkNow();
-    QTRY_VERIFY(panel.hasErrors());
-    const base::EntityId ana = document.scenario().humans.front().key;
+    openUnknownGoal();
+    const base::EntityId person = ana().key;
     base::Diagnostic echo = base::warning("tree.no-goal", {"7"});
-    echo.entity = ana;
-    panel.setActionIssues({echo});
-    editor::pushChange<sim2d::Human>(document, ana, QString(),
+    echo.entity = person;
+    panel_->setActionIssues({echo});
+    editor::pushChange<sim2d::Human>(*document_, person, QString(),
                                      [](sim2d::Human& human) { human.goals.clear(); });
-    document.checkNow();
-    QTRY_VERIFY(!panel.hasErrors());
-    const IssuesPanel fresh(document, editor::Theme::light());
-    QCOMPARE(panel.table().model()->rowCount(), fresh.table().model()->rowCount());
+    document_->checkNow();
+    QTRY_VERIFY(!panel_->hasErrors());
+    const IssuesPanel fresh(*document_, editor::Theme::light());
+    QCOMPARE(panel_->table().model()->rowCount(), fresh.table().model()->rowCount());
   }
 
   /// Asked for, its map is an error; found missing, a warning: one problem all the same.
   void issues_sameWordsWithAnotherSeverity_areToldOnce() {
-    ScenarioDocument document;
-    IssuesPanel panel(document, editor::Theme::light());
-    panel.setActionIssues({base::error("map.not-found", {"m", ""}, "a.yaml", 3),
-                           base::warning("map.not-found", {"m", ""}, "a.yaml", 3),
-                           base::warning("map.not-found", {"m", ""}, "b.yaml", 3)});
-    QCOMPARE(panel.table().model()->rowCount(), 2 + static_cast<int>(document.issues().size()));
+    open();
+    panel_->setActionIssues({base::error("map.not-found", {"m", ""}, "a.yaml", 3),
+                             base::warning("map.not-found", {"m", ""}, "a.yaml", 3),
+                             base::warning("map.not-found", {"m", ""}, "b.yaml", 3)});
+    QCOMPARE(panel_->table().model()->rowCount(), 2 + static_cast<int>(document_->issues().size()));
   }
 
   void hints_areFoldedToTheirNumber() {
-    ScenarioDocument document;
-    IssuesPanel panel(document, editor::Theme::light());
+    open(600);
     const auto hint = [](const char* says) {
       return base::problem(base::Severity::Info, "run.failed", {says});
     };
-    panel.resize(600, 200);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    panel.setActionIssues({hint("one"), base::warning("run.failed", {"odd"}), hint("two")});
-    const QAbstractItemModel& rows = *panel.table().model();
-    QCOMPARE(panel.count(), 1);
+    panel_->setActionIssues({hint("one"), base::warning("run.failed", {"odd"}), hint("two")});
+    const QAbstractItemModel& rows = *panel_->table().model();
+    QCOMPARE(panel_->count(), 1);
     QCOMPARE(rows.rowCount(), 2);
     QCOMPARE(rows.index(0, 0).data().toString(), QStringLiteral("Odd"));
     QCOMPARE(rows.index(1, 0).data().toString(), QStringLiteral("2 hints"));
-    clickRow(panel.table(), 1);
+    clickRow(panel_->table(), 1);
     QCOMPARE(rows.rowCount(), 4);
     QCOMPARE(rows.index(2, 0).data().toString(), QStringLiteral("One"));
     QCOMPARE(rows.index(3, 0).data().toString(), QStringLiteral("Two"));
-    QSignalSpy wanted(&panel, &IssuesPanel::fileRequested);
-    panel.setActionIssues(
+    QSignalSpy wanted(panel_.get(), &IssuesPanel::fileRequested);
+    panel_->setActionIssues(
         {base::problem(base::Severity::Info, "run.failed", {"here"}, "a.yaml", 4)});
     QCOMPARE(rows.rowCount(), 2);  // it stays open
-    clickRow(panel.table(), 1);
+    clickRow(panel_->table(), 1);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted.front().at(1).toInt(), 4);
-    clickRow(panel.table(), 0);
+    clickRow(panel_->table(), 0);
     QCOMPARE(rows.rowCount(), 1);
   }
 
   void live_unknownGoal_isToldAndSelectsThePerson() {
-    ScenarioDocument document;
-    document.load(personWithUnknownGoal());
-    IssuesPanel panel(document, editor::Theme::light());
-    panel.resize(600, 200);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    document.checkNow();
-    QTRY_VERIFY(panel.count() > 0);
-    QVERIFY(panel.hasErrors());
-    QSignalSpy wanted(&panel, &IssuesPanel::entityRequested);
-    clickRow(panel.table(), 0);
+    openUnknownGoal(600);
+    QSignalSpy wanted(panel_.get(), &IssuesPanel::entityRequested);
+    clickRow(panel_->table(), 0);
     QCOMPARE(wanted.count(), 1);
-    QCOMPARE(document.selection().size(), std::size_t(1));
-    QCOMPARE(document.selection().front(), document.scenario().humans.front().key);
+    QCOMPARE(document_->selection().size(), std::size_t(1));
+    QCOMPARE(document_->selection().front(), ana().key);
   }
 
   void live_mended_becomesCalm() {
-    ScenarioDocument document;
-    document.load(personWithUnknownGoal());
-    IssuesPanel panel(document, editor::Theme::light());
-    document.checkNow();
-    QTRY_VERIFY(panel.hasErrors());
+    openUnknownGoal();
     sim2d::GlobalGoal goal;
     goal.id = 7;
     goal.position = base::Vec2(4.0, 0.0);
-    editor::pushAdd(document, goal);
-    document.checkNow();
-    QTRY_VERIFY(!panel.hasErrors());
+    editor::pushAdd(*document_, goal);
+    document_->checkNow();
+    QTRY_VERIFY(!panel_->hasErrors());
   }
 
   void fixLink_clicked_mendsAndIsUndone() {
-    ScenarioDocument document;
-    document.load(personWithUnknownGoal());
-    IssuesPanel panel(document, editor::Theme::light());
-    panel.resize(700, 200);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    document.checkNow();
-    QTRY_VERIFY(panel.hasErrors());
-    const QModelIndex link = panel.table().model()->index(0, 2);
+    openUnknownGoal(700);
+    const QModelIndex link = panel_->table().model()->index(0, 2);
     QCOMPARE(link.data().toString(), QStringLiteral("Remove goal 7 from the route"));
-    QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {},
-                      panel.table().visualRect(link).center());
-    QVERIFY(document.scenario().humans.front().goals.empty());
-    QTRY_VERIFY(!panel.hasErrors());  // the check goes on beside
-    document.undoStack().undo();
-    QCOMPARE(document.scenario().humans.front().goals, std::vector<int>{7});
+    QTest::mouseClick(panel_->table().viewport(), Qt::LeftButton, {},
+                      panel_->table().visualRect(link).center());
+    QVERIFY(ana().goals.empty());
+    QTRY_VERIFY(!panel_->hasErrors());  // the check goes on beside
+    document_->undoStack().undo();
+    QCOMPARE(ana().goals, std::vector<int>{7});
   }
 
   void sentence_longerThanItsRow_goesOnInAnotherLine() {
-    ScenarioDocument document;
-    IssuesPanel panel(document, editor::Theme::light());
-    panel.resize(420, 200);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    open(420);
     const QString words = QStringLiteral(
         "The map has more pixels than can be shown at once, so that its finest "
         "walls are only seen from near");
-    panel.setActionIssues({base::warning("run.failed", {"short"}),
-                           base::warning("run.failed", {words.toStdString()})});
-    QTRY_VERIFY(panel.table().rowHeight(1) >= 40);
-    QVERIFY(panel.table().rowHeight(0) < 30);
-    const QModelIndex cell = panel.table().model()->index(1, 0);
+    panel_->setActionIssues({base::warning("run.failed", {"short"}),
+                             base::warning("run.failed", {words.toStdString()})});
+    QTRY_VERIFY(panel_->table().rowHeight(1) >= 40);
+    QVERIFY(panel_->table().rowHeight(0) < 30);
+    const QModelIndex cell = panel_->table().model()->index(1, 0);
     QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(words));
-    QVERIFY(panel.table().visualRect(cell).width() > 380);  // nothing else is in the row
-    panel.resize(1600, 200);
-    QTRY_VERIFY(panel.table().rowHeight(1) < 30);
+    QVERIFY(panel_->table().visualRect(cell).width() > 380);  // nothing else is in the row
+    panel_->resize(1600, 200);
+    QTRY_VERIFY(panel_->table().rowHeight(1) < 30);
   }
 
   void missingGoals_linkAsksForTheDialog() {
-    ScenarioDocument document;
     sim2d::Scenario scenario = personWithUnknownGoal();
     scenario.humans.front().goals.clear();
-    document.load(scenario);
-    IssuesPanel panel(document, editor::Theme::light());
-    panel.resize(700, 200);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    document.checkNow();
-    QTRY_VERIFY(panel.count() > 0);
-    QSignalSpy wanted(&panel, &IssuesPanel::goalsRequested);
-    const QRect place = panel.table().visualRect(panel.table().model()->index(0, 2));
-    QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, place.center());
+    open(700, scenario);
+    document_->checkNow();
+    QTRY_VERIFY(panel_->count() > 0);
+    QSignalSpy wanted(panel_.get(), &IssuesPanel::goalsRequested);
+    const QRect place = panel_->table().visualRect(panel_->table().model()->index(0, 2));
+    QTest::mouseClick(panel_->table().viewport(), Qt::LeftButton, {}, place.center());
     QCOMPARE(wanted.count(), 1);
-    QCOMPARE(document.selection(),
-             std::vector<editor::EntityId>{document.scenario().humans.front().key});
+    QCOMPARE(document_->selection(), std::vector<editor::EntityId>{ana().key});
   }
 
   void file_shownAtTheLine() {
@@ -265,30 +225,30 @@ class IssuesPanelTest : public QObject {
     QVERIFY(viewer.isVisible());
     QCOMPARE(viewer.text().textCursor().block().text(), QStringLiteral("two"));
     QVERIFY(viewer.text().isReadOnly());
-    QTest::mouseClick(outsideButton(viewer), Qt::LeftButton);  // there is no desktop here
-    QVERIFY(saysThat(viewer, QStringLiteral("No application is available to open %1").arg(path)));
+    auto* outside = widgets::findIf<QPushButton>(viewer, [](const QPushButton* button) {
+      return button->text().startsWith(QStringLiteral("Open with"));
+    });
+    QTest::mouseClick(outside, Qt::LeftButton);  // there is no desktop here
+    const QString words = QStringLiteral("No application is available to open %1").arg(path);
+    QVERIFY(widgets::withText<QLabel>(viewer, words) != nullptr);
     QVERIFY(viewer.showFile(folder.filePath(QStringLiteral("no.yaml")), 1)
                 .contains(QStringLiteral("no.yaml")));
   }
 
   void action_withoutEntity_pointsToTheFile() {
-    ScenarioDocument document;
-    IssuesPanel panel(document, editor::Theme::dark());
-    panel.resize(600, 200);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    panel.setActionIssues({base::warning("run.failed", {"odd"}, "a.yaml", 3, 1),
-                           base::error("run.failed", {"bad key"}, "/tmp/a.yaml", 12, 7)});
-    QCOMPARE(panel.count(), 2);
-    const QAbstractItemModel* model = panel.table().model();
+    open(600);
+    panel_->setActionIssues({base::warning("run.failed", {"odd"}, "a.yaml", 3, 1),
+                             base::error("run.failed", {"bad key"}, "/tmp/a.yaml", 12, 7)});
+    QCOMPARE(panel_->count(), 2);
+    const QAbstractItemModel* model = panel_->table().model();
     QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Bad key"));    // errors first
     QCOMPARE(model->index(0, 2).data().toString(), QStringLiteral("a.yaml:12"));  // at the end
-    QSignalSpy wanted(&panel, &IssuesPanel::fileRequested);
-    clickRow(panel.table(), 0);
+    QSignalSpy wanted(panel_.get(), &IssuesPanel::fileRequested);
+    clickRow(panel_->table(), 0);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted.front().at(1).toInt(), 12);
-    panel.setActionIssues({});
-    QCOMPARE(panel.count(), 0);
+    panel_->setActionIssues({});
+    QCOMPARE(panel_->count(), 0);
   }
 
   void scenarioTree_selection_goesBothWays() {

@@ -8,18 +8,39 @@
 
 using namespace editor;
 
+namespace {
+
+/// An empty room of 6 x 4 m and the tool that paints on it.
+struct Room {
+  Room() {
+    document.setMap(emptyRoom(6.0, 4.0));
+    const ToolRegistry tools = standardTools();
+    const auto found = std::find_if(
+        tools.entries().begin(), tools.entries().end(),
+        [](const auto& each) { return each.info.name == QStringLiteral("Paint map"); });
+    tool.reset(found->make(document, scene, nullptr));
+  }
+
+  int valueAt(const Vec2& place) const {
+    return document.map()->valueAt(document.map()->worldToCell(place));
+  }
+
+  ScenarioDocument document;
+  MapScene scene{document, Theme::light()};
+  std::unique_ptr<Tool> tool;
+};
+
+}  // namespace
+
 class MapPaintTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void stroke_oneDrag_isOneCommand() {
-    ScenarioDocument document;
-    document.load(sim2d::Scenario());
-    document.setMap(emptyRoom(6.0, 4.0));
+    Room room;
+    ScenarioDocument& document = room.document;
+    Tool& tool = *room.tool;
     const auto before = document.map();
-    MapScene scene(document, Theme::light());
-    const std::unique_ptr<Tool> made = paintTool(document, scene);
-    Tool& tool = *made;
     QVERIFY(tool.statusText().contains(QStringLiteral("walls, 0.20 m wide")));
     drag(tool, {1.0, 2.0}, {5.0, 2.0});
     QCOMPARE(document.undoStack().count(), 1);
@@ -37,11 +58,9 @@ class MapPaintTest : public QObject {
   }
 
   void stroke_escaped_leavesTheMap() {
-    ScenarioDocument document;
-    document.setMap(emptyRoom(6.0, 4.0));
-    MapScene scene(document, Theme::light());
-    const std::unique_ptr<Tool> made = paintTool(document, scene);
-    Tool& tool = *made;
+    Room room;
+    ScenarioDocument& document = room.document;
+    Tool& tool = *room.tool;
     tool.press(mouse({1.0, 1.0}));
     tool.move(mouse({2.0, 1.0}));
     tool.cancel();
@@ -61,36 +80,28 @@ class MapPaintTest : public QObject {
   }
 
   void paint_freeAndUnknown_byKeysAndShift() {
-    ScenarioDocument document;
-    document.setMap(emptyRoom(6.0, 4.0));
-    MapScene scene(document, Theme::light());
-    const std::unique_ptr<Tool> made = paintTool(document, scene);
-    Tool& tool = *made;
+    Room room;
+    ScenarioDocument& document = room.document;
+    Tool& tool = *room.tool;
     QVERIFY(tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_3, Qt::NoModifier)));
     drag(tool, {1.0, 1.0}, {2.0, 1.0});
-    const auto valueAt = [&](const Vec2& place) {
-      return int(document.map()->valueAt(document.map()->worldToCell(place)));
-    };
-    QCOMPARE(valueAt({1.5, 1.0}), -1);
+    QCOMPARE(room.valueAt({1.5, 1.0}), -1);
     CanvasMouse press = mouse({1.0, 1.0});
     press.modifiers = Qt::ShiftModifier;
     tool.press(press);
     tool.release(mouse({2.0, 1.0}));
-    QCOMPARE(valueAt({1.5, 1.0}), 0);
+    QCOMPARE(room.valueAt({1.5, 1.0}), 0);
     tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier));
     drag(tool, {1.0, -0.02}, {2.0, -0.02});  // a hole in the wall
-    QCOMPARE(valueAt({1.5, -0.02}), 0);
+    QCOMPARE(room.valueAt({1.5, -0.02}), 0);
     const int count = document.undoStack().count();
     drag(tool, {1.0, 3.0}, {2.0, 3.0});  // free already
     QCOMPARE(document.undoStack().count(), count);
   }
 
   void options_chosen_changeTheBrush() {
-    ScenarioDocument document;
-    document.setMap(emptyRoom(6.0, 4.0));
-    MapScene scene(document, Theme::light());
-    const std::unique_ptr<Tool> made = paintTool(document, scene);
-    Tool& tool = *made;
+    Room room;
+    Tool& tool = *room.tool;
     const std::unique_ptr<QWidget> row(tool.makeOptions(nullptr));
     auto* paint = row->findChild<ChoiceField*>();
     auto* width = row->findChild<NumberField*>();
@@ -103,19 +114,13 @@ class MapPaintTest : public QObject {
     width->setValue(0.6);
     QVERIFY(tool.statusText().contains(QStringLiteral("unknown space, 0.60 m wide")));
     drag(tool, {1.0, 2.0}, {3.0, 2.0});
-    const auto valueAt = [&](const Vec2& place) {
-      return int(document.map()->valueAt(document.map()->worldToCell(place)));
-    };
-    QCOMPARE(valueAt({2.0, 2.26}), -1);
-    QCOMPARE(valueAt({2.0, 2.4}), 0);
+    QCOMPARE(room.valueAt({2.0, 2.26}), -1);
+    QCOMPARE(room.valueAt({2.0, 2.4}), 0);
   }
 
   void options_keysPressed_showTheBrush() {
-    ScenarioDocument document;
-    document.setMap(emptyRoom(6.0, 4.0));
-    MapScene scene(document, Theme::light());
-    const std::unique_ptr<Tool> made = paintTool(document, scene);
-    Tool& tool = *made;
+    Room room;
+    Tool& tool = *room.tool;
     const std::unique_ptr<QWidget> row(tool.makeOptions(nullptr));
     tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier));
     tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_BracketRight, Qt::NoModifier));
@@ -125,10 +130,10 @@ class MapPaintTest : public QObject {
   }
 
   void press_withoutAMap_saysSo() {
-    ScenarioDocument document;
-    MapScene scene(document, Theme::light());
-    const std::unique_ptr<Tool> made = paintTool(document, scene);
-    Tool& tool = *made;
+    Room room;
+    ScenarioDocument& document = room.document;
+    Tool& tool = *room.tool;
+    document.setMap(std::make_shared<sim2d::OccupancyGrid>());
     drag(tool, {1.0, 1.0}, {2.0, 1.0});
     QCOMPARE(document.undoStack().count(), 0);
     QVERIFY(tool.statusText().contains(QStringLiteral("No map")));
@@ -155,13 +160,6 @@ class MapPaintTest : public QObject {
   }
 
  private:
-  static std::unique_ptr<Tool> paintTool(ScenarioDocument& document, MapScene& scene) {
-    const ToolRegistry tools = standardTools();
-    const auto found = std::find_if(
-        tools.entries().begin(), tools.entries().end(),
-        [](const auto& each) { return each.info.name == QStringLiteral("Paint map"); });
-    return std::unique_ptr<Tool>(found->make(document, scene, nullptr));
-  }
   static CanvasMouse mouse(const Vec2& at) {
     CanvasMouse mouse;
     mouse.world = at;

@@ -1,7 +1,6 @@
-#include <QTemporaryDir>
 #include <QtTest>
 
-#include "editor/panels/MetricsChoice.h"
+#include "editor/panels/MetricsDock.h"
 
 using editor::MetricsChoice;
 
@@ -20,34 +19,37 @@ void setChosen(const MetricsChoice& panel, const QString& key, bool chosen) {
 class MetricsChoiceTest : public QObject {
   Q_OBJECT
 
- private Q_SLOTS:
-  void all_atFirst_nothingIsWritten() {
+ private:
+  struct Subject {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
-    editor::MetricsFeed feed(document, runner);
-    MetricsChoice panel(document, feed, editor::Theme::light());
+    editor::MetricsFeed feed{document, runner};
+    MetricsChoice panel{document, feed, editor::Theme::light()};
+  };
+  std::unique_ptr<Subject> subject_;
+
+ private Q_SLOTS:
+  void init() { subject_ = std::make_unique<Subject>(); }
+  void cleanup() { subject_.reset(); }
+
+  void all_atFirst_nothingIsWritten() {
+    MetricsChoice& panel = subject_->panel;
     QVERIFY(!panel.selection().keys.has_value());
     QVERIFY(base::hasErrors(panel.save()));  // there is no file yet to lie beside
   }
 
   void unchecked_isLeftOut() {
-    editor::ScenarioDocument document;
-    editor::SimulationRunner runner;
-    editor::MetricsFeed feed(document, runner);
-    MetricsChoice panel(document, feed, editor::Theme::light());
+    MetricsChoice& panel = subject_->panel;
     setChosen(panel, QStringLiteral("path_length"), false);
-    const metrics::Selection selection = feed.selection();
+    const metrics::Selection selection = subject_->feed.selection();
     QVERIFY(selection.keys.has_value());
     QCOMPARE(selection.keys->off.count("path_length"), std::size_t(1));
     panel.chooseAll(true);
-    QVERIFY(!feed.selection().keys.has_value());
+    QVERIFY(!subject_->feed.selection().keys.has_value());
   }
 
   void names_inANarrowDock_areNotCut() {
-    editor::ScenarioDocument document;
-    editor::SimulationRunner runner;
-    editor::MetricsFeed feed(document, runner);
-    MetricsChoice panel(document, feed, editor::Theme::light());
+    MetricsChoice& panel = subject_->panel;
     panel.setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
     panel.resize(260, 400);
     panel.show();
@@ -83,10 +85,7 @@ class MetricsChoiceTest : public QObject {
   }
 
   void search_hidesTheOthers() {
-    editor::ScenarioDocument document;
-    editor::SimulationRunner runner;
-    editor::MetricsFeed feed(document, runner);
-    MetricsChoice panel(document, feed, editor::Theme::light());
+    MetricsChoice& panel = subject_->panel;
     panel.search().setText(QStringLiteral("path_length"));
     int shown = 0;
     for (int i = 0; i < panel.tree().topLevelItemCount(); ++i) {
@@ -129,10 +128,7 @@ class MetricsChoiceTest : public QObject {
   }
 
   void groupsAndKeys_areThoseOfTheRegistry() {
-    editor::ScenarioDocument document;
-    editor::SimulationRunner runner;
-    editor::MetricsFeed feed(document, runner);
-    MetricsChoice panel(document, feed, editor::Theme::light());
+    MetricsChoice& panel = subject_->panel;
     QCOMPARE(panel.tree().topLevelItemCount(), metrics::kCategories);
     int rows = 0;
     for (int i = 0; i < panel.tree().topLevelItemCount(); ++i) {

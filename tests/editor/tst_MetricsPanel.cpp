@@ -1,15 +1,13 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include <QtTest>
 
-#include "editor/panels/MetricsChoice.h"
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/runs/Playback.h"
 #include "editor/run/SimulationRunner.h"
+#include "tests/editor/SmallScenario.h"
 
 using editor::MetricsDock;
 using editor::MetricsFeed;
@@ -21,22 +19,13 @@ namespace {
 /// A person and a robot that pass each other.
 sim2d::Scenario passing() {
   sim2d::Scenario scenario;
-  sim2d::GlobalGoal goal;
-  goal.key = {base::EntityKind::Goal, 2};
-  goal.id = 1;
-  goal.position = base::Vec2(6.0, 0.0);
-  scenario.goals.push_back(goal);
-  sim2d::Human human;
-  human.key = {base::EntityKind::Human, 1};
-  human.name = "Ana";
-  human.id = 1;
+  scenario.goals = {small::goal(2, 1, {6.0, 0.0})};
+  sim2d::Human human = small::person(1, "Ana", {0.0, 0.0}, 0.0, sim2d::BehaviorType::Regular, {1});
   human.maxVel = 1.2;
   human.radius = 0.35;
   human.goalRadius = 0.3;
   human.cyclicGoals = false;
-  human.behavior.type = sim2d::BehaviorType::Regular;
-  human.goals = {1};
-  scenario.humans.push_back(human);
+  scenario.humans = {human};
   sim2d::Robot robot;
   robot.key = {base::EntityKind::Robot, 3};
   robot.name = "robot1";
@@ -55,6 +44,25 @@ int rowOf(const MetricsDock& dock, const QString& key) {
       model.match(model.index(0, 0), Qt::UserRole, key, 1, Qt::MatchExactly);
   return found.isEmpty() ? -1 : found.front().row();
 }
+
+/// A run of the two as fast as possible, with its metrics.
+struct Measured {
+  Measured() {
+    document.load(passing());
+    runner.setRequest([this] { return editor::runRequestOf(document); });
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+  }
+  /// Until its end; all of it is measured then.
+  void run() {
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+  }
+
+  ScenarioDocument document;
+  SimulationRunner runner;
+  MetricsFeed feed{document, runner};
+  MetricsDock dock{feed, runner, editor::Theme::light()};
+};
 
 }  // namespace
 
@@ -87,14 +95,11 @@ class MetricsPanelTest : public QObject {
   }
 
   void dock_afterARun_equalsEvaluate() {
-    ScenarioDocument document;
-    document.load(passing());
-    SimulationRunner runner;
-    runner.setRequest([&] { return editor::runRequestOf(document); });
-    MetricsFeed feed(document, runner);
-    MetricsDock dock(feed, runner, editor::Theme::light());
+    Measured run;
+    SimulationRunner& runner = run.runner;
+    MetricsFeed& feed = run.feed;
+    MetricsDock& dock = run.dock;
     QSignalSpy notStarted(&runner, &SimulationRunner::notStarted);
-    runner.setSpeed(std::numeric_limits<double>::infinity());
     runner.play();
     QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() || notStarted.count() > 0, 20000);
     QCOMPARE(notStarted.count(), 0);
@@ -123,12 +128,9 @@ class MetricsPanelTest : public QObject {
   }
 
   void dock_choice_isBesideTheTableWhenAskedFor() {
-    ScenarioDocument document;
-    document.load(passing());
-    SimulationRunner runner;
-    MetricsFeed feed(document, runner);
-    MetricsDock dock(feed, runner, editor::Theme::light());
-    auto* choice = new editor::MetricsChoice(document, feed, editor::Theme::light());
+    Measured run;
+    MetricsDock& dock = run.dock;
+    auto* choice = new editor::MetricsChoice(run.document, run.feed, editor::Theme::light());
     dock.setChoice(*choice);
     dock.resize(900, 220);
     dock.show();
@@ -154,22 +156,17 @@ class MetricsPanelTest : public QObject {
     second.start.position.y() = 4.0;
     second.goal.point = base::Vec2(1.0, 4.0);
     second.maxVel = 0.3;
-    ScenarioDocument document;
-    document.load(passing());
-    SimulationRunner runner;
-    runner.setRequest([&] { return editor::runRequestOf(document); });
-    MetricsFeed feed(document, runner);
-    MetricsDock dock(feed, runner, editor::Theme::light());
+    Measured run;
+    SimulationRunner& runner = run.runner;
+    MetricsFeed& feed = run.feed;
+    MetricsDock& dock = run.dock;
     dock.show();
-    runner.setSpeed(std::numeric_limits<double>::infinity());
-    runner.play();
-    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+    run.run();
     QVERIFY(!dock.robot().isVisible());
     scenario.robots.push_back(second);
-    document.load(scenario);
+    run.document.load(scenario);
     runner.reset();
-    runner.play();
-    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+    run.run();
     QVERIFY(dock.robot().isVisible());
     QCOMPARE(dock.robot().count(), 2);
     QCOMPARE(dock.robot().currentText(), QStringLiteral("robot1"));
@@ -197,15 +194,11 @@ class MetricsPanelTest : public QObject {
 
   /// "Now" is the moment that is shown, forwards and backwards.
   void dock_lookingBack_hasTheValuesOfThen() {
-    ScenarioDocument document;
-    document.load(passing());
-    SimulationRunner runner;
-    runner.setRequest([&] { return editor::runRequestOf(document); });
-    MetricsFeed feed(document, runner);
-    MetricsDock dock(feed, runner, editor::Theme::light());
-    runner.setSpeed(std::numeric_limits<double>::infinity());
-    runner.play();
-    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+    Measured run;
+    SimulationRunner& runner = run.runner;
+    MetricsFeed& feed = run.feed;
+    MetricsDock& dock = run.dock;
+    run.run();
     const sim2d::Trace whole = runner.recording()->trace();
     for (const std::int64_t step : {20, 35, 8}) {
       runner.seek(step + 1);
@@ -233,15 +226,10 @@ class MetricsPanelTest : public QObject {
 
   /// Work on the past is given up, and what follows it is right.
   void selection_whileThePastIsWorkedOut_beginsAnew() {
-    ScenarioDocument document;
-    document.load(passing());
-    SimulationRunner runner;
-    runner.setRequest([&] { return editor::runRequestOf(document); });
-    MetricsFeed feed(document, runner);
-    runner.setSpeed(std::numeric_limits<double>::infinity());
-    runner.play();
-    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
-    runner.seek(30);
+    Measured run;
+    MetricsFeed& feed = run.feed;
+    run.run();
+    run.runner.seek(30);
     feed.setSelection(feed.selection());
     QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
     QCOMPARE(feed.shown().size(), feed.snapshot().results.size());
@@ -254,12 +242,10 @@ class MetricsPanelTest : public QObject {
   /// However often the table was told of the run meanwhile.
   void selection_atAMoment_dependsOnTheRunAlone() {
     const auto shownAfter = [](double seconds, bool slowly) {
-      ScenarioDocument document;
-      document.load(passing());
-      SimulationRunner runner;
-      runner.setRequest([&] { return editor::runRequestOf(document); });
-      MetricsFeed feed(document, runner);
-      MetricsDock dock(feed, runner, editor::Theme::light());
+      Measured run;
+      SimulationRunner& runner = run.runner;
+      MetricsFeed& feed = run.feed;
+      MetricsDock& dock = run.dock;
       const auto steps = static_cast<std::int64_t>(std::llround(seconds / 0.05));
       const auto isAt = [&](std::int64_t step) {
         return QTest::qWaitFor([&] {

@@ -1,13 +1,11 @@
-#include <memory>
-#include <string>
-
 #include <QtTest>
 
 #include "app/run/Nav2Robots.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/properties/EntityPages.h"
-#include "editor/panels/properties/Nav2Form.h"
+#include "editor/panels/properties/PageWidgets.h"
+#include "tests/support/Widgets.h"
 
 using editor::EntityKind;
 using editor::FormSection;
@@ -26,21 +24,11 @@ class Nav2FormTest : public QObject {
   const sim2d::Robot& robot() const { return document_.scenario().robots.front(); }
   Nav2Form& form() const { return *page_->findChild<Nav2Form*>(); }
   FormSection& section() const {
-    for (FormSection* section : page_->findChildren<FormSection*>()) {
-      if (section->title() == QStringLiteral("Nav2 parameters")) {
-        return *section;
-      }
-    }
-    qFatal("no section");
+    return *widgets::titled<FormSection>(*page_, QStringLiteral("Nav2 parameters"));
   }
   QLineEdit& search() const { return *form().findChild<QLineEdit*>(); }
   QToolButton& link(const QString& words, const QWidget& parent) const {
-    for (QToolButton* button : parent.findChildren<QToolButton*>()) {
-      if (button->text() == words) {
-        return *button;
-      }
-    }
-    qFatal("no link");
+    return *widgets::withText<QToolButton>(parent, words);
   }
   QTreeWidgetItem& row(const char* path) const {
     QTreeWidgetItem* const found = form().rowOf(path);

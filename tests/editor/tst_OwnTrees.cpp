@@ -6,7 +6,6 @@
 #include <QtTest>
 
 #include "DocumentChecks.h"
-#include "SmallScenario.h"
 #include "bt/human/TreeLoader.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
@@ -22,9 +21,7 @@ namespace {
 struct Room {
   QTemporaryDir folder;
   QString path = folder.filePath(QStringLiteral("room.yaml"));
-  ScenarioDocument document;
-
-  Room() { document.load(small::scenario()); }
+  small::Document document{false};
 
   std::string treePath(int id) const {
     return folder.filePath(QStringLiteral("room__agent_%1_bt.xml").arg(id)).toStdString();
@@ -214,8 +211,7 @@ class OwnTreesTest : public QObject {
   }
 
   void checkNow_ownTreeOfANewScenario_isToldByItsPerson() {
-    ScenarioDocument document;
-    document.load(small::scenario());
+    small::Document document(false);
     const EntityId ana{EntityKind::Human, 1};
     document.exchangeTree(ana, std::string("<root BTCPP_format='4'><Behav"));
     document.checkNow();
@@ -251,16 +247,14 @@ class OwnTreesTest : public QObject {
   void saveAs_overAnOlderScenario_asksOnlyAboutTreesWrittenByHand() {
     const Room room;
     {
-      ScenarioDocument old;
-      old.load(small::scenario());
+      small::Document old(false);
       for (const EntityId id : old.entities(EntityKind::Human)) {
         pushRoute(old, {id}, {3, 2, 1});
       }
       check(old.save(room.path));
       check(base::writeFileAtomically(room.treePath(2), kOwnTree));
     }
-    ScenarioDocument document;
-    document.load(small::scenario());
+    small::Document document(false);
     const std::vector<TreeConflict> questions = document.treeConflicts(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
     QCOMPARE(questions[0].name.c_str(), "Ben");

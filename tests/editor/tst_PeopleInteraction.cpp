@@ -1,7 +1,5 @@
 #include <cmath>
 
-#include <QMenu>
-
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/AppStyle.h"

@@ -1,4 +1,3 @@
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "SmallScenario.h"
@@ -7,11 +6,12 @@
 #include "editor/document/PersonTree.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Fields.h"
-#include "editor/panels/properties/AgentPictures.h"
+#include "editor/panels/properties/PageWidgets.h"
 #include "editor/panels/properties/PropertyPanel.h"
 #include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/world/World.h"
+#include "tests/support/Widgets.h"
 
 using editor::ChoiceField;
 using editor::EntityId;
@@ -47,12 +47,7 @@ class PersonPageTest : public QObject {
   }
   template <class Field>
   Field* field(const QString& name) const {
-    for (Field* each : panel_->currentPage()->findChildren<Field*>()) {
-      if (each->accessibleName() == name) {
-        return each;
-      }
-    }
-    return nullptr;
+    return widgets::named<Field>(*panel_->currentPage(), name);
   }
   template <class Field>
   void type(const QString& name, const QString& text) {
@@ -72,20 +67,15 @@ class PersonPageTest : public QObject {
     Q_EMIT box->activated(index);
   }
   void click(const QString& words) {
-    for (QToolButton* button : panel_->currentPage()->findChildren<QToolButton*>()) {
-      if (button->text() == words) {
-        QTest::mouseClick(button, Qt::LeftButton);
-        return;
-      }
-    }
-    QFAIL(qPrintable(words));
+    auto* button = widgets::withText<QToolButton>(*panel_->currentPage(), words);
+    QVERIFY2(button != nullptr, qPrintable(words));
+    QTest::mouseClick(button, Qt::LeftButton);
   }
 
   bool isTold(const QString& words) const {
-    const QList<QLabel*> labels = panel_->currentPage()->findChildren<QLabel*>();
-    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-      return label->isVisibleTo(panel_.get()) && label->text().contains(words);
-    });
+    return widgets::findIf<QLabel>(*panel_->currentPage(), [&](const QLabel* label) {
+             return label->isVisibleTo(panel_.get()) && label->text().contains(words);
+           }) != nullptr;
   }
 
  private Q_SLOTS:

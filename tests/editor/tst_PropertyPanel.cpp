@@ -1,10 +1,11 @@
-#include <QScrollBar>
 #include <QtTest>
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
+#include "editor/panels/properties/PageWidgets.h"
 #include "editor/panels/properties/PropertyPanel.h"
-#include "editor/panels/properties/RouteEditor.h"
+#include "tests/editor/SmallScenario.h"
+#include "tests/support/Widgets.h"
 
 using editor::EntityId;
 using editor::NumberField;
@@ -13,14 +14,10 @@ using editor::ScenarioDocument;
 
 namespace {
 
-sim2d::Human person(const std::string& name, int id, double speed) {
-  sim2d::Human human;
-  human.key = {base::EntityKind::Human, id};
-  human.name = name;
-  human.id = id;
+sim2d::Human person(const char* name, int id, double speed) {
+  sim2d::Human human =
+      small::person(id, name, base::Vec2(id, 1.0), 0.0, sim2d::BehaviorType::Regular, {});
   human.maxVel = speed;
-  human.behavior.type = sim2d::BehaviorType::Regular;
-  human.initPose.position = base::Vec2(id, 1.0);
   return human;
 }
 
@@ -28,11 +25,7 @@ sim2d::Scenario twoPeople() {
   sim2d::Scenario scenario;
   scenario.humans = {person("Ana", 1, 1.0), person("Ben", 2, 1.5)};
   for (int id = 1; id <= 3; ++id) {
-    sim2d::GlobalGoal goal;
-    goal.key = {base::EntityKind::Goal, 10 + id};
-    goal.id = id;
-    goal.position = base::Vec2(id, 5.0);
-    scenario.goals.push_back(goal);
+    scenario.goals.push_back(small::goal(10 + id, id, base::Vec2(id, 5.0)));
   }
   return scenario;
 }
@@ -48,12 +41,7 @@ class PropertyPanelTest : public QObject {
 
   template <class Field>
   Field* field(const QString& name) const {
-    for (Field* candidate : panel_->currentPage()->findChildren<Field*>()) {
-      if (candidate->accessibleName() == name) {
-        return candidate;
-      }
-    }
-    return nullptr;
+    return widgets::named<Field>(*panel_->currentPage(), name);
   }
   const sim2d::Human& human(int index) const {
     return document_->scenario().humans[static_cast<std::size_t>(index)];
@@ -67,6 +55,19 @@ class PropertyPanelTest : public QObject {
       static_cast<QLineEdit*>(widget)->selectAll();
     }
     QTest::keyClicks(widget, text);
+  }
+  void enter(QWidget* widget, const QString& text) {
+    type(widget, text);
+    QTest::keyClick(widget, Qt::Key_Return);
+  }
+  /// Selects these people, nothing for the settings.
+  template <class Field>
+  Field* fieldOf(std::initializer_list<int> people, const char* name) {
+    std::vector<EntityId> ids;
+    std::transform(people.begin(), people.end(), std::back_inserter(ids),
+                   [this](int index) { return key(index); });
+    document_->setSelection(ids);
+    return field<Field>(QString::fromUtf8(name));
   }
 
  private Q_SLOTS:
@@ -84,13 +85,11 @@ class PropertyPanelTest : public QObject {
   }
 
   void number_typed_changesAndUndoes() {
-    document_->setSelection({key(0)});
-    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    auto* speed = fieldOf<NumberField>({0}, "Top speed");
     QVERIFY(speed != nullptr);
     QCOMPARE(speed->value(), 1.0);
     QCOMPARE(speed->text(), QStringLiteral("1.00 m/s"));
-    type(speed, QStringLiteral("0.85"));
-    QTest::keyClick(speed, Qt::Key_Return);
+    enter(speed, QStringLiteral("0.85"));
     QCOMPARE(*human(0).maxVel, 0.85);
     document_->undoStack().undo();
     QCOMPARE(*human(0).maxVel, 1.0);
@@ -149,10 +148,9 @@ class PropertyPanelTest : public QObject {
   /// A goal of the robot makes the run longer: that is told beside the duration.
   void duration_ofARobotWithAGoal_saysWhatEndsTheRun() {
     const auto says = [this](const QString& words) {
-      const QList<QLabel*> labels = panel_->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [&words](const QLabel* label) {
-        return label->isVisible() && label->text() == words;
-      });
+      return widgets::findIf<QLabel>(*panel_, [&words](const QLabel* label) {
+               return label->isVisible() && label->text() == words;
+             }) != nullptr;
     };
     const QString words = QStringLiteral("Until the robot arrives, at most 120 s");
     document_->setSelection({});
@@ -186,14 +184,12 @@ class PropertyPanelTest : public QObject {
   }
 
   void page_ofARecordedRun_isReadOnly() {
-    document_->setSelection({key(0)});
-    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    auto* speed = fieldOf<NumberField>({0}, "Top speed");
     const auto later = [this] {
-      const QList<QLabel*> labels = panel_->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-        return label->isVisible() &&
-               label->text().startsWith(QStringLiteral("Changes take effect"));
-      });
+      return widgets::findIf<QLabel>(*panel_, [](const QLabel* label) {
+               return label->isVisible() &&
+                      label->text().startsWith(QStringLiteral("Changes take effect"));
+             }) != nullptr;
     };
     const auto frame = std::make_shared<const sim2d::Frame>();
     panel_->showFrame(frame);
@@ -207,8 +203,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void number_stepped_mergesIntoOneCommand() {
-    document_->setSelection({key(0)});
-    auto* heading = field<NumberField>(QStringLiteral("Heading"));
+    auto* heading = fieldOf<NumberField>({0}, "Heading");
     heading->stepUp();
     heading->stepUp();
     QCOMPARE(document_->undoStack().count(), 1);
@@ -218,8 +213,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void number_outOfRange_isMarkedAndNotTaken() {
-    document_->setSelection({key(0)});
-    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    auto* speed = fieldOf<NumberField>({0}, "Top speed");
     type(speed, QStringLiteral("777"));
     QVERIFY(speed->property(editor::kInvalidProperty).toBool());
     panel_->setFocus();
@@ -232,12 +226,10 @@ class PropertyPanelTest : public QObject {
   }
 
   void several_different_showDashAndChangeTogether() {
-    document_->setSelection({key(0), key(1)});
-    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    auto* speed = fieldOf<NumberField>({0, 1}, "Top speed");
     QVERIFY(speed->isMixed());
     QVERIFY(speed->text().startsWith(QStringLiteral("–")));
-    type(speed, QStringLiteral("1.2"));
-    QTest::keyClick(speed, Qt::Key_Return);
+    enter(speed, QStringLiteral("1.2"));
     QCOMPARE(*human(0).maxVel, 1.2);
     QCOMPARE(*human(1).maxVel, 1.2);
     QCOMPARE(speed->text(), QStringLiteral("1.20 m/s"));
@@ -252,8 +244,7 @@ class PropertyPanelTest : public QObject {
     for (const QString& typed : {QStringLiteral("1.0"), QStringLiteral("1.5")}) {
       document_->setSelection({key(0), key(1)});
       auto* speed = field<NumberField>(QStringLiteral("Top speed"));
-      type(speed, typed);
-      QTest::keyClick(speed, Qt::Key_Return);
+      enter(speed, typed);
       QCOMPARE(*human(0).maxVel, typed.toDouble());
       QCOMPARE(*human(1).maxVel, typed.toDouble());
       document_->undoStack().undo();
@@ -261,8 +252,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void several_nonsenseTyped_leavesThemAsTheyAre() {
-    document_->setSelection({key(0), key(1)});
-    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    auto* speed = fieldOf<NumberField>({0, 1}, "Top speed");
     type(speed, QStringLiteral("999"));
     QTest::keyClick(speed, Qt::Key_Tab);
     QCOMPARE(document_->undoStack().count(), 0);
@@ -271,8 +261,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void default_leftOut_isShownPaleAndStaysOut() {
-    document_->setSelection({key(0)});
-    auto* radius = field<NumberField>(QStringLiteral("Radius"));
+    auto* radius = fieldOf<NumberField>({0}, "Radius");
     QCOMPARE(radius->value(), 0.35);
     QVERIFY(!human(0).radius.has_value());
     radius->setFocus();
@@ -293,8 +282,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void slider_moved_setsTheNumber() {
-    document_->setSelection({key(0)});
-    auto* radius = field<NumberField>(QStringLiteral("Radius"));
+    auto* radius = fieldOf<NumberField>({0}, "Radius");
     auto* slider = field<editor::LinkedSlider>(QStringLiteral("Radius"));
     QVERIFY(slider != nullptr);
     slider->setValue(slider->maximum());
@@ -303,8 +291,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void behavior_chosen_showsItsReaction() {
-    document_->setSelection({key(0)});
-    auto* behavior = field<editor::ChoiceField>(QStringLiteral("Behaviour"));
+    auto* behavior = fieldOf<editor::ChoiceField>({0}, "Behaviour");
     auto* stops = field<NumberField>(QStringLiteral("Stops at"));
     QVERIFY(!stops->isVisible());
     const int curious = behavior->findText(QStringLiteral("Curious"));
@@ -318,8 +305,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void forces_configuration_decidesWhoMayType() {
-    document_->setSelection({key(0)});
-    auto* goal = field<NumberField>(QStringLiteral("Goal"));
+    auto* goal = fieldOf<NumberField>({0}, "Goal");
     QVERIFY(!goal->isEnabled());
     QCOMPARE(goal->value(), 2.0);  // HuNavSim's default
     auto* mode = field<editor::ChoiceField>(QStringLiteral("Strength"));
@@ -340,32 +326,27 @@ class PropertyPanelTest : public QObject {
   }
 
   void name_taken_isRefused() {
-    document_->setSelection({key(0)});
-    auto* name = field<editor::TextField>(QStringLiteral("Name"));
+    auto* name = fieldOf<editor::TextField>({0}, "Name");
     type(name, QStringLiteral("Ben"));
     QVERIFY(name->property(editor::kInvalidProperty).toBool());
     QVERIFY(!name->toolTip().isEmpty());
     QTest::keyClick(name, Qt::Key_Return);
     QCOMPARE(human(0).name, std::string("Ana"));
-    type(name, QStringLiteral("Anna"));
-    QTest::keyClick(name, Qt::Key_Return);
+    enter(name, QStringLiteral("Anna"));
     QCOMPARE(human(0).name, std::string("Anna"));
   }
 
   void settings_seed_isEditedWithoutSelection() {
-    document_->setSelection({});
-    auto* seed = field<NumberField>(QStringLiteral("Seed"));
+    auto* seed = fieldOf<NumberField>({}, "Seed");
     QVERIFY(seed != nullptr);
-    type(seed, QStringLiteral("42"));
-    QTest::keyClick(seed, Qt::Key_Return);
+    enter(seed, QStringLiteral("42"));
     QCOMPARE(document_->scenario().desktop.seed.value_or(0), 42LL);
     document_->undoStack().undo();
     QVERIFY(!document_->scenario().desktop.seed.has_value());
   }
 
   void settings_duration_leftOut_knowsTheRobot() {
-    document_->setSelection({});
-    auto* duration = field<NumberField>(QStringLiteral("Duration"));
+    auto* duration = fieldOf<NumberField>({}, "Duration");
     QVERIFY(duration != nullptr);
     QCOMPARE(duration->value(), 60.0);
     sim2d::Robot robot;
@@ -377,8 +358,7 @@ class PropertyPanelTest : public QObject {
   }
 
   void hint_ofText_staysWhenShownAgain() {
-    document_->setSelection({});
-    auto* thresholds = field<editor::TextField>(QStringLiteral("Thresholds"));
+    auto* thresholds = fieldOf<editor::TextField>({}, "Thresholds");
     QVERIFY(thresholds != nullptr);
     const QString hint = thresholds->toolTip();
     QVERIFY(!hint.isEmpty());
@@ -390,12 +370,9 @@ class PropertyPanelTest : public QObject {
 
   void heading_severalKinds_tellsWhomChangesReach() {
     document_->setSelection({document_->goalKey(1), key(0), key(1)});
-    QStringList words;
-    for (const QLabel* label : panel_->findChildren<QLabel*>()) {
-      words << label->text();
+    for (const char* words : {"2 people", "Changes apply to these, not to 1 other"}) {
+      QVERIFY2(widgets::withText<QLabel>(*panel_, QLatin1String(words)) != nullptr, words);
     }
-    QVERIFY(words.contains(QStringLiteral("2 people")));
-    QVERIFY(words.contains(QStringLiteral("Changes apply to these, not to 1 other")));
   }
 };
 

@@ -44,54 +44,40 @@ class RandomUser {
   RandomUser(ScenarioDocument& document, unsigned seed) : document_(document), random_(seed) {}
 
   void act() {
-    switch (whole(0, 18)) {
-      case 0:
-      case 1:
-        return add();
-      case 2:
-        return pushMove(document_, some(), {number(), number()},
-                        whole(0, 1) == 0 ? Merge::Never : Merge::WithPrevious);
-      case 3:
-        return turn();
-      case 4:
-      case 5:
-        return pushRemove(document_, some());
-      case 6:
-        if (all().size() < 60) {
-          pushDuplicate(document_, some(), {0.5, -0.5});
-        }
-        return;
-      case 7:
-        pushRename(document_, any(), "name" + std::to_string(whole(1, 50)));
-        return;
-      case 8:
-        pushGoalNumber(document_, any(EntityKind::Goal), whole(-1, 30));
-        return;
-      case 9:
-        return pushRoute(document_, some(), {whole(1, 12), whole(1, 12)});
-      case 10:
-        return pushReorder(document_, {any()}, whole(0, 5));
-      case 11:
-        return change();
-      case 12:
-        return tree();
-      case 13:
-        return pushListed(document_, some(), whole(0, 1) == 0);
-      case 14:
-        return group();
-      case 15:
-        return changeOther();
-      case 16:
-        return copyAndPaste();
-      case 17:
-        return block();
-      default:
-        return whole(0, 9) == 0 ? otherMap() : paint();
-    }
+    const std::function<void()> actions[] = {
+        [this] { pushAdd(document_, made()); },
+        [this] { pushAdd(document_, made()); },
+        [this] {
+          pushMove(document_, some(), {number(), number()}, merge());
+        },
+        [this] { turn(); },
+        [this] { pushRemove(document_, some()); },
+        [this] { pushRemove(document_, some()); },
+        [this] {
+          if (all().size() < 60) {
+            pushDuplicate(document_, some(), {0.5, -0.5});
+          }
+        },
+        [this] { pushRename(document_, any(), "name" + std::to_string(whole(1, 50))); },
+        [this] { pushGoalNumber(document_, any(EntityKind::Goal), whole(-1, 30)); },
+        [this] {
+          pushRoute(document_, some(), {whole(1, 12), whole(1, 12)});
+        },
+        [this] { pushReorder(document_, {any()}, whole(0, 5)); },
+        [this] { change(); },
+        [this] { tree(); },
+        [this] { pushListed(document_, some(), whole(0, 1) == 0); },
+        [this] { group(); },
+        [this] { changeOther(); },
+        [this] { copyAndPaste(); },
+        [this] { block(); },
+        [this] { whole(0, 9) == 0 ? otherMap() : paint(); }};
+    actions[whole(0, 18)]();
   }
 
  private:
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  Merge merge() { return whole(0, 1) == 0 ? Merge::Never : Merge::WithPrevious; }
   double number() { return std::uniform_real_distribution<double>(-3.0, 3.0)(random_); }
 
   std::vector<EntityId> all() const {
@@ -123,46 +109,41 @@ class RandomUser {
     return ids;
   }
 
-  void add() {
+  Entity made() {
     const base::Vec2 at(5.0 + number(), 4.0 + number());
     switch (whole(0, 5)) {
       case 5: {
         sim2d::Robot robot;
         robot.start = {at, number()};
-        pushAdd(document_, Entity(robot));
-        return;
+        return robot;
       }
       case 0: {
         sim2d::Human human;
         human.initPose = {at, number()};
         human.behavior.type = static_cast<sim2d::BehaviorType>(whole(1, 6));
-        pushAdd(document_, Entity(human));
-        return;
+        return human;
       }
       case 1: {
         sim2d::GlobalGoal goal;
         goal.position = at;
-        pushAdd(document_, Entity(goal));
-        return;
+        return goal;
       }
       case 2: {
         sim2d::Obstacle obstacle;
         obstacle.kind = sim2d::ObstacleKind::Circle;
         obstacle.pose.position = at;
-        pushAdd(document_, Entity(obstacle));
-        return;
+        return obstacle;
       }
       case 3: {
         sim2d::Door door;
         door.from = at;
         door.to = at + base::Vec2(1.0, 0.0);
-        pushAdd(document_, Entity(door));
-        return;
+        return door;
       }
       default: {
         sim2d::Area area;
         area.points = {at, at + base::Vec2(1.0, 0.0), at + base::Vec2(0.0, 1.0)};
-        pushAdd(document_, Entity(area));
+        return area;
       }
     }
   }
@@ -170,8 +151,7 @@ class RandomUser {
   void change() {
     pushChange<sim2d::Human>(
         document_, any(EntityKind::Human), QStringLiteral("Speed"),
-        [this](sim2d::Human& human) { human.maxVel = 1.0 + 0.1 * whole(0, 9); },
-        whole(0, 1) == 0 ? Merge::Never : Merge::WithPrevious);
+        [this](sim2d::Human& human) { human.maxVel = 1.0 + 0.1 * whole(0, 9); }, merge());
     pushChange<ScenarioSettings>(
         document_, kSettingsId, QStringLiteral("Seed"),
         [this](ScenarioSettings& settings) { settings.desktop.seed = whole(1, 99); });

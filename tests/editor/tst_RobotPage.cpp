@@ -1,19 +1,14 @@
-#include <algorithm>
-#include <utility>
-#include <vector>
-
-#include <QImage>
-#include <QPainter>
 #include <QtTest>
 
-#include "app/run/ProgramRegistries.h"
+#include "app/run/Nav2Robots.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
-#include "editor/panels/properties/AgentPictures.h"
 #include "editor/panels/properties/EntityPages.h"
+#include "editor/panels/properties/PageWidgets.h"
 #include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/FieldBuilder.h"
+#include "tests/support/Widgets.h"
 
 using editor::ChoiceField;
 using editor::EntityKind;
@@ -90,12 +85,7 @@ class RobotPageTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(page_.get()));
   }
   FormSection* section(const QString& title) const {
-    for (FormSection* each : page_->findChildren<FormSection*>()) {
-      if (each->title() == title) {
-        return each;
-      }
-    }
-    return nullptr;
+    return widgets::titled<FormSection>(*page_, title);
   }
   void clickHeading(FormSection* fold) {
     auto* heading = fold->findChild<QToolButton*>();

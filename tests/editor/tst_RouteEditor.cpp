@@ -1,19 +1,14 @@
-#include <QToolButton>
 #include <QtTest>
 
-#include "editor/panels/properties/RouteEditor.h"
+#include "editor/panels/properties/PageWidgets.h"
+#include "tests/support/Widgets.h"
 
 using editor::RouteEditor;
 
 namespace {
 
 QMenu* openMenu(const RouteEditor& editor) {
-  for (QMenu* menu : editor.findChildren<QMenu*>()) {
-    if (menu->isVisible()) {
-      return menu;
-    }
-  }
-  return nullptr;
+  return widgets::shown<QMenu>(editor);
 }
 
 QAction* actionOf(const QMenu& menu, const QString& text) {

@@ -1,8 +1,6 @@
 #include <limits>
-#include <map>
 
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include "SmallScenario.h"

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include <QAbstractItemModelTester>
 #include <QtTest>
 
@@ -9,6 +7,7 @@
 #include "editor/document/PeopleEdits.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/ScenarioPanel.h"
+#include "tests/support/Widgets.h"
 
 using editor::EntityId;
 using editor::EntityKind;
@@ -181,10 +180,7 @@ class ScenarioPanelTest : public QObject {
     qInstallMessageHandler(before);
     QCOMPARE(complaint, QString());
     QCOMPARE(scenario().humans[1].name, std::string("Bea"));
-    const QList<QLineEdit*> fields = panel_->tree().findChildren<QLineEdit*>();
-    QVERIFY(std::any_of(fields.begin(), fields.end(), [](const QLineEdit* field) {
-      return field->text() == QLatin1String("Chloe");
-    }));
+    QVERIFY(widgets::withText<QLineEdit>(panel_->tree(), QStringLiteral("Chloe")) != nullptr);
   }
 
   void row_dragged_reordersAndUndoes() {

@@ -1,5 +1,4 @@
 #include <limits>
-#include <map>
 #include <random>
 
 #include <QSignalSpy>
@@ -184,12 +183,10 @@ class ScrubActionsTest : public QObject {
     runner_.seek(400);
     QCOMPARE(lengthAt(30), 30.0);
     Trails trails;
-    trails.setSeconds(30.0);
-    trails.advance(nullptr, *runner_.shownFrame(), runner_.recording().get());
+    trails.advance(nullptr, *runner_.shownFrame(), runner_.recording().get(), 30.0);
     const Trail& trail = trails.all().at(1);
     QVERIFY(std::fabs(trail.points.front().first - 10.0) < 0.25);
-    trails.setSeconds(3.0);
-    trails.advance(nullptr, *runner_.shownFrame(), runner_.recording().get());
+    trails.advance(nullptr, *runner_.shownFrame(), runner_.recording().get(), 3.0);
     QVERIFY(std::fabs(trails.all().at(1).points.front().first - 37.0) < 0.25);
     QCOMPARE(lengthAt(6), 6.0);
   }

@@ -45,8 +45,19 @@ RunRequest request(std::int64_t steps) {
   RunRequest result;
   result.makeWorld = makeWorld;
   result.rule = {steps, true};
+  result.again = [steps] { return request(steps); };
   return result;
 }
+
+constexpr double kFast = std::numeric_limits<double>::infinity();
+
+/// Runs of so many steps.
+struct TestRunner : SimulationRunner {
+  explicit TestRunner(std::int64_t steps, double speed = 1.0) {
+    setRequest([steps] { return request(steps); });
+    setSpeed(speed);
+  }
+};
 
 }  // namespace
 
@@ -68,7 +79,7 @@ class SimulationRunnerTest : public QObject {
       return result;
     });
     QSignalSpy finished(&runner, &SimulationRunner::finished);
-    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.setSpeed(kFast);
     runner.play();
     runner.reset();
     QCOMPARE(runner.state(), SimulationRunner::State::Editing);
@@ -107,12 +118,7 @@ class SimulationRunnerTest : public QObject {
 
   /// The last one too, and what is made again.
   void guests_seeEachStateOnceAndGoWithTheRun() {
-    SimulationRunner runner;
-    runner.setRequest([] {
-      RunRequest result = request(20);
-      result.again = [] { return request(20); };
-      return result;
-    });
+    TestRunner runner(20, kFast);
     std::vector<std::int64_t> seen;
     std::weak_ptr<int> memory;
     runner.setObserverFactory(
@@ -124,7 +130,6 @@ class SimulationRunnerTest : public QObject {
         });
     QSignalSpy finished(&runner, &SimulationRunner::finished);
     connect(&runner, &SimulationRunner::finished, this, [&] { QVERIFY(memory.expired()); });
-    runner.setSpeed(std::numeric_limits<double>::infinity());
     runner.play();
     QTRY_COMPARE(finished.count(), 1);
     std::vector<std::int64_t> expected(21);
@@ -142,8 +147,7 @@ class SimulationRunnerTest : public QObject {
 
   /// In the step that comes next, also a single one.
   void guests_giveInputsJustBeforeTheStep() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(40); });
+    TestRunner runner(40);
     std::atomic<bool> isWanted{false};
     runner.setObserverFactory(
         [&](app::Session& /*session*/, sim2d::World& world, const auto& /*made*/) {
@@ -168,8 +172,7 @@ class SimulationRunnerTest : public QObject {
 
   /// Foxglove pauses; the window shows it.
   void guests_pauseAndSpeed_areFollowed() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(400); });
+    TestRunner runner(400);
     std::atomic<app::Session*> session{nullptr};
     runner.setObserverFactory(
         [&](app::Session& its, sim2d::World& /*world*/, const auto& /*made*/) {
@@ -184,7 +187,7 @@ class SimulationRunnerTest : public QObject {
         });
     QSignalSpy finished(&runner, &SimulationRunner::finished);
     QSignalSpy ordered(&runner, &SimulationRunner::speedRequested);
-    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.setSpeed(kFast);
     runner.play();
     QTRY_COMPARE(runner.state(), SimulationRunner::State::Paused);
     QTRY_COMPARE(ordered.count(), 1);
@@ -202,14 +205,8 @@ class SimulationRunnerTest : public QObject {
 
   /// What was done to people is done again; then somebody may do something else.
   void goOnFromShown_repeatsAndWaits() {
-    SimulationRunner runner;
-    runner.setRequest([] {
-      RunRequest result = request(40);
-      result.again = [] { return request(40); };
-      return result;
-    });
+    TestRunner runner(40, kFast);
     QSignalSpy finished(&runner, &SimulationRunner::finished);
-    runner.setSpeed(std::numeric_limits<double>::infinity());
     runner.stepOnce();
     QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == 1);
     const int id = runner.newestFrame()->humans.id.front();
@@ -269,9 +266,7 @@ class SimulationRunnerTest : public QObject {
     const sim2d::RunResult expected = sim2d::run(**world, {200, true}, recording);
     const sim2d::Trace headless = recording.trace((*world)->header());
 
-    SimulationRunner runner;
-    runner.setRequest([] { return request(200); });
-    runner.setSpeed(std::numeric_limits<double>::infinity());
+    TestRunner runner(200, kFast);
     QSignalSpy finished(&runner, &SimulationRunner::finished);
     runner.play();
     QTest::qWait(20);
@@ -300,7 +295,7 @@ class SimulationRunnerTest : public QObject {
       ++started;
       return request(40);
     });
-    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.setSpeed(kFast);
     runner.play();
     QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished(), 20000);
     const RecordingPtr recording = runner.recording();
@@ -336,7 +331,7 @@ class SimulationRunnerTest : public QObject {
       sparse.recordEvery = 5;
       return sparse;
     });
-    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.setSpeed(kFast);
     runner.play();
     QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished(), 20000);
     QCOMPARE(runner.recording()->stepOf(runner.recording()->size() - 1), std::int64_t{40});
@@ -351,8 +346,7 @@ class SimulationRunnerTest : public QObject {
   }
 
   void setSpeed_afterTheEnd_keepsTheMeasuredOne() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(3); });
+    TestRunner runner(3);
     runner.play();
     QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished(), 20000);
     const double measured = runner.measuredSpeed();
@@ -361,8 +355,7 @@ class SimulationRunnerTest : public QObject {
   }
 
   void stepOnce_fromEditing_makesOneStep() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(1000); });
+    TestRunner runner(1000);
     runner.stepOnce();
     QCOMPARE(runner.state(), SimulationRunner::State::Paused);
     QTRY_VERIFY(runner.shownFrame() != nullptr && runner.shownFrame()->step == 1);
@@ -379,8 +372,7 @@ class SimulationRunnerTest : public QObject {
   }
 
   void play_atRealTime_keepsPace() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(1000); });
+    TestRunner runner(1000);
     runner.play();
     QTRY_VERIFY(runner.newestFrame() != nullptr);
     QElapsedTimer timer;
@@ -393,9 +385,7 @@ class SimulationRunnerTest : public QObject {
   }
 
   void seek_duringARun_pausesAndShowsThePast() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(1000); });
-    runner.setSpeed(20.0);
+    TestRunner runner(1000, 20.0);
     runner.play();
     QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step > 20);
     runner.seek(7);
@@ -408,8 +398,7 @@ class SimulationRunnerTest : public QObject {
 
   /// States are recorded, but none has come to the window yet.
   void seek_beforeTheFirstState_showsNothing() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(1000); });
+    TestRunner runner(1000);
     QSignalSpy shown(&runner, &SimulationRunner::frameShown);
     runner.play();
     while (runner.recording() == nullptr) {
@@ -428,8 +417,7 @@ class SimulationRunnerTest : public QObject {
   }
 
   void reset_duringARun_clearsAndLeavesTheRecording() {
-    SimulationRunner runner;
-    runner.setRequest([] { return request(1000); });
+    TestRunner runner(1000);
     runner.play();
     QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step > 0);
     const editor::RecordingPtr kept = runner.recording();
@@ -466,7 +454,7 @@ class SimulationRunnerTest : public QObject {
     runner.seek(40);
     QVERIFY(runner.shownFrame()->humans == recording->frame(40)->humans);
     QVERIFY(!runner.isLookingBack());
-    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.setSpeed(kFast);
     runner.play();
     QTRY_COMPARE(runner.state(), SimulationRunner::State::Paused);  // at its end
     QCOMPARE(runner.shownFrame()->step, std::int64_t{100});

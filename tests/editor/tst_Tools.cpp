@@ -22,26 +22,21 @@ class ToolsTest : public QObject, private CanvasTester {
     drag(Vec2(3.0, 3.0), Vec2(3.0, 4.0));
     use("Goal");
     click(Vec2(8.0, 6.0));
-    const sim2d::Scenario placed = document_.scenario();
+    const sim2d::Scenario placed = scenario();
     QCOMPARE(placed.humans.size(), std::size_t{1});
     QCOMPARE(placed.goals.size(), std::size_t{1});
     const sim2d::Human& person = placed.humans.front();
     QVERIFY((person.initPose.position - Vec2(3.0, 3.0)).norm() < 0.05);
     QVERIFY(std::abs(person.initPose.heading - 0.5 * base::kPi) < 0.05);
     QVERIFY((placed.goals.front().position - Vec2(8.0, 6.0)).norm() < 0.05);
-    QCOMPARE(document_.undoStack().count(), 2);
-    document_.undoStack().undo();
-    document_.undoStack().undo();
-    QVERIFY(document_.scenario() == sim2d::Scenario());
-    document_.undoStack().redo();
-    document_.undoStack().redo();
-    QVERIFY(document_.scenario() == placed);
+    QCOMPARE(undoCount(), 2);
+    checkUndoAndRedo(sim2d::Scenario(), 2);
   }
 
   void person_turnedToTheRightWithCtrl_hasNoMinusZero() {
     use("Person");
     drag(Vec2(2.5, 5.0), Vec2(3.5, 4.95), Qt::ControlModifier);
-    const double heading = document_.scenario().humans.back().initPose.heading;
+    const double heading = scenario().humans.back().initPose.heading;
     QCOMPARE(heading, 0.0);
     QVERIFY(!std::signbit(heading));
   }
@@ -50,29 +45,28 @@ class ToolsTest : public QObject, private CanvasTester {
     use("Person");
     press(Vec2(9.0, 8.0));
     move(Vec2(9.5, 8.0));
-    QTest::keyClick(window(), Qt::Key_Escape);
+    key(Qt::Key_Escape);
     release(Vec2(9.5, 8.0));
-    QVERIFY(document_.scenario() == small::scenario());
-    QCOMPARE(document_.undoStack().count(), 0);
+    checkUnchanged(small::scenario());
   }
 
   void escape_inAnIdleTool_goesBackToSelect() {
     use("Wall");
     click(Vec2(3.0, 7.5));
-    QTest::keyClick(window(), Qt::Key_Escape);  // drops the corner
+    key(Qt::Key_Escape);  // drops the corner
     QVERIFY(tools_.current() == tool("Wall"));
-    QTest::keyClick(window(), Qt::Key_Escape);
+    key(Qt::Key_Escape);
     QVERIFY(tools_.isSelecting());
-    QVERIFY(document_.scenario() == small::scenario());
+    QVERIFY(scenario() == small::scenario());
   }
 
   void select_nudgedByKeys_writesShortNumbers() {
     document_.setSelection({person(1)});
     for (int i = 0; i < 3; ++i) {
-      QTest::keyClick(window(), Qt::Key_Right);
+      key(Qt::Key_Right);
     }
     QCOMPARE(document_.human(person(1))->initPose.position.x(), 2.3);  // not 2.3000000000000003
-    QCOMPARE(document_.undoStack().count(), 1);
+    QCOMPARE(undoCount(), 1);
   }
 
   void select_click_selectsAndEmptyGroundClears() {
@@ -101,9 +95,9 @@ class ToolsTest : public QObject, private CanvasTester {
     const Vec2 ben = document_.human(person(2))->initPose.position;
     QVERIFY((ana - Vec2(3.0, 2.5)).norm() < 0.05);
     QVERIFY((ben - ana - Vec2(2.0, 4.5)).norm() < 1e-9);
-    QCOMPARE(document_.undoStack().count(), 1);
-    document_.undoStack().undo();
-    QVERIFY(document_.scenario() == small::scenario());
+    QCOMPARE(undoCount(), 1);
+    undo();
+    QVERIFY(scenario() == small::scenario());
   }
 
   void goal_pickedUpAndToolLeft_staysWhereItWas() {
@@ -111,18 +105,18 @@ class ToolsTest : public QObject, private CanvasTester {
     click(Vec2(2.0, 7.0));
     move(Vec2(3.0, 7.5));
     use("Person");
-    QVERIFY(document_.scenario() == small::scenario());
+    QVERIFY(scenario() == small::scenario());
     QVERIFY(scene_.movingIds().empty());
-    QCOMPARE(document_.undoStack().count(), 0);
+    QCOMPARE(undoCount(), 0);
   }
 
   void select_escapeWhileMoving_putsBack() {
     press(Vec2(2.0, 2.0));
     move(Vec2(3.0, 3.0));
     QVERIFY(positionOf(*scene_.shown(person(1)))->x() > 2.5);
-    QTest::keyClick(window(), Qt::Key_Escape);
+    key(Qt::Key_Escape);
     release(Vec2(3.0, 3.0));
-    QVERIFY(document_.scenario() == small::scenario());
+    QVERIFY(scenario() == small::scenario());
     QVERIFY(*scene_.shown(person(1)) == *document_.entity(person(1)));
   }
 
@@ -139,25 +133,25 @@ class ToolsTest : public QObject, private CanvasTester {
     drag(handle, centre + Vec2(0.0, reach));
     QVERIFY(std::abs(document_.human(person(1))->initPose.heading - 0.5 * base::kPi) < 0.06);
     QVERIFY(document_.human(person(1))->initPose.position == centre);
-    QCOMPARE(document_.undoStack().count(), 1);
+    QCOMPARE(undoCount(), 1);
   }
 
   void select_keys_nudgeDuplicateRemove() {
     click(Vec2(2.0, 2.0));
-    QTest::keyClick(window(), Qt::Key_Right);
-    QTest::keyClick(window(), Qt::Key_Up, Qt::ShiftModifier);
+    key(Qt::Key_Right);
+    key(Qt::Key_Up, Qt::ShiftModifier);
     QVERIFY((document_.human(person(1))->initPose.position - Vec2(2.1, 3.0)).norm() < 1e-9);
-    QCOMPARE(document_.undoStack().count(), 1);
-    QTest::keyClick(window(), Qt::Key_D, Qt::ControlModifier);
-    QCOMPARE(document_.scenario().humans.size(), std::size_t{7});
-    QTest::keyClick(window(), Qt::Key_Delete);
+    QCOMPARE(undoCount(), 1);
+    key(Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(scenario().humans.size(), std::size_t{7});
+    key(Qt::Key_Delete);
     QVERIFY(document_.human(person(1)) != nullptr);
-    QCOMPARE(document_.scenario().humans.size(), std::size_t{6});
+    QCOMPARE(scenario().humans.size(), std::size_t{6});
   }
 
   void select_robotGoal_isMovedAlone() {
     drag(Vec2(1.5, 1.0), Vec2(3.0, 8.0));
-    const sim2d::Robot& robot = document_.scenario().robots.front();
+    const sim2d::Robot& robot = scenario().robots.front();
     QVERIFY(robot.start == small::scenario().robots.front().start);
     QVERIFY((*robot.goal.point - Vec2(3.0, 8.0)).norm() < 0.05);
   }
@@ -167,9 +161,9 @@ class ToolsTest : public QObject, private CanvasTester {
     click(Vec2(2.0, 7.0));
     move(Vec2(3.0, 7.5));
     click(Vec2(3.5, 8.0));
-    QCOMPARE(document_.scenario().goals.size(), std::size_t{3});
-    QVERIFY((document_.scenario().goals[1].position - Vec2(3.5, 8.0)).norm() < 0.05);
-    QCOMPARE(document_.undoStack().count(), 1);
+    QCOMPARE(scenario().goals.size(), std::size_t{3});
+    QVERIFY((scenario().goals[1].position - Vec2(3.5, 8.0)).norm() < 0.05);
+    QCOMPARE(undoCount(), 1);
   }
 
   void route_goalsInOrder_areAssigned() {
@@ -178,9 +172,9 @@ class ToolsTest : public QObject, private CanvasTester {
     click(Vec2(10.0, 1.5));
     click(Vec2(2.0, 7.0));
     QVERIFY(document_.human(person(5))->goals.empty());
-    QTest::keyClick(window(), Qt::Key_Return);
+    key(Qt::Key_Return);
     QVERIFY((document_.human(person(5))->goals == std::vector<int>{3, 2}));
-    QCOMPARE(document_.undoStack().count(), 1);
+    QCOMPARE(undoCount(), 1);
   }
 
   void route_clickThatDoesNothing_saysWhy() {
@@ -212,26 +206,26 @@ class ToolsTest : public QObject, private CanvasTester {
     document_.setMap(small::room());
     use("Dock");
     drag(Vec2(3.0, 3.0), Vec2(3.0, 4.0));
-    QCOMPARE(document_.scenario().docks.size(), std::size_t{1});
-    const sim2d::Dock placed = document_.scenario().docks.front();
+    QCOMPARE(scenario().docks.size(), std::size_t{1});
+    const sim2d::Dock placed = scenario().docks.front();
     QCOMPARE(placed.name, std::string("dock1"));
     QVERIFY((placed.pose.position - Vec2(3.0, 3.0)).norm() < 0.05);
     QVERIFY(std::abs(placed.pose.heading - 0.5 * base::kPi) < 0.05);
     QVERIFY(placed.kind == sim2d::DockKind::Charging);
     const sim2d::ScenarioReading saved =
-        sim2d::readScenarioText(sim2d::writeScenario(document_.scenario()), "dock.yaml");
+        sim2d::readScenarioText(sim2d::writeScenario(scenario()), "dock.yaml");
     QVERIFY(!base::hasErrors(saved.diagnostics));
     QCOMPARE(saved.scenario.docks.size(), std::size_t{1});
     QVERIFY(saved.scenario.docks.front().pose == placed.pose);
     use("Select");
     drag(Vec2(3.0, 3.0), Vec2(5.0, 3.0));
-    QVERIFY((document_.scenario().docks.front().pose.position - Vec2(5.0, 3.0)).norm() < 0.05);
-    QTest::keyClick(window(), Qt::Key_Delete);
-    QVERIFY(document_.scenario().docks.empty());
-    QCOMPARE(document_.undoStack().count(), 3);
-    document_.undoStack().undo();
-    document_.undoStack().undo();
-    QVERIFY(document_.scenario().docks.front() == placed);
+    QVERIFY((scenario().docks.front().pose.position - Vec2(5.0, 3.0)).norm() < 0.05);
+    key(Qt::Key_Delete);
+    QVERIFY(scenario().docks.empty());
+    QCOMPARE(undoCount(), 3);
+    undo();
+    undo();
+    QVERIFY(scenario().docks.front() == placed);
   }
 
   void robot_startThenGoal_areTwoCommands() {
@@ -240,14 +234,14 @@ class ToolsTest : public QObject, private CanvasTester {
     use("Robot");
     drag(Vec2(3.0, 3.0), Vec2(4.0, 3.0));
     click(Vec2(9.0, 7.0));
-    QCOMPARE(document_.scenario().robots.size(), std::size_t{1});
-    const sim2d::Robot& robot = document_.scenario().robots.front();
+    QCOMPARE(scenario().robots.size(), std::size_t{1});
+    const sim2d::Robot& robot = scenario().robots.front();
     QVERIFY((robot.start.position - Vec2(3.0, 3.0)).norm() < 0.05);
     QVERIFY(std::abs(robot.start.heading) < 0.05);
     QVERIFY((*robot.goal.point - Vec2(9.0, 7.0)).norm() < 0.05);
-    QCOMPARE(document_.undoStack().count(), 2);
+    QCOMPARE(undoCount(), 2);
     const sim2d::ScenarioReading saved =
-        sim2d::readScenarioText(sim2d::writeScenario(document_.scenario()), "robot.yaml");
+        sim2d::readScenarioText(sim2d::writeScenario(scenario()), "robot.yaml");
     QVERIFY(saved.ok());
     QCOMPARE(saved.scenario.robots.size(), std::size_t{1});
     QVERIFY(saved.scenario.robots.front().start == robot.start);
@@ -259,20 +253,18 @@ class ToolsTest : public QObject, private CanvasTester {
     document_.load(sim2d::Scenario());
     document_.setMap(small::room());
     use("Robot");
-    const auto robot = [this](std::size_t index) {
-      return document_.scenario().robots.at(index).start;
-    };
+    const auto robot = [this](std::size_t index) { return scenario().robots.at(index).start; };
     drag(Vec2(3.0, 3.0), Vec2(4.0, 4.2), Qt::ControlModifier);  // at 50.2 degrees
     QVERIFY(isNear(robot(0).position, Vec2(3.0, 3.0)));
     QVERIFY(std::abs(robot(0).heading - base::kPi / 4.0) < 1e-9);
     key(Qt::Key_Escape);
-    QVERIFY(!document_.scenario().robots.at(0).goal.point);
+    QVERIFY(!scenario().robots.at(0).goal.point);
     drag(Vec2(2.0, 2.0), Vec2(1.0, 2.0));  // moves the robot that is selected
-    QCOMPARE(document_.scenario().robots.size(), std::size_t{1});
+    QCOMPARE(scenario().robots.size(), std::size_t{1});
     QVERIFY(std::abs(std::abs(robot(0).heading) - base::kPi) < 0.02);
     key(Qt::Key_Escape);
     click(Vec2(9.0, 3.0), Qt::ShiftModifier);
-    QCOMPARE(document_.scenario().robots.size(), std::size_t{2});
+    QCOMPARE(scenario().robots.size(), std::size_t{2});
     QCOMPARE(robot(1).heading, robot(0).heading);
   }
 
@@ -284,7 +276,7 @@ class ToolsTest : public QObject, private CanvasTester {
     QApplication::sendEvent(view_.viewport(), &event);
     QTest::mouseRelease(window(), Qt::MiddleButton, {}, QPoint(460, 330));
     QVERIFY((view_.worldAt(QPoint(160, 130)) - before).norm() * view_.pixelsPerMetre() < 2.0);
-    QVERIFY(document_.scenario() == small::scenario());
+    QVERIFY(scenario() == small::scenario());
   }
 
   void actions_areExclusiveAndRestDuringARun() {

@@ -1,8 +1,3 @@
-#include <QClipboard>
-#include <QLineEdit>
-#include <QMenu>
-#include <QUndoStack>
-
 #include "CanvasTester.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
@@ -62,6 +57,25 @@ class TreeEditorSelectionTest : public QObject, private CanvasTester, private Tr
       }
     }
     return -1;
+  }
+  /// A tree whose first step sets the entry "mood" to 1.
+  void giveMoodTree(const char* name) {
+    editor::pushTreeText(document(), person(name),
+                         "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Sequence>"
+                         "<RunOnce><Script code=\"mood := 1\"/></RunOnce>"
+                         "<AlwaysSuccess/></Sequence></BehaviorTree></root>",
+                         QStringLiteral("Tree"));
+  }
+  /// Types 7 into the value of "mood", without leaving the field.
+  void typeMood() {
+    const QTableWidget& table = studio().entries().table();
+    const QRect place = table.visualItemRect(table.item(entryRow("mood"), 1));
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place.center());
+    QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, place.center());
+    auto* field = table.findChild<QLineEdit*>();
+    QVERIFY(field != nullptr);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("7"));
   }
 
  private Q_SLOTS:
@@ -207,11 +221,7 @@ class TreeEditorSelectionTest : public QObject, private CanvasTester, private Tr
 
   void blackboard_editedInARun_isAnInputAndKeptOfThePast() {
     open("Chloe");
-    editor::pushTreeText(document(), person("Chloe"),
-                         "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Sequence>"
-                         "<RunOnce><Script code=\"mood := 1\"/></RunOnce>"
-                         "<AlwaysSuccess/></Sequence></BehaviorTree></root>",
-                         QStringLiteral("Tree"));
+    giveMoodTree("Chloe");
     studio().lower().setCurrentWidget(&studio().entries());
     QVERIFY(studio().entries().table().isHidden());
     QVERIFY(studio().entries().words().contains(QStringLiteral("Space")));
@@ -221,14 +231,8 @@ class TreeEditorSelectionTest : public QObject, private CanvasTester, private Tr
     const auto value = [&] { return table.item(entryRow("mood"), 1)->text(); };
     QTRY_COMPARE(value(), QStringLiteral("1"));
     QVERIFY((table.item(entryRow("dt"), 1)->flags() & Qt::ItemIsEditable) == 0);
-    const QRect place = table.visualItemRect(table.item(entryRow("mood"), 1));
-    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place.center());
-    QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, place.center());
-    auto* field = table.findChild<QLineEdit*>();
-    QVERIFY(field != nullptr);
-    field->selectAll();
-    QTest::keyClicks(field, QStringLiteral("7"));
-    QTest::keyClick(field, Qt::Key_Return);
+    typeMood();
+    QTest::keyClick(table.findChild<QLineEdit*>(), Qt::Key_Return);
     QTRY_COMPARE(value(), QStringLiteral("7"));  // waits for the next step
     stepTo(8);
     QTRY_COMPARE(value(), QStringLiteral("7"));
@@ -256,25 +260,13 @@ class TreeEditorSelectionTest : public QObject, private CanvasTester, private Tr
   /// A breakpoint selects the other person.
   void blackboard_anotherIsSelectedWhileTyping_isOfThePersonItWasTypedFor() {
     open("Chloe");
-    for (const char* name : {"Chloe", "Ana"}) {
-      editor::pushTreeText(document(), person(name),
-                           "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Sequence>"
-                           "<RunOnce><Script code=\"mood := 1\"/></RunOnce>"
-                           "<AlwaysSuccess/></Sequence></BehaviorTree></root>",
-                           QStringLiteral("Tree"));
-    }
+    giveMoodTree("Chloe");
+    giveMoodTree("Ana");
     const int chloe = document().human(person("Chloe"))->id;
     studio().lower().setCurrentWidget(&studio().entries());
     stepTo(5);
     QTRY_VERIFY(entryRow("mood") >= 0);
-    QTableWidget& table = studio().entries().table();
-    const QRect place = table.visualItemRect(table.item(entryRow("mood"), 1));
-    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place.center());
-    QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, place.center());
-    auto* field = table.findChild<QLineEdit*>();
-    QVERIFY(field != nullptr);
-    field->selectAll();
-    QTest::keyClicks(field, QStringLiteral("7"));
+    typeMood();
     document().setSelection({person("Ana")});
     stepTo(8);
     const auto& inputs = runner().recording()->inputs();

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <random>
 
-#include <QDirIterator>
 #include <QtTest>
 
 #include "bt/tree/TreeXml.h"

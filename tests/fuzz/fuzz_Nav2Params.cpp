@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "bt/robot/Nav2Report.h"
+#include "bt/robot/Nav2Files.h"
 #include "bt/robot/Nav2Servers.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
 #include "tests/fuzz/Require.h"

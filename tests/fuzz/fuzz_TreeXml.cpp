@@ -55,9 +55,9 @@ bt::StatefulFunctions waiting() {
 const bt::NodeLibrary& library() {
   static const bt::NodeLibrary all = [] {
     bt::NodeLibrary made;
-    made.addCondition(manifest("IsFine"), readAll);
-    made.addAction(manifest("Act"), readAll);
-    made.addStateful<Countdown>(manifest("Wait"), waiting());
+    made.add(manifest("IsFine"), bt::synchronous(readAll));
+    made.add(manifest("Act"), bt::synchronous(readAll));
+    made.add(manifest("Wait"), bt::stateful<Countdown>(waiting()));
     return made;
   }();
   return all;

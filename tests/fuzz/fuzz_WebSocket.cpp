@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/bridge/live/ClientRequest.h"
+#include "app/bridge/live/FoxgloveMessages.h"
 #include "app/bridge/live/RunControl.h"
 #include "app/bridge/live/WebSocketServer.h"
 #include "tests/fuzz/Require.h"

@@ -6,21 +6,11 @@
 #include <QtTest>
 
 #include "sim2d/map/Obstacles.h"
+#include "tests/support/Columns.h"
 
 using sim2d::Obstacles;
 using sim2d::Outline;
 using sim2d::Vec2;
-
-/// Boundary points asked step by step along walks, as people do, against all edges looked at anew
-/// each time: what is kept of the step before must not be seen.
-class BoundaryWalkTest : public QObject {
-  Q_OBJECT
- private Q_SLOTS:
-  void boundaryPoints_alongWalks_areThoseOfAllEdges_data();
-  void boundaryPoints_alongWalks_areThoseOfAllEdges();
-  void boundaryPoints_manyCorners_areThoseOfAllEdges_data();
-  void boundaryPoints_manyCorners_areThoseOfAllEdges();
-};
 
 namespace {
 
@@ -143,30 +133,35 @@ void walk(const std::vector<Outline>& shapes, int side, double range, int steps,
 
 }  // namespace
 
-void BoundaryWalkTest::boundaryPoints_alongWalks_areThoseOfAllEdges_data() {
-  QTest::addColumn<double>("range");
-  QTest::newRow("of forces") << 5.0;
-  QTest::newRow("of bodies") << 1.35;
-}
+/// Boundary points asked step by step along walks, as people do, against all edges looked at anew
+/// each time: what is kept of the step before must not be seen.
+class BoundaryWalkTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void boundaryPoints_alongWalks_areThoseOfAllEdges_data() {
+    QTest::addColumn<double>("range");
+    QTest::newRow("of forces") << 5.0;
+    QTest::newRow("of bodies") << 1.35;
+  }
 
-void BoundaryWalkTest::boundaryPoints_alongWalks_areThoseOfAllEdges() {
-  QFETCH(double, range);
-  walk(scatteredShapes(5, 9, 7), 5, range, 6000, 11);
-}
+  void boundaryPoints_alongWalks_areThoseOfAllEdges() {
+    QFETCH(double, range);
+    walk(scatteredShapes(5, 9, 7), 5, range, 6000, 11);
+  }
 
-void BoundaryWalkTest::boundaryPoints_manyCorners_areThoseOfAllEdges_data() {
-  QTest::addColumn<int>("corners");
-  QTest::addColumn<double>("notch");
-  QTest::newRow("round") << 160 << 0.0;
-  QTest::newRow("jagged") << 40 << 0.05;
-  QTest::newRow("more edges than are kept of a square") << 600 << 0.01;
-}
+  void boundaryPoints_manyCorners_areThoseOfAllEdges_data() {
+    addColumns<int, double>({"corners", "notch"});
+    QTest::newRow("round") << 160 << 0.0;
+    QTest::newRow("jagged") << 40 << 0.05;
+    QTest::newRow("more edges than are kept of a square") << 600 << 0.01;
+  }
 
-void BoundaryWalkTest::boundaryPoints_manyCorners_areThoseOfAllEdges() {
-  QFETCH(int, corners);
-  QFETCH(double, notch);
-  walk(scatteredShapes(4, corners, 3, notch), 4, 5.0, 1000, 5);
-}
+  void boundaryPoints_manyCorners_areThoseOfAllEdges() {
+    QFETCH(int, corners);
+    QFETCH(double, notch);
+    walk(scatteredShapes(4, corners, 3, notch), 4, 5.0, 1000, 5);
+  }
+};
 
 QTEST_APPLESS_MAIN(BoundaryWalkTest)
 #include "tst_BoundaryWalk.moc"

@@ -4,8 +4,8 @@
 
 #include <QtTest>
 
+#include "sim2d/map/Obstacles.h"
 #include "sim2d/map/PathPlanner.h"
-#include "sim2d/map/StringPulling.h"
 
 using namespace sim2d;
 

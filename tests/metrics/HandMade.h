@@ -16,6 +16,7 @@ using metrics::Pedestrian;
 using metrics::Sample;
 using metrics::SampledRun;
 using metrics::Vec2;
+using sim2d::EventKind;
 
 inline Pedestrian personAt(int id, double x, double y, double vx = 0.0, double vy = 0.0) {
   Pedestrian person;
@@ -37,6 +38,13 @@ inline Sample sampleAt(double time, double x, double y, double speed = 0.0) {
   sample.robot.speed = speed;
   sample.robot.radius = 0.25;
   return sample;
+}
+
+inline sim2d::Event eventOf(sim2d::EventKind kind, int id) {
+  sim2d::Event event;
+  event.kind = kind;
+  event.id = id;
+  return event;
 }
 
 inline SampledRun recordingOfSamples(std::vector<Sample> samples) {

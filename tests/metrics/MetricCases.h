@@ -87,6 +87,33 @@ inline sim2d::Trace trace(int steps, int people, double dt = 0.05) {
   return made;
 }
 
+/// Turns and moves a trace without obstacles and map.
+inline sim2d::Trace moved(sim2d::Trace trace, double angle, const base::Vec2& shift) {
+  const base::Pose2 pose{shift, angle};
+  const auto moveColumns = [&](auto& columns) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const base::Vec2 position = pose.toWorld(base::Vec2(columns.x[k], columns.y[k]));
+      const base::Vec2 velocity =
+          base::Pose2{base::Vec2(0, 0), angle}.toWorld(base::Vec2(columns.vx[k], columns.vy[k]));
+      columns.x[k] = position.x();
+      columns.y[k] = position.y();
+      columns.vx[k] = velocity.x();
+      columns.vy[k] = velocity.y();
+      columns.heading[k] = base::wrapToPi(columns.heading[k] + angle);
+    }
+  };
+  for (sim2d::Frame& frame : trace.frames) {
+    moveColumns(frame.humans);
+    moveColumns(frame.robots);
+  }
+  for (sim2d::TraceRobot& robot : trace.header.robots) {
+    for (sim2d::TraceGoal& goal : robot.goals) {
+      goal.position = pose.toWorld(goal.position);
+    }
+  }
+  return trace;
+}
+
 inline metrics::MetricParameters parametersOf(metrics::Profile profile) {
   metrics::MetricParameters parameters;
   parameters.profile = profile;

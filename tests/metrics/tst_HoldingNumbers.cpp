@@ -22,10 +22,7 @@ SampledRun parkedRun(int seconds) {
   SampledRun run = recordingOfSamples(std::move(samples));
   run.robotId = -1;
   run.goals = {{1, Vec2(5.0, 0.0), 0.2}};
-  sim2d::Event arrived;
-  arrived.kind = sim2d::EventKind::Arrived;
-  arrived.id = -1;
-  run.events = {{5.0, arrived}};
+  run.events = {{5.0, eventOf(EventKind::Arrived, -1)}};
   return run;
 }
 
@@ -74,9 +71,7 @@ sim2d::Trace walk(const std::vector<double>& ys, const std::vector<int>& goals,
     trace.frames.push_back(frame);
   }
   for (std::size_t k = 0; k < goals.size(); ++k) {
-    sim2d::Event event;
-    event.kind = sim2d::EventKind::Goal;
-    event.id = 1;
+    sim2d::Event event = eventOf(EventKind::Goal, 1);
     event.text = k < names.size() ? names[k] : "";
     trace.events.emplace_back(goals[k], event);
   }
@@ -174,9 +169,7 @@ class HoldingNumbersTest : public QObject {
       run.samples[k].people = {personAt(1, places[k], 0.0)};
     }
     QCOMPARE(valueOf(run, "line_crossings", parameters), 2.0);  // there and back
-    sim2d::Event enter;
-    enter.kind = sim2d::EventKind::Enter;
-    enter.id = 1;
+    const sim2d::Event enter = eventOf(EventKind::Enter, 1);
     run.events = {{0.0, enter}, {9.5, enter}};
     QCOMPARE(valueOf(run, "line_crossings", parameters), 1.0);
     Selection selection;
@@ -365,13 +358,10 @@ class HoldingNumbersTest : public QObject {
       sample.people[0].wantsToArrive = true;
     }
     QCOMPARE(valueOf(run, "aggregated_time"), 25.0);  // 5 s of the robot, 20 s of the person
-    sim2d::Event arrived;
-    arrived.kind = sim2d::EventKind::Arrived;
-    arrived.id = 1;
-    run.events.insert(run.events.begin(), {4.0, arrived});
+    run.events.insert(run.events.begin(), {4.0, eventOf(EventKind::Arrived, 1)});
     QCOMPARE(valueOf(run, "aggregated_time"), 9.0);
-    arrived.id = -2;  // a robot that is not measured
-    run.events.insert(run.events.begin(), {3.0, arrived});
+    // a robot that is not measured
+    run.events.insert(run.events.begin(), {3.0, eventOf(EventKind::Arrived, -2)});
     QCOMPARE(valueOf(run, "aggregated_time"), 9.0);
   }
 

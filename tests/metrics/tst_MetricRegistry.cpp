@@ -162,66 +162,56 @@ std::string withCurrentTables(std::string page, const MetricRegistry& registry) 
 class MetricRegistryTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void standardRegistry_hunavKeys_are34InOrder();
-  void standardRegistry_everyEntry_isDescribed();
-  void addedMetric_appearsEverywhere();
-  void addedMetric_isOnOnlyWhenListed();
-  void addedTable_tellsWhatTheMetricsAre();
-  void parameterInfos_names_areUniqueAndFindable();
-  void parametersOf_metricThatChanges_namesTheParameter();
-  void metricsMarkdown_tables_areThoseOfTheRegistry();
-};
-
-void MetricRegistryTest::standardRegistry_hunavKeys_are34InOrder() {
-  const auto& entries = standardRegistry().entries();
-  QVERIFY(entries.size() > 34);
-  for (std::size_t k = 0; k < 34; ++k) {
-    QCOMPARE(entries[k].info.hunav, static_cast<int>(k) + 1);
+  void standardRegistry_hunavKeys_are34InOrder() {
+    const auto& entries = standardRegistry().entries();
+    QVERIFY(entries.size() > 34);
+    for (std::size_t k = 0; k < 34; ++k) {
+      QCOMPARE(entries[k].info.hunav, static_cast<int>(k) + 1);
+    }
+    QCOMPARE(entries[34].info.hunav, 0);
+    QVERIFY(entries[0].info.key == "time_to_reach_goal");
+    QVERIFY(entries[33].info.key == "surprise_react_cost");
+    QVERIFY(standardRegistry().find("social_work_mean")->info.partOf == "social_work");
   }
-  QCOMPARE(entries[34].info.hunav, 0);
-  QVERIFY(entries[0].info.key == "time_to_reach_goal");
-  QVERIFY(entries[33].info.key == "surprise_react_cost");
-  QVERIFY(standardRegistry().find("social_work_mean")->info.partOf == "social_work");
-}
 
-void MetricRegistryTest::standardRegistry_everyEntry_isDescribed() {
-  std::set<std::string> keys;
-  for (const MetricEntry& entry : standardRegistry().entries()) {
-    QVERIFY2(keys.insert(entry.info.key).second, entry.info.key.c_str());
-    QVERIFY2(!entry.info.name.empty() && !entry.info.formula.empty() &&
-                 !entry.info.source.empty() && !entry.info.range.empty(),
-             entry.info.key.c_str());
+  void standardRegistry_everyEntry_isDescribed() {
+    std::set<std::string> keys;
+    for (const MetricEntry& entry : standardRegistry().entries()) {
+      QVERIFY2(keys.insert(entry.info.key).second, entry.info.key.c_str());
+      QVERIFY2(!entry.info.name.empty() && !entry.info.formula.empty() &&
+                   !entry.info.source.empty() && !entry.info.range.empty(),
+               entry.info.key.c_str());
+    }
   }
-}
 
-void MetricRegistryTest::addedMetric_appearsEverywhere() {
-  const Evaluation made = evaluation();
-  QVERIFY(extended().find("crowd_size") != nullptr);
-  QCOMPARE(*made.find("crowd_size")->value.value, 40.0);
-  QCOMPARE(*made.find("crowd_size_of_all")->value.value, 40.0);
-  QVERIFY(contains(toJson(made), "\"crowd_size\": {\n      \"value\": 40,"));
-  QVERIFY(contains(metricsCsv(made), ",crowd_size,crowd_size_of_all\n"));
-  QVERIFY(contains(metricsCsv(made), ",40,40\n"));
-  QVERIFY(contains(stepsCsv(made), ",crowd_size\n"));
-  QVERIFY(contains(tableText(made), "crowd_size"));
-  QVERIFY(contains(withCurrentTables(metricsMarkdown(), extended()), "`crowd_size`"));
-}
+  void addedMetric_appearsEverywhere() {
+    const Evaluation made = evaluation();
+    QVERIFY(extended().find("crowd_size") != nullptr);
+    QCOMPARE(*made.find("crowd_size")->value.value, 40.0);
+    QCOMPARE(*made.find("crowd_size_of_all")->value.value, 40.0);
+    QVERIFY(contains(toJson(made), "\"crowd_size\": {\n      \"value\": 40,"));
+    QVERIFY(contains(metricsCsv(made), ",crowd_size,crowd_size_of_all\n"));
+    QVERIFY(contains(metricsCsv(made), ",40,40\n"));
+    QVERIFY(contains(stepsCsv(made), ",crowd_size\n"));
+    QVERIFY(contains(tableText(made), "crowd_size"));
+    QVERIFY(contains(withCurrentTables(metricsMarkdown(), extended()), "`crowd_size`"));
+  }
 
-void MetricRegistryTest::addedMetric_isOnOnlyWhenListed() {
-  const auto file = [](const char* text) {
-    return parseMetricsFile(text, "metrics.yaml", extended())->selection;
-  };
-  const MetricInfo& info = extended().find("crowd_size")->info;
-  QVERIFY(Selection{}.selects(info));
-  QVERIFY(!file("metrics: {path_length: true}").selects(info));
-  const Selection listed = file("metrics: {crowd_size: true}");
-  QVERIFY(listed.selects(info));
-  QVERIFY(contains(writeMetricsFile({listed, "r", true}, extended()), "crowd_size: true"));
-}
+  void addedMetric_isOnOnlyWhenListed() {
+    const auto file = [](const char* text) {
+      return parseMetricsFile(text, "metrics.yaml", extended())->selection;
+    };
+    const MetricInfo& info = extended().find("crowd_size")->info;
+    QVERIFY(Selection{}.selects(info));
+    QVERIFY(!file("metrics: {path_length: true}").selects(info));
+    const Selection listed = file("metrics: {crowd_size: true}");
+    QVERIFY(listed.selects(info));
+    QVERIFY(contains(writeMetricsFile({listed, "r", true}, extended()), "crowd_size: true"));
+  }
 
-void MetricRegistryTest::addedTable_tellsWhatTheMetricsAre() {
-  MetricRegistry registry;
-  registry.add(R"(
+  void addedTable_tellsWhatTheMetricsAre() {
+    MetricRegistry registry;
+    registry.add(R"(
 = Social Behavior|lower|robot, map|this test|0.05
 7 bends|Bends|m|0, 1, ...|sum of |v|, from 0 to
   the end
@@ -229,73 +219,74 @@ met|Met||0 or 1|x
 = Motion Analysis|higher|people|this test
 rush|Rush|m/s|[0, inf)|y
 )",
-               {{"bends", {}}, {"met", {}}, {"rush", {}}});
-  const MetricInfo& bends = registry.find("bends")->info;
-  QVERIFY(bends.kind == Kind::Count);
-  QCOMPARE(bends.hunav, 7);
-  QCOMPARE(bends.formula, std::string("sum of |v|, from 0 to the end"));
-  QCOMPARE(bends.unit, std::string("m"));
-  QCOMPARE(bends.rateBound, 0.05);
-  QCOMPARE(needsText(bends.needs), std::string("robot, map"));
-  const MetricInfo& met = registry.find("met")->info;
-  QVERIFY(met.kind == Kind::Boolean);
-  QCOMPARE(met.hunav, 0);
-  const MetricInfo& rush = registry.find("rush")->info;
-  QVERIFY(rush.kind == Kind::Number);
-  QVERIFY(rush.category == Category::Motion);
-  QVERIFY(rush.better == Better::Higher);
-  QCOMPARE(rush.rateBound, MetricInfo{}.rateBound);
-}
-
-void MetricRegistryTest::parameterInfos_names_areUniqueAndFindable() {
-  std::set<std::string> names;
-  for (const ParameterInfo& info : parameterInfos()) {
-    QVERIFY2(names.insert(info.spec.key).second, info.spec.key.c_str());
-    QCOMPARE(findParameter(info.spec.key), &info);
+                 {{"bends", {}}, {"met", {}}, {"rush", {}}});
+    const MetricInfo& bends = registry.find("bends")->info;
+    QVERIFY(bends.kind == Kind::Count);
+    QCOMPARE(bends.hunav, 7);
+    QCOMPARE(bends.formula, std::string("sum of |v|, from 0 to the end"));
+    QCOMPARE(bends.unit, std::string("m"));
+    QCOMPARE(bends.rateBound, 0.05);
+    QCOMPARE(needsText(bends.needs), std::string("robot, map"));
+    const MetricInfo& met = registry.find("met")->info;
+    QVERIFY(met.kind == Kind::Boolean);
+    QCOMPARE(met.hunav, 0);
+    const MetricInfo& rush = registry.find("rush")->info;
+    QVERIFY(rush.kind == Kind::Number);
+    QVERIFY(rush.category == Category::Motion);
+    QVERIFY(rush.better == Better::Higher);
+    QCOMPARE(rush.rateBound, MetricInfo{}.rateBound);
   }
-  QVERIFY(findParameter("goal_tolerrance") == nullptr);
-}
 
-void MetricRegistryTest::parametersOf_metricThatChanges_namesTheParameter() {
-  const SampledRun record = sampledRunOf(cases::trace(9, 4));
-  const auto valuesWith = [&record](const MetricParameters& parameters) {
-    return evaluate(record, Selection{}, parameters)->results;
-  };
-  MetricParameters lined;
-  lined.flowLineX2 = 3.0;
-  const std::vector<MetricResult> before = valuesWith(lined);
-  for (const ParameterInfo& info : parameterInfos()) {
-    MetricParameters changed = lined;
-    double& value = changed.*info.member;
-    value = info.spec.range.high == 1.0 ? 1.0 - value : 1.5 * value + 0.1;
-    const std::vector<MetricResult> after = valuesWith(changed);
-    bool isUsed = false;
-    for (std::size_t k = 0; k < after.size(); ++k) {
-      const auto specs = standardRegistry().parametersOf(after[k].info);
-      const bool isNamed = std::any_of(specs.begin(), specs.end(), [&info](const auto& spec) {
-        return spec.key == info.spec.key;
-      });
-      isUsed = isUsed || isNamed;
-      QVERIFY2(isNamed || before[k].value.value == after[k].value.value,
-               (after[k].info.key + " changes with " + info.spec.key).c_str());
+  void parameterInfos_names_areUniqueAndFindable() {
+    std::set<std::string> names;
+    for (const ParameterInfo& info : parameterInfos()) {
+      QVERIFY2(names.insert(info.spec.key).second, info.spec.key.c_str());
+      QCOMPARE(findParameter(info.spec.key), &info);
     }
-    QVERIFY2(isUsed, info.spec.key.c_str());
+    QVERIFY(findParameter("goal_tolerrance") == nullptr);
   }
-}
 
-/// With HUNAV_UPDATE=1 the tables and lists of METRICS.md are rewritten.
-void MetricRegistryTest::metricsMarkdown_tables_areThoseOfTheRegistry() {
-  const std::string path = SOURCE_DIR "/metrics/METRICS.md";
-  const base::Result<std::string> committed = base::readTextFile(path);
-  QVERIFY(committed);
-  const std::string current = withCurrentTables(*committed, standardRegistry());
-  if (qEnvironmentVariableIsSet("HUNAV_UPDATE")) {
-    QVERIFY(base::writeFileAtomically(path, current).empty());
-    return;
+  void parametersOf_metricThatChanges_namesTheParameter() {
+    const SampledRun record = sampledRunOf(cases::trace(9, 4));
+    const auto valuesWith = [&record](const MetricParameters& parameters) {
+      return evaluate(record, Selection{}, parameters)->results;
+    };
+    MetricParameters lined;
+    lined.flowLineX2 = 3.0;
+    const std::vector<MetricResult> before = valuesWith(lined);
+    for (const ParameterInfo& info : parameterInfos()) {
+      MetricParameters changed = lined;
+      double& value = changed.*info.member;
+      value = info.spec.range.high == 1.0 ? 1.0 - value : 1.5 * value + 0.1;
+      const std::vector<MetricResult> after = valuesWith(changed);
+      bool isUsed = false;
+      for (std::size_t k = 0; k < after.size(); ++k) {
+        const auto specs = standardRegistry().parametersOf(after[k].info);
+        const bool isNamed = std::any_of(specs.begin(), specs.end(), [&info](const auto& spec) {
+          return spec.key == info.spec.key;
+        });
+        isUsed = isUsed || isNamed;
+        QVERIFY2(isNamed || before[k].value.value == after[k].value.value,
+                 (after[k].info.key + " changes with " + info.spec.key).c_str());
+      }
+      QVERIFY2(isUsed, info.spec.key.c_str());
+    }
   }
-  QVERIFY2(*committed == current, "run HUNAV_UPDATE=1 tst_MetricRegistry");
-  QVERIFY(*committed == metricsMarkdown());
-}
+
+  /// With HUNAV_UPDATE=1 the tables and lists of METRICS.md are rewritten.
+  void metricsMarkdown_tables_areThoseOfTheRegistry() {
+    const std::string path = SOURCE_DIR "/metrics/METRICS.md";
+    const base::Result<std::string> committed = base::readTextFile(path);
+    QVERIFY(committed);
+    const std::string current = withCurrentTables(*committed, standardRegistry());
+    if (qEnvironmentVariableIsSet("HUNAV_UPDATE")) {
+      QVERIFY(base::writeFileAtomically(path, current).empty());
+      return;
+    }
+    QVERIFY2(*committed == current, "run HUNAV_UPDATE=1 tst_MetricRegistry");
+    QVERIFY(*committed == metricsMarkdown());
+  }
+};
 
 QTEST_APPLESS_MAIN(MetricRegistryTest)
 #include "tst_MetricRegistry.moc"

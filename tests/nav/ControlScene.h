@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/control/GoalCheckers.h"
@@ -58,7 +59,7 @@ struct Scene {
     ControllerSetup setup;
     setup.distro = distro;
     setup.block = block;
-    return *controllerRegistry().make(plugin, setup);
+    return *makeController(plugin, setup);
   }
   ControlResult run(Controller& controller) {
     const ControlInput input{
@@ -77,5 +78,26 @@ struct Scene {
     }
   }
 };
+
+/// DWB as in Humble's bringup, without the critics that look at the goal's heading and at flips.
+inline Nav2ParameterBlock bringup() {
+  return {{"max_vel_x", 0.26},
+          {"max_vel_theta", 1.0},
+          {"max_speed_xy", 0.26},
+          {"acc_lim_x", 2.5},
+          {"acc_lim_theta", 3.2},
+          {"decel_lim_x", -2.5},
+          {"decel_lim_theta", -3.2},
+          {"linear_granularity", 0.05},
+          {"critics", std::vector<std::string>{"BaseObstacle", "GoalAlign", "PathAlign", "PathDist",
+                                               "GoalDist"}},
+          {"BaseObstacle.scale", 0.02},
+          {"GoalAlign.scale", 24.0},
+          {"GoalAlign.forward_point_distance", 0.1},
+          {"PathAlign.scale", 32.0},
+          {"PathAlign.forward_point_distance", 0.1},
+          {"PathDist.scale", 32.0},
+          {"GoalDist.scale", 24.0}};
+}
 
 }  // namespace control_scene

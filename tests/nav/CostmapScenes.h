@@ -41,6 +41,13 @@ inline ObservationSource farSource() {
   return source;
 }
 
+/// The same with the newest scan alone.
+inline ObservationSource newestSource() {
+  ObservationSource source = farSource();
+  source.observationPersistence = 0.0;
+  return source;
+}
+
 inline ObstacleLayerParameters obstacleLayer(const ObservationSource& source = farSource()) {
   ObstacleLayerParameters parameters;
   parameters.footprintClearingEnabled = false;

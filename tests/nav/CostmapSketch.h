@@ -10,7 +10,7 @@
 
 #include <queue>
 
-#include "sim2d/nav/nav2/Costmap.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 
 /// Costmaps drawn as text, and plain searches through them to compare planners with.
 namespace costs {
@@ -103,6 +103,10 @@ std::vector<double> cheapest(const Costmap& costmap, Cell from, int neighbours, 
     }
   }
   return best;
+}
+
+inline Pose2 pose(double x, double y, double heading = 0.0) {
+  return {{x, y}, heading};
 }
 
 inline double lengthOf(const Path& path) {

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "sim2d/nav/DriveKinematics.h"
-#include "sim2d/nav/FootprintGap.h"
-#include "sim2d/nav/Planner.h"
+#include "tests/nav/DriveWorld.h"
 
 /// A robot that a planner drives through a small world of walls and of people who walk on and do
 /// not react, for tests of planners. Odometry and detection are perfect.
@@ -24,8 +20,7 @@ class Place {
   explicit Place(const std::vector<std::pair<Vec2, Vec2>>& blocks = {},
                  const std::vector<Vec2>& corners = {Vec2(-10.0, -10.0), Vec2(10.0, 10.0)}) {
     for (const auto& [low, high] : blocks) {
-      const Vec2 size = high - low;
-      obstacles_.add({boxOutline({Vec2(0.5 * (low + high)), 0.0}, size.x(), size.y())});
+      obstacles_.add({drive::wall(low.x(), low.y(), high.x(), high.y())});
     }
     obstacles_.build();
     navigation_ = std::make_unique<NavigationMap>(OccupancyGrid(), obstacles_, corners);
@@ -49,27 +44,7 @@ inline RobotBody bodyOf(Kinematics kinematics) {
   return body;
 }
 
-inline TrackedBody person(int id, const Vec2& position, const Vec2& velocity) {
-  TrackedBody body;
-  body.id = id;
-  body.position = position;
-  body.velocity = velocity;
-  body.heading = base::headingOf(velocity);
-  body.radius = 0.3;
-  return body;
-}
-
-inline std::shared_ptr<Planner> plannerOf(
-    void (*add)(PlannerRegistry&), const RobotBody& body,
-    const std::vector<std::pair<std::string, double>>& parameters = {}) {
-  PlannerRegistry registry;
-  add(registry);
-  PlannerSetup setup;
-  setup.robot = "robot";
-  setup.body = body;
-  setup.parameters = parameters;
-  return *registry.entries().front().make(setup);
-}
+using drive::person;
 
 /// What came of it.
 struct Drive {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <QtTest>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/Planner.h"
@@ -26,6 +29,12 @@ inline PlannerSetup setupOf(const std::string& robot = "amy") {
   setup.seed = 18446744073709551615U;
   setup.robotId = 3;
   setup.code = ExternalCodePolicy::Allowed;
+  return setup;
+}
+
+inline PlannerSetup refusedSetup() {
+  PlannerSetup setup = setupOf();
+  setup.code = ExternalCodePolicy::Refused;
   return setup;
 }
 
@@ -59,6 +68,14 @@ class Scene {
   int door_ = -1;
 };
 
+inline std::string codeOf(const base::Diagnostics& problems) {
+  return problems.empty() ? std::string() : std::string(problems.front().code);
+}
+
+inline QByteArray messageOf(const base::Diagnostics& problems) {
+  return problems.empty() ? QByteArray() : QByteArray::fromStdString(problems.front().message);
+}
+
 struct Drive {
   std::vector<double> commands;  // linear, angular, lateral of each step
   Pose2 end;
@@ -87,6 +104,23 @@ inline Drive drive(Planner& planner, int steps) {
   }
   result.end = now.pose;
   return result;
+}
+
+/// Two planners reach the goal by the same commands, bit by bit.
+inline void checkDrivesTwice(const std::function<base::Result<std::shared_ptr<Planner>>()>& make) {
+  std::vector<double> before;
+  for (int run = 0; run < 2; ++run) {
+    const auto made = make();
+    QVERIFY2(made, messageOf(made.diagnostics()));
+    const Drive result = external::drive(**made, 400);
+    QVERIFY2(result.problems.empty(), messageOf(result.problems));
+    QVERIFY((result.end.position - Vec2(4.0, 1.0)).norm() <= 0.2);
+    QVERIFY(result.commands.size() > std::size_t{270});  // 3.9 m at 0.8 m/s
+    QVERIFY(run == 0 || (before.size() == result.commands.size() &&
+                         std::memcmp(before.data(), result.commands.data(),
+                                     before.size() * sizeof(double)) == 0));
+    before = result.commands;
+  }
 }
 
 }  // namespace external

@@ -179,6 +179,20 @@ inline Outcome World::run(sim2d::Planner& planner, const sim2d::RobotBody& body,
   return outcome;
 }
 
+/// A planner with 600 samples.
+inline std::shared_ptr<sim2d::Planner> plannerOf(void (*add)(sim2d::PlannerRegistry&),
+                                                 const sim2d::RobotBody& body, std::uint64_t seed) {
+  sim2d::PlannerRegistry registry;
+  add(registry);
+  sim2d::PlannerSetup setup;
+  setup.robot = "r";
+  setup.body = body;
+  setup.seed = seed;
+  setup.robotId = 0;
+  setup.parameters = {{"samples", 600.0}};
+  return *registry.entries().front().make(setup);
+}
+
 inline sim2d::RobotBody discRobot(sim2d::Kinematics kinematics) {
   sim2d::RobotBody body;
   body.kinematics = kinematics;

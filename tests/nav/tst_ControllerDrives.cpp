@@ -25,25 +25,10 @@ Nav2ParameterBlock nodeOf(const std::string& plugin, Distro distro) {
   Nav2ParameterBlock node{{"FollowPath.plugin", plugin}};
   node["failure_tolerance"] = 0.3;
   if (plugin == "dwb_core::DWBLocalPlanner") {
-    const Nav2ParameterBlock keys{
-        {"max_vel_x", 0.26},
-        {"max_vel_theta", 1.0},
-        {"max_speed_xy", 0.26},
-        {"acc_lim_x", 2.5},
-        {"acc_lim_theta", 3.2},
-        {"decel_lim_x", -2.5},
-        {"decel_lim_theta", -3.2},
-        {"linear_granularity", 0.05},
-        {"critics", Names{"RotateToGoal", "Oscillation", "BaseObstacle", "GoalAlign", "PathAlign",
-                          "PathDist", "GoalDist"}},
-        {"BaseObstacle.scale", 0.02},
-        {"GoalAlign.scale", 24.0},
-        {"GoalAlign.forward_point_distance", 0.1},
-        {"PathAlign.scale", 32.0},
-        {"PathAlign.forward_point_distance", 0.1},
-        {"PathDist.scale", 32.0},
-        {"GoalDist.scale", 24.0},
-        {"RotateToGoal.scale", 32.0}};
+    Nav2ParameterBlock keys = bringup();
+    keys["critics"] = Names{"RotateToGoal", "Oscillation", "BaseObstacle", "GoalAlign",
+                            "PathAlign",    "PathDist",    "GoalDist"};
+    keys["RotateToGoal.scale"] = 32.0;
     for (const auto& [key, value] : keys) {
       node["FollowPath." + key] = value;
     }
@@ -122,45 +107,42 @@ class ControllerDrivesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void bend_isDrivenToItsEnd_alwaysTheSame_data();
-  void bend_isDrivenToItsEnd_alwaysTheSame();
+  void bend_isDrivenToItsEnd_alwaysTheSame_data() {
+    QTest::addColumn<QString>("plugin");
+    QTest::addColumn<int>("distro");
+    const char* plugins[] = {
+        "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController",
+        "dwb_core::DWBLocalPlanner", "nav2_graceful_controller::GracefulController",
+        "nav2_rotation_shim_controller::RotationShimController"};
+    const char* names[] = {"pursuit", "dwb", "graceful", "shim"};
+    for (int i = 0; i < 4; ++i) {
+      for (const Distro distro : kDistros) {
+        QTest::addRow("%s, %s", names[i], distroName(distro))
+            << QString::fromLatin1(plugins[i]) << static_cast<int>(distro);
+      }
+    }
+  }
+
+  void bend_isDrivenToItsEnd_alwaysTheSame() {
+    QFETCH(QString, plugin);
+    QFETCH(int, distro);
+    const Drive drive = driven(plugin.toStdString(), static_cast<Distro>(distro));
+    QVERIFY2(drive.last.status == FollowStatus::Succeeded, drive.last.words.c_str());
+    const Pose2& end = drive.poses.back();
+    QVERIFY(std::abs(base::angleDiff(end.heading, 0.5)) < 0.26);
+    double farthest = 0.0;  // from the bend [m]
+    for (const Pose2& pose : drive.poses) {
+      double nearest = 9.0;
+      for (const Pose2& on : bend()) {
+        nearest = std::min(nearest, (on.position - pose.position).norm());
+      }
+      farthest = std::max(farthest, nearest);
+    }
+    QVERIFY2(farthest < 0.3, QByteArray::number(farthest));
+    const Drive again = driven(plugin.toStdString(), static_cast<Distro>(distro));
+    QVERIFY(drive.poses == again.poses);
+  }
 };
-
-void ControllerDrivesTest::bend_isDrivenToItsEnd_alwaysTheSame_data() {
-  QTest::addColumn<QString>("plugin");
-  QTest::addColumn<int>("distro");
-  const char* plugins[] = {"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController",
-                           "dwb_core::DWBLocalPlanner",
-                           "nav2_graceful_controller::GracefulController",
-                           "nav2_rotation_shim_controller::RotationShimController"};
-  const char* names[] = {"pursuit", "dwb", "graceful", "shim"};
-  for (int i = 0; i < 4; ++i) {
-    for (const Distro distro : kDistros) {
-      QTest::addRow("%s, %s", names[i], distroName(distro))
-          << QString::fromLatin1(plugins[i]) << static_cast<int>(distro);
-    }
-  }
-}
-
-void ControllerDrivesTest::bend_isDrivenToItsEnd_alwaysTheSame() {
-  QFETCH(QString, plugin);
-  QFETCH(int, distro);
-  const Drive drive = driven(plugin.toStdString(), static_cast<Distro>(distro));
-  QVERIFY2(drive.last.status == FollowStatus::Succeeded, drive.last.words.c_str());
-  const Pose2& end = drive.poses.back();
-  QVERIFY(std::abs(base::angleDiff(end.heading, 0.5)) < 0.26);
-  double farthest = 0.0;  // from the bend [m]
-  for (const Pose2& pose : drive.poses) {
-    double nearest = 9.0;
-    for (const Pose2& on : bend()) {
-      nearest = std::min(nearest, (on.position - pose.position).norm());
-    }
-    farthest = std::max(farthest, nearest);
-  }
-  QVERIFY2(farthest < 0.3, QByteArray::number(farthest));
-  const Drive again = driven(plugin.toStdString(), static_cast<Distro>(distro));
-  QVERIFY(drive.poses == again.poses);
-}
 
 QTEST_APPLESS_MAIN(ControllerDrivesTest)
 #include "tst_ControllerDrives.moc"

@@ -19,26 +19,6 @@ namespace {
 constexpr char kDwb[] = "dwb_core::DWBLocalPlanner";
 using Names = std::vector<std::string>;
 
-/// As in Humble's bringup, without the critics that look at the goal's heading and at flips.
-Nav2ParameterBlock bringup() {
-  return {{"max_vel_x", 0.26},
-          {"max_vel_theta", 1.0},
-          {"max_speed_xy", 0.26},
-          {"acc_lim_x", 2.5},
-          {"acc_lim_theta", 3.2},
-          {"decel_lim_x", -2.5},
-          {"decel_lim_theta", -3.2},
-          {"linear_granularity", 0.05},
-          {"critics", Names{"BaseObstacle", "GoalAlign", "PathAlign", "PathDist", "GoalDist"}},
-          {"BaseObstacle.scale", 0.02},
-          {"GoalAlign.scale", 24.0},
-          {"GoalAlign.forward_point_distance", 0.1},
-          {"PathAlign.scale", 32.0},
-          {"PathAlign.forward_point_distance", 0.1},
-          {"PathDist.scale", 32.0},
-          {"GoalDist.scale", 24.0}};
-}
-
 DwbParameters parametersOf(const Nav2ParameterBlock& block) {
   base::Diagnostics problems;
   return applyBlock(DwbParameters(), dwbKeys(), block, Distro::Humble, problems);
@@ -377,7 +357,7 @@ void DwbControllerTest::main_localPlanIsTheServers() {
 void DwbControllerTest::make_problems() {
   ControllerSetup setup;
   setup.distro = Distro::Humble;
-  const auto without = controllerRegistry().make("dwb_core/DWBLocalPlanner", setup);
+  const auto without = makeController("dwb_core/DWBLocalPlanner", setup);
   QVERIFY(!without);
   QCOMPARE(without.diagnostics()[0].code, std::string_view("nav2.missing-key"));
   setup.block = bringup();
@@ -386,7 +366,7 @@ void DwbControllerTest::make_problems() {
   setup.block["trajectory_generator_name"] = std::string("dwb_plugins::StandardGenerator");
   setup.block["GoalDist.scale"] = 24;
   setup.block["GoalDist.aggregation_type"] = std::string("mean");
-  const auto wrong = controllerRegistry().make(kDwb, setup);
+  const auto wrong = makeController(kDwb, setup);
   QVERIFY(!wrong);
   Names codes;
   for (const base::Diagnostic& each : wrong.diagnostics()) {
@@ -398,17 +378,17 @@ void DwbControllerTest::make_problems() {
   QCOMPARE(wrong.diagnostics()[2].value("nearest"), std::string("dwb_critics::PathDistCritic"));
   setup.block = bringup();
   setup.block["angular_granularity"] = 1e-9;
-  QVERIFY(!controllerRegistry().make(kDwb, setup));  // a thousand million poses
+  QVERIFY(!makeController(kDwb, setup));  // a thousand million poses
   setup.distro = Distro::Main;
   setup.block = bringup();
   setup.block["decel_lim_x"] = 2.5;
-  const auto mended = controllerRegistry().make(kDwb, setup);
+  const auto mended = makeController(kDwb, setup);
   QVERIFY(mended);
   QCOMPARE(mended.diagnostics()[0].code, std::string_view("nav2.positive-deceleration"));
 }
 
 void DwbControllerTest::keys_dependOnCritics() {
-  const ControllerType* type = controllerRegistry().find(kDwb, Distro::Humble);
+  const ControllerType* type = findController(kDwb);
   QVERIFY(type != nullptr);
   const Nav2ParameterBlock given{{"critics", Names{"Mine", "Twirling"}},
                                  {"Mine.class", std::string("dwb_critics::PathAlign")}};

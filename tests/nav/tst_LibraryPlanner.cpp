@@ -17,16 +17,8 @@ namespace {
 const char* const kExample = EXAMPLE_PLANNERS "/library.so";
 const char* const kFaulty = EXAMPLE_PLANNERS "/faulty_planner.so";
 
-std::string codeOf(const base::Diagnostics& problems) {
-  return problems.empty() ? std::string() : std::string(problems.front().code);
-}
-
-QByteArray messageOf(const base::Diagnostics& problems) {
-  return problems.empty() ? QByteArray() : QByteArray::fromStdString(problems.front().message);
-}
-
 base::Result<std::shared_ptr<Planner>> faulty(const char* robot) {
-  return makeLibraryPlanner(setupOf(robot), kFaulty, CodePermission{true});
+  return makeLibraryPlanner(setupOf(robot), kFaulty);
 }
 
 /// The faulty library once more, for what it notes.
@@ -63,200 +55,178 @@ class LibraryPlannerTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void make_withoutPermission_isRefused();
-  void make_noLibrary_tellsWhy();
-  void make_missingFunctions_tellsEach();
-  void make_otherVersion_isRefused();
-  void make_refused_tellsTheReason();
-  void make_fromRegistry_takesItsTexts();
-  void create_robot_isHandedOver();
-  void command_observation_isHandedOver();
-  void command_error_endsTheRun();
-  void command_noNumber_endsTheRun();
-  void planner_end_destroysIt();
-  void example_drivingTwice_givesEqualBytes();
-};
-
-void LibraryPlannerTest::make_withoutPermission_isRefused() {
-  const auto made = makeLibraryPlanner(setupOf(), kExample, CodePermission{});
-  QCOMPARE(codeOf(made.diagnostics()), std::string("library.not-allowed"));
-  QVERIFY(messageOf(made.diagnostics()).contains("--allow-code"));
-}
-
-void LibraryPlannerTest::make_noLibrary_tellsWhy() {
-  const auto none = makeLibraryPlanner(setupOf(), "", CodePermission{true});
-  QCOMPARE(codeOf(none.diagnostics()), std::string("library.no-file"));
-  for (const char* file : {"/no/such/library.so", SOURCE_DIR "/README.md"}) {
-    const auto made = makeLibraryPlanner(setupOf(), file, CodePermission{true});
-    QCOMPARE(codeOf(made.diagnostics()), std::string("library.not-loaded"));
-    QVERIFY2(messageOf(made.diagnostics()).contains(file), messageOf(made.diagnostics()));
-    QVERIFY(messageOf(made.diagnostics()).startsWith("robot 'amy': "));
+  void make_withoutPermission_isRefused() {
+    const auto made = makeLibraryPlanner(refusedSetup(), kExample);
+    QCOMPARE(codeOf(made.diagnostics()), std::string("library.not-allowed"));
+    QVERIFY(messageOf(made.diagnostics()).contains("--allow-code"));
   }
-}
 
-void LibraryPlannerTest::make_missingFunctions_tellsEach() {
-  const auto made = makeLibraryPlanner(setupOf(), "libm.so.6", CodePermission{true});
-  QByteArray told;
-  for (const base::Diagnostic& problem : made.diagnostics()) {
-    QCOMPARE(std::string(problem.code), std::string("library.no-symbol"));
-    told += QByteArray::fromStdString(problem.value("symbol")) + " ";
+  void make_noLibrary_tellsWhy() {
+    const auto none = makeLibraryPlanner(setupOf(), "");
+    QCOMPARE(codeOf(none.diagnostics()), std::string("library.no-file"));
+    for (const char* file : {"/no/such/library.so", SOURCE_DIR "/README.md"}) {
+      const auto made = makeLibraryPlanner(setupOf(), file);
+      QCOMPARE(codeOf(made.diagnostics()), std::string("library.not-loaded"));
+      QVERIFY2(messageOf(made.diagnostics()).contains(file), messageOf(made.diagnostics()));
+      QVERIFY(messageOf(made.diagnostics()).startsWith("robot 'amy': "));
+    }
   }
-  QCOMPARE(told, QByteArray("hunavsim_planner_abi hunavsim_planner_create hunavsim_planner_command "
-                            "hunavsim_planner_error hunavsim_planner_destroy "));
-}
 
-void LibraryPlannerTest::make_otherVersion_isRefused() {
-  NEED_LIBRARY(kFaulty);
-  qputenv("FAULTY_PLANNER_ABI", "77");
-  const auto made = faulty("bob");
-  qunsetenv("FAULTY_PLANNER_ABI");
-  QCOMPARE(codeOf(made.diagnostics()), std::string("library.other-version"));
-  QVERIFY(messageOf(made.diagnostics()).contains("version 77 of hunavsim_planner.h, not for 1"));
-}
-
-void LibraryPlannerTest::make_refused_tellsTheReason() {
-  NEED_LIBRARY(kFaulty);
-  const auto made = faulty("refused");
-  QCOMPARE(codeOf(made.diagnostics()), std::string("library.refused"));
-  QVERIFY(messageOf(made.diagnostics()).endsWith("creates no planner: no?licence"));
-  const auto silent = faulty("refused_silently");
-  QCOMPARE(codeOf(silent.diagnostics()), std::string("library.refused"));
-  QVERIFY(messageOf(silent.diagnostics()).endsWith("creates no planner"));
-}
-
-void LibraryPlannerTest::make_fromRegistry_takesItsTexts() {
-  NEED_LIBRARY(kExample);
-  PlannerRegistry registry;
-  addLibrary(registry);
-  const auto* entry = registry.find("library");
-  QVERIFY(entry != nullptr);
-  QCOMPARE(entry->parameters.size(), std::size_t{1});
-  PlannerSetup setup = setupOf();
-  setup.texts = {{"file", kExample}};
-  QVERIFY(entry->make(setup));
-  setup.folder = "/nowhere";
-  QVERIFY(entry->make(setup));  // the file begins at the root
-  setup.texts = {{"file", "gone.so"}};
-  const auto gone = entry->make(setup);
-  QVERIFY2(messageOf(gone.diagnostics()).contains("/nowhere/gone.so"),
-           messageOf(gone.diagnostics()));
-  setup.code = ExternalCodePolicy::Skipped;
-  QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-there"));
-  setup.code = ExternalCodePolicy::Refused;
-  QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-allowed"));
-}
-
-void LibraryPlannerTest::create_robot_isHandedOver() {
-  NEED_LIBRARY(kFaulty);
-  const FaultyNotes notes;
-  PlannerSetup setup = setupOf("bob");
-  setup.body.kinematics = Kinematics::Ackermann;
-  setup.body.footprint.corners = {{0.3, -0.4}, {0.3, 0.4}, {-0.1, 0.0}};
-  setup.body.mass = 40.0;
-  setup.body.limits = {0.8, 0.2, 0.9, 1.25, 2.5, 0.6};
-  QVERIFY(makeLibraryPlanner(setup, kFaulty, CodePermission{true}));
-  QCOMPARE(notes.lastSeen(),
-           QByteArray("bob 3 2 r0.5 m40 v0.8 -0.2 a0.9 w1.25 b2.5 t0.6 seed "
-                      "18446744073709551615 corners (0.3 -0.4) (0.3 0.4) (-0.1 0)"));
-  setup.body.footprint = {0.25, {}};
-  setup.body.kinematics = Kinematics::Omnidirectional;
-  QVERIFY(makeLibraryPlanner(setup, kFaulty, CodePermission{true}));
-  QVERIFY2(notes.lastSeen().startsWith("bob 3 1 r0.25 "), notes.lastSeen());
-  QVERIFY(notes.lastSeen().endsWith(" corners"));
-}
-
-void LibraryPlannerTest::command_observation_isHandedOver() {
-  NEED_LIBRARY(kFaulty);
-  const FaultyNotes notes;
-  const auto made = faulty("bob");
-  QVERIFY(made);
-  Scene scene;
-  Observation& seen = scene.observation;
-  LaserScan scan;
-  scan.sensor = {{0.1, 0.2}, 0.3};
-  scan.time = 1.5;
-  scan.angleMin = -2.0;
-  scan.angleIncrement = 0.5;
-  scan.range = 8.0;
-  scan.distances = {8.0, 4.5, 3.0};
-  seen.time = 2.0;
-  seen.pose = {{-1.0, 0.5}, 0.25};
-  seen.motion = {0.5, -0.75, 0.125};
-  seen.bodies[0].heading = -1.5;
-  seen.bodies.push_back({-2, BodyKind::Robot, Vec2(5.0, 6.0), Vec2(0.1, 0.2), 3.0, 0.4});
-  const auto first = (*made)->command(seen);
-  QVERIFY(first && (*first == BodyTwist{1.0, 0.0, 0.0}));
-  const QByteArray rest(
-      "t2 dt0.05 pose -1 0.5 0.25 motion 0.5 -0.75 0.125 goal 4 1 r0.2"
-      " body 7 0 1.5 1 0 -0.5 -1.5 0.3 body -2 1 5 6 0.1 0.2 3 0.4");
-  const QByteArray block(" (2 3) (3 3) (3 4) (2 4);");
-  const QByteArray door(" (-1 3) (0 3) (0 3.1) (-1 3.1);");
-  QCOMPARE(notes.lastSeen(), rest + " walls1" + block + door);
-  seen.scan = &scan;
-  const auto second = (*made)->command(seen);
-  QVERIFY(second && (*second == BodyTwist{2.0, 0.0, 0.0}));
-  const QByteArray turn(" scan 0.1 0.2 0.3 t1.5 -2 0.5 8 8 4.5 3");
-  QCOMPARE(notes.lastSeen(), rest + turn + " walls0" + block + door);
-  scene.setDoor(false);
-  QVERIFY((*made)->command(seen));
-  QCOMPARE(notes.lastSeen(), rest + turn + " walls1" + block);
-  QVERIFY((*made)->path().empty());  // it has no such function
-}
-
-void LibraryPlannerTest::command_error_endsTheRun() {
-  NEED_LIBRARY(kFaulty);
-  const auto made = faulty("fails");
-  Scene scene;
-  QVERIFY((*made)->command(scene.observation));
-  const auto second = (*made)->command(scene.observation);
-  QCOMPARE(codeOf(second.diagnostics()), std::string("library.failed"));
-  QVERIFY2(messageOf(second.diagnostics()).endsWith("failed with code 42: stuck"),
-           messageOf(second.diagnostics()));
-  QVERIFY(messageOf(second.diagnostics()).startsWith("robot 'fails': "));
-}
-
-void LibraryPlannerTest::command_noNumber_endsTheRun() {
-  NEED_LIBRARY(kFaulty);
-  const auto made = faulty("nan");
-  Scene scene;
-  const auto answer = (*made)->command(scene.observation);
-  QCOMPARE(codeOf(answer.diagnostics()), std::string("library.no-number"));
-  QVERIFY(messageOf(answer.diagnostics()).contains("angular of the command"));
-}
-
-void LibraryPlannerTest::planner_end_destroysIt() {
-  NEED_LIBRARY(kFaulty);
-  const FaultyNotes notes;
-  {
-    const auto first = faulty("bob");
-    const auto second = faulty("eve");
-    QVERIFY(first && second);
-    QCOMPARE(notes.alive(), 2);
-    QVERIFY(!faulty("refused"));
-    QCOMPARE(notes.alive(), 2);
+  void make_missingFunctions_tellsEach() {
+    const auto made = makeLibraryPlanner(setupOf(), "libm.so.6");
+    QByteArray told;
+    for (const base::Diagnostic& problem : made.diagnostics()) {
+      QCOMPARE(std::string(problem.code), std::string("library.no-symbol"));
+      told += QByteArray::fromStdString(problem.value("symbol")) + " ";
+    }
+    QCOMPARE(told,
+             QByteArray("hunavsim_planner_abi hunavsim_planner_create hunavsim_planner_command "
+                        "hunavsim_planner_error hunavsim_planner_destroy "));
   }
-  QCOMPARE(notes.alive(), 0);
-}
 
-void LibraryPlannerTest::example_drivingTwice_givesEqualBytes() {
-  NEED_LIBRARY(kExample);
-  std::vector<double> before;
-  for (int run = 0; run < 2; ++run) {
-    const auto made = makeLibraryPlanner(setupOf(), kExample, CodePermission{true});
-    QVERIFY2(made, messageOf(made.diagnostics()));
-    const Drive result = drive(**made, 400);
-    QVERIFY2(result.problems.empty(), messageOf(result.problems));
-    QVERIFY((result.end.position - Vec2(4.0, 1.0)).norm() <= 0.2);
-    QVERIFY(result.commands.size() > std::size_t{270});  // 3.9 m at 0.8 m/s
+  void make_otherVersion_isRefused() {
+    NEED_LIBRARY(kFaulty);
+    qputenv("FAULTY_PLANNER_ABI", "77");
+    const auto made = faulty("bob");
+    qunsetenv("FAULTY_PLANNER_ABI");
+    QCOMPARE(codeOf(made.diagnostics()), std::string("library.other-version"));
+    QVERIFY(messageOf(made.diagnostics()).contains("version 77 of hunavsim_planner.h, not for 1"));
+  }
+
+  void make_refused_tellsTheReason() {
+    NEED_LIBRARY(kFaulty);
+    const auto made = faulty("refused");
+    QCOMPARE(codeOf(made.diagnostics()), std::string("library.refused"));
+    QVERIFY(messageOf(made.diagnostics()).endsWith("creates no planner: no?licence"));
+    const auto silent = faulty("refused_silently");
+    QCOMPARE(codeOf(silent.diagnostics()), std::string("library.refused"));
+    QVERIFY(messageOf(silent.diagnostics()).endsWith("creates no planner"));
+  }
+
+  void make_fromRegistry_takesItsTexts() {
+    NEED_LIBRARY(kExample);
+    PlannerRegistry registry;
+    addLibrary(registry);
+    const auto* entry = registry.find("library");
+    QVERIFY(entry != nullptr);
+    QCOMPARE(entry->parameters.size(), std::size_t{1});
+    PlannerSetup setup = setupOf();
+    setup.texts = {{"file", kExample}};
+    QVERIFY(entry->make(setup));
+    setup.folder = "/nowhere";
+    QVERIFY(entry->make(setup));  // the file begins at the root
+    setup.texts = {{"file", "gone.so"}};
+    const auto gone = entry->make(setup);
+    QVERIFY2(messageOf(gone.diagnostics()).contains("/nowhere/gone.so"),
+             messageOf(gone.diagnostics()));
+    setup.code = ExternalCodePolicy::Skipped;
+    QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-there"));
+    setup.code = ExternalCodePolicy::Refused;
+    QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-allowed"));
+  }
+
+  void create_robot_isHandedOver() {
+    NEED_LIBRARY(kFaulty);
+    const FaultyNotes notes;
+    PlannerSetup setup = setupOf("bob");
+    setup.body.kinematics = Kinematics::Ackermann;
+    setup.body.footprint.corners = {{0.3, -0.4}, {0.3, 0.4}, {-0.1, 0.0}};
+    setup.body.mass = 40.0;
+    setup.body.limits = {0.8, 0.2, 0.9, 1.25, 2.5, 0.6};
+    QVERIFY(makeLibraryPlanner(setup, kFaulty));
+    QCOMPARE(notes.lastSeen(),
+             QByteArray("bob 3 2 r0.5 m40 v0.8 -0.2 a0.9 w1.25 b2.5 t0.6 seed "
+                        "18446744073709551615 corners (0.3 -0.4) (0.3 0.4) (-0.1 0)"));
+    setup.body.footprint = {0.25, {}};
+    setup.body.kinematics = Kinematics::Omnidirectional;
+    QVERIFY(makeLibraryPlanner(setup, kFaulty));
+    QVERIFY2(notes.lastSeen().startsWith("bob 3 1 r0.25 "), notes.lastSeen());
+    QVERIFY(notes.lastSeen().endsWith(" corners"));
+  }
+
+  void command_observation_isHandedOver() {
+    NEED_LIBRARY(kFaulty);
+    const FaultyNotes notes;
+    const auto made = faulty("bob");
+    QVERIFY(made);
+    Scene scene;
+    Observation& seen = scene.observation;
+    LaserScan scan;
+    scan.sensor = {{0.1, 0.2}, 0.3};
+    scan.time = 1.5;
+    scan.angleMin = -2.0;
+    scan.angleIncrement = 0.5;
+    scan.range = 8.0;
+    scan.distances = {8.0, 4.5, 3.0};
+    seen.time = 2.0;
+    seen.pose = {{-1.0, 0.5}, 0.25};
+    seen.motion = {0.5, -0.75, 0.125};
+    seen.bodies[0].heading = -1.5;
+    seen.bodies.push_back({-2, BodyKind::Robot, Vec2(5.0, 6.0), Vec2(0.1, 0.2), 3.0, 0.4});
+    const auto first = (*made)->command(seen);
+    QVERIFY(first && (*first == BodyTwist{1.0, 0.0, 0.0}));
+    const QByteArray rest(
+        "t2 dt0.05 pose -1 0.5 0.25 motion 0.5 -0.75 0.125 goal 4 1 r0.2"
+        " body 7 0 1.5 1 0 -0.5 -1.5 0.3 body -2 1 5 6 0.1 0.2 3 0.4");
+    const QByteArray block(" (2 3) (3 3) (3 4) (2 4);");
+    const QByteArray door(" (-1 3) (0 3) (0 3.1) (-1 3.1);");
+    QCOMPARE(notes.lastSeen(), rest + " walls1" + block + door);
+    seen.scan = &scan;
+    const auto second = (*made)->command(seen);
+    QVERIFY(second && (*second == BodyTwist{2.0, 0.0, 0.0}));
+    const QByteArray turn(" scan 0.1 0.2 0.3 t1.5 -2 0.5 8 8 4.5 3");
+    QCOMPARE(notes.lastSeen(), rest + turn + " walls0" + block + door);
+    scene.setDoor(false);
+    QVERIFY((*made)->command(seen));
+    QCOMPARE(notes.lastSeen(), rest + turn + " walls1" + block);
+    QVERIFY((*made)->path().empty());  // it has no such function
+  }
+
+  void command_error_endsTheRun() {
+    NEED_LIBRARY(kFaulty);
+    const auto made = faulty("fails");
+    Scene scene;
+    QVERIFY((*made)->command(scene.observation));
+    const auto second = (*made)->command(scene.observation);
+    QCOMPARE(codeOf(second.diagnostics()), std::string("library.failed"));
+    QVERIFY2(messageOf(second.diagnostics()).endsWith("failed with code 42: stuck"),
+             messageOf(second.diagnostics()));
+    QVERIFY(messageOf(second.diagnostics()).startsWith("robot 'fails': "));
+  }
+
+  void command_noNumber_endsTheRun() {
+    NEED_LIBRARY(kFaulty);
+    const auto made = faulty("nan");
+    Scene scene;
+    const auto answer = (*made)->command(scene.observation);
+    QCOMPARE(codeOf(answer.diagnostics()), std::string("library.no-number"));
+    QVERIFY(messageOf(answer.diagnostics()).contains("angular of the command"));
+  }
+
+  void planner_end_destroysIt() {
+    NEED_LIBRARY(kFaulty);
+    const FaultyNotes notes;
+    {
+      const auto first = faulty("bob");
+      const auto second = faulty("eve");
+      QVERIFY(first && second);
+      QCOMPARE(notes.alive(), 2);
+      QVERIFY(!faulty("refused"));
+      QCOMPARE(notes.alive(), 2);
+    }
+    QCOMPARE(notes.alive(), 0);
+  }
+
+  void example_drivingTwice_givesEqualBytes() {
+    NEED_LIBRARY(kExample);
+    checkDrivesTwice([] { return makeLibraryPlanner(setupOf(), kExample); });
+    const auto made = makeLibraryPlanner(setupOf(), kExample);
+    QVERIFY(made && drive(**made, 400).problems.empty());
     const std::vector<Vec2> path = (*made)->path();
     QCOMPARE(path.size(), std::size_t{2});
     QVERIFY(path[1] == Vec2(4.0, 1.0));
-    QVERIFY(run == 0 || (before.size() == result.commands.size() &&
-                         std::memcmp(before.data(), result.commands.data(),
-                                     before.size() * sizeof(double)) == 0));
-    before = result.commands;
   }
-}
+};
 
 QTEST_GUILESS_MAIN(LibraryPlannerTest)
 #include "tst_LibraryPlanner.moc"

@@ -8,138 +8,130 @@
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "tests/nav/ParamsFiles.h"
 
+using namespace nav2test;  // NOLINT: this file is about nothing else
+
 /// Which branch a nav2_params.yaml is for, and which keys and blocks it reads.
 class Nav2BranchesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void guess_signs_data();
-  void guess_signs();
-  void guess_reasons_speakForIt();
-  void read_partialFile_isNotAnError_data();
-  void read_partialFile_isNotAnError();
-  void read_disabledMonitor_isKept();
-  void read_keyOfAnotherDistro_isNotUsed();
-  void read_unknownKey_isComparedWithItsOwnBlock();
-  void read_blockThatNothingNames_isOneProblem();
-};
+  void guess_signs_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("distro");
+    QTest::newRow("slash") << "planner_server:\n  ros__parameters:\n    G: {plugin: a/B}\n" << 0;
+    QTest::newRow("colons") << "planner_server:\n  ros__parameters:\n    G: {plugin: 'a::B'}\n"
+                            << 1;
+    QTest::newRow("checker")
+        << "controller_server:\n  ros__parameters: {progress_checker_plugin: p}\n"
+        << 0;
+    QTest::newRow("checkers")
+        << "controller_server:\n  ros__parameters: {progress_checker_plugins: [p]}\n"
+        << 1;
+    QTest::newRow("handlers")
+        << "controller_server:\n  ros__parameters: {path_handler_plugins: [p]}\n"
+        << 3;
+    QTest::newRow("prefixes")
+        << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p]}\n"
+        << 2;
+    QTest::newRow("prefixes and directories")
+        << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p], "
+           "bt_search_directories: [d]}\n"
+        << 3;
+    QTest::newRow("code names") << "bt_navigator:\n  ros__parameters: {error_code_names: [p]}\n"
+                                << 1;
+    QTest::newRow("route server") << "route_server:\n  ros__parameters: {max_iterations: 0}\n" << 1;
+    QTest::newRow("enabled monitor") << "collision_monitor:\n  ros__parameters: {enabled: true}\n"
+                                     << 3;
+    QTest::newRow("monitor")
+        << "collision_monitor:\n  ros__parameters: {polygons: [Stop], Stop: {max_points: 3}}\n"
+        << 0;
+    QTest::newRow("any monitor") << "collision_monitor:\n  ros__parameters: {polygons: [Stop]}\n"
+                                 << 1;
+    QTest::newRow("nothing") << "controller_server:\n  ros__parameters: {a: 1}\n" << 1;
+  }
 
-using namespace nav2test;  // NOLINT: this file is about nothing else
+  void guess_signs() {
+    QFETCH(QString, text);
+    QFETCH(int, distro);
+    QCOMPARE(static_cast<int>(guessDistro(parsed(text.toStdString())).distro), distro);
+  }
 
-void Nav2BranchesTest::guess_signs_data() {
-  QTest::addColumn<QString>("text");
-  QTest::addColumn<int>("distro");
-  QTest::newRow("slash") << "planner_server:\n  ros__parameters:\n    G: {plugin: a/B}\n" << 0;
-  QTest::newRow("colons") << "planner_server:\n  ros__parameters:\n    G: {plugin: 'a::B'}\n" << 1;
-  QTest::newRow("checker")
-      << "controller_server:\n  ros__parameters: {progress_checker_plugin: p}\n"
-      << 0;
-  QTest::newRow("checkers")
-      << "controller_server:\n  ros__parameters: {progress_checker_plugins: [p]}\n"
-      << 1;
-  QTest::newRow("handlers")
-      << "controller_server:\n  ros__parameters: {path_handler_plugins: [p]}\n"
-      << 3;
-  QTest::newRow("prefixes") << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p]}\n"
-                            << 2;
-  QTest::newRow("prefixes and directories")
-      << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p], "
-         "bt_search_directories: [d]}\n"
-      << 3;
-  QTest::newRow("code names") << "bt_navigator:\n  ros__parameters: {error_code_names: [p]}\n" << 1;
-  QTest::newRow("route server") << "route_server:\n  ros__parameters: {max_iterations: 0}\n" << 1;
-  QTest::newRow("enabled monitor") << "collision_monitor:\n  ros__parameters: {enabled: true}\n"
-                                   << 3;
-  QTest::newRow("monitor")
-      << "collision_monitor:\n  ros__parameters: {polygons: [Stop], Stop: {max_points: 3}}\n"
-      << 0;
-  QTest::newRow("any monitor") << "collision_monitor:\n  ros__parameters: {polygons: [Stop]}\n"
-                               << 1;
-  QTest::newRow("nothing") << "controller_server:\n  ros__parameters: {a: 1}\n" << 1;
-}
+  /// Two signs of Jazzy and one of Humble, which is not reported as a reason.
+  void guess_reasons_speakForIt() {
+    const DistroGuess guess = guessDistro(
+        parsed("controller_server:\n  ros__parameters:\n    progress_checker_plugin: p\n"
+               "    costmap_update_timeout: 0.3\n    FollowPath: {plugin: "
+               "\"nav2_mppi_controller::MPPIController\", critics: [GoalCritic], "
+               "ax_max: 3.0}\n"));
+    QCOMPARE(static_cast<int>(guess.distro), 1);
+    QCOMPARE(guess.reasons, (std::vector<std::string>{"line 4: key costmap_update_timeout",
+                                                      "line 5: key ax_max"}));
+  }
 
-void Nav2BranchesTest::guess_signs() {
-  QFETCH(QString, text);
-  QFETCH(int, distro);
-  QCOMPARE(static_cast<int>(guessDistro(parsed(text.toStdString())).distro), distro);
-}
+  void read_partialFile_isNotAnError_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("held");
+    QTest::newRow("amcl") << "amcl:\n  ros__parameters: {alpha1: 0.2}\n"
+                          << "only amcl:";
+    QTest::newRow("overlay") << "controller_server:\n  ros__parameters:\n"
+                                "    controller_frequency: 10.0\n"
+                                "    FollowPath: {desired_linear_vel: 0.3}\n"
+                                "velocity_smoother:\n  ros__parameters: {odom_duration: 0.2}\n"
+                             << "only controller_server, velocity_smoother:";
+  }
 
-/// Two signs of Jazzy and one of Humble, which is not reported as a reason.
-void Nav2BranchesTest::guess_reasons_speakForIt() {
-  const DistroGuess guess =
-      guessDistro(parsed("controller_server:\n  ros__parameters:\n    progress_checker_plugin: p\n"
-                         "    costmap_update_timeout: 0.3\n    FollowPath: {plugin: "
-                         "\"nav2_mppi_controller::MPPIController\", critics: [GoalCritic], "
-                         "ax_max: 3.0}\n"));
-  QCOMPARE(static_cast<int>(guess.distro), 1);
-  QCOMPARE(guess.reasons,
-           (std::vector<std::string>{"line 4: key costmap_update_timeout", "line 5: key ax_max"}));
-}
+  /// Some nodes of a file, or values for the plugins of another one.
+  void read_partialFile_isNotAnError() {
+    QFETCH(QString, text);
+    QFETCH(QString, held);
+    const Nav2ReadResult reading = readOf(text.toStdString());
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(reading.problems.size(), std::size_t{1});
+    QCOMPARE(reading.problems.front().code, std::string_view("nav2.partial-file"));
+    QVERIFY2(reading.problems.front().message.find(held.toStdString()) != std::string::npos,
+             texts(reading.problems).c_str());
+    QVERIFY(reading.parameters.isPartial);
+    QVERIFY(!readOf(kPursuit).parameters.isPartial);
+  }
 
-void Nav2BranchesTest::read_partialFile_isNotAnError_data() {
-  QTest::addColumn<QString>("text");
-  QTest::addColumn<QString>("held");
-  QTest::newRow("amcl") << "amcl:\n  ros__parameters: {alpha1: 0.2}\n"
-                        << "only amcl:";
-  QTest::newRow("overlay") << "controller_server:\n  ros__parameters:\n"
-                              "    controller_frequency: 10.0\n"
-                              "    FollowPath: {desired_linear_vel: 0.3}\n"
-                              "velocity_smoother:\n  ros__parameters: {odom_duration: 0.2}\n"
-                           << "only controller_server, velocity_smoother:";
-}
+  void read_disabledMonitor_isKept() {
+    const auto file = ParameterFile::read(SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml");
+    QVERIFY(file);
+    const Nav2ReadResult reading = readNav2Parameters(*file);
+    QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
+    QVERIFY(reading.parameters.distro >= Distro::Lyrical);
+    QVERIFY(reading.parameters.collisionMonitor && !reading.parameters.collisionMonitor->enabled);
+  }
 
-/// Some nodes of a file, or values for the plugins of another one.
-void Nav2BranchesTest::read_partialFile_isNotAnError() {
-  QFETCH(QString, text);
-  QFETCH(QString, held);
-  const Nav2ReadResult reading = readOf(text.toStdString());
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(reading.problems.size(), std::size_t{1});
-  QCOMPARE(reading.problems.front().code, std::string_view("nav2.partial-file"));
-  QVERIFY2(reading.problems.front().message.find(held.toStdString()) != std::string::npos,
-           texts(reading.problems).c_str());
-  QVERIFY(reading.parameters.isPartial);
-  QVERIFY(!readOf(kPursuit).parameters.isPartial);
-}
+  void read_keyOfAnotherDistro_isNotUsed() {
+    const std::string text = kPursuit + "      use_fixed_curvature_lookahead: true\n";
+    const Nav2ReadResult humble = readOf(text, Distro::Humble);
+    QCOMPARE(noteOf(humble, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
+             KeyUse::OtherDistro);
+    const Nav2ReadResult jazzy = readOf(text, Distro::Jazzy);
+    QCOMPARE(noteOf(jazzy, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
+             KeyUse::Used);
+  }
 
-void Nav2BranchesTest::read_disabledMonitor_isKept() {
-  const auto file = ParameterFile::read(SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml");
-  QVERIFY(file);
-  const Nav2ReadResult reading = readNav2Parameters(*file);
-  QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
-  QVERIFY(reading.parameters.distro >= Distro::Lyrical);
-  QVERIFY(reading.parameters.collisionMonitor && !reading.parameters.collisionMonitor->enabled);
-}
-
-void Nav2BranchesTest::read_keyOfAnotherDistro_isNotUsed() {
-  const std::string text = kPursuit + "      use_fixed_curvature_lookahead: true\n";
-  const Nav2ReadResult humble = readOf(text, Distro::Humble);
-  QCOMPARE(noteOf(humble, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
-           KeyUse::OtherDistro);
-  const Nav2ReadResult jazzy = readOf(text, Distro::Jazzy);
-  QCOMPARE(noteOf(jazzy, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
-           KeyUse::Used);
-}
-
-/// A key of another plugin is not suggested, however similar its name is.
-void Nav2BranchesTest::read_unknownKey_isComparedWithItsOwnBlock() {
-  const Nav2ReadResult reading = readOf(R"(local_costmap:
+  /// A key of another plugin is not suggested, however similar its name is.
+  void read_unknownKey_isComparedWithItsOwnBlock() {
+    const Nav2ReadResult reading = readOf(R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["obstacle_layer", "inflation_layer"]
       obstacle_layer: {plugin: "nav2_costmap_2d::ObstacleLayer", inflation_radiu: 0.5}
       inflation_layer: {plugin: "nav2_costmap_2d::InflationLayer"}
 )" + kPursuit);
-  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-key");
-  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
-  QCOMPARE(
-      problem->message,
-      std::string("unknown key 'local_costmap.obstacle_layer.inflation_radiu': Nav2 Jazzy does "
-                  "not read it"));
-}
+    const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-key");
+    QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+    QCOMPARE(
+        problem->message,
+        std::string("unknown key 'local_costmap.obstacle_layer.inflation_radiu': Nav2 Jazzy does "
+                    "not read it"));
+  }
 
-void Nav2BranchesTest::read_blockThatNothingNames_isOneProblem() {
-  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
+  void read_blockThatNothingNames_isOneProblem() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["obstacle_layer"]
@@ -149,18 +141,19 @@ void Nav2BranchesTest::read_blockThatNothingNames_isOneProblem() {
         scan: {topic: /scan}
         camera: {topic: /points, marking: true, clearing: true}
 )");
-  int count = 0;
-  for (const base::Diagnostic& problem : reading.problems) {
-    count += problem.code == "nav2.unknown-key" || problem.code == "nav2.unnamed-block" ? 1 : 0;
+    int count = 0;
+    for (const base::Diagnostic& problem : reading.problems) {
+      count += problem.code == "nav2.unknown-key" || problem.code == "nav2.unnamed-block" ? 1 : 0;
+    }
+    QCOMPARE(count, 1);
+    const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unnamed-block");
+    QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+    QCOMPARE(problem->line, 13);
+    QVERIFY(problem->message.find("obstacle_layer.camera' has no effect (3 keys)") !=
+            std::string::npos);
+    QCOMPARE(noteOf(reading, "local_costmap.obstacle_layer.camera.marking")->use, KeyUse::Unknown);
   }
-  QCOMPARE(count, 1);
-  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unnamed-block");
-  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
-  QCOMPARE(problem->line, 13);
-  QVERIFY(problem->message.find("obstacle_layer.camera' has no effect (3 keys)") !=
-          std::string::npos);
-  QCOMPARE(noteOf(reading, "local_costmap.obstacle_layer.camera.marking")->use, KeyUse::Unknown);
-}
+};
 
 QTEST_GUILESS_MAIN(Nav2BranchesTest)
 #include "tst_Nav2Branches.moc"

@@ -10,20 +10,6 @@
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
 
-/// Every parameter that Nav2 declares, against the tables of this program: which branches read it,
-/// and its default. The table in tests/data/nav2/keys.csv was made from Nav2's sources, not by this
-/// program.
-class Nav2KeysTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void eachKey_isReadByItsBranches_data();
-  void eachKey_isReadByItsBranches();
-  void eachDefault_isThatOfTheCode_data();
-  void eachDefault_isThatOfTheCode();
-  void eachComponent_isInTheTable();
-};
-
 namespace {
 
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
@@ -273,78 +259,82 @@ std::optional<KeyUse> useOf(const Nav2ReadResult& reading, const std::string& pa
 
 }  // namespace
 
-void Nav2KeysTest::eachKey_isReadByItsBranches_data() {
-  addComponents();
-}
+/// Every parameter that Nav2 declares, against the tables of this program: which branches read it,
+/// and its default. The table in tests/data/nav2/keys.csv was made from Nav2's sources, not by this
+/// program.
+class Nav2KeysTest : public QObject {
+  Q_OBJECT
 
-/// A key is used, or known to have no effect, in each branch that declares it, and is used in no
-/// other.
-void Nav2KeysTest::eachKey_isReadByItsBranches() {
-  QFETCH(QString, component);
-  QStringList wrong;
-  const Place& place = placesOfComponents().at(component.toStdString());
-  for (const DeclaredKey& key : declaredKeys().at(component.toStdString())) {
-    if (isList(key.name)) {
-      continue;
+ private Q_SLOTS:
+  void eachKey_isReadByItsBranches_data() { addComponents(); }
+
+  /// A key is used, or known to have no effect, in each branch that declares it, and is used in no
+  /// other.
+  void eachKey_isReadByItsBranches() {
+    QFETCH(QString, component);
+    QStringList wrong;
+    const Place& place = placesOfComponents().at(component.toStdString());
+    for (const DeclaredKey& key : declaredKeys().at(component.toStdString())) {
+      if (isList(key.name)) {
+        continue;
+      }
+      for (const Distro distro : kDistros) {
+        const std::string& own = key.defaults.at(static_cast<std::size_t>(distro));
+        std::string value = own;
+        for (const std::string& other : key.defaults) {
+          value = value == "-" || value == "*" ? other : value;
+        }
+        value = value == "-" || value == "*" ? "\"word\"" : value;
+        const auto use = useOf(readingOf(place, key.name, value, distro), place.path + key.name);
+        const bool isRead = use == KeyUse::Used || use == KeyUse::Ignored;
+        if (own == "-" ? use == KeyUse::Used : !isRead) {
+          wrong << QStringLiteral("%1 in %2")
+                       .arg(QString::fromStdString(key.name), QLatin1String(distroTitle(distro)));
+        }
+      }
     }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral(", "))));
+  }
+
+  void eachDefault_isThatOfTheCode_data() { addComponents(); }
+
+  void eachDefault_isThatOfTheCode() {
+    QFETCH(QString, component);
+    QStringList wrong;
+    const Place& place = placesOfComponents().at(component.toStdString());
     for (const Distro distro : kDistros) {
-      const std::string& own = key.defaults.at(static_cast<std::size_t>(distro));
-      std::string value = own;
-      for (const std::string& other : key.defaults) {
-        value = value == "-" || value == "*" ? other : value;
-      }
-      value = value == "-" || value == "*" ? "\"word\"" : value;
-      const auto use = useOf(readingOf(place, key.name, value, distro), place.path + key.name);
-      const bool isRead = use == KeyUse::Used || use == KeyUse::Ignored;
-      if (own == "-" ? use == KeyUse::Used : !isRead) {
-        wrong << QStringLiteral("%1 in %2")
-                     .arg(QString::fromStdString(key.name), QLatin1String(distroTitle(distro)));
-      }
-    }
-  }
-  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral(", "))));
-}
-
-void Nav2KeysTest::eachDefault_isThatOfTheCode_data() {
-  addComponents();
-}
-
-void Nav2KeysTest::eachDefault_isThatOfTheCode() {
-  QFETCH(QString, component);
-  QStringList wrong;
-  const Place& place = placesOfComponents().at(component.toStdString());
-  for (const Distro distro : kDistros) {
-    const Nav2ReadResult reading = readingOf(place, {}, {}, distro);
-    for (const EffectiveKey& known : reading.parameters.notes.known) {
-      for (const DeclaredKey& key : declaredKeys().at(component.toStdString())) {
-        const std::string& declared = key.defaults.at(static_cast<std::size_t>(distro));
-        if (known.path != place.path + key.name || declared == "*" || declared == "-") {
-          continue;
-        }
-        const auto number = base::parseDouble(declared), ours = base::parseDouble(known.fallback);
-        const bool isSame =
-            number && ours ? std::abs(*number - *ours) < 1e-6 : known.fallback == declared;
-        if (!isSame) {
-          wrong << QStringLiteral("%1 in %2: %3, not %4")
-                       .arg(QString::fromStdString(key.name), QLatin1String(distroTitle(distro)),
-                            QString::fromStdString(known.fallback),
-                            QString::fromStdString(declared));
+      const Nav2ReadResult reading = readingOf(place, {}, {}, distro);
+      for (const EffectiveKey& known : reading.parameters.notes.known) {
+        for (const DeclaredKey& key : declaredKeys().at(component.toStdString())) {
+          const std::string& declared = key.defaults.at(static_cast<std::size_t>(distro));
+          if (known.path != place.path + key.name || declared == "*" || declared == "-") {
+            continue;
+          }
+          const auto number = base::parseDouble(declared), ours = base::parseDouble(known.fallback);
+          const bool isSame =
+              number && ours ? std::abs(*number - *ours) < 1e-6 : known.fallback == declared;
+          if (!isSame) {
+            wrong << QStringLiteral("%1 in %2: %3, not %4")
+                         .arg(QString::fromStdString(key.name), QLatin1String(distroTitle(distro)),
+                              QString::fromStdString(known.fallback),
+                              QString::fromStdString(declared));
+          }
         }
       }
     }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral(", "))));
   }
-  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral(", "))));
-}
 
-void Nav2KeysTest::eachComponent_isInTheTable() {
-  QVERIFY(declaredKeys().size() >= 60);
-  for (const auto& [component, place] : placesOfComponents()) {
-    QVERIFY2(declaredKeys().count(component) == 1, component.c_str());
+  void eachComponent_isInTheTable() {
+    QVERIFY(declaredKeys().size() >= 60);
+    for (const auto& [component, place] : placesOfComponents()) {
+      QVERIFY2(declaredKeys().count(component) == 1, component.c_str());
+    }
+    for (const auto& [component, keys] : declaredKeys()) {
+      QVERIFY2(placesOfComponents().count(component) == 1, component.c_str());
+    }
   }
-  for (const auto& [component, keys] : declaredKeys()) {
-    QVERIFY2(placesOfComponents().count(component) == 1, component.c_str());
-  }
-}
+};
 
 QTEST_GUILESS_MAIN(Nav2KeysTest)
 #include "tst_Nav2Keys.moc"

@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,29 +21,6 @@ using namespace sim2d::nav2;
 using nav2test::HandScene;
 using sim2d::BodyTwist;
 
-/// nav2_mppi_controller::MPPIController: what it reads, refuses, follows and shows.
-class Nav2MppiControllerTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void read_nothing_hasTheDefaultsOfTheCode_data();
-  void read_nothing_hasTheDefaultsOfTheCode();
-  void read_everyKey_isTaken();
-  void read_badBlock_tellsEveryProblem();
-  void read_motionModel_byRelease();
-  void keys_criticsListed_haveRows();
-  void make_period_isComparedWithModelDt();
-  void command_path_isCutAndFollowed();
-  void command_main_takesTheServersPath();
-  void command_noPath_isInvalid();
-  void command_walledIn_isNoValidControl();
-  void command_footprintOfARadius_isInvalid();
-  void command_pauseOrNewGoal_resetsByRelease();
-  void watch_trajectories_changesNoCommand();
-  void server_stockKeys_arrives_data();
-  void server_stockKeys_arrives();
-};
-
 namespace {
 
 const char kMppi[] = "nav2_mppi_controller::MPPIController";
@@ -59,7 +35,7 @@ std::unique_ptr<Controller> made(Distro distro, const Nav2ParameterBlock& block 
   setup.distro = distro;
   setup.block = block;
   setup.frequency = frequency;
-  auto result = controllerRegistry().make(kMppi, setup);
+  auto result = makeController(kMppi, setup);
   return result ? std::move(*result) : nullptr;
 }
 
@@ -94,385 +70,318 @@ std::vector<std::string> problemsOf(const base::Diagnostics& diagnostics) {
 
 }  // namespace
 
-void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode_data() {
-  QTest::addColumn<int>("distro");
-  QTest::addColumn<QString>("key");
-  QTest::addColumn<double>("wanted");
-  const struct {
-    const char* key;
-    double humble, jazzy, main;  // -1: not there
-  } rows[] = {{"time_steps", 56, 56, 56},
-              {"model_dt", 0.05, 0.05, 0.05},
-              {"batch_size", 1000, 1000, 1000},
-              {"iteration_count", 1, 1, 1},
-              {"temperature", 0.3, 0.3, 0.3},
-              {"gamma", 0.015, 0.015, 0.015},
-              {"vx_max", 0.5, 0.5, 0.5},
-              {"vy_max", 0.5, 0.5, 0.5},
-              {"wz_max", 1.9, 1.9, 1.9},
-              {"ax_max", -1, 3.0, 3.0},
-              {"az_max", -1, 3.5, 3.5},
-              {"vx_std", 0.2, 0.2, 0.2},
-              {"wz_std", 0.4, 0.4, 0.4},
-              {"retry_attempt_limit", 1, 1, 1},
-              {"regenerate_noises", 0, 0, 0},
-              {"open_loop", -1, 0, 0},
-              {"reset_period", 1.0, -1, -1},
-              {"sgf_order", -1, -1, 2},
-              {"AckermannConstraints.min_turning_r", 0.2, 0.2, -1},
-              {"TrajectoryValidator.collision_lookahead_time", -1, -1, 2.0},
-              {"prune_distance", 1.5, 1.5, -1},
-              {"ConstraintCritic.cost_weight", 4.0, 4.0, 4.0},
-              {"CostCritic.cost_weight", 3.81, 3.81, 3.81},
-              {"CostCritic.collision_cost", 1e6, 1e6, 1e6},
-              {"CostCritic.trajectory_point_step", -1, 2, 2},
-              {"CostCritic.near_collision_cost", -1, 253, 253},
-              {"GoalCritic.threshold_to_consider", 1.4, 1.4, 1.4},
-              {"PathAlignCritic.max_path_occupancy_ratio", 0.07, 0.07, 0.07},
-              {"PathAlignCritic.offset_from_furthest", 20, 20, 20},
-              {"PathFollowCritic.offset_from_furthest", 6, 6, 6},
-              {"PathAngleCritic.cost_weight", 2.0, 2.2, 2.2},
-              {"PathAngleCritic.max_angle_to_furthest", 1.2, 0.785398, 0.785398},
-              {"PathAngleCritic.mode", -1, 0, 0},
-              {"PathAngleCritic.forward_preference", 1, -1, -1},
-              {"ObstaclesCritic.collision_cost", 1e4, 1e5, 1e5},
-              {"ObstaclesCritic.cost_scaling_factor", 10.0, -1, -1}};
-  for (const auto& row : rows) {
-    const QString key = QString::fromLatin1(row.key);
-    QTest::addRow("Humble %s", row.key) << 0 << key << row.humble;
-    QTest::addRow("Jazzy %s", row.key) << 1 << key << row.jazzy;
-    QTest::addRow("main %s", row.key) << static_cast<int>(Distro::Main) << key << row.main;
-  }
-}
+/// nav2_mppi_controller::MPPIController: what it reads, refuses, follows and shows.
+class Nav2MppiControllerTest : public QObject {
+  Q_OBJECT
 
-void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode() {
-  QFETCH(int, distro);
-  QFETCH(QString, key);
-  QFETCH(double, wanted);
-  Nav2ParameterBlock block = stockBlock();
-  std::get<std::vector<std::string>>(block["critics"]).push_back("ObstaclesCritic");
-  const Nav2KeyTable keys = mppiKeysOf(block, static_cast<Distro>(distro));
-  const Nav2KeyTable::Row* row = keys.find(key.toStdString(), static_cast<Distro>(distro));
-  QCOMPARE(row != nullptr, wanted >= 0.0);
-  if (row != nullptr) {
-    const auto number = [](const auto& value) {
-      using Value = std::decay_t<decltype(value)>;
-      if constexpr (std::is_arithmetic_v<Value>) {
-        return static_cast<double>(value);
-      } else {
-        return -2.0;
+ private Q_SLOTS:
+  /// Each key given anew arrives in the struct: another value than the default comes back.
+  void read_everyKey_isTaken() {
+    for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
+      Nav2ParameterBlock block;
+      block["critics"] = nav2test::stockCritics();
+      for (const Nav2KeyTable::Row& row : mppiKeysOf(block, distro).rows) {
+        if (!includesDistro(row.distros, distro)) {
+          continue;
+        }
+        if (const double* number = std::get_if<double>(&row.fallback)) {
+          block[row.name] = *number * 0.5;
+        } else if (const bool* flag = std::get_if<bool>(&row.fallback)) {
+          block[row.name] = !*flag;
+        }
       }
-    };
-    QCOMPARE(std::visit(number, row->fallback), wanted);
-  }
-}
-
-/// Each key given anew arrives in the struct: another value than the default comes back.
-void Nav2MppiControllerTest::read_everyKey_isTaken() {
-  for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
-    Nav2ParameterBlock block;
-    block["critics"] = nav2test::stockCritics();
-    for (const Nav2KeyTable::Row& row : mppiKeysOf(block, distro).rows) {
-      if (!includesDistro(row.distros, distro)) {
-        continue;
-      }
-      if (const double* number = std::get_if<double>(&row.fallback)) {
-        block[row.name] = *number * 0.5;
-      } else if (const bool* flag = std::get_if<bool>(&row.fallback)) {
-        block[row.name] = !*flag;
-      }
+      const auto mppi = readMppi(block, distro);
+      QVERIFY2(mppi, mppi.diagnostics().empty() ? "" : mppi.diagnostics()[0].text().c_str());
+      QCOMPARE(mppi->settings.modelDt, 0.025);
+      QCOMPARE(mppi->settings.vxMin, -0.175);
+      QCOMPARE(mppi->settings.minTurningRadius, 0.1);
+      QCOMPARE(mppi->settings.axMin, distro == Distro::Humble ? -3.0 : -1.5);
+      QCOMPARE(mppi->settings.vyStd, 0.1);
+      QCOMPARE(mppi->settings.isOpenLoop, distro != Distro::Humble);
+      QCOMPARE(mppi->settings.clampsRawControls, distro == Distro::Main);
+      QVERIFY(mppi->settings.regeneratesNoises);
+      QCOMPARE(mppi->critics.cost.weight, 1.905);
+      QVERIFY(mppi->critics.cost.considersFootprint);
+      QVERIFY(!mppi->critics.preferForward.isEnabled);
+      QCOMPARE(mppi->critics.pathAlign.maxPathOccupancyRatio, 0.035);
+      QCOMPARE(mppi->critics.twirling.weight, 10.0);
     }
-    const auto mppi = readMppi(block, distro);
-    QVERIFY2(mppi, mppi.diagnostics().empty() ? "" : mppi.diagnostics()[0].text().c_str());
-    QCOMPARE(mppi->settings.modelDt, 0.025);
-    QCOMPARE(mppi->settings.vxMin, -0.175);
-    QCOMPARE(mppi->settings.minTurningRadius, 0.1);
-    QCOMPARE(mppi->settings.axMin, distro == Distro::Humble ? -3.0 : -1.5);
-    QCOMPARE(mppi->settings.vyStd, 0.1);
-    QCOMPARE(mppi->settings.isOpenLoop, distro != Distro::Humble);
-    QCOMPARE(mppi->settings.clampsRawControls, distro == Distro::Main);
-    QVERIFY(mppi->settings.regeneratesNoises);
-    QCOMPARE(mppi->critics.cost.weight, 1.905);
-    QVERIFY(mppi->critics.cost.considersFootprint);
-    QVERIFY(!mppi->critics.preferForward.isEnabled);
-    QCOMPARE(mppi->critics.pathAlign.maxPathOccupancyRatio, 0.035);
-    QCOMPARE(mppi->critics.twirling.weight, 10.0);
   }
-}
 
-void Nav2MppiControllerTest::read_badBlock_tellsEveryProblem() {
-  Nav2ParameterBlock block = stockBlock();
-  block["critics"] = std::vector<std::string>{"CostCritc", "PathAlignLegacyCritic", "GoalCritic"};
-  block["vx_max"] = 1;  // an integer is no double
-  block["time_steps"] = 1;
-  block["temperature"] = 0.0;
-  block["motion_model"] = std::string("Diff");
-  block["PathAngleCritic.mode"] = 3;
-  block["CostCritic.critical_cost"] = std::numeric_limits<double>::infinity();
-  block["VelocityDeadbandCritic.deadband_velocities"] = std::vector<double>{0.1};
-  const auto mppi = readMppi(block, Distro::Jazzy);
-  QVERIFY(!mppi);
-  const auto texts = problemsOf(mppi.diagnostics());
-  QCOMPARE(texts.size(), std::size_t(9));
-  const auto has = [&](const char* part) {
-    return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
-      return text.find(part) != std::string::npos;
-    });
-  };
-  QVERIFY(has("unknown plugin 'CostCritc' (did you mean 'CostCritic'?"));
-  QVERIFY(has("'PathAlignLegacyCritic'"));
-  QVERIFY(has("vx_max has an invalid type"));
-  QVERIFY(has("time_steps 1 is not 2 to 200"));
-  QVERIFY(has("temperature 0 is not greater than 0"));
-  QVERIFY(has("'Diff'"));
-  QVERIFY(has("PathAngleCritic.mode 3 is not 0 to 2"));
-  QVERIFY(has("deadband_velocities"));
-  QVERIFY(has("CostCritic.critical_cost"));
-}
+  void read_badBlock_tellsEveryProblem() {
+    Nav2ParameterBlock block = stockBlock();
+    block["critics"] = std::vector<std::string>{"CostCritc", "PathAlignLegacyCritic", "GoalCritic"};
+    block["vx_max"] = 1;  // an integer is no double
+    block["time_steps"] = 1;
+    block["temperature"] = 0.0;
+    block["motion_model"] = std::string("Diff");
+    block["PathAngleCritic.mode"] = 3;
+    block["CostCritic.critical_cost"] = std::numeric_limits<double>::infinity();
+    block["VelocityDeadbandCritic.deadband_velocities"] = std::vector<double>{0.1};
+    const auto mppi = readMppi(block, Distro::Jazzy);
+    QVERIFY(!mppi);
+    const auto texts = problemsOf(mppi.diagnostics());
+    QCOMPARE(texts.size(), std::size_t(9));
+    const auto has = [&](const char* part) {
+      return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+        return text.find(part) != std::string::npos;
+      });
+    };
+    QVERIFY(has("unknown plugin 'CostCritc' (did you mean 'CostCritic'?"));
+    QVERIFY(has("'PathAlignLegacyCritic'"));
+    QVERIFY(has("vx_max has an invalid type"));
+    QVERIFY(has("time_steps 1 is not 2 to 200"));
+    QVERIFY(has("temperature 0 is not greater than 0"));
+    QVERIFY(has("'Diff'"));
+    QVERIFY(has("PathAngleCritic.mode 3 is not 0 to 2"));
+    QVERIFY(has("deadband_velocities"));
+    QVERIFY(has("CostCritic.critical_cost"));
+  }
 
-void Nav2MppiControllerTest::read_motionModel_byRelease() {
-  Nav2ParameterBlock block = stockBlock();
-  block["motion_model"] = std::string("Ackermann");
-  block["AckermannConstraints.min_turning_r"] = 0.7;
-  QCOMPARE(readMppi(block, Distro::Jazzy)->motion, MppiMotion::Ackermann);
-  QCOMPARE(readMppi(block, Distro::Jazzy)->settings.minTurningRadius, 0.7);
-  block["motion_model"] = std::string("car");
-  QVERIFY(!readMppi(block, Distro::Jazzy));
-  QVERIFY(!readMppi(block, Distro::Main));
-  block["car.plugin"] = std::string("mppi::AckermannMotionModel");
-  block["car.min_turning_r"] = 0.9;
-  QVERIFY(!readMppi(block, Distro::Jazzy));
-  QCOMPARE(readMppi(block, Distro::Main)->motion, MppiMotion::Ackermann);
-  QCOMPARE(readMppi(block, Distro::Main)->settings.minTurningRadius, 0.9);
-  QVERIFY(mppiKeysOf(block, Distro::Main).find("car.min_turning_r", Distro::Main) != nullptr);
-  block["car.plugin"] = std::string("mppi::OmniMotionModel");
-  QCOMPARE(readMppi(block, Distro::Main)->motion, MppiMotion::Omni);
-}
+  void read_motionModel_byRelease() {
+    Nav2ParameterBlock block = stockBlock();
+    block["motion_model"] = std::string("Ackermann");
+    block["AckermannConstraints.min_turning_r"] = 0.7;
+    QCOMPARE(readMppi(block, Distro::Jazzy)->motion, MppiMotion::Ackermann);
+    QCOMPARE(readMppi(block, Distro::Jazzy)->settings.minTurningRadius, 0.7);
+    block["motion_model"] = std::string("car");
+    QVERIFY(!readMppi(block, Distro::Jazzy));
+    QVERIFY(!readMppi(block, Distro::Main));
+    block["car.plugin"] = std::string("mppi::AckermannMotionModel");
+    block["car.min_turning_r"] = 0.9;
+    QVERIFY(!readMppi(block, Distro::Jazzy));
+    QCOMPARE(readMppi(block, Distro::Main)->motion, MppiMotion::Ackermann);
+    QCOMPARE(readMppi(block, Distro::Main)->settings.minTurningRadius, 0.9);
+    QVERIFY(mppiKeysOf(block, Distro::Main).find("car.min_turning_r", Distro::Main) != nullptr);
+    block["car.plugin"] = std::string("mppi::OmniMotionModel");
+    QCOMPARE(readMppi(block, Distro::Main)->motion, MppiMotion::Omni);
+  }
 
-void Nav2MppiControllerTest::keys_criticsListed_haveRows() {
-  const Nav2KeyTable keys =
-      mppiKeysOf({{"critics", std::vector<std::string>{"GoalCritic"}}}, Distro::Jazzy);
-  QVERIFY(keys.find("GoalCritic.cost_weight", Distro::Jazzy) != nullptr);
-  QVERIFY(keys.find("TwirlingCritic.cost_weight", Distro::Jazzy) == nullptr);
-  const auto ignored = [&](const std::string& name) {
-    return std::any_of(keys.ignored.begin(), keys.ignored.end(),
-                       [&](const Nav2KeyTable::Ignored& key) { return key.name == name; });
-  };
-  QVERIFY(ignored("TwirlingCritic.cost_weight"));
-  QVERIFY(!ignored("GoalCritic.cost_weight"));
-  QVERIFY(ignored("visualize"));
-}
+  void keys_criticsListed_haveRows() {
+    const Nav2KeyTable keys =
+        mppiKeysOf({{"critics", std::vector<std::string>{"GoalCritic"}}}, Distro::Jazzy);
+    QVERIFY(keys.find("GoalCritic.cost_weight", Distro::Jazzy) != nullptr);
+    QVERIFY(keys.find("TwirlingCritic.cost_weight", Distro::Jazzy) == nullptr);
+    const auto ignored = [&](const std::string& name) {
+      return std::any_of(keys.ignored.begin(), keys.ignored.end(),
+                         [&](const Nav2KeyTable::Ignored& key) { return key.name == name; });
+    };
+    QVERIFY(ignored("TwirlingCritic.cost_weight"));
+    QVERIFY(!ignored("GoalCritic.cost_weight"));
+    QVERIFY(ignored("visualize"));
+  }
 
-void Nav2MppiControllerTest::make_period_isComparedWithModelDt() {
-  ControllerSetup setup;
-  setup.block = stockBlock();
-  setup.frequency = 10.0;
-  const auto slow = controllerRegistry().make(kMppi, setup);
-  QVERIFY(!slow);
-  QCOMPARE(slow.diagnostics()[0].code, std::string_view("nav2.mppi-period"));
-  setup.frequency = 20.0;
-  const auto equal = controllerRegistry().make(kMppi, setup);
-  QVERIFY(equal && equal.diagnostics().empty());
-  setup.frequency = 30.0;
-  setup.block.erase("critics");
-  const auto ignored = controllerRegistry().make(kMppi, setup);
-  QCOMPARE(ignored.diagnostics()[0].code, std::string_view("nav2.mppi-no-critics"));
-  setup.block = stockBlock();
-  const auto fast = controllerRegistry().make(kMppi, setup);
-  QVERIFY(static_cast<bool>(fast));
-  QCOMPARE(fast.diagnostics()[0].code, std::string_view("nav2.mppi-no-shift"));
-}
+  void make_period_isComparedWithModelDt() {
+    ControllerSetup setup;
+    setup.block = stockBlock();
+    setup.frequency = 10.0;
+    const auto slow = makeController(kMppi, setup);
+    QVERIFY(!slow);
+    QCOMPARE(slow.diagnostics()[0].code, std::string_view("nav2.mppi-period"));
+    setup.frequency = 20.0;
+    const auto equal = makeController(kMppi, setup);
+    QVERIFY(equal && equal.diagnostics().empty());
+    setup.frequency = 30.0;
+    setup.block.erase("critics");
+    const auto ignored = makeController(kMppi, setup);
+    QCOMPARE(ignored.diagnostics()[0].code, std::string_view("nav2.mppi-no-critics"));
+    setup.block = stockBlock();
+    const auto fast = makeController(kMppi, setup);
+    QVERIFY(static_cast<bool>(fast));
+    QCOMPARE(fast.diagnostics()[0].code, std::string_view("nav2.mppi-no-shift"));
+  }
 
-void Nav2MppiControllerTest::command_path_isCutAndFollowed() {
-  for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
-    Driver driver(distro, made(distro));
-    for (int call = 0; call < 30; ++call) {
-      const ControlResult control = driver.command();
-      QVERIFY(static_cast<bool>(control));
+  void command_path_isCutAndFollowed() {
+    for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
+      Driver driver(distro, made(distro));
+      for (int call = 0; call < 30; ++call) {
+        const ControlResult control = driver.command();
+        QVERIFY(static_cast<bool>(control));
+        driver.scene.speed = control.twist;
+        driver.scene.robot.position.x() += 0.05 * control.twist.linear;
+      }
+      const double x = driver.scene.robot.position.x();
+      QVERIFY(x > 0.3);
+      QVERIFY(driver.scene.speed.linear > 0.3);
+      const ControlView& view = driver.controller->view();
+      QVERIFY(std::fabs(view.localPlan.front().position.x() - x) < 0.06);
+      QVERIFY(pathLength(view.localPlan) <= 1.5 + 1e-9);
+      QCOMPARE(view.predicted.size(), std::size_t(56));
+      QVERIFY(view.predicted.back().position.x() > x + 0.5);
+      QVERIFY(view.trajectories.empty());
+      QCOMPARE(view.lookahead.size(), std::size_t(1));
+      QVERIFY(view.lookahead[0].x() > x + 0.3);
+    }
+  }
+
+  void command_main_takesTheServersPath() {
+    Driver driver(Distro::Main, made(Distro::Main));
+    Path local;
+    for (int i = 0; i < 30; ++i) {  // to the left, whatever the plan says
+      local.push_back({Vec2(0.0, 0.05 * i), base::kPi / 2.0});
+    }
+    ControlResult control = driver.command(&local);
+    for (int call = 0; call < 10; ++call) {
       driver.scene.speed = control.twist;
-      driver.scene.robot.position.x() += 0.05 * control.twist.linear;
+      control = driver.command(&local);
     }
-    const double x = driver.scene.robot.position.x();
-    QVERIFY(x > 0.3);
-    QVERIFY(driver.scene.speed.linear > 0.3);
+    QVERIFY(control.twist.angular > 0.2);
+    QCOMPARE(driver.controller->view().localPlan, local);
+  }
+
+  void command_noPath_isInvalid() {
+    for (const Distro distro : {Distro::Jazzy, Distro::Main}) {
+      Driver driver(distro, made(distro));
+      driver.controller->setPlan({});
+      const Path none;
+      const ControlResult control = driver.command(distro == Distro::Main ? &none : nullptr);
+      QCOMPARE(control.code, ControllerError::InvalidPath);
+      QVERIFY(!control.words.empty());
+      QCOMPARE(control.twist, BodyTwist{});
+    }
+  }
+
+  void command_walledIn_isNoValidControl() {
+    Driver driver(Distro::Jazzy, made(Distro::Jazzy));
+    std::fill(driver.scene.costmap.costs().begin(), driver.scene.costmap.costs().end(), kLethal);
+    driver.controller->watch(true);
+    const ControlResult control = driver.command();
+    QCOMPARE(control.code, ControllerError::NoValidControl);
+    QCOMPARE(control.words, std::string("Optimizer fail to compute path"));
     const ControlView& view = driver.controller->view();
-    QVERIFY(std::fabs(view.localPlan.front().position.x() - x) < 0.06);
-    QVERIFY(pathLength(view.localPlan) <= 1.5 + 1e-9);
-    QCOMPARE(view.predicted.size(), std::size_t(56));
-    QVERIFY(view.predicted.back().position.x() > x + 0.5);
-    QVERIFY(view.trajectories.empty());
-    QCOMPARE(view.lookahead.size(), std::size_t(1));
-    QVERIFY(view.lookahead[0].x() > x + 0.3);
+    QVERIFY(view.predicted.empty());
+    QCOMPARE(view.trajectories.size(), std::size_t(40));  // why: they collide
+    for (const EvaluatedTrajectory& one : view.trajectories) {
+      QVERIFY(!one.isChosen && !one.rejection.empty());
+    }
   }
-}
 
-void Nav2MppiControllerTest::command_main_takesTheServersPath() {
-  Driver driver(Distro::Main, made(Distro::Main));
-  Path local;
-  for (int i = 0; i < 30; ++i) {  // to the left, whatever the plan says
-    local.push_back({Vec2(0.0, 0.05 * i), base::kPi / 2.0});
+  void command_footprintOfARadius_isInvalid() {
+    Nav2ParameterBlock block = stockBlock();
+    block["ObstaclesCritic.consider_footprint"] = true;  // is not listed
+    Driver driver(Distro::Jazzy, made(Distro::Jazzy, block));
+    driver.scene.shape.isRadius = true;
+    QVERIFY(static_cast<bool>(driver.command()));
+    block["CostCritic.consider_footprint"] = true;
+    Driver edges(Distro::Jazzy, made(Distro::Jazzy, block));
+    QVERIFY(static_cast<bool>(edges.command()));
+    edges.scene.shape.isRadius = true;
+    QCOMPARE(edges.command().code, ControllerError::InvalidController);
   }
-  ControlResult control = driver.command(&local);
-  for (int call = 0; call < 10; ++call) {
-    driver.scene.speed = control.twist;
-    control = driver.command(&local);
+
+  /// Humble forgets after a pause, the others when a goal begins. Speeds are held at 0, so commands
+  /// grow by what the sequence remembers.
+  void command_pauseOrNewGoal_resetsByRelease() {
+    for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
+      const auto warm = [&](Driver& driver) {
+        for (int call = 0; call < 20; ++call) {
+          driver.command();
+        }
+      };
+      Driver steady(distro, made(distro));
+      Driver paused(distro, made(distro));
+      Driver begun(distro, made(distro));
+      warm(steady);
+      warm(paused);
+      warm(begun);
+      paused.time += 1.0;
+      begun.controller->reset();
+      const double remembered = steady.command().twist.linear;
+      const bool isHumble = distro == Distro::Humble;
+      QCOMPARE(paused.command().twist.linear == remembered, !isHumble);
+      QCOMPARE(begun.command().twist.linear == remembered, isHumble);
+    }
   }
-  QVERIFY(control.twist.angular > 0.2);
-  QCOMPARE(driver.controller->view().localPlan, local);
-}
 
-void Nav2MppiControllerTest::command_noPath_isInvalid() {
-  for (const Distro distro : {Distro::Jazzy, Distro::Main}) {
-    Driver driver(distro, made(distro));
-    driver.controller->setPlan({});
-    const Path none;
-    const ControlResult control = driver.command(distro == Distro::Main ? &none : nullptr);
-    QCOMPARE(control.code, ControllerError::InvalidPath);
-    QVERIFY(!control.words.empty());
-    QCOMPARE(control.twist, BodyTwist{});
-  }
-}
-
-void Nav2MppiControllerTest::command_walledIn_isNoValidControl() {
-  Driver driver(Distro::Jazzy, made(Distro::Jazzy));
-  std::fill(driver.scene.costmap.costs().begin(), driver.scene.costmap.costs().end(), kLethal);
-  driver.controller->watch(true);
-  const ControlResult control = driver.command();
-  QCOMPARE(control.code, ControllerError::NoValidControl);
-  QCOMPARE(control.words, std::string("Optimizer fail to compute path"));
-  const ControlView& view = driver.controller->view();
-  QVERIFY(view.predicted.empty());
-  QCOMPARE(view.trajectories.size(), std::size_t(40));  // why: they collide
-  for (const EvaluatedTrajectory& one : view.trajectories) {
-    QVERIFY(!one.isChosen && !one.rejection.empty());
-  }
-}
-
-void Nav2MppiControllerTest::command_footprintOfARadius_isInvalid() {
-  Nav2ParameterBlock block = stockBlock();
-  block["ObstaclesCritic.consider_footprint"] = true;  // is not listed
-  Driver driver(Distro::Jazzy, made(Distro::Jazzy, block));
-  driver.scene.shape.isRadius = true;
-  QVERIFY(static_cast<bool>(driver.command()));
-  block["CostCritic.consider_footprint"] = true;
-  Driver edges(Distro::Jazzy, made(Distro::Jazzy, block));
-  QVERIFY(static_cast<bool>(edges.command()));
-  edges.scene.shape.isRadius = true;
-  QCOMPARE(edges.command().code, ControllerError::InvalidController);
-}
-
-/// Humble forgets after a pause, the others when a goal begins. Speeds are held at 0, so commands
-/// grow by what the sequence remembers.
-void Nav2MppiControllerTest::command_pauseOrNewGoal_resetsByRelease() {
-  for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
-    const auto warm = [&](Driver& driver) {
-      for (int call = 0; call < 20; ++call) {
-        driver.command();
+  void watch_trajectories_changesNoCommand() {
+    Driver plain(Distro::Jazzy, made(Distro::Jazzy));
+    Driver watched(Distro::Jazzy, made(Distro::Jazzy));
+    plain.scene.addObstacle(Vec2(0.3, 0.3));
+    watched.scene.addObstacle(Vec2(0.3, 0.3));
+    watched.controller->watch(true);
+    for (int call = 0; call < 5; ++call) {
+      QVERIFY(plain.command().twist == watched.command().twist);
+    }
+    const auto& shown = watched.controller->view().trajectories;
+    QCOMPARE(shown.size(), std::size_t(41));
+    std::size_t refused = 0;
+    for (const EvaluatedTrajectory& one : shown) {
+      QCOMPARE(one.scores.size(), nav2test::stockCritics().size());
+      double sum = 0.0;
+      for (const CriticScore& score : one.scores) {
+        sum += score.scale * score.raw;
       }
-    };
-    Driver steady(distro, made(distro));
-    Driver paused(distro, made(distro));
-    Driver begun(distro, made(distro));
-    warm(steady);
-    warm(paused);
-    warm(begun);
-    paused.time += 1.0;
-    begun.controller->reset();
-    const double remembered = steady.command().twist.linear;
-    const bool isHumble = distro == Distro::Humble;
-    QCOMPARE(paused.command().twist.linear == remembered, !isHumble);
-    QCOMPARE(begun.command().twist.linear == remembered, isHumble);
-  }
-}
-
-void Nav2MppiControllerTest::watch_trajectories_changesNoCommand() {
-  Driver plain(Distro::Jazzy, made(Distro::Jazzy));
-  Driver watched(Distro::Jazzy, made(Distro::Jazzy));
-  plain.scene.addObstacle(Vec2(0.3, 0.3));
-  watched.scene.addObstacle(Vec2(0.3, 0.3));
-  watched.controller->watch(true);
-  for (int call = 0; call < 5; ++call) {
-    QVERIFY(plain.command().twist == watched.command().twist);
-  }
-  const auto& shown = watched.controller->view().trajectories;
-  QCOMPARE(shown.size(), std::size_t(41));
-  std::size_t refused = 0;
-  for (const EvaluatedTrajectory& one : shown) {
-    QCOMPARE(one.scores.size(), nav2test::stockCritics().size());
-    double sum = 0.0;
-    for (const CriticScore& score : one.scores) {
-      sum += score.scale * score.raw;
+      QVERIFY(std::fabs(sum - one.total) <= 1e-9 * one.total);
+      QCOMPARE(one.poses.size(), std::size_t(one.isChosen ? 56 : 15));
+      QCOMPARE(one.isChosen, &one == &shown.back());
+      refused += one.rejection.empty() ? 0 : 1;
+      QCOMPARE(one.rejection.empty(), one.scores[1].raw < 1e3);  // CostCritic
     }
-    QVERIFY(std::fabs(sum - one.total) <= 1e-9 * one.total);
-    QCOMPARE(one.poses.size(), std::size_t(one.isChosen ? 56 : 15));
-    QCOMPARE(one.isChosen, &one == &shown.back());
-    refused += one.rejection.empty() ? 0 : 1;
-    QCOMPARE(one.rejection.empty(), one.scores[1].raw < 1e3);  // CostCritic
+    QCOMPARE(shown[0].scores[2].scale, 0.0);  // the goal is far: GoalCritic was not asked
+    QCOMPARE(shown[0].scores[1].scale, 1.0);
+    QVERIFY(refused < 20);
   }
-  QCOMPARE(shown[0].scores[2].scale, 0.0);  // the goal is far: GoalCritic was not asked
-  QCOMPARE(shown[0].scores[1].scale, 1.0);
-  QVERIFY(refused < 20);
-}
 
-void Nav2MppiControllerTest::server_stockKeys_arrives_data() {
-  QTest::addColumn<int>("distro");
-  QTest::addColumn<bool>("isShim");
-  QTest::addColumn<double>("start");
-  QTest::newRow("Humble") << 0 << false << 0.0;
-  QTest::newRow("Jazzy") << 1 << false << 0.0;
-  QTest::newRow("main") << static_cast<int>(Distro::Main) << false << 0.0;
-  QTest::newRow("Humble, looks away") << 0 << false << 2.5;
-  QTest::newRow("main, looks away") << static_cast<int>(Distro::Main) << false << 2.5;
-  QTest::newRow("Jazzy, behind a rotation shim") << 1 << true << 2.5;
-}
-
-/// controller_server with the numbers of the bringup drives 3 m past an obstacle.
-void Nav2MppiControllerTest::server_stockKeys_arrives() {
-  QFETCH(int, distro);
-  QFETCH(bool, isShim);
-  QFETCH(double, start);
-  Nav2ParameterBlock node = {
-      {"FollowPath.plugin", std::string(kMppi)},
-      {"FollowPath.batch_size", 2000},
-      {"FollowPath.regenerate_noises", true},
-      {"FollowPath.critics", nav2test::stockCritics()},
-      {"goal_checker.plugin", std::string("nav2_controller::SimpleGoalChecker")},
-      {"progress_checker.plugin", std::string("nav2_controller::SimpleProgressChecker")}};
-  if (isShim) {
-    node["FollowPath.plugin"] =
-        std::string("nav2_rotation_shim_controller::RotationShimController");
-    node["FollowPath.primary_controller"] = std::string(kMppi);
+  void server_stockKeys_arrives_data() {
+    QTest::addColumn<int>("distro");
+    QTest::addColumn<bool>("isShim");
+    QTest::addColumn<double>("start");
+    QTest::newRow("Humble") << 0 << false << 0.0;
+    QTest::newRow("Jazzy") << 1 << false << 0.0;
+    QTest::newRow("main") << static_cast<int>(Distro::Main) << false << 0.0;
+    QTest::newRow("Humble, looks away") << 0 << false << 2.5;
+    QTest::newRow("main, looks away") << static_cast<int>(Distro::Main) << false << 2.5;
+    QTest::newRow("Jazzy, behind a rotation shim") << 1 << true << 2.5;
   }
-  auto server = makeControllerServer(node, static_cast<Distro>(distro), 3, 0);
-  QVERIFY2(server, server ? "" : server.diagnostics()[0].text().c_str());
-  HandScene scene;
-  scene.costmap = Costmap(120, 120, 0.05, Vec2(-2.0, -2.0));
-  scene.addObstacle(Vec2(1.525, -0.375));
-  scene.goAhead(3.0, 61);
-  scene.robot.heading = start;
-  FollowPathGoal goal;
-  goal.path = scene.path;
-  (*server)->follow(goal);
-  double nearest = 10.0;
-  for (int step = 0; step < 600; ++step) {
-    const FollowFeedback feedback = (*server)->update(
-        {scene.robot, scene.speed, scene.costmap, scene.shape, true, 0.05 * step});
-    if (feedback.status == FollowStatus::Succeeded) {
-      QVERIFY((scene.robot.position - scene.goal.position).norm() <= 0.25);
-      QVERIFY(std::fabs(base::wrapToPi(scene.robot.heading)) <= 0.25);
-      QVERIFY(nearest > scene.shape.inscribedRadius);
-      qInfo("%d steps, obstacle %.2f m away", step, nearest);
-      return;
+
+  /// controller_server with the numbers of the bringup drives 3 m past an obstacle.
+  void server_stockKeys_arrives() {
+    QFETCH(int, distro);
+    QFETCH(bool, isShim);
+    QFETCH(double, start);
+    Nav2ParameterBlock node = {
+        {"FollowPath.plugin", std::string(kMppi)},
+        {"FollowPath.batch_size", 2000},
+        {"FollowPath.regenerate_noises", true},
+        {"FollowPath.critics", nav2test::stockCritics()},
+        {"goal_checker.plugin", std::string("nav2_controller::SimpleGoalChecker")},
+        {"progress_checker.plugin", std::string("nav2_controller::SimpleProgressChecker")}};
+    if (isShim) {
+      node["FollowPath.plugin"] =
+          std::string("nav2_rotation_shim_controller::RotationShimController");
+      node["FollowPath.primary_controller"] = std::string(kMppi);
     }
-    QVERIFY2(feedback.status == FollowStatus::Running, feedback.words.c_str());
-    scene.speed = feedback.command.value_or(scene.speed);
-    const Vec2 way = 0.05 * Vec2(scene.speed.linear, scene.speed.lateral);
-    scene.robot.position = scene.robot.toWorld(way);
-    scene.robot.heading = base::wrapToPi(scene.robot.heading + 0.05 * scene.speed.angular);
-    nearest = std::min(nearest, (scene.robot.position - Vec2(1.525, -0.375)).norm());
+    auto server = makeControllerServer(node, static_cast<Distro>(distro), 3, 0);
+    QVERIFY2(server, server ? "" : server.diagnostics()[0].text().c_str());
+    HandScene scene;
+    scene.costmap = Costmap(120, 120, 0.05, Vec2(-2.0, -2.0));
+    scene.addObstacle(Vec2(1.525, -0.375));
+    scene.goAhead(3.0, 61);
+    scene.robot.heading = start;
+    FollowPathGoal goal;
+    goal.path = scene.path;
+    (*server)->follow(goal);
+    double nearest = 10.0;
+    for (int step = 0; step < 600; ++step) {
+      const FollowFeedback feedback = (*server)->update(
+          {scene.robot, scene.speed, scene.costmap, scene.shape, true, 0.05 * step});
+      if (feedback.status == FollowStatus::Succeeded) {
+        QVERIFY((scene.robot.position - scene.goal.position).norm() <= 0.25);
+        QVERIFY(std::fabs(base::wrapToPi(scene.robot.heading)) <= 0.25);
+        QVERIFY(nearest > scene.shape.inscribedRadius);
+        qInfo("%d steps, obstacle %.2f m away", step, nearest);
+        return;
+      }
+      QVERIFY2(feedback.status == FollowStatus::Running, feedback.words.c_str());
+      scene.speed = feedback.command.value_or(scene.speed);
+      const Vec2 way = 0.05 * Vec2(scene.speed.linear, scene.speed.lateral);
+      scene.robot.position = scene.robot.toWorld(way);
+      scene.robot.heading = base::wrapToPi(scene.robot.heading + 0.05 * scene.speed.angular);
+      nearest = std::min(nearest, (scene.robot.position - Vec2(1.525, -0.375)).norm());
+    }
+    QFAIL("did not arrive");
   }
-  QFAIL("did not arrive");
-}
+};
 
 QTEST_APPLESS_MAIN(Nav2MppiControllerTest)
 #include "tst_Nav2MppiController.moc"

@@ -8,32 +8,6 @@
 #include "sim2d/base/Text.h"
 #include "tests/nav/ParamsFiles.h"
 
-/// Plugins of other packages, names of older branches, words of launch files.
-class Nav2ReplacementsTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void controller_ofAnotherPackage_isTheNearestOne_data();
-  void controller_ofAnotherPackage_isTheNearestOne();
-  void controller_withoutLimits_hasThoseOfTheSmoother();
-  void controller_mppiSteps_areNotShorterThanThePeriod();
-  void controller_valueFromOutside_counts();
-  void controller_belowAShim_isReplaced();
-  void controller_misspelt_isAnError_data();
-  void controller_misspelt_isAnError();
-  void checker_ofAnotherPackage_isTheSimpleOne();
-  void planner_ofAnotherPackage_isTheNearestOne_data();
-  void planner_ofAnotherPackage_isTheNearestOne();
-  void smootherAndBehavior_ofAnotherPackage();
-  void critics_ofOtherPackages_areLeftOut();
-  void oldNames_areTheirNewerNames();
-  void oldNames_ofEloquent_nameClassesInLists();
-  void placeholder_isAbsent();
-  void placeholder_ofLaunchFiles_isAbsent();
-  void placeholder_listHasItsBlocks();
-  void emptyList_ofPlanners_isAbsent();
-};
-
 using namespace nav2test;  // NOLINT: this file is about nothing else
 
 namespace {
@@ -57,173 +31,178 @@ int countOf(const base::Diagnostics& problems, const std::string& code) {
 
 }  // namespace
 
-void Nav2ReplacementsTest::controller_ofAnotherPackage_isTheNearestOne_data() {
-  QTest::addColumn<QString>("plugin");
-  QTest::addColumn<QString>("keys");
-  QTest::addColumn<QString>("is");
-  QTest::addColumn<QString>("speedKey");
-  QTest::addColumn<double>("speed");
-  QTest::addColumn<QString>("turnKey");
-  QTest::addColumn<double>("turn");
-  const char* const mppi = "nav2_mppi_controller::MPPIController";
-  const char* const dwb = "dwb_core::DWBLocalPlanner";
-  const char* const pursuit =
-      "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController";
-  QTest::newRow("TEB") << "teb_local_planner::TebLocalPlannerROS"
-                       << "max_vel_x: 0.4, max_vel_theta: 0.7, weight_kinematics_nh: 1000.0" << mppi
-                       << "vx_max" << 0.4 << "wz_max" << 0.7;
-  QTest::newRow("vector pursuit")
-      << "vector_pursuit_controller::VectorPursuitController"
-      << "desired_linear_vel: 0.35, rotate_to_heading_angular_vel: 1.1, k: 8.0" << pursuit
-      << "desired_linear_vel" << 0.35 << "rotate_to_heading_angular_vel" << 1.1;
-  QTest::newRow("pure pursuit of a tutorial")
-      << "nav2_pure_pursuit_controller::PurePursuitController"
-      << "desired_linear_vel: 0.2, max_angular_vel: 1.0" << pursuit << "desired_linear_vel" << 0.2
-      << "rotate_to_heading_angular_vel" << 0.0;
-  QTest::newRow("anything") << "my_robot/Follower"
-                            << "v_linear_max: 0.6, max_angular_velocity: 0.9" << dwb << "max_vel_x"
-                            << 0.6 << "max_vel_theta" << 0.9;
-  QTest::newRow("a fork of DWB") << "our_dwb::OurDWBPlanner"
-                                 << "max_vel_x: 0.33, max_vel_theta: 0.5, critics: [PathDist]"
-                                 << dwb << "max_vel_x" << 0.33 << "max_vel_theta" << 0.5;
-  QTest::newRow("a value of a wrong type")
-      << "my_robot/Follower"
-      << "max_vel_x: fast, acc_lim_x: 1" << dwb << "max_vel_x" << 0.5 << "max_vel_theta" << 1.0;
-}
+/// Plugins of other packages, names of older branches, words of launch files.
+class Nav2ReplacementsTest : public QObject {
+  Q_OBJECT
 
-void Nav2ReplacementsTest::controller_ofAnotherPackage_isTheNearestOne() {
-  QFETCH(QString, plugin);
-  QFETCH(QString, keys);
-  QFETCH(QString, is);
-  QFETCH(QString, speedKey);
-  QFETCH(double, speed);
-  QFETCH(QString, turnKey);
-  QFETCH(double, turn);
-  for (const Distro distro : kDistros) {
-    const Nav2ReadResult reading =
-        readOf(controllerOf(plugin.toStdString(), keys.toStdString()), distro);
-    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-    QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 1);
-    QVERIFY2(!problemOf(reading.problems, "nav2.unknown-key"), texts(reading.problems).c_str());
-    const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.treated-as");
-    QCOMPARE(problem->line, 4);
-    QCOMPARE(problem->value("found"), plugin.toStdString());
-    QCOMPARE(valueAt<std::string>(reading, "FollowPath.plugin"), is.toStdString());
-    QCOMPARE(valueAt<double>(reading, "FollowPath." + speedKey.toStdString()), speed);
-    QCOMPARE(valueAt<double>(reading, "FollowPath." + turnKey.toStdString()), turn);
-    QCOMPARE(noteOf(reading, "controller_server.FollowPath.plugin")->value, plugin.toStdString());
+ private Q_SLOTS:
+  void controller_ofAnotherPackage_isTheNearestOne_data() {
+    QTest::addColumn<QString>("plugin");
+    QTest::addColumn<QString>("keys");
+    QTest::addColumn<QString>("is");
+    QTest::addColumn<QString>("speedKey");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<QString>("turnKey");
+    QTest::addColumn<double>("turn");
+    const char* const mppi = "nav2_mppi_controller::MPPIController";
+    const char* const dwb = "dwb_core::DWBLocalPlanner";
+    const char* const pursuit =
+        "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController";
+    QTest::newRow("TEB") << "teb_local_planner::TebLocalPlannerROS"
+                         << "max_vel_x: 0.4, max_vel_theta: 0.7, weight_kinematics_nh: 1000.0"
+                         << mppi << "vx_max" << 0.4 << "wz_max" << 0.7;
+    QTest::newRow("vector pursuit")
+        << "vector_pursuit_controller::VectorPursuitController"
+        << "desired_linear_vel: 0.35, rotate_to_heading_angular_vel: 1.1, k: 8.0" << pursuit
+        << "desired_linear_vel" << 0.35 << "rotate_to_heading_angular_vel" << 1.1;
+    QTest::newRow("pure pursuit of a tutorial")
+        << "nav2_pure_pursuit_controller::PurePursuitController"
+        << "desired_linear_vel: 0.2, max_angular_vel: 1.0" << pursuit << "desired_linear_vel" << 0.2
+        << "rotate_to_heading_angular_vel" << 0.0;
+    QTest::newRow("anything") << "my_robot/Follower"
+                              << "v_linear_max: 0.6, max_angular_velocity: 0.9" << dwb
+                              << "max_vel_x" << 0.6 << "max_vel_theta" << 0.9;
+    QTest::newRow("a fork of DWB") << "our_dwb::OurDWBPlanner"
+                                   << "max_vel_x: 0.33, max_vel_theta: 0.5, critics: [PathDist]"
+                                   << dwb << "max_vel_x" << 0.33 << "max_vel_theta" << 0.5;
+    QTest::newRow("a value of a wrong type")
+        << "my_robot/Follower"
+        << "max_vel_x: fast, acc_lim_x: 1" << dwb << "max_vel_x" << 0.5 << "max_vel_theta" << 1.0;
   }
-}
 
-void Nav2ReplacementsTest::controller_withoutLimits_hasThoseOfTheSmoother() {
-  const Nav2ReadResult reading = readOf(controllerOf("my_robot/Follower", "") +
-                                        "velocity_smoother:\n  ros__parameters:\n"
-                                        "    max_velocity: [0.8, 0.0, 1.7]\n"
-                                        "    min_velocity: [-0.8, 0.0, -1.7]\n");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(valueAt<double>(reading, "FollowPath.max_vel_x"), 0.8);
-  QCOMPARE(valueAt<double>(reading, "FollowPath.max_vel_theta"), 1.7);
-}
+  void controller_ofAnotherPackage_isTheNearestOne() {
+    QFETCH(QString, plugin);
+    QFETCH(QString, keys);
+    QFETCH(QString, is);
+    QFETCH(QString, speedKey);
+    QFETCH(double, speed);
+    QFETCH(QString, turnKey);
+    QFETCH(double, turn);
+    for (const Distro distro : kDistros) {
+      const Nav2ReadResult reading =
+          readOf(controllerOf(plugin.toStdString(), keys.toStdString()), distro);
+      QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+      QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 1);
+      QVERIFY2(!problemOf(reading.problems, "nav2.unknown-key"), texts(reading.problems).c_str());
+      const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.treated-as");
+      QCOMPARE(problem->line, 4);
+      QCOMPARE(problem->value("found"), plugin.toStdString());
+      QCOMPARE(valueAt<std::string>(reading, "FollowPath.plugin"), is.toStdString());
+      QCOMPARE(valueAt<double>(reading, "FollowPath." + speedKey.toStdString()), speed);
+      QCOMPARE(valueAt<double>(reading, "FollowPath." + turnKey.toStdString()), turn);
+      QCOMPARE(noteOf(reading, "controller_server.FollowPath.plugin")->value, plugin.toStdString());
+    }
+  }
 
-/// 8 Hz: steps of 0.125 s, 22 of which are 2.75 s.
-void Nav2ReplacementsTest::controller_mppiSteps_areNotShorterThanThePeriod() {
-  const Nav2ReadResult reading =
-      readOf(controllerOf("teb_local_planner::TebLocalPlannerROS", "min_turning_radius: 0.6") +
-             "    controller_frequency: 8.0\n");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(valueAt<double>(reading, "FollowPath.model_dt"), 0.125);
-  QCOMPARE(valueAt<int>(reading, "FollowPath.time_steps"), 22);
-  QCOMPARE(valueAt<std::string>(reading, "FollowPath.motion_model"), std::string("Ackermann"));
-  QCOMPARE(valueAt<double>(reading, "FollowPath.AckermannConstraints.min_turning_r"), 0.6);
-}
+  void controller_withoutLimits_hasThoseOfTheSmoother() {
+    const Nav2ReadResult reading = readOf(controllerOf("my_robot/Follower", "") +
+                                          "velocity_smoother:\n  ros__parameters:\n"
+                                          "    max_velocity: [0.8, 0.0, 1.7]\n"
+                                          "    min_velocity: [-0.8, 0.0, -1.7]\n");
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(valueAt<double>(reading, "FollowPath.max_vel_x"), 0.8);
+    QCOMPARE(valueAt<double>(reading, "FollowPath.max_vel_theta"), 1.7);
+  }
 
-void Nav2ReplacementsTest::controller_valueFromOutside_counts() {
-  ParameterFile file = parsed(controllerOf("my_robot/Follower", "max_vel_x: 0.3"));
-  const Nav2ReadResult before = readNav2Parameters(file, {Distro::Jazzy, {}});
-  QVERIFY(setNav2Value(file, before, "FollowPath.sim_time", "1.2").empty());
-  const Nav2ReadResult after = readNav2Parameters(file, {Distro::Jazzy, {}});
-  QCOMPARE(valueAt<double>(before, "FollowPath.sim_time"), 1.7);
-  QCOMPARE(valueAt<double>(after, "FollowPath.sim_time"), 1.2);
-  QCOMPARE(valueAt<double>(after, "FollowPath.max_vel_x"), 0.3);
-}
+  /// 8 Hz: steps of 0.125 s, 22 of which are 2.75 s.
+  void controller_mppiSteps_areNotShorterThanThePeriod() {
+    const Nav2ReadResult reading =
+        readOf(controllerOf("teb_local_planner::TebLocalPlannerROS", "min_turning_radius: 0.6") +
+               "    controller_frequency: 8.0\n");
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(valueAt<double>(reading, "FollowPath.model_dt"), 0.125);
+    QCOMPARE(valueAt<int>(reading, "FollowPath.time_steps"), 22);
+    QCOMPARE(valueAt<std::string>(reading, "FollowPath.motion_model"), std::string("Ackermann"));
+    QCOMPARE(valueAt<double>(reading, "FollowPath.AckermannConstraints.min_turning_r"), 0.6);
+  }
 
-void Nav2ReplacementsTest::controller_belowAShim_isReplaced() {
-  const std::string shim = "nav2_rotation_shim_controller::RotationShimController";
-  const Nav2ReadResult flat =
-      readOf(controllerOf(shim,
-                          "primary_controller: \"teb_local_planner::TebLocalPlannerROS\", "
-                          "max_vel_x: 0.4, angular_dist_threshold: 0.9"));
-  QVERIFY2(flat.ok(), texts(flat.problems).c_str());
-  QCOMPARE(countOf(flat.problems, "nav2.treated-as"), 1);
-  QCOMPARE(valueAt<double>(flat, "FollowPath.vx_max"), 0.4);
-  QCOMPARE(valueAt<double>(flat, "FollowPath.angular_dist_threshold"), 0.9);
-  const Nav2ReadResult nested =
-      readOf(controllerOf(shim,
-                          "primary_controller: {plugin: \"teb_local_planner::TebLocalPlannerROS\", "
-                          "max_vel_x: 0.4}, angular_dist_threshold: 0.9"),
-             Distro::Main);
-  QVERIFY2(nested.ok(), texts(nested.problems).c_str());
-  QCOMPARE(valueAt<double>(nested, "FollowPath.primary_controller.vx_max"), 0.4);
-  QCOMPARE(valueAt<double>(nested, "FollowPath.angular_dist_threshold"), 0.9);
-}
+  void controller_valueFromOutside_counts() {
+    ParameterFile file = parsed(controllerOf("my_robot/Follower", "max_vel_x: 0.3"));
+    const Nav2ReadResult before = readNav2Parameters(file, {Distro::Jazzy, {}});
+    QVERIFY(setNav2Value(file, before, "FollowPath.sim_time", "1.2").empty());
+    const Nav2ReadResult after = readNav2Parameters(file, {Distro::Jazzy, {}});
+    QCOMPARE(valueAt<double>(before, "FollowPath.sim_time"), 1.7);
+    QCOMPARE(valueAt<double>(after, "FollowPath.sim_time"), 1.2);
+    QCOMPARE(valueAt<double>(after, "FollowPath.max_vel_x"), 0.3);
+  }
 
-void Nav2ReplacementsTest::controller_misspelt_isAnError_data() {
-  QTest::addColumn<QString>("plugin");
-  QTest::newRow("class") << "dwb_core::DWBLocalPlaner";
-  QTest::newRow("package") << "dwb_cor::DWBLocalPlanner";
-  QTest::newRow("other class of a known package") << "nav2_mppi_controller::Controller";
-}
+  void controller_belowAShim_isReplaced() {
+    const std::string shim = "nav2_rotation_shim_controller::RotationShimController";
+    const Nav2ReadResult flat =
+        readOf(controllerOf(shim,
+                            "primary_controller: \"teb_local_planner::TebLocalPlannerROS\", "
+                            "max_vel_x: 0.4, angular_dist_threshold: 0.9"));
+    QVERIFY2(flat.ok(), texts(flat.problems).c_str());
+    QCOMPARE(countOf(flat.problems, "nav2.treated-as"), 1);
+    QCOMPARE(valueAt<double>(flat, "FollowPath.vx_max"), 0.4);
+    QCOMPARE(valueAt<double>(flat, "FollowPath.angular_dist_threshold"), 0.9);
+    const Nav2ReadResult nested = readOf(
+        controllerOf(shim,
+                     "primary_controller: {plugin: \"teb_local_planner::TebLocalPlannerROS\", "
+                     "max_vel_x: 0.4}, angular_dist_threshold: 0.9"),
+        Distro::Main);
+    QVERIFY2(nested.ok(), texts(nested.problems).c_str());
+    QCOMPARE(valueAt<double>(nested, "FollowPath.primary_controller.vx_max"), 0.4);
+    QCOMPARE(valueAt<double>(nested, "FollowPath.angular_dist_threshold"), 0.9);
+  }
 
-void Nav2ReplacementsTest::controller_misspelt_isAnError() {
-  QFETCH(QString, plugin);
-  const Nav2ReadResult reading = readOf(controllerOf(plugin.toStdString(), ""));
-  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-plugin");
-  QVERIFY2(problem != nullptr && !reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(problem->line, 4);
-}
+  void controller_misspelt_isAnError_data() {
+    QTest::addColumn<QString>("plugin");
+    QTest::newRow("class") << "dwb_core::DWBLocalPlaner";
+    QTest::newRow("package") << "dwb_cor::DWBLocalPlanner";
+    QTest::newRow("other class of a known package") << "nav2_mppi_controller::Controller";
+  }
 
-void Nav2ReplacementsTest::checker_ofAnotherPackage_isTheSimpleOne() {
-  const Nav2ReadResult reading = readOf(kPursuit + R"(    goal_checker_plugins: [goal]
+  void controller_misspelt_isAnError() {
+    QFETCH(QString, plugin);
+    const Nav2ReadResult reading = readOf(controllerOf(plugin.toStdString(), ""));
+    const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-plugin");
+    QVERIFY2(problem != nullptr && !reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(problem->line, 4);
+  }
+
+  void checker_ofAnotherPackage_isTheSimpleOne() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"(    goal_checker_plugins: [goal]
     progress_checker_plugins: [moves]
     goal: {plugin: "my_robot::PatientGoalChecker", xy_goal_tolerance: 0.15, patience: 3}
     moves: {plugin: "my_robot::Watch", movement_time_allowance: 4.0}
 )");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 2);
-  QCOMPARE(reading.problems.size(), std::size_t{2});
-  QCOMPARE(xyGoalTolerance(reading.parameters), 0.15);
-  QCOMPARE(valueAt<std::string>(reading, "moves.plugin"),
-           std::string("nav2_controller::SimpleProgressChecker"));
-  QCOMPARE(valueAt<double>(reading, "moves.movement_time_allowance"), 4.0);
-}
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 2);
+    QCOMPARE(reading.problems.size(), std::size_t{2});
+    QCOMPARE(xyGoalTolerance(reading.parameters), 0.15);
+    QCOMPARE(valueAt<std::string>(reading, "moves.plugin"),
+             std::string("nav2_controller::SimpleProgressChecker"));
+    QCOMPARE(valueAt<double>(reading, "moves.movement_time_allowance"), 4.0);
+  }
 
-void Nav2ReplacementsTest::planner_ofAnotherPackage_isTheNearestOne_data() {
-  QTest::addColumn<QString>("plugin");
-  QTest::addColumn<int>("index");  // of GlobalPlannerParameters
-  QTest::newRow("straight line") << "nav2_straightline_planner/StraightLine" << 0;
-  QTest::newRow("anything") << "my_robot::RRTStar" << 0;
-  QTest::newRow("a fork of Theta*") << "lazy_theta_star_p_planner/LazyThetaStar" << 1;
-  QTest::newRow("a fork of Hybrid-A*") << "our_smac/SmacPlannerHybridPlus" << 3;
-}
+  void planner_ofAnotherPackage_isTheNearestOne_data() {
+    QTest::addColumn<QString>("plugin");
+    QTest::addColumn<int>("index");  // of GlobalPlannerParameters
+    QTest::newRow("straight line") << "nav2_straightline_planner/StraightLine" << 0;
+    QTest::newRow("anything") << "my_robot::RRTStar" << 0;
+    QTest::newRow("a fork of Theta*") << "lazy_theta_star_p_planner/LazyThetaStar" << 1;
+    QTest::newRow("a fork of Hybrid-A*") << "our_smac/SmacPlannerHybridPlus" << 3;
+  }
 
-void Nav2ReplacementsTest::planner_ofAnotherPackage_isTheNearestOne() {
-  QFETCH(QString, plugin);
-  QFETCH(int, index);
-  const Nav2ReadResult reading =
-      readOf(kPursuit +
-             "planner_server:\n  ros__parameters:\n    planner_plugins: [GridBased]\n"
-             "    GridBased: {plugin: \"" +
-             plugin.toStdString() + "\", allow_unknown: false, tolerance: 1, ways: [a, b]}\n");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(reading.problems.size(), std::size_t{1});
-  QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 1);
-  const GlobalPlannerParameters& planner = reading.parameters.planners.front().second;
-  QCOMPARE(static_cast<int>(planner.index()), index);
-  QVERIFY(!std::visit([](const auto& held) { return held.allowUnknown; }, planner));
-}
+  void planner_ofAnotherPackage_isTheNearestOne() {
+    QFETCH(QString, plugin);
+    QFETCH(int, index);
+    const Nav2ReadResult reading =
+        readOf(kPursuit +
+               "planner_server:\n  ros__parameters:\n    planner_plugins: [GridBased]\n"
+               "    GridBased: {plugin: \"" +
+               plugin.toStdString() + "\", allow_unknown: false, tolerance: 1, ways: [a, b]}\n");
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(reading.problems.size(), std::size_t{1});
+    QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 1);
+    const GlobalPlannerParameters& planner = reading.parameters.planners.front().second;
+    QCOMPARE(static_cast<int>(planner.index()), index);
+    QVERIFY(!std::visit([](const auto& held) { return held.allowUnknown; }, planner));
+  }
 
-void Nav2ReplacementsTest::smootherAndBehavior_ofAnotherPackage() {
-  const Nav2ReadResult reading = readOf(kPursuit + R"(smoother_server:
+  void smootherAndBehavior_ofAnotherPackage() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"(smoother_server:
   ros__parameters:
     smoother_plugins: [smooth]
     smooth: {plugin: "my_robot::BSpline", tolerance: 1.0e-9}
@@ -233,36 +212,37 @@ behavior_server:
     spin: {plugin: "nav2_behaviors::Spin"}
     dance: {plugin: "my_robot::Dance", turns: 3}
 )");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 1);
-  QCOMPARE(countOf(reading.problems, "nav2.left-out"), 1);
-  QCOMPARE(reading.problems.size(), std::size_t{2});
-  QVERIFY(reading.parameters.behaviors.hasSpin);
-  QCOMPARE(
-      std::get<SimpleSmootherParameters>(reading.parameters.smoothers.front().second).tolerance,
-      1e-9);
-}
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(countOf(reading.problems, "nav2.treated-as"), 1);
+    QCOMPARE(countOf(reading.problems, "nav2.left-out"), 1);
+    QCOMPARE(reading.problems.size(), std::size_t{2});
+    QVERIFY(reading.parameters.behaviors.hasSpin);
+    QCOMPARE(
+        std::get<SimpleSmootherParameters>(reading.parameters.smoothers.front().second).tolerance,
+        1e-9);
+  }
 
-void Nav2ReplacementsTest::critics_ofOtherPackages_areLeftOut() {
-  const Nav2ReadResult dwb = readOf(controllerOf(
-      "dwb_core::DWBLocalPlanner",
-      "max_vel_x: 0.3, max_vel_theta: 1.0, critics: [PathDist, \"social_critics::PersonalSpace\"], "
-      "trajectory_generator_name: \"our_dwb::Generator\""));
-  QVERIFY2(dwb.ok(), texts(dwb.problems).c_str());
-  QCOMPARE(countOf(dwb.problems, "nav2.left-out"), 1);
-  QCOMPARE(countOf(dwb.problems, "nav2.treated-as"), 1);
-  const Nav2ReadResult mppi =
-      readOf(controllerOf("nav2_mppi_controller::MPPIController",
-                          "critics: [CostCritic, SocialCritic, PathFollowCritic]"));
-  QVERIFY2(mppi.ok(), texts(mppi.problems).c_str());
-  QCOMPARE(countOf(mppi.problems, "nav2.left-out"), 1);
-  const Nav2ReadResult wrong = readOf(controllerOf("nav2_mppi_controller::MPPIController",
-                                                   "critics: [CostCritc, PathFollowCritic]"));
-  QVERIFY(!wrong.ok());
-}
+  void critics_ofOtherPackages_areLeftOut() {
+    const Nav2ReadResult dwb =
+        readOf(controllerOf("dwb_core::DWBLocalPlanner",
+                            "max_vel_x: 0.3, max_vel_theta: 1.0, critics: [PathDist, "
+                            "\"social_critics::PersonalSpace\"], "
+                            "trajectory_generator_name: \"our_dwb::Generator\""));
+    QVERIFY2(dwb.ok(), texts(dwb.problems).c_str());
+    QCOMPARE(countOf(dwb.problems, "nav2.left-out"), 1);
+    QCOMPARE(countOf(dwb.problems, "nav2.treated-as"), 1);
+    const Nav2ReadResult mppi =
+        readOf(controllerOf("nav2_mppi_controller::MPPIController",
+                            "critics: [CostCritic, SocialCritic, PathFollowCritic]"));
+    QVERIFY2(mppi.ok(), texts(mppi.problems).c_str());
+    QCOMPARE(countOf(mppi.problems, "nav2.left-out"), 1);
+    const Nav2ReadResult wrong = readOf(controllerOf("nav2_mppi_controller::MPPIController",
+                                                     "critics: [CostCritc, PathFollowCritic]"));
+    QVERIFY(!wrong.ok());
+  }
 
-void Nav2ReplacementsTest::oldNames_areTheirNewerNames() {
-  const Nav2ReadResult reading = readOf(R"(controller_server:
+  void oldNames_areTheirNewerNames() {
+    const Nav2ReadResult reading = readOf(R"(controller_server:
   ros__parameters:
     controller_plugins: [FollowPath]
     goal_checker_plugin: "checker"
@@ -280,20 +260,20 @@ recoveries_server:
     recovery_plugins: ["spin"]
     spin: {plugin: "nav2_recoveries/Spin"}
 )",
-                                        Distro::Humble);
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(countOf(reading.problems, "nav2.older-branch"), 3);
-  QVERIFY2(!problemOf(reading.problems, "nav2.unknown-key"), texts(reading.problems).c_str());
-  QCOMPARE(xyGoalTolerance(reading.parameters), 0.12);
-  QVERIFY(reading.parameters.behaviors.hasSpin && !reading.parameters.behaviors.hasWait);
-  const auto& seen =
-      std::get<ObstacleLayerParameters>(reading.parameters.localCostmap.plugins[0].parameters);
-  QCOMPARE(seen.sources[0].obstacleMaxRange, 4.0);
-  QCOMPARE(seen.sources[0].raytraceMaxRange, 6.0);
-}
+                                          Distro::Humble);
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(countOf(reading.problems, "nav2.older-branch"), 3);
+    QVERIFY2(!problemOf(reading.problems, "nav2.unknown-key"), texts(reading.problems).c_str());
+    QCOMPARE(xyGoalTolerance(reading.parameters), 0.12);
+    QVERIFY(reading.parameters.behaviors.hasSpin && !reading.parameters.behaviors.hasWait);
+    const auto& seen =
+        std::get<ObstacleLayerParameters>(reading.parameters.localCostmap.plugins[0].parameters);
+    QCOMPARE(seen.sources[0].obstacleMaxRange, 4.0);
+    QCOMPARE(seen.sources[0].raytraceMaxRange, 6.0);
+  }
 
-void Nav2ReplacementsTest::oldNames_ofEloquent_nameClassesInLists() {
-  const Nav2ReadResult reading = readOf(R"(controller_server:
+  void oldNames_ofEloquent_nameClassesInLists() {
+    const Nav2ReadResult reading = readOf(R"(controller_server:
   ros__parameters:
     controller_plugin_types: ["dwb_core::DWBLocalPlanner"]
     controller_plugin_ids: ["Drive"]
@@ -312,28 +292,28 @@ global_costmap:
       plugin_types: ["nav2_costmap_2d::StaticLayer", "nav2_costmap_2d::InflationLayer"]
       inflation.cost_scaling_factor: 3.5
 )",
-                                        Distro::Humble);
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(valueAt<double>(reading, "Drive.max_vel_x"), 0.31);
-  QCOMPARE(reading.parameters.planners.front().first, std::string("GridBased"));
-  QCOMPARE(std::get<NavfnParameters>(reading.parameters.planners.front().second).tolerance, 2.0);
-  const auto& layers = reading.parameters.globalCostmap.plugins;
-  QCOMPARE(layers.size(), std::size_t{2});
-  QCOMPARE(std::get<InflationLayerParameters>(layers[1].parameters).costScalingFactor, 3.5);
-}
+                                          Distro::Humble);
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(valueAt<double>(reading, "Drive.max_vel_x"), 0.31);
+    QCOMPARE(reading.parameters.planners.front().first, std::string("GridBased"));
+    QCOMPARE(std::get<NavfnParameters>(reading.parameters.planners.front().second).tolerance, 2.0);
+    const auto& layers = reading.parameters.globalCostmap.plugins;
+    QCOMPARE(layers.size(), std::size_t{2});
+    QCOMPARE(std::get<InflationLayerParameters>(layers[1].parameters).costScalingFactor, 3.5);
+  }
 
-void Nav2ReplacementsTest::placeholder_isAbsent() {
-  const Nav2ReadResult reading = readOf(kPursuit + R"(    controller_frequency: TO_BE_OVERRIDDEN
+  void placeholder_isAbsent() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"(    controller_frequency: TO_BE_OVERRIDDEN
 )");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.placeholder");
-  QVERIFY(problem != nullptr);
-  QCOMPARE(problem->line, 5);
-  QCOMPARE(controllerValue(reading.parameters, "controller_frequency", 20.0), 20.0);
-}
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.placeholder");
+    QVERIFY(problem != nullptr);
+    QCOMPARE(problem->line, 5);
+    QCOMPARE(controllerValue(reading.parameters, "controller_frequency", 20.0), 20.0);
+  }
 
-void Nav2ReplacementsTest::placeholder_ofLaunchFiles_isAbsent() {
-  const Nav2ReadResult reading = readOf(kPursuit + R"yaml(    controller_frequency: $(var rate)
+  void placeholder_ofLaunchFiles_isAbsent() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"yaml(    controller_frequency: $(var rate)
 local_costmap:
   local_costmap:
     ros__parameters:
@@ -341,14 +321,14 @@ local_costmap:
       footprint: "$(var footprint)"
       plugins: $(var layers)
 )yaml");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(countOf(reading.problems, "nav2.placeholder"), 4);
-  QCOMPARE(reading.parameters.localCostmap.parameters.robotRadius, 0.1);
-  QCOMPARE(reading.parameters.localCostmap.parameters.footprint, std::string("[]"));
-}
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(countOf(reading.problems, "nav2.placeholder"), 4);
+    QCOMPARE(reading.parameters.localCostmap.parameters.robotRadius, 0.1);
+    QCOMPARE(reading.parameters.localCostmap.parameters.footprint, std::string("[]"));
+  }
 
-void Nav2ReplacementsTest::placeholder_listHasItsBlocks() {
-  const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
+  void placeholder_listHasItsBlocks() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: TO_BE_OVERRIDDEN
@@ -357,24 +337,25 @@ void Nav2ReplacementsTest::placeholder_listHasItsBlocks() {
       map: {plugin: "nav2_costmap_2d::StaticLayer"}
       slow: {plugin: "nav2_costmap_2d::SpeedFilter"}
 )");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(countOf(reading.problems, "nav2.list-placeholder"), 2);
-  const CostmapSettings& costmap = reading.parameters.localCostmap;
-  QCOMPARE(costmap.plugins.size(), std::size_t{2});
-  QCOMPARE(costmap.plugins[0].name, std::string("map"));  // the inflation comes last
-  QCOMPARE(costmap.plugins[1].name, std::string("grown"));
-  QCOMPARE(costmap.filters.size(), std::size_t{1});
-}
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QCOMPARE(countOf(reading.problems, "nav2.list-placeholder"), 2);
+    const CostmapSettings& costmap = reading.parameters.localCostmap;
+    QCOMPARE(costmap.plugins.size(), std::size_t{2});
+    QCOMPARE(costmap.plugins[0].name, std::string("map"));  // the inflation comes last
+    QCOMPARE(costmap.plugins[1].name, std::string("grown"));
+    QCOMPARE(costmap.filters.size(), std::size_t{1});
+  }
 
-void Nav2ReplacementsTest::emptyList_ofPlanners_isAbsent() {
-  const Nav2ReadResult reading = readOf(kPursuit + R"(planner_server:
+  void emptyList_ofPlanners_isAbsent() {
+    const Nav2ReadResult reading = readOf(kPursuit + R"(planner_server:
   ros__parameters:
     planner_plugins: [""]
 )");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QVERIFY(problemOf(reading.problems, "nav2.empty-list"));
-  QCOMPARE(reading.parameters.planners.size(), std::size_t{1});
-}
+    QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+    QVERIFY(problemOf(reading.problems, "nav2.empty-list"));
+    QCOMPARE(reading.parameters.planners.size(), std::size_t{1});
+  }
+};
 
 QTEST_GUILESS_MAIN(Nav2ReplacementsTest)
 #include "tst_Nav2Replacements.moc"

@@ -4,7 +4,6 @@
 #include <deque>
 #include <limits>
 
-#include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/action_msgs.h"
 #include "app/bridge/messages/nav2_msgs.h"
 #include "app/bridge/messages/nav_msgs.h"
@@ -76,13 +75,7 @@ class NavigatorStandIn {
 
   template <class M, class Take>
   void hear(const char* topic, const Qos& qos, Take take) {
-    subscriptions_.push_back(
-        *participant_->subscription(node_, topic, M::kType, qos, [take](const Bytes& bytes) {
-          const base::Result<M> message = decode<M>(bytes);
-          if (message) {
-            take(*message);
-          }
-        }));
+    subscriptions_.push_back(ros2test::hear<M>(*participant_, node_, topic, qos, take));
   }
   template <class S, class Answer>
   void serve(const char* name, Answer answer) {

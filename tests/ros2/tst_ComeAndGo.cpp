@@ -17,18 +17,6 @@
 using namespace ros2test;
 using hunav_msgs::ComputeAgents;
 
-/// A server whose clients come and go, orderly or killed within a call, while one stays: each
-/// program for itself, as in a system of ROS 2. No call of anybody is lost and memory stays.
-///
-/// HUNAV_SOAK: seconds for each row instead of some.
-class ComeAndGoTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void clients_comeAndGo_noAnswerIsLost_data();
-  void clients_comeAndGo_noAnswerIsLost();
-};
-
 namespace {
 
 constexpr int kPeople = 10;
@@ -188,55 +176,64 @@ class Visitors {
 
 }  // namespace
 
-void ComeAndGoTest::clients_comeAndGo_noAnswerIsLost_data() {
-  QTest::addColumn<Rmw>("rmw");
-  QTest::addColumn<int>("domain");
-  QTest::newRow("fastrtps") << Rmw::FastRtps << 31;
-  QTest::newRow("cyclonedds") << Rmw::CycloneDds << 32;
-}
+/// A server whose clients come and go, orderly or killed within a call, while one stays: each
+/// program for itself, as in a system of ROS 2. No call of anybody is lost and memory stays.
+///
+/// HUNAV_SOAK: seconds for each row instead of some.
+class ComeAndGoTest : public QObject {
+  Q_OBJECT
 
-void ComeAndGoTest::clients_comeAndGo_noAnswerIsLost() {
-  QFETCH(const Rmw, rmw);
-  QFETCH(const int, domain);
-  bool isLong = false;
-  const int given = qEnvironmentVariableIntValue("HUNAV_SOAK", &isLong);
-  const int seconds = isLong ? given : 6;
-
-  QProcess server;
-  startAs(server, "serve", domain, rmw);
-  QVERIFY(server.waitForReadyRead(30000));
-  QCOMPARE(server.readAll(), QByteArray("ready\n"));
-  Caller stays(domain, rmw);
-  QVERIFY(stays.isReady());
-  Visitors visitors(domain, rmw);
-  int answered = 0;
-  int lost = 0;
-  long before = -1;  // [kB], after a third of the time and two visitors
-  QElapsedTimer clock;
-  clock.start();
-  while (clock.elapsed() < 1000LL * seconds || visitors.gone < 4) {
-    (stays.isAnswered() ? answered : lost) += 1;
-    visitors.lookAfter();
-    if (before < 0 && visitors.gone >= 2 && clock.elapsed() > 1000LL * seconds / 3) {
-      before = memoryOf(server);
-    }
-    QVERIFY(lost < 3);
-    QTest::qSleep(2);
+ private Q_SLOTS:
+  void clients_comeAndGo_noAnswerIsLost_data() {
+    QTest::addColumn<Rmw>("rmw");
+    QTest::addColumn<int>("domain");
+    QTest::newRow("fastrtps") << Rmw::FastRtps << 31;
+    QTest::newRow("cyclonedds") << Rmw::CycloneDds << 32;
   }
-  visitors.waitForTheLast();
-  const long after = memoryOf(server);
-  server.closeWriteChannel();
-  QVERIFY(server.waitForFinished(30000));
-  QCOMPARE(server.exitCode(), 0);
-  QCOMPARE(server.readAll(), QByteArray());
-  qInfo("%d calls of who stays are answered, %d came and went, %ld kB, at last %ld kB", answered,
-        visitors.gone, before, after);
-  QCOMPARE(lost, 0);
-  QVERIFY2(visitors.troubles.isEmpty(), qPrintable(visitors.troubles.join(QLatin1Char('\n'))));
-  QVERIFY(visitors.gone > 0 && answered > kCalls);
-  QVERIFY(before > 0);
-  QVERIFY(kIsSanitized || after - before < 4000);  // there what is freed is kept for a while
-}
+
+  void clients_comeAndGo_noAnswerIsLost() {
+    QFETCH(const Rmw, rmw);
+    QFETCH(const int, domain);
+    bool isLong = false;
+    const int given = qEnvironmentVariableIntValue("HUNAV_SOAK", &isLong);
+    const int seconds = isLong ? given : 6;
+
+    QProcess server;
+    startAs(server, "serve", domain, rmw);
+    QVERIFY(server.waitForReadyRead(30000));
+    QCOMPARE(server.readAll(), QByteArray("ready\n"));
+    Caller stays(domain, rmw);
+    QVERIFY(stays.isReady());
+    Visitors visitors(domain, rmw);
+    int answered = 0;
+    int lost = 0;
+    long before = -1;  // [kB], after a third of the time and two visitors
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 1000LL * seconds || visitors.gone < 4) {
+      (stays.isAnswered() ? answered : lost) += 1;
+      visitors.lookAfter();
+      if (before < 0 && visitors.gone >= 2 && clock.elapsed() > 1000LL * seconds / 3) {
+        before = memoryOf(server);
+      }
+      QVERIFY(lost < 3);
+      QTest::qSleep(2);
+    }
+    visitors.waitForTheLast();
+    const long after = memoryOf(server);
+    server.closeWriteChannel();
+    QVERIFY(server.waitForFinished(30000));
+    QCOMPARE(server.exitCode(), 0);
+    QCOMPARE(server.readAll(), QByteArray());
+    qInfo("%d calls of who stays are answered, %d came and went, %ld kB, at last %ld kB", answered,
+          visitors.gone, before, after);
+    QCOMPARE(lost, 0);
+    QVERIFY2(visitors.troubles.isEmpty(), qPrintable(visitors.troubles.join(QLatin1Char('\n'))));
+    QVERIFY(visitors.gone > 0 && answered > kCalls);
+    QVERIFY(before > 0);
+    QVERIFY(kIsSanitized || after - before < 4000);  // there what is freed is kept for a while
+  }
+};
 
 int main(int argc, char** argv) {
   if (argc == 4) {

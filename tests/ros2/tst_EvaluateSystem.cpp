@@ -24,10 +24,6 @@ constexpr int kDomain = 33;
 constexpr int kSamples = 21;
 constexpr double kStep = 0.1;  // [s]
 
-QString text(const char* words) {
-  return QString::fromLatin1(words);
-}
-
 /// A robot that drives along x at 1 m/s past a person who stands at (1, 2).
 class FakeSystem {
  public:

@@ -11,10 +11,6 @@ namespace {
 
 constexpr int kDomain = 34;
 
-QString text(const char* words) {
-  return QString::fromLatin1(words);
-}
-
 QByteArray bytesOf(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();

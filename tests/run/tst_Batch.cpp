@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <unistd.h>
@@ -37,6 +38,16 @@ app::BatchJob jobOf(std::size_t count, Rows& rows) {
   };
   job.wantsStop = [] { return false; };
   return job;
+}
+
+/// Calls `action` at the beginning of this run.
+void actIn(app::BatchJob& job, std::size_t which, const std::function<void()>& action) {
+  job.execute = [inner = job.execute, which, action](std::size_t run, const auto& met) {
+    if (run == which) {
+      action();
+    }
+    return inner(run, met);
+  };
 }
 
 std::set<std::string> workersOf(const Rows& rows) {
@@ -127,13 +138,10 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(8, rows);
     job.jobs = 2;
-    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
-      if (run == 3) {
-        ::signal(SIGSEGV, SIG_DFL);  // a sanitizer would tell much
-        ::raise(SIGSEGV);
-      }
-      return inner(run, met);
-    };
+    actIn(job, 3, [] {
+      ::signal(SIGSEGV, SIG_DFL);  // a sanitizer would tell much
+      ::raise(SIGSEGV);
+    });
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{8});
     for (const auto& [run, row] : rows) {
@@ -154,13 +162,10 @@ class BatchTest : public QObject {
     QFETCH(const int, signal);
     Rows rows;
     app::BatchJob job = jobOf(4, rows);
-    job.execute = [inner = job.execute, signal](std::size_t run, const auto& met) {
-      if (run == 1) {
-        ::signal(signal, SIG_DFL);  // NOLINT(bugprone-unused-return-value): KILL has no other
-        ::raise(signal);
-      }
-      return inner(run, met);
-    };
+    actIn(job, 1, [signal] {
+      ::signal(signal, SIG_DFL);  // NOLINT(bugprone-unused-return-value): KILL has no other
+      ::raise(signal);
+    });
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{4});
     QVERIFY(!rows[1].ok && rows[1].failedBy == app::FailedBy::Machine);
@@ -170,12 +175,7 @@ class BatchTest : public QObject {
   void noMemory_isTheMachinesFailure() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
-      if (run == 1) {
-        throw std::bad_alloc();
-      }
-      return inner(run, met);
-    };
+    actIn(job, 1, [] { throw std::bad_alloc(); });
     QVERIFY(app::runBatch(job).empty());
     QVERIFY(!rows[1].ok && rows[1].failedBy == app::FailedBy::Machine);
     QCOMPARE(rows[1].reason, std::string("not enough memory"));
@@ -186,14 +186,13 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(5, rows);
     const std::string mark = path("mark");
-    job.execute = [inner = job.execute, mark](std::size_t run, const auto& met) {
-      if (run == 2 && !QFile::exists(QString::fromStdString(mark))) {
+    actIn(job, 2, [mark] {
+      if (!QFile::exists(QString::fromStdString(mark))) {
         if (base::writeFileAtomically(mark, "x").empty()) {
           ::kill(::getpid(), SIGKILL);
         }
       }
-      return inner(run, met);
-    };
+    });
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{5});
     QVERIFY(std::all_of(rows.begin(), rows.end(), [](const auto& each) { return each.second.ok; }));
@@ -202,12 +201,7 @@ class BatchTest : public QObject {
   void exception_isTheReason() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
-      if (run == 1) {
-        throw std::runtime_error("no memory for this");
-      }
-      return inner(run, met);
-    };
+    actIn(job, 1, [] { throw std::runtime_error("no memory for this"); });
     QVERIFY(app::runBatch(job).empty());
     QVERIFY(!rows[1].ok);
     QCOMPARE(rows[1].reason, std::string("no memory for this"));
@@ -219,14 +213,11 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(4, rows);
     job.timeLimit = 0.3;
-    job.execute = [inner = job.execute](std::size_t run, const auto& met) {
-      if (run == 1) {
-        for (;;) {
-          ::pause();
-        }
+    actIn(job, 1, [] {
+      for (;;) {
+        ::pause();
       }
-      return inner(run, met);
-    };
+    });
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{4});
     QCOMPARE(rows[1].reason, std::string("not finished within 0.3 s"));

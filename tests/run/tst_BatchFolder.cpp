@@ -6,7 +6,6 @@
 
 #include "app/run/BatchFolder.h"
 #include "app/run/ManifestFiles.h"
-#include "app/run/Merge.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/StruckCalls.h"
 

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/Nav2Robots.h"
 #include "sim2d/base/Text.h"
+#include "tests/run/Nav2Scene.h"
 
 /// Runs of robots that dock, are charged, follow somebody, are driven by hand or have a task at
 /// each of their goals, by trees of Nav2.
@@ -31,52 +30,20 @@ class Nav2DockRunsTest : public QObject {
 
 namespace {
 
+using namespace nav2scene;
 using base::Vec2;
 using Words = std::vector<std::string>;
-
-std::string inTmp(const std::string& name) {
-  return std::string(TEST_OUTPUT_DIR) + "/tmp/" + name;
-}
-
-std::string textOf(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// A plane with a person who walks along y = 6 m and one robot from the origin.
 std::string planeWith(const std::string& name, const std::string& robot,
                       const std::string& block = {}) {
-  const std::string path = inTmp(name + ".yaml");
-  base::writeFileAtomically(path, R"(hunav_loader:
-  ros__parameters:
-    map: none
-    agents: [anna]
-    anna:
-      id: 1
-      skin: 0
-      group_id: -1
-      max_vel: 0.3
-      radius: 0.3
-      init_pose: {x: 2.0, y: 3.0, z: 1.25, h: 0.0}
-      goal_radius: 0.3
-      cyclic_goals: false
-      goals: [4]
-      behavior: {type: Impassive, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
-    global_goals:
-      1: {x: 2.0, y: 0.0}
+  return written(name + ".yaml",
+                 planeText(kAtOrigin + robot + block, {"0.3", "x: 2.0, y: 3.0", "4", "Impassive"},
+                           R"(      1: {x: 2.0, y: 0.0}
       2: {x: 4.0, y: 0.0}
       3: {x: 30.0, y: 30.0}
       4: {x: 8.0, y: 3.0}
-hunavsim_desktop:
-  ros__parameters:
-    format: 1
-    map_file: none
-    robots: [robot1]
-    robot1:
-      planner: nav2
-      start: {x: 0.0, y: 0.0, h: 0.0}
-)" + robot + block);
-  return path;
+)"));
 }
 
 const std::string kFar = "      goals: [3]\n";
@@ -85,18 +52,15 @@ const std::string kDock =
 
 /// A tree of one node.
 std::string treeWith(const std::string& name, const std::string& nodes) {
-  base::writeFileAtomically(inTmp(name + ".xml"),
-                            "<root BTCPP_format=\"4\" main_tree_to_execute=\"MainTree\">\n"
-                            "<BehaviorTree ID=\"MainTree\">\n" +
-                                nodes + "</BehaviorTree>\n</root>\n");
-  return inTmp(name + ".xml");
+  return written(name + ".xml",
+                 "<root BTCPP_format=\"4\" main_tree_to_execute=\"MainTree\">\n"
+                 "<BehaviorTree ID=\"MainTree\">\n" +
+                     nodes + "</BehaviorTree>\n</root>\n");
 }
 
 /// Nav2's file with further behaviours and nodes.
 std::string paramsWith(const std::string& name, const std::string& nodes) {
-  base::writeFileAtomically(inTmp(name + ".yaml"),
-                            textOf(SOURCE_DIR "/maps/planners/nav2_rpp.yaml") + nodes);
-  return inTmp(name + ".yaml");
+  return written(name + ".yaml", textOf(SOURCE_DIR "/maps/planners/nav2_rpp.yaml") + nodes);
 }
 
 struct Driven {
@@ -120,9 +84,7 @@ Driven drive(const std::string& scenario, const std::string& params, const std::
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
   app::Verdict verdict = app::check(bundle);
   Driven driven;
-  for (const base::Diagnostic& problem : verdict.problems) {
-    driven.problems += problem.severity == base::Severity::Info ? "" : problem.text() + "\n";
-  }
+  driven.problems = problemsText(verdict.problems);
   if (!verdict.world) {
     return driven;
   }

@@ -13,6 +13,7 @@
 #include "bt/robot/Nav2Files.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Body.h"
+#include "tests/run/Nav2Scene.h"
 
 namespace {
 
@@ -124,32 +125,7 @@ std::string keyOf(const nlohmann::json& report, const std::string& key) {
 }  // namespace
 
 void Nav2FilesTest::initTestCase() {
-  scenario_ = write("plane.yaml", R"(hunav_loader:
-  ros__parameters:
-    map: none
-    agents: [anna]
-    anna:
-      id: 1
-      skin: 0
-      group_id: -1
-      max_vel: 0.5
-      radius: 0.3
-      init_pose: {x: 4.0, y: 30.0, z: 1.25, h: 0.0}
-      goal_radius: 0.3
-      cyclic_goals: false
-      goals: [1]
-      behavior: {type: Regular, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
-    global_goals:
-      1: {x: 4.0, y: 30.0}
-hunavsim_desktop:
-  ros__parameters:
-    format: 1
-    map_file: none
-    robots: [robot1]
-    robot1:
-      start: {x: 0.0, y: 0.0, h: 0.0}
-      goal: {x: 8.0, y: 0.0}
-)");
+  scenario_ = write("plane.yaml", nav2scene::planeText(nav2scene::kStraight));
   pursuit_ = write("nav/config/pursuit.yaml", kController);
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/run/Bundle.h"
 #include "sim2d/base/Text.h"
+#include "tests/run/Nav2Scene.h"
 
 /// Whole runs of robots with a localiser.
 class Nav2LocalizationTest : public QObject {
@@ -82,12 +83,8 @@ app::RunSpec nav2(const std::string& params = "turtlebot4") {
 }
 
 app::RunSpec withTree(const std::string& nodes) {
-  const std::string tree = std::string(TEST_OUTPUT_DIR) + "/tmp/localization_tree.xml";
-  base::writeFileAtomically(
-      tree, "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
-                "</BehaviorTree></root>");
   app::RunSpec options = nav2();
-  options.nav2Tree = tree;
+  options.nav2Tree = nav2scene::treeFile("localization_tree.xml", nodes);
   return options;
 }
 

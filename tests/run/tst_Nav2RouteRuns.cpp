@@ -10,6 +10,7 @@
 #include "app/run/Bundle.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/run/Nav2Scene.h"
 
 /// Runs of the planner `nav2` whose trees ask the route server, another navigator, or topics: a
 /// robot on a free plane, from (0, 0) to (8, 0).
@@ -33,44 +34,11 @@ class Nav2RouteRunsTest : public QObject {
 
 namespace {
 
+using namespace nav2scene;
 using base::Vec2;
 
-std::string folder() {
-  return std::string(TEST_OUTPUT_DIR) + "/tmp/";
-}
-
-std::string written(const std::string& name, const std::string& text) {
-  base::writeFileAtomically(folder() + name, text);
-  return folder() + name;
-}
-
 std::string scenario() {
-  return written("nav2_routes.yaml", R"(hunav_loader:
-  ros__parameters:
-    map: none
-    agents: [anna]
-    anna:
-      id: 1
-      skin: 0
-      group_id: -1
-      max_vel: 0.5
-      radius: 0.3
-      init_pose: {x: 4.0, y: 30.0, z: 1.25, h: 0.0}
-      goal_radius: 0.3
-      cyclic_goals: false
-      goals: [1]
-      behavior: {type: Regular, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
-    global_goals:
-      1: {x: 4.0, y: 30.0}
-hunavsim_desktop:
-  ros__parameters:
-    format: 1
-    map_file: none
-    robots: [robot1]
-    robot1:
-      start: {x: 0.0, y: 0.0, h: 0.0}
-      goal: {x: 8.0, y: 0.0}
-)");
+  return written("nav2_routes.yaml", planeText(kStraight));
 }
 
 /// Nodes 0 (0.5, 0), 1 (1, 3), 2 (7, 3), 3 (7.5, 0), 4 (4, -3); edges 10, 11, 12 over the top, 13,
@@ -95,17 +63,14 @@ std::string graph() {
 
 /// The generic robot's file with a route server.
 std::string params(const std::string& graphFile, const std::string& keys = {}) {
-  const auto text = base::readTextFile(SOURCE_DIR "/resources/nav2_params/generic.yaml");
-  return written("nav2_routes_params.yaml", (text ? *text : std::string()) +
-                                                "\nroute_server:\n  ros__parameters:\n"
-                                                "    graph_filepath: \"" +
-                                                graphFile + "\"\n" + keys);
+  return written("nav2_routes_params.yaml",
+                 textOf(SOURCE_DIR "/resources/nav2_params/generic.yaml") +
+                     "\nroute_server:\n  ros__parameters:\n    graph_filepath: \"" + graphFile +
+                     "\"\n" + keys);
 }
 
 std::string tree(const std::string& nodes) {
-  return written("nav2_routes_tree.xml",
-                 "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" +
-                     nodes + "</BehaviorTree></root>");
+  return treeFile("nav2_routes_tree.xml", nodes);
 }
 
 struct Driven {
@@ -145,9 +110,7 @@ Driven drive(const std::string& paramsFile, const std::string& treeFile, double 
   base::append(verdict.problems, verdict.wrongOptions);
   base::append(verdict.problems, verdict.worldRemarks);
   Driven driven;
-  for (const base::Diagnostic& problem : verdict.problems) {
-    driven.problems += problem.severity == base::Severity::Info ? "" : problem.text() + "\n";
-  }
+  driven.problems = problemsText(verdict.problems);
   if (!verdict.world) {
     return driven;
   }
@@ -278,7 +241,7 @@ void Nav2RouteRunsTest::navigateToPose_ownTree_drivesThere() {
   const std::string nodes = R"(<Sequence>
       <Spin spin_dist="0.5"/>
       <NavigateToPose goal="{goal}" behavior_tree=")" +
-                            folder() + R"(nav2_inner.xml"/></Sequence>)";
+                            inTmp("nav2_inner.xml") + R"("/></Sequence>)";
   const Driven driven = drive(params(""), tree(nodes), 60.0);
   QVERIFY2(driven.hasArrived, (driven.problems + driven.failure).c_str());
   const Driven usual = drive(params(""), tree("<NavigateToPose goal=\"{goal}\"/>"), 60.0,
@@ -298,8 +261,8 @@ void Nav2RouteRunsTest::navigateToPose_insideAnother_isRefused() {
   written("nav2_inner.xml", R"(<root BTCPP_format="4" main_tree_to_execute="I">
       <BehaviorTree ID="I"><NavigateToPose goal="{goal}"/></BehaviorTree></root>)");
   const std::string nodes = R"(<Fallback><NavigateToPose goal="{goal}" error_code_id="{code}"
-      behavior_tree=")" + folder() +
-                            R"(nav2_inner.xml"/><Sequence>
+      behavior_tree=")" + inTmp("nav2_inner.xml") +
+                            R"("/><Sequence>
       <AreErrorCodesPresent error_code="{code}" error_codes_to_check="9000"/><Spin/></Sequence>
     </Fallback>)";
   const Driven driven = drive(params(""), tree(nodes), 10.0);

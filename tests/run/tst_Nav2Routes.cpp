@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "app/run/Nav2Robots.h"
 #include "bt/robot/Nav2Goals.h"
 #include "sim2d/base/Text.h"
+#include "tests/run/Nav2Scene.h"
 
 /// Robots with Nav2 that have several goals, and masks that keep them out or slow them down.
 class Nav2RoutesTest : public QObject {
@@ -31,12 +30,8 @@ class Nav2RoutesTest : public QObject {
 
 namespace {
 
+using namespace nav2scene;
 using base::Vec2;
-
-std::string textOf(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void replace(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -44,40 +39,10 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
   text.replace(at, from.size(), to);
 }
 
-std::string inTmp(const std::string& name) {
-  return std::string(TEST_OUTPUT_DIR) + "/tmp/" + name;
-}
-
 /// A plane and one robot from the origin, with these keys.
 std::string planeWith(const std::string& name, const std::string& robot,
                       const std::string& goals = "      1: {x: 30.0, y: 30.0}\n") {
-  const std::string path = inTmp(name + ".yaml");
-  base::writeFileAtomically(path, R"(hunav_loader:
-  ros__parameters:
-    map: none
-    agents: [anna]
-    anna:
-      id: 1
-      skin: 0
-      group_id: -1
-      max_vel: 0.5
-      radius: 0.3
-      init_pose: {x: 30.0, y: 30.0, z: 1.25, h: 0.0}
-      goal_radius: 0.3
-      cyclic_goals: false
-      goals: [1]
-      behavior: {type: Regular, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
-    global_goals:
-)" + goals + R"(hunavsim_desktop:
-  ros__parameters:
-    format: 1
-    map_file: none
-    robots: [robot1]
-    robot1:
-      planner: nav2
-      start: {x: 0.0, y: 0.0, h: 0.0}
-)" + robot);
-  return path;
+  return written(name + ".yaml", planeText(kAtOrigin + robot, {"0.5", "x: 30.0, y: 30.0"}, goals));
 }
 
 struct RouteDriven {
@@ -97,9 +62,7 @@ RouteDriven driveRoute(const std::string& scenario, const std::string& params,
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
   app::Verdict verdict = app::check(bundle);
   RouteDriven driven;
-  for (const base::Diagnostic& problem : verdict.problems) {
-    driven.problems += problem.severity == base::Severity::Info ? "" : problem.text() + "\n";
-  }
+  driven.problems = problemsText(verdict.problems);
   if (!verdict.world) {
     return driven;
   }
@@ -183,8 +146,7 @@ std::string withFilter(const std::string& name, const std::string& filter,
   replace(text, node,
           node + "    default_nav_to_pose_bt_xml: \"" + trees + "to_pose" + end +
               "    default_nav_through_poses_bt_xml: \"" + trees + "through_poses" + end);
-  base::writeFileAtomically(inTmp(name + ".yaml"), text);
-  return inTmp(name + ".yaml");
+  return written(name + ".yaml", text);
 }
 std::string pursuitFile() {
   return withFilter("nav2_pursuit_params", {});

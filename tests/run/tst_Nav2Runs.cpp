@@ -13,6 +13,7 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/run/Nav2Scene.h"
 
 /// Whole runs of the planner `nav2`: files like those of real robots drive from start to goal, a
 /// changed parameter has its known effect, and all of it twice alike.
@@ -48,6 +49,7 @@ class Nav2RunsTest : public QObject {
 
 namespace {
 
+using namespace nav2scene;
 using base::Vec2;
 using Words = std::vector<std::string>;
 
@@ -71,45 +73,20 @@ app::RunSpec optionsOf(const std::string& scenario, const std::string& params) {
 
 /// A plane with a box between start and goal, nobody else. The robot looks along +x.
 std::string boxScenario(double heading = 0.0, bool hasBox = true) {
-  std::string yaml = R"(hunav_loader:
-  ros__parameters:
-    map: none
-    agents: [anna]
-    anna:
-      id: 1
-      skin: 0
-      group_id: -1
-      max_vel: 0.5
-      radius: 0.3
-      init_pose: {x: 4.0, y: 30.0, z: 1.25, h: 0.0}
-      goal_radius: 0.3
-      cyclic_goals: false
-      goals: [1]
-      behavior: {type: Regular, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
-    global_goals:
-      1: {x: 4.0, y: 30.0}
-hunavsim_desktop:
-  ros__parameters:
-    format: 1
-    map_file: none
-    robots: [robot1]
-    robot1:
-      start: {x: 0.0, y: 0.0, h: HEADING}
+  const std::string turned = base::formatDecimals(heading, 3);
+  std::string yaml = planeText("      start: {x: 0.0, y: 0.0, h: " + turned + R"(}
       goal: {x: 8.0, y: 0.0}
     robot2:
       start: {x: 0.0, y: 3.0, h: 0.0}
       goal: {x: 7.0, y: 3.0}
-)";
-  yaml.replace(yaml.find("HEADING"), 7, base::formatDecimals(heading, 3));
+)");
   if (hasBox) {
     yaml += R"(    obstacles: [box1]
     box1: {kind: box, x: 4.0, y: 0.3, h: 0.0, length: 1.0, width: 2.0}
 )";
   }
-  const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_box" +
-                           base::formatDecimals(heading, 1) + (hasBox ? "b" : "") + ".yaml";
-  base::writeFileAtomically(path, yaml);
-  return path;
+  return written("nav2_box" + base::formatDecimals(heading, 1) + (hasBox ? "b" : "") + ".yaml",
+                 yaml);
 }
 
 struct Driven {
@@ -136,14 +113,6 @@ struct Driven {
   }
 };
 
-std::string textOf(const base::Diagnostics& problems) {
-  std::string text;
-  for (const base::Diagnostic& problem : problems) {
-    text += problem.severity == base::Severity::Info ? "" : problem.text() + "\n";
-  }
-  return text;
-}
-
 app::Verdict prepared(const app::RunSpec& options) {
   const auto settings = app::runSettingsOf(options);
   const app::Bundle bundle = app::readBundle(options, *settings, {});
@@ -155,7 +124,7 @@ app::Verdict prepared(const app::RunSpec& options) {
 Driven drive(const app::RunSpec& options, double longest) {
   Driven driven;
   app::Verdict verdict = prepared(options);
-  driven.problems = textOf(verdict.problems);
+  driven.problems = problemsText(verdict.problems);
   if (!verdict.world) {
     return driven;
   }
@@ -181,12 +150,8 @@ Driven driveBox(const std::string& params, const Words& set, double longest = 60
 
 /// By a tree of these nodes, of Main.
 Driven driveTree(const std::string& nodes, double heading, double longest, const Words& set = {}) {
-  const std::string tree = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_own.xml";
-  base::writeFileAtomically(
-      tree, "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
-                "</BehaviorTree></root>");
   app::RunSpec options = optionsOf(boxScenario(heading), "generic");
-  options.nav2Tree = tree;
+  options.nav2Tree = treeFile("nav2_own.xml", nodes);
   options.nav2Distro = "main";
   options.set = set;
   return drive(options, longest);
@@ -240,7 +205,7 @@ void Nav2RunsTest::twoRobots_withTwoFiles_bothArrive() {
                  "robot2.nav2_params=" + paramsFile("turtlebot3"),
                  "robot2.nav2_tree=" + kHumbleTree};
   app::Verdict verdict = prepared(options);
-  QVERIFY2(verdict.world, textOf(verdict.problems).c_str());
+  QVERIFY2(verdict.world, problemsText(verdict.problems).c_str());
   sim2d::World& world = *verdict.world;
   while (!world.arrivedAt() && world.time() < 90.0 && world.step()) {
   }
@@ -251,13 +216,10 @@ void Nav2RunsTest::twoRobots_withTwoFiles_bothArrive() {
 }
 
 void Nav2RunsTest::ownTree_thatOnlySpins_spins() {
-  const std::string tree = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_spin.xml";
-  base::writeFileAtomically(tree, R"(<root BTCPP_format="4" main_tree_to_execute="T">
-  <BehaviorTree ID="T"><Spin spin_dist="1.57"/></BehaviorTree></root>)");
   app::RunSpec options = optionsOf(boxScenario(), "generic");
-  options.nav2Tree = tree;
+  options.nav2Tree = treeFile("nav2_spin.xml", "<Spin spin_dist=\"1.57\"/>");
   app::Verdict verdict = prepared(options);
-  QVERIFY2(verdict.world, textOf(verdict.problems).c_str());
+  QVERIFY2(verdict.world, problemsText(verdict.problems).c_str());
   sim2d::World& world = *verdict.world;
   bool isTold = false;
   while (world.time() < 8.0 && world.step()) {
@@ -451,7 +413,7 @@ void Nav2RunsTest::badInput_isToldNotRun() {
                  "robot1.planner=nav2", set.toStdString()};
   const app::Verdict verdict = prepared(options);
   QVERIFY(!verdict.world);
-  const std::string text = textOf(verdict.problems);
+  const std::string text = problemsText(verdict.problems);
   QVERIFY2(text.find(part.toStdString()) != std::string::npos, text.c_str());
 }
 
@@ -494,7 +456,7 @@ void Nav2RunsTest::bodyOfTheFile_otherThanTheRobots_isReported() {
   app::RunSpec options = optionsOf(boxScenario(), "generic");
   options.nav2Params = {path};
   const app::Verdict verdict = prepared(options);
-  const std::string text = textOf(verdict.problems) + textOf(verdict.worldRemarks);
+  const std::string text = problemsText(verdict.problems) + problemsText(verdict.worldRemarks);
   const bool isReported = text.find(" reaches ") != std::string::npos;
   QVERIFY2(isReported != told.isEmpty(), text.c_str());
   QVERIFY2(told.isEmpty() || text.find(path + told.toStdString()) != std::string::npos,
@@ -528,7 +490,7 @@ void Nav2RunsTest::errorOfTheFile_isAtItsLine() {
   options.nav2Params = {path};
   const app::Verdict verdict = prepared(options);
   QVERIFY(!verdict.world);
-  const std::string text = textOf(verdict.problems);
+  const std::string text = problemsText(verdict.problems);
   QVERIFY2(text.find(path + told.toStdString()) != std::string::npos, text.c_str());
 }
 

@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "app/run/Bundle.h"
-#include "bt/robot/Nav2Display.h"
+#include "bt/robot/Nav2Servers.h"
 
 /// What a robot with Nav2 tells of itself for display, and that telling changes nothing.
 class Nav2ViewTest : public QObject {

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
+#include "tests/run/Nav2Scene.h"
 
 /// Runs that end when Nav2's navigator does, with success or failure.
 class NavigatorEndsTest : public QObject {
@@ -36,25 +35,12 @@ class NavigatorEndsTest : public QObject {
 
 namespace {
 
+using namespace nav2scene;
 using base::Vec2;
 using Words = std::vector<std::string>;
 
 const std::string kTrees = SOURCE_DIR "/resources/nav2_trees/";
 const std::string kToPose = kTrees + "jazzy/navigate_to_pose_w_replanning_and_recovery.xml";
-
-std::string textOf(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::string inTmp(const std::string& name) {
-  return std::string(TEST_OUTPUT_DIR) + "/tmp/ends_" + name;
-}
-
-std::string written(const std::string& name, const std::string& text) {
-  base::writeFileAtomically(inTmp(name), text);
-  return inTmp(name);
-}
 
 /// A file of maps/planners with Smac 2D, and the trees by their paths.
 std::string paramsFile(const std::string& controller, const std::string& tolerance) {
@@ -71,18 +57,12 @@ std::string paramsFile(const std::string& controller, const std::string& toleran
   replace(node, node + "    default_nav_to_pose_bt_xml: \"" + kToPose +
                     "\"\n    default_nav_through_poses_bt_xml: \"" + kTrees +
                     "jazzy/navigate_through_poses_w_replanning_and_recovery.xml\"\n");
-  return written(controller + tolerance + ".yaml", text);
-}
-
-std::string treeFile(const std::string& name, const std::string& nodes) {
-  return written(name + ".xml",
-                 "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" +
-                     nodes + "</BehaviorTree></root>");
+  return written("ends_" + controller + tolerance + ".yaml", text);
 }
 
 /// Plans once and follows.
 std::string plainTree() {
-  return treeFile("plain", R"(<Sequence><ComputePathToPose goal="{goal}" path="{path}"/>
+  return treeFile("ends_plain.xml", R"(<Sequence><ComputePathToPose goal="{goal}" path="{path}"/>
       <FollowPath path="{path}"/></Sequence>)");
 }
 
@@ -101,35 +81,13 @@ constexpr const char* kPillar = R"(    obstacles: [pillar]
 
 /// An open plane. The robot looks along +x; goals 1, 2, 3 at (2, 2), (4, 0), (2, -2).
 std::string scene(const std::string& name, const std::string& robot, const std::string& rest = {}) {
-  return written(name + ".yaml", R"(hunav_loader:
-  ros__parameters:
-    map: none
-    agents: [anna]
-    anna:
-      id: 1
-      skin: 0
-      group_id: -1
-      max_vel: 0.5
-      radius: 0.3
-      init_pose: {x: 1.0, y: 4.0, z: 1.25, h: 0.0}
-      goal_radius: 0.3
-      cyclic_goals: false
-      goals: [4]
-      behavior: {type: Regular, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
-    global_goals:
-      1: {x: 2.0, y: 2.0}
+  return written("ends_" + name + ".yaml",
+                 planeText(kAtOrigin + robot + rest, {"0.5", "x: 1.0, y: 4.0", "4"},
+                           R"(      1: {x: 2.0, y: 2.0}
       2: {x: 4.0, y: 0.0}
       3: {x: 2.0, y: -2.0}
       4: {x: 1.0, y: 4.0}
-hunavsim_desktop:
-  ros__parameters:
-    format: 1
-    map_file: none
-    robots: [robot1]
-    robot1:
-      planner: nav2
-      start: {x: 0.0, y: 0.0, h: 0.0}
-)" + robot + rest);
+)"));
 }
 
 struct Ended {
@@ -215,7 +173,7 @@ void NavigatorEndsTest::success_besideAnOccupiedGoal_tellsWhatIsLeft() {
 /// straight line. Within its radius the robot goes on turning until the checker is content.
 void NavigatorEndsTest::finalTurn_isSeen() {
   const std::string turn =
-      treeFile("turn", R"(<Sequence><ComputePathToPose goal="{goal}" path="{path}"/>
+      treeFile("ends_turn.xml", R"(<Sequence><ComputePathToPose goal="{goal}" path="{path}"/>
       <FollowPath path="{path}"/><Spin spin_dist="1.57"/></Sequence>)");
   const Ended run =
       ended(scene("turn", "      goal: {x: 2.0, y: 0.0}\n"), paramsFile("rpp", "0.25"), turn);
@@ -261,9 +219,10 @@ void NavigatorEndsTest::unreachable_endsWithTheReason() {
 }
 
 void NavigatorEndsTest::failureOfNoAction_namesTheNode() {
-  const Ended run = ended(
-      scene("node", "      goal: {x: 4.0, y: 0.0}\n"), paramsFile("rpp", "0.25"),
-      treeFile("node", R"(<Sequence><AlwaysSuccess/><GoalReached goal="{goal}"/></Sequence>)"));
+  const Ended run =
+      ended(scene("node", "      goal: {x: 4.0, y: 0.0}\n"), paramsFile("rpp", "0.25"),
+            treeFile("ends_node.xml",
+                     R"(<Sequence><AlwaysSuccess/><GoalReached goal="{goal}"/></Sequence>)"));
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
   QCOMPARE(QString::fromStdString(run.result.reason),
            QStringLiteral("navigation_failed: robot1, node GoalReached"));

@@ -6,6 +6,7 @@
 #include "sim2d/map/Outlines.h"
 #include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/ResolvedValues.h"
+#include "tests/support/Columns.h"
 
 using namespace sim2d;
 using namespace scenariotest;
@@ -82,11 +83,8 @@ class DefaultsTest : public QObject {
   }
 
   void resolveHuman_configurations_factors_data() {
-    QTest::addColumn<int>("configuration");
-    QTest::addColumn<bool>("rays");
-    QTest::addColumn<double>("goal");
-    QTest::addColumn<double>("obstacle");
-    QTest::addColumn<double>("social");
+    addColumns<int, bool, double, double, double>(
+        {"configuration", "rays", "goal", "obstacle", "social"});
     QTest::newRow("default") << 0 << false << 2.0 << 10.0 << 5.0;
     QTest::newRow("default, rays") << 0 << true << 10.0 << 2.0 << 5.0;
     QTest::newRow("custom") << 1 << false << 3.5 << 90.0 << 1.0;
@@ -115,12 +113,8 @@ class DefaultsTest : public QObject {
   }
 
   void resolveHuman_draws_followTheDistribution_data() {
-    QTest::addColumn<int>("configuration");
-    QTest::addColumn<int>("parameter");
-    QTest::addColumn<double>("least");
-    QTest::addColumn<double>("most");
-    QTest::addColumn<double>("mean");
-    QTest::addColumn<double>("tolerance");
+    addColumns<int, int, double, double, double, double>(
+        {"configuration", "parameter", "least", "most", "mean", "tolerance"});
     // means of the cut normal distributions: by numerical integration
     QTest::newRow("goal, normal") << 2 << 0 << 0.5 << 5.0 << 2.1122 << 0.07;
     QTest::newRow("goal, uniform") << 3 << 0 << 2.0 << 5.0 << 3.5 << 0.05;

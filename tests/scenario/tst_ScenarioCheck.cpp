@@ -3,6 +3,7 @@
 #include "ScenarioTest.h"
 #include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioCheck.h"
+#include "tests/support/Columns.h"
 
 using namespace sim2d;
 using namespace scenariotest;
@@ -97,11 +98,8 @@ class ScenarioCheckTest : public QObject {
   }
 
   void check_places_data() {
-    QTest::addColumn<QPointF>("start");
-    QTest::addColumn<QPointF>("goal");
-    QTest::addColumn<bool>("gap");
-    QTest::addColumn<QString>("severity");
-    QTest::addColumn<QString>("message");
+    addColumns<QPointF, QPointF, bool, QString, QString>(
+        {"start", "goal", "gap", "severity", "message"});
     QTest::newRow("start in the wall")
         << QPointF(5.05, 5.0) << QPointF(2.0, 5.0) << true << QStringLiteral("warning")
         << QStringLiteral(
@@ -162,9 +160,7 @@ class ScenarioCheckTest : public QObject {
   }
 
   void check_door_closedCutsOffUnlessItOpens_data() {
-    QTest::addColumn<bool>("open");
-    QTest::addColumn<bool>("toggles");
-    QTest::addColumn<bool>("reachable");
+    addColumns<bool, bool, bool>({"open", "toggles", "reachable"});
     QTest::newRow("open") << true << false << true;
     QTest::newRow("closed") << false << false << false;
     QTest::newRow("opens later") << false << true << true;
@@ -239,9 +235,7 @@ class ScenarioCheckTest : public QObject {
   }
 
   void check_names_data() {
-    QTest::addColumn<QByteArray>("human");
-    QTest::addColumn<QByteArray>("box");
-    QTest::addColumn<bool>("good");
+    addColumns<QByteArray, QByteArray, bool>({"human", "box", "good"});
     QTest::newRow("good") << QByteArray("Anna M.") << QByteArray("box_1") << true;
     QTest::newRow("same") << QByteArray("box") << QByteArray("box") << false;
     QTest::newRow("person as key") << QByteArray("agents") << QByteArray("box") << false;
@@ -343,8 +337,7 @@ class ScenarioCheckTest : public QObject {
   }
 
   void mapBaseName_stripsFolderAndExtension_data() {
-    QTest::addColumn<QByteArray>("map");
-    QTest::addColumn<QByteArray>("name");
+    addColumns<QByteArray, QByteArray>({"map", "name"});
     QTest::newRow("plain") << QByteArray("yard") << QByteArray("yard");
     QTest::newRow("extension") << QByteArray("yard.yaml") << QByteArray("yard");
     QTest::newRow("folder") << QByteArray("/a/b/yard.PGM") << QByteArray("yard");
@@ -361,9 +354,7 @@ class ScenarioCheckTest : public QObject {
   /// Every start and goal of the real files lies in a free cell of its map, but for two places of
   /// one file of a fork. Isaac's map is a PNG: it is read where images can be read, not here.
   void interop_placesAreFree_data() {
-    QTest::addColumn<QByteArray>("file");
-    QTest::addColumn<QByteArray>("map");
-    QTest::addColumn<int>("notFree");
+    addColumns<QByteArray, QByteArray, int>({"file", "map", "notFree"});
     const auto row = [](const char* file, const char* map, int notFree) {
       QTest::newRow(file) << QByteArray(file) << QByteArray(map) << notFree;
     };

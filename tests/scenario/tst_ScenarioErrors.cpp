@@ -2,6 +2,7 @@
 
 #include "ScenarioTest.h"
 #include "sim2d/scenario/ScenarioCheck.h"
+#include "tests/support/Columns.h"
 
 using namespace sim2d;
 using namespace scenariotest;
@@ -74,10 +75,7 @@ class ScenarioErrorsTest : public QObject {
   }
 
   void read_tooManyPeople_isOneErrorWithItsPlace_data() {
-    QTest::addColumn<QByteArray>("open");
-    QTest::addColumn<QByteArray>("line");
-    QTest::addColumn<int>("lines");
-    QTest::addColumn<QByteArray>("expected");
+    addColumns<QByteArray, QByteArray, int, QByteArray>({"open", "line", "lines", "expected"});
     QTest::newRow("names") << QByteArray("    agents:\n") << QByteArray("      - a\n") << 100001
                            << QByteArray(
                                   "many.yaml:100004:9: error: more than 100000 people in agents, "

@@ -1,4 +1,5 @@
 #include "ScenarioTest.h"
+#include "tests/support/Columns.h"
 #include "tests/support/CommaLocale.h"
 
 using namespace sim2d;
@@ -261,8 +262,7 @@ class ScenarioReaderTest : public QObject {
   }
 
   void read_lenientScalars_data() {
-    QTest::addColumn<QByteArray>("written");
-    QTest::addColumn<bool>("value");
+    addColumns<QByteArray, bool>({"written", "value"});
     QTest::newRow("quoted") << QByteArray("\"True\"") << true;
     QTest::newRow("number") << QByteArray("1") << true;
     QTest::newRow("zero") << QByteArray("0") << false;
@@ -337,8 +337,7 @@ class ScenarioReaderTest : public QObject {
   }
 
   void read_comments_counted_data() {
-    QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<int>("count");
+    addColumns<QByteArray, int>({"text", "count"});
     QTest::newRow("none") << QByteArray("a: 1\n") << 0;
     QTest::newRow("lines") << QByteArray("# one\na: 1 # two\n  # three") << 3;
     QTest::newRow("quotes") << QByteArray("a: \"x # y\" # one\nb: 'it''s # no'\n") << 1;
@@ -353,8 +352,7 @@ class ScenarioReaderTest : public QObject {
   }
 
   void read_interopFiles_asExpected_data() {
-    QTest::addColumn<QByteArray>("file");
-    QTest::addColumn<int>("dialect");
+    addColumns<QByteArray, int>({"file", "dialect"});
     QTest::addColumn<QByteArray>("listed");  // name id goals
     QTest::addColumn<int>("goals");
     const auto row = [](const char* file, Dialect dialect, const char* listed, int goals) {

@@ -3,6 +3,7 @@
 #include "RandomScenario.h"
 #include "ScenarioTest.h"
 #include "sim2d/base/yaml/YamlTree.h"
+#include "tests/support/Columns.h"
 
 using namespace sim2d;
 using base::YamlNode;
@@ -83,8 +84,7 @@ class ScenarioWriterTest : public QObject {
   }
 
   void needsQuotes_yaml11_data() {
-    QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<bool>("quotes");
+    addColumns<QByteArray, bool>({"text", "quotes"});
     for (const char* text : {"on",    "Off",        "no",   "YES",
                              "y",     "N",          "true", "null",
                              "~",     "1e3",        "010",  "0x1F",

@@ -1,4 +1,5 @@
 #include "ScenarioTest.h"
+#include "tests/support/Columns.h"
 
 using namespace sim2d;
 using namespace scenariotest;
@@ -10,8 +11,7 @@ class SetValueTest : public QObject {
 
  private Q_SLOTS:
   void setValue_knownPath_changesTheFile_data() {
-    QTest::addColumn<QByteArray>("path");
-    QTest::addColumn<QByteArray>("value");
+    addColumns<QByteArray, QByteArray>({"path", "value"});
     QTest::addColumn<QByteArray>("line");  // of the written file
     const auto row = [](const char* path, const char* value, const char* line) {
       QTest::newRow(path) << QByteArray(path) << QByteArray(value) << QByteArray(line);
@@ -54,9 +54,7 @@ class SetValueTest : public QObject {
   }
 
   void setValue_badPathOrValue_isErrorAndChangesNothing_data() {
-    QTest::addColumn<QByteArray>("path");
-    QTest::addColumn<QByteArray>("value");
-    QTest::addColumn<QByteArray>("message");
+    addColumns<QByteArray, QByteArray, QByteArray>({"path", "value", "message"});
     const auto row = [](const char* path, const char* value, const char* message) {
       QTest::newRow(path) << QByteArray(path) << QByteArray(value) << QByteArray(message);
     };

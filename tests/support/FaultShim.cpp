@@ -19,6 +19,7 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
+#include <type_traits>
 #include <unistd.h>
 
 #include "tests/support/FaultState.h"
@@ -51,7 +52,11 @@ template <class Function>
 Function* real(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
-#define HUNAV_REAL(name) static auto* const kReal = real<decltype(::name)>(#name)
+#define HUNAV_REAL(name)                                      \
+  [] {                                                        \
+    static auto* const kReal = real<decltype(::name)>(#name); \
+    return kReal;                                             \
+  }()
 
 /// Path of an open file, as the kernel names it; empty: none.
 std::string_view pathOf(int descriptor, char* to) {
@@ -249,6 +254,21 @@ int fails(int error) {
   return -1;
 }
 
+/// The failure with this error, or what the real call returns.
+template <class Real, class... Words>
+auto unless(int error, Real* call, Words... words) {
+  using Told = decltype(call(words...));
+  if (error == 0) {
+    return call(words...);
+  }
+  errno = error;
+  if constexpr (std::is_pointer_v<Told>) {
+    return Told{nullptr};
+  } else {
+    return Told{-1};
+  }
+}
+
 mode_t modeOf(int flags, va_list& words) {
   const bool hasMode = (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
   return hasMode ? va_arg(words, mode_t) : 0;
@@ -265,30 +285,45 @@ ssize_t writeAt(Real* call, const char* name, int descriptor, const void* bytes,
   return call(descriptor, bytes, static_cast<std::size_t>(most), place...);
 }
 
+template <class Real, class... Words>
+ssize_t writeTo(int descriptor, const char* name, Real* call, Words... words) {
+  if (const int error = changesOpen(name, descriptor, Needs::Space)) {
+    return fails(error);
+  }
+  noteSynced(descriptor, false);
+  return call(words...);
+}
+
+template <class Real>
+int syncTo(int descriptor, const char* name, Real* call) {
+  if (const int error = changesOpen(name, descriptor)) {
+    return fails(error);
+  }
+  const int told = call(descriptor);
+  noteSynced(descriptor, true);
+  return told;
+}
+
 }  // namespace
 
-#define HUNAV_OPEN(name)                                         \
-  extern "C" int name(const char* path, int flags, ...) {        \
-    HUNAV_REAL(name);                                            \
-    va_list words;                                               \
-    va_start(words, flags);                                      \
-    const mode_t mode = modeOf(flags, words);                    \
-    va_end(words);                                               \
-    const int error = opens(AT_FDCWD, path, flags);              \
-    return error != 0 ? fails(error) : kReal(path, flags, mode); \
+#define HUNAV_OPEN(name)                                                              \
+  extern "C" int name(const char* path, int flags, ...) {                             \
+    va_list words;                                                                    \
+    va_start(words, flags);                                                           \
+    const mode_t mode = modeOf(flags, words);                                         \
+    va_end(words);                                                                    \
+    return unless(opens(AT_FDCWD, path, flags), HUNAV_REAL(name), path, flags, mode); \
   }
 HUNAV_OPEN(open)
 HUNAV_OPEN(open64)
 
-#define HUNAV_OPENAT(name)                                               \
-  extern "C" int name(int folder, const char* path, int flags, ...) {    \
-    HUNAV_REAL(name);                                                    \
-    va_list words;                                                       \
-    va_start(words, flags);                                              \
-    const mode_t mode = modeOf(flags, words);                            \
-    va_end(words);                                                       \
-    const int error = opens(folder, path, flags);                        \
-    return error != 0 ? fails(error) : kReal(folder, path, flags, mode); \
+#define HUNAV_OPENAT(name)                                                                  \
+  extern "C" int name(int folder, const char* path, int flags, ...) {                       \
+    va_list words;                                                                          \
+    va_start(words, flags);                                                                 \
+    const mode_t mode = modeOf(flags, words);                                               \
+    va_end(words);                                                                          \
+    return unless(opens(folder, path, flags), HUNAV_REAL(name), folder, path, flags, mode); \
   }
 HUNAV_OPENAT(openat)
 HUNAV_OPENAT(openat64)
@@ -324,185 +359,112 @@ int opensStream(const char* path, const char* mode) {
 }  // namespace
 
 extern "C" FILE* fopen(const char* path, const char* mode) {
-  HUNAV_REAL(fopen);
-  const int error = opensStream(path, mode);
-  errno = error != 0 ? error : errno;
-  return error != 0 ? nullptr : kReal(path, mode);
+  return unless(opensStream(path, mode), HUNAV_REAL(fopen), path, mode);
 }
 extern "C" FILE* fopen64(const char* path, const char* mode) {
-  HUNAV_REAL(fopen64);
-  const int error = opensStream(path, mode);
-  errno = error != 0 ? error : errno;
-  return error != 0 ? nullptr : kReal(path, mode);
+  return unless(opensStream(path, mode), HUNAV_REAL(fopen64), path, mode);
 }
 extern "C" DIR* opendir(const char* path) {
-  HUNAV_REAL(opendir);
-  const int error = opens(AT_FDCWD, path, O_RDONLY);
-  errno = error != 0 ? error : errno;
-  return error != 0 ? nullptr : kReal(path);
+  return unless(opens(AT_FDCWD, path, O_RDONLY), HUNAV_REAL(opendir), path);
 }
 
 extern "C" ssize_t write(int descriptor, const void* bytes, size_t count) {
-  HUNAV_REAL(write);
-  return writeAt(kReal, "write", descriptor, bytes, count);
+  return writeAt(HUNAV_REAL(write), "write", descriptor, bytes, count);
 }
 extern "C" ssize_t pwrite(int descriptor, const void* bytes, size_t count, off_t place) {
-  HUNAV_REAL(pwrite);
-  return writeAt(kReal, "pwrite", descriptor, bytes, count, place);
+  return writeAt(HUNAV_REAL(pwrite), "pwrite", descriptor, bytes, count, place);
 }
 extern "C" ssize_t pwrite64(int descriptor, const void* bytes, size_t count, off64_t place) {
-  HUNAV_REAL(pwrite64);
-  return writeAt(kReal, "pwrite64", descriptor, bytes, count, place);
+  return writeAt(HUNAV_REAL(pwrite64), "pwrite64", descriptor, bytes, count, place);
 }
 extern "C" ssize_t writev(int descriptor, const iovec* parts, int count) {
-  HUNAV_REAL(writev);
-  if (const int error = changesOpen("writev", descriptor, Needs::Space)) {
-    return fails(error);
-  }
-  noteSynced(descriptor, false);
-  return kReal(descriptor, parts, count);
+  return writeTo(descriptor, "writev", HUNAV_REAL(writev), descriptor, parts, count);
 }
 extern "C" ssize_t sendfile(int to, int from, off_t* place, size_t count) noexcept {
-  HUNAV_REAL(sendfile);
-  if (const int error = changesOpen("sendfile", to, Needs::Space)) {
-    return fails(error);
-  }
-  noteSynced(to, false);
-  return kReal(to, from, place, count);
+  return writeTo(to, "sendfile", HUNAV_REAL(sendfile), to, from, place, count);
 }
 extern "C" ssize_t sendfile64(int to, int from, off64_t* place, size_t count) noexcept {
-  HUNAV_REAL(sendfile64);
-  if (const int error = changesOpen("sendfile64", to, Needs::Space)) {
-    return fails(error);
-  }
-  noteSynced(to, false);
-  return kReal(to, from, place, count);
+  return writeTo(to, "sendfile64", HUNAV_REAL(sendfile64), to, from, place, count);
 }
 extern "C" ssize_t copy_file_range(int from, off64_t* fromPlace, int to, off64_t* toPlace,
                                    size_t count, unsigned flags) {
-  HUNAV_REAL(copy_file_range);
-  if (const int error = changesOpen("copy_file_range", to, Needs::Space)) {
-    return fails(error);
-  }
-  noteSynced(to, false);
-  return kReal(from, fromPlace, to, toPlace, count, flags);
+  return writeTo(to, "copy_file_range", HUNAV_REAL(copy_file_range), from, fromPlace, to, toPlace,
+                 count, flags);
 }
 
 extern "C" int fsync(int descriptor) {
-  HUNAV_REAL(fsync);
-  if (const int error = changesOpen("fsync", descriptor)) {
-    return fails(error);
-  }
-  const int told = kReal(descriptor);
-  noteSynced(descriptor, true);
-  return told;
+  return syncTo(descriptor, "fsync", HUNAV_REAL(fsync));
 }
 extern "C" int fdatasync(int descriptor) {
-  HUNAV_REAL(fdatasync);
-  if (const int error = changesOpen("fdatasync", descriptor)) {
-    return fails(error);
-  }
-  const int told = kReal(descriptor);
-  noteSynced(descriptor, true);
-  return told;
+  return syncTo(descriptor, "fdatasync", HUNAV_REAL(fdatasync));
 }
 extern "C" int ftruncate(int descriptor, off_t size) noexcept {
-  HUNAV_REAL(ftruncate);
-  const int error = changesOpen("ftruncate", descriptor);
-  return error != 0 ? fails(error) : kReal(descriptor, size);
+  return unless(changesOpen("ftruncate", descriptor), HUNAV_REAL(ftruncate), descriptor, size);
 }
 extern "C" int ftruncate64(int descriptor, off64_t size) noexcept {
-  HUNAV_REAL(ftruncate64);
-  const int error = changesOpen("ftruncate64", descriptor);
-  return error != 0 ? fails(error) : kReal(descriptor, size);
+  return unless(changesOpen("ftruncate64", descriptor), HUNAV_REAL(ftruncate64), descriptor, size);
 }
 extern "C" int fchmod(int descriptor, mode_t mode) noexcept {
-  HUNAV_REAL(fchmod);
-  const int error = changesOpen("fchmod", descriptor);
-  return error != 0 ? fails(error) : kReal(descriptor, mode);
+  return unless(changesOpen("fchmod", descriptor), HUNAV_REAL(fchmod), descriptor, mode);
 }
 /// As the kernel does it: the descriptor is gone, whatever is told.
 extern "C" int close(int descriptor) {
-  HUNAV_REAL(close);
   const int flags = state() != nullptr ? ::fcntl(descriptor, F_GETFL) : -1;
   const bool isWritten = flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
   const int error = isWritten ? changesOpen("close", descriptor) : 0;
-  const int told = kReal(descriptor);
+  const int told = HUNAV_REAL(close)(descriptor);
   return error != 0 ? fails(error) : told;
 }
 
 extern "C" int rename(const char* from, const char* to) noexcept {
-  HUNAV_REAL(rename);
-  const int error = changesPath("rename", AT_FDCWD, to);
-  return error != 0 ? fails(error) : kReal(from, to);
+  return unless(changesPath("rename", AT_FDCWD, to), HUNAV_REAL(rename), from, to);
 }
 extern "C" int renameat(int fromFolder, const char* from, int folder, const char* to) noexcept {
-  HUNAV_REAL(renameat);
-  const int error = changesPath("renameat", folder, to);
-  return error != 0 ? fails(error) : kReal(fromFolder, from, folder, to);
+  return unless(changesPath("renameat", folder, to), HUNAV_REAL(renameat), fromFolder, from, folder,
+                to);
 }
 extern "C" int renameat2(int fromFolder, const char* from, int folder, const char* to,
                          unsigned flags) noexcept {
-  HUNAV_REAL(renameat2);
-  const int error = changesPath("renameat2", folder, to);
-  return error != 0 ? fails(error) : kReal(fromFolder, from, folder, to, flags);
+  return unless(changesPath("renameat2", folder, to), HUNAV_REAL(renameat2), fromFolder, from,
+                folder, to, flags);
 }
 extern "C" int link(const char* from, const char* to) noexcept {
-  HUNAV_REAL(link);
-  const int error = changesPath("link", AT_FDCWD, to, Needs::Space);
-  return error != 0 ? fails(error) : kReal(from, to);
+  return unless(changesPath("link", AT_FDCWD, to, Needs::Space), HUNAV_REAL(link), from, to);
 }
 extern "C" int linkat(int fromFolder, const char* from, int folder, const char* to,
                       int flags) noexcept {
-  HUNAV_REAL(linkat);
-  const int error = changesPath("linkat", folder, to, Needs::Space);
-  return error != 0 ? fails(error) : kReal(fromFolder, from, folder, to, flags);
+  return unless(changesPath("linkat", folder, to, Needs::Space), HUNAV_REAL(linkat), fromFolder,
+                from, folder, to, flags);
 }
 extern "C" int unlink(const char* path) noexcept {
-  HUNAV_REAL(unlink);
-  const int error = changesPath("unlink", AT_FDCWD, path);
-  return error != 0 ? fails(error) : kReal(path);
+  return unless(changesPath("unlink", AT_FDCWD, path), HUNAV_REAL(unlink), path);
 }
 extern "C" int unlinkat(int folder, const char* path, int flags) noexcept {
-  HUNAV_REAL(unlinkat);
-  const int error = changesPath("unlinkat", folder, path);
-  return error != 0 ? fails(error) : kReal(folder, path, flags);
+  return unless(changesPath("unlinkat", folder, path), HUNAV_REAL(unlinkat), folder, path, flags);
 }
 extern "C" int remove(const char* path) noexcept {
-  HUNAV_REAL(remove);
-  const int error = changesPath("remove", AT_FDCWD, path);
-  return error != 0 ? fails(error) : kReal(path);
+  return unless(changesPath("remove", AT_FDCWD, path), HUNAV_REAL(remove), path);
 }
 extern "C" int rmdir(const char* path) noexcept {
-  HUNAV_REAL(rmdir);
-  const int error = changesPath("rmdir", AT_FDCWD, path);
-  return error != 0 ? fails(error) : kReal(path);
+  return unless(changesPath("rmdir", AT_FDCWD, path), HUNAV_REAL(rmdir), path);
 }
 extern "C" int mkdir(const char* path, mode_t mode) noexcept {
-  HUNAV_REAL(mkdir);
-  const int error = changesPath("mkdir", AT_FDCWD, path, Needs::Space);
-  return error != 0 ? fails(error) : kReal(path, mode);
+  return unless(changesPath("mkdir", AT_FDCWD, path, Needs::Space), HUNAV_REAL(mkdir), path, mode);
 }
 extern "C" int mkdirat(int folder, const char* path, mode_t mode) noexcept {
-  HUNAV_REAL(mkdirat);
-  const int error = changesPath("mkdirat", folder, path, Needs::Space);
-  return error != 0 ? fails(error) : kReal(folder, path, mode);
+  return unless(changesPath("mkdirat", folder, path, Needs::Space), HUNAV_REAL(mkdirat), folder,
+                path, mode);
 }
 
 extern "C" ssize_t read(int descriptor, void* to, size_t count) {
-  HUNAV_REAL(read);
-  const int error = readsOpen("read", descriptor);
-  return error != 0 ? fails(error) : kReal(descriptor, to, count);
+  return unless(readsOpen("read", descriptor), HUNAV_REAL(read), descriptor, to, count);
 }
 extern "C" ssize_t pread(int descriptor, void* to, size_t count, off_t place) {
-  HUNAV_REAL(pread);
-  const int error = readsOpen("pread", descriptor);
-  return error != 0 ? fails(error) : kReal(descriptor, to, count, place);
+  return unless(readsOpen("pread", descriptor), HUNAV_REAL(pread), descriptor, to, count, place);
 }
 extern "C" ssize_t pread64(int descriptor, void* to, size_t count, off64_t place) {
-  HUNAV_REAL(pread64);
-  const int error = readsOpen("pread64", descriptor);
-  return error != 0 ? fails(error) : kReal(descriptor, to, count, place);
+  return unless(readsOpen("pread64", descriptor), HUNAV_REAL(pread64), descriptor, to, count,
+                place);
 }
 extern "C" ssize_t __read_chk(int descriptor, void* to, size_t count, size_t /*room*/) {
   return ::read(descriptor, to, count);

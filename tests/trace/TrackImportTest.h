@@ -1,11 +1,12 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <QTemporaryDir>
 
+#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackImport.h"
 
@@ -43,10 +44,16 @@ inline base::Result<Trace> traceOf(const std::string& path, const TrackImportOpt
   return file ? sim2d::traceOfTracks(*file, tracks) : base::Result<Trace>(file.diagnostics());
 }
 
-inline TrackImportOptions withColumns(const char* text) {
+/// Options of which one is set.
+template <class Member, class Value>
+TrackImportOptions with(Member TrackImportOptions::*member, const Value& value) {
   TrackImportOptions options;
-  options.columns = *sim2d::parseColumns(text);
+  options.*member = value;
   return options;
+}
+
+inline TrackImportOptions withColumns(const char* text) {
+  return with(&TrackImportOptions::columns, *sim2d::parseColumns(text));
 }
 
 inline bool isNear(double a, double b) {
@@ -54,17 +61,19 @@ inline bool isNear(double a, double b) {
 }
 
 inline bool tells(const base::Diagnostics& problems, const char* code) {
-  return std::any_of(problems.begin(), problems.end(),
-                     [code](const base::Diagnostic& each) { return each.code == code; });
+  return base::findBy(problems, &base::Diagnostic::code, std::string_view(code)) != nullptr;
+}
+
+inline std::string textOf(const base::Diagnostics& problems) {
+  std::string all;
+  for (const base::Diagnostic& problem : problems) {
+    all += problem.text() + "\n";
+  }
+  return all;
 }
 
 inline const Track* trackOf(const TrackFile& file, int id) {
-  for (const Track& track : file.tracks) {
-    if (track.id == id) {
-      return &track;
-    }
-  }
-  return nullptr;
+  return base::findBy(file.tracks, &Track::id, id);
 }
 
 }  // namespace foreign

@@ -3,20 +3,12 @@
 #include <QFile>
 #include <QtTest>
 
-#include "sim2d/trace/WalkableArea.h"
+#include "sim2d/trace/TrackFormats.h"
 #include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
 namespace {
-
-std::string textOf(const base::Diagnostics& problems) {
-  std::string all;
-  for (const base::Diagnostic& problem : problems) {
-    all += problem.text() + "\n";
-  }
-  return all;
-}
 
 /// The tables that JuPedSim's writer creates, version 2.
 constexpr char kTables[] =
@@ -72,15 +64,13 @@ class JupedsimTest : public QObject {
   void noRate_asksForIt() {
     const std::string path = written("r.sqlite", {kTables, kRows});
     QVERIFY(textOf(read(path).diagnostics()).find("--fps F") != std::string::npos);
-    TrackImportOptions options;
-    options.framesPerSecond = 5.0;
-    QVERIFY(isNear(trackOf(*read(path, options), 5)->points[1].time, 0.2));
+    QVERIFY(isNear(
+        trackOf(*read(path, with(&TrackImportOptions::framesPerSecond, 5.0)), 5)->points[1].time,
+        0.2));
   }
   void badFiles_areErrors() {
     const auto told = [](const std::string& path) {
-      TrackImportOptions options;
-      options.format = "jupedsim";
-      return read(path, options).diagnostics();
+      return read(path, with(&TrackImportOptions::format, "jupedsim")).diagnostics();
     };
     QVERIFY(
         tells(told(written("t.sqlite", {"CREATE TABLE other (a);"})), "tracks.no-trajectory-data"));

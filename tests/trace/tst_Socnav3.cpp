@@ -1,19 +1,11 @@
 #include <QtTest>
 
-#include "sim2d/trace/RecordExport.h"
+#include "sim2d/trace/TrackImport.h"
 #include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
 namespace {
-
-std::string textOf(const base::Diagnostics& problems) {
-  std::string all;
-  for (const base::Diagnostic& problem : problems) {
-    all += problem.text() + "\n";
-  }
-  return all;
-}
 
 /// A robot that drives 0.5 m/s to the right past a person who stands.
 constexpr char kRun[] = R"({
@@ -136,9 +128,9 @@ class Socnav3Test : public QObject {
     const std::string path = files_.add(
         "rate.json", R"({"sequence": [{"robot": {"x": 0, "y": 0}}, {"robot": {"x": 1, "y": 0}}]})");
     QVERIFY(textOf(read(path).diagnostics()).find("--fps F") != std::string::npos);
-    TrackImportOptions options;
-    options.framesPerSecond = 4.0;
-    QVERIFY(isNear(read(path, options)->tracks[0].points[1].time, 0.25));
+    QVERIFY(isNear(
+        read(path, with(&TrackImportOptions::framesPerSecond, 4.0))->tracks[0].points[1].time,
+        0.25));
   }
   void badInput_hasItsLine() {
     const std::string told = textOf(
@@ -154,8 +146,7 @@ class Socnav3Test : public QObject {
     QVERIFY2(told.find("bad.json:4: error: 'timestamp' is missing") != std::string::npos,
              told.c_str());
     QVERIFY2(told.find("bad.json:5: error: 'id' is missing") != std::string::npos, told.c_str());
-    TrackImportOptions options;
-    options.format = "socnav3";
+    const TrackImportOptions options = with(&TrackImportOptions::format, "socnav3");
     QVERIFY(tells(read(files_.add("none.json", "{\"a\": 1}"), options).diagnostics(),
                   "tracks.no-sequence"));
     QVERIFY(tells(read(files_.add("cut.json", "{\"sequence\": ["), options).diagnostics(),

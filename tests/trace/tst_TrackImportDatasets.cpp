@@ -1,8 +1,9 @@
-#include <hdf5.h>
+#include <algorithm>
 
 #include <QtTest>
 
-#include "TrackImportTest.h"
+#include "tests/trace/ArchiveFile.h"
+#include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
@@ -24,10 +25,10 @@ class OtherDataTest : public QObject {
         files_.add("b.txt", "#framerate: 16.00\n#ID FR X/cm Y/cm\n1 0 250 100\n1 1 260 100\n"));
     QVERIFY(isNear(centimetres->tracks[0].points[0].position.x(), 2.5));
     QVERIFY(isNear(centimetres->tracks[0].points[1].time, 1.0 / 16.0));
-    TrackImportOptions named;
-    named.format = "petrack";
-    QVERIFY(tells(read(files_.add("c.txt", "1 0 250 100\n"), named).diagnostics(),
-                  "tracks.no-rate-or-unit"));
+    QVERIFY(tells(
+        read(files_.add("c.txt", "1 0 250 100\n"), with(&TrackImportOptions::format, "petrack"))
+            .diagnostics(),
+        "tracks.no-rate-or-unit"));
   }
 
   void vadere_stepsAndFootsteps() {
@@ -51,9 +52,7 @@ class OtherDataTest : public QObject {
                    "4 110 200 130 240 30 0 0 0 \"Pedestrian\"\n"
                    "4 110 200 130 240 31 1 0 0 \"Pedestrian\"\n5 0 0 9 9 0 0 0 0 \"Car\"\n");
     QVERIFY(tells(read(path).diagnostics(), "tracks.no-scale"));
-    TrackImportOptions scaled;
-    scaled.lengthUnit = 0.05;
-    const base::Result<TrackFile> file = read(path, scaled);
+    const base::Result<TrackFile> file = read(path, with(&TrackImportOptions::lengthUnit, 0.05));
     QVERIFY(file && tells(file.diagnostics(), "tracks.not-people"));
     QCOMPARE(file->tracks.size(), std::size_t{1});
     QCOMPARE(file->tracks[0].points.size(), std::size_t{2});
@@ -132,12 +131,10 @@ class OtherDataTest : public QObject {
   }
 
   void sdd_badRows_haveTheirPlace() {
-    TrackImportOptions scaled;
-    scaled.lengthUnit = 0.05;
     const base::Diagnostics told =
         read(files_.add("rows.txt",
                         "4 0 0 9 9 0 0 0 0 \"Biker\"\n4 b 0 9 9 1 0 0 0 \"Biker\"\n4 0 0\n"),
-             scaled)
+             with(&TrackImportOptions::lengthUnit, 0.05))
             .diagnostics();
     QCOMPARE(told.size(), std::size_t{2});
     QVERIFY(told[0].line == 2 && told[0].column == 3);
@@ -145,8 +142,7 @@ class OtherDataTest : public QObject {
   }
 
   void unitOfTime_ofFrames_isRefused() {
-    TrackImportOptions options;
-    options.timeUnit = 1e-3;
+    const TrackImportOptions options = with(&TrackImportOptions::timeUnit, 1e-3);
     QVERIFY(tells(read(files_.add("u.txt", "0 1 0 0\n10 1 1 0\n"), options).diagnostics(),
                   "tracks.time-unit-of-frames"));
     QVERIFY(tells(
@@ -225,31 +221,15 @@ class OtherDataTest : public QObject {
   /// Rows that the file claims without having them.
   void hdf5_hugeTable_isRefused() {
     const std::string path = files_.add("huge.h5", "");
-    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    const hid_t type = rowType();
-    const hsize_t count = hsize_t{1} << 50U;
-    const hsize_t chunk = 1024;
-    const hid_t space = H5Screate_simple(1, &count, nullptr);
-    const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
-    H5Pset_chunk(chunked, 1, &chunk);
-    const hid_t table =
-        H5Dcreate2(file, "trajectory", type, space, H5P_DEFAULT, chunked, H5P_DEFAULT);
-    QVERIFY(table >= 0);
-    H5Dclose(table);
-    H5Pclose(chunked);
-    H5Sclose(space);
-    H5Tclose(type);
-    H5Fclose(file);
-    const base::Diagnostics told = read(path).diagnostics();
-    QVERIFY(tells(told, "tracks.too-many-rows"));
+    QVERIFY(ArchiveFile(path, {}, 1024, hsize_t{1} << 50U).table() >= 0);
+    QVERIFY(tells(read(path).diagnostics(), "tracks.too-many-rows"));
   }
 
   void units_thatAreSaid_count() {
     const std::string path = files_.add("mm.csv",
                                         "time,id,x,y,heading,vx,vy\n0,1,1000,2000,90,500,0\n"
                                         "100,1,1050,2000,90,500,0\n");
-    TrackImportOptions options;
-    options.lengthUnit = 1e-3;
+    TrackImportOptions options = with(&TrackImportOptions::lengthUnit, 1e-3);
     options.timeUnit = 1e-3;
     options.degrees = true;
     options.radius = 0.2;
@@ -271,9 +251,7 @@ class OtherDataTest : public QObject {
   void frames_withoutARate_askForIt() {
     const std::string path = files_.add("f.csv", "frame,id,x,y\n0,1,0,0\n1,1,0.1,0\n");
     QVERIFY(tells(read(path).diagnostics(), "tracks.no-rate"));
-    TrackImportOptions options;
-    options.framesPerSecond = 25.0;
-    QVERIFY(read(path, options));
+    QVERIFY(read(path, with(&TrackImportOptions::framesPerSecond, 25.0)));
   }
 
   void ids_thatAreWords_getNumbers() {
@@ -285,10 +263,9 @@ class OtherDataTest : public QObject {
   }
 
   void wrongFormat_tellsWhatItLooksLike() {
-    TrackImportOptions options;
-    options.format = "eth";
     const std::string path = files_.add("v.traj", "timeStep pedestrianId x y\n1 7 1.0 2.0\n");
-    const base::Diagnostics told = read(path, options).diagnostics();
+    const base::Diagnostics told =
+        read(path, with(&TrackImportOptions::format, "eth")).diagnostics();
     QVERIFY(tells(told, "tracks.other-format"));
     QVERIFY(told.back().message.find("vadere") != std::string::npos);
   }
@@ -299,9 +276,8 @@ class OtherDataTest : public QObject {
     for (int k = 0; k < 100; ++k) {
       text += std::to_string(k) + ",1,0,0\n";
     }
-    TrackImportOptions options;
-    options.format = "eth";
-    const base::Diagnostics told = read(files_.add("many.csv", text), options).diagnostics();
+    const base::Diagnostics told =
+        read(files_.add("many.csv", text), with(&TrackImportOptions::format, "eth")).diagnostics();
     QCOMPARE(told.size(), std::size_t{12});
     QVERIFY(told[9].line == 10 && told[9].code == "tracks.number-count");
     QVERIFY(told[10].code == "tracks.more-of-a-kind" && told[10].message.find("91 more") == 0);
@@ -373,45 +349,13 @@ class OtherDataTest : public QObject {
   }
 
  private:
-  struct Row {
-    long long id;
-    int frame;
-    float x, y, z;
-  };
-
-  static hid_t rowType() {
-    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
-    H5Tinsert(type, "id", HOFFSET(Row, id), H5T_NATIVE_LLONG);
-    H5Tinsert(type, "frame", HOFFSET(Row, frame), H5T_NATIVE_INT);
-    H5Tinsert(type, "x", HOFFSET(Row, x), H5T_NATIVE_FLOAT);
-    H5Tinsert(type, "y", HOFFSET(Row, y), H5T_NATIVE_FLOAT);
-    H5Tinsert(type, "z", HOFFSET(Row, z), H5T_NATIVE_FLOAT);
-    return type;
-  }
-
   static void writeTable(const std::string& path, double rate, hsize_t rates = 1,
                          long long firstId = 1) {
-    const Row rows[] = {{firstId, 0, 1.F, 2.F, 0.F}, {1, 1, 1.1F, 2.F, 0.F}, {2, 0, 3.F, 4.F, 0.F}};
-    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    const hid_t type = rowType();
-    const hsize_t count = 3;
-    const hid_t space = H5Screate_simple(1, &count, nullptr);
-    const hid_t table =
-        H5Dcreate2(file, "trajectory", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows);
+    const ArchiveFile file(
+        path, {{firstId, 0, 1.F, 2.0, 0.0}, {1, 1, 1.1F, 2.0, 0.0}, {2, 0, 3.F, 4.0, 0.0}});
     if (rate > 0.0) {
-      const std::vector<double> values(rates, rate);
-      const hid_t one = rates == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &rates, nullptr);
-      const hid_t attribute =
-          H5Acreate2(file, "fps", H5T_NATIVE_DOUBLE, one, H5P_DEFAULT, H5P_DEFAULT);
-      H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data());
-      H5Aclose(attribute);
-      H5Sclose(one);
+      ArchiveFile::number(file.root(), "fps", rate, rates);
     }
-    H5Dclose(table);
-    H5Sclose(space);
-    H5Tclose(type);
-    H5Fclose(file);
   }
 
   Written files_;

@@ -1,4 +1,3 @@
-#include <hdf5.h>
 #include <sys/resource.h>
 
 #include <QElapsedTimer>
@@ -6,55 +5,21 @@
 
 #include "sim2d/trace/JsonInput.h"
 #include "tests/support/Sanitizers.h"
+#include "tests/trace/ArchiveFile.h"
 #include "tests/trace/TrackImportTest.h"
 
 using namespace foreign;
 
 namespace {
 
-struct Row {
-  int id, frame;
-  double x, y, z;
-};
-
-hid_t rowType() {
-  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
-  H5Tinsert(type, "id", HOFFSET(Row, id), H5T_NATIVE_INT);
-  H5Tinsert(type, "frame", HOFFSET(Row, frame), H5T_NATIVE_INT);
-  H5Tinsert(type, "x", HOFFSET(Row, x), H5T_NATIVE_DOUBLE);
-  H5Tinsert(type, "y", HOFFSET(Row, y), H5T_NATIVE_DOUBLE);
-  H5Tinsert(type, "z", HOFFSET(Row, z), H5T_NATIVE_DOUBLE);
-  return type;
-}
-
-/// A table of `count` rows, in pieces of `chunk` that are packed; nothing is written into it but
-/// the rows given.
-void writeTable(const std::string& path, hsize_t count, hsize_t chunk,
-                const std::vector<Row>& rows = {}) {
-  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  const hid_t type = rowType();
-  const hsize_t most = H5S_UNLIMITED;
-  const hid_t space = H5Screate_simple(1, &count, &most);
-  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
-  H5Pset_chunk(creation, 1, &chunk);
-  H5Pset_deflate(creation, 9);
-  const hid_t table =
-      H5Dcreate2(file, "trajectory", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
-  if (!rows.empty()) {
-    H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data());
+/// People who walk along x for a thousand frames each.
+std::vector<ArchiveFile::Row> walks(int people) {
+  std::vector<ArchiveFile::Row> rows;
+  for (int k = 0; k < 1000 * people; ++k) {
+    const int frame = k % 1000;
+    rows.push_back({k / 1000, frame, 0.01F * static_cast<float>(frame), 1.0, 0.0});
   }
-  const double rate = 25.0;
-  const hid_t scalar = H5Screate(H5S_SCALAR);
-  const hid_t attribute =
-      H5Acreate2(file, "fps", H5T_NATIVE_DOUBLE, scalar, H5P_DEFAULT, H5P_DEFAULT);
-  H5Awrite(attribute, H5T_NATIVE_DOUBLE, &rate);
-  H5Aclose(attribute);
-  H5Sclose(scalar);
-  H5Dclose(table);
-  H5Pclose(creation);
-  H5Sclose(space);
-  H5Tclose(type);
-  H5Fclose(file);
+  return rows;
 }
 
 /// Largest memory of the process so far [B].
@@ -84,47 +49,31 @@ class TrackLimitsTest : public QObject {
 
   /// 2 kB that declare 640 MB.
   void hdf5_rowsThatAreNotThere_areRefused() {
-    const std::string path = files_.add("rows.h5", "");
-    writeTable(path, 20000000, 1024);
-    const base::Diagnostics told = read(path).diagnostics();
+    const base::Diagnostics told = read(archive("rows.h5", {}, 1024, 20000000)).diagnostics();
     QCOMPARE(told.size(), std::size_t{1});
     QVERIFY(tells(told, "tracks.too-many-rows"));
   }
   void hdf5_hugePiece_isRefused() {
-    const std::string path = files_.add("piece.h5", "");
-    writeTable(path, 3, 100000000);
-    QVERIFY(tells(read(path).diagnostics(), "tracks.too-many-rows"));
+    QVERIFY(
+        tells(read(archive("piece.h5", {}, 100000000, 3)).diagnostics(), "tracks.too-many-rows"));
   }
   /// Rows as they are packed well: the limit is far from what recordings have.
   void hdf5_packedRows_areRead() {
-    std::vector<Row> rows;
-    for (int k = 0; k < 200000; ++k) {
-      rows.push_back({k / 1000, k % 1000, 0.01 * (k % 1000), 1.0, 0.0});
-    }
-    const std::string path = files_.add("packed.h5", "");
-    writeTable(path, rows.size(), 4096, rows);
-    const base::Result<TrackFile> file = read(path);
-    QVERIFY2(file, file ? "" : file.diagnostics().front().text().c_str());
+    const base::Result<TrackFile> file = read(archive("packed.h5", walks(200), 4096));
+    QVERIFY2(file, textOf(file.diagnostics()).c_str());
     QCOMPARE(file->tracks.size(), std::size_t{200});
     QCOMPARE(file->tracks[199].points.size(), std::size_t{1000});
   }
   /// One piece that is larger than what is read together otherwise.
   void hdf5_largePiece_isRead() {
-    std::vector<Row> rows;
-    for (int k = 0; k < 150000; ++k) {
-      rows.push_back({k / 1000, k % 1000, 0.01 * (k % 1000), 1.0, 0.0});
-    }
-    const std::string path = files_.add("large.h5", "");
-    writeTable(path, rows.size(), 100000, rows);
-    const base::Result<TrackFile> file = read(path);
-    QVERIFY2(file, file ? "" : file.diagnostics().front().text().c_str());
+    const base::Result<TrackFile> file = read(archive("large.h5", walks(150), 100000));
+    QVERIFY2(file, textOf(file.diagnostics()).c_str());
     QCOMPARE(file->tracks.size(), std::size_t{150});
     QCOMPARE(file->tracks[149].points.size(), std::size_t{1000});
   }
   /// The same frame of the same body again and again, as of rows that were never written.
   void hdf5_emptyRows_endTheReading() {
-    const std::string path = files_.add("empty.h5", "");
-    writeTable(path, 500000, 1024);
+    const std::string path = archive("empty.h5", {}, 1024, 500000);
     const base::Result<TrackFile> file = read(path);
     QVERIFY(file && file->tracks.at(0).points.size() < 100000);
     QVERIFY(tells(traceOf(path).diagnostics(), "tracks.backwards"));
@@ -179,9 +128,9 @@ class TrackLimitsTest : public QObject {
     for (int k = 0; k < 2000000; ++k) {
       text += "a\n";
     }
-    TrackImportOptions options;
-    options.format = "trajnet";
-    const base::Diagnostics told = read(files_.add("rows.txt", text), options).diagnostics();
+    const base::Diagnostics told =
+        read(files_.add("rows.txt", text), with(&TrackImportOptions::format, "trajnet"))
+            .diagnostics();
     QVERIFY(tells(told, "tracks.more-of-a-kind") && told.size() < 20);
   }
   /// Paths of members would take the square of the file.
@@ -200,6 +149,14 @@ class TrackLimitsTest : public QObject {
   }
 
  private:
+  std::string archive(const char* name, const std::vector<ArchiveFile::Row>& rows, hsize_t chunk,
+                      hsize_t count = 0) {
+    const std::string path = files_.add(name, "");
+    const ArchiveFile file(path, rows, chunk, count);
+    ArchiveFile::number(file.root(), "fps", 25.0);
+    return path;
+  }
+
   Written files_;
   QElapsedTimer clock_;
   std::size_t before_ = 0;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,23 +105,44 @@ inline void addRoom(Scenario& scenario, const Vec2& low, const Vec2& high) {
   addWall(scenario, {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
 }
 
+inline WorldSetup setupOf(Scenario scenario, ScriptedBehavior::Change change = {}) {
+  WorldSetup setup;
+  setup.scenario = std::make_shared<const Scenario>(std::move(scenario));
+  setup.behavior = std::make_unique<ScriptedBehavior>(std::move(change));
+  return setup;
+}
+
 inline base::Result<std::unique_ptr<World>> create(Scenario scenario,
                                                    ScriptedBehavior::Change change = {},
                                                    OccupancyGrid map = {}) {
-  WorldSetup setup;
-  setup.scenario = std::make_shared<const Scenario>(std::move(scenario));
+  WorldSetup setup = setupOf(std::move(scenario), std::move(change));
   setup.map = std::move(map);
-  setup.behavior = std::make_unique<ScriptedBehavior>(std::move(change));
   return World::create(std::move(setup));
 }
 
-/// A world that is expected to be possible; null otherwise.
-inline std::unique_ptr<World> make(Scenario scenario, ScriptedBehavior::Change change = {}) {
-  base::Result<std::unique_ptr<World>> world = create(std::move(scenario), std::move(change));
+/// A world that must be possible.
+inline std::unique_ptr<World> make(WorldSetup setup) {
+  base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
   if (!world) {
-    return nullptr;
+    throw std::runtime_error(world.diagnostics().front().text());
   }
   return *std::move(world);
+}
+inline std::unique_ptr<World> make(Scenario scenario, ScriptedBehavior::Change change = {}) {
+  return make(setupOf(std::move(scenario), std::move(change)));
+}
+
+inline Input inputOf(InputKind kind, int id, const Vec2& velocity = Vec2::Zero()) {
+  Input input;
+  input.kind = kind;
+  input.id = id;
+  input.velocity = velocity;
+  return input;
+}
+inline Input placing(InputKind kind, int id, const Vec2& place) {
+  Input input = inputOf(kind, id);
+  input.pose.position = place;
+  return input;
 }
 
 struct Recorded {

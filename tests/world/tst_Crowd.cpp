@@ -22,13 +22,10 @@ Scenario hall(int people) {
 }
 
 std::unique_ptr<World> makeWith(int people, int threads, bool exact) {
-  WorldSetup setup;
-  setup.scenario = std::make_shared<const Scenario>(hall(people));
+  WorldSetup setup = setupOf(hall(people));
   setup.threads = threads;
   setup.exact = exact;
-  setup.behavior = std::make_unique<ScriptedBehavior>(ScriptedBehavior::Change{});
-  base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
-  return world ? *std::move(world) : nullptr;
+  return make(std::move(setup));
 }
 
 }  // namespace
@@ -37,68 +34,58 @@ class CrowdTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void step_largeCrowd_isNearTheExactOne();
-  void step_smallCrowd_equalsTheExactOne();
-  void step_everyThreadCount_givesTheSameFrames();
-  void measure_steps_addUp();
+  void step_largeCrowd_isNearTheExactOne() {
+    const auto fast = makeWith(150, 1, false);
+    const auto exact = makeWith(150, 1, true);
+    advance(*fast, 20);
+    advance(*exact, 20);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < fast->frame().humans.size(); ++i) {
+      farthest =
+          std::max(farthest, (positionOf(fast->frame(), i) - positionOf(exact->frame(), i)).norm());
+    }
+    QVERIFY2(farthest > 0.0 && farthest < 0.02, qPrintable(QString::number(farthest)));
+  }
+
+  void step_smallCrowd_equalsTheExactOne() {
+    const auto fast = makeWith(30, 1, false);
+    const auto exact = makeWith(30, 1, true);
+    advance(*fast, 1);
+    advance(*exact, 1);
+    for (std::size_t i = 0; i < fast->frame().humans.size(); ++i) {
+      QVERIFY((positionOf(fast->frame(), i) - positionOf(exact->frame(), i)).norm() < 1e-6);
+    }
+  }
+
+  void step_everyThreadCount_givesTheSameFrames() {
+    const auto one = makeWith(300, 1, false);
+    advance(*one, 60);
+    for (const int threads : {2, 8}) {
+      const auto many = makeWith(300, threads, false);
+      advance(*many, 60);
+      QCOMPARE(many->frame().humans.x, one->frame().humans.x);
+      QCOMPARE(many->frame().humans.y, one->frame().humans.y);
+      QCOMPARE(many->frame().humans.vx, one->frame().humans.vx);
+      QCOMPARE(many->frame().humans.heading, one->frame().humans.heading);
+    }
+  }
+
+  void measure_steps_addUp() {
+    const auto world = makeWith(100, 1, false);
+    StepTimes times;
+    advance(*world, 2);
+    QCOMPARE(times.steps, std::int64_t{0});
+    world->measure(&times);
+    advance(*world, 3);
+    world->measure(nullptr);
+    advance(*world, 2);
+    QCOMPARE(times.steps, std::int64_t{3});
+    QVERIFY(times.sum() > 0.0);
+    for (const double seconds : times.seconds) {
+      QVERIFY(seconds >= 0.0 && seconds <= times.sum());
+    }
+  }
 };
-
-void CrowdTest::step_largeCrowd_isNearTheExactOne() {
-  const std::unique_ptr<World> fast = makeWith(150, 1, false);
-  const std::unique_ptr<World> exact = makeWith(150, 1, true);
-  QVERIFY(fast && exact);
-  advance(*fast, 20);
-  advance(*exact, 20);
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < fast->frame().humans.size(); ++i) {
-    farthest =
-        std::max(farthest, (positionOf(fast->frame(), i) - positionOf(exact->frame(), i)).norm());
-  }
-  QVERIFY2(farthest > 0.0 && farthest < 0.02, qPrintable(QString::number(farthest)));
-}
-
-void CrowdTest::step_smallCrowd_equalsTheExactOne() {
-  const std::unique_ptr<World> fast = makeWith(30, 1, false);
-  const std::unique_ptr<World> exact = makeWith(30, 1, true);
-  QVERIFY(fast && exact);
-  advance(*fast, 1);
-  advance(*exact, 1);
-  for (std::size_t i = 0; i < fast->frame().humans.size(); ++i) {
-    QVERIFY((positionOf(fast->frame(), i) - positionOf(exact->frame(), i)).norm() < 1e-6);
-  }
-}
-
-void CrowdTest::step_everyThreadCount_givesTheSameFrames() {
-  const std::unique_ptr<World> one = makeWith(300, 1, false);
-  QVERIFY(one != nullptr);
-  advance(*one, 60);
-  for (const int threads : {2, 8}) {
-    const std::unique_ptr<World> many = makeWith(300, threads, false);
-    QVERIFY(many != nullptr);
-    advance(*many, 60);
-    QCOMPARE(many->frame().humans.x, one->frame().humans.x);
-    QCOMPARE(many->frame().humans.y, one->frame().humans.y);
-    QCOMPARE(many->frame().humans.vx, one->frame().humans.vx);
-    QCOMPARE(many->frame().humans.heading, one->frame().humans.heading);
-  }
-}
-
-void CrowdTest::measure_steps_addUp() {
-  const std::unique_ptr<World> world = makeWith(100, 1, false);
-  QVERIFY(world != nullptr);
-  StepTimes times;
-  advance(*world, 2);
-  QCOMPARE(times.steps, std::int64_t{0});
-  world->measure(&times);
-  advance(*world, 3);
-  world->measure(nullptr);
-  advance(*world, 2);
-  QCOMPARE(times.steps, std::int64_t{3});
-  QVERIFY(times.sum() > 0.0);
-  for (const double seconds : times.seconds) {
-    QVERIFY(seconds >= 0.0 && seconds <= times.sum());
-  }
-}
 
 QTEST_APPLESS_MAIN(CrowdTest)
 #include "tst_Crowd.moc"

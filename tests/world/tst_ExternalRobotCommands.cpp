@@ -38,13 +38,6 @@ class LastFrame : public FrameSink {
   Frame last;
 };
 
-WorldSetup setupOf(const Scenario& scenario) {
-  WorldSetup setup;
-  setup.scenario = std::make_shared<const Scenario>(scenario);
-  setup.behavior = std::make_unique<ScriptedBehavior>();
-  return setup;
-}
-
 /// With planner `waits`, which has a number and a text.
 std::unique_ptr<World> waitingWorld(Asked& asked, Scenario scenario, bool needsGoal = true) {
   auto own = std::make_shared<Registries>(builtinRegistries());
@@ -62,8 +55,7 @@ std::unique_ptr<World> waitingWorld(Asked& asked, Scenario scenario, bool needsG
   setup.registries = own;
   setup.folder = "/somewhere";
   setup.code = ExternalCodePolicy::Skipped;
-  base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
-  return world ? *std::move(world) : nullptr;
+  return make(std::move(setup));
 }
 
 }  // namespace
@@ -73,101 +65,85 @@ class ExternalRobotCommandsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void create_planner_getsNumbersAndTexts();
-  void run_plannerIsToldToStop_isInterrupted();
-  void step_plannerWithoutGoal_isAskedIfItWants();
-  void step_teleop_keepsTheNewestWord();
-  void step_inputToPlanner_actsOnce();
-};
-
-void ExternalRobotCommandsTest::create_planner_getsNumbersAndTexts() {
-  Scenario scenario;
-  Robot& robot = addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
-  robot.command = "python3 x.py";
-  robot.plannerParameters = {{"number", "0.50"}, {"text", "\"007\""}};
-  Asked asked;
-  QVERIFY(waitingWorld(asked, scenario));
-  using Numbers = std::vector<std::pair<std::string, double>>;
-  using Texts = std::vector<std::pair<std::string, std::string>>;
-  QVERIFY(asked.setup.parameters == (Numbers{{"number", 0.5}}));
-  QVERIFY(asked.setup.texts == (Texts{{"text", "007"}}));
-  QCOMPARE(asked.setup.command, std::string("python3 x.py"));
-  QCOMPARE(asked.setup.folder, std::string("/somewhere"));
-  QVERIFY(asked.setup.code == ExternalCodePolicy::Skipped);
-  QCOMPARE(fileParameter(asked.setup, "text"), std::string("/somewhere/007"));
-  scenario.robots.front().plannerParameters = {{"txt", "a"}};
-  QVERIFY(!waitingWorld(asked, scenario));
-}
-
-/// What was there before the step that was waited for is the end of the run.
-void ExternalRobotCommandsTest::run_plannerIsToldToStop_isInterrupted() {
-  Scenario scenario;
-  addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
-  Asked asked;
-  const std::unique_ptr<World> world = waitingWorld(asked, scenario);
-  QVERIFY(world);
-  LastFrame sink;
-  const RunResult result = run(*world, {100, true}, sink);
-  QVERIFY(result.status == RunStatus::Interrupted);
-  QCOMPARE(result.reason, std::string("interrupted"));
-  QCOMPARE(result.steps, std::int64_t{2});
-  QCOMPARE(sink.last.step, std::int64_t{2});
-  QVERIFY(sink.last.events.back().kind == EventKind::Stop);
-  QCOMPARE(sink.last.events.back().text, std::string("interrupted"));
-}
-
-void ExternalRobotCommandsTest::step_plannerWithoutGoal_isAskedIfItWants() {
-  for (const bool needsGoal : {true, false}) {
+  void create_planner_getsNumbersAndTexts() {
     Scenario scenario;
-    Robot& robot = addRobot(scenario, {2.0, 1.0}, {5.0, 0.0});
-    robot.goal = RobotGoal{};
+    Robot& robot = addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
+    robot.command = "python3 x.py";
+    robot.plannerParameters = {{"number", "0.50"}, {"text", "\"007\""}};
     Asked asked;
-    const std::unique_ptr<World> world = waitingWorld(asked, scenario, needsGoal);
-    QVERIFY(world);
-    QVERIFY(world->step());
-    QCOMPARE(asked.calls, needsGoal ? 0 : 1);
-    QVERIFY(needsGoal || asked.goal == Vec2(2.0, 1.0));  // where it stands
+    QVERIFY(waitingWorld(asked, scenario));
+    using Numbers = std::vector<std::pair<std::string, double>>;
+    using Texts = std::vector<std::pair<std::string, std::string>>;
+    QVERIFY(asked.setup.parameters == (Numbers{{"number", 0.5}}));
+    QVERIFY(asked.setup.texts == (Texts{{"text", "007"}}));
+    QCOMPARE(asked.setup.command, std::string("python3 x.py"));
+    QCOMPARE(asked.setup.folder, std::string("/somewhere"));
+    QVERIFY(asked.setup.code == ExternalCodePolicy::Skipped);
+    QCOMPARE(fileParameter(asked.setup, "text"), std::string("/somewhere/007"));
+    scenario.robots.front().plannerParameters = {{"txt", "a"}};
+    QVERIFY_EXCEPTION_THROWN(waitingWorld(asked, scenario), std::runtime_error);
   }
-}
 
-/// 1 m/s² from standing: 0.5 m/s after 0.5 s. Half a second after the word it brakes as fast.
-void ExternalRobotCommandsTest::step_teleop_keepsTheNewestWord() {
-  Scenario scenario;
-  Robot& robot = addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
-  robot.goal = RobotGoal{};
-  robot.planner = "teleop";
-  const base::Result<std::unique_ptr<World>> world = World::create(setupOf(scenario));
-  QVERIFY(world);
-  advance(**world, 10);
-  QCOMPARE((*world)->frame().robots.x[0], 0.0);  // nobody has said anything
-  Input word;
-  word.kind = InputKind::Robot;
-  word.id = -1;
-  word.velocity = {1.0, 0.0};
-  QVERIFY((*world)->step({word}));
-  advance(**world, 9);  // 0.5 s
-  QVERIFY(std::fabs((*world)->frame().robots.vx[0] - 0.5) < 1e-9);
-  advance(**world, 12);
-  QVERIFY(std::fabs((*world)->frame().robots.vx[0]) < 1e-9);
-  QVERIFY((*world)->frame().robots.x[0] > 0.25);
-  QCOMPARE((*world)->refused().size(), std::size_t{0});
-}
+  /// What was there before the step that was waited for is the end of the run.
+  void run_plannerIsToldToStop_isInterrupted() {
+    Scenario scenario;
+    addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
+    Asked asked;
+    const std::unique_ptr<World> world = waitingWorld(asked, scenario);
+    QVERIFY(world);
+    LastFrame sink;
+    const RunResult result = run(*world, {100, true}, sink);
+    QVERIFY(result.status == RunStatus::Interrupted);
+    QCOMPARE(result.reason, std::string("interrupted"));
+    QCOMPARE(result.steps, std::int64_t{2});
+    QCOMPARE(sink.last.step, std::int64_t{2});
+    QVERIFY(sink.last.events.back().kind == EventKind::Stop);
+    QCOMPARE(sink.last.events.back().text, std::string("interrupted"));
+  }
 
-void ExternalRobotCommandsTest::step_inputToPlanner_actsOnce() {
-  Scenario scenario;
-  Robot& robot = addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
-  robot.goal = RobotGoal{};  // pursuit stands
-  const base::Result<std::unique_ptr<World>> world = World::create(setupOf(scenario));
-  QVERIFY(world);
-  Input word;
-  word.kind = InputKind::Robot;
-  word.id = -1;
-  word.velocity = {1.0, 0.0};
-  QVERIFY((*world)->step({word}));
-  QVERIFY(std::fabs((*world)->frame().robots.vx[0] - 0.05) < 1e-9);
-  QVERIFY((*world)->step());
-  QVERIFY(std::fabs((*world)->frame().robots.vx[0]) < 1e-9);
-}
+  void step_plannerWithoutGoal_isAskedIfItWants() {
+    for (const bool needsGoal : {true, false}) {
+      Scenario scenario;
+      Robot& robot = addRobot(scenario, {2.0, 1.0}, {5.0, 0.0});
+      robot.goal = RobotGoal{};
+      Asked asked;
+      const std::unique_ptr<World> world = waitingWorld(asked, scenario, needsGoal);
+      QVERIFY(world);
+      QVERIFY(world->step());
+      QCOMPARE(asked.calls, needsGoal ? 0 : 1);
+      QVERIFY(needsGoal || asked.goal == Vec2(2.0, 1.0));  // where it stands
+    }
+  }
+
+  /// 1 m/s² from standing: 0.5 m/s after 0.5 s. Half a second after the word it brakes as fast.
+  void step_teleop_keepsTheNewestWord() {
+    Scenario scenario;
+    Robot& robot = addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
+    robot.goal = RobotGoal{};
+    robot.planner = "teleop";
+    const auto world = make(scenario);
+    advance(*world, 10);
+    QCOMPARE(world->frame().robots.x[0], 0.0);  // nobody has said anything
+    QVERIFY(world->step({inputOf(InputKind::Robot, -1, {1.0, 0.0})}));
+    advance(*world, 9);  // 0.5 s
+    QVERIFY(std::fabs(world->frame().robots.vx[0] - 0.5) < 1e-9);
+    advance(*world, 12);
+    QVERIFY(std::fabs(world->frame().robots.vx[0]) < 1e-9);
+    QVERIFY(world->frame().robots.x[0] > 0.25);
+    QCOMPARE(world->refused().size(), std::size_t{0});
+  }
+
+  void step_inputToPlanner_actsOnce() {
+    Scenario scenario;
+    Robot& robot = addRobot(scenario, {0.0, 0.0}, {5.0, 0.0});
+    robot.goal = RobotGoal{};  // pursuit stands
+    const auto world = make(scenario);
+    QVERIFY(world->step({inputOf(InputKind::Robot, -1, {1.0, 0.0})}));
+    QVERIFY(std::fabs(world->frame().robots.vx[0] - 0.05) < 1e-9);
+    QVERIFY(world->step());
+    QVERIFY(std::fabs(world->frame().robots.vx[0]) < 1e-9);
+  }
+};
 
 QTEST_APPLESS_MAIN(ExternalRobotCommandsTest)
 #include "tst_ExternalRobotCommands.moc"

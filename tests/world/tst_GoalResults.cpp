@@ -4,9 +4,10 @@
 
 #include <QtTest>
 
-#include "sim2d/trace/RobotArrival.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/world/RobotDrive.h"
 #include "sim2d/world/Runner.h"
+#include "tests/support/Columns.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -79,23 +80,18 @@ Announced announced(Scenario scenario, const std::vector<Announcer::At>& ends,
                            });
   scenario.robots[0].planner = "announcer";
   const StopRule rule = stopRuleOf(scenario);
-  WorldSetup setup;
-  setup.scenario = std::make_shared<const Scenario>(std::move(scenario));
-  setup.registries = std::move(registries);
-  setup.behavior = std::make_unique<ScriptedBehavior>([](const WorldView& view, Intents& intents) {
+  WorldSetup setup = setupOf(std::move(scenario), [](const WorldView& view, Intents& intents) {
     for (int human = 0; human < view.humanCount(); ++human) {
       intents.of(human).motion = Motion::Stand;
     }
   });
-  const base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+  setup.registries = std::move(registries);
+  auto world = make(std::move(setup));
   Announced ran;
-  if (!world) {
-    return ran;
-  }
   Recording recording;
   ran.result =
-      run(**world, rule, recording, {}, [&] { return inputs ? inputs(**world) : StepInputs(); });
-  ran.trace = recording.trace((*world)->header());
+      run(*world, rule, recording, {}, [&] { return inputs ? inputs(*world) : StepInputs(); });
+  ran.trace = recording.trace(world->header());
   return ran;
 }
 
@@ -145,8 +141,7 @@ class GoalResultsTest : public QObject {
   }
 
   void success_beyondTheLimit_isNoArrival_data() {
-    QTest::addColumn<double>("distance");
-    QTest::addColumn<bool>("arrives");
+    addColumns<double, bool>({"distance", "arrives"});
     QTest::newRow("at the limit") << 0.7 << true;  // 0.2 m and 0.5 m
     QTest::newRow("beyond") << 0.701 << false;
     QTest::newRow("far") << 8.0 << false;
@@ -267,14 +262,8 @@ class GoalResultsTest : public QObject {
   void order_thatFails_isNotTheEnd() {
     Scenario scenario = goalAt(4.0);
     const auto order = [](const World& world) {
-      StepInputs inputs;
-      if (world.stepIndex() == 4) {
-        Input& to = inputs.emplace_back();
-        to.kind = InputKind::Goal;
-        to.id = -1;
-        to.pose.position = Vec2(0.0, 2.0);
-      }
-      return inputs;
+      return world.stepIndex() == 4 ? StepInputs{placing(InputKind::Goal, -1, {0.0, 2.0})}
+                                    : StepInputs();
     };
     const Announced ran = announced(scenario, {{1.0, false}}, order);
     QCOMPARE(ran.texts(EventKind::NavigationFailed),
@@ -295,12 +284,7 @@ class GoalResultsTest : public QObject {
     addRobot(scenario, Vec2(3.0, 0.0), Vec2(0.0, 0.0));
     scenario.robots[1].listed = true;
     const auto drive = [](const World& /*world*/) {
-      StepInputs inputs;
-      Input& ahead = inputs.emplace_back();
-      ahead.kind = InputKind::Robot;
-      ahead.id = -2;
-      ahead.velocity = Vec2(-1.0, 0.0);
-      return inputs;
+      return StepInputs{inputOf(InputKind::Robot, -2, {-1.0, 0.0})};
     };
     const Announced ran = announced(scenario, {{0.5, false}}, drive);
     QVERIFY(ran.robot().result == NavigationOutcome::NavigationFailed);

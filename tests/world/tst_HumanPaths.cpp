@@ -17,7 +17,7 @@ class HumanPathsTest : public QObject {
     Scenario scenario;
     addGoal(scenario, 1, 4.0, 0.0);
     addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
-    const std::unique_ptr<World> world = make(scenario);
+    const auto world = make(scenario);
     QVERIFY(world->step());
     QVERIFY(world->frame().humanPaths == nullptr);
   }
@@ -30,7 +30,7 @@ class HumanPathsTest : public QObject {
     addGoal(scenario, 1, 4.0, 0.0);
     addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
     addPerson(scenario, 2, Vec2(-3.0, 0.0));  // stands
-    const std::unique_ptr<World> world = make(scenario);
+    const auto world = make(scenario);
     world->publishSensors(true);
     QVERIFY(world->step());
     const auto ways = world->frame().humanPaths;
@@ -57,7 +57,7 @@ class HumanPathsTest : public QObject {
     addWall(scenario, {{2.0, -3.0}, {2.0, 1.0}});
     addGoal(scenario, 1, 4.0, 0.0);
     addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
-    const std::unique_ptr<World> world = make(scenario);
+    const auto world = make(scenario);
     world->publishSensors(true);
     bool hasWalked = false;
     for (int k = 0; k < 400; ++k) {

@@ -5,21 +5,10 @@
 #include <QtTest>
 
 #include "sim2d/world/realism/RealismTest.h"
+#include "tests/support/Columns.h"
 #include "tests/support/Sanitizers.h"
 
 using namespace sim2d;
-
-/// Every realism test with seed 1. What a model is known to miss must be missed, between known
-/// values, so that nothing changes unseen, for worse or for better. The large crowds of models
-/// other than das take minutes: with HUNAV_ALL_TESTS alone (scripts/test.sh --all).
-class RealismSeedOneTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void measure_seedOne_isWithinTheLimits_data();
-  void measure_seedOne_isWithinTheLimits();
-  void knownMisses_areOfQuantitiesThatExist();
-};
 
 namespace {
 
@@ -109,57 +98,64 @@ bool isLarge(const std::string& test) {
 
 }  // namespace
 
-void RealismSeedOneTest::measure_seedOne_isWithinTheLimits_data() {
-  QTest::addColumn<QString>("model");
-  QTest::addColumn<int>("index");
-  for (const char* model : {"sfm", "das", "orca"}) {
-    for (std::size_t i = 0; i < realismTests().size(); ++i) {
-      const bool isMinutes = isLarge(realismTests()[i].name) && std::string(model) != "das";
-      if (isMinutes && !qEnvironmentVariableIsSet("HUNAV_ALL_TESTS")) {
-        continue;
-      }
-      QTest::addRow("%s %s", model, realismTests()[i].name.c_str())
-          << QString::fromUtf8(model) << static_cast<int>(i);
-    }
-  }
-}
+/// Every realism test with seed 1. What a model is known to miss must be missed, between known
+/// values, so that nothing changes unseen, for worse or for better. The large crowds of models
+/// other than das take minutes: with HUNAV_ALL_TESTS alone (scripts/test.sh --all).
+class RealismSeedOneTest : public QObject {
+  Q_OBJECT
 
-void RealismSeedOneTest::measure_seedOne_isWithinTheLimits() {
-  QFETCH(QString, model);
-  QFETCH(int, index);
-  const RealismTest& test = realismTests()[static_cast<std::size_t>(index)];
-  if (kIsSanitized && isLarge(test.name)) {
-    QSKIP("a large crowd, too slow under a sanitizer");
-  }
-  RealismRun run;
-  run.model = model.toStdString();
-  const base::Result<std::vector<double>> values = test.measure(run);
-  QVERIFY(values);
-  QCOMPARE(values->size(), test.quantities.size());
-  for (std::size_t i = 0; i < values->size(); ++i) {
-    const Quantity& quantity = test.quantities[i];
-    const double value = (*values)[i];
-    const std::string text = quantity.name + " " + std::to_string(value);
-    const KnownMiss* const known = findKnown(run.model, test.name, quantity.name);
-    QVERIFY2(quantity.passes(value) == (known == nullptr), text.c_str());
-    if (known != nullptr) {
-      const bool isUndefined = std::isnan(value) && std::isnan(known->low);
-      QVERIFY2(isUndefined || (value >= known->low && value <= known->high), text.c_str());
-    }
-  }
-}
-
-void RealismSeedOneTest::knownMisses_areOfQuantitiesThatExist() {
-  for (const KnownMiss& known : knownMisses()) {
-    bool exists = false;
-    for (const RealismTest& test : realismTests()) {
-      for (const Quantity& quantity : test.quantities) {
-        exists = exists || (test.name == known.test && quantity.name == known.quantity);
+ private Q_SLOTS:
+  void measure_seedOne_isWithinTheLimits_data() {
+    addColumns<QString, int>({"model", "index"});
+    for (const char* model : {"sfm", "das", "orca"}) {
+      for (std::size_t i = 0; i < realismTests().size(); ++i) {
+        const bool isMinutes = isLarge(realismTests()[i].name) && std::string(model) != "das";
+        if (isMinutes && !qEnvironmentVariableIsSet("HUNAV_ALL_TESTS")) {
+          continue;
+        }
+        QTest::addRow("%s %s", model, realismTests()[i].name.c_str())
+            << QString::fromUtf8(model) << static_cast<int>(i);
       }
     }
-    QVERIFY2(exists, known.quantity);
   }
-}
+
+  void measure_seedOne_isWithinTheLimits() {
+    QFETCH(QString, model);
+    QFETCH(int, index);
+    const RealismTest& test = realismTests()[static_cast<std::size_t>(index)];
+    if (kIsSanitized && isLarge(test.name)) {
+      QSKIP("a large crowd, too slow under a sanitizer");
+    }
+    RealismRun run;
+    run.model = model.toStdString();
+    const base::Result<std::vector<double>> values = test.measure(run);
+    QVERIFY(values);
+    QCOMPARE(values->size(), test.quantities.size());
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      const Quantity& quantity = test.quantities[i];
+      const double value = (*values)[i];
+      const std::string text = quantity.name + " " + std::to_string(value);
+      const KnownMiss* const known = findKnown(run.model, test.name, quantity.name);
+      QVERIFY2(quantity.passes(value) == (known == nullptr), text.c_str());
+      if (known != nullptr) {
+        const bool isUndefined = std::isnan(value) && std::isnan(known->low);
+        QVERIFY2(isUndefined || (value >= known->low && value <= known->high), text.c_str());
+      }
+    }
+  }
+
+  void knownMisses_areOfQuantitiesThatExist() {
+    for (const KnownMiss& known : knownMisses()) {
+      bool exists = false;
+      for (const RealismTest& test : realismTests()) {
+        for (const Quantity& quantity : test.quantities) {
+          exists = exists || (test.name == known.test && quantity.name == known.quantity);
+        }
+      }
+      QVERIFY2(exists, known.quantity);
+    }
+  }
+};
 
 QTEST_APPLESS_MAIN(RealismSeedOneTest)
 #include "tst_RealismSeedOne.moc"

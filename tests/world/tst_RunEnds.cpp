@@ -3,8 +3,9 @@
 
 #include <QtTest>
 
-#include "sim2d/trace/RobotArrival.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/world/Runner.h"
+#include "tests/support/Columns.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -26,23 +27,31 @@ struct Ran {
   const RobotResult& robot(std::size_t k = 0) const { return result.robots[k]; }
 };
 
-/// By the rule of the scenario; robots in `driven` go ahead at full speed, whatever is there.
-Ran ranWith(const Scenario& scenario, const std::vector<int>& driven = {}) {
-  const std::unique_ptr<World> world = make(scenario, standStill);
+/// The inputs of each step, by the number of the last one.
+using InputsAt = std::function<StepInputs(std::int64_t step)>;
+
+Ran ranWith(const Scenario& scenario, const StopRule& rule, const InputsAt& inputsAt,
+            const ScriptedBehavior::Change& change = standStill) {
+  const auto world = make(scenario, change);
   Recording recording;
   Ran ran;
-  ran.result = run(*world, stopRuleOf(scenario), recording, {}, [&] {
-    StepInputs inputs;
-    for (const int id : driven) {
-      Input& ahead = inputs.emplace_back();
-      ahead.kind = InputKind::Robot;
-      ahead.id = id;
-      ahead.velocity = Vec2(1.0, 0.0);
-    }
-    return inputs;
-  });
+  ran.result = run(*world, rule, recording, {}, [&] { return inputsAt(world->stepIndex()); });
   ran.trace = recording.trace(world->header());
   return ran;
+}
+
+/// By the rule of the scenario; robots in `driven` go ahead at full speed, whatever is there.
+Ran ranWith(const Scenario& scenario, const std::vector<int>& driven = {}) {
+  StepInputs ahead;
+  for (const int id : driven) {
+    ahead.push_back(inputOf(InputKind::Robot, id, {1.0, 0.0}));
+  }
+  return ranWith(scenario, stopRuleOf(scenario), [&](std::int64_t) { return ahead; });
+}
+
+/// With one input after so many steps.
+InputsAt once(std::int64_t after, const Input& input) {
+  return [=](std::int64_t step) { return step == after ? StepInputs{input} : StepInputs(); };
 }
 
 std::vector<double> timesOf(const Trace& trace, EventKind kind, int id = -1) {
@@ -64,6 +73,16 @@ Scenario driveTo(double x) {
   Scenario scenario;
   addRobot(scenario, Vec2::Zero(), Vec2(x, 0.0));
   scenario.desktop.duration = 7.0;
+  return scenario;
+}
+
+/// A robot in a corridor 1.6 m wide in which somebody stands; it is stuck after 3 s.
+Scenario blockedCorridor(double duration = 60.0) {
+  Scenario scenario = driveTo(8.0);
+  scenario.desktop.duration = duration;
+  scenario.desktop.stuckAfter = 3.0;
+  addRoom(scenario, Vec2(-2.0, -0.8), Vec2(12.0, 0.8));
+  addPerson(scenario, 1, Vec2(4.0, 0.0));
   return scenario;
 }
 
@@ -93,50 +112,28 @@ class RunEndsTest : public QObject {
       if (!hasGoal) {
         scenario.robots[0].goal.point.reset();
       }
-      const std::unique_ptr<World> world = make(scenario, standStill);
-      Recording recording;
       StopRule rule = stopRuleOf(scenario);
       rule.maximumSteps = 200;
-      const RunResult result = run(*world, rule, recording, {}, [&] {
-        StepInputs inputs;
-        if (world->stepIndex() == 4) {
-          Input& order = inputs.emplace_back();
-          order.kind = InputKind::Goal;
-          order.id = -1;
-          order.pose.position = Vec2(0.0, 2.0);
-        }
-        return inputs;
-      });
-      QCOMPARE(result.reason, std::string("duration"));
-      QVERIFY(result.robots[0].result ==
+      const Ran ran = ranWith(scenario, rule, once(4, placing(InputKind::Goal, -1, {0.0, 2.0})));
+      QCOMPARE(ran.result.reason, std::string("duration"));
+      QVERIFY(ran.robot().result ==
               (hasGoal ? std::optional(NavigationOutcome::Timeout) : std::nullopt));
-      const Trace trace = recording.trace(world->header());
-      QCOMPARE(timesOf(trace, EventKind::Arrived).size(), std::size_t{1});
-      for (const auto& [step, event] : trace.events) {
+      QCOMPARE(timesOf(ran.trace, EventKind::Arrived).size(), std::size_t{1});
+      for (const auto& [step, event] : ran.trace.events) {
         QVERIFY(event.kind != EventKind::Arrived || event.text == kOrderText);
         QVERIFY(event.kind != EventKind::Goal || event.text.empty());
       }
     }
   }
+
   /// It has arrived at its goal when it is sent somewhere else: that stays its result.
   void orderAfterTheGoal_leavesTheResult() {
-    Scenario scenario = driveTo(2.0);
-    const std::unique_ptr<World> world = make(scenario, standStill);
-    Recording recording;
-    const RunResult result = run(*world, stopRuleOf(scenario), recording, {}, [&] {
-      StepInputs inputs;
-      if (world->stepIndex() == 80) {
-        Input& order = inputs.emplace_back();
-        order.kind = InputKind::Goal;
-        order.id = -1;
-        order.pose.position = Vec2(2.0, 30.0);
-      }
-      return inputs;
-    });
-    QVERIFY(result.robots[0].result == NavigationOutcome::Arrived);
-    QCOMPARE(timesOf(recording.trace(world->header()), EventKind::Arrived),
-             std::vector<double>{result.robots[0].time});
-    QVERIFY(result.robots[0].time < 4.0);
+    const Scenario scenario = driveTo(2.0);
+    const Ran ran = ranWith(scenario, stopRuleOf(scenario),
+                            once(80, placing(InputKind::Goal, -1, {2.0, 30.0})));
+    QVERIFY(ran.robot().result == NavigationOutcome::Arrived);
+    QCOMPARE(timesOf(ran.trace, EventKind::Arrived), std::vector<double>{ran.robot().time});
+    QVERIFY(ran.robot().time < 4.0);
   }
 
   void duration_onTheWay_isATimeout() {
@@ -158,11 +155,10 @@ class RunEndsTest : public QObject {
     addRobot(scenario, Vec2(0.0, 5.0), Vec2(1.0, 5.0));
     addPerson(scenario, 1, Vec2(0.0, -5.0));
     for (const bool fails : {true, false}) {
-      const std::unique_ptr<World> world =
-          make(scenario, [fails](const WorldView& view, Intents& intents) {
-            intents.of(0).motion = Motion::Walk;
-            intents.of(0).speed = fails && view.step() > 100 ? std::nan("") : 0.0;
-          });
+      const auto world = make(scenario, [fails](const WorldView& view, Intents& intents) {
+        intents.of(0).motion = Motion::Walk;
+        intents.of(0).speed = fails && view.step() > 100 ? std::nan("") : 0.0;
+      });
       Recording recording;
       const RunResult result = run(*world, stopRuleOf(scenario), recording,
                                    [](const Frame& frame) { return frame.step == 120; });
@@ -176,8 +172,7 @@ class RunEndsTest : public QObject {
   /// From rest at 1 m/s²: 1 m/s after 0.5 m and 1 s; the discs of 0.35 m and 0.4 m meet when it has
   /// driven 2.25 m, at 2.75 s. A wall 0.2 m thick about x = 3 is met after 2.55 m, at 3.05 s.
   void collision_endsTheRun_data() {
-    QTest::addColumn<int>("rule");
-    QTest::addColumn<bool>("isWall");
+    addColumns<int, bool>({"rule", "isWall"});
     QTest::addColumn<double>("end");  // [s]
     QTest::newRow("people, a person") << 1 << false << 2.75;
     QTest::newRow("any, a person") << 2 << false << 2.75;
@@ -284,10 +279,8 @@ class RunEndsTest : public QObject {
   /// Somebody stands in a corridor 1.6 m wide: the robot waits before them for good. From when it
   /// has come as near as 0.1 m to its place it has 3 s.
   void stuck_beforeAPerson_endsTheRun() {
-    Scenario scenario = driveTo(8.0);
-    scenario.desktop.duration = 60.0;
-    addRoom(scenario, Vec2(-2.0, -0.8), Vec2(12.0, 0.8));
-    addPerson(scenario, 1, Vec2(4.0, 0.0));
+    Scenario scenario = blockedCorridor();
+    scenario.desktop.stuckAfter.reset();
     QCOMPARE(ranWith(scenario).result.reason, std::string("duration"));
     scenario.desktop.stuckAfter = 3.0;
     const Ran ran = ranWith(scenario);
@@ -307,11 +300,7 @@ class RunEndsTest : public QObject {
 
   /// The second robot arrives meanwhile; the third, without a goal, does not matter.
   void stuck_oneOfSeveral_waitsForTheOthers() {
-    Scenario scenario = driveTo(8.0);
-    scenario.desktop.duration = 60.0;
-    scenario.desktop.stuckAfter = 3.0;
-    addRoom(scenario, Vec2(-2.0, -0.8), Vec2(12.0, 0.8));
-    addPerson(scenario, 1, Vec2(4.0, 0.0));
+    Scenario scenario = blockedCorridor();
     addRobot(scenario, Vec2(0.0, 5.0), Vec2(20.0, 5.0));
     addRobot(scenario, Vec2(0.0, 9.0), Vec2(0.0, 9.0)).goal.point.reset();
     const Ran ran = ranWith(scenario);
@@ -325,58 +314,28 @@ class RunEndsTest : public QObject {
 
   /// The second robot stands where it was sent: more orders may come.
   void stuck_besideOneAtAnOrder_isNotTheEnd() {
-    Scenario scenario = driveTo(8.0);
-    scenario.desktop.duration = 20.0;
-    scenario.desktop.stuckAfter = 3.0;
-    addRoom(scenario, Vec2(-2.0, -0.8), Vec2(12.0, 0.8));
-    addPerson(scenario, 1, Vec2(4.0, 0.0));
+    Scenario scenario = blockedCorridor(20.0);
     addRobot(scenario, Vec2(0.0, 5.0), Vec2(20.0, 5.0));
-    const std::unique_ptr<World> world = make(scenario, standStill);
-    Recording recording;
-    const RunResult result = run(*world, stopRuleOf(scenario), recording, {}, [&] {
-      StepInputs inputs;
-      if (world->stepIndex() == 4) {
-        Input& order = inputs.emplace_back();
-        order.kind = InputKind::Goal;
-        order.id = -2;
-        order.pose.position = Vec2(3.0, 5.0);
-      }
-      return inputs;
-    });
-    QCOMPARE(result.reason, std::string("duration"));
-    QVERIFY(result.robots[0].result == NavigationOutcome::Stuck);
-    QVERIFY(result.robots[1].result == NavigationOutcome::Timeout);
-    QCOMPARE(timesOf(recording.trace(world->header()), EventKind::Arrived, -2).size(),
-             std::size_t{1});
+    const Ran ran =
+        ranWith(scenario, stopRuleOf(scenario), once(4, placing(InputKind::Goal, -2, {3.0, 5.0})));
+    QCOMPARE(ran.result.reason, std::string("duration"));
+    QVERIFY(ran.robot(0).result == NavigationOutcome::Stuck);
+    QVERIFY(ran.robot(1).result == NavigationOutcome::Timeout);
+    QCOMPARE(timesOf(ran.trace, EventKind::Arrived, -2).size(), std::size_t{1});
   }
 
   /// A person in the way goes on after 9 s: the robot was stuck, frees itself and arrives.
   void stuck_thatFreesItself_arrives() {
-    Scenario scenario = driveTo(8.0);
-    scenario.desktop.duration = 60.0;
-    scenario.desktop.stuckAfter = 3.0;
-    addRoom(scenario, Vec2(-2.0, -0.8), Vec2(12.0, 0.8));
-    addPerson(scenario, 1, Vec2(4.0, 0.0));
+    Scenario scenario = blockedCorridor();
     addRobot(scenario, Vec2(0.0, 5.0), Vec2(30.0, 5.0));
-    const std::unique_ptr<World> world = make(
-        scenario, [](const WorldView&, Intents& intents) { intents.of(0).motion = Motion::Stand; });
-    Recording recording;
-    const RunResult result = run(*world, stopRuleOf(scenario), recording, {}, [&] {
-      StepInputs inputs;
-      if (world->stepIndex() == 180) {
-        Input& away = inputs.emplace_back();
-        away.kind = InputKind::Move;
-        away.id = 1;
-        away.pose.position = Vec2(11.0, 0.0);
-      }
-      return inputs;
-    });
-    const Trace trace = recording.trace(world->header());
-    QCOMPARE(timesOf(trace, EventKind::Stuck).size(), std::size_t{1});
-    QVERIFY(timesOf(trace, EventKind::Stuck).front() < 9.0);
-    QVERIFY(result.robots[0].result == NavigationOutcome::Arrived);
-    QVERIFY(result.robots[1].result == NavigationOutcome::Arrived);
-    QCOMPARE(result.reason, std::string("duration"));
+    const Ran ran =
+        ranWith(scenario, stopRuleOf(scenario), once(180, placing(InputKind::Move, 1, {11.0, 0.0})),
+                [](const WorldView&, Intents& intents) { intents.of(0).motion = Motion::Stand; });
+    QCOMPARE(timesOf(ran.trace, EventKind::Stuck).size(), std::size_t{1});
+    QVERIFY(timesOf(ran.trace, EventKind::Stuck).front() < 9.0);
+    QVERIFY(ran.robot(0).result == NavigationOutcome::Arrived);
+    QVERIFY(ran.robot(1).result == NavigationOutcome::Arrived);
+    QCOMPARE(ran.result.reason, std::string("duration"));
   }
 
   /// Behind a door that opens by itself at 12 s; and before it sets off at 8 s.

@@ -5,15 +5,6 @@
 
 using namespace testworld;
 
-/// Once its buffers have grown, a step takes no memory from the heap.
-class StepMemoryTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void step_withoutEvents_allocatesNothing_data();
-  void step_withoutEvents_allocatesNothing();
-};
-
 namespace {
 
 /// Two groups that walk to each other past a standing robot. The wall of the small ones is felt by
@@ -40,31 +31,36 @@ Scenario streams(int people) {
 
 }  // namespace
 
-void StepMemoryTest::step_withoutEvents_allocatesNothing_data() {
-  QTest::addColumn<int>("people");
-  QTest::newRow("pair by pair") << 30;
-  QTest::newRow("all at once") << 200;
-}
+/// Once its buffers have grown, a step takes no memory from the heap.
+class StepMemoryTest : public QObject {
+  Q_OBJECT
 
-void StepMemoryTest::step_withoutEvents_allocatesNothing() {
-  QFETCH(int, people);
-  const std::unique_ptr<World> world = make(streams(people));
-  QVERIFY(world != nullptr);
-  advance(*world, 100);
-  long most = 0;
-  int quietSteps = 0;
-  for (int i = 0; i < 100; ++i) {
-    const long before = allocations;
-    QVERIFY(world->step());
-    const long taken = allocations - before;
-    if (world->frame().events.empty()) {  // the text of an event may need memory
-      most = std::max(most, taken);
-      ++quietSteps;
-    }
+ private Q_SLOTS:
+  void step_withoutEvents_allocatesNothing_data() {
+    QTest::addColumn<int>("people");
+    QTest::newRow("pair by pair") << 30;
+    QTest::newRow("all at once") << 200;
   }
-  QVERIFY(quietSteps > 20);
-  QVERIFY2(most == 0, qPrintable(QString::number(most)));
-}
+
+  void step_withoutEvents_allocatesNothing() {
+    QFETCH(int, people);
+    const auto world = make(streams(people));
+    advance(*world, 100);
+    long most = 0;
+    int quietSteps = 0;
+    for (int i = 0; i < 100; ++i) {
+      const long before = allocations;
+      QVERIFY(world->step());
+      const long taken = allocations - before;
+      if (world->frame().events.empty()) {  // the text of an event may need memory
+        most = std::max(most, taken);
+        ++quietSteps;
+      }
+    }
+    QVERIFY(quietSteps > 20);
+    QVERIFY2(most == 0, qPrintable(QString::number(most)));
+  }
+};
 
 QTEST_APPLESS_MAIN(StepMemoryTest)
 #include "tst_StepMemory.moc"

@@ -11,16 +11,6 @@
 using namespace testworld;
 namespace fs = std::filesystem;
 
-/// Nobody ever gets through a wall: a million steps of people who walk to random places, straight
-/// on, in each map that comes with the program.
-class WallPropertyTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void millionAgentSteps_inEachMap_neverPassAWall_data();
-  void millionAgentSteps_inEachMap_neverPassAWall();
-};
-
 namespace {
 
 constexpr double kRadius = 0.25;   // [m]
@@ -69,49 +59,56 @@ void walkAbout(const OccupancyGrid& map, const WorldView& view, Intents& intents
 
 }  // namespace
 
-void WallPropertyTest::millionAgentSteps_inEachMap_neverPassAWall_data() {
-  QTest::addColumn<QString>("path");
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(SOURCE_DIR "/maps")) {
-    const base::Result<std::string> text = base::readTextFile(entry.path().string());
-    if (entry.path().extension() == ".yaml" && text &&
-        text->find("occupied_thresh") != std::string::npos) {
-      QTest::newRow(entry.path().stem().c_str()) << QString::fromStdString(entry.path().string());
-    }
-  }
-}
+/// Nobody ever gets through a wall: a million steps of people who walk to random places, straight
+/// on, in each map that comes with the program.
+class WallPropertyTest : public QObject {
+  Q_OBJECT
 
-void WallPropertyTest::millionAgentSteps_inEachMap_neverPassAWall() {
-  QFETCH(QString, path);
-  const base::Result<MapFile> file = readMap(path.toStdString(), {}, MapRule::Humble);
-  QVERIFY(file);
-  const OccupancyGrid& map = file->grid;
-  const Obstacles obstacles = makeSurroundings(Scenario{}, map).obstacles;
-  const Scenario scenario = crowdIn(map, obstacles);
-  const int people = static_cast<int>(scenario.humans.size());
-  QVERIFY(people > 10);
-  const base::Result<std::unique_ptr<World>> world = create(
-      scenario, [&](const WorldView& view, Intents& intents) { walkAbout(map, view, intents); },
-      map);
-  QVERIFY(world);
-  std::vector<Vec2> before;
-  before.reserve(static_cast<std::size_t>(people));
-  for (int i = 0; i < people; ++i) {
-    before.push_back(positionOf((*world)->frame(), static_cast<std::size_t>(i)));
-  }
-  int through = 0;
-  double least = 1e9;
-  for (int step = 0; step * people < kAgentSteps; ++step) {
-    QVERIFY2((*world)->step(), (*world)->failure().c_str());
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const Vec2 place = positionOf((*world)->frame(), i);
-      through += obstacles.isVisible(before[i], place) ? 0 : 1;
-      least = step % 10 == 0 ? std::min(least, obstacles.clearance(place, 1.0)) : least;
-      before[i] = place;
+ private Q_SLOTS:
+  void millionAgentSteps_inEachMap_neverPassAWall_data() {
+    QTest::addColumn<QString>("path");
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(SOURCE_DIR "/maps")) {
+      const base::Result<std::string> text = base::readTextFile(entry.path().string());
+      if (entry.path().extension() == ".yaml" && text &&
+          text->find("occupied_thresh") != std::string::npos) {
+        QTest::newRow(entry.path().stem().c_str()) << QString::fromStdString(entry.path().string());
+      }
     }
   }
-  QCOMPARE(through, 0);
-  QVERIFY2(least >= kRadius - kDeepest, qPrintable(QString::number(least)));
-}
+
+  void millionAgentSteps_inEachMap_neverPassAWall() {
+    QFETCH(QString, path);
+    const base::Result<MapFile> file = readMap(path.toStdString(), {}, MapRule::Humble);
+    QVERIFY(file);
+    const OccupancyGrid& map = file->grid;
+    const Obstacles obstacles = makeSurroundings(Scenario{}, map).obstacles;
+    const Scenario scenario = crowdIn(map, obstacles);
+    const int people = static_cast<int>(scenario.humans.size());
+    QVERIFY(people > 10);
+    const base::Result<std::unique_ptr<World>> world = create(
+        scenario, [&](const WorldView& view, Intents& intents) { walkAbout(map, view, intents); },
+        map);
+    QVERIFY(world);
+    std::vector<Vec2> before;
+    before.reserve(static_cast<std::size_t>(people));
+    for (int i = 0; i < people; ++i) {
+      before.push_back(positionOf((*world)->frame(), static_cast<std::size_t>(i)));
+    }
+    int through = 0;
+    double least = 1e9;
+    for (int step = 0; step * people < kAgentSteps; ++step) {
+      QVERIFY2((*world)->step(), (*world)->failure().c_str());
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const Vec2 place = positionOf((*world)->frame(), i);
+        through += obstacles.isVisible(before[i], place) ? 0 : 1;
+        least = step % 10 == 0 ? std::min(least, obstacles.clearance(place, 1.0)) : least;
+        before[i] = place;
+      }
+    }
+    QCOMPARE(through, 0);
+    QVERIFY2(least >= kRadius - kDeepest, qPrintable(QString::number(least)));
+  }
+};
 
 QTEST_APPLESS_MAIN(WallPropertyTest)
 #include "tst_WallProperty.moc"

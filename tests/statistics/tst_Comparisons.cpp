@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QtTest>
 
 #include "metrics/statistics/Ranks.h"
@@ -31,10 +33,74 @@ const std::vector<Numbers>& rounding() {
 
 }  // namespace
 
-class MultipleComparisonsTest : public QObject {
+class ComparisonsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// By hand: of 9 pairs 1 is larger, 6 are smaller, 2 tie.
+  void cliffsDelta_byHand_isEqual() {
+    VERIFY_NEAR(cliffsDelta({1, 2, 3}, {2, 3, 4}), -5.0 / 9.0, 1e-15);
+    QCOMPARE(cliffsDelta({5, 6}, {1, 2}), 1.0);
+    QCOMPARE(cliffsDelta({1, 1}, {1, 1, 1}), 0.0);
+    QVERIFY(std::isnan(cliffsDelta({}, {1})));
+  }
+
+  /// Largest U that is significant at 5 % two-sided: the usual table (Mann & Whitney).
+  void rankSumCdf_criticalValues_areThoseOfTheTable() {
+    const int rows[][3] = {{5, 5, 2}, {8, 10, 17}, {10, 10, 23}, {15, 12, 49}, {20, 20, 127}};
+    for (const auto& row : rows) {
+      const Numbers cdf = rankSumCdf(row[0], row[1]);
+      const auto at = static_cast<std::size_t>(row[2]);
+      QVERIFY2(cdf[at] <= 0.025 && cdf[at + 1] > 0.025, qPrintable(QString::number(row[0])));
+      VERIFY_NEAR(cdf.back(), 1.0, 1e-12);
+    }
+  }
+
+  /// Permeability of membranes (Hollander & Wolfe 1999, examples 4.1, 4.3, 4.4; R's
+  /// ?wilcox.test): estimate .305, interval (-.15, .76).
+  void shift_membranes_isThatOfTheBook() {
+    const Numbers term = {.80, .83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, .73, 1.46};
+    const Numbers early = {1.15, .88, .90, .74, 1.21};
+    VERIFY_NEAR(shift(term, early), 0.305, 1e-9);
+    const Interval found = shiftInterval(term, early);
+    VERIFY_NEAR(found.low, -0.15, 1e-9);
+    VERIFY_NEAR(found.high, 0.76, 1e-9);
+  }
+
+  void shift_edgeCases_areAsSaid() {
+    QVERIFY(std::isnan(shift({}, {1})));
+    QCOMPARE(shift({4.0}, {1.0}), 3.0);
+    QCOMPARE(shift({2, 2, 2}, {2, 2}), 0.0);
+    QVERIFY(!shiftInterval({1, 2, 3}, {1, 2, 3}).isDefined());  // 2 / 20 > 5 %
+    QVERIFY(!shiftInterval({}, {1}).isDefined());
+  }
+
+  /// The differences of larger samples listed and sorted; places by hand: 40 * 30 / 2 = 600,
+  /// √(1200 * 71 / 12) = 84.26, 600 - 1.95996 * 84.26 - 0.5 = 434.4.
+  void shiftInterval_largeSamples_isTheOneOfTheList() {
+    Numbers first;
+    Numbers second;
+    first.reserve(40);
+    second.reserve(30);
+    for (int k = 0; k < 40; ++k) {
+      first.push_back((k * 37) % 41 / 7.0);
+    }
+    for (int k = 0; k < 30; ++k) {
+      second.push_back((k * 17) % 31 / 5.0);
+    }
+    Numbers all;
+    for (const double a : first) {
+      for (const double b : second) {
+        all.push_back(a - b);
+      }
+    }
+    std::sort(all.begin(), all.end());
+    const Interval found = shiftInterval(first, second);
+    QCOMPARE(found.low, all[434]);
+    QCOMPARE(found.high, all[1200 - 435]);
+    QCOMPARE(shift(first, second), 0.5 * (all[599] + all[600]));
+  }
+
   /// By hand: .005 * 4, .01 * 3, .03 * 2, and .04 not below the one before.
   void holm_byHand_isEqual() {
     const Numbers found = holm({0.01, 0.04, 0.03, 0.005});
@@ -112,7 +178,40 @@ class MultipleComparisonsTest : public QObject {
     VERIFY_NEAR(nemenyiDifference(4, 14, 0.95), 1.25, 0.005);
     VERIFY_NEAR(nemenyiDifference(4, 14, 0.90), 1.12, 0.005);
   }
+
+  /// By hand: time (less is better) against distance kept (more is better).
+  void paretoFront_byHand_isEqual() {
+    const Numbers time = {10, 12, 11, 14, 10};
+    const Numbers distance = {0.5, 0.9, 0.4, 0.9, 0.5};
+    QCOMPARE(paretoFront(time, Sense::Lower, distance, Sense::Higher),
+             std::vector<bool>({true, true, false, false, true}));
+    QCOMPARE(paretoFront(time, Sense::Lower, distance, Sense::Lower),
+             std::vector<bool>({true, false, true, false, true}));
+    QCOMPARE(paretoFront({1, kUndefined}, Sense::Lower, {1, 0}, Sense::Lower),
+             std::vector<bool>({true, false}));
+    QVERIFY(paretoFront({}, Sense::Lower, {}, Sense::Lower).empty());
+  }
+
+  /// By hand: times 10, 15, 20 -> 1, 0.5, 0; distances 0.2, 0.6, 0.4 -> 0, 1, 0.5; weights 1, 3.
+  void composite_byHand_isEqual() {
+    const Numbers found =
+        composite({{{10, 15, 20}, Sense::Lower, 1.0}, {{0.2, 0.6, 0.4}, Sense::Higher, 3.0}});
+    const Numbers wanted = {0.25, 3.5 / 4.0, 1.5 / 4.0};
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      VERIFY_NEAR(found[k], wanted[k], 1e-12);
+    }
+  }
+
+  void composite_edgeCases_areAsSaid() {
+    QVERIFY(composite({}).empty());
+    QCOMPARE(composite({{{5, 5}, Sense::Lower, 1.0}}), Numbers({1.0, 1.0}));
+    QVERIFY(std::isnan(composite({{{5, 6}, Sense::Lower, 0.0}})[0]));
+    const Numbers gap = composite({{{5, kUndefined, 6}, Sense::Lower, 1.0}});
+    QCOMPARE(gap[0], 1.0);
+    QVERIFY(std::isnan(gap[1]));
+    QCOMPARE(gap[2], 0.0);
+  }
 };
 
-QTEST_APPLESS_MAIN(MultipleComparisonsTest)
-#include "tst_MultipleComparisons.moc"
+QTEST_APPLESS_MAIN(ComparisonsTest)
+#include "tst_Comparisons.moc"
