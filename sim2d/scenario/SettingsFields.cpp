@@ -250,9 +250,7 @@ Fields<DesktopSettings> settingsFields() {
                              "--format json`")
           .withCustomIo(readModelParameters, writeModelParameters, &Settings::modelParameters),
       field("route", &Settings::route,
-            "Paths planned around walls, or straight lines as in "
-            "HuNavSim",
-            {"Routes"})
+            "Paths planned around walls, or straight lines as in HuNavSim", {"Routes"})
           .words(routeWords())
           .defaultsTo(Route::Planned),
       field("obstacle_points", &Settings::obstaclePoints,

@@ -228,8 +228,9 @@ TrackPoint pointAt(const Word& place, double time, const Vec2& position) {
 
 std::vector<Track> tracksOf(std::map<int, Track> byId) {
   std::vector<Track> tracks;
-  for (auto& [id, track] : byId) {
-    tracks.push_back(std::move(track));
+  tracks.reserve(byId.size());
+  for (auto& entry : byId) {
+    tracks.push_back(std::move(entry.second));
   }
   return tracks;
 }

@@ -126,7 +126,7 @@ struct TrackFormat {
 /// Registry of formats by name. A file Foo.cpp in formats/ defines addFoo(TrackFormats&).
 class TrackFormats {
  public:
-  void add(TrackFormat format) {
+  void add(const TrackFormat& format) {
     const auto isBefore = [](const TrackFormat& a, const TrackFormat& b) {
       return a.name < b.name;
     };

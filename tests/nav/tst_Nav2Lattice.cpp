@@ -89,7 +89,8 @@ class Nav2LatticeTest : public QObject {
     const SmacLatticeParameters parameters = parametersOf();
     const auto cost = [&](const LatticePrimitive* before, const LatticePrimitive& primitive,
                           bool isBackward, double cellCost) {
-      return latticeCost(parameters, Distro::Jazzy, 0.05, before, primitive, isBackward, cellCost);
+      return latticeCost(parameters, Distro::Jazzy, 0.05, {before, primitive, isBackward},
+                         cellCost);
     };
     const auto isNear = [](double a, double b) { return std::abs(a - b) < 1e-9; };
     const auto& prims = parameters.lattice->primitives[0];

@@ -27,6 +27,21 @@ int programError(const std::string& file) {
   return ::access(file.c_str(), X_OK) == 0 ? 0 : errno;
 }
 
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// Does a character begin a quotation, or end the one that `quote` began? 0: none is open.
+bool isQuote(char c, char quote) {
+  return quote != 0 ? c == quote : c == '\'' || c == '"';
+}
+
+/// What a backslash and the character after it stand for.
+std::string escaped(char c, char quote) {
+  const bool isMeant = quote == 0 || std::string_view("\"\\$`").find(c) != std::string_view::npos;
+  return isMeant ? std::string(1, c) : std::string("\\") + c;
+}
+
 }  // namespace
 
 base::Result<std::vector<std::string>> splitCommandLine(const std::string& command) {
@@ -36,22 +51,19 @@ base::Result<std::vector<std::string>> splitCommandLine(const std::string& comma
   char quote = 0;
   for (std::size_t i = 0; i < command.size(); ++i) {
     const char c = command[i];
-    const bool isBlank = quote == 0 && (c == ' ' || c == '\t' || c == '\n' || c == '\r');
-    if (isBlank && hasWord) {
+    const bool isGap = quote == 0 && isBlank(c);
+    if (isGap && hasWord) {
       words.push_back(std::exchange(word, {}));
     }
-    hasWord = !isBlank;
+    hasWord = !isGap;
     if (c == '\\' && quote != '\'') {
       if (++i == command.size()) {
         return base::error("external.open-quote", {command});
       }
-      const bool isMeant =
-          quote == 0 || std::string_view("\"\\$`").find(command[i]) != std::string::npos;
-      word += isMeant ? "" : "\\";
-      word += command[i];
-    } else if (quote != 0 ? c == quote : c == '\'' || c == '"') {
-      quote = quote != 0 ? 0 : c;
-    } else if (!isBlank) {
+      word += escaped(command[i], quote);
+    } else if (isQuote(c, quote)) {
+      quote = quote != 0 ? '\0' : c;
+    } else if (!isGap) {
       word += c;
     }
   }

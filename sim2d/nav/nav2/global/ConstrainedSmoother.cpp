@@ -179,7 +179,7 @@ class SmoothProblem final : public LeastSquares {
     for (const SmoothNumber& residual : residuals) {
       group.values.push_back(residual.value);
       for (const std::size_t slot : slots) {
-        group.derivatives.push_back(residual.derivatives[slot]);
+        group.derivatives.push_back(residual.derivatives[static_cast<Eigen::Index>(slot)]);
       }
     }
     return group;

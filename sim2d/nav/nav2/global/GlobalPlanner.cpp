@@ -114,7 +114,7 @@ PluginLookup<GlobalPlannerParameters> globalPlannerPlugin(const std::string& cla
 
 SmacHybridParameters hybridFallback(const SmacLatticeParameters& lattice, Distro distro) {
   SmacHybridParameters hybrid = hybridDefaults(distro);
-  static_cast<SmacPoseParameters&>(hybrid) = lattice;
+  static_cast<SmacPoseParameters&>(hybrid) = static_cast<const SmacPoseParameters&>(lattice);
   hybrid.motionModelForSearch = lattice.allowReverseExpansion ? "REEDS_SHEPP" : "DUBIN";
   return hybrid;
 }

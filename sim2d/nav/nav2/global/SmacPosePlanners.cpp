@@ -214,10 +214,10 @@ int Lattice::nearestHeading(double heading) const {
 }
 
 double latticeCost(const SmacLatticeParameters& parameters, Distro distro, double cellSize,
-                   const LatticePrimitive* before, const LatticePrimitive& primitive,
-                   bool isBackward, double cellCost) {
+                   const LatticeStep& step, double cellCost) {
+  const LatticePrimitive& primitive = step.primitive;
   const double length = primitive.length / cellSize;
-  if (before == nullptr) {
+  if (step.before == nullptr) {
     return length;
   }
   const double share = cellCost / kSmacMaxCost;
@@ -228,11 +228,11 @@ double latticeCost(const SmacLatticeParameters& parameters, Distro distro, doubl
   }
   double cost = length * (1.0 - parameters.retrospectivePenalty + penalty);
   if (primitive.arcLength >= kNoArc) {
-    const bool isSameWay = before->isLeftTurn == primitive.isLeftTurn;
+    const bool isSameWay = step.before->isLeftTurn == primitive.isLeftTurn;
     cost *= isSameWay ? parameters.nonStraightPenalty
                       : parameters.nonStraightPenalty + parameters.changePenalty;
   }
-  return isBackward ? cost * parameters.reversePenalty : cost;
+  return step.isBackward ? cost * parameters.reversePenalty : cost;
 }
 
 namespace {
@@ -308,8 +308,9 @@ class LatticeSearch final : public SmacPoseSearch {
       if (!cellCost || !endCost) {
         return std::nullopt;
       }
-      return latticeCost(parameters_, setup().distro, cellSize_, primitiveInto(node), primitive,
-                         isBackward, std::max<double>(*cellCost, *endCost));
+      return latticeCost(parameters_, setup().distro, cellSize_,
+                         {primitiveInto(node), primitive, isBackward},
+                         std::max<double>(*cellCost, *endCost));
     });
   }
 

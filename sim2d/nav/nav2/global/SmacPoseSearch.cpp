@@ -209,18 +209,23 @@ PlanResult SmacPoseSearch::find(const Pose2& start) {
     }
     expand(index);
   }
+  endWithoutGoal(result, limits.most);
+  return result;
+}
+
+/// Uses the path to the node nearest to the goal if it is within the tolerance, or sets the error.
+void SmacPoseSearch::endWithoutGoal(PlanResult& result, int mostIterations) const {
   const bool isHybrid = setup_.kind == Kind::Hybrid;
   if (isHybrid && result.error != PlanError::None) {
-    return result;
+    return;
   }
   if (nearest_.estimate < tolerance()) {
     result.error = PlanError::None;
     result.path = pathTo(static_cast<int>(nearest_.node));
   } else {
-    const bool isDone = isHybrid ? result.iterations < limits.most : open_.isEmpty();
+    const bool isDone = isHybrid ? result.iterations < mostIterations : open_.isEmpty();
     result.error = isDone ? PlanError::NoValidPath : PlanError::Timeout;
   }
-  return result;
 }
 
 /// Analytic expansion: tries a curve to the goal at intervals that decrease near the goal, from the

@@ -100,6 +100,7 @@ class SmacPoseSearch {
   std::vector<Pose2> goalsAt(const Pose2& goal) const;
   int nodeAt(const Vec2& place, int heading);
   bool isInside(const Vec2& place) const;
+  void endWithoutGoal(PlanResult& result, int mostIterations) const;
   bool isFull() const;
   double tolerance() const;  // [cells]
   double estimate(const Node& node);
@@ -134,11 +135,15 @@ PlanResult planOverPoses(const Costmap& costmap, const PlanRequest& request,
                          const SmacPoseParameters& parameters, const CarModel& car,
                          const std::function<PlanResult()>& search);
 
-/// Cost [cells] of a primitive into cells of that cost after another primitive (null: at the
-/// start). `cellSize` [m] is that of the costmap.
+/// A primitive after another one; null: at the start.
+struct LatticeStep {
+  const LatticePrimitive* before;
+  const LatticePrimitive& primitive;
+  bool isBackward;
+};
+/// Cost [cells] of a step into cells of that cost. `cellSize` [m] is that of the costmap.
 double latticeCost(const SmacLatticeParameters& parameters, Distro distro, double cellSize,
-                   const LatticePrimitive* before, const LatticePrimitive& primitive,
-                   bool isBackward, double cellCost);
+                   const LatticeStep& step, double cellCost);
 
 /// A motion primitive of Smac Hybrid-A* (nav2_smac_planner, node_hybrid.cpp). Lengths in cells,
 /// headings in bins of 2 pi / `angle_quantization_bins`.

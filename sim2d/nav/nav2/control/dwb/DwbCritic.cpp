@@ -76,7 +76,10 @@ class BaseObstacleCritic final : public DwbCritic {
   double leastScore(const DwbTrajectory& trajectory) override {
     const bool isOff = trajectory.endCell < 0;
     const std::uint8_t cost = isOff ? kInscribed : costs_[trajectory.endCell];
-    return cost >= kInscribed ? kInfinity : static_cast<double>(cost);
+    if (cost >= kInscribed) {
+      return kInfinity;
+    }
+    return cost;
   }
   double scale(double /*resolution*/) const override { return parameters_.scale; }
 
@@ -85,34 +88,32 @@ class BaseObstacleCritic final : public DwbCritic {
   const std::uint8_t* costs_ = nullptr;
 };
 
+/// For each cell of a row or column: are all cells at most `radius` away in it there and set?
+/// `lines` of them begin `lineStep` apart, their `length` cells are `step` apart.
+std::vector<char> eroded(const std::vector<char>& cells, int lines, int lineStep, int length,
+                         int step, int radius) {
+  std::vector<char> result(cells.size());
+  for (int line = 0; line < lines; ++line) {
+    int run = 0;  // set cells in a row
+    for (int i = 0; i < length; ++i) {
+      const int at = line * lineStep + i * step;
+      run = cells[static_cast<std::size_t>(at)] != 0 ? run + 1 : 0;
+      if (run > 2 * radius) {
+        result[static_cast<std::size_t>(at - radius * step)] = 1;
+      }
+    }
+  }
+  return result;
+}
+
 /// For each cell of a costmap: are all cells at most `radius` columns and rows away on the map,
 /// known and not lethal?
 std::vector<char> farFromObstacles(const Costmap& costmap, int radius) {
   const int width = costmap.width(), height = costmap.height();
-  const auto indexOf = [width](int column, int row) {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(column);
-  };
-  std::vector<char> isRowFree(costmap.costs().size()), isFree(costmap.costs().size());
-  for (int row = 0; row < height; ++row) {
-    int run = 0;  // free cells in a row
-    for (int column = 0; column < width; ++column) {
-      run = costmap.at({column, row}) < kLethal ? run + 1 : 0;
-      if (column >= 2 * radius) {
-        isRowFree[indexOf(column - radius, row)] = run > 2 * radius ? 1 : 0;
-      }
-    }
-  }
-  for (int column = 0; column < width; ++column) {
-    int run = 0;
-    for (int row = 0; row < height; ++row) {
-      run = isRowFree[indexOf(column, row)] != 0 ? run + 1 : 0;
-      if (row >= 2 * radius) {
-        isFree[indexOf(column, row - radius)] = run > 2 * radius ? 1 : 0;
-      }
-    }
-  }
-  return isFree;
+  std::vector<char> isFree(costmap.costs().size());
+  std::transform(costmap.costs().begin(), costmap.costs().end(), isFree.begin(),
+                 [](std::uint8_t cost) { return static_cast<char>(cost < kLethal); });
+  return eroded(eroded(isFree, height, width, width, 1, radius), width, 1, height, width, radius);
 }
 
 /// The same for the footprint's edges, where 253 is allowed.
@@ -256,7 +257,10 @@ class MapGridCritic : public DwbCritic {
       return 0.0;
     }
     const int cell = cellOf(trajectory, trajectory.poses.size() - 1);
-    return cell < 0 ? kInfinity : grid_->at(cell);
+    if (cell < 0) {
+      return kInfinity;
+    }
+    return grid_->at(cell);
   }
   double scale(double resolution) const override { return 0.5 * resolution * parameters_.scale; }
 

@@ -49,7 +49,10 @@ class DwbCritic {
   /// where score() rejects the trajectory.
   virtual double leastScore(const DwbTrajectory& trajectory) {
     const DwbScore exact = score(trajectory);
-    return exact.rejection == nullptr ? exact.raw : kInfinity;
+    if (exact.rejection != nullptr) {
+      return kInfinity;
+    }
+    return exact.raw;
   }
   /// Called with the chosen command; zero if no trajectory was valid.
   virtual void debrief(const BodyTwist& /*chosen*/) {}
