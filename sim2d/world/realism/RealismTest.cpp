@@ -142,7 +142,7 @@ TestScene::Actor ringWalker(const Vec2& start, double speed, bool goesLeft) {
   TestScene::Actor actor{start, speed, endlessTarget(Vec2(goesLeft ? -1.0 : 1.0, 0.0)), goal};
   actor.heading = goesLeft ? base::kPi : 0.0;
   return actor;
-}  // false positive with std::function
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): false positive with std::function
 
 TestScene::Target endlessTarget(const Vec2& direction) {
   return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
