@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -310,7 +309,7 @@ class NodeLibrary {
   /// gets that kind. A decorator has one child, a control at least one and no upper limit unless
   /// the manifest sets one.
   void add(NodeManifest manifest, const NodeFunctions& functions);
-  /// Registers all nodes, each with the functions of its id.
+  /// Registers all nodes, each with the functions of its id; both have the same ids.
   void add(const NodeCatalogue& nodes, const std::map<std::string, NodeFunctions>& functions);
 
   const NodeCatalogue& catalogue() const { return catalogue_; }

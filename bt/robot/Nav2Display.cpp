@@ -159,6 +159,9 @@ struct MaskEffect {
       return 0.0;
     }
     const double limit = mask.base + mask.multiplier * value;
+    if (!(limit > 0.0) || (mask.isPercentage && limit > 100.0)) {
+      return 0.0;  // no limit, as in SpeedFilter
+    }
     return mask.isPercentage ? limit : 100.0 * limit / topSpeed;
   }
   double operator()(const sim2d::nav2::BinaryFilterParameters& filter, double value) const {
@@ -222,13 +225,11 @@ CostGridPtr maskGridOf(const sim2d::nav2::LayerParameters& parameters,
 std::vector<MaskGrid> maskGrids(const sim2d::nav2::CostmapSettings& costmap,
                                 const sim2d::nav2::FilterMasks& masks, double topSpeed) {
   std::vector<MaskGrid> grids;
-  for (const auto& list : {costmap.plugins, costmap.filters}) {
-    for (const sim2d::nav2::CostmapPlugin& filter : list) {
-      const auto mask = masks.find(filter.name);
-      const std::optional<MaskGrid::Kind> kind = maskKindOf(filter.parameters);
-      if (kind && mask != masks.end() && !mask->second.grid.isEmpty()) {
-        grids.push_back({*kind, maskGridOf(filter.parameters, mask->second, topSpeed)});
-      }
+  for (const sim2d::nav2::CostmapPlugin& filter : costmap.filters) {
+    const auto mask = masks.find(filter.name);
+    const std::optional<MaskGrid::Kind> kind = maskKindOf(filter.parameters);
+    if (kind && mask != masks.end() && !mask->second.grid.isEmpty()) {
+      grids.push_back({*kind, maskGridOf(filter.parameters, mask->second, topSpeed)});
     }
   }
   return grids;

@@ -28,7 +28,8 @@ struct MaskGrid {
   CostGridPtr grid;
   friend bool operator==(const MaskGrid& a, const MaskGrid& b) {
     return a.kind == b.kind && a.grid->origin == b.grid->origin &&
-           a.grid->columns == b.grid->columns && a.grid->costs == b.grid->costs;
+           a.grid->resolution == b.grid->resolution && a.grid->columns == b.grid->columns &&
+           a.grid->costs == b.grid->costs;
   }
 };
 

@@ -217,7 +217,7 @@ struct TraceTexts {
   base::FileContent trajectory, events, header;
 };
 
-/// As readTrace (Trace.h), from memory.
+/// As readTrace, from memory.
 base::Result<Trace> parseTrace(const TraceTexts& texts);
 
 // Row-by-row writing, for recordings that are written during the run.

@@ -75,7 +75,7 @@ double medianInterval(const std::vector<Track>& tracks);
 /// before the first observation and is aligned with as many observations as possible (with a robot:
 /// of the robot). Between observations positions, velocities and headings are interpolated
 /// linearly. A body is absent after a gap longer than 5.5 steps, or than 5.5 of its own intervals
-/// if it is observed less often than others (TrackRates.h; reported as a warning). Missing
+/// if it is observed less often than others (TrackSegments.h; reported as a warning). Missing
 /// velocities: central differences; missing headings: direction of motion, kept while standing;
 /// missing angular speeds: central differences of headings. With a robot the recording covers its
 /// presence. Errors: no observations, times that do not increase, too many instants, unknown robot,

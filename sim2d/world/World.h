@@ -133,6 +133,7 @@ class World : public WorldBase {
   /// Errors: conditions that make a run impossible (start place, model, planner …); warnings
   /// otherwise (moved starts, keys without effect).
   static base::Result<std::unique_ptr<World>> create(WorldSetup setup);
+  /// For `create`.
   World(WorldParts parts, std::unique_ptr<HumanBehavior> humanBehavior);
 
   /// `inputs` are applied in order before all decisions; they are part of the frame of the step.

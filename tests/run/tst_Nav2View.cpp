@@ -237,10 +237,10 @@ void Nav2ViewTest::masks_effectsInPercent() {
   BinaryFilterParameters binary;
   binary.flipThreshold = 30.0;
   CostmapSettings costmap;
-  costmap.plugins = {filterNamed("keepout", KeepoutFilterParameters()),
-                     filterNamed("inflation", InflationLayerParameters())};
-  costmap.filters = {filterNamed("percent", SpeedFilterParameters()),
-                     filterNamed("speed", SpeedFilterParameters()), filterNamed("lights", binary),
+  costmap.filters = {filterNamed("keepout", KeepoutFilterParameters()),
+                     filterNamed("percent", SpeedFilterParameters()),
+                     filterNamed("speed", SpeedFilterParameters()),
+                     filterNamed("lights", binary),
                      filterNamed("off", disabled),
                      filterNamed("without a mask", KeepoutFilterParameters())};
   const std::vector<MaskGrid> grids = bt::maskGrids(costmap, masks, 2.0);

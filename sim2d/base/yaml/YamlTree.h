@@ -70,6 +70,7 @@ struct YamlSyntax {
   /// are appended, and tabs are allowed wherever YAML allows them; each with a warning.
   bool isRosFile = false;
 };
+/// As above, with these rules.
 YamlNode parseYaml(std::string_view text, const std::string& file, const YamlSyntax& rules,
                    Diagnostics& diagnostics);
 
@@ -80,7 +81,7 @@ enum class DuplicateKeys {
              // documents; aliases and merge keys are resolved, as launch tools do
   FirstWins  // files read with yaml-cpp: map_server maps, rosbag2 metadata
 };
-/// In the result each key of a map is unique.
+/// As above, but repeated keys are not errors: in the result each key of a map is unique.
 YamlNode parseYaml(std::string_view text, const std::string& file, DuplicateKeys rule,
                    Diagnostics& diagnostics);
 /// The warning for a repeated key: the value at `kept` is used, the one at `dropped` is not.

@@ -61,7 +61,6 @@ struct Products {
 
 /// Compilers do not find the multiplication of 32-bit words with 64-bit products, which is one
 /// instruction for the even words and one for the odd ones.
-// NOLINTBEGIN(portability-simd-intrinsics): no portable form gives the upper halves
 inline Products productsOf(LaneWords a, std::uint32_t by) {
 #if defined(__AVX512F__)
   const __m512i factor = _mm512_set1_epi64(by);
@@ -86,7 +85,6 @@ inline Products productsOf(LaneWords a, std::uint32_t by) {
           _mm_or_si128(_mm_andnot_si128(isOdd, even), _mm_slli_epi64(odd, 32))};
 #endif
 }
-// NOLINTEND(portability-simd-intrinsics)
 
 /// 2^x for x <= 0, no subnormal results (clamped at 2^-126). Relative error 2e-7 for x above -2,
 /// else |x| * 1e-7.

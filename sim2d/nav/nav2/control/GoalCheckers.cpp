@@ -344,8 +344,14 @@ const std::vector<Nav2Key<ProgressCheckerParameters>>& progressCheckerKeys() {
   return kKeys;
 }
 
+namespace {
+
+constexpr char kSimpleProgressChecker[] = "nav2_controller::SimpleProgressChecker";
+
+}  // namespace
+
 std::vector<std::string> progressCheckerPlugins() {
-  return {"nav2_controller::SimpleProgressChecker", "nav2_controller::PoseProgressChecker"};
+  return {kSimpleProgressChecker, "nav2_controller::PoseProgressChecker"};
 }
 
 base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(
@@ -355,7 +361,7 @@ base::Result<std::unique_ptr<ProgressChecker>> makeProgressChecker(
   if (found == known.end()) {
     return unknownPlugin(plugin, known);
   }
-  const bool isSimple = found == known.begin();
+  const bool isSimple = *found == kSimpleProgressChecker;
   return makeChecker<ProgressChecker>(
       progressCheckerKeys(), block, distro, [&](const ProgressCheckerParameters& given) {
         return std::make_unique<ProgressChecker>(

@@ -230,9 +230,10 @@ class ObservationBuffer {
   std::deque<PointCloud> clouds_;
 };
 
+using LayerPointer = std::unique_ptr<CostmapLayer>;
+
 /// Creates a layer or filter; private to this folder, as are the functions for each type of
 /// parameters, each of which is in the source of its layer.
-using LayerPointer = std::unique_ptr<CostmapLayer>;
 LayerPointer makeLayer(const CostmapPlugin& plugin, const CostmapContext& context,
                        const Costmap& master, const CostmapSetup& setup);
 LayerPointer makeLayer(const StaticLayerParameters& parameters, const LayerSite& site);

@@ -5,6 +5,7 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/costmap/CostmapLayer.h"
+
 namespace sim2d::nav2 {
 namespace {
 

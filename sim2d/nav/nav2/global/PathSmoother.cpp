@@ -189,7 +189,7 @@ constexpr double kSamePlace = 1e-4;             // [m]
 constexpr double kSameHeading = 1e-4;           // [rad]
 constexpr double kMaxSmoothingDuration = 60.0;  // [s], upper limit of maxDuration
 constexpr int kDefaultWindow = 7, kDefaultOrder = 3;
-constexpr std::size_t kMinFilteredPoses = 10;
+constexpr std::size_t kMostUnfilteredPoses = 10;
 
 bool isSamePlace(const Vec2& step) {
   return std::fabs(step.x()) < kSamePlace && std::fabs(step.y()) < kSamePlace;
@@ -375,7 +375,7 @@ SmoothResult smoothPath(const SavitzkyGolayParameters& parameters, Distro distro
   const bool isSplit = distro < Distro::Kilted || parameters.enforcePathInversion;
   const int rounds = 1 + (parameters.doRefinement ? parameters.refinementNum : 0);
   result.path = path;
-  smoothSegments(result.path, isSplit, kMinFilteredPoses, [&](Path& segment) {
+  smoothSegments(result.path, isSplit, kMostUnfilteredPoses, [&](Path& segment) {
     for (int i = 0; i < rounds; ++i) {
       filterSegment(weights, segment);
     }

@@ -95,14 +95,15 @@ SmoothResult smoothPath(const PathSmootherParameters& parameters, Distro distro,
                         const Costmap& costmap, double maxDuration);
 constexpr double kSweptPosesPerSecond = 2e7;
 
-/// Sweeps over each segment that is driven in one direction, if it is long
-/// enough. When the limit is reached, Humble keeps the current state, later branches return
+/// nav2_smoother::SimpleSmoother: sweeps over each segment that is driven in one direction, if it
+/// is long enough. When the limit is reached, Humble keeps the current state, later branches return
 /// Timeout.
 SmoothResult smoothPath(const SimpleSmootherParameters& parameters, Distro distro, const Path& path,
                         const Costmap& costmap, double maxDuration);
 
-/// Replaces each pose by the centre value of a polynomial through its neighbours. Before Main
-/// window 7 and order 3: (-2, 3, 6, 7, 6, 3, -2) / 21. Ignores the costmap and the duration.
+/// nav2_smoother::SavitzkyGolaySmoother: replaces each pose by the centre value of a polynomial
+/// through its neighbours. Before Lyrical: window 7, order 3, (-2, 3, 6, 7, 6, 3, -2) / 21. Ignores
+/// the costmap and the duration.
 SmoothResult smoothPath(const SavitzkyGolayParameters& parameters, Distro distro, const Path& path,
                         const Costmap& costmap, double maxDuration);
 /// Weights of the poses of a window of 2 m + 1 for the value of the least-squares polynomial at its

@@ -130,7 +130,7 @@ double DistanceHeuristic::from(const Vec2& inGoal, int bin) {
 
 namespace {
 
-constexpr std::size_t kMinSmoothedPoses = 11;
+constexpr std::size_t kMostUnsmoothedPoses = 11;
 constexpr long long kMaxMoves = 50000000;  // poses moved in all sweeps
 
 bool isHit(const Costmap& costmap, const Vec2& place) {
@@ -215,7 +215,7 @@ void smoothSmacPath(Path& path, const SmacParameters& parameters, const Costmap&
   settings.refinements = parameters.smootherDoRefinement ? parameters.smootherRefinementNum : 0;
   settings.isHolonomic = !car;
   long long budget = kMaxMoves;
-  smoothSegments(path, car.has_value(), kMinSmoothedPoses, [&](Path& segment) {
+  smoothSegments(path, car.has_value(), kMostUnsmoothedPoses, [&](Path& segment) {
     const Pose2 begin = segment.front(), last = segment.back();
     const SweepResult end = smoothBySweeps(segment, settings, costmap, budget);
     if (!car || end != SweepResult::Converged) {

@@ -201,8 +201,6 @@ std::string valueText(const YamlNode& value) {
 
 namespace {
 
-using base::YamlNode;
-
 /// Opening and closing brackets of placeholders.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kBrackets = {
     {{"$(", ")"}, {"${", "}"}, {"{{", "}}"}, {"{%", "%}"}, {"<", ">"}, {"@", "@"}}};

@@ -45,8 +45,8 @@ class DwbCritic {
   /// Called at the start of a cycle; the scene lives until its end.
   virtual void prepare(const DwbScene& /*scene*/) {}
   virtual DwbScore score(const DwbTrajectory& trajectory) = 0;
-  /// A lower bound of the raw score, for a trajectory without the cells of all its poses; infinite
-  /// where score() rejects the trajectory.
+  /// A lower bound of the raw score; may be infinite if score() would reject the trajectory. Called
+  /// before `cells` and `onMap` are filled: a critic that reads them overrides this.
   virtual double leastScore(const DwbTrajectory& trajectory) {
     const DwbScore exact = score(trajectory);
     if (exact.rejection != nullptr) {

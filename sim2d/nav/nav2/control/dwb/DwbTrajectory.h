@@ -13,11 +13,11 @@
 namespace sim2d::nav2 {
 
 struct DwbTrajectory {
-  BodyTwist velocity;        // the command of the trajectory
-  std::vector<Pose2> poses;  // robot first; last one twice with include_last_point
-  double step = 0.0;         // time between poses [s]
-  int endCell = -1;          // index in the costmap of the last pose, -1 off it
-  Vec2 endDirection;         // of the last pose's heading
+  BodyTwist velocity;                // the command of the trajectory
+  std::vector<Pose2> poses;          // robot first; last one twice with include_last_point
+  double step = 0.0;                 // time between poses [s]
+  int endCell = -1;                  // index in the costmap of the last pose, -1 off it
+  Vec2 endDirection = Vec2::Zero();  // of the last pose's heading
   // Of locate():
   std::vector<int> cells;  // index in the costmap of each pose, -1 off it
   std::size_t onMap = 0;   // number of poses before the first one off the map
@@ -53,7 +53,7 @@ class TrajectoryGenerator {
   struct HeadingProfile {
     double angular = 0.0;  // [rad/s]
     std::vector<Step> steps;
-    Vec2 endDirection;  // of the last heading
+    Vec2 endDirection = Vec2::Zero();  // of the last heading
   };
   const HeadingProfile& headingProfile(double angular, int count);
   BodyTwist next(const BodyTwist& velocity, const BodyTwist& command, double dt) const;
