@@ -28,7 +28,7 @@ struct BlockType {
   std::string title;        // "Robot interaction"
   std::string description;  // one sentence
   std::vector<BlockParameter> parameters;
-  /// Node lines by mode ("" if the block has no modes), see BlockPatterns.cpp.
+  /// Node lines by mode ("" if the block has no modes).
   std::map<std::string, std::vector<std::string>> nodes;
 
   const BlockParameter* parameter(const std::string& key) const;

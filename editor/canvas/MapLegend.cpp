@@ -237,11 +237,9 @@ std::pair<std::uint8_t, std::uint8_t> rangeOf(const std::vector<sim2d::MaskGrid>
                                               sim2d::MaskGrid::Kind kind) {
   std::uint8_t least = 0, most = 0;
   for (const sim2d::MaskGrid& mask : masks) {
-    for (const std::uint8_t percent : mask.grid->costs) {
-      if (mask.kind == kind && percent > 0) {
-        least = least == 0 ? percent : std::min(least, percent);
-        most = std::max(most, percent);
-      }
+    if (mask.kind == kind && mask.most > 0) {
+      least = least == 0 ? mask.least : std::min(least, mask.least);
+      most = std::max(most, mask.most);
     }
   }
   return {least, most};

@@ -70,8 +70,8 @@ class RunOverlays {
     QImage image;
   };
   std::array<CostPicture, 2> costs_;
-  std::map<sim2d::CostGridPtr, QImage> masks_;
-  bool isDark_ = false;  // Theme of the images.
+  std::map<sim2d::CostGridPtr, QImage> masks_;  // Planners make the grids once per run.
+  bool isDark_ = false;                         // Theme of the images.
   std::vector<sim2d::ContactMark> contacts_;
   std::map<int, QString> thoughts_;
 };

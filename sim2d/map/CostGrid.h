@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "sim2d/base/Types.h"
@@ -24,8 +25,16 @@ using CostGridPtr = std::shared_ptr<const CostGrid>;
 /// no effect.
 struct MaskGrid {
   enum class Kind : std::uint8_t { Keepout, Speed, Switch };
-  Kind kind = Kind::Keepout;
+  MaskGrid(Kind itsKind, CostGridPtr itsGrid) : kind(itsKind), grid(std::move(itsGrid)) {
+    for (const std::uint8_t percent : grid->costs) {
+      least = percent > 0 && (least == 0 || percent < least) ? percent : least;
+      most = percent > most ? percent : most;
+    }
+  }
+
+  Kind kind;
   CostGridPtr grid;
+  std::uint8_t least = 0, most = 0;  // of the values above 0
   friend bool operator==(const MaskGrid& a, const MaskGrid& b) {
     return a.kind == b.kind && a.grid->origin == b.grid->origin &&
            a.grid->resolution == b.grid->resolution && a.grid->columns == b.grid->columns &&

@@ -185,7 +185,7 @@ class KnownPeople {
     }
   }
 
-  /// Whether neither the header nor an earlier frame contained a person of this frame.
+  /// Adds the people of a frame. Returns whether one of them is new.
   bool addNew(const Frame& frame) {
     const std::size_t before = ids_.size();
     ids_.insert(frame.humans.id.begin(), frame.humans.id.end());

@@ -78,8 +78,8 @@ inline std::vector<Trial> allTrials() {
   return rows;
 }
 
-const std::vector<Kinematics> kAllKinematics = {Kinematics::Differential,
-                                                Kinematics::Omnidirectional, Kinematics::Ackermann};
+inline const std::vector<Kinematics> kAllKinematics = {
+    Kinematics::Differential, Kinematics::Omnidirectional, Kinematics::Ackermann};
 
 inline void addRows() {
   QTest::addColumn<int>("kinematics");

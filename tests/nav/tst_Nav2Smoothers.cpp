@@ -340,6 +340,13 @@ class Nav2SmoothersTest : public QObject {
     }
   }
 
+  void golay_shortPath_stays() {
+    QVERIFY(golay(zigzag(10), {}).path == zigzag(10));
+    const SmoothResult result = golay(zigzag(25), {});
+    QVERIFY(result.error == SmoothError::None && result.wasCompleted);
+    QVERIFY(result.path != zigzag(25));
+  }
+
   void golay_windowOfMain_counts() {
     SavitzkyGolayParameters parameters;
     parameters.windowSize = 3;

@@ -47,8 +47,7 @@ class SocialLayerTest : public QObject {
       for (int column = -30; column <= 30; ++column) {
         for (int row = -20; row <= 20; ++row) {
           const double x = 0.1 * column, y = 0.1 * row;
-          // Her algorithm 1, theta = 0: alpha = atan2(y, x) - theta + pi / 2, behind for alpha <=
-          // 0.
+          // Her algorithm 1 with theta = 0; behind: alpha <= 0.
           const double alpha = std::remainder(std::atan2(y, x) + base::kPi / 2.0, 2.0 * base::kPi);
           const double sigma = alpha <= 0.0 ? ahead / 2.0 : ahead;
           const double side = 2.0 / 3.0 * ahead;

@@ -280,6 +280,7 @@ class TrackMetadataTest : public QObject {
     const std::string type =
         textOf(read(files_.add("type.json", "{\"labels\": {\"0.pcd\": [{\"label_id\": 1}]}}"))
                    .diagnostics());
+    QVERIFY(!type.empty());
     QVERIFY2(type.find("json.exception") == std::string::npos, type.c_str());
   }
 

@@ -33,7 +33,7 @@ struct Topic {
 
 struct RunTopicsOptions {
   bool clock = true;  // publish /clock; false for bags (the player provides it)
-  /// Lidar poses in the robots' frames; none: unknown (`lidarMountsOf`).
+  /// Lidar poses in the robots' frames; none: unknown (`lidarsOf`).
   std::vector<std::optional<base::Pose2>> lidarMounts;
   std::vector<double> lidarRates;  // [Hz], same order; missing: 10
 };
