@@ -122,7 +122,7 @@ class ExperimentTrial {
       firstTexts_.push_back(firstTextOf(experiment_, experiment_.values[k], number_));
       own_.push_back(put(first_, k, firstTexts_.back()));
       for (const base::Diagnostic& problem : errorsOf(own_.back())) {
-        usual_.insert(keyOf(problem));  // and is told of that text
+        usual_.insert(keyOf(problem));  // reported for this value itself
       }
     }
     std::set<ProblemKey> errors;

@@ -17,7 +17,7 @@ namespace app {
 struct FuturesOptions {
   int count = 20;          // of futures
   double horizon = 10.0;   // [s]
-  double spread = 0.2;     // sd of what nobody knows of people's velocities [m/s], each axis
+  double spread = 0.2;     // [m/s] standard deviation of random pushes, per axis
   int jobs = 1;            // processes at a time
   long long seed = 1;      // of future k: this + k
   double sampleGap = 0.2;  // [s] between two points of a way

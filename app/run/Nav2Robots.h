@@ -11,7 +11,8 @@
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/world/Registries.h"
 
-/// Nav2 files of a scenario's robots: parameter files, trees, and values that depend on them.
+/// Nav2 files of a scenario's robots: parameter files, trees, and values that depend on them; the
+/// registries of the program with planner `nav2`.
 
 namespace app {
 

@@ -72,13 +72,14 @@ QString endText(const SimulationRunner& runner) {
   };
   using Outcome = sim2d::NavigationOutcome;
   const std::pair<Outcome, QString> ends[] = {
-      {Outcome::Collision, StatusLine::tr("The robot collided, ")},
+      {Outcome::Collision, StatusLine::tr("The robot collided, %1 · ").arg(time)},
       {Outcome::NavigationFailed,
-       StatusLine::tr("Navigation failed%1, ").arg(failureIn(*runner.result()))},
-      {Outcome::GoalMissed, StatusLine::tr("Navigation succeeded, but not at the goal, ")},
-      {Outcome::Stuck, StatusLine::tr("The robot is stuck, ")}};
+       StatusLine::tr("Navigation failed%1, %2 · ").arg(failureIn(*runner.result()), time)},
+      {Outcome::GoalMissed,
+       StatusLine::tr("Navigation succeeded, but not at the goal, %1 · ").arg(time)},
+      {Outcome::Stuck, StatusLine::tr("The robot is stuck, %1 · ").arg(time)}};
   const auto* end = base::findIf(ends, [&](const auto& each) { return hasResult(each.first); });
-  return end == nullptr ? QString() : end->second + time + StatusLine::tr(" · ");
+  return end == nullptr ? QString() : end->second;
 }
 
 /// The displayed state and hint.

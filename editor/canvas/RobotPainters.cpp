@@ -359,7 +359,7 @@ std::optional<ObservedRobot> observedPlanner(const MapScene& scene) {
   return found;
 }
 
-void paintCosts(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
+void paintCells(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
                 const QRectF& hole) {
   painter.save();
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);

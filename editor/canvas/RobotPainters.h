@@ -23,9 +23,9 @@ void paintTracks(
 /// A line from the true to the estimated position of a robot.
 void paintLocalizationError(QPainter& painter, const Theme& theme, const Vec2& from,
                             const Vec2& believed);
-/// A costmap. `image`: picture of the grid. `hole`: area left out because a finer costmap covers
-/// it; may be empty.
-void paintCosts(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
+/// A costmap or mask. `image`: picture of the grid. `hole`: area left out because a finer costmap
+/// covers it; may be empty.
+void paintCells(QPainter& painter, const sim2d::CostGrid& grid, const QImage& image,
                 const QRectF& hole = {});
 /// The border of a costmap that moves with the robot.
 void paintCostEdge(QPainter& painter, const Theme& theme, const sim2d::CostGrid& grid);

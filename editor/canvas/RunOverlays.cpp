@@ -126,17 +126,16 @@ void RunOverlays::paintCosts(QPainter& painter) {
       if (image.isNull()) {
         image = maskImage(mask, scene_.theme());
       }
-      editor::paintCosts(painter, *mask.grid, image);
+      paintCells(painter, *mask.grid, image);
     }
   }
   const sim2d::CostGridPtr local = options.localCosts ? robot->senses->localCosts : nullptr;
   const sim2d::CostGridPtr global = options.globalCosts ? robot->senses->globalCosts : nullptr;
   if (global != nullptr) {
-    editor::paintCosts(painter, *global, picture(costs_[1], global),
-                       local ? areaOf(*local) : QRectF());
+    paintCells(painter, *global, picture(costs_[1], global), local ? areaOf(*local) : QRectF());
   }
   if (local != nullptr) {
-    editor::paintCosts(painter, *local, picture(costs_[0], local));
+    paintCells(painter, *local, picture(costs_[0], local));
     paintCostEdge(painter, scene_.theme(), *local);
   }
 }

@@ -212,7 +212,7 @@ class SimulationRunner : public QObject {
   void entriesChanged();
   void inputsRefused(const base::Diagnostics& problems);
   void speedMeasured(double factor);
-  void speedRequested(double factor);  // Requested by a guest.
+  void speedRequested(double factor);  // By a client of the live view.
   void finished(const sim2d::RunResult& result);
   void failed(const QString& reason);                     // The last state stays.
   void notStarted(const base::Diagnostics& diagnostics);  // The world could not be created.

@@ -42,9 +42,9 @@ class CoupledWorld : public WorldBase {
   static base::Result<std::unique_ptr<CoupledWorld>> create(WorldSetup setup);
 
   /// Sets the state: exactly the people in `people` are present, at these poses. Ids that are not
-  /// in the scenario are ignored (see `knows`). Without `robot` there is none.
+  /// in the scenario are ignored (see `contains`). Without `robot` there is none.
   void take(const std::vector<CoupledPerson>& people, const std::optional<CoupledRobot>& robot);
-  bool knows(int id) const { return view_.indexOf(id) >= 0; }
+  bool contains(int id) const { return view_.indexOf(id) >= 0; }
 
   /// Decisions and motion of all people over dt [s], > 0, from the state last taken or of the
   /// previous step; `only`: of this person, while the others stand. Returns false if a velocity is

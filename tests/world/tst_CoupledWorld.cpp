@@ -202,8 +202,8 @@ class CoupledWorldTest : public QObject {
 
   void take_unknownId_isLeftOut() {
     const std::unique_ptr<CoupledWorld> world = couple(oneWalker());
-    QVERIFY(world->knows(1));
-    QVERIFY(!world->knows(7));
+    QVERIFY(world->contains(1));
+    QVERIFY(!world->contains(7));
     world->take({personAt(7, Vec2::Zero())}, std::nullopt);
     QVERIFY(world->step(0.05));
     QCOMPARE(world->view().humanCount(), 1);

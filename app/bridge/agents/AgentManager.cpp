@@ -94,7 +94,7 @@ bool AgentManager::ensureWorld(const Agents& agents) {
   const bool isComplete =
       world_ != nullptr &&
       std::all_of(agents.agents.begin(), agents.agents.end(), [&](const Agent& agent) {
-        return agent.id < 0 || world_->knows(agent.id) || !invalidReason(agent).empty();
+        return agent.id < 0 || world_->contains(agent.id) || !invalidReason(agent).empty();
       });
   if (isComplete) {
     return true;
@@ -129,7 +129,7 @@ std::vector<sim2d::CoupledPerson> AgentManager::usablePeople(const Agents& agent
     } else if (agent.id < 0) {
       warn("ros2.agent-negative", {nameOf(agent)});
     } else if (fault.empty()) {
-      if (world_->knows(agent.id)) {
+      if (world_->contains(agent.id)) {
         lastAgents_[agent.id] = agent;
       }
       people.push_back(personOf(agent));
@@ -185,7 +185,7 @@ double AgentManager::sinceLast(LastStamp& last, std::int64_t now) {
 /// Sets the clocks of individually stepped agents to the time of all agents.
 void AgentManager::restartClocks(const Agents& agents) {
   for (const Agent& agent : agents.agents) {
-    if (world_->knows(agent.id)) {  // limits the map to known agents
+    if (world_->contains(agent.id)) {  // limits the map to known agents
       agentClocks_[agent.id] = nanosecondsOf(agents.header.stamp);
     }
   }
@@ -254,7 +254,7 @@ hunav_msgs::MoveAgent::Response AgentManager::moveOne(
     if (!hasWorld) {
       restartClocks(agents);
     } else if (asked != nullptr) {
-      if (world_->knows(request.agentId)) {
+      if (world_->contains(request.agentId)) {
         step(sinceLast(agentClocks_[request.agentId], now), request.agentId);
       }
       world_->pass(passed);
@@ -274,7 +274,7 @@ hunav_msgs::ComputeAgent::Response AgentManager::computeOne(
   hunav_msgs::ComputeAgent::Response response;
   response.updatedAgent.id = request.id;
   const auto last = lastAgents_.find(request.id);
-  if (world_ == nullptr || last == lastAgents_.end() || !world_->knows(request.id)) {
+  if (world_ == nullptr || last == lastAgents_.end() || !world_->contains(request.id)) {
     warn("ros2.unknown-agent", {std::to_string(request.id)});
     return response;
   }

@@ -41,8 +41,8 @@ struct NodeEndpoints {
   std::vector<Guid> readers, writers;
 };
 
-/// The sample of `ros_discovery_info` (rmw_dds_common/msg/ParticipantEntitiesInfo) that tells `ros2
-/// node list` and other tools which endpoints belong to which node.
+/// The sample of `ros_discovery_info` (rmw_dds_common/msg/ParticipantEntitiesInfo), from which
+/// `ros2 node list` and other tools read which endpoints belong to which node.
 Bytes graphSample(const Guid& participant, const std::vector<NodeEndpoints>& nodes, Distro distro);
 
 /// The remote participants of the domain and the topics they publish. Updated by DDS threads.

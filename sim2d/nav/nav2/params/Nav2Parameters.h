@@ -82,7 +82,7 @@ base::Diagnostic withFilePosition(const Nav2Parameters& parameters, base::Diagno
 std::vector<std::string> parameterFolders(const Nav2Parameters& parameters,
                                           const std::string& path);
 
-/// Sets a parameter that `reading` knows: "FollowPath.temperature", preceded by its node where
+/// Sets a parameter that `reading` contains: "FollowPath.temperature", preceded by its node where
 /// several nodes have it. Errors: unknown parameter, ambiguous node, invalid YAML.
 base::Diagnostics setNav2Value(ParameterFile& file, const Nav2ReadResult& reading,
                                const std::string& path, const std::string& yaml);

@@ -42,7 +42,7 @@ class DwbCritic {
   virtual ~DwbCritic() = default;
   /// Called for a new path.
   virtual void reset() {}
-  /// Called at the start of a cycle; the scene lives until its end.
+  /// Called at the start of a cycle; the scene must exist until its end.
   virtual void prepare(const DwbScene& /*scene*/) {}
   virtual DwbScore score(const DwbTrajectory& trajectory) = 0;
   /// A lower bound of the raw score; may be infinite if score() would reject the trajectory. Called
