@@ -246,9 +246,10 @@ namespace {
 
 std::vector<double> powersOfTen(double low, double high) {
   std::vector<double> powers;
-  for (double power = std::pow(10.0, std::ceil(std::log10(low) - 1e-9));
-       power <= high * (1.0 + 1e-9); power *= 10.0) {
+  double power = std::pow(10.0, std::ceil(std::log10(low) - 1e-9));
+  while (power <= high * (1.0 + 1e-9)) {
     powers.push_back(power);
+    power *= 10.0;
   }
   return powers;
 }

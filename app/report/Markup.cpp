@@ -186,6 +186,7 @@ std::string paragraph(const std::string& words, const std::string& attributes) {
 std::string filled(std::string_view pattern,
                    const std::vector<std::pair<std::string_view, std::string>>& values) {
   std::vector<std::pair<std::string, std::string_view>> pairs;
+  pairs.reserve(values.size());
   for (const auto& [name, value] : values) {
     pairs.emplace_back("{{" + std::string(name) + "}}", value);
   }

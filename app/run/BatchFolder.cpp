@@ -55,10 +55,29 @@ base::Result<NumberedRuns> numberedRuns(const std::string& runs) {
   return found;
 }
 
+/// The first five entries of `runs` that do not belong to an earlier batch of `knownCount` runs and
+/// that a batch of `runCount` runs would overwrite.
+base::Diagnostics foreignRuns(const NumberedRuns& runs, std::size_t runCount,
+                              std::size_t knownCount, bool force) {
+  constexpr std::size_t kMaxReported = 5;
+  base::Diagnostics problems;
+  for (const auto& [index, path] : runs) {
+    if (index >= runCount || problems.size() >= kMaxReported) {
+      continue;  // not written by this batch
+    }
+    const auto stranger = foreignEntryIn(path, index < knownCount);
+    const bool isFolder = stranger && *stranger != path;
+    if (stranger && !(force && isFolder)) {
+      problems.push_back(
+          base::error(isFolder ? "batch.stranger" : "batch.no-folder", {}, *stranger));
+    }
+  }
+  return problems;
+}
+
 /// The paths that would be overwritten and do not belong to an earlier batch. With `force`, only
 /// those that are never replaced: links, and files in place of folders.
 base::Diagnostics foreignFilesIn(const OutputFolder& output, std::size_t runCount, bool force) {
-  constexpr std::size_t kMaxReported = 5;
   const std::string& folder = output.path();
   std::optional<std::size_t> known = batchRunCount(output.manifest());
   if (!known && ResultStore::isResultDatabase(pathIn(folder, kDatabase))) {
@@ -77,18 +96,7 @@ base::Diagnostics foreignFilesIn(const OutputFolder& output, std::size_t runCoun
   if (!folders) {
     return folders.diagnostics();
   }
-  base::Diagnostics problems;
-  for (const auto& [index, path] : *folders) {
-    if (index >= runCount || problems.size() >= kMaxReported) {
-      continue;  // not written by this batch
-    }
-    const auto stranger = foreignEntryIn(path, index < known.value_or(0));
-    const bool isFolder = stranger && *stranger != path;
-    if (stranger && !(force && isFolder)) {
-      problems.push_back(
-          base::error(isFolder ? "batch.stranger" : "batch.no-folder", {}, *stranger));
-    }
-  }
+  base::Diagnostics problems = foreignRuns(*folders, runCount, known.value_or(0), force);
   // While the batch is incomplete, no manifest lists its results.
   const std::string results = pathIn(folder, kResults);
   if (!force && !output.manifest().outputs.empty() && entryExists(results) &&

@@ -302,7 +302,7 @@ Bundle readBundle(const RunSpec& spec, const RunSettings& settings,
 Bundle readBundle(const RunSpec& spec, const RunSettings& settings, FileCache& files) {
   Bundle bundle;
   bundle.path = spec.scenario;
-  bundle.metrics = spec;
+  bundle.metrics = {spec.metrics, spec.metricsProfile};
   bundle.settings = settings;
   bundle.stop = files.stopFlag();
   bundle.knownTrees = files.trees();

@@ -392,8 +392,8 @@ base::Diagnostics checkValues(const Experiment& experiment, NumberedScenarios sc
                               const YamlNode& root, bool areAllKnown) {
   std::vector<ExperimentTrial> trials;
   trials.reserve(scenarios.size());
-  for (auto& [number, scenario] : scenarios) {
-    trials.emplace_back(experiment, number, std::move(scenario));
+  for (auto& each : scenarios) {
+    trials.emplace_back(experiment, each.first, std::move(each.second));
   }
   base::Diagnostics problems;
   if (const YamlNode* const values = root.find("values")) {

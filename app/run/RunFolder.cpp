@@ -317,7 +317,7 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
 }
 
 void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
-  std::array<std::string, kFileCount> rows;
+  std::array<std::string, FileCount> rows;
   if (isRecorded) {
     sim2d::appendTrajectoryRows(rows[Trajectory], frame);
   }

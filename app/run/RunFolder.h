@@ -56,7 +56,7 @@ class RunWriter : public sim2d::FrameSink {
   base::Diagnostics finish();
 
  private:
-  enum File { Trajectory, Events, Trees, Inputs, Scans, kFileCount };
+  enum File { Trajectory, Events, Trees, Inputs, Scans, FileCount };
   void begin(File file);
   void write(const sim2d::Frame& frame, bool isRecorded);
   struct Column {
@@ -70,7 +70,7 @@ class RunWriter : public sim2d::FrameSink {
   int recordEvery_ = 1;
   const std::string folder_;
   // inputs and scans after the first one
-  std::array<std::optional<base::AtomicFileWriter>, kFileCount> files_;
+  std::array<std::optional<base::AtomicFileWriter>, FileCount> files_;
   metrics::FrameEvaluation evaluation_;
   AdditionalRunWriter* additionalWriter_ = nullptr;
   sim2d::KnownPeople known_;  // to the metrics

@@ -69,8 +69,6 @@ bool FoxgloveServer::isWanted(ChannelId channel) const {
 
 void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages,
                              Recipients recipients) {
-  const bool isToAll = recipients == Recipients::All;
-  const std::string clock = timeMessage(time);
   server_->exclusively([&] {
     for (const Message& message : messages) {
       PublishedChannel& published = publishedChannels_.at(message.channel - 1);
@@ -80,26 +78,33 @@ void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& mes
       }
     }
     for (auto& [client, state] : clientStates_) {
-      bool isTimeSent = false;
-      const auto sendTime = [&, to = client] {
-        if (!std::exchange(isTimeSent, true)) {
-          server_->send(to, {SendQueue::Kind::Topic, clock});
-        }
-      };
-      if (isToAll) {
-        sendTime();
-      }
-      for (const Message& message : messages) {
-        const auto wanted = state.wanted.find(message.channel);
-        if (wanted != state.wanted.end() && (isToAll || wanted->second.isMessageAwaited)) {
-          sendTime();
-          sendMessage(client, message.channel, wanted->second, time, message.payload,
-                      SendQueue::Kind::Topic);
-        }
-      }
+      publishTo(client, state, time, messages, recipients);
       warnOfLoss(client, state);
     }
   });
+}
+
+/// The time goes before the first message, and to all clients even without a message.
+void FoxgloveServer::publishTo(Client client, ClientState& state, std::uint64_t time,
+                               const std::vector<Message>& messages, Recipients recipients) {
+  const bool isToAll = recipients == Recipients::All;
+  bool isTimeSent = false;
+  const auto sendTime = [&] {
+    if (!std::exchange(isTimeSent, true)) {
+      server_->send(client, {SendQueue::Kind::Topic, timeMessage(time)});
+    }
+  };
+  if (isToAll) {
+    sendTime();
+  }
+  for (const Message& message : messages) {
+    const auto wanted = state.wanted.find(message.channel);
+    if (wanted != state.wanted.end() && (isToAll || wanted->second.isMessageAwaited)) {
+      sendTime();
+      sendMessage(client, message.channel, wanted->second, time, message.payload,
+                  SendQueue::Kind::Topic);
+    }
+  }
 }
 
 void FoxgloveServer::sendMessage(Client client, ChannelId channel, ClientSubscription& wanted,

@@ -148,6 +148,8 @@ class FoxgloveServer : private WebSocketServer::Handler {
   void removeSubscription(ChannelId channel, const ClientSubscription& wanted);
   void warnOfLoss(Client client, ClientState& state);
   void sendParameters();
+  void publishTo(Client client, ClientState& state, std::uint64_t time,
+                 const std::vector<Message>& messages, Recipients recipients);
   void sendMessage(Client client, ChannelId channel, ClientSubscription& wanted, std::uint64_t time,
                    const SharedBytes& payload, SendQueue::Kind kind);
   void send(Client client, const std::string& text);
