@@ -208,11 +208,11 @@ class Nav2ConstrainedSmootherTest : public QObject {
         high[k] += 1e-6;
         low[k] -= 1e-6;
         const double slope = (residuals(high)[i].value - residuals(low)[i].value) / 2e-6;
-        QVERIFY2(isNear(found[i].derivatives[k], slope, 1e-4),
+        QVERIFY2(isNear(found[i].derivatives[Eigen::Index(k)], slope, 1e-4),
                  qPrintable(QStringLiteral("residual %1, variable %2: %3, not %4")
                                 .arg(i)
                                 .arg(k)
-                                .arg(found[i].derivatives[k])
+                                .arg(found[i].derivatives[Eigen::Index(k)])
                                 .arg(slope)));
       }
     }

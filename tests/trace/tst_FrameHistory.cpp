@@ -203,11 +203,11 @@ class FrameHistoryTest : public QObject {
   /// Without forces everybody goes on as before: of the 14 numbers of each only the lengths are
   /// kept, four bits each. A fixed part of a state comes to it.
   void pack_straightWalk_takesHalfAByteForANumber() {
-    constexpr int kPeople = 100, kStates = 64;
+    constexpr int kCrowd = 100, kStates = 64;
     constexpr double kInterval = 0.05;  // [s]
     std::vector<FramePtr> frames;
     Frame frame;
-    for (int id = 1; id <= kPeople; ++id) {
+    for (int id = 1; id <= kCrowd; ++id) {
       const Vec2 velocity(0.01 * id, 1.0 - 0.003 * id);
       frame.humans.add(id, {Vec2(0.3 * id, -0.7 * id), base::headingOf(velocity)}, velocity, 0.0,
                        1);
@@ -229,7 +229,7 @@ class FrameHistoryTest : public QObject {
     const std::size_t first = packFrames({frames.front()}, kInterval).size();
     const std::size_t all = packFrames(frames, kInterval).size();
     const double perState = static_cast<double>(all - first) / (kStates - 1);
-    QVERIFY2(perState >= 7.0 * kPeople && perState < 7.0 * kPeople + 100.0,
+    QVERIFY2(perState >= 7.0 * kCrowd && perState < 7.0 * kCrowd + 100.0,
              QByteArray::number(perState));
   }
 
