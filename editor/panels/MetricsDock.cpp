@@ -16,7 +16,7 @@ constexpr int kPointsShown = 120;
 constexpr int kChoiceWidth = 280;
 
 /// Columns of the live table.
-enum MetricColumn { NameColumn, NowColumn, UnitColumn, SparklineColumn, MetricColumns };
+enum MetricColumn { MetricNameColumn, NowColumn, UnitColumn, SparklineColumn, MetricColumns };
 
 /// The finite points of a curve scaled to a rectangle; empty if there are fewer than two.
 QPolygonF sparkline(const app::MetricTimeSeries& curve, const QRectF& place) {
@@ -228,7 +228,7 @@ void MetricsDock::makeTable() {
   }
   QHeaderView* header = table_->horizontalHeader();
   header->setSectionResizeMode(QHeaderView::Fixed);
-  header->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+  header->setSectionResizeMode(MetricNameColumn, QHeaderView::Stretch);
   header->setHighlightSections(false);
   header->setFixedHeight(kListRowHeight);
   table_->setColumnWidth(NowColumn, 60);
@@ -238,7 +238,7 @@ void MetricsDock::makeTable() {
   connect(
       header, &QHeaderView::sectionResized, this,
       [this](int column) {
-        if (column == NameColumn) {
+        if (column == MetricNameColumn) {
           fitRows();
         }
       },
@@ -309,7 +309,7 @@ void MetricsDock::fillRows() {
 /// Wraps names that are longer than their column.
 void MetricsDock::fitRows() {
   fittedRows_ = table_->rowCount();
-  fitRowHeights(*table_, NameColumn, kCellPadding);
+  fitRowHeights(*table_, MetricNameColumn, kCellPadding);
 }
 
 int MetricsDock::rowOf(const std::string& key) const {
