@@ -227,46 +227,53 @@ bool isKey(const MetricInfo& info, std::string_view key) {
   return info.key == key || info.partOf == key;
 }
 
+/// An input of metrics that a foreign recording may lack, and the warning that names the metrics.
+struct MetricInput {
+  bool isMissing;
+  const char* code;
+  std::function<bool(const MetricInfo&)> isNeeded;
+};
+
+std::vector<MetricInput> metricInputs(const sim2d::TraceHeader& header,
+                                      const sim2d::RecordedPoints& points,
+                                      metrics::Profile profile) {
+  const bool hasRobot = !header.robots.empty(), hasPeople = !header.humans.empty();
+  const bool hasWalls = hasOutlines(header);
+  const bool usesFactors = profile == metrics::Profile::Corrected;
+  return {{hasPeople && !points.hasPeople(),
+           hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-people",
+           [](const MetricInfo& info) { return info.needs.obstacles && !info.needs.robot; }},
+          // Where obstacle points are computed from walls, only the forces lack the recorded ones.
+          {hasRobot && !points.hasRobot(),
+           hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-robot",
+           [hasWalls](const MetricInfo& info) {
+             const bool isForce =
+                 isKey(info, "obstacle_force_on_robot") || isKey(info, "social_work");
+             return info.needs.obstacles && info.needs.robot && (!hasWalls || isForce);
+           }},
+          {hasRobot && header.map.isEmpty(), "bag.no-map",
+           [](const MetricInfo& info) { return info.needs.map; }},
+          {hasRobot && header.robots.front().goals.empty(), "bag.no-goal",
+           [](const MetricInfo& info) { return info.needs.goal; }},
+          {usesFactors && hasRobot && hasPeople && !hasFactors(header.humans), "bag.no-factors",
+           [](const MetricInfo& info) {
+             return isKey(info, "social_force_on_agents") || isKey(info, "social_work");
+           }},
+          {hasRobot, "bag.no-replans",
+           [](const MetricInfo& info) { return isKey(info, "replanning_count"); }}};
+}
+
 }  // namespace
 
 base::Diagnostics missingInputs(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
                                 const MetricsSetup& setup, const std::string& source) {
-  const sim2d::TraceHeader& header = trace.header;
-  if (!isForeign(header)) {
+  if (!isForeign(trace.header)) {
     return {};
   }
-  const bool hasRobot = !header.robots.empty(), hasPeople = !header.humans.empty();
-  const bool hasWalls = hasOutlines(header);
-  const bool usesFactors = setup.parameters.profile == metrics::Profile::Corrected;
-  const struct {
-    bool isMissing;
-    const char* code;
-    std::function<bool(const MetricInfo&)> isNeeded;
-  } inputs[] = {
-      {hasPeople && !points.hasPeople(),
-       hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-people",
-       [](const MetricInfo& info) { return info.needs.obstacles && !info.needs.robot; }},
-      // Where obstacle points are computed from walls, only the forces lack the recorded ones.
-      {hasRobot && !points.hasRobot(),
-       hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-robot",
-       [hasWalls](const MetricInfo& info) {
-         const bool isForce = isKey(info, "obstacle_force_on_robot") || isKey(info, "social_work");
-         return info.needs.obstacles && info.needs.robot && (!hasWalls || isForce);
-       }},
-      {hasRobot && header.map.isEmpty(), "bag.no-map",
-       [](const MetricInfo& info) { return info.needs.map; }},
-      {hasRobot && header.robots.front().goals.empty(), "bag.no-goal",
-       [](const MetricInfo& info) { return info.needs.goal; }},
-      {usesFactors && hasRobot && hasPeople && !hasFactors(header.humans), "bag.no-factors",
-       [](const MetricInfo& info) {
-         return isKey(info, "social_force_on_agents") || isKey(info, "social_work");
-       }},
-      {hasRobot, "bag.no-replans",
-       [](const MetricInfo& info) { return isKey(info, "replanning_count"); }}};
   const std::vector<metrics::MetricEntry> entries =
       setup.selection.entries(metrics::standardRegistry());
   base::Diagnostics missing;
-  for (const auto& input : inputs) {
+  for (const MetricInput& input : metricInputs(trace.header, points, setup.parameters.profile)) {
     std::vector<std::string> keys;
     for (const metrics::MetricEntry& entry : entries) {
       if (input.isMissing && input.isNeeded(entry.info)) {

@@ -104,11 +104,11 @@ std::string figureFile(const report::Figure& figure, const std::string& ending, 
   if (ending == ".svg") {
     return figure.standalone();
   }
-  const auto [size, paint] = paintingOf(figure);
+  const std::pair<QSizeF, Paint> painting = paintingOf(figure);
   if (ending == ".pdf") {
-    return pdfOf(size, paint);
+    return pdfOf(painting.first, painting.second);
   }
-  return pngOf(scale * size, [scale, paint = paint](QPainter& painter) {
+  return pngOf(scale * painting.first, [scale, &paint = painting.second](QPainter& painter) {
     painter.scale(scale, scale);
     paint(painter);
   });

@@ -187,6 +187,13 @@ std::vector<QRectF> FrameLayer::labelObstacles() const {
   return parts;
 }
 
+bool FrameLayer::isLabelled(const Body& body, bool isNamed) const {
+  if (body.isRobot()) {
+    return options().robots && options().names;
+  }
+  return options().people && isNamed && !body.agent->name.isEmpty();
+}
+
 std::vector<Label> FrameLayer::labels() const {
   const double scale = mapScene().pixelsPerMetre();
   const bool showsNames =
@@ -194,9 +201,8 @@ std::vector<Label> FrameLayer::labels() const {
   std::vector<Label> labels;
   for (const Body& body : bodies_) {
     const bool chosen = isChosen(body);
-    const bool isNamed = chosen || (showsNames && body.agent->entity);  // Spawned: only if chosen.
-    if (body.isRobot() ? !options().robots || !options().names
-                       : !options().people || !isNamed || body.agent->name.isEmpty()) {
+    // Spawned people only if chosen.
+    if (!isLabelled(body, chosen || (showsNames && body.agent->entity))) {
       continue;
     }
     Label& label = labels.emplace_back();

@@ -100,6 +100,7 @@ class FrameLayer : public FullLayer {
     const auto found = agents_.find(id);
     return found == agents_.end() ? unknownAgent_ : found->second;
   }
+  bool isLabelled(const Body& body, bool isNamed) const;
   bool isChosen(const Body& body) const {
     return body.agent->entity ? document().isSelected(body.agent->entity)
                               : mapScene().spawnedAgent() == body.id;

@@ -8,9 +8,12 @@ namespace {
 
 constexpr double kWideHalfAngle = base::kPi / 3.0;  // half of the visual field of people
 
-/// Angle between the viewer's heading and the target, >= 0.
+/// Angle between the viewer's heading and the target, >= 0; 0 for a target at the same place.
 double angleTo(const Body& viewer, const Body& target) {
   const Vec2 towards = target.position - viewer.position;
+  if (towards.isZero(0.0)) {
+    return 0.0;
+  }
   return std::fabs(base::wrapToPi(std::atan2(towards.y(), towards.x()) - viewer.heading));
 }
 
@@ -54,7 +57,7 @@ bool isWide(const Instant& at) {
 /// The times start and end on samples: the rate bound is 0.05.
 constexpr char kFacingMetrics[] = R"(
 = Social Behavior|lower|robot, people|Arena|0.05
-time_facing_people|Time facing people|s|[0, T]|time with |wrap(angle of C - psi)| <= facing_half_angle for the person for whom it is smallest
+time_facing_people|Time facing people|s|[0, T]|time with |wrap(angle of C - psi)| (0 if d = 0) <= facing_half_angle for the person for whom it is smallest
 = Social Behavior|neutral|robot, people|Arena|0.05
 time_seen_by_people|Time seen by people|s|[0, T]|time with the angle between a person's heading and p - q (0 if d = 0) <= facing_half_angle for some person;
   walls hide no person

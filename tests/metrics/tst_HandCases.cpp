@@ -58,6 +58,15 @@ class HandCasesTest : public QObject {
     QCOMPARE(valueOf(recording, "time_seen_by_people_60"), 3.0);
   }
 
+  void facing_personAtTheSamePlace_isFaced() {
+    std::vector<Sample> samples = {sampleAt(0, 0, 0), sampleAt(1, 0, 0)};
+    for (Sample& sample : samples) {
+      sample.robot.heading = 2.0;
+      sample.people = {personAt(1, 0, 0), personAt(2, 0, 3)};
+    }
+    QCOMPARE(valueOf(recordingOfSamples(samples), "time_facing_people"), 1.0);
+  }
+
   void gaussianSpace_extremesAndTimeAbove() {
     // Who stands: variances 0.5 ahead, 0.25 behind, 1/3 aside.
     std::vector<Sample> samples = {sampleAt(0, 1, 0), sampleAt(1, -0.5, 0), sampleAt(3, 0, 1)};

@@ -374,11 +374,11 @@ void SettingsPage::addVariationSection() {
       };
       addField<Variation>(section, key + "." + name, look);
     };
-    using Kind = sim2d::SpreadKind;
-    row("sd", &sim2d::Spread::sd, {Kind::Normal});
-    row("half_width", &sim2d::Spread::halfWidth, {Kind::Uniform});
-    row("min", &sim2d::Spread::least, {Kind::Normal, Kind::Uniform});
-    row("max", &sim2d::Spread::most, {Kind::Normal, Kind::Uniform});
+    using Spread = sim2d::SpreadKind;
+    row("sd", &sim2d::Spread::sd, {Spread::Normal});
+    row("half_width", &sim2d::Spread::halfWidth, {Spread::Uniform});
+    row("min", &sim2d::Spread::least, {Spread::Normal, Spread::Uniform});
+    row("max", &sim2d::Spread::most, {Spread::Normal, Spread::Uniform});
   }
 }
 
