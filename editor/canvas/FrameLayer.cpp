@@ -208,9 +208,13 @@ std::vector<Label> FrameLayer::labels() const {
     Label& label = labels.emplace_back();
     label.text = body.agent->name;
     label.centre = toScene(body.pose.position);
-    label.clearancePx = figureRadiusPx(body, scale) + (body.isRobot() ? 5.0 : chosen ? 9.0 : 4.0);
-    label.priority = body.isRobot() ? 2 : chosen ? 3 : 1;
-    if (!body.isRobot()) {
+    label.clearancePx = figureRadiusPx(body, scale);
+    if (body.isRobot()) {
+      label.clearancePx += 5.0;
+      label.priority = 2;
+    } else {
+      label.clearancePx += chosen ? 9.0 : 4.0;
+      label.priority = chosen ? 3 : 1;
       label.mark = body.agent->look;
       label.detail = options().thoughts ? mapScene().overlays().thoughtOf(body.id) : QString();
     }
