@@ -201,7 +201,7 @@ std::vector<Label> FrameLayer::labels() const {
   std::vector<Label> labels;
   for (const Body& body : bodies_) {
     const bool chosen = isChosen(body);
-    // Spawned people only if chosen.
+    // Spawned people have a label only if chosen.
     if (!isLabelled(body, chosen || (showsNames && body.agent->entity))) {
       continue;
     }

@@ -14,7 +14,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "tests/run/Nav2Scene.h"
-#include "tests/support/Sanitizers.h"
 
 /// Whole runs of the planner `nav2`: files like those of real robots drive from start to goal, a
 /// changed parameter has its known effect, and all of it twice alike.
@@ -164,7 +163,6 @@ const std::string kPursuit =
 
 }  // namespace
 
-/// Under a sanitizer one scenario for each robot.
 void Nav2RunsTest::shippedFiles_inShippedMaps_arrive_data() {
   QTest::addColumn<QString>("params");
   QTest::addColumn<QString>("type");
@@ -177,9 +175,6 @@ void Nav2RunsTest::shippedFiles_inShippedMaps_arrive_data() {
   for (const auto& [params, type] : robots) {
     for (const char* scenario : {"corner_cafe/corner_cafe_agents",
                                  "reactions/reaction_regular_agents", "planners/doorway_agents"}) {
-      if (kIsSanitized && std::string(scenario) != "planners/doorway_agents") {
-        continue;
-      }
       QTest::newRow((std::string(params) + " " + scenario).c_str()) << params << type << scenario;
     }
   }

@@ -6,7 +6,6 @@
 
 #include "sim2d/world/crowd/CrowdForces.h"
 #include "tests/support/Columns.h"
-#include "tests/support/Sanitizers.h"
 
 Q_DECLARE_METATYPE(base::Vec2)
 
@@ -244,8 +243,7 @@ class CrowdForcesTest : public QObject {
     exact.parameters = fast.parameters;
     exact.connect();
     const std::vector<double> speeds = speedsOf(fast);
-    const int steps = kIsSanitized ? 30 : 600;
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < 600; ++step) {
       move(fast, fastForces(fast), speeds);
       move(exact, pairwiseForces(exact), speeds);
     }

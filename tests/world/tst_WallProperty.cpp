@@ -6,7 +6,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
-#include "tests/support/Sanitizers.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -17,7 +16,7 @@ namespace {
 constexpr double kRadius = 0.25;   // [m]
 constexpr double kDeepest = 0.05;  // [m] that a body may be in a wall
 constexpr int kMaxPeople = 120;    // enough for the ways of large worlds
-constexpr int kAgentSteps = kIsSanitized ? 100000 : 1000000;
+constexpr int kAgentSteps = 1000000;
 
 bool isTaken(const Scenario& scenario, const Vec2& place) {
   return std::any_of(scenario.humans.begin(), scenario.humans.end(), [&](const Human& human) {
@@ -60,8 +59,8 @@ void walkAbout(const OccupancyGrid& map, const WorldView& view, Intents& intents
 
 }  // namespace
 
-/// Nobody ever gets through a wall: a million steps (a tenth of them under a sanitizer) of people
-/// who walk to random places, straight on, in each map that comes with the program.
+/// Nobody ever gets through a wall: a million steps of people who walk to random places, straight
+/// on, in each map that comes with the program.
 class WallPropertyTest : public QObject {
   Q_OBJECT
 

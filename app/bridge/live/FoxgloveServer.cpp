@@ -84,7 +84,8 @@ void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& mes
   });
 }
 
-/// The time goes before the first message, and to all clients even without a message.
+/// Sends the time before the first message; with Recipients::All every client receives the time,
+/// even without a message.
 void FoxgloveServer::publishTo(Client client, ClientState& state, std::uint64_t time,
                                const std::vector<Message>& messages, Recipients recipients) {
   const bool isToAll = recipients == Recipients::All;

@@ -374,11 +374,11 @@ void SettingsPage::addVariationSection() {
       };
       addField<Variation>(section, key + "." + name, look);
     };
-    using Spread = sim2d::SpreadKind;
-    row("sd", &sim2d::Spread::sd, {Spread::Normal});
-    row("half_width", &sim2d::Spread::halfWidth, {Spread::Uniform});
-    row("min", &sim2d::Spread::least, {Spread::Normal, Spread::Uniform});
-    row("max", &sim2d::Spread::most, {Spread::Normal, Spread::Uniform});
+    using sim2d::SpreadKind;
+    row("sd", &sim2d::Spread::sd, {SpreadKind::Normal});
+    row("half_width", &sim2d::Spread::halfWidth, {SpreadKind::Uniform});
+    row("min", &sim2d::Spread::least, {SpreadKind::Normal, SpreadKind::Uniform});
+    row("max", &sim2d::Spread::most, {SpreadKind::Normal, SpreadKind::Uniform});
   }
 }
 
