@@ -31,7 +31,7 @@ std::optional<base::Diagnostic> unknownScenario(const std::string& word,
 std::string scenarioFile(const std::string& fileOrName);
 
 std::string programPath();     // of the running executable
-std::string programVersion();  // "0.1.0"
+std::string programVersion();  // of the project in CMakeLists.txt, for example "1.0.0"
 std::string programCommit();   // of the source tree at build time, or "unknown"
 
 }  // namespace app
