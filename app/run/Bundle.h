@@ -56,6 +56,8 @@ class FileCache {
   explicit FileCache(sim2d::ImageLoader loader) : loader_(std::move(loader)) {}
 
   std::shared_ptr<const sim2d::ScenarioReading> scenario(const std::string& path);
+  /// Uses this scenario for the file `path`, which need not exist, until it is evicted.
+  void setScenario(const std::string& path, sim2d::ScenarioReading reading);
   /// `rule`: name of the Nav2 map rule; an empty path is the open plane.
   std::shared_ptr<const CachedMap> map(const std::string& path, const std::string& rule);
   const std::shared_ptr<bt::TreeCache>& trees() const { return trees_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/document/MapImageReader.h"
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/map/MapReader.h"
 
@@ -39,9 +40,6 @@ void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QStri
 /// the free area is at (0, 0).
 std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double height,
                                                       double resolution = 0.05);
-/// Loads map images with Qt: PNG (also palette, grey with alpha, 16 bit, interlaced), BMP, JPEG …
-/// Rejects files that are not images, and images of more than 100 million pixels before decoding.
-base::Result<sim2d::MapImage> loadMapImage(const std::string& path);
 /// A map from an image without a YAML file: dark is occupied and bright is free, as in nav2;
 /// `resolution` [m], lower left corner at (0, 0).
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,
