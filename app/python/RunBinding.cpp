@@ -321,13 +321,13 @@ void appendRows(std::vector<StateRow>& rows, const sim2d::Frame& frame) {
     row.omega = bodies.omega[i];
     rows.push_back(row);
   };
-  for (std::size_t i = 0; i < frame.robots.size(); ++i) {
-    append(frame.robots, i);
-  }
   for (std::size_t i = 0; i < frame.humans.size(); ++i) {
     append(frame.humans, i);
     rows.back().group = frame.humans.group[i];
     rows.back().isActive = frame.humans.state[i] != 0;
+  }
+  for (std::size_t i = 0; i < frame.robots.size(); ++i) {
+    append(frame.robots, i);
   }
 }
 

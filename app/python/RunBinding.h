@@ -27,7 +27,7 @@ struct StateRow {
 /// Registers the type with numpy; call once, before the first array of it.
 void registerStateRow();
 
-/// Appends the bodies of a frame: robots, then people. Any thread.
+/// Appends the bodies of a frame: people, then robots, as in trajectory.csv. Any thread.
 void appendRows(std::vector<StateRow>& rows, const sim2d::Frame& frame);
 
 /// The rows as an array that owns them, without a copy.

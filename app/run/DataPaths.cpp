@@ -1,6 +1,7 @@
 #include "app/run/DataPaths.h"
 
 #include <algorithm>
+#include <dlfcn.h>
 #include <filesystem>
 
 #include "sim2d/base/Text.h"
@@ -17,13 +18,30 @@ std::string programPath() {
 
 namespace {
 
+/// The file that contains this code: the executable, or the Python module.
+fs::path ownFile() {
+  Dl_info info = {};
+  const bool isKnown =
+      dladdr(reinterpret_cast<const void*>(&programPath), &info) != 0 && info.dli_fname != nullptr;
+  const fs::path file = isKnown ? fs::path(info.dli_fname) : fs::path();
+  // The name of an executable may be relative to a folder that is no longer the current one.
+  return file.extension() == ".so" ? file : fs::path(programPath());
+}
+
+bool isFolder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
 std::string dataFolder(const std::string& name) {
-  const fs::path folder = fs::path(programPath()).parent_path();
-  for (const char* place : {"../share/hunavsim", "../.."}) {
-    std::error_code error;
-    const fs::path found = (folder / place / name).lexically_normal();
-    if (fs::is_directory(found, error)) {
-      return found.string();
+  std::error_code error;
+  fs::path folder = fs::weakly_canonical(ownFile(), error).parent_path();
+  for (; folder.has_relative_path(); folder = folder.parent_path()) {
+    const bool isSourceTree = isFolder(folder / "maps") && isFolder(folder / "resources");
+    for (const fs::path& place : {folder / "share/hunavsim", isSourceTree ? folder : fs::path()}) {
+      if (!place.empty() && isFolder(place / name)) {
+        return (place / name).string();
+      }
     }
   }
   return {};

@@ -8,8 +8,9 @@
 
 namespace app {
 
-/// The data folders of the program, found relative to the executable: in the source tree next to a
-/// build folder, or <prefix>/share/hunavsim after installation. Empty if there are none.
+/// The data folders of the program, found in the folders above the executable or Python module: the
+/// source tree that contains the build folder, or <prefix>/share/hunavsim after installation. Empty
+/// if there are none.
 std::string shippedMapsFolder();
 std::string shippedResources(const std::string& folder);  // "nav2_trees"
 

@@ -12,7 +12,6 @@ from hunavsim import env as environments
 # left, and its goal is 10 m ahead and 1 m to the right.
 SCENE = """hunav_loader:
   ros__parameters:
-    map: none
     publish_people: true
     agents:
       - visitor
@@ -25,6 +24,7 @@ SCENE = """hunav_loader:
 hunavsim_desktop:
   ros__parameters:
     format: 1
+    map_file: none
     robots: [robot1]
     robot1:
       start: {x: 0.0, y: 0.0, h: 0.0}
@@ -34,8 +34,9 @@ hunavsim_desktop:
       max_acc: 100.0
     obstacles: [box]
     box:
-      shape: box
-      pose: {x: 3.5, y: 0.0, h: 0.0}
+      kind: box
+      x: 3.5
+      y: 0.0
       length: 1.0
       width: 2.0
 """
@@ -54,7 +55,7 @@ def scene(text=SCENE):
 
 class ObservationTest(unittest.TestCase):
     def setUp(self):
-        self.env = environments.CrowdEnv(scene(), beams=8, people=3, grid_cells=40,
+        self.env = environments.CrowdEnv(scene(), variation=None, beams=8, people=3, grid_cells=40,
                                          grid_resolution=0.2)
         self.observation, self.info = self.env.reset(seed=1)
 
@@ -95,7 +96,7 @@ class ObservationTest(unittest.TestCase):
 class RewardTest(unittest.TestCase):
     def test_progress_is_the_decrease_of_the_distance(self):
         weights = {"arrival": 0, "collision": 0, "progress": 1, "closeness": 0, "time": 0}
-        env = environments.CrowdEnv(scene(), weights=weights)
+        env = environments.CrowdEnv(scene(), variation=None, weights=weights)
         env.reset(seed=1)
         observation, reward, *_ = env.step([1.0, 0.0])
         after = math.hypot(*observation["state"][:2].astype(float))
@@ -104,12 +105,12 @@ class RewardTest(unittest.TestCase):
 
     def test_time_and_closeness(self):
         # The gap is 2 - 0.4 - 0.3 = 1.3 m; a personal distance of 1.2 m gives no closeness term.
-        env = environments.CrowdEnv(scene(), weights={"progress": 0, "closeness": -1, "time": -1})
+        env = environments.CrowdEnv(scene(), variation=None, weights={"progress": 0, "closeness": -1, "time": -1})
         env.reset(seed=1)
         self.assertAlmostEqual(env.step([0.0, 0.0])[1], -0.05, places=6)
 
     def test_collision_ends_the_episode(self):
-        env = environments.CrowdEnv(scene(), weights={"progress": 0, "closeness": 0, "time": 0,
+        env = environments.CrowdEnv(scene(), variation=None, weights={"progress": 0, "closeness": 0, "time": 0,
                                                       "collision": -7})
         env.reset(seed=1)
         for step in range(100):
@@ -120,7 +121,7 @@ class RewardTest(unittest.TestCase):
         self.assertAlmostEqual(step * 0.05, 2.7, delta=0.15)  # 3 m less the radius at 1 m/s
 
     def test_time_limit_truncates(self):
-        env = environments.CrowdEnv(scene(), duration=1.0)
+        env = environments.CrowdEnv(scene(), variation=None, duration=1.0)
         env.reset(seed=1)
         ends = [env.step([0.0, 0.0])[2:4] for _ in range(20)]
         self.assertEqual(ends[-1], (False, True))
@@ -128,12 +129,13 @@ class RewardTest(unittest.TestCase):
 
     def test_unknown_reward_term_is_refused(self):
         with self.assertRaisesRegex(ValueError, "speed"):
-            environments.CrowdEnv(scene(), weights={"speed": 1.0})
+            environments.CrowdEnv(scene(), variation=None, weights={"speed": 1.0})
 
 
 class VectorTest(unittest.TestCase):
     def run_episode(self, seed, count=3):
-        envs = environments.CrowdVectorEnv(count, "corner_cafe_agents", beams=12, duration=2.0)
+        envs = environments.CrowdVectorEnv(count, "crossing_agents", beams=12, people=12,
+                                           duration=2.0)
         envs.reset(seed=seed)
         generator = numpy.random.default_rng(1)
         rewards, states = [], []
@@ -141,13 +143,13 @@ class VectorTest(unittest.TestCase):
             actions = generator.uniform(-0.5, 1.0, (count, 2)).astype(numpy.float32)
             observation, reward, *_ = envs.step(actions)
             rewards.append(reward)
-            states.append(observation["state"])
+            states.append(observation["people"])
         return numpy.array(rewards), numpy.array(states)
 
     def test_equal_seeds_give_equal_results(self):
         first, second = self.run_episode(4), self.run_episode(4)
         self.assertTrue((first[0] == second[0]).all() and (first[1] == second[1]).all())
-        self.assertFalse((first[0] == self.run_episode(5)[0]).all())
+        self.assertFalse((first[1] == self.run_episode(5)[1]).all())
 
     def test_shapes_and_autoreset(self):
         envs = environments.CrowdVectorEnv(2, scene(), duration=0.5, beams=4)
@@ -174,7 +176,7 @@ class VectorTest(unittest.TestCase):
                             and (array <= numpy.asarray(space.high)).all(), key)
 
     def test_returned_arrays_do_not_change_later(self):
-        envs = environments.CrowdVectorEnv(1, scene())
+        envs = environments.CrowdVectorEnv(1, scene(), variation=None)
         first, _ = envs.reset(seed=1)
         kept = first["state"].copy()
         envs.step([[1.0, 0.5]])

@@ -15,7 +15,6 @@ import hunavsim
 
 EMPTY = """hunav_loader:
   ros__parameters:
-    map: none
     publish_people: true
     agents:
       - walker
@@ -30,6 +29,7 @@ EMPTY = """hunav_loader:
 hunavsim_desktop:
   ros__parameters:
     format: 1
+    map_file: none
     robots: [robot1]
     robot1:
       start: {x: 0.0, y: 0.0, h: 0.0}

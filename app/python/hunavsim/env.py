@@ -73,8 +73,12 @@ def _observation_space(core):
                   for key, array in core.observations.items()})
 
 
-def _scenario(scenario):
-    return scenario if isinstance(scenario, Scenario) else Scenario(scenario)
+def _scenario(scenario, variation):
+    """A copy whose people vary between episodes, unless the scenario itself says how."""
+    copy = scenario.copy() if isinstance(scenario, Scenario) else Scenario(scenario)
+    if variation is not None and copy.get("variation") is None:
+        copy.set("variation.preset", variation)
+    return copy
 
 
 class CrowdVectorEnv(gymnasium.vector.VectorEnv if gymnasium else object):
@@ -86,17 +90,19 @@ class CrowdVectorEnv(gymnasium.vector.VectorEnv if gymnasium else object):
     scenario: a Scenario, a path or a name. robot: the robot to drive; None: the first one.
     weights: weights of the reward terms arrival, collision, progress, closeness, time and jerk.
     curriculum: scenarios of rising difficulty; `set_level(i)` changes to one of them.
+    variation: how people vary between episodes ("none", "light", "strong") where the scenario does
+    not say it.
     Other options: people, beams, grid_cells, grid_resolution, duration, repeat, and those of run().
     """
 
     metadata = {"render_modes": [], "autoreset_mode": "NextStep"}
 
     def __init__(self, num_envs=1, scenario="corner_cafe_agents", *, robot=None, weights=None,
-                 curriculum=None, **options):
+                 curriculum=None, variation="light", **options):
         self.num_envs = num_envs
         self._options = dict(count=num_envs, robots=[robot] if robot else [],
                              weights=weights or {}, **options)
-        self._levels = [_scenario(each) for each in (curriculum or [scenario])]
+        self._levels = [_scenario(each, variation) for each in (curriculum or [scenario])]
         self.level = 0
         self._core = CrowdEnvironment(self._levels[0], **self._options)
         self.single_observation_space = _observation_space(self._core)
@@ -173,8 +179,8 @@ class CrowdParallelEnv(pettingzoo.ParallelEnv if pettingzoo else object):
     metadata = {"name": "hunavsim_crowd_v0", "render_modes": []}
     render_mode = None
 
-    def __init__(self, scenario, *, robots=None, weights=None, **options):
-        scenario = _scenario(scenario)
+    def __init__(self, scenario, *, robots=None, weights=None, variation="light", **options):
+        scenario = _scenario(scenario, variation)
         self.possible_agents = list(robots or scenario.robots)
         self._core = CrowdEnvironment(scenario, count=1, robots=self.possible_agents,
                                       weights=weights or {}, **options)
