@@ -23,6 +23,7 @@ packages_to_run=(
 packages_to_test=(clang-format-14 mold xvfb xauth xdotool imagemagick locales
   cyclonedds-dev cyclonedds-tools tshark)
 packages_to_compare=(parallel slurmctld slurmd slurm-client munge chromium ffmpeg)  # what tests run beside us
+packages_to_python=(python3-dev pybind11-dev python3-numpy python3-matplotlib)
 packages_to_fuzz=(clang-14 libclang-rt-14-dev)
 packages_to_check=(clang-14 clang-tidy-14 libclang-14-dev llvm-14)  # llvm-14: lines of a report
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks the format, builds (dev) and runs every test. Usage: scripts/test.sh [--all]
-# --all adds fuzzing, the sanitizers, a long monkey test of the window, clang-tidy and the benchmarks.
+# --all adds the Python module, fuzzing, the sanitizers, a long monkey test of the window, clang-tidy and the benchmarks.
 # --monkey MINUTES [SEED] runs only the monkey test, for that time, from this seed on.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -209,6 +209,12 @@ check_threads() {
   run_tests tsan -L '^(core|threads)$'
 }
 
+check_python() {
+  need_packages "${packages_to_python[@]}"
+  build_preset python hunavsim_python hunavsim
+  run_tests python
+}
+
 run_benchmarks() {
   build_preset bench benchmarks
   run_tests bench -L '^bench$' --parallel 1
@@ -269,7 +275,7 @@ fi
 need_packages "${packages_to_fuzz[@]}" "${packages_to_check[@]}"
 stage run_tests dev
 unset HUNAV_ALL_TESTS  # under a sanitizer the long ones would take hours
-for command in fuzz check_sources_and_memory play_monkey check_threads run_benchmarks; do
+for command in check_python fuzz check_sources_and_memory play_monkey check_threads run_benchmarks; do
   stage "$command"
 done
 [ "${#failed[@]}" -eq 0 ] || fail "failed: ${failed[*]}"

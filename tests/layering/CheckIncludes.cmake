@@ -38,6 +38,7 @@ set(allowed_editor_trees "${allowed_editor_panels};editor/panels")
 set(rooms "editor/look;editor/document;editor/canvas;editor/tools;editor/run;editor/panels;editor/trees")
 set(allowed_app_cli "${core};${rooms}")
 set(allowed_app_window "${core};${rooms};app/cli")
+set(allowed_app_python "${below_editor};editor/document")
 set(allowed_app "app/cli;app/window")
 
 set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost|fastdds|fastrtps|fastcdr)/|(tinyxml2|hdf5|sqlite3|zstd|zmq)\\.h)")
@@ -45,7 +46,7 @@ set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd
 # Sets `complaint` in the caller; empty = allowed.
 function(check_include folder name line)
   set(complaint "")
-  if(line MATCHES "include *\"((sim2d|bt|editor)/[a-z0-9]+|metrics/statistics|metrics|editor|app/bridge/[a-z]+|app/(run|report|cli|window)|app)/")
+  if(line MATCHES "include *\"((sim2d|bt|editor)/[a-z0-9]+|metrics/statistics|metrics|editor|app/bridge/[a-z]+|app/(run|report|cli|window|python)|app)/")
     set(target ${CMAKE_MATCH_1})
     if(NOT target STREQUAL folder AND NOT target IN_LIST allowed_${name})
       set(complaint "against the layers")
@@ -78,7 +79,7 @@ endfunction()
 
 set(wrong "")
 set(all "")  # "<folder>|<file>|<line>"
-foreach(folder IN LISTS core rooms ITEMS app/cli app/window app)
+foreach(folder IN LISTS core rooms ITEMS app/cli app/window app/python app)
   string(REPLACE "/" "_" name ${folder})
   set(depth GLOB_RECURSE)
   if(folder STREQUAL "app")
