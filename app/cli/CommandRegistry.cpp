@@ -20,6 +20,8 @@
 #include <QString>
 
 #include "app/cli/Console.h"
+#include "app/cli/help/HelpText.h"
+#include "app/cli/help/OptionLayout.h"
 #include "app/run/DataPaths.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -98,6 +100,26 @@ int tellWrongWords(const CommandRegistry& commands, const std::string& said) {
   return ExitWrongCommandLine;
 }
 
+/// An unknown option with the most similar one of its command; null: none is similar.
+std::optional<std::string> unknownOption(const CLI::App& root) {
+  const std::vector<CLI::App*> given = root.get_subcommands();
+  const CLI::App& command = given.empty() ? root : *given.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+  }
+  for (const std::string& word : root.remaining(true)) {
+    const std::string name = word.substr(0, word.find('='));
+    const auto meant = base::startsWith(name, "--") ? base::nearestName(name, names) : std::nullopt;
+    if (meant) {
+      return "unknown option '" + name + "' (did you mean '" + *meant + "'?)";
+    }
+  }
+  return std::nullopt;
+}
+
 /// Words that no option takes; the first is a mistyped command, unless it is a scenario.
 std::string extrasText(const CommandRegistry& commands, const std::string& firstWord) {
   const CLI::App& root = commands.root();
@@ -106,7 +128,8 @@ std::string extrasText(const CommandRegistry& commands, const std::string& first
   if (root.get_subcommands().empty() && meant && !std::filesystem::exists(firstWord, ignored)) {
     return "unknown command '" + firstWord + "' (did you mean '" + *meant + "'?)";
   }
-  return "unexpected arguments: " + base::join(root.remaining(true), " ");
+  const std::optional<std::string> option = unknownOption(root);
+  return option.value_or("unexpected arguments: " + base::join(root.remaining(true), " "));
 }
 
 /// What image libraries grumble is told by our own messages, with the file's name. A machine where
@@ -130,6 +153,38 @@ void requireFine(const base::Diagnostics& problems, ExitCode code, base::Severit
   if (!printDiagnostics(problems, least)) {
     throw CommandEnd{code, problems};
   }
+}
+
+CommandRegistry::CommandRegistry(CLI::App& root) : root_(root) {
+  root_.formatter_fn([this](const CLI::App* command, const std::string&, CLI::AppFormatMode) {
+    return helpText(infoOf(*command), table());
+  });
+}
+
+CommandInfo CommandRegistry::infoOf(const CLI::App& command) const {
+  const auto found = examples_.find(&command);
+  return describeCommand(command, &command == &root_,
+                         found == examples_.end() ? std::vector<CommandExample>() : found->second);
+}
+
+void CommandRegistry::addExamples(const CLI::App& command, std::vector<CommandExample> examples) {
+  std::vector<CommandExample>& all = examples_[&command];
+  all.insert(all.end(), examples.begin(), examples.end());
+}
+
+CommandTable CommandRegistry::table() const {
+  std::vector<const CLI::App*> commands;
+  for (const CLI::App* command : root_.get_subcommands(nullptr)) {
+    commands.push_back(command);
+  }
+  std::stable_sort(commands.begin(), commands.end(), [](const auto* a, const auto* b) {
+    return rankOfCommand(a->get_name()) < rankOfCommand(b->get_name());
+  });
+  CommandTable table = {infoOf(root_)};
+  for (const CLI::App* command : commands) {
+    table.push_back(infoOf(*command));
+  }
+  return table;
 }
 
 CLI::App& CommandRegistry::add(const std::string& name, const std::string& help, Action action,

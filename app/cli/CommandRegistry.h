@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/bridge/dds/Participant.h"
+#include "app/cli/help/CommandTable.h"
 #include "app/run/RunSpec.h"
 #include "sim2d/base/Result.h"
 
@@ -57,7 +58,7 @@ class CommandRegistry {
  public:
   using Action = std::function<int(const Invocation&)>;  // returns an exit code
 
-  explicit CommandRegistry(CLI::App& root) : root_(root) {}
+  explicit CommandRegistry(CLI::App& root);
   CLI::App& root() const { return root_; }
   std::vector<std::string> names() const;  // of the commands
 
@@ -76,6 +77,12 @@ class CommandRegistry {
                 [=] { return drawing != nullptr ? drawing(*options) : Drawing::None; }),
             *options};
   }
+  /// Command lines for the help, the manual page and the manual. Those without `needs` are executed
+  /// by a test in the order of the manual. `command` may be the root: the window.
+  void addExamples(const CLI::App& command, std::vector<CommandExample> examples);
+  /// All commands with their options: complete after addOutputOptions().
+  CommandTable table() const;
+
   /// What is done without a command; it makes its application itself.
   void setDefault(Action action) { default_ = std::move(action); }
 
@@ -88,12 +95,15 @@ class CommandRegistry {
   int start(Invocation given) const;
 
  private:
+  CommandInfo infoOf(const CLI::App& command) const;
+
   struct Command {
     Action action;
     std::function<Drawing()> drawing;
   };
   CLI::App& root_;
   std::map<std::string, Command> commands_;
+  std::map<const CLI::App*, std::vector<CommandExample>> examples_;
   Action default_;
   bool quiet_ = false, json_ = false;
 };

@@ -424,6 +424,11 @@ void addWindow(CommandRegistry& commands) {
                   "Person whose behaviour tree is shown instead of the "
                   "map");
   root.add_option("--dock", window->docks, "Panels to show, by their names in the View menu");
+  commands.addExamples(root,
+                       {{"hunavsim corner_cafe_agents", "Open the café in the window", "a display"},
+                        {"hunavsim out", "Play a recorded run", "a display"},
+                        {"hunavsim corner_cafe_agents --at 2 --theme dark --screenshot cafe.png",
+                         "Save a picture of the window after 2 s of simulation"}});
 }
 
 }  // namespace app

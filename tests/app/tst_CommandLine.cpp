@@ -157,6 +157,15 @@ class CommandLineTest : public QObject, protected InFolder {
     QTest::newRow("command") << list("evalute % x", {path("walk.csv")}) << 64
                              << text("unknown command 'evalute' (did you mean 'evaluate'?)");
     QTest::newRow("list") << list("list modles") << 64 << text("(did you mean 'models'?)");
+    QTest::newRow("option") << list("run corner_cafe_agents --sed 3") << 64
+                            << text("unknown option '--sed' (did you mean '--seed'?)");
+    QTest::newRow("option with its value")
+        << list("bench --thread=2") << 64
+        << text("unknown option '--thread' (did you mean '--threads'?)");
+    QTest::newRow("planner") << list("run corner_cafe_agents --planner pursiut") << 64
+                             << text("(did you mean 'pursuit'?)");
+    QTest::newRow("metric") << list("run corner_cafe_agents --metrics path_lenght") << 64
+                            << text("(did you mean 'path_length'?)");
     QTest::newRow("scenario of a command")
         << list("run corner_cafe_agent") << 2
         << text("no shipped scenario of this name (did you mean 'corner_cafe_agents'?)");
@@ -235,6 +244,21 @@ class CommandLineTest : public QObject, protected InFolder {
                         2, "reactions.pgm: error: an image has no scale"),
              QString());
     QVERIFY(!QFile::exists(picture));
+  }
+
+  /// A file manager opens files, not folders.
+  void window_headerOfARun_opensTheRun() {
+    const QTemporaryDir folder;
+    const QString run = folder.filePath(text("run"));
+    QCOMPARE(failureOf("run reaction_regular_agents --duration 2 -o % -q", {run}), QString());
+    QCOMPARE(
+        failureOf("% --at 1 --theme light --screenshot %", {run, folder.filePath(text("a.png"))}),
+        QString());
+    QCOMPARE(failureOf("% --at 1 --theme light --screenshot %",
+                       {run + text("/trace.json"), folder.filePath(text("b.png"))}),
+             QString());
+    const QByteArray picture = bytesOf(folder.filePath(text("a.png")));
+    QVERIFY(!picture.isEmpty() && picture == bytesOf(folder.filePath(text("b.png"))));
   }
 
   void window_tooManyWords_areToldInOrder() {

@@ -282,7 +282,7 @@ class ListProgramTest : public QObject {
   }
 
   void markdown_ofOtherThings_isAWrongWord() {
-    const Finished wrong = runProgram("list robots --format markdown");
+    const Finished wrong = runProgram("list scenarios --format markdown");
     QCOMPARE(wrong.exitCode, 64);
   }
 };

@@ -160,7 +160,8 @@ void addBatch(CommandRegistry& commands) {
   command.add_option("experiment", options.experiment, "Experiment file")->required();
   addOutputFolder(command, options.output, "Output folder").required();
   command
-      .add_option("--jobs", options.jobs, "Number of parallel processes (default: number of cores)")
+      .add_option("-j,--jobs", options.jobs,
+                  "Number of parallel processes (default: number of cores)")
       ->check(CLI::Range(1, 1024));
   addAllowCode(command, options.allowCode);
   CLI::Option* const resume = command.add_flag(
@@ -197,6 +198,12 @@ void addBatch(CommandRegistry& commands) {
       ->excludes(resume, force, rows, shard);  // the script sets them itself
   command.add_option("--chunks", options.chunks, "Number of shards in the script (default: 20)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  commands.addExamples(command, {{"hunavsim batch study.yaml -o results -j 4",
+                                  "Run a study in four processes", "your experiment"},
+                                 {"hunavsim batch study.yaml -o results --resume",
+                                  "Continue it after an interruption", "your experiment"},
+                                 {"hunavsim batch study.yaml -o part2 --shard 2/8",
+                                  "Run one of eight parts on another machine", "your experiment"}});
 }
 
 }  // namespace app

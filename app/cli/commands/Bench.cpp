@@ -369,6 +369,8 @@ void addBench(CommandRegistry& commands) {
       ->check(oneOf({"text", "csv"}));
   command.add_option("--picture", options.picture, "Draw the results to FILE.png, .svg or .pdf")
       ->check(pictureFileError);
+  commands.addExamples(command, {{"hunavsim bench --quick", "Measure the speed of this machine",
+                                  "an idle machine"}});
 }
 
 }  // namespace app

@@ -182,6 +182,10 @@ void addCheck(CommandRegistry& commands) {
       throw CLI::RequiredError("files");
     }
   });
+  commands.addExamples(
+      command, {{"hunavsim check corner_cafe_agents", "Check a scenario with its map and trees"},
+                {"hunavsim check my_nav2.yaml --nav2-distro humble",
+                 "Check a parameter file of Nav2", "your file"}});
 }
 
 }  // namespace app

@@ -114,6 +114,8 @@ void addConvert(CommandRegistry& commands) {
   command.add_option("--map", options.source.map, "Map to use instead of the scenario's");
   addForce(command, options.force);
   addRunOption(command, "trees", options.source);
+  commands.addExamples(command, {{"hunavsim convert corner_cafe_agents -o ws --target webots",
+                                  "Export the café for Webots"}});
 }
 
 }  // namespace app

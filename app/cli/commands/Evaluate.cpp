@@ -389,6 +389,13 @@ void addEvaluate(CommandRegistry& commands) {
   addForeignOptions(command, options);
   addLiveOptions(command, options, source);
   addForce(command, options.force);
+  commands.addExamples(
+      command,
+      {{"hunavsim evaluate out -o measured", "Compute the metrics of a recorded run again"},
+       {"hunavsim evaluate obsmat.txt -o measured --robot 3",
+        "Measure a recording of real people, with person 3 as the robot", "your recording"},
+       {"hunavsim evaluate --ros2 -o trial --duration 60", "Record and measure a running system",
+        "ROS 2"}});
 }
 
 }  // namespace app

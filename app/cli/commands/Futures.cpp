@@ -189,6 +189,8 @@ void addFutures(CommandRegistry& commands) {
       .add_option("-j,--jobs", words.futures.jobs,
                   "Number of parallel processes (default: number of cores)")
       ->check(CLI::Range(1, 256));
+  commands.addExamples(command, {{"hunavsim futures out@2 --seeds 10 --horizon 3",
+                                  "Simulate ten futures of 3 s after the first 2 s"}});
 }
 
 }  // namespace app

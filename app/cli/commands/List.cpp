@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -12,10 +11,10 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/help/CommandPages.h"
+#include "app/cli/help/ReferencePages.h"
 #include "app/run/DataPaths.h"
 #include "app/run/Nav2Robots.h"
-#include "bt/human/TreeLoader.h"
-#include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/JsonText.h"
@@ -77,22 +76,6 @@ std::vector<Entry> registeredEntries(const base::Registry<Maker>& registry) {
     }
   }
   return entries;
-}
-
-/// "r 0.35 m" for a disc, otherwise "0.51 x 0.43 m".
-std::string robotSizeText(const sim2d::Footprint& footprint) {
-  if (footprint.isDisc()) {
-    return "r " + base::formatDouble(footprint.radius) + " m";
-  }
-  base::Vec2 low = footprint.corners.front();
-  base::Vec2 high = low;
-  for (const base::Vec2& corner : footprint.corners) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  const auto centimetres = [](double length) { return std::round(100.0 * length) / 100.0; };
-  return base::formatDouble(centimetres(high.x() - low.x())) + " x " +
-         base::formatDouble(centimetres(high.y() - low.y())) + " m";
 }
 
 Json cornersJson(const sim2d::Footprint& footprint) {
@@ -157,22 +140,6 @@ Json portJson(const bt::PortSpec& port) {
           {"description", port.help}};
 }
 
-/// Nodes of agents' trees, then those that only navigator trees of robots may use.
-std::vector<std::pair<bt::NodeManifest, const char*>> allNodes() {
-  const bt::NodeLibrary people = bt::humanNodes();
-  const bt::NodeLibrary robots = bt::robotNodes();
-  std::vector<std::pair<bt::NodeManifest, const char*>> all;
-  for (const bt::NodeManifest& node : people.catalogue().all()) {
-    all.emplace_back(node, robots.catalogue().find(node.id) == nullptr ? "people" : "both");
-  }
-  for (const bt::NodeManifest& node : robots.catalogue().all()) {
-    if (people.catalogue().find(node.id) == nullptr) {
-      all.emplace_back(node, "robots");
-    }
-  }
-  return all;
-}
-
 std::vector<Entry> nodeEntries() {
   std::vector<Entry> entries;
   for (const auto& [node, whose] : allNodes()) {
@@ -231,6 +198,45 @@ std::vector<Entry> keyEntries() {
   return entries;
 }
 
+std::vector<Entry> problemEntries() {
+  std::vector<Entry> entries;
+  for (const base::ProblemText& problem : base::problemTexts()) {
+    const std::string text(problem.text);
+    entries.push_back({std::string(problem.id),
+                       {text},
+                       {{"text", text}, {"substitution", problem.isSubstitution}}});
+  }
+  return entries;
+}
+
+std::vector<Entry> commandEntries(const CommandTable& table) {
+  std::vector<Entry> entries;
+  for (const CommandInfo& command : table) {
+    Json options = Json::array();
+    for (const OptionInfo& option : command.options) {
+      options.push_back({{"names", option.names},
+                         {"value", option.value},
+                         {"choices", option.choices},
+                         {"group", option.group},
+                         {"required", option.isRequired},
+                         {"description", option.help}});
+    }
+    Json examples = Json::array();
+    for (const CommandExample& example : command.examples) {
+      examples.push_back(
+          {{"line", example.line}, {"purpose", example.purpose}, {"needs", example.needs}});
+    }
+    entries.push_back({command.name.empty() ? "hunavsim" : command.name,
+                       {command.help},
+                       {{"description", command.help},
+                        {"group", command.group},
+                        {"usage", command.usage()},
+                        {"options", options},
+                        {"examples", examples}}});
+  }
+  return entries;
+}
+
 std::vector<Entry> scenarioEntries() {
   std::vector<Entry> entries;
   for (const ShippedScenario& scenario : shippedScenarios()) {
@@ -240,8 +246,10 @@ std::vector<Entry> scenarioEntries() {
 }
 
 /// The lists by their names on the command line.
-std::map<std::string, std::function<std::vector<Entry>()>> lists() {
-  return {{"nodes", nodeEntries},
+std::map<std::string, std::function<std::vector<Entry>()>> lists(const CommandRegistry& commands) {
+  return {{"commands", [&commands] { return commandEntries(commands.table()); }},
+          {"problems", problemEntries},
+          {"nodes", nodeEntries},
           {"metrics", metricEntries},
           {"keys", keyEntries},
           {"models", [] { return registeredEntries(builtinRegistries().models); }},
@@ -279,116 +287,64 @@ void printJson(const std::vector<Entry>& entries) {
   print(base::jsonText(all) + "\n");
 }
 
-/// A section of a Markdown page: a planner or model with its table of parameters.
-struct PageSection {
-  std::string name;
-  std::string help;  // a sentence or two
-  std::vector<base::ParameterSpec> parameters;
-};
-
-std::string rangeText(const base::Range& range) {
-  const bool hasLow = std::isfinite(range.low);
-  const bool hasHigh = std::isfinite(range.high);
-  if (hasLow && hasHigh) {
-    return (range.excludesLow ? "above " : "") + base::formatDouble(range.low) + " to " +
-           base::formatDouble(range.high);
-  }
-  const std::string low = (range.excludesLow ? "> " : "≥ ") + base::formatDouble(range.low);
-  return hasLow ? low : hasHigh ? "≤ " + base::formatDouble(range.high) : "";
-}
-
-std::string defaultText(const base::ParameterSpec& spec) {
-  const double* const number = std::get_if<double>(&spec.fallback);
-  const std::string* const word = std::get_if<std::string>(&spec.fallback);
-  return number != nullptr ? base::formatDouble(*number) : word != nullptr ? *word : "";
-}
-
-std::string rowText(const base::ParameterSpec& spec) {
-  const std::string range =
-      spec.choices.empty() ? rangeText(spec.range) : base::join(spec.choices, ", ");
-  return "| `" + spec.key + "` | " + spec.unit + " | " + defaultText(spec) + " | " + range + " | " +
-         spec.help + " | " + spec.source + " |\n";
-}
-
-std::string sectionText(const PageSection& section) {
-  std::string text = "\n## " + section.name + "\n\n" + section.help + "\n";
-  if (section.parameters.empty()) {
-    return text;
-  }
-  text +=
-      "\n| parameter | unit | default | values | meaning | source |\n|---|---|---|---|---|---|\n";
-  for (const base::ParameterSpec& spec : section.parameters) {
-    text += rowText(spec);
-  }
-  return text;
-}
-
-/// `key`: the map of a scenario that contains the parameters.
-std::string parameterPage(const std::string& title, const std::string& key,
-                          const std::vector<PageSection>& sections) {
-  std::string text = "# " + title + "\n\nWritten by `hunavsim list " + base::toLower(title) +
-                     " --format markdown`; do not edit by hand. A scenario sets the parameters in "
-                     "the map `" +
-                     key + "`.\n";
-  for (const PageSection& section : sections) {
-    text += sectionText(section);
-  }
-  return text;
-}
-
-template <class Maker>
-std::vector<PageSection> pageSections(const base::Registry<Maker>& registry) {
-  std::vector<PageSection> sections;
-  sections.reserve(registry.entries().size());
-  for (const auto& entry : registry.entries()) {
-    sections.push_back({entry.name, entry.help, entry.parameters});
-  }
-  return sections;
-}
-
-std::string plannersPage() {
-  return parameterPage("Planners", "planner_parameters",
-                       pageSections(builtinRegistries().planners));
-}
-
-std::string modelsPage() {
-  return parameterPage("Models", "model_parameters", pageSections(builtinRegistries().models));
-}
-
 /// The lists that have a Markdown page, by their names on the command line.
 std::map<std::string, std::function<std::string()>> pages() {
   return {{"metrics", [] { return metrics::metricsMarkdown(); }},
           {"keys", [] { return sim2d::keysMarkdown(); }},
-          {"planners", plannersPage},
-          {"models", modelsPage}};
+          {"planners", plannersMarkdown},
+          {"models", modelsMarkdown},
+          {"robots", robotsMarkdown},
+          {"nodes", nodesMarkdown},
+          {"problems", problemsMarkdown}};
 }
 
-int listCommand(const ListOptions& options, const Invocation& given) {
-  if (given.json && (options.format == "xml" || options.format == "markdown")) {
-    requireFine({base::error("list.json-or-format", {options.format})}, ExitWrongCommandLine);
-  }
-  if (options.format == "xml") {
-    if (options.what != "nodes") {
-      requireFine({base::error("list.format", {options.format, "nodes"})}, ExitWrongCommandLine);
-    }
+/// The command line in the formats that `list commands` writes besides text and JSON.
+std::map<std::string, std::string (*)(const CommandTable&)> commandPages() {
+  return {{"markdown", commandsMarkdown},
+          {"man", manPage},
+          {"bash", bashCompletion},
+          {"zsh", zshCompletion},
+          {"fish", fishCompletion}};
+}
+
+/// The page of a list in a format that is neither text nor JSON. Error: it has none.
+base::Result<std::string> pageOf(const ListOptions& options, const CommandRegistry& commands) {
+  if (options.format == "xml" && options.what == "nodes") {
     bt::NodeCatalogue all;
     for (const auto& each : allNodes()) {
       all.add(each.first);
     }
-    print(bt::writeModel(all));
+    return bt::writeModel(all);
+  }
+  const auto ofCommands = commandPages();
+  const auto commandPage = ofCommands.find(options.format);
+  if (options.what == "commands" && commandPage != ofCommands.end()) {
+    return commandPage->second(commands.table());
+  }
+  const auto all = pages();
+  const auto page = all.find(options.what);
+  if (options.format == "markdown" && page != all.end()) {
+    return page->second();
+  }
+  const std::string known = options.format == "xml"        ? "nodes"
+                            : options.format == "markdown" ? base::join(namesOf(all), ", ")
+                                                           : "commands";
+  return base::error("list.format", {options.format, known});
+}
+
+int listCommand(const ListOptions& options, const Invocation& given,
+                const CommandRegistry& commands) {
+  const bool isPlain = options.format == "text" || options.format == "json";
+  if (given.json && !isPlain) {
+    requireFine({base::error("list.json-or-format", {options.format})}, ExitWrongCommandLine);
+  }
+  if (!isPlain) {
+    const base::Result<std::string> page = pageOf(options, commands);
+    requireFine(page.diagnostics(), ExitWrongCommandLine);
+    print(*page);
     return ExitFine;
   }
-  if (options.format == "markdown") {
-    const auto all = pages();
-    const auto page = all.find(options.what);
-    if (page == all.end()) {
-      requireFine({base::error("list.format", {options.format, base::join(namesOf(all), ", ")})},
-                  ExitWrongCommandLine);
-    }
-    print(page->second());
-    return ExitFine;
-  }
-  const std::vector<Entry> entries = lists().at(options.what)();
+  const std::vector<Entry> entries = lists(commands).at(options.what)();
   given.json || options.format == "json" ? printJson(entries) : printText(entries);
   return ExitFine;
 }
@@ -396,17 +352,24 @@ int listCommand(const ListOptions& options, const Invocation& given) {
 }  // namespace
 
 void addList(CommandRegistry& commands) {
-  const auto [command, options] =
-      commands.add("list", "List available scenarios, metrics, nodes, …", listCommand);
-  const std::vector<std::string> names = namesOf(lists());
-  command.add_option("what", options.what, base::join(names, ", "))
+  const auto options = std::make_shared<ListOptions>();
+  CLI::App& command = commands.add("list", "List available scenarios, metrics, nodes, …",
+                                   [options, &commands](const Invocation& given) {
+                                     return listCommand(*options, given, commands);
+                                   });
+  const std::vector<std::string> names = namesOf(lists(commands));
+  command.add_option("what", options->what, base::join(names, ", "))
       ->required()
       ->check(oneOf(names));
   command
-      .add_option("--format", options.format,
-                  "Output format: text or json; xml for nodes, markdown for " +
-                      base::join(namesOf(pages()), ", "))
-      ->check(oneOf({"text", "json", "xml", "markdown"}));
+      .add_option("--format", options->format,
+                  "Output format: text or json; xml for nodes; markdown for " +
+                      base::join(namesOf(pages()), ", ") +
+                      "; markdown, man, bash, zsh or fish for commands (default: text)")
+      ->check(oneOf({"text", "json", "xml", "markdown", "man", "bash", "zsh", "fish"}));
+  commands.addExamples(command, {{"hunavsim list scenarios", "Show the shipped scenarios"},
+                                 {"hunavsim list planners", "Show the planners of robots"},
+                                 {"hunavsim list metrics --json", "Describe all metrics as JSON"}});
 }
 
 }  // namespace app

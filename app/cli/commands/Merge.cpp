@@ -72,6 +72,8 @@ void addMerge(CommandRegistry& commands) {
   command.add_flag("--force", options.force,
                    "Restart an interrupted merge from the beginning; overwrite files that hunavsim "
                    "did not create");
+  commands.addExamples(command, {{"hunavsim merge -o results part1 part2",
+                                  "Join the parts of a study", "the folders of all parts"}});
 }
 
 }  // namespace app

@@ -378,6 +378,12 @@ void addRender(CommandRegistry& commands) {
       ->check(CLI::Range(1.0, 60.0));
   command.add_option("--speed", options.speed, "Playback speed of a video (default: 1)")
       ->check(CLI::Range(0.05, 100.0));
+  commands.addExamples(
+      command,
+      {{"hunavsim render out -o out.png", "Draw the trajectories of a run"},
+       {"hunavsim render out -o strip.pdf --strip 4 --force",
+        "Draw four instants side by side for a paper"},
+       {"hunavsim render out -o out.mp4 --speed 2", "Make a video at twice the speed", "ffmpeg"}});
 }
 
 }  // namespace app

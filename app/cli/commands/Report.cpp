@@ -197,6 +197,10 @@ void addReport(CommandRegistry& commands) {
       ->check(CLI::Range(100, 100000));
   command.add_flag("--no-pdf", options.noPdf, "Write figures as SVG only");
   addForce(command, options.force);
+  commands.addExamples(
+      command, {{"hunavsim report results", "Write results/report.html", "the folder of a batch"},
+                {"hunavsim report results --metrics spl,time_to_reach_goal",
+                 "Show selected metrics only", "the folder of a batch"}});
 }
 
 }  // namespace app

@@ -344,6 +344,15 @@ void addRun(CommandRegistry& commands) {
       throw CLI::RequiredError("scenario");
     }
   });
+  commands.addExamples(
+      command,
+      {{"hunavsim run corner_cafe_agents", "Run the café without a window and print the metrics"},
+       {"hunavsim run corner_cafe_agents --planner dwa --seed 2 -o out",
+        "Use another planner and seed, and write all files of the run"},
+       {"hunavsim run --from out@4 --planner social_mppi -o other",
+        "Repeat that run up to 4 s and continue it with another planner"},
+       {"hunavsim run my_agents.yaml --robot-start \"-3.7 -3.1 0\" --robot-goal \"6.8 9.7\"",
+        "Add a robot to a scenario of HuNavSim", "your scenario"}});
 }
 
 }  // namespace app

@@ -116,6 +116,8 @@ void addServe(CommandRegistry& commands) {
   for (const char* name : {"map", "trees", "seed", "model", "set", "threads", "compat"}) {
     addRunOption(command, name, options.run);
   }
+  commands.addExamples(command, {{"hunavsim serve corner_cafe_agents --ros2",
+                                  "Move the people of Gazebo, Webots or Isaac Sim", "ROS 2"}});
 }
 
 }  // namespace app

@@ -257,6 +257,8 @@ void addTrees(CommandRegistry& commands) {
       .add_option("--compat", options.compat,
                   "Reproduce quirks of HuNavSim 2.0: hunav2 (all), or a list: Q-20")
       ->needs(play);
+  commands.addExamples(command, {{"hunavsim trees corner_cafe_agents -o trees",
+                                  "Write the generated behaviour tree of each person"}});
 }
 
 }  // namespace app

@@ -251,6 +251,8 @@ void addValidate(CommandRegistry& commands) {
       ->check(CLI::Range(1, 10000));
   command.add_option("--model", options.models, "Models to test (default: sfm and das)")
       ->allow_extra_args(false);
+  commands.addExamples(command, {{"hunavsim validate rimea-1 --model sfm --seeds 1",
+                                  "Run one realism test of one model"}});
 }
 
 }  // namespace app

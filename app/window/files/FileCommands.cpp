@@ -46,9 +46,10 @@ bool FileCommands::isImage(const QString& path) {
   return kImages.contains(QFileInfo(path).suffix().toLower());
 }
 
-/// Detects the kind by content; for images by file name.
+/// Detects the kind by content; for images and the header of a recorded run by file name.
 FileCommands::Kind FileCommands::kindOf(const QString& path) const {
-  if (QFileInfo(path).isDir()) {
+  const QFileInfo file(path);
+  if (file.isDir() || file.fileName() == QLatin1String("trace.json")) {
     return Kind::Run;
   }
   if (isImage(path)) {
@@ -76,7 +77,7 @@ bool FileCommands::openFile(const QString& path) {
     case Kind::Tree:
       return assignTree(path, {});
     case Kind::Run:
-      return openRun(path);
+      return openRun(QFileInfo(path).isDir() ? path : QFileInfo(path).absolutePath());
     case Kind::Scenario:
       break;
   }
