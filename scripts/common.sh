@@ -20,6 +20,8 @@ packages_to_run=(
   libfastrtps-dev libfastcdr-dev
   fonts-dejavu-core
 )
+packages_to_read=(python3-sphinx python3-myst-parser furo)  # for the manual; without them it is left out
+packages_to_release=("${packages_to_read[@]}" appstream desktop-file-utils dpkg-dev file)
 packages_to_test=(clang-format-14 mold xvfb xauth xdotool imagemagick locales
   cyclonedds-dev cyclonedds-tools tshark)
 packages_to_compare=(parallel slurmctld slurmd slurm-client munge chromium ffmpeg)  # what tests run beside us
@@ -77,6 +79,14 @@ need_packages() {
   if ! run_apt install -y --no-install-recommends "${missing[@]}"; then
     tail -n 5 "$logs/apt.log" >&2
     fail "could not install: ${missing[*]} (log: $logs/apt.log)"
+  fi
+}
+
+# Installs packages that the build can do without; a failure is a message.
+want_packages() {
+  if [ -z "${HUNAV_NO_PACKAGES:-}" ] && command -v apt-get >/dev/null &&
+    ! (need_packages "$@"); then
+    say "continuing without: $*"
   fi
 }
 

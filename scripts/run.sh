@@ -16,6 +16,7 @@ fi
 
 lock_build
 need_packages "${packages[@]}"
+want_packages "${packages_to_read[@]}"
 build_preset release
 unlock_build
 keep_home_clean

@@ -256,6 +256,7 @@ esac
 lock_build
 mend_links
 need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
+want_packages "${packages_to_read[@]}"
 [ "$all" = no ] || need_packages "${packages_to_compare[@]}"
 if [ -n "$minutes" ]; then
   need_packages "${packages_to_check[@]}"

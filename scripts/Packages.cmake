@@ -1,0 +1,25 @@
+# The Debian package: `cpack --config build/release/CPackConfig.cmake`. Its dependencies are read from the
+# program (dpkg-shlibdeps), so a package fits the system on which it was built. With SOURCE_DATE_EPOCH set,
+# equal sources give equal bytes.
+set(HUNAV_MAINTAINER "HuNavSim Desktop developers <noreply@localhost>" CACHE STRING
+    "Maintainer in the package")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME hunavsim)
+set(CPACK_PACKAGE_VENDOR "HuNavSim Desktop developers")
+set(CPACK_PACKAGE_CONTACT "${HUNAV_MAINTAINER}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Simulate and evaluate robots among people")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"Draw a scenario on a map, populate it with people driven by behaviour trees and
+ social forces, drive a robot among them, and measure its performance. Reads and
+ writes the files of HuNavSim 2.0 and needs no ROS.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, shared-mime-info")
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+    WORLD_READ WORLD_EXECUTE)
+include(CPack)
