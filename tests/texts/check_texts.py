@@ -35,11 +35,11 @@ def rules():
 
 
 def prose(text):
-    """Without code, placeholders and links."""
+    """Without code, placeholders, links and ids of problems."""
     text = re.sub(r"```.*?```", "", text, flags=re.S)
     text = re.sub(r"`[^`\n]*`", "`x`", text)
     text = re.sub(r"\]\([^)]*\)", "]", text)
-    return re.sub(r"\{[^}]*\}|%\d", "x", text)
+    return re.sub(r"\{[^}]*\}|%\d|'[a-z0-9]+\.[a-z0-9-]+'", "x", text)
 
 
 def messages(root):
