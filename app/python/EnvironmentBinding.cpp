@@ -138,7 +138,7 @@ void addEnvironment(py::module_& module) {
                 size(environment.ends().size()),
                 reinterpret_cast<const std::uint8_t*>(environment.ends().data()));
           },
-          "Per row: 0 goes on, 1 arrived, 2 collided, 3 out of time.")
+          "Per row: 0 continues, 1 arrived, 2 collided, 3 out of time.")
       .def_property_readonly(
           "episodes",
           [](const CrowdEnvironment& environment) {

@@ -155,7 +155,7 @@ void addSimulation(py::module_& module) {
            py::arg("heading"), "Places a person or robot at a pose.")
       .def("set_door", &Simulation::setDoor, py::arg("door"), py::arg("is_open"))
       .def("hold", &Simulation::hold, py::arg("person"), py::arg("is_held"),
-           "Stops a person, or lets the person go on.");
+           "Stops a person, or lets the person continue.");
 }
 
 }  // namespace python
