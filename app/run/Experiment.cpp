@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "app/run/DataPaths.h"
@@ -18,6 +20,10 @@ namespace fs = std::filesystem;
 using base::YamlNode;
 
 constexpr long long kMaximumRuns = 10'000'000;
+
+bool isCoordinate(const ExperimentValue& value) {
+  return value.kind == ExperimentValue::Kind::Between;
+}
 
 class Reader {
  public:
@@ -70,8 +76,8 @@ class Reader {
   }
 
   void checkKeys(const YamlNode& root) {
-    std::vector<std::string> known = {"hunavsim_experiment", "scenarios", "seeds", "values",
-                                      "record"};
+    std::vector<std::string> known = {
+        "hunavsim_experiment", "scenarios", "seeds", "values", "design", "record"};
     for (const RunOption& option : kRunOptions) {
       if ((option.use & RunOption::InExperiment) != 0) {
         known.push_back(option.key());
@@ -198,11 +204,29 @@ class Reader {
       if (value) {
         experiment_.values.push_back(*value);
       }
-      if (!isCountPossible(item)) {
-        return false;
-      }
     }
-    return true;
+    readDesignOf(root);
+    return isCountPossible(*node);
+  }
+
+  void readDesignOf(const YamlNode& root) {
+    const YamlNode* const node = root.find("design");
+    std::vector<ExperimentValue>& values = experiment_.values;
+    const auto first = std::find_if(values.begin(), values.end(), isCoordinate);
+    if (node != nullptr) {
+      const base::Result<Design> design = readDesign(*node);
+      tell(design.diagnostics());
+      if (first == values.end()) {
+        error(*node, "experiment.design-unused");
+      } else if (design) {
+        experiment_.design = *design;
+        takeDesignPoints(*design, values);
+        return;
+      }
+    } else if (first != values.end()) {
+      error(*root.find("values")->find(first->path), "experiment.no-design", {first->path});
+    }
+    values.erase(std::remove_if(values.begin(), values.end(), isCoordinate), values.end());
   }
 
   void tell(base::Diagnostics problems) {
@@ -217,8 +241,8 @@ class Reader {
       return static_cast<double>(std::max<std::size_t>(1, list.size()));
     };
     double count = countOf(experiment_.scenarios) * countOf(experiment_.seeds);
-    for (const ExperimentValue& value : experiment_.values) {
-      count *= value.isDrawn() ? 1.0 : static_cast<double>(value.texts.size());
+    for (const std::size_t size : experiment_.dimensions()) {
+      count *= static_cast<double>(size);
     }
     const bool isPossible = count <= static_cast<double>(kMaximumRuns);
     if (!isPossible) {
@@ -247,12 +271,20 @@ class Reader {
 
 }  // namespace
 
-std::size_t Experiment::runCount() const {
-  std::size_t count = scenarios.size() * seeds.size();
+std::vector<std::size_t> Experiment::dimensions() const {
+  std::vector<std::size_t> sizes;
+  bool hasDesign = false;
   for (const ExperimentValue& value : values) {
-    count *= value.isDrawn() ? 1 : value.texts.size();
+    const bool isAgain = isCoordinate(value) && std::exchange(hasDesign, true);
+    sizes.push_back(value.isDrawn() || isAgain ? 1 : std::max<std::size_t>(1, value.texts.size()));
   }
-  return count;
+  return sizes;
+}
+
+std::size_t Experiment::runCount() const {
+  const std::vector<std::size_t> sizes = dimensions();
+  return std::accumulate(sizes.begin(), sizes.end(), scenarios.size() * seeds.size(),
+                         std::multiplies<>());
 }
 
 Experiment::Run Experiment::run(std::size_t index) const {
@@ -260,14 +292,22 @@ Experiment::Run Experiment::run(std::size_t index) const {
   run.seed = seeds[index % seeds.size()];
   index /= seeds.size();
   run.values.resize(values.size());
+  const std::vector<std::size_t> sizes = dimensions();
+  std::size_t point = 0;  // of the design
   for (std::size_t k = values.size(); k-- > 0;) {
-    const std::vector<std::string>& texts = values[k].texts;
-    if (!values[k].isDrawn()) {
-      run.values[k] = texts[index % texts.size()];
-      index /= texts.size();
+    if (values[k].kind == ExperimentValue::Kind::Grid) {
+      run.values[k] = values[k].texts[index % sizes[k]];
+    } else if (isCoordinate(values[k])) {
+      point = index % sizes[k];  // the first coordinate comes last and has the size of the design
     }
+    index /= sizes[k];
   }
   run.scenario = index;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (isCoordinate(values[k])) {
+      run.values[k] = values[k].texts[point];
+    }
+  }
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (values[k].isDrawn()) {
       run.values[k] = drawnText(values[k], scenarios[run.scenario], run.seed);

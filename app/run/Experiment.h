@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/run/Design.h"
 #include "app/run/ExperimentValues.h"
 #include "app/run/RunSpec.h"
 #include "sim2d/scenario/Scenario.h"
@@ -20,18 +22,22 @@ struct Experiment {
   std::vector<std::string> scenarios;      // as written: relative files or names of shipped ones
   std::vector<std::string> scenarioPaths;  // where they lie
   std::vector<long long> seeds;
-  RunSpec common;  // options of all runs
+  RunSpec common;                // options of all runs
+  std::optional<Design> design;  // of the values with the form `between`
   std::vector<ExperimentValue> values;
   Record record = Record::Metrics;
   bool allowCode = false;  // given by the user who starts the batch, never in the file
 
   /// Run `index`: scenarios outermost, then dimensions among the values in their order, seeds
-  /// innermost.
+  /// innermost. All coordinates of the design are one dimension, at the place of the first one.
   struct Run {
     std::size_t scenario = 0;
     long long seed = 1;
     std::vector<std::string> values;  // one per path, drawn ones too
   };
+  /// The number of texts of each value that are combined with all of the others; 1 for draws and
+  /// for coordinates of the design other than the first.
+  std::vector<std::size_t> dimensions() const;
   std::size_t runCount() const;
   Run run(std::size_t index) const;
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "app/run/Design.h"
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/base/Text.h"
@@ -144,6 +145,12 @@ bool readUniform(const YamlNode& list, ExperimentValue& value) {
   return readNumbers(list, 2, value) && value.numbers[0] < value.numbers[1];
 }
 
+bool readBetween(const YamlNode& list, ExperimentValue& value) {
+  value.kind = Kind::Between;
+  value.isRange = true;
+  return readNumbers(list, 2, value) && value.numbers[0] < value.numbers[1];
+}
+
 bool readChoice(const YamlNode& list, ExperimentValue& value) {
   value.kind = Kind::Choice;
   if (list.isList()) {
@@ -159,6 +166,7 @@ struct ValueForm {
   const char* problem;
 };
 constexpr ValueForm kValueForms[] = {{"range", readRange, "experiment.bad-range"},
+                                     {"between", readBetween, "experiment.bad-between"},
                                      {"normal", readNormal, "experiment.bad-normal"},
                                      {"uniform", readUniform, "experiment.bad-uniform"},
                                      {"choice", readChoice, "experiment.bad-choice"}};
@@ -191,6 +199,22 @@ std::vector<std::size_t> ExperimentValue::representativeTexts() const {
     }
   }
   return telling;
+}
+
+void takeDesignPoints(const Design& design, std::vector<ExperimentValue>& values) {
+  std::vector<ExperimentValue*> coordinates;
+  for (ExperimentValue& value : values) {
+    if (value.kind == Kind::Between) {
+      coordinates.push_back(&value);
+      value.texts.clear();
+    }
+  }
+  for (const std::vector<double>& point : designPoints(design, coordinates.size())) {
+    for (std::size_t k = 0; k < coordinates.size(); ++k) {
+      const double from = coordinates[k]->numbers[0], to = coordinates[k]->numbers[1];
+      coordinates[k]->texts.push_back(base::formatDouble(from + point[k] * (to - from)));
+    }
+  }
 }
 
 std::string drawnText(const ExperimentValue& value, const std::string& scenario, long long seed) {
@@ -246,7 +270,7 @@ std::string flowStyleWord(const std::string& text) {
 
 std::string experimentValueText(const ExperimentValue& value) {
   std::vector<std::string> words;
-  if (value.kind == Kind::Normal || value.kind == Kind::Uniform) {
+  if (value.kind == Kind::Normal || value.kind == Kind::Uniform || value.kind == Kind::Between) {
     const std::size_t count = value.kind == Kind::Normal ? 4 : 2;
     for (std::size_t k = 0; k < count; ++k) {
       words.push_back(base::formatDouble(value.numbers[k]));
@@ -259,6 +283,8 @@ std::string experimentValueText(const ExperimentValue& value) {
   switch (value.kind) {
     case Kind::Grid:
       return list;
+    case Kind::Between:
+      return "{between: " + list + "}";
     case Kind::Normal:
       return "{normal: " + list + "}";
     case Kind::Uniform:

@@ -12,16 +12,19 @@ struct YamlNode;
 
 namespace app {
 
-/// A path of `--set` with the values of an experiment: a dimension of the grid, or a draw.
+struct Design;
+
+/// A path of `--set` with the values of an experiment: a dimension of the grid, a coordinate of the
+/// design, or a draw.
 struct ExperimentValue {
-  enum class Kind { Grid, Normal, Uniform, Choice };
+  enum class Kind { Grid, Between, Normal, Uniform, Choice };
 
   std::string path;
   Kind kind = Kind::Grid;
-  std::vector<std::string> texts;   // Grid: in order; Choice: the options
-  std::array<double, 4> numbers{};  // Normal: mean, deviation, min, max; Uniform: from, to
-  bool isRange = false;             // Grid: equally spaced numbers
-  bool isDrawn() const { return kind != Kind::Grid; }
+  std::vector<std::string> texts;   // Grid: in order; Between: by point; Choice: the options
+  std::array<double, 4> numbers{};  // Normal: mean, deviation, min, max; otherwise: from, to
+  bool isRange = false;             // the texts are numbers between those of the file
+  bool isDrawn() const { return kind > Kind::Between; }
 
   /// Indices of `texts` that suffice to check all: of a range its ends and one step.
   std::vector<std::size_t> representativeTexts() const;
@@ -31,6 +34,9 @@ struct ExperimentValue {
 /// file, the seed and the path only, so that runs which differ in other values get the same draws
 /// (common random numbers). Normal: truncated to [min, max]; uniform: in [from, to).
 std::string drawnText(const ExperimentValue& value, const std::string& scenario, long long seed);
+
+/// Sets the texts of all values of the form `between` to the points of the design.
+void takeDesignPoints(const Design& design, std::vector<ExperimentValue>& values);
 
 /// Reads the values under one path of `values`; problems have their locations, without the file. A
 /// list and {range: [from, to, step]} are dimensions.

@@ -27,6 +27,8 @@ enum class DrawPurpose : std::uint32_t {
   Bootstrap = 13,     // step = resample, index = position in it
   Value = 14,         // of an experiment, between its seeds
   Localization = 15,  // step = correction
+  Design = 16,        // step = point of a design, agent = dimension
+  DesignOrder = 17,   // agent = dimension, index = place in the permutation
 };
 
 class AgentRng {
