@@ -92,8 +92,9 @@ std::string commandsMarkdown(const CommandTable& table) {
 std::string manPage(const CommandTable& table) {
   const CommandInfo& root = table.front();
   std::string text = ".TH HUNAVSIM 1 \"\" \"hunavsim " + programVersion() +
-                     "\" \"User Commands\"\n.SH NAME\nhunavsim \\- " + roff(root.help) +
-                     "\n.SH SYNOPSIS\n\\fB" + roff(root.usage()) +
+                     "\" \"User Commands\"\n.SH NAME\nhunavsim \\- " +
+                     roff(root.help.substr(root.help.find(": ") + 2)) + "\n.SH SYNOPSIS\n\\fB" +
+                     roff(root.usage()) +
                      "\\fR\n.br\n\\fBhunavsim COMMAND\\fR [OPTIONS] ...\n.SH DESCRIPTION\n"
                      "Without a command, hunavsim opens its window.\n.SH OPTIONS OF THE WINDOW\n" +
                      manOptions(root) + manExamples(root) + ".SH COMMANDS\n";

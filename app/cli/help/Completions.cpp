@@ -248,7 +248,8 @@ std::string zshCompletion(const CommandTable& table) {
          "  local hunavsim_program=$words[1]\n"
          "  if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n"
          "    _hunavsim_commands\n    _hunavsim_scenarios\n    return\n  fi\n"
-         "  local command=$words[2]\n  case $command in\n" +
+         "  local command=$words[2]\n  if [[ -n $command && $command != -* ]]; then\n"
+         "    shift words\n    (( CURRENT-- ))\n  fi\n  case $command in\n" +
          cases + "  *)\n" + zshOptions(table.front()) +
          "    _hunavsim_scenarios ;;\n  esac\n}\n_hunavsim \"$@\"\n";
 }
