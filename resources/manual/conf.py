@@ -7,6 +7,7 @@ copyright = "HuNavSim Desktop developers, MIT licence"
 extensions = ["myst_parser"]
 myst_heading_anchors = 3
 myst_enable_extensions = ["colon_fence", "deflist"]
+smartquotes = False  # they would turn the dashes of options into one
 html_theme = "furo"
 html_title = "HuNavSim Desktop"
 html_show_sphinx = False
