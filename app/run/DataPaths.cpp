@@ -57,6 +57,19 @@ std::string shippedResources(const std::string& folder) {
   return dataFolder("resources/" + folder);
 }
 
+std::string builtManual() {
+  const fs::path folder = fs::path(programPath()).parent_path();
+  for (const char* place :
+       {"manual/html", "manual", "../share/hunavsim/manual/html", "../share/hunavsim/manual"}) {
+    std::error_code error;
+    const fs::path found = (folder / place).lexically_normal();
+    if (fs::is_regular_file(found / "index.html", error)) {
+      return found.string();
+    }
+  }
+  return {};
+}
+
 std::vector<ShippedScenario> shippedScenarios() {
   std::vector<ShippedScenario> found;
   std::error_code error;

@@ -113,7 +113,7 @@ void MapView::applyView(const QPointF& centre, double pixelsPerMetre) {
 
 void MapView::moveTo(const ViewCentre& place, bool animated) {
   fitAnimation_.stop();
-  if (!animated || !isVisible()) {
+  if (!animated || !isAnimated_ || !isVisible()) {
     applyView(place.centre, place.scale);
     return;
   }

@@ -48,6 +48,8 @@ class MapView : public QGraphicsView {
   void zoomBy(double factor) { zoomBy(factor, viewport()->rect().center()); }
   void zoomIn() { zoomBy(1.25); }
   void zoomOut() { zoomBy(1.0 / 1.25); }
+  /// Whether fitting moves the map gradually.
+  void setAnimated(bool animated) { isAnimated_ = animated; }
   void setPixelsPerMetre(double value) { zoomBy(value / pixelsPerMetre()); }
   double pixelsPerMetre() const { return transform().m11(); }
   Vec2 worldAt(const QPoint& viewportPoint) const { return toWorld(mapToScene(viewportPoint)); }
@@ -121,6 +123,7 @@ class MapView : public QGraphicsView {
   bool spaceHeld_ = false;
   bool spaceUsed_ = false;  // Space was used for a pan since it was pressed.
   bool leftButtonPans_ = false;
+  bool isAnimated_ = true;
   bool fitted_ = true;  // The zoom follows the window size until the user zooms or pans.
 };
 

@@ -157,6 +157,20 @@ Autosave::~Autosave() {
   }
 }
 
+void Autosave::setDelay(std::optional<int> milliseconds) {
+  isEnabled_ = milliseconds.has_value();
+  timer_.stop();
+  if (!milliseconds) {
+    task_->finish();
+    removeCopy();
+    return;
+  }
+  timer_.setInterval(*milliseconds);
+  if (document_.isDirty()) {
+    scheduleWrite();
+  }
+}
+
 bool Autosave::makeFolder() {
   if (!folder_.isEmpty()) {
     return true;

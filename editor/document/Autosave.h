@@ -25,7 +25,7 @@ std::vector<base::FileContent> snapshotFiles(const DocumentSnapshot& snapshot,
 base::Result<DocumentSnapshot> readSnapshot(const QString& folder);
 
 /// Stores a copy of unsaved work in a separate folder for recovery after a crash. The copy is
-/// written outside the GUI thread at most `kAutosaveMs` after an edit, and removed when the work is
+/// written outside the GUI thread at most `setDelay` after an edit, and removed when the work is
 /// saved or the program exits normally.
 class Autosave : public QObject {
   Q_OBJECT
@@ -37,6 +37,8 @@ class Autosave : public QObject {
   ~Autosave() override;
   Q_DISABLE_COPY_MOVE(Autosave)
 
+  /// The longest time between an edit and its copy [ms]; none: no copies are written by edits.
+  void setDelay(std::optional<int> milliseconds);
   QString folder() const { return folder_; }  // Folder of the copy; empty: not needed yet.
   void writeNow();                            // Blocks until the copy is written.
 
@@ -49,7 +51,7 @@ class Autosave : public QObject {
  private:
   /// The timer is not restarted by each edit, so continuous editing is saved as well.
   void scheduleWrite() {
-    if (!timer_.isActive()) {
+    if (isEnabled_ && !timer_.isActive()) {
       timer_.start();
     }
   }
@@ -61,6 +63,7 @@ class Autosave : public QObject {
   QString root_, folder_;
   std::unique_ptr<QLockFile> lock_;  // Held while this process is running.
   QTimer timer_;
+  bool isEnabled_ = true;
   std::unique_ptr<LatestTask<base::Diagnostics>> task_;
 };
 

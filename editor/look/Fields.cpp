@@ -144,6 +144,10 @@ QString NumberField::bare(const QString& text) const {
       break;
     }
   }
+  const bool isDecimalComma = word.count(QLatin1Char(',')) == 1 && !word.contains(QLatin1Char('.'));
+  if (isDecimalComma) {
+    word.replace(QLatin1Char(','), QLatin1Char('.'));
+  }
   return word.trimmed();
 }
 
@@ -151,8 +155,7 @@ QValidator::State NumberField::validate(QString& text, int&) const {
   if (mixed_ && bare(text) == QStringLiteral("–")) {
     return QValidator::Acceptable;
   }
-  const QString word = bare(text);
-  const std::optional<double> number = base::parseDouble(word.toStdString());
+  const std::optional<double> number = base::parseDouble(bare(text).toStdString());
   const bool finite = number && std::isfinite(*number);
   const bool valid = finite && *number >= minimum() && *number <= maximum() &&
                      (!range_.above || *number > range_.minimum);

@@ -117,11 +117,20 @@ QLabel* emptyState(const QString& text, QWidget* parent) {
   return label;
 }
 
+void addClearButton(QLineEdit& field) {
+  field.setClearButtonEnabled(true);
+  auto* clear = field.findChild<QAction*>(QStringLiteral("_q_qlineeditclearaction"));
+  if (clear != nullptr) {
+    clear->setText(QObject::tr("Clear"));
+  }
+}
+
 SearchField::SearchField(const QString& placeholder, const QString& accessibleName, QWidget* parent)
     : QLineEdit(parent), magnifier_(addAction(QIcon(), QLineEdit::LeadingPosition)) {
   setPlaceholderText(placeholder);
   setAccessibleName(accessibleName);
-  setClearButtonEnabled(true);
+  magnifier_->setText(tr("Search"));  // the name of its button
+  addClearButton(*this);
 }
 
 void SearchField::setTheme(const Theme& theme) {
@@ -156,6 +165,11 @@ QAction* makeAction(const QString& text, const QKeySequence& shortcut, const QSt
   action->setShortcut(shortcut);
   describe(*action, tip);
   return action;
+}
+
+void setEnabled(QAction& action, bool enabled, const QString& why) {
+  action.setProperty(kWhyDisabledProperty, enabled ? QString() : why);
+  action.setEnabled(enabled);
 }
 
 void describe(QAction& action, const QString& tip) {

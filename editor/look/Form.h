@@ -72,6 +72,9 @@ int limitedToScreen(const QWidget& window, int wanted);
 QString counted(std::size_t count, const QString& one, const QString& many);
 /// "no tree" -> "No tree"
 QString capitalized(QString text);
+/// Adds a button that clears the field, with a name for screen readers.
+void addClearButton(QLineEdit& field);
+
 /// A field for filtering a list, with a magnifier and a button that clears it.
 class SearchField : public QLineEdit {
  public:
@@ -113,6 +116,13 @@ Layout* configuredLayout(Layout* layout, const QMargins& margins, int spacing,
 /// A new action with a status tip and a tooltip.
 QAction* makeAction(const QString& text, const QKeySequence& shortcut, const QString& tip,
                     QObject* parent);
+/// A widget with this property has the page of the manual with this name (the stem of its file).
+constexpr const char* kManualPageProperty = "manualPage";
+
+/// A disabled action has this property: the reason, as a sentence for the user.
+constexpr const char* kWhyDisabledProperty = "whyDisabled";
+/// Enables or disables an action. `why`: the reason while it is disabled.
+void setEnabled(QAction& action, bool enabled, const QString& why);
 /// Sets the status tip of an action, and its tooltip from name, shortcut and `tip`. Call it again
 /// when one of them changes.
 void describe(QAction& action, const QString& tip);

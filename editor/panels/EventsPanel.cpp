@@ -17,6 +17,7 @@ class EventsPanel : public QWidget {
  public:
   explicit EventsPanel(PanelContext& context)
       : context_(context), stack_(new QStackedLayout(this)), table_(new QTableWidget(0, 2, this)) {
+    setProperty(kManualPageProperty, QStringLiteral("recordings"));
     styleTable(*table_, tr("Events"));
     QHeaderView* header = table_->horizontalHeader();
     header->hide();

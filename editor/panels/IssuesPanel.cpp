@@ -224,7 +224,7 @@ void IssuesPanel::rebuild() {
   const sim2d::Scenario& scenario = document_.scenario();
   noIssuesLabel_->setText(
       scenario.humans.empty()
-          ? tr("No issues.")
+          ? tr("No issues. Press P and click on the map to place a person.")
           : tr("No issues: %1, %2.")
                 .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
                      counted(scenario.goals.size(), tr("goal"), tr("goals"))));

@@ -75,7 +75,8 @@ void ToolManager::setEditingEnabled(bool enabled) {
   }
   editingEnabled_ = enabled;
   for (std::size_t i = 1; i < entries_.size(); ++i) {
-    entries_[i].action->setEnabled(enabled);
+    editor::setEnabled(*entries_[i].action, enabled,
+                       tr("Not during a run: Ctrl+R returns to editing"));
   }
   Q_EMIT statusTextChanged(current_->statusText());
 }

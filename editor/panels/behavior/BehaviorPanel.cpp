@@ -36,7 +36,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       folder_(std::move(folder)),
       outline_(new TreeOutline(theme)) {
   setMinimumWidth(300);
-  stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
+  stack_->addWidget(empty_);
   stack_->addWidget(makePage());
   connect(outline_, &QTreeWidget::currentItemChanged, this, &BehaviorPanel::showNode);
   connect(outline_, &TreeOutline::removeRequested, this, [this] { moveBlock(0); });
@@ -166,6 +166,9 @@ void BehaviorPanel::showEvent(QShowEvent* event) {
 void BehaviorPanel::rebuild() {
   stale_ = false;
   const sim2d::Human* human = document_.human(person_);
+  empty_->setText(document_.scenario().humans.empty()
+                      ? tr("No people yet: press P and click on the map.")
+                      : tr("Select a person to see the behaviour tree."));
   stack_->setCurrentIndex(human == nullptr ? 0 : 1);
   if (human == nullptr) {
     return;

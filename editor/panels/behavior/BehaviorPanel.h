@@ -64,6 +64,7 @@ class BehaviorPanel : public QWidget {
   std::vector<bt::Block> blocks_;  // Blocks of the main tree.
   bool stale_ = false;             // The document has changed while the panel was hidden.
   QStackedLayout* stack_ = new QStackedLayout(this);
+  QLabel* empty_ = emptyState({}, this);  // Shown instead of the tree.
   QLabel *name_ = headingLabel({}, theme_.font(12.0, QFont::DemiBold)),
          *about_ = secondaryLabel({}), *problem_ = new QLabel;
   QToolButton *add_, *template_, *regenerate_, *takeRoute_, *earlier_, *later_;

@@ -86,6 +86,21 @@ QString goalOfRobot(const sim2d::Robot& robot, int goal, const base::Vec2& at) {
 }  // namespace
 
 /// The state of a person or robot in the shown frame: position, heading, speed, goal and distance
+QString manualPageOf(EntityKind kind) {
+  switch (kind) {
+    case EntityKind::Human:
+      return QStringLiteral("people-and-groups");
+    case EntityKind::Robot:
+      return QStringLiteral("robots-and-sensors");
+    case EntityKind::Dock:
+      return QStringLiteral("nav2");
+    case EntityKind::Scenario:
+      return QStringLiteral("file-formats");
+    default:
+      return QStringLiteral("your-map");
+  }
+}
+
 /// to the robot. Hidden without a run.
 class RunStateSection : public FormSection {
  public:
@@ -195,6 +210,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   layout->addWidget(low, 1);
   pages_ = entityPages(document, theme);
   for (const auto& [kind, page] : pages_) {
+    page->setProperty(kManualPageProperty, manualPageOf(kind));
     stack_->addWidget(scrollArea(page, stack_));
     stack_->widget(stack_->count() - 1)->setMinimumHeight(kMinPage);  // Low windows scroll here.
   }

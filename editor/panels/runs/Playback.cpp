@@ -119,10 +119,13 @@ void PlaybackActions::follow() {
   playPause->setChecked(running);
   playPause->setIcon(
       themedIcon(running ? QStringLiteral("run-pause") : QStringLiteral("run-play"), theme_));
-  reset->setEnabled(!editing);
-  stepBack->setEnabled(!editing);
-  newest->setEnabled(runner_.isLookingBack());
-  branchHere->setEnabled(runner_.canBranchFromShown());
+  const QString noRun = tr("Start a run first: Space");
+  setEnabled(*reset, !editing, noRun);
+  setEnabled(*stepBack, !editing, noRun);
+  setEnabled(*newest, runner_.isLookingBack(),
+             editing ? noRun : tr("The newest step is already shown"));
+  setEnabled(*branchHere, runner_.canBranchFromShown(),
+             editing ? noRun : tr("This run cannot be repeated from the displayed step"));
 }
 
 QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {

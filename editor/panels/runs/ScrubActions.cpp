@@ -137,9 +137,12 @@ void ScrubActions::setLoopEnabled(bool on) {
 
 void ScrubActions::follow() {
   const bool isRun = runner_.state() != SimulationRunner::State::Editing;
-  previousContact->setEnabled(isRun && neighbouringContact(false) >= 0);
-  nextContact->setEnabled(isRun && neighbouringContact(true) >= 0);
-  loop->setEnabled(isRun);
+  const QString noRun = tr("Start a run first: Space");
+  setEnabled(*previousContact, isRun && neighbouringContact(false) >= 0,
+             isRun ? tr("No contact before the displayed step") : noRun);
+  setEnabled(*nextContact, isRun && neighbouringContact(true) >= 0,
+             isRun ? tr("No contact after the displayed step") : noRun);
+  setEnabled(*loop, isRun, noRun);
   loop->setChecked(runner_.loop().has_value());
 }
 
