@@ -23,7 +23,8 @@ packages_to_run=(
 packages_to_read=(python3-sphinx python3-myst-parser furo)  # for the manual; without them it is left out
 packages_to_release=("${packages_to_read[@]}" appstream desktop-file-utils dpkg-dev file)
 packages_to_test=(clang-format-14 mold xvfb xauth xdotool imagemagick locales
-  cyclonedds-dev cyclonedds-tools tshark)
+  cyclonedds-dev cyclonedds-tools tshark
+  dbus at-spi2-core python3-pyatspi)
 packages_to_compare=(parallel slurmctld slurmd slurm-client munge chromium ffmpeg)  # what tests run beside us
 packages_to_python=(python3-dev pybind11-dev python3-numpy python3-matplotlib)
 packages_to_fuzz=(clang-14 libclang-rt-14-dev)

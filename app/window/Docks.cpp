@@ -348,10 +348,11 @@ void Docks::setShown(bool shown) {
     }
   }
   timelineBar_->setVisible(shown);
-  mapOnly_->setEnabled(shown);
-  treeLarge_->setEnabled(shown);
+  const QString closed = tr("Open a scenario first");
+  editor::setEnabled(*mapOnly_, shown, closed);
+  editor::setEnabled(*treeLarge_, shown, closed);
   for (const auto& [dock, toggle] : toggles_) {
-    toggle->setEnabled(shown);
+    editor::setEnabled(*toggle, shown, closed);
   }
   if (shown) {
     shownBefore_.clear();

@@ -2,10 +2,6 @@
 
 #include "app/window/Workspace.h"
 
-namespace editor {
-class NoMatchesPlaceholder;
-}  // namespace editor
-
 namespace app {
 
 /// Key handling for the whole window, independent of the focus; described by `rules`.
@@ -45,24 +41,6 @@ class GuardedApplication : public QApplication {
 
  private:
   std::function<void(const std::string& why)> handler_;
-};
-
-/// A searchable list of all shortcuts, taken from the commands and tools, and the rules of
-/// precedence.
-class ShortcutsDialog : public QDialog {
-  Q_OBJECT
- public:
-  ShortcutsDialog(const QMenuBar& menus, QWidget* parent);
-  QLineEdit& search() const { return *search_; }
-  QTreeWidget& list() const { return *list_; }
-
- private:
-  void addMenu(QTreeWidgetItem& group, const QMenu& menu);
-  void filter(const QString& text);
-
-  QLineEdit* search_ = new QLineEdit(this);
-  QTreeWidget* list_ = new QTreeWidget(this);
-  editor::NoMatchesPlaceholder* nothing_;
 };
 
 }  // namespace app

@@ -29,7 +29,6 @@ constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 % with the t
 constexpr const char* kCutNotice = "cut-run";
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
-constexpr int kMessageMs = 8000;
 constexpr int kLeastMiddle = 160;  // [px]; notices shrink the canvas, not the panels
 
 }  // namespace
@@ -71,8 +70,10 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connect(figures, &FigureCommands::message, this,
           [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });
   restoreGeometry(userSettings_.value(kGeometryKey).toByteArray());
-  guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder, this);
+  guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder,
+                             setup.openFilesFolder, this);
   connect(guard_, &DocumentGuard::scenarioFileChanged, this, &MainWindow::showTitle);
+  addHelp(setup);
   showStart(true);
   showTitle();
   const QString theme = userSettings_.value(kThemeKey).toString();
@@ -92,7 +93,8 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   saved_->setFixedSize(kSavedWidth, kMenuHeight);
   saved_->setForegroundRole(QPalette::PlaceholderText);
   menuBar()->setCornerWidget(saved_);
-  startPage_ = new StartPage(workspace_, *actions_, userSettings_, setup.demos, this);
+  startPage_ =
+      new StartPage(workspace_, *actions_, userSettings_, setup.demos, setup.thumbnailFolder, this);
   centre_->addWidget(startPage_);
   canvas_->addWidget(&workspace_.view());
   canvas_->setChildrenCollapsible(false);
@@ -121,6 +123,9 @@ MainWindow::~MainWindow() {
   workspace_.document().disconnect(this);
   workspace_.runner().disconnect(this);
   workspace_.feed().disconnect(this);
+  delete tour_;
+  delete help_;
+  delete preferences_;
   delete guard_;
   delete status_;
   delete files_;
@@ -154,6 +159,9 @@ void MainWindow::connectFiles() {
   });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
+  connect(actions_->preferences, &QAction::triggered, this, &MainWindow::showPreferences);
+  connect(actions_->tour, &QAction::triggered, this, &MainWindow::startTour);
+  connect(actions_->importTracks, &QAction::triggered, files, &FileCommands::askImportTracks);
   connect(actions_->history, &QAction::triggered, this, [this] {
     showHistoryDialog(userSettings_, workspace_.runner(), workspace_.theme(), this);
   });
@@ -284,14 +292,18 @@ void MainWindow::showBreakpoint(const sim2d::TreeBreakpointHit& at) {
 
 void MainWindow::updateActions() {
   const bool isRecorded = workspace_.isRecordedRun();
+  const QString closed = tr("Open a scenario first");
   for (QAction* action : {actions_->save, actions_->saveAs, actions_->exportTo}) {
-    action->setEnabled(!isOnStartPage() && !isRecorded);
+    editor::setEnabled(*action, !isOnStartPage() && !isRecorded,
+                       isRecorded ? tr("A recorded run is shown: Ctrl+R closes it") : closed);
   }
-  actions_->openMap->setEnabled(!isOnStartPage() &&
-                                workspace_.runner().state() == SimulationRunner::State::Editing);
+  editor::setEnabled(
+      *actions_->openMap,
+      !isOnStartPage() && workspace_.runner().state() == SimulationRunner::State::Editing,
+      isOnStartPage() ? closed : tr("Not during a run: Ctrl+R returns to editing"));
   for (QAction* action :
        {actions_->close, workspace_.playback().playPause, workspace_.playback().step}) {
-    action->setEnabled(!isOnStartPage());
+    editor::setEnabled(*action, !isOnStartPage(), closed);
   }
   showTitle();
 }
@@ -311,6 +323,9 @@ void MainWindow::showStart(bool start) {
   docks_->setShown(!start);
   toolBar_->setVisible(!start);
   status_->setIdle(start);
+  if (start) {
+    tour_->stop();
+  }
   updateActions();
   if (!start) {
     workspace_.view().setFocus();
@@ -366,37 +381,6 @@ void MainWindow::showFullScreenMap(bool on) {
     addAction(actions_->fullScreen);  // keeps the shortcut without a menu bar
   }
   on ? showFullScreen() : showNormal();
-}
-
-void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About HuNavSim Desktop"),
-                     tr("<b>HuNavSim Desktop %1</b><br>Scenarios for human-aware navigation: draw, "
-                        "simulate, measure.")
-                         .arg(QApplication::applicationVersion()));
-}
-
-void MainWindow::showShortcuts() {
-  if (keysDialog_ == nullptr) {
-    keysDialog_ = new ShortcutsDialog(*menuBar(), this);
-    editor::deleteWhenClosed(*keysDialog_);
-  }
-  keysDialog_->show();  // non-modal, so that keys can be tried
-  keysDialog_->raise();
-  keysDialog_->activateWindow();
-}
-
-/// A file name without a folder is relative to the scenario.
-void MainWindow::showFile(const QString& file, int line) {
-  if (viewer_ == nullptr) {
-    viewer_ = new editor::TextViewer(workspace_.theme(), this);
-  }
-  const QFileInfo scenario(workspace_.document().path());
-  const bool there = QFileInfo::exists(file) || scenario.path().isEmpty();
-  const QString problem =
-      viewer_->showFile(there ? file : scenario.absoluteDir().filePath(file), line);
-  if (!problem.isEmpty()) {
-    statusBar()->showMessage(problem, kMessageMs);
-  }
 }
 
 void MainWindow::saveLayout() {

@@ -7,7 +7,11 @@
 #include "app/window/WindowActions.h"
 #include "app/window/Workspace.h"
 #include "app/window/files/FileCommands.h"
+#include "app/window/help/WindowHelp.h"
+#include "app/window/settings/KeyMap.h"
+#include "app/window/settings/Preferences.h"
 #include "app/window/study/StudyPanel.h"
+#include "app/window/tour/GuidedTour.h"
 
 namespace editor {
 class TextViewer;
@@ -28,7 +32,10 @@ struct WindowSetup {
   sim2d::Compatibility compatibility;  // set by the options
   editor::ToolRegistry tools = editor::standardTools();
   editor::PanelRegistry panels = windowPanels();
-  QString recoveryFolder;  // for copies of unsaved work; empty: none
+  QString recoveryFolder;   // for copies of unsaved work; empty: none
+  QString openFilesFolder;  // shared by all windows of the user; empty: none
+  QString thumbnailFolder;  // for pictures of scenarios; empty: not kept
+  ManualFolders manual;
 };
 
 /// The main window: connects all parts and asks before changes are lost. A closed window keeps its
@@ -49,6 +56,11 @@ class MainWindow : public QMainWindow {
   editor::TextViewer* viewer() const { return viewer_; }  // null until first used
   NoticeBar& notices() { return *notices_; }
   DocumentGuard& guard() { return *guard_; }
+  StartPage& startPage() { return *startPage_; }
+  WindowHelp& help() { return *help_; }
+  KeyMap& keyMap() { return *keyMap_; }
+  Preferences& preferences() { return *preferences_; }
+  GuidedTour& tour() { return *tour_; }
   bool open(const QString& path) { return files_->openFile(path); }
   void setTheme(const editor::Theme& theme);
   bool isOnStartPage() const { return centre_->currentWidget() == startPage_; }
@@ -61,10 +73,12 @@ class MainWindow : public QMainWindow {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  static constexpr int kMessageMs = 8000;  // of the status bar
   void placeParts(const WindowSetup& setup);
   void connectFiles();
   void connectView();
   void connectRun();
+  void addHelp(const WindowSetup& setup);
   void showStart(bool start);
   void showTitle();
   void showDock(const QString& name);
@@ -74,6 +88,8 @@ class MainWindow : public QMainWindow {
   void showFullScreenMap(bool on);
   void showAbout();
   void showShortcuts();
+  void showPreferences();
+  void startTour();
   void showFile(const QString& file, int line);
   void saveLayout();
   void saveTheme();
@@ -96,7 +112,11 @@ class MainWindow : public QMainWindow {
   QMenu* recent_ = nullptr;
   QLabel* saved_ = new QLabel(this);
   editor::TextViewer* viewer_ = nullptr;
-  QPointer<QDialog> keysDialog_;
+  KeyMap* keyMap_ = nullptr;
+  Preferences* preferences_ = nullptr;
+  WindowHelp* help_ = nullptr;
+  GuidedTour* tour_ = nullptr;
+  QPointer<QDialog> keysDialog_, preferencesDialog_;
 };
 
 }  // namespace app

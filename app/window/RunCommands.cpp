@@ -172,8 +172,7 @@ namespace {
 
 constexpr const char* kMemoryKey = "run/history-megabytes";
 constexpr std::size_t kMega = std::size_t{1} << 20;
-constexpr int kLeast = 16, kMost = 65536, kStep = 64;  // [MB]
-constexpr int kTextWidth = 380;                        // [px]
+constexpr int kTextWidth = 380;  // [px]
 
 QString megabytesText(std::size_t bytes) {
   return QObject::tr("%1 MB").arg(double(bytes) / double(kMega), 0, 'f', 1);
@@ -195,16 +194,27 @@ QString useText(const sim2d::Recording& run) {
 
 std::size_t historyMemory(const UserSettings& memory) {
   const int chosen = memory.value(kMemoryKey).toInt();  // 0: never chosen
-  return chosen == 0 ? sim2d::Recording::kDefaultMemory
-                     : static_cast<std::size_t>(std::clamp(chosen, kLeast, kMost)) * kMega;
+  return chosen == 0
+             ? sim2d::Recording::kDefaultMemory
+             : static_cast<std::size_t>(std::clamp(chosen, kLeastHistory, kMostHistory)) * kMega;
+}
+
+int usualHistoryMegabytes() {
+  return static_cast<int>(sim2d::Recording::kDefaultMemory / kMega);
+}
+
+void setHistoryMemory(UserSettings& memory, SimulationRunner& runner, int megabytes) {
+  const int valid = std::clamp(megabytes, kLeastHistory, kMostHistory);
+  memory.setValue(kMemoryKey, valid);
+  runner.setHistory(static_cast<std::size_t>(valid) * kMega);
 }
 
 HistoryDialog::HistoryDialog(std::size_t memory, const editor::RecordingPtr& shown,
                              const editor::Theme& theme, QWidget* parent)
     : QDialog(parent) {
   setWindowTitle(tr("Run history"));
-  megabytes_->setRange(kLeast, kMost);
-  megabytes_->setSingleStep(kStep);
+  megabytes_->setRange(kLeastHistory, kMostHistory);
+  megabytes_->setSingleStep(kHistoryStep);
   megabytes_->setSuffix(tr(" MB"));
   megabytes_->setAlignment(Qt::AlignRight);
   megabytes_->setValue(static_cast<int>(memory / kMega));
@@ -245,8 +255,7 @@ void showHistoryDialog(UserSettings& memory, editor::SimulationRunner& runner,
                        const editor::Theme& theme, QWidget* parent) {
   HistoryDialog dialog(runner.historyMemory(), runner.recording(), theme, parent);
   if (dialog.exec() == QDialog::Accepted) {
-    memory.setValue(kMemoryKey, static_cast<int>(dialog.memory() / kMega));
-    runner.setHistory(dialog.memory());
+    setHistoryMemory(memory, runner, static_cast<int>(dialog.memory() / kMega));
   }
 }
 
@@ -323,8 +332,9 @@ FigureCommands::FigureCommands(Workspace& workspace, Docks& docks, const WindowA
 }
 
 void FigureCommands::updateEnabled() {
-  actions_.copyFigure->setEnabled(workspace_.runner().recording() != nullptr);
-  actions_.copyPlot->setEnabled(!workspace_.feed().snapshot().curves.empty());
+  const QString noRun = tr("Start a run first: Space");
+  editor::setEnabled(*actions_.copyFigure, workspace_.runner().recording() != nullptr, noRun);
+  editor::setEnabled(*actions_.copyPlot, !workspace_.feed().snapshot().curves.empty(), noRun);
 }
 
 FigureOptions FigureCommands::options() const {

@@ -58,8 +58,14 @@ class PlaybackSettings : public QObject {
   QString folder_;  // folder of the recorded run; empty: none
 };
 
+constexpr int kLeastHistory = 16, kMostHistory = 65536, kHistoryStep = 64;  // [MB]
+int usualHistoryMegabytes();                                                // default [MB]
+
 /// RAM for the frames of a run [B]: the last chosen value, otherwise the default.
 std::size_t historyMemory(const UserSettings& memory);
+
+/// Stores the memory for the history of runs started afterwards.
+void setHistoryMemory(UserSettings& memory, editor::SimulationRunner& runner, int megabytes);
 
 /// Settings for the memory of a run's history, with the usage of the displayed run.
 class HistoryDialog : public QDialog {

@@ -246,7 +246,8 @@ void StatusLine::showState() {
   StateText stateText{Role::TextSecondary, tr("Editing"),
                       tool != nullptr ? tool->statusText() : QString()};
   if (idle_) {
-    stateText = {Role::TextSecondary, tr("Ready"), tr("Click a demo to open it · Space runs it")};
+    stateText = {Role::TextSecondary, tr("Ready"),
+                 tr("Click a scenario to open it · Space runs it")};
   } else if (isRun) {
     stateText = stateTextOf(workspace_.runner(), runEnd_);
   }

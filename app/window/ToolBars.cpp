@@ -1,5 +1,6 @@
 
 #include "app/window/WindowActions.h"
+#include "app/window/settings/KeyMap.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -85,9 +86,14 @@ void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
     });
     const bool editing = workspace.runner().state() == editor::SimulationRunner::State::Editing;
     for (QAction* action : menu->actions()) {
-      action->setEnabled(people && editing);
+      const QString why = editing ? QObject::tr("Select people first")
+                                  : QObject::tr("Not during a run: Ctrl+R returns to editing");
+      editor::setEnabled(*action, people && editing, why);
     }
-    menu->actions().back()->setEnabled(editing && !document.scenario().humans.empty());  // mix
+    editor::setEnabled(*menu->actions().back(), editing && !document.scenario().humans.empty(),
+                       editing
+                           ? QObject::tr("The scenario has no people yet")
+                           : QObject::tr("Not during a run: Ctrl+R returns to editing"));  // mix
   });
 }
 
@@ -134,8 +140,9 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   QMenuBar& bar = *window.menuBar();
   QMenu& file = *bar.addMenu(QObject::tr("&File"));
   addGroups(file, {{actions.newOpenPlane, actions.newEmptyRoom, actions.newFromMap, actions.open,
-                    actions.openRun}});
+                    actions.openRun, actions.importTracks}});
   QMenu* recent = file.addMenu(QObject::tr("Open recen&t"));
+  recent->setProperty(KeyMap::kListsFilesProperty, true);
   addGroups(file,
             {{actions.save, actions.saveAs, actions.exportTo}, {actions.close, actions.quit}});
 
@@ -146,7 +153,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
                    {actions.copyFigure, actions.copyPlot},
                    {actions.selectAll, actions.deselect, actions.next, actions.previous}});
   actions.fillArrangeMenu(*edit.addMenu(QObject::tr("Arran&ge")));
-  addGroups(edit, {actions.snapping});
+  addGroups(edit, {actions.snapping, {actions.palette, actions.preferences}});
 
   QMenu& view = *bar.addMenu(QObject::tr("&View"));
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
@@ -169,7 +176,9 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
              {actions.publishFoxglove, actions.publishRos2},
              {actions.history}});
   addBehaviorMenu(bar, workspace);
-  bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
+  addGroups(*bar.addMenu(QObject::tr("&Help")), {{actions.manual, actions.whatsThis, actions.tour},
+                                                 {actions.palette, actions.shortcuts},
+                                                 {actions.about}});
   return recent;
 }
 

@@ -80,6 +80,7 @@ void WindowActions::showOverlays(const std::vector<std::string>& shown) {
 WindowActions::WindowActions(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace) {
   makeFileActions();
+  makeHelpActions();
   makeEditActions();
   makeViewActions();
   makeToggles();
@@ -134,8 +135,23 @@ void WindowActions::makeFileActions() {
   for (QAction* action : {publishFoxglove, publishRos2}) {
     action->setCheckable(true);
   }
-  shortcuts = make(tr("&Keyboard shortcuts…"), tr("Search all keyboard shortcuts"),
-                   QKeySequence::HelpContents);
+  importTracks = make(
+      tr("Import tra&jectories…"),
+      tr("Show recorded trajectories of people: CSV, JuPedSim, TrajNet++, ETH/UCY and others"));
+}
+
+void WindowActions::makeHelpActions() {
+  palette = make(tr("&Find a command…"), tr("Search all commands and run one"),
+                 kCtrl | kShift | Qt::Key_P, "search");
+  preferences = make(tr("Preference&s…"),
+                     tr("Theme, folders, copies of unsaved work and keyboard shortcuts"));
+  tour = make(tr("&Guided tour"), tr("Place a person, run the simulation and read a metric"));
+  manual = make(tr("&Manual"), tr("Open the manual page of what has the keyboard focus"),
+                QKeySequence::HelpContents);
+  whatsThis = make(tr("&What's this?"), tr("Click anything in the window for an explanation"),
+                   QKeySequence::WhatsThis);
+  shortcuts = make(tr("&Keyboard shortcuts…"), tr("Search and change all keyboard shortcuts"),
+                   kCtrl | Qt::Key_F1);
   about = make(tr("&About"), tr("Show version information"));
 }
 
@@ -417,16 +433,25 @@ void WindowActions::updateEnabled() {
   const bool editing = workspace_.runner().state() == editor::SimulationRunner::State::Editing;
   const std::size_t count = workspace_.document().selection().size();
   const bool any = count > 0;
-  cut->setEnabled(any && editing);
-  copy->setEnabled(any);
-  duplicate->setEnabled(any && editing);
-  rename->setEnabled(editing && count == 1);
-  remove->setEnabled(any && editing);
-  paste->setEnabled(editing && editor::canPaste(QGuiApplication::clipboard()->mimeData()));
-  openMap->setEnabled(editing);
-  assignGoals->setEnabled(editing);
+  const QString inRun = tr("Not during a run: Ctrl+R returns to editing");
+  const QString none = editing ? tr("Select something first") : inRun;
+  for (QAction* action : {cut, duplicate, remove}) {
+    editor::setEnabled(*action, any && editing, none);
+  }
+  editor::setEnabled(*copy, any, tr("Select something first"));
+  editor::setEnabled(*rename, editing && count == 1,
+                     editing ? tr("Select exactly one item first") : inRun);
+  editor::setEnabled(*paste, editing && editor::canPaste(QGuiApplication::clipboard()->mimeData()),
+                     editing ? tr("The clipboard contains no items of a scenario") : inRun);
+  for (QAction* action : {openMap, assignGoals}) {
+    editor::setEnabled(*action, editing, inRun);
+  }
   for (const auto& [action, least] : arranging_) {
-    action->setEnabled(editing && count >= least);
+    editor::setEnabled(
+        *action, editing && count >= least,
+        editing
+            ? tr("Select at least %1 first").arg(editor::counted(least, tr("item"), tr("items")))
+            : inRun);
   }
 }
 

@@ -20,7 +20,8 @@ class WindowActions : public QObject {
   QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or entity of the selected kind
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
-  QAction *openMap, *assignGoals, *settings, *history, *shortcuts, *about;
+  QAction *openMap, *assignGoals, *settings, *history, *importTracks;
+  QAction *palette, *preferences, *tour, *manual, *whatsThis, *shortcuts, *about;
   QAction *publishFoxglove, *publishRos2;  // checkable
   QAction *names, *routes, *grid, *rings, *forces, *snapToPoints, *lidar, *detections, *candidates;
   /// Checkable: what the canvas shows, also of a run only, and what drawing snaps to.
@@ -38,6 +39,7 @@ class WindowActions : public QObject {
   struct Toggle;
   QList<QAction*> togglesOf(const std::vector<Toggle>& rows);
   void makeFileActions();
+  void makeHelpActions();
   void makeEditActions();
   void makeViewActions();
   void makeToggles();

@@ -311,9 +311,13 @@ WindowSetup setupOf(const WindowOptions& options, const RunSpec& run) {
   setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
   setup.demos = demos();
   setup.options = run;
+  setup.manual = installedManual();
   if (setup.storesSettings) {
-    setup.recoveryFolder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
-                           QStringLiteral("/recovery");
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    setup.recoveryFolder = data + QStringLiteral("/recovery");
+    setup.openFilesFolder = data + QStringLiteral("/open-files");
+    setup.thumbnailFolder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
+                            QStringLiteral("/thumbnails");
   }
   return setup;
 }
@@ -331,6 +335,7 @@ int windowCommand(const Invocation& given, const RunSpec& run, const WindowOptio
   int argc = given.argc;
   GuardedApplication application(argc, given.argv);
   std::setlocale(LC_NUMERIC, "C");
+  QLocale::setDefault(QLocale::c());  // numbers as in files, in every language
   QApplication::setApplicationName(QStringLiteral("HuNavSim Desktop"));
   QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
   WindowSetup setup = setupOf(options, run);

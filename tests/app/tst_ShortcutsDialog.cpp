@@ -1,4 +1,5 @@
 #include "app/window/KeyRules.h"
+#include "app/window/settings/ShortcutsPage.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/Form.h"
@@ -26,7 +27,7 @@ class ShortcutsDialogTest : public QObject, protected quiet::InFolder {
   void init() {
     begin();
     QVERIFY(window_->open(quiet::demoPath()));
-    QCOMPARE(window_->actions().shortcuts->shortcut(), QKeySequence(Qt::Key_F1));
+    QCOMPARE(window_->actions().shortcuts->shortcut(), QKeySequence(int{Qt::CTRL} | Qt::Key_F1));
     window_->actions().shortcuts->trigger();
     dialog_ = window_->findChild<app::ShortcutsDialog*>();
     QVERIFY(dialog_ != nullptr && dialog_->isVisible());

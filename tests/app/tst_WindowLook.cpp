@@ -37,11 +37,12 @@ class WindowLookTest : public QObject {
       return xs;
     };
     const std::vector<int> actions = lefts(window.findChildren<app::ActionCard*>());
-    const std::vector<int> demos = lefts(window.findChildren<app::DemoCard*>());
-    QCOMPARE(actions.size(), std::size_t(3));
+    const std::vector<int> demos = lefts(window.findChildren<app::ScenarioCard*>());
+    QCOMPARE(actions.size(), std::size_t(6));  // two rows
     QCOMPARE(demos.size(), std::size_t(2));
-    QVERIFY(std::abs(actions[1] - demos[0]) <= 1);
-    QVERIFY(std::abs(actions[2] - demos[1]) <= 1);
+    QVERIFY(std::abs(actions[2] - demos[0]) <= 1);
+    QVERIFY(std::abs(actions[3] - demos[0]) <= 1);
+    QVERIFY(std::abs(actions[4] - demos[1]) <= 1);
   }
 
   void emptyBoxes_inBothThemes_canBeSeen() {

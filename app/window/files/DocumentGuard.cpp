@@ -1,6 +1,6 @@
 #include "app/run/Bundle.h"
-#include "app/window/StartPage.h"
 #include "app/window/files/FileCommands.h"
+#include "app/window/start/StartCards.h"
 #include "editor/document/Entity.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/Form.h"
@@ -16,6 +16,7 @@ constexpr int kPauseMs = 400;
 const QLatin1String kChanged("changed");
 const QLatin1String kGone("gone");
 const QLatin1String kReadOnly("read-only");
+const QLatin1String kElsewhere("open-elsewhere");
 const QLatin1String kMap("map");
 const QLatin1String kNotSaved("not-saved");
 const QLatin1String kExport("export");
@@ -60,13 +61,16 @@ QString mapProblemText(const editor::ScenarioDocument& document) {
 }  // namespace
 
 DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
-                             const QString& recoveryFolder, QObject* parent)
+                             const QString& recoveryFolder, const QString& openFilesFolder,
+                             QObject* parent)
     : QObject(parent),
       workspace_(workspace),
       document_(workspace.document()),
       files_(files),
       notices_(notices),
-      recoveryFolder_(recoveryFolder) {
+      recoveryFolder_(recoveryFolder),
+      openFiles_(openFilesFolder, this) {
+  connect(&openFiles_, &OpenFiles::changed, this, &DocumentGuard::reportOpenElsewhere);
   pause_.setSingleShot(true);
   pause_.setInterval(kPauseMs);
   connect(&watcher_, &QFileSystemWatcher::fileChanged, &pause_, qOverload<>(&QTimer::start));
@@ -75,6 +79,8 @@ DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBa
   connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
     isThere_ = true;
     watchFiles();
+    openFiles_.setFile(document_.path());
+    reportOpenElsewhere();
     for (const QLatin1String& id : {kChanged, kGone, kNotSaved, kUnread, kExport}) {
       notices_.drop(id);
     }
@@ -186,6 +192,21 @@ void DocumentGuard::reportRemoved() {
                     .arg(document_.displayName()),
                 {{tr("Save again"), [this] { files_.save(); }},
                  {tr("Save as…"), [this] { files_.saveAs(); }}});
+}
+
+/// Both windows show the notice, and drop it when one of them closes the file.
+void DocumentGuard::reportOpenElsewhere() {
+  if (!openFiles_.isOpenElsewhere()) {
+    notices_.drop(kElsewhere);
+    return;
+  }
+  if (!notices_.has(kElsewhere)) {
+    notices_.warn(kElsewhere,
+                  tr("%1 is also open in another window. The window that saves last overwrites the "
+                     "changes of the other.")
+                      .arg(document_.displayName()),
+                  {{tr("Save as…"), [this] { files_.saveAs(); }}});
+  }
 }
 
 void DocumentGuard::reportReadOnly() {

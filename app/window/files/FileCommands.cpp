@@ -3,6 +3,7 @@
 #include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunReplay.h"
+#include "app/window/settings/Preferences.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
@@ -10,6 +11,7 @@
 #include "editor/document/MapEdit.h"
 #include "editor/look/DeferredActions.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/TrackImport.h"
 
 namespace app {
 
@@ -46,7 +48,17 @@ bool FileCommands::isImage(const QString& path) {
   return kImages.contains(QFileInfo(path).suffix().toLower());
 }
 
-/// Detects the kind by content; for images and the header of a recorded run by file name.
+/// Whether the name is that of third-party trajectories: no scenario, map or tree has it.
+bool FileCommands::isTracks(const QString& path) {
+  static const QStringList kTracks = {QStringLiteral("csv"),    QStringLiteral("txt"),
+                                      QStringLiteral("tsv"),    QStringLiteral("h5"),
+                                      QStringLiteral("hdf5"),   QStringLiteral("sqlite"),
+                                      QStringLiteral("ndjson"), QStringLiteral("json")};
+  return kTracks.contains(QFileInfo(path).suffix().toLower());
+}
+
+/// Detects the kind by content; for images, trajectories and the header of a recorded run by file
+/// name.
 FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   const QFileInfo file(path);
   if (file.isDir() || file.fileName() == QLatin1String("trace.json")) {
@@ -54,6 +66,9 @@ FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   }
   if (isImage(path)) {
     return Kind::Image;
+  }
+  if (isTracks(path)) {
+    return Kind::Tracks;
   }
   const base::Result<std::string> text = base::readTextFile(path.toStdString());
   if (!text) {
@@ -78,6 +93,8 @@ bool FileCommands::openFile(const QString& path) {
       return assignTree(path, {});
     case Kind::Run:
       return openRun(QFileInfo(path).isDir() ? path : QFileInfo(path).absolutePath());
+    case Kind::Tracks:
+      return openTracks(path);
     case Kind::Scenario:
       break;
   }
@@ -192,14 +209,20 @@ base::Diagnostics FileCommands::applyRunOptions() {
 }
 
 QString FileCommands::folder() const {
+  const QString own = workspace_.document().path();
+  const QString preferred = userSettings_.value(kFolderKey).toString();
+  if (own.isEmpty() && !preferred.isEmpty() && QFileInfo(preferred).isDir()) {
+    return preferred;
+  }
   QStringList files = userSettings_.recentFiles();
-  files.prepend(workspace_.document().path());
+  files.prepend(own);
   for (const QString& file : files) {
     if (!file.isEmpty() && !workspace_.document().isShipped(file)) {
       return QFileInfo(file).absolutePath();
     }
   }
-  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
 QString FileCommands::ask(QFileDialog::FileMode mode, const QString& title, const QString& filter) {
@@ -321,26 +344,71 @@ std::function<editor::RunRequest()> FileCommands::replayRequestOf(const QString&
   return [made = *made] { return editor::requestFor(made.bundle, made.branches); };
 }
 
-/// While a run is displayed, the document is its scenario, as far as known.
 bool FileCommands::openRun(const QString& path) {
   const base::Result<RecordedRun> run = readRecordedRun(
       path.toStdString(), workspace_.runner().historyMemory(), IncompleteRecordings::Shown);
   if (!run) {
     return showProblems(run.diagnostics());
   }
+  truncationOfRun_.reset();
+  for (const base::Diagnostic& each : run.diagnostics()) {
+    truncationOfRun_ = run->cut && (each.code == "trace.cut" || each.code == "trace.killed")
+                           ? std::optional(each)
+                           : truncationOfRun_;
+  }
+  base::Diagnostics remarks = run.diagnostics();
+  base::append(remarks, otherProgramWarning(path.toStdString()));
+  const QString name = QDir(path).dirName();
+  showRun(*run, path, run->cut ? tr("%1 (truncated)").arg(name) : name,
+          run->cut ? std::function<editor::RunRequest()>() : replayRequestOf(path));
+  return showProblems(remarks);
+}
+
+void FileCommands::askImportTracks() {
+  const QString path =
+      ask(QFileDialog::ExistingFile, tr("Import trajectories"),
+          tr("Trajectories (*.csv *.txt *.tsv *.h5 *.hdf5 *.sqlite *.ndjson *.json);;All files "
+             "(*)"));
+  if (!path.isEmpty() && maybeSave()) {
+    openTracks(path);
+  }
+}
+
+/// Third-party trajectories are shown as a recorded run.
+bool FileCommands::openTracks(const QString& path) {
+  const base::Result<sim2d::TrackFile> file = sim2d::importTracks(path.toStdString(), {});
+  base::Diagnostics problems = file.diagnostics();
+  if (!file) {
+    return showProblems(problems);
+  }
+  base::Result<sim2d::Trace> trace = sim2d::traceOfTracks(*file, {});
+  base::append(problems, trace.diagnostics());
+  if (!trace) {
+    return showProblems(problems);
+  }
+  RecordedRun run;
+  run.recording = sim2d::recordingOf(*std::move(trace), workspace_.runner().historyMemory());
+  truncationOfRun_.reset();
+  showRun(run, path, QFileInfo(path).fileName(), {});
+  return showProblems(problems);
+}
+
+/// While a run is displayed, the document is its scenario, as far as known.
+void FileCommands::showRun(const RecordedRun& run, const QString& path, const QString& name,
+                           std::function<editor::RunRequest()> again) {
   editor::ScenarioDocument& document = workspace_.document();
   if (!workspace_.isRecordedRun()) {
     previousDocument_ = document.path();
   }
-  scenarioOfRun_ = QString::fromStdString(run->scenario);
+  scenarioOfRun_ = QString::fromStdString(run.scenario);
   document.clear();  // stops the current run
   document.setSearchOverrides({}, {});
   if (!scenarioOfRun_.isEmpty() && base::hasErrors(document.open(scenarioOfRun_))) {
     document.clear();
   }
   editor::DocumentSnapshot shown = document.snapshot();
-  sim2d::Scenario scenario = scenarioOf(*run->recording, shown.scenario);
-  const sim2d::OccupancyGrid& map = run->recording->header()->map;
+  sim2d::Scenario scenario = scenarioOf(*run.recording, shown.scenario);
+  const sim2d::OccupancyGrid& map = run.recording->header()->map;
   const bool isOtherMap = !(map == *shown.map.grid);
   if (isOtherMap || !(scenario == shown.scenario)) {
     shown.scenario = std::move(scenario);
@@ -350,23 +418,12 @@ bool FileCommands::openRun(const QString& path) {
     }
     document.restore(std::move(shown), true);
   }
-  const QDir folder(path);  // with or without a trailing slash
-  userSettings_.addRecentFile(folder.absolutePath());
+  const QString whole = QDir(path).absolutePath();  // with or without a trailing slash
+  userSettings_.addRecentFile(whole);
   Q_EMIT recentChanged();
   Q_EMIT opened();  // before the run, so that the view fits the scenario
-  base::Diagnostics remarks = run.diagnostics();
-  base::append(remarks, otherProgramWarning(path.toStdString()));
-  truncationOfRun_.reset();
-  for (const base::Diagnostic& each : run.diagnostics()) {
-    truncationOfRun_ = run->cut && (each.code == "trace.cut" || each.code == "trace.killed")
-                           ? std::optional(each)
-                           : truncationOfRun_;
-  }
-  const QString name = folder.dirName();
-  workspace_.openRecorded(run->recording, run->cut ? tr("%1 (truncated)").arg(name) : name,
-                          run->cut ? std::function<editor::RunRequest()>() : replayRequestOf(path));
-  Q_EMIT runOpened(folder.absolutePath());
-  return showProblems(remarks);
+  workspace_.openRecorded(run.recording, name, std::move(again));
+  Q_EMIT runOpened(whole);
 }
 
 /// Returns to the previous document, otherwise to the scenario of the run.

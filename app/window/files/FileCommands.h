@@ -1,10 +1,12 @@
 #pragma once
 
 #include "app/run/Export.h"
+#include "app/run/RecordedRun.h"
 #include "app/run/RunSpec.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/Workspace.h"
 #include "app/window/files/FileDialogs.h"
+#include "app/window/files/OpenFiles.h"
 #include "editor/document/Autosave.h"
 #include "editor/panels/IssuesPanel.h"
 
@@ -21,9 +23,11 @@ class FileCommands : public QObject {
     options_ = options;
     compatibility_ = compatibility;
   }
-  /// Opens a scenario, a map (for a new scenario), the folder of a recorded run, or a tree for the
-  /// selected people. False: the file could not be read completely; see the issues.
+  /// Opens a scenario, a map (for a new scenario), the folder of a recorded run, third-party
+  /// trajectories, or a tree for the selected people. False: the file could not be read completely;
+  /// see the issues.
   bool openFile(const QString& path);
+  static bool isTracks(const QString& path);
   static bool isImage(const QString& path);  // by file name; opening it asks for the scale
   /// Opens a file dropped onto the entity `under`; none: onto the window.
   bool dropFile(const QString& path, editor::EntityId under);
@@ -46,6 +50,7 @@ class FileCommands : public QObject {
   // The following functions show dialogs.
   void askOpen();
   void askOpenRun();
+  void askImportTracks();
   void askNewFromMap();
   void askNewEmptyRoom();
   void askMapOfImage(const QString& path);
@@ -73,7 +78,7 @@ class FileCommands : public QObject {
   void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
 
  private:
-  enum class Kind { Scenario, Map, Image, Tree, Run };
+  enum class Kind { Scenario, Map, Image, Tree, Run, Tracks };
   bool showProblems(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
   void openIfWanted(const QString& path);  // empty: cancelled
@@ -81,6 +86,9 @@ class FileCommands : public QObject {
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path);
   bool openRun(const QString& path);
+  bool openTracks(const QString& path);
+  void showRun(const RecordedRun& run, const QString& path, const QString& name,
+               std::function<editor::RunRequest()> again);
   std::function<editor::RunRequest()> replayRequestOf(const QString& folder) const;
   void closeRun();
   bool assignTree(const QString& path, editor::EntityId under);
@@ -106,9 +114,11 @@ class FileCommands : public QObject {
 class DocumentGuard : public QObject {
   Q_OBJECT
  public:
-  /// `recoveryFolder` empty: no copies are kept.
+  /// `recoveryFolder` empty: no copies are kept. `openFilesFolder`: shared by all windows; empty:
+  /// other windows are not found.
   DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
-                const QString& recoveryFolder, QObject* parent = nullptr);
+                const QString& recoveryFolder, const QString& openFilesFolder,
+                QObject* parent = nullptr);
   editor::Autosave* autosave() const { return autosave_.get(); }
   void checkFiles();  // checks the files on disk
   void reportUnreadable(
@@ -124,6 +134,7 @@ class DocumentGuard : public QObject {
   void reportChanged(const QStringList& changed);
   void reportRemoved();
   void reportReadOnly();
+  void reportOpenElsewhere();
   void reportMapProblem();
   void reportExported(const QString& folder, int files);
   void reportNotSaved(const QString& name, const base::Diagnostics& problems);
@@ -133,6 +144,7 @@ class DocumentGuard : public QObject {
   FileCommands& files_;
   NoticeBar& notices_;
   QString recoveryFolder_;
+  OpenFiles openFiles_;
   QFileSystemWatcher watcher_;
   QTimer pause_;         // waits for a program that writes several files
   bool isThere_ = true;  // whether the scenario file exists

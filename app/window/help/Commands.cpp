@@ -1,0 +1,103 @@
+#include "app/window/help/Commands.h"
+
+#include "app/window/WindowActions.h"
+
+namespace app {
+
+QString commandName(const QAction& action) {
+  const QString lasting = action.property(WindowActions::kNameProperty).toString();
+  return (lasting.isEmpty() ? action.text() : lasting)
+      .section(QLatin1Char('\t'), 0, 0)
+      .remove(QLatin1Char('&'))
+      .remove(QChar(0x2026));
+}
+
+QString commandKeys(const QAction& action) {
+  const QString heard = action.text().section(QLatin1Char('\t'), 1);
+  return heard.isEmpty() ? QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText)
+                         : heard;
+}
+
+namespace {
+
+void addMenu(QMenu& menu, const QString& path, bool refresh, std::vector<Command>& to) {
+  if (refresh) {
+    Q_EMIT menu.aboutToShow();
+  }
+  for (QAction* action : menu.actions()) {
+    if (action->isSeparator() || !action->isVisible()) {
+      continue;
+    }
+    if (action->menu() != nullptr) {
+      addMenu(*action->menu(), path + QStringLiteral(" › ") + commandName(*action), refresh, to);
+    } else {
+      to.push_back({action, commandName(*action), path});
+    }
+  }
+}
+
+constexpr int kWordStart = 8;  // points for a letter that begins a word
+constexpr int kAdjacent = 5;   // for a letter directly after the one before
+constexpr int kLetter = 1;
+constexpr int kWhole = 40;   // for a text that begins with the query
+constexpr int kInside = 20;  // for a text that contains the query
+
+bool beginsWord(const QString& text, int at) {
+  return at == 0 || !text.at(at - 1).isLetterOrNumber();
+}
+
+/// The best sum of points for the letters of `query` in `text`, both in lower case; -1: none.
+/// Dynamic programming over the position of the last matched letter.
+int bestAlignment(const QString& query, const QString& text) {
+  constexpr int kNone = -1;
+  std::vector<int> before(static_cast<std::size_t>(text.size()), kNone);
+  for (int q = 0; q < query.size(); ++q) {
+    std::vector<int> now(before.size(), kNone);
+    int best = q == 0 ? 0 : kNone;  // of the letters before, anywhere to the left
+    for (int t = 0; t < text.size(); ++t) {
+      const auto at = static_cast<std::size_t>(t);
+      if (text.at(t) == query.at(q) && best != kNone) {
+        const bool isAdjacent = q > 0 && t > 0 && before[at - 1] != kNone;
+        const int points = kLetter + (beginsWord(text, t) ? kWordStart : 0);
+        now[at] = best + points;
+        if (isAdjacent) {
+          now[at] = std::max(now[at], before[at - 1] + points + kAdjacent);
+        }
+      }
+      if (q > 0) {
+        best = std::max(best, before[at]);
+      }
+    }
+    before = std::move(now);
+  }
+  return before.empty() ? kNone : *std::max_element(before.begin(), before.end());
+}
+
+}  // namespace
+
+std::vector<Command> commandsOf(const QMenuBar& menus, bool refresh) {
+  std::vector<Command> all;
+  for (const QAction* top : menus.actions()) {
+    if (top->menu() != nullptr) {
+      addMenu(*top->menu(), commandName(*top), refresh, all);
+    }
+  }
+  return all;
+}
+
+std::optional<int> fuzzyScore(const QString& query, const QString& text) {
+  const QString whole = text.toLower();
+  const QString typed = query.simplified().toLower();
+  QString letters = typed;
+  letters.remove(QLatin1Char(' '));
+  if (letters.isEmpty()) {
+    return 0;
+  }
+  const int points = bestAlignment(letters, whole);
+  if (points < 0) {
+    return std::nullopt;
+  }
+  return points + (whole.startsWith(typed) ? kWhole : whole.contains(typed) ? kInside : 0);
+}
+
+}  // namespace app

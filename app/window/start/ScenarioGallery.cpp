@@ -1,0 +1,180 @@
+#include "app/window/start/ScenarioGallery.h"
+
+namespace app {
+
+namespace {
+
+constexpr int kGalleryColumns = 2;
+constexpr int kGalleryGap = 24;
+constexpr int kRowGap = 12;
+constexpr int kSearchWidth = 220;
+
+/// The texts in the combo box, after the entry for all of them.
+void setChoices(QComboBox& box, const QStringList& choices, const QString& all) {
+  const QString chosen = box.currentText();
+  const QSignalBlocker quiet(&box);
+  box.clear();
+  box.addItem(all);
+  box.addItems(choices);
+  box.setCurrentIndex(std::max(0, box.findText(chosen)));
+  box.setVisible(choices.size() > 1);
+}
+
+}  // namespace
+
+ScenarioGallery::ScenarioGallery(const std::vector<ShippedScenario>& scenarios,
+                                 const QString& thumbnailFolder, const editor::Theme& theme,
+                                 QWidget* parent)
+    : QWidget(parent),
+      theme_(theme),
+      thumbnails_(new Thumbnails(thumbnailFolder, this)),
+      search_(new editor::SearchField(tr("Find a scenario"), tr("Find a scenario"), this)) {
+  auto* rows = editor::configuredLayout(new QVBoxLayout(this), {}, 0);
+  rows->addLayout(makeTop());
+  rows->addSpacing(12);
+  grid_->setContentsMargins({});
+  grid_->setHorizontalSpacing(kGalleryGap);
+  grid_->setVerticalSpacing(kRowGap);
+  for (int column = 0; column < kGalleryColumns; ++column) {
+    grid_->setColumnStretch(column, 1);
+  }
+  for (const ShippedScenario& scenario : scenarios) {
+    const QString path = QString::fromStdString(scenario.path);
+    auto* card = new ScenarioCard(path, infoOfFile(QString::fromStdString(scenario.name), path),
+                                  theme_, area_);
+    connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileRequested(path); });
+    cards_.push_back(card);
+  }
+  nothing_ = makeNothing();
+  rows->addWidget(area_);
+  rows->addWidget(nothing_);
+  rows->addStretch(1);
+  connect(thumbnails_, &Thumbnails::ready, this, &ScenarioGallery::take);
+  fillFilters();
+  filter();
+  search_->setTheme(theme_);
+}
+
+QLayout* ScenarioGallery::makeTop() {
+  auto* top = editor::configuredLayout(
+      new QHBoxLayout, {}, 8,
+      {editor::headingLabel(tr("Scenarios"), theme_.font(12.0, QFont::DemiBold), this)});
+  top->addStretch(1);
+  family_->setAccessibleName(tr("Family"));
+  family_->setToolTip(tr("Show the scenarios of one family"));
+  difficulty_->setAccessibleName(tr("Difficulty"));
+  difficulty_->setToolTip(tr("Show the scenarios of one difficulty"));
+  search_->setFixedWidth(kSearchWidth);
+  for (QWidget* widget : std::initializer_list<QWidget*>{family_, difficulty_, search_}) {
+    top->addWidget(widget);
+  }
+  for (QComboBox* box : {family_, difficulty_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ScenarioGallery::filter);
+  }
+  connect(search_, &QLineEdit::textChanged, this, &ScenarioGallery::filter);
+  return top;
+}
+
+/// Shown instead of the pictures when no scenario matches.
+QWidget* ScenarioGallery::makeNothing() {
+  auto* nothing = new QWidget(this);
+  auto* rows = editor::configuredLayout(
+      new QVBoxLayout(nothing), {}, 0,
+      {editor::emptyState(tr("No scenario matches the search and the filters."), nothing)});
+  rows->addWidget(
+      editor::linkButton(tr("Show all scenarios"), tr("Clear the search and the filters"), nothing,
+                         [this] {
+                           search_->clear();
+                           family_->setCurrentIndex(0);
+                           difficulty_->setCurrentIndex(0);
+                           search_->setFocus();
+                         }),
+      0, Qt::AlignHCenter);
+  nothing->hide();
+  return nothing;
+}
+
+void ScenarioGallery::showTheme() {
+  search_->setTheme(theme_);
+  loadPictures();
+}
+
+void ScenarioGallery::loadPictures() {
+  const std::vector<ScenarioCard*> shown = shownCards();
+  if (shown.empty()) {
+    return;
+  }
+  std::deque<Thumbnails::Request> requests;
+  for (const ScenarioCard* card : cards_) {  // hidden ones have no size yet
+    requests.push_back(
+        {card->path(), card->info(), shown.front()->pictureSize(), devicePixelRatioF()});
+  }
+  thumbnails_->request(std::move(requests), theme_);
+}
+
+void ScenarioGallery::take(const QString& path, const QImage& picture, const ScenarioInfo& info) {
+  for (ScenarioCard* card : cards_) {
+    if (card->path() == path) {
+      card->show(QPixmap::fromImage(picture), info);
+    }
+  }
+  fillFilters();
+  filter();
+}
+
+void ScenarioGallery::fillFilters() {
+  QStringList families;
+  QStringList difficulties;
+  for (const ScenarioCard* card : cards_) {
+    const ScenarioInfo& info = card->info();
+    if (!info.family.isEmpty() && !families.contains(info.family)) {
+      families << info.family;
+    }
+    if (!info.difficulty.isEmpty() && !difficulties.contains(info.difficulty)) {
+      difficulties << info.difficulty;
+    }
+  }
+  setChoices(*family_, families, tr("All families"));
+  setChoices(*difficulty_, difficulties, tr("Any difficulty"));
+}
+
+bool ScenarioGallery::isWanted(const ScenarioInfo& info) const {
+  const bool isFamily = family_->currentIndex() <= 0 || family_->currentText() == info.family;
+  const bool isDifficulty =
+      difficulty_->currentIndex() <= 0 || difficulty_->currentText() == info.difficulty;
+  return isFamily && isDifficulty && info.contains(search_->text());
+}
+
+void ScenarioGallery::filter() {
+  const std::vector<ScenarioCard*> before = shownCards();
+  std::vector<ScenarioCard*> wanted;
+  std::copy_if(cards_.begin(), cards_.end(), std::back_inserter(wanted),
+               [this](const ScenarioCard* card) { return isWanted(card->info()); });
+  nothing_->setVisible(wanted.empty() && !cards_.empty());
+  if (wanted == before) {
+    return;
+  }
+  for (ScenarioCard* card : before) {
+    grid_->removeWidget(card);
+    card->hide();
+  }
+  QWidget* previous = search_;
+  for (int i = 0; i < static_cast<int>(wanted.size()); ++i) {
+    ScenarioCard* card = wanted[static_cast<std::size_t>(i)];
+    grid_->addWidget(card, i / kGalleryColumns, i % kGalleryColumns, Qt::AlignTop);
+    card->setVisible(true);
+    setTabOrder(previous, card);
+    previous = card;
+  }
+}
+
+std::vector<ScenarioCard*> ScenarioGallery::shownCards() const {
+  std::vector<ScenarioCard*> shown;
+  for (int i = 0; i < grid_->count(); ++i) {
+    shown.push_back(static_cast<ScenarioCard*>(grid_->itemAt(i)->widget()));
+  }
+  return shown;
+}
+
+}  // namespace app

@@ -1,0 +1,152 @@
+#include "app/window/StartPage.h"
+#include "editor/look/AppStyle.h"
+#include "tests/app/QuietWindow.h"
+
+/// The start page: what it offers, found with keys and mouse, and its stored pictures.
+class WindowStartTest : public QObject, protected quiet::InFolder {
+  Q_OBJECT
+
+ private:
+  app::ScenarioGallery& gallery() { return window_->startPage().gallery(); }
+  static std::vector<app::ShippedScenario> scenarios() {
+    const std::string maps = SOURCE_DIR "/maps/";
+    return {{"corner_cafe_agents", maps + "corner_cafe/corner_cafe_agents.yaml"},
+            {"doorway_agents", maps + "planners/doorway_agents.yaml"},
+            {"crossing_agents", maps + "planners/crossing_agents.yaml"},
+            {"reaction_scared_agents", maps + "reactions/reaction_scared_agents.yaml"}};
+  }
+  void restart() {
+    quiet::leave(window_);
+    app::WindowSetup setup = quiet::setup();
+    setup.demos = scenarios();
+    setup.thumbnailFolder = at("thumbnails");
+    window_ = quiet::shownWindow(setup);
+  }
+  void waitForPictures() {
+    const auto haveAll = [this] {
+      const std::vector<app::ScenarioCard*> cards = gallery().shownCards();
+      return gallery().thumbnails().isIdle() &&
+             std::all_of(cards.begin(), cards.end(),
+                         [](const app::ScenarioCard* card) { return card->hasPicture(); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(haveAll(), 30000);
+  }
+  QStringList shown() {
+    QStringList titles;
+    for (const app::ScenarioCard* card : gallery().shownCards()) {
+      titles << card->info().title;
+    }
+    return titles;
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { editor::applyTheme(editor::Theme::light()); }
+  void init() {
+    begin();
+    restart();
+  }
+  void cleanup() { end(); }
+
+  void cards_showWhatTheFilesContain() {
+    waitForPictures();
+    const app::ScenarioInfo& cafe = gallery().shownCards().front()->info();
+    QCOMPARE(cafe.contents(), QStringLiteral("8 people · robot"));  // as maps/README.md says
+    QCOMPARE(gallery().shownCards().size(), std::size_t(4));
+    quiet::shoot(*window_, "start");
+  }
+
+  void pictures_secondStart_areReadFromTheFolder() {
+    waitForPictures();
+    QCOMPARE(gallery().thumbnails().drawnCount(), 4);
+    const QStringList before = shown();
+    restart();
+    waitForPictures();
+    QCOMPARE(gallery().thumbnails().drawnCount(), 0);
+    QCOMPARE(shown(), before);
+    QCOMPARE(gallery().shownCards().front()->info().people, 8);
+  }
+
+  void search_typed_leavesWhatFits() {
+    waitForPictures();
+    QTest::keyClicks(&gallery().search(), QStringLiteral("door"));
+    QCOMPARE(gallery().shownCards().size(), std::size_t(1));
+    QVERIFY(gallery().shownCards().front()->path().endsWith(QStringLiteral("doorway_agents.yaml")));
+    QTest::keyClicks(&gallery().search(), QStringLiteral("qq"));
+    QVERIFY(gallery().shownCards().empty());
+    auto* all = widgets::withText<QToolButton>(gallery(), QStringLiteral("Show all scenarios"));
+    QVERIFY(all != nullptr && all->isVisible());
+    QTest::mouseClick(all, Qt::LeftButton);
+    QCOMPARE(gallery().shownCards().size(), std::size_t(4));
+  }
+
+  void family_chosen_leavesItsScenarios() {
+    waitForPictures();
+    QComboBox& family = gallery().family();
+    QVERIFY(family.isVisible() && family.count() >= 3);
+    const QString wanted = gallery().shownCards()[1]->info().family;
+    family.setCurrentText(wanted);
+    QVERIFY(gallery().shownCards().size() < 4);
+    for (const app::ScenarioCard* card : gallery().shownCards()) {
+      QCOMPARE(card->info().family, wanted);
+    }
+  }
+
+  void card_enter_opensTheScenario() {
+    waitForPictures();
+    app::ScenarioCard* card = gallery().shownCards()[1];
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    card->setFocus();
+    QTest::keyClick(window_->windowHandle(), Qt::Key_Return);
+    QVERIFY(!window_->isOnStartPage());
+    QCOMPARE(document().path(), QFileInfo(card->path()).absoluteFilePath());
+  }
+
+  void pictures_whileTheyAreDrawn_thePageIsUsable() {
+    QTest::keyClicks(&gallery().search(), QStringLiteral("caf"));  // before the first picture
+    QCOMPARE(gallery().shownCards().size(), std::size_t(1));
+    QTest::mouseClick(gallery().shownCards().front(), Qt::LeftButton);
+    QVERIFY(!window_->isOnStartPage());
+  }
+
+  void actions_allSix_beginSomething() {
+    QStringList titles;
+    for (const app::ActionCard* card : window_->findChildren<app::ActionCard*>()) {
+      titles << card->accessibleName();
+    }
+    QCOMPARE(titles.join(QLatin1Char('|')),
+             QStringLiteral("New from a map|New empty room|Open…|Guided tour|Watch a recording…|"
+                            "Import trajectories…"));
+    auto* tour = widgets::named<app::ActionCard>(*window_, QStringLiteral("Guided tour"));
+    QTest::mouseClick(tour, Qt::LeftButton);
+    QVERIFY(window_->tour().isActive());
+  }
+
+  void import_csv_isShownAsARecordedRun() {
+    QFile file(at("people.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("time,id,x,y\n");
+    for (int k = 0; k < 20; ++k) {
+      file.write(QStringLiteral("%1,1,%2,0\n%1,2,%2,2\n").arg(0.1 * k).arg(0.12 * k).toUtf8());
+    }
+    file.close();
+    QVERIFY(window_->open(at("people.csv")));
+    QVERIFY(window_->workspace().isRecordedRun());
+    QCOMPARE(window_->workspace().recordedName(), QStringLiteral("people.csv"));
+    QCOMPARE(document().scenario().humans.size(), std::size_t(2));
+    QCOMPARE(window_->workspace().runner().recording()->timeOf(19), 1.9);
+  }
+
+  void import_brokenCsv_saysWhy() {
+    QFile file(at("people.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("a,b\n1,2\n");
+    file.close();
+    QVERIFY(!window_->open(at("people.csv")));
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(window_->notices().has(QStringLiteral("unread")));
+  }
+};
+
+QTEST_MAIN(WindowStartTest)
+#include "tst_WindowStart.moc"
