@@ -49,6 +49,25 @@ void addWindowProblem(const metrics::Window& window, const std::string& file,
   }
 }
 
+/// Metrics of the card that do not exist.
+void addCardProblems(const sim2d::ScenarioCard& card, const std::string& scenarioPath,
+                     base::Diagnostics& problems) {
+  const metrics::MetricRegistry& registry = metrics::standardRegistry();
+  for (const std::string& key : card.metrics) {
+    if (registry.find(key) != nullptr) {
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const metrics::MetricEntry& entry : registry.entries()) {
+      known.push_back(entry.info.key);
+    }
+    base::Diagnostics one = {
+        base::error("card.unknown-metric", {key, base::nearestName(key, known)}, scenarioPath)};
+    sim2d::addKeyLocation(one, scenarioPath, {"hunavsim_desktop.ros__parameters.card.metrics"});
+    base::append(problems, one);
+  }
+}
+
 }  // namespace
 
 std::optional<std::string> metricsFileOf(const sim2d::Scenario& scenario,
@@ -71,6 +90,7 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
                           {"hunavsim_desktop.ros__parameters.metrics.parameters." + name});
     base::append(problems, one);
   }
+  addCardProblems(scenario.desktop.card, scenarioPath, problems);
   if (const auto path = metricsFileOf(scenario, scenarioPath)) {
     applyFile(metrics::readMetricsFile(*path), setup, problems);
   }

@@ -80,11 +80,11 @@ KeyTable tableOf(std::string title, std::string path, const FieldTables& tables)
 }  // namespace
 
 const FieldTables& fieldTables() {
-  static const FieldTables kTables(scenarioFields(), humanFields(), behaviorFields(),
-                                   personFields(), robotFields(), lidarFields(), detectorFields(),
-                                   odometryFields(), localizationFields(), batteryFields(),
-                                   obstacleFields(), doorFields(), areaFields(), dockFields(),
-                                   settingsFields(), variationFields(), metricsFields());
+  static const FieldTables kTables(
+      scenarioFields(), humanFields(), behaviorFields(), personFields(), robotFields(),
+      lidarFields(), detectorFields(), odometryFields(), localizationFields(), batteryFields(),
+      obstacleFields(), doorFields(), areaFields(), dockFields(), settingsFields(), cardFields(),
+      variationFields(), metricsFields());
   return kTables;
 }
 
@@ -149,6 +149,7 @@ std::vector<KeyTable> keyTables(const FieldTables& tables) {
       tableOf<Human>("A person", "PERSON.", tables),
       tableOf<Behavior>("The `behavior` of a person", "PERSON.behavior.", tables),
       tableOf<DesktopSettings>("The run", "", tables),
+      tableOf<ScenarioCard>("`card`", "card.", tables),
       tableOf<VariationSettings>("`variation`", "variation.", tables),
       tableOf<MetricsSettings>("`metrics`", "metrics.", tables),
       tableOf<PersonExtension>("A person, keys of HuNavSim Desktop", "PERSON.", tables),

@@ -81,7 +81,8 @@ struct FieldTables
                  Fields<Robot>, Fields<LidarSettings>, Fields<DetectorSettings>,
                  Fields<OdometrySettings>, Fields<LocalizationSettings>, Fields<BatterySettings>,
                  Fields<Obstacle>, Fields<Door>, Fields<Area>, Fields<Dock>,
-                 Fields<DesktopSettings>, Fields<VariationSettings>, Fields<MetricsSettings>> {
+                 Fields<DesktopSettings>, Fields<ScenarioCard>, Fields<VariationSettings>,
+                 Fields<MetricsSettings>> {
   using tuple::tuple;
 };
 const FieldTables& fieldTables();

@@ -132,6 +132,7 @@ template bool operator==(const Area&, const Area&);
 template bool operator==(const Dock&, const Dock&);
 template bool operator==(const VariationSettings&, const VariationSettings&);
 template bool operator==(const MetricsSettings&, const MetricsSettings&);
+template bool operator==(const ScenarioCard&, const ScenarioCard&);
 template bool operator==(const DesktopSettings&, const DesktopSettings&);
 template bool operator==(const Scenario&, const Scenario&);
 

@@ -251,6 +251,23 @@ struct VariationSettings {
   }
 };
 
+enum class Difficulty { Easy, Normal, Hard };
+/// Key `card` of the block: what the scenario tests. It does not change a run.
+struct ScenarioCard {
+  std::optional<std::string> title;      // name for people: "Blind corner"
+  std::optional<std::string> family;     // group of scenarios that it belongs to
+  std::optional<std::string> purpose;    // what it tests
+  std::optional<std::string> robotTask;  // what the robot has to do
+  std::optional<std::string> people;     // what people do
+  std::optional<std::string> outcome;    // what a good robot does
+  std::vector<std::string> metrics;      // keys of metrics to read, the most important one first
+  std::optional<Difficulty> difficulty;
+  std::optional<std::string> source;  // citation
+  std::optional<std::string> licence;
+  std::vector<std::string> expect;  // what happens without a robot, see Expectation.h
+  UnknownKeys unknown;
+};
+
 enum class ObstaclePoints { Boundary, Rays };
 /// Contacts of a moving robot that end the run: with people, or with any solid object.
 enum class StopOnCollision { None, People, Any };
@@ -271,6 +288,7 @@ struct DesktopSettings {
   std::optional<bool> loopTrees;
   std::vector<double> wrapX;                        // empty or 2
   std::vector<std::pair<int, std::string>> groups;  // number and name
+  ScenarioCard card;
   VariationSettings variation;
   MetricsSettings metrics;
   UnknownKeys unknown;

@@ -313,6 +313,7 @@ base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& su
   checkNames(scenario, report);
   checkReferences(scenario, names, report);
   checkPeople(scenario, report);
+  checkCard(scenario, report);
   checkShapes(scenario, report);
   if (checkCoordinates(scenario, report)) {
     checkPlaces(scenario, surroundings, report);

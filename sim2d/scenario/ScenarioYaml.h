@@ -44,6 +44,7 @@ Fields<Door> doorFields();
 Fields<Area> areaFields();
 Fields<Dock> dockFields();
 Fields<DesktopSettings> settingsFields();
+Fields<ScenarioCard> cardFields();
 Fields<VariationSettings> variationFields();
 Fields<MetricsSettings> metricsFields();
 
@@ -153,6 +154,8 @@ Vec2 readPoint(YamlMap& view);  // x, y
 /// Reads a map of scalars.
 ParameterTexts readParameters(YamlMap& view, const std::string& key);
 void writeParameters(YamlNode& tree, const std::string& key, const ParameterTexts& parameters);
+void readCard(YamlMap& view, DesktopSettings& to);
+void writeCard(YamlNode& tree, const DesktopSettings& desktop);
 void readVariation(YamlMap& view, DesktopSettings& to);
 void writeVariation(YamlNode& tree, const DesktopSettings& desktop);
 /// Warns about unknown keys of a map that cannot keep them.
@@ -202,6 +205,7 @@ struct CheckReport {
   }
 };
 
+void checkCard(const Scenario& scenario, CheckReport& report);
 void checkShapes(const Scenario& scenario, CheckReport& report);
 /// False: a coordinate is not finite or beyond a million metres, so paths cannot be planned.
 bool checkCoordinates(const Scenario& scenario, CheckReport& report);

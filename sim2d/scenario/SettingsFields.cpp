@@ -212,6 +212,8 @@ Fields<ScenarioSettings> scenarioFields() {
 Fields<DesktopSettings> settingsFields() {
   using Settings = DesktopSettings;
   return {
+      FieldBuilder<Settings>("card", "Description of the scenario: what it tests, with its source")
+          .withCustomIo(readCard, writeCard, &Settings::card),
       field("map_file", &Settings::mapFile,
             "Map file, relative to the scenario; `none`: open plane; absent: the file of `map` is "
             "searched",

@@ -26,8 +26,8 @@ struct Case {
 
 template <class T>
 EntityKind kindOfKeys() {
-  using Settings =
-      std::tuple<sim2d::ScenarioSettings, sim2d::DesktopSettings, sim2d::MetricsSettings>;
+  using Settings = std::tuple<sim2d::ScenarioSettings, sim2d::DesktopSettings,
+                              sim2d::MetricsSettings, sim2d::ScenarioCard>;
   if constexpr (std::is_same_v<T, sim2d::Robot> || std::is_same_v<T, sim2d::LidarSettings> ||
                 std::is_same_v<T, sim2d::DetectorSettings> ||
                 std::is_same_v<T, sim2d::OdometrySettings> ||
@@ -45,7 +45,8 @@ EntityKind kindOfKeys() {
   } else {
     return std::is_same_v<T, std::tuple_element_t<0, Settings>> ||
                    std::is_same_v<T, std::tuple_element_t<1, Settings>> ||
-                   std::is_same_v<T, std::tuple_element_t<2, Settings>>
+                   std::is_same_v<T, std::tuple_element_t<2, Settings>> ||
+                   std::is_same_v<T, std::tuple_element_t<3, Settings>>
                ? EntityKind::Scenario
                : EntityKind::Human;
   }
@@ -116,6 +117,7 @@ std::vector<Case> allCases() {
   addCases<sim2d::Dock>(cases);
   addCases<sim2d::DesktopSettings>(cases);
   addCases<sim2d::MetricsSettings>(cases);
+  addCases<sim2d::ScenarioCard>(cases);
   return cases;
 }
 
@@ -234,6 +236,7 @@ class FieldFormsTest : public QObject {
     findRows<sim2d::Dock>(missing, withoutHelp);
     findRows<sim2d::DesktopSettings>(missing, withoutHelp);
     findRows<sim2d::MetricsSettings>(missing, withoutHelp);
+    findRows<sim2d::ScenarioCard>(missing, withoutHelp);
     QCOMPARE(missing.join(QStringLiteral(" ")), QString());
     QCOMPARE(withoutHelp.join(QStringLiteral(" ")), QString());
   }

@@ -231,6 +231,8 @@ class RandomScenario {
     if (flip()) {
       to.groups = {{upTo(3), word()}, {5, word()}};
     }
+    fillObject(to.card);
+    to.card.unknown = unknown();
     fillObject(to.variation);
     for (sim2d::SpreadSettings& spread : to.variation.spreads) {
       spread.unknown = unknown();

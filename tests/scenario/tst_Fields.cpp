@@ -103,6 +103,7 @@ std::map<std::string, Fault> allFaults(const Scenario& scenario) {
   FaultRows(rows, kLoaderNode, {anna.name, "behavior"}).addAll(anna.behavior);
   FaultRows(rows, kDesktopNode, {}).addAll(scenario.desktop);
   FaultRows(rows, kDesktopNode, {"metrics"}).addAll(scenario.desktop.metrics);
+  FaultRows(rows, kDesktopNode, {"card"}).addAll(scenario.desktop.card);
   FaultRows(rows, kDesktopNode, {anna.name}).addAll(anna.ours);
   const Robot& robot = scenario.robots.front();
   FaultRows(rows, kDesktopNode, {robot.name}).addAll(robot);

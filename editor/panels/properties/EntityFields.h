@@ -87,6 +87,8 @@ decltype(auto) partOf(AnyEntity& entity) {
     return (std::get<sim2d::Robot>(entity).battery);
   } else if constexpr (std::is_same_v<T, sim2d::DesktopSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop);
+  } else if constexpr (std::is_same_v<T, sim2d::ScenarioCard>) {
+    return (std::get<ScenarioSettings>(entity).desktop.card);
   } else if constexpr (std::is_same_v<T, sim2d::VariationSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop.variation);
   } else if constexpr (std::is_same_v<T, sim2d::MetricsSettings>) {
@@ -102,6 +104,8 @@ template <class T>
 std::string rowName(const std::string& key) {
   if constexpr (std::is_same_v<T, sim2d::LidarSettings>) {
     return "lidar." + key;
+  } else if constexpr (std::is_same_v<T, sim2d::ScenarioCard>) {
+    return "card." + key;
   } else if constexpr (std::is_same_v<T, sim2d::DetectorSettings>) {
     return "detector." + key;
   } else if constexpr (std::is_same_v<T, sim2d::OdometrySettings>) {

@@ -213,6 +213,7 @@ namespace {
 using Desktop = sim2d::DesktopSettings;
 using Metrics = sim2d::MetricsSettings;
 using Variation = sim2d::VariationSettings;
+using Card = sim2d::ScenarioCard;
 
 template <class AnyEntity>
 auto& desktop(AnyEntity& entity) {
@@ -296,10 +297,12 @@ SettingsPage::SettingsPage(ScenarioDocument& document, const sim2d::Registries& 
   addVariationSection();
   addModelSection(registries);
   addMeasureSection();
+  addCardSection();
   addFileSection();
   addRemainingFields<Desktop>();
   addRemainingFields<Variation>();
   addRemainingFields<Metrics>();
+  addRemainingFields<Card>();
   addRemainingFields<ScenarioSettings>({"yaml_base_name"});
 }
 
@@ -379,6 +382,18 @@ void SettingsPage::addVariationSection() {
     row("half_width", &sim2d::Spread::halfWidth, {SpreadKind::Uniform});
     row("min", &sim2d::Spread::least, {SpreadKind::Normal, SpreadKind::Uniform});
     row("max", &sim2d::Spread::most, {SpreadKind::Normal, SpreadKind::Uniform});
+  }
+}
+
+void SettingsPage::addCardSection() {
+  FormSection* section = addSection(tr("Card"));
+  section->setOpen(false);
+  for (const auto& field : sim2d::fieldsOf<Card>()) {
+    FieldOptions options;
+    if (field.spec.key == "difficulty") {
+      options = withLabels({tr("Easy"), tr("Normal"), tr("Hard")}, tr("not stated"));
+    }
+    addField<Card>(section, field.spec.key, options);
   }
 }
 

@@ -80,6 +80,7 @@ class SettingsPage : public PropertyPage {
   void addRunSection();
   void addPeopleSection(const sim2d::Registries& registries);
   void addVariationSection();
+  void addCardSection();
   void addModelSection(const sim2d::Registries& registries);
   void addFileSection();
   void addMeasureSection();
