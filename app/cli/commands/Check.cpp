@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include "app/cli/CertifyCommand.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
@@ -26,6 +27,7 @@ struct CheckOptions {
   std::vector<std::string> files;
   RunSpec scenario;    // map, trees, nav2Params, strict
   std::string distro;  // of Nav2's files; empty = guessed from them
+  CertifyOptions certify;
 };
 
 enum class FileKind { Scenario, Tree, NavigatorTree, Map, Experiment, Nav2 };
@@ -136,6 +138,9 @@ std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {
 }
 
 int checkCommand(const CheckOptions& options, const Invocation& given) {
+  if (options.certify.isGiven()) {
+    return certifyCommand(options.files, options.certify, given);
+  }
   base::Diagnostics all;
   const auto show = [&](base::Diagnostics found) {
     found = options.scenario.strict ? base::withStrictSubstitutions(std::move(found))
@@ -177,8 +182,10 @@ void addCheck(CommandRegistry& commands) {
       ->check(oneOf(knownDistros()));
   addRunOption(command, "nav2-params", options.scenario);
   addRunOption(command, "strict", options.scenario);
+  addCertifyOptions(command, options.certify);
   command.callback([&checked = options] {
-    if (checked.files.empty() && checked.scenario.nav2Params.empty()) {
+    const bool hasAll = checked.certify.isGiven() && checked.certify.all;
+    if (!hasAll && checked.files.empty() && checked.scenario.nav2Params.empty()) {
       throw CLI::RequiredError("files");
     }
   });

@@ -11,9 +11,9 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/ScenarioList.h"
 #include "app/cli/help/CommandPages.h"
 #include "app/cli/help/ReferencePages.h"
-#include "app/run/DataPaths.h"
 #include "app/run/Nav2Robots.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
@@ -239,8 +239,9 @@ std::vector<Entry> commandEntries(const CommandTable& table) {
 
 std::vector<Entry> scenarioEntries() {
   std::vector<Entry> entries;
-  for (const ShippedScenario& scenario : shippedScenarios()) {
-    entries.push_back({scenario.name, {scenario.path}, {{"path", scenario.path}}});
+  for (ListedScenario& scenario : listedScenarios()) {
+    entries.push_back(
+        {std::move(scenario.name), std::move(scenario.columns), std::move(scenario.details)});
   }
   return entries;
 }
@@ -295,7 +296,8 @@ std::map<std::string, std::function<std::string()>> pages() {
           {"models", modelsMarkdown},
           {"robots", robotsMarkdown},
           {"nodes", nodesMarkdown},
-          {"problems", problemsMarkdown}};
+          {"problems", problemsMarkdown},
+          {"scenarios", scenariosPage}};
 }
 
 /// The command line in the formats that `list commands` writes besides text and JSON.
@@ -355,6 +357,8 @@ void addList(CommandRegistry& commands) {
   const auto options = std::make_shared<ListOptions>();
   CLI::App& command = commands.add("list", "List available scenarios, metrics, nodes, …",
                                    [options, &commands](const Invocation& given) {
+                                     options->format =
+                                         options->format == "md" ? "markdown" : options->format;
                                      return listCommand(*options, given, commands);
                                    });
   const std::vector<std::string> names = namesOf(lists(commands));
@@ -363,10 +367,10 @@ void addList(CommandRegistry& commands) {
       ->check(oneOf(names));
   command
       .add_option("--format", options->format,
-                  "Output format: text or json; xml for nodes; markdown for " +
+                  "Output format: text or json; xml for nodes; markdown (md) for " +
                       base::join(namesOf(pages()), ", ") +
                       "; markdown, man, bash, zsh or fish for commands (default: text)")
-      ->check(oneOf({"text", "json", "xml", "markdown", "man", "bash", "zsh", "fish"}));
+      ->check(oneOf({"text", "json", "xml", "markdown", "md", "man", "bash", "zsh", "fish"}));
   commands.addExamples(command, {{"hunavsim list scenarios", "Show the shipped scenarios"},
                                  {"hunavsim list planners", "Show the planners of robots"},
                                  {"hunavsim list metrics --json", "Describe all metrics as JSON"}});

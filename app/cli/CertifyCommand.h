@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/CommandRegistry.h"
+
+namespace app {
+
+/// `check --certify` and `check --verify`.
+struct CertifyOptions {
+  bool certify = false, verify = false;
+  bool all = false;                   // all shipped scenarios with a card
+  int jobs = 0;                       // 0 = number of cores
+  int seeds = 10;                     // 1 to this number
+  std::vector<std::string> planners;  // empty: kUsualPlanners
+
+  bool isGiven() const { return certify || verify; }
+};
+
+/// Adds the options to the command.
+void addCertifyOptions(CLI::App& command, CertifyOptions& options);
+
+/// Certifies scenarios and writes their certificates, or repeats the runs of existing ones. Exit
+/// code 1: a scenario is not certified, or a certificate differs.
+int certifyCommand(const std::vector<std::string>& files, const CertifyOptions& options,
+                   const Invocation& given);
+
+}  // namespace app
