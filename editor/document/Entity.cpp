@@ -110,7 +110,7 @@ QString obstacleKindName(sim2d::ObstacleKind kind) {
 }
 
 QString areaKindName(sim2d::AreaKind kind) {
-  static const char* const kWords[] = {"source", "sink", "waiting", "exit"};
+  static const char* const kWords[] = {"source", "sink", "waiting", "exit", "speed"};
   return QString::fromLatin1(kWords[static_cast<int>(kind)]);
 }
 

@@ -10,13 +10,13 @@ namespace editor {
 
 namespace {
 
-constexpr int kKindCount = 4;
+constexpr int kKindCount = 5;
 constexpr int kTemplateId = 0;       // The ids of walking people start at 1.
 constexpr double kSourceRate = 0.5;  // Rate of a new source [people/s].
 
-/// Draws areas: sources, sinks, waiting areas and exits. A drag makes a rectangle, clicks make a
-/// polygon; 1 to 4 select the kind. A source needs a template person: the selected person, else the
-/// first one; without people the tool adds a template that is switched off.
+/// Draws areas: sources, sinks, waiting areas, exits and speed zones. A drag makes a rectangle,
+/// clicks make a polygon; 1 to 5 select the kind. A source needs a template person: the selected
+/// person, else the first one; without people the tool adds a template that is switched off.
 class AreaTool : public ShapeDrawingTool {
  public:
   using ShapeDrawingTool::ShapeDrawingTool;
@@ -32,10 +32,11 @@ class AreaTool : public ShapeDrawingTool {
 
   QWidget* makeOptions(QWidget* parent) override {
     auto* row = new OptionsRow(parent);
-    ChoiceField* box = addChoice(
-        *row, tr("Kind"),
-        {tr("Source: people appear"), tr("Sink: people leave"), tr("Waiting area"), tr("Exit")},
-        static_cast<int>(kind_), [this](int at) { setKind(static_cast<sim2d::AreaKind>(at)); });
+    ChoiceField* box = addChoice(*row, tr("Kind"),
+                                 {tr("Source: people appear"), tr("Sink: people leave"),
+                                  tr("Waiting area"), tr("Exit"), tr("Speed: stairs, travelators")},
+                                 static_cast<int>(kind_),
+                                 [this](int at) { setKind(static_cast<sim2d::AreaKind>(at)); });
     connect(this, &Tool::statusTextChanged, box,
             [this, box] { box->setCurrentIndex(static_cast<int>(kind_)); });
     return row;
@@ -45,11 +46,13 @@ class AreaTool : public ShapeDrawingTool {
   QString idleText() const override {
     static const char* const kTexts[kKindCount] = {
         // By kind.
-        QT_TR_NOOP("Drag an area where people appear, or click its corners · 1 to 4 choose the "
+        QT_TR_NOOP("Drag an area where people appear, or click its corners · 1 to 5 choose the "
                    "kind"),
         QT_TR_NOOP("Drag an area where people leave after their last goal, or click its corners"),
         QT_TR_NOOP("Drag a waiting area, or click its corners · trees refer to it by name"),
-        QT_TR_NOOP("Drag an exit that people flee to, or click its corners")};
+        QT_TR_NOOP("Drag an exit that people flee to, or click its corners"),
+        QT_TR_NOOP("Drag stairs, a ramp or a travelator, or click its corners · the properties "
+                   "set factor and carrying speed")};
     return tr(kTexts[static_cast<int>(kind_)]);
   }
 

@@ -196,7 +196,7 @@ struct Door : NamedEntity {
   std::vector<double> toggles;      // [s]
 };
 
-enum class AreaKind { Source, Sink, Wait, Exit };
+enum class AreaKind { Source, Sink, Wait, Exit, Speed };
 struct Area : NamedEntity {
   AreaKind kind = AreaKind::Wait;
   std::vector<Vec2> points;
@@ -204,6 +204,9 @@ struct Area : NamedEntity {
   std::optional<double> rate;       // [1/s]
   std::optional<double> from, until;
   std::optional<int> count;
+  std::optional<double> factor;        // speed: of the desired speed of people
+  std::optional<double> carrySpeed;    // speed: of a travelator [m/s]
+  std::optional<double> carryHeading;  // speed: its direction [rad]
 };
 
 enum class DockKind { Charging, Parking };

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/world/SpeedZones.h"
 #include "sim2d/world/StepBuffers.h"
 
 namespace sim2d {
@@ -151,7 +152,9 @@ void PersonMotion::chooseDirection(std::size_t human, const Intent& intent,
                                    const FrozenWorld& world, WorldState& state) {
   const HumanControl& control = state.controls[human];
   const ResolvedHuman& person = world.model.people[human].constants;
-  const double speed = intent.motion == Motion::Walk ? intent.speed : person.desiredSpeed;
+  const double factor = speedFactorAt(world.model, state.position(human));
+  const double walkingSpeed = factor * intent.speed;
+  const double speed = intent.motion == Motion::Walk ? walkingSpeed : factor * person.desiredSpeed;
   const bool wasOnTheWay = !plans_.directions[human].isZero(0.0);
   StepPlan plan{control.frozen || speed < 0.0 ? 0.0 : speed,
                 control.group,
@@ -167,7 +170,7 @@ void PersonMotion::chooseDirection(std::size_t human, const Intent& intent,
   const RouteFollower::Request request{state.position(human),
                                        intent.target,
                                        person.radius,
-                                       control.frozen ? 0.0 : intent.speed,
+                                       control.frozen ? 0.0 : walkingSpeed,
                                        state.time,
                                        cornerSpread(world, human)};
   RouteFollower::Guidance leg = person.route == Route::Direct
@@ -232,7 +235,8 @@ void PersonMotion::updateWalls(std::size_t human, const FrozenWorld& world) {
 ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                               Situation& situation) {
   const StepPlan& plan = plans_.steps[human];
-  wanted_[human] = Vec2::Zero();
+  const Vec2 carried = carryingVelocityAt(world.model, crowd_.walker(human).position);
+  wanted_[human] = carried;
   if (!walls_.empty()) {
     updateWalls(human, world);
   }
@@ -240,6 +244,7 @@ ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const
     return {};
   }
   crowd_.fill(human, wallsNear(human), situation);
+  situation.self.velocity -= carried;  // people walk relative to the ground that carries them
   situation.forceTime = situation.dt * (plan.startsOrStops ? 0.5 : 1.0);
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd_.isVisible(human, other); };
@@ -249,7 +254,8 @@ ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const
   if (plan.motion == Motion::Walk && plan.hasExtraForce) {
     forces.social += intents.of(static_cast<int>(human)).extraForce;
   }
-  wanted_[human] = model.velocity(situation, forces);
+  const Vec2 own = model.velocity(situation, forces);
+  wanted_[human] = carried.isZero(0.0) ? own : Vec2(own + carried);
   return forces;
 }
 

@@ -237,6 +237,9 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
     model.areas.push_back(&area);
     EntityProblems(area.key, "area '" + area.name + "'", problems)
         .need(area.points.size() >= 3, "world.bad-area");
+    if (area.kind == AreaKind::Speed) {
+      model.speedZones.push_back(&area);
+    }
     if (area.kind != AreaKind::Source) {
       continue;
     }

@@ -78,6 +78,7 @@ struct WorldModel {
   std::map<int, Vec2> globalGoals;               // adjusted to where a body fits
   std::vector<const Door*> doors;                // listed ones
   std::vector<const Area*> areas;                // listed ones
+  std::vector<const Area*> speedZones;           // listed areas of kind speed
   std::vector<const Dock*> docks;                // listed ones
   std::map<std::string, Human> sourceTemplates;  // templates of people from sources, by name
 

@@ -10,7 +10,8 @@ using namespace editor;
 namespace {
 
 constexpr sim2d::AreaKind kKinds[] = {sim2d::AreaKind::Source, sim2d::AreaKind::Sink,
-                                      sim2d::AreaKind::Wait, sim2d::AreaKind::Exit};
+                                      sim2d::AreaKind::Wait, sim2d::AreaKind::Exit,
+                                      sim2d::AreaKind::Speed};
 
 sim2d::Area areaOf(sim2d::AreaKind kind) {
   sim2d::Area area;

@@ -227,17 +227,18 @@ class ShapeToolsTest : public QObject, private CanvasTester {
     const std::vector<std::pair<Qt::Key, sim2d::AreaKind>> kinds = {
         {Qt::Key_2, sim2d::AreaKind::Sink},
         {Qt::Key_3, sim2d::AreaKind::Wait},
-        {Qt::Key_4, sim2d::AreaKind::Exit}};
+        {Qt::Key_4, sim2d::AreaKind::Exit},
+        {Qt::Key_5, sim2d::AreaKind::Speed}};
     double y = 1.0;
     for (const auto& [digit, kind] : kinds) {
       key(digit);
       drag(Vec2(7.0, y), Vec2(9.0, y + 1.0));
       QVERIFY(scenario().areas.back().kind == kind);
       QVERIFY(!scenario().areas.back().like);
-      y += 2.0;
+      y += 1.4;
     }
     QCOMPARE(scenario().areas[0].name, std::string("sink1"));
-    QCOMPARE(undoCount(), 3);
+    QCOMPARE(undoCount(), 4);
   }
 
   void source_withoutPeople_bringsAPattern() {

@@ -150,7 +150,7 @@ class AreaPage : public PropertyPage {
     addListedRow(section);
     addField<Area>(section, "kind",
                    withLabels({tr("Source: people appear"), tr("Sink: people leave"),
-                               tr("Waiting area"), tr("Exit")}));
+                               tr("Waiting area"), tr("Exit"), tr("Speed: stairs, travelators")}));
     addPosition(section);
     addRow(section, cornersField<Area>(),
            withPlaceholder({}, [](const QString& text) { return cornersProblem(text, 3); }));
@@ -171,11 +171,19 @@ class AreaPage : public PropertyPage {
     count.singularUnit = tr("person");
     count.fallback = [](const Entity&) { return 100000.0; };
     addField<Area>(source, "count", count);
+    FormSection* speed = addSection(tr("Speed"));
+    addField<Area>(speed, "factor");
+    addField<Area>(speed, "carry_speed");
+    addField<Area>(speed, "carry_h");
     addRemainingFields<Area>();
-    addRefresh([source](const std::vector<Entity>& shown) {
-      source->setVisible(std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
-        return std::get<Area>(each).kind == sim2d::AreaKind::Source;
-      }));
+    addRefresh([source, speed](const std::vector<Entity>& shown) {
+      const auto areAll = [&shown](sim2d::AreaKind kind) {
+        return std::all_of(shown.begin(), shown.end(), [kind](const Entity& each) {
+          return std::get<Area>(each).kind == kind;
+        });
+      };
+      source->setVisible(areAll(sim2d::AreaKind::Source));
+      speed->setVisible(areAll(sim2d::AreaKind::Speed));
     });
   }
 };
