@@ -420,7 +420,9 @@ def airport_boarding(places):
                                   duration="3.0"),
                                go(s.goal(24.1, 14.6) if k % 2 == 0 else s.goal(28.9, 16.4)),
                                stand(60.0)))
-    s.expects += ["traveller_8 starts WaitInQueue before 12 s"]
+    s.area("walkway", "speed", 16.0, 4.2, 25.0, 6.0, carry_speed=0.65)
+    s.person("rider", "walkway_in", ["walkway_out"], 1.1, kind_of_body="luggage")
+    s.expects += ["traveller_8 starts WaitInQueue before 12 s", "rider arrives before 12 s"]
     return s
 
 
@@ -435,6 +437,7 @@ def airport_last_call(places):
     s.person("angry_one", "hall_east", ["walkway_out"], 1.1, kind="Threatening", duration=6.0)
     s.person("surprised_one", "seats_3", ["west"], 1.0, kind="Surprised", duration=6.0)
     s.person("scared_one", "walkway_in", ["hall"], 1.0, kind="Scared", duration=8.0)
+    s.area("walkway", "speed", 16.0, 4.2, 25.0, 6.0, carry_speed=0.65)
     s.expects.append("late_2 comes within 2 m of goal 1 before 40 s")
     return s
 

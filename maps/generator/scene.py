@@ -141,7 +141,7 @@ class Scene:
     def area(self, name, kind, x0, y0, x1, y1, **more):
         tree = {"kind": kind, "xs": [decimals(x) for x in (x0, x1, x1, x0)],
                 "ys": [decimals(y) for y in (y0, y0, y1, y1)]}
-        for key in ("like", "rate", "from", "until", "count"):
+        for key in ("like", "rate", "from", "until", "count", "factor", "carry_speed", "carry_h"):
             if key in more:
                 value = more[key]
                 tree[key] = value if isinstance(value, str) else (
