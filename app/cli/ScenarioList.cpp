@@ -24,9 +24,10 @@ std::vector<CardFile> cardFiles() {
   std::vector<CardFile> all;
   for (ShippedScenario& shipped : shippedScenarios()) {
     CardFile one;
-    one.card = sim2d::readScenario(shipped.path).scenario.desktop.card;
-    const base::Result<std::string> text = base::readTextFile(certificatePath(shipped.path));
-    one.certificate = text ? Json::parse(*text, nullptr, false) : Json();
+    const base::Result<std::string> text = base::readTextFile(shipped.path);
+    one.card = text ? sim2d::cardOf(*text) : sim2d::ScenarioCard();
+    const base::Result<std::string> proof = base::readTextFile(certificatePath(shipped.path));
+    one.certificate = proof ? Json::parse(*proof, nullptr, false) : Json();
     one.certificate = one.certificate.is_object() ? one.certificate : Json();
     one.file = std::move(shipped);
     all.push_back(std::move(one));

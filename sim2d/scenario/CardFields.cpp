@@ -82,6 +82,25 @@ void writeCard(YamlNode& tree, const DesktopSettings& desktop) {
   }
 }
 
+ScenarioCard cardOf(const std::string& text) {
+  static const std::string kHead = "\n    card:\n";
+  const std::size_t head = text.find(kHead);
+  if (head == std::string::npos) {
+    const bool mayHaveCard = text.find("card") != std::string::npos;
+    return mayHaveCard ? readScenarioText(text, {}).scenario.desktop.card : ScenarioCard();
+  }
+  std::size_t end = head + kHead.size();
+  while (text.compare(end, 6, "      ") == 0) {
+    const std::size_t next = text.find('\n', end);
+    end = next == std::string::npos ? text.size() : next + 1;
+  }
+  const std::string block = text.substr(head + 1, end - head - 1);
+  const std::string file = std::string(kLoaderNode) + ":\n  " + kParameters +
+                           ":\n    publish_people: true\n" + kDesktopNode + ":\n  " + kParameters +
+                           ":\n    format: 1\n" + block;
+  return readScenarioText(file, {}).scenario.desktop.card;
+}
+
 void checkCard(const Scenario& scenario, CheckReport& report) {
   const Subject card({base::EntityKind::Scenario, 0}, "card.expect");
   for (const std::string& text : scenario.desktop.card.expect) {

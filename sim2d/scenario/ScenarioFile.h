@@ -28,6 +28,9 @@ struct ScenarioReading {
 
 ScenarioReading readScenario(const std::string& path);
 ScenarioReading readScenarioText(const std::string& text, const std::string& fileName);
+/// The card in the text of a scenario file, without reading the rest; for lists of many files. A
+/// file that is not formatted as this program saves it is read completely.
+ScenarioCard cardOf(const std::string& text);
 /// For editors, if a syntax error prevents reading: the same diagnostics and the content before the
 /// error. It must not be run or saved to the file.
 ScenarioReading readValidPart(const std::string& path);

@@ -63,6 +63,14 @@ class CardTest : public QObject {
     QCOMPARE(writeScenario(reading.scenario), text);
   }
 
+  void cardOf_text_isTheCardOfTheWholeFile() {
+    const std::string text = fileWith(std::string(kCard) + "    seed: 3\n");
+    QVERIFY(cardOf(text) == readScenarioText(text, "test.yaml").scenario.desktop.card);
+    QVERIFY(cardOf(fileWith("    seed: 3\n")) == ScenarioCard());
+    const std::string inOneLine = fileWith("    card: {title: Corner, metrics: [success]}\n");
+    QVERIFY(cardOf(inOneLine).title == std::string("Corner"));
+  }
+
   void card_wrongValue_isReportedAtItsLine_data() {
     addColumns<QByteArray, int>({"block", "line"});
     QTest::newRow("difficulty") << QByteArray("    card:\n      difficulty: extreme\n") << 21;
