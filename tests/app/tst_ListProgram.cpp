@@ -102,6 +102,26 @@ class ListProgramTest : public QObject {
     }
   }
 
+  void scenarios_haveCardAndCertificate() {
+    const Finished json = runProgram("list scenarios --format json");
+    int withCard = 0;
+    for (const auto& each : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
+      const QJsonObject scenario = each.toObject();
+      QVERIFY(scenario.contains(text("certificate")));
+      const QJsonObject card = scenario[text("card")].toObject();
+      withCard += card.contains(text("purpose")) ? 1 : 0;
+      if (scenario[text("name")] == text("doorway_agents")) {
+        QCOMPARE(card[text("title")].toString(), text("Doorway"));
+        QCOMPARE(card[text("difficulty")].toString(), text("hard"));
+        QVERIFY(card[text("metrics")].toArray().contains(text("success")));
+      }
+    }
+    QVERIFY2(withCard >= 120, qPrintable(QString::number(withCard)));
+    const Finished page = runProgram("list scenarios --format md");
+    QVERIFY(page.out.contains(text("### francis_blind_corner_hard\n")));
+    QVERIFY(page.out.contains(text("| `doorway_agents` | Doorway | hard |")));
+  }
+
   void parameters_textAndNumber_tellTheirType() {
     const Finished json = runProgram("list planners --format json");
     QStringList types;
