@@ -17,6 +17,7 @@ namespace app {
 namespace {
 
 constexpr int kMostSeeds = 1000;
+constexpr int kLargestSeed = 1'000'000'000;
 
 const std::vector<std::string>& usualPlanners() {
   static const std::vector<std::string> kPlanners = {"pursuit", "orca", "social_force"};
@@ -46,8 +47,8 @@ std::vector<std::string> scenarioPaths(const std::vector<std::string>& files, bo
 
 CertificationPlan planOf(const CertifyOptions& options) {
   CertificationPlan plan;
-  for (int seed = 1; seed <= options.seeds; ++seed) {
-    plan.seeds.push_back(seed);
+  for (int k = 0; k < options.seeds; ++k) {
+    plan.seeds.push_back(options.firstSeed + k);
   }
   plan.planners = options.planners.empty() ? usualPlanners() : options.planners;
   return plan;
@@ -152,6 +153,9 @@ void addCertifyOptions(CLI::App& command, CertifyOptions& options) {
       ->check(CLI::Range(1, 1024));
   command.add_option("--seeds", options.seeds, "With --certify: number of seeds (default: 10)")
       ->check(CLI::Range(2, kMostSeeds));
+  command
+      .add_option("--first-seed", options.firstSeed, "With --certify: first seed (default: 1001)")
+      ->check(CLI::Range(0, kLargestSeed));
   command
       .add_option("--planners", options.planners,
                   "With --certify: planners to compare (default: " +

@@ -12,7 +12,8 @@ struct CertifyOptions {
   bool certify = false, verify = false;
   bool all = false;                   // all shipped scenarios with a card
   int jobs = 0;                       // 0 = number of cores
-  int seeds = 10;                     // 1 to this number
+  int seeds = 10;                     // number of seeds
+  int firstSeed = 1001;               // of the seeds for evaluation
   std::vector<std::string> planners;  // empty: kUsualPlanners
 
   bool isGiven() const { return certify || verify; }

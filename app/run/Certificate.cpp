@@ -11,6 +11,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/Experiment.h"
 #include "app/run/ExperimentRunner.h"
+#include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Runner.h"
 
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr double kLongestObservation = 120.0;  // [s] of a run without robots
 constexpr std::size_t kObservedSeeds = 3;
+constexpr double kLeastSeparation = 0.01;  // between intervals, relative to the larger mean
 
 std::string nameOf(const std::string& path) {
   return fs::path(path).stem().string();
@@ -166,7 +168,8 @@ CertifiedArm armOf(const std::string& planner, const std::string& key,
 }
 
 /// The two arms with the widest gap between their intervals. Arms with a value in less than half of
-/// the runs do not count.
+/// the runs do not count, nor do gaps below 1 % of the larger mean: where the seed has no effect,
+/// intervals have no width.
 std::optional<std::pair<std::string, std::string>> separatedArms(
     const std::vector<CertifiedArm>& arms, std::size_t seeds) {
   std::optional<std::pair<std::string, std::string>> found;
@@ -177,7 +180,8 @@ std::optional<std::pair<std::string, std::string>> separatedArms(
   for (const CertifiedArm& low : arms) {
     for (const CertifiedArm& high : arms) {
       const double gap = high.interval.low - low.interval.high;
-      if (counts(low) && counts(high) && gap > widest) {
+      const double least = kLeastSeparation * std::max(std::fabs(low.mean), std::fabs(high.mean));
+      if (counts(low) && counts(high) && gap > std::max(widest, least)) {
         widest = gap;
         found = {low.planner, high.planner};
       }
@@ -186,12 +190,26 @@ std::optional<std::pair<std::string, std::string>> separatedArms(
   return found;
 }
 
+/// Whether one of the planners is better than the baseline, with disjoint intervals.
+bool isBaselineWorse(const CertifiedMetric& metric) {
+  const metrics::MetricEntry* const entry = metrics::standardRegistry().find(metric.key);
+  if (entry == nullptr || !metric.baseline.interval.isDefined()) {
+    return false;
+  }
+  const statistics::Interval& of = metric.baseline.interval;
+  return std::any_of(metric.arms.begin(), metric.arms.end(), [&](const CertifiedArm& arm) {
+    return arm.interval.isDefined() &&
+           ((entry->info.better == metrics::Better::Higher && arm.interval.low > of.high) ||
+            (entry->info.better == metrics::Better::Lower && arm.interval.high < of.low));
+  });
+}
+
 /// Adds what the runs with planners prove. `rows`: per planner, the baseline last.
 void addPlanners(Certificate& to, const std::vector<std::string>& metrics,
                  const std::vector<std::string>& arms,
                  const std::vector<std::vector<const ResultRow*>>& rows) {
   const auto seeds = static_cast<int>(to.seeds.size());
-  bool isSolved = false;
+  bool isSolved = false, isSolvedByBaseline = false;
   for (std::size_t k = 0; k < arms.size(); ++k) {
     const auto solved =
         static_cast<int>(std::count_if(rows[k].begin(), rows[k].end(),
@@ -199,9 +217,7 @@ void addPlanners(Certificate& to, const std::vector<std::string>& metrics,
     to.successes.emplace_back(arms[k], solved);
     const bool isBaseline = k + 1 == arms.size();
     isSolved = isSolved || (!isBaseline && 2 * solved >= seeds);
-    if (isBaseline && solved == seeds) {
-      to.problems.emplace_back("a robot that drives straight on solves all seeds");
-    }
+    isSolvedByBaseline = isBaseline && solved == seeds;
   }
   if (!isSolved) {
     to.problems.emplace_back("no planner solves at least half of the seeds");
@@ -212,8 +228,15 @@ void addPlanners(Certificate& to, const std::vector<std::string>& metrics,
     for (std::size_t k = 0; k + 1 < arms.size(); ++k) {
       metric.arms.push_back(armOf(arms[k], key, rows[k]));
     }
+    metric.baseline = armOf(arms.back(), key, rows.back());
     metric.separated = separatedArms(metric.arms, to.seeds.size());
+    isSolvedByBaseline = isSolvedByBaseline && !isBaselineWorse(metric);
     to.metrics.push_back(std::move(metric));
+  }
+  if (isSolvedByBaseline) {
+    to.problems.emplace_back(
+        "trivial: a robot that drives straight on solves all seeds, and no "
+        "planner is better in a metric of the card");
   }
 }
 

@@ -24,7 +24,8 @@ struct CertificationPlan {
   std::function<void(std::size_t finished, std::size_t total)> showProgress;
 };
 
-/// The planner that avoids nothing. It must not solve all seeds of a scenario.
+/// The planner that avoids nothing. It must fail in one of the seeds of a scenario, or be worse
+/// than one of the planners in a metric of the card.
 constexpr char kBaselinePlanner[] = "straight";
 
 /// What one planner achieves in one metric.
@@ -39,6 +40,7 @@ struct CertifiedArm {
 struct CertifiedMetric {
   std::string key;
   std::vector<CertifiedArm> arms;
+  CertifiedArm baseline;
   std::optional<std::pair<std::string, std::string>> separated;  // lower mean first
 };
 

@@ -24,21 +24,28 @@ Json expectationsJson(const std::vector<ExpectationOutcome>& outcomes) {
   return all;
 }
 
+Json armJson(const CertifiedArm& arm) {
+  return {{"planner", arm.planner},
+          {"runs", arm.runs},
+          {"mean", numberJson(arm.mean)},
+          {"low", numberJson(arm.interval.low)},
+          {"high", numberJson(arm.interval.high)}};
+}
+
 Json metricsJson(const std::vector<CertifiedMetric>& metrics) {
   Json all = Json::array();
   for (const CertifiedMetric& metric : metrics) {
     Json arms = Json::array();
     for (const CertifiedArm& arm : metric.arms) {
-      arms.push_back({{"planner", arm.planner},
-                      {"runs", arm.runs},
-                      {"mean", numberJson(arm.mean)},
-                      {"low", numberJson(arm.interval.low)},
-                      {"high", numberJson(arm.interval.high)}});
+      arms.push_back(armJson(arm));
     }
     const Json pair = metric.separated
                           ? Json::array({metric.separated->first, metric.separated->second})
                           : Json();
-    all.push_back({{"key", metric.key}, {"separates", pair}, {"planners", arms}});
+    all.push_back({{"key", metric.key},
+                   {"separates", pair},
+                   {"planners", arms},
+                   {"baseline", armJson(metric.baseline)}});
   }
   return all;
 }

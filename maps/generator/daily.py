@@ -38,8 +38,12 @@ def house_morning(places):
                            do("UseObject", goal_id=stove, duration="20.0")))
     s.person("father", "study", ["sofa"], 1.0,
              tree=sequence(stand(2.0), go(s.goal("hall")), say("Good morning"), go(sofa), stand(30.0)))
-    s.person("child", "child", ["living"], 1.0, kind="Curious", kind_of_body="child", radius=0.25,
-             stop_dist=1.0, duration=6.0, dist=4.0)
+    s.person("child", "child", ["living"], 1.0, kind_of_body="child", radius=0.25,
+             tree=select(node("Sequence", do("IsRobotVisible", distance="4.0"),
+                              node("Inverter", node("TimeExpiredCondition", seconds="6.0", ts="{dt}",
+                                                    only_once="true")),
+                              step("CuriousNav", agent_vel="0.8", stop_distance="1.0")),
+                         walk()))
     s.expects += ["mother starts UseObject before 2 s", 'father says "Good morning" before 40 s']
     return s
 
@@ -107,8 +111,7 @@ def ward_visiting(places):
              tree=sequence(do("WaitInQueue", goal_id=desk, spacing="0.9", duration="4.0",
                               patience="20.0"), go(s.goal("room_6")), stand(40.0)))
     s.person("nurse", "room_1", ["room_5", "room_1"], 1.5, cyclic=True,
-             tree=select(do("YieldToRobot", distance="2.5", patience="1.0"), walk(),
-                         step("RegularNav")))
+             tree=select(do("YieldToRobot", distance="2.5", patience="1.0"), walk()))
     s.person("patient", "room_3", ["room_3"], 0.5, kind_of_body="wheelchair", radius=0.4,
              tree=sequence(go(s.goal("corridor_west")), stand(5.0), go(s.goal("room_3")), stand(10.0)))
     s.person("doctor", "room_7", ["room_8"], 1.3)
@@ -203,7 +206,7 @@ def factory_shift(places):
                               node("Cooldown", node("Sequence", do("LookAtRobot"),
                                                     say("Mind the robot")), duration="15.0")),
                          do("PassOnSide", side="left", distance="4.0", clearance="1.0"),
-                         walk(), step("RegularNav")))
+                         walk()))
     s.expects.append("worker_1 starts UseObject before 2 s")
     return s
 
@@ -455,7 +458,7 @@ def corridors_night(places):
              tree=select(node("Sequence", do("IsRobotClose", threshold="2.0"),
                                             step("AvoidRobot", safe_distance="2.5", duration="2.0",
                                                  runaway_vel="1.0")),
-                         walk(), step("RegularNav")))
+                         walk()))
     s.expects.append("cleaner_1 comes within 1 m of goal 1 before 60 s")
     return s
 
@@ -482,24 +485,24 @@ def junction_interest(places):
                               node("Inverter", node("TimeExpiredCondition", seconds="6.0", ts="{dt}",
                                                     only_once="true")),
                               step("CuriousNav", agent_vel="0.8", stop_distance="1.4")),
-                         walk(), step("RegularNav")))
+                         walk()))
     s.person("surprised_one", "east_near", ["west"], 1.0,
              tree=select(node("Sequence", do("IsRobotVisible", distance="4.0"),
                               node("Inverter", node("TimeExpiredCondition", seconds="4.0", ts="{dt}",
                                                     only_once="true")), step("SurprisedNav")),
-                         walk(), step("RegularNav")))
+                         walk()))
     s.person("scared_one", "east", ["room_1"], 1.0,
              tree=select(node("Sequence", do("IsRobotVisible", distance="4.0"),
                               node("Inverter", node("TimeExpiredCondition", seconds="5.0", ts="{dt}",
                                                     only_once="true")),
                               step("ScaredNav", runaway_vel="1.0", safe_distance="3.0")),
-                         walk(), step("RegularNav")))
+                         walk()))
     s.person("angry_one", "room_2", ["room_4"], 1.0,
              tree=select(node("Sequence", do("IsRobotVisible", distance="4.0"),
                               node("Inverter", node("TimeExpiredCondition", seconds="4.0", ts="{dt}",
                                                     only_once="true")),
                               step("ThreateningNav", goal_dist="1.4")),
-                         walk(), step("RegularNav")))
+                         walk()))
     s.expects.append("curious_one comes within 2 m of goal 1 before 40 s")
     return s
 
@@ -555,7 +558,7 @@ def square_musician(places):
     for k, (start, end) in enumerate((("west", "south_east"), ("south", "east"), ("bicycles", "cafe"))):
         near = s.goal(14.4 + 1.4 * k, 7.4)
         goal = s.goal(end)
-        s.person(f"passer_{k + 1}", start, [end], 1.1,
+        s.person(f"passer_{k + 1}", start, [(14.4 + 1.4 * k, 7.4), end], 1.1,
                  tree=select(node("Sequence",
                                   once(do("SetGoal", goal_id=near)),
                                   node("Inverter", once(do("SetGoal", goal_id=goal)))),
@@ -564,7 +567,7 @@ def square_musician(places):
                                   node("RunOnce", node("LookAtAgent", observer_id="{id}", target_id=1,
                                                        yaw_tolerance="0.1")),
                                   node("RunOnce", stand(6.0))),
-                             walk(), step("RegularNav")))
+                             walk()))
     s.expects.append("musician says before 5 s")
     return s
 

@@ -2,7 +2,7 @@
 
 import math
 
-from scene import Scene, do, go, node, once, say, select, sequence, stand, step
+from scene import Scene, do, go, node, once, say, select, sequence, stand, step, walk
 
 SOURCE = ("Francis et al. 2025, Principles and Guidelines for Evaluating Social Robot Navigation "
           "Algorithms (figure 7{}); geometry after Robot SF (ll7/robot_sf_ll7)")
@@ -346,7 +346,7 @@ def leading_human(level):
     s.person("follower", (1.8, y, 0.0), [(24.5, y)], (1.2, 1.0, 0.9)[level],
              tree=select(node("Sequence", do("IsRobotVisible", distance="6.0"),
                               step("ApproachRobot", closest_dist="1.5", duration="2.0",
-                                   max_vel="1.2")), step("RegularNav")))
+                                   max_vel="1.2")), walk()))
     if level:
         s.person("oncoming", (24.0, y + 0.6, PI), [(1.5, y + 0.6)], 1.2)
     if level == 2:

@@ -108,6 +108,7 @@ class Scene:
                                 kind=kind, group=group, radius=radius, goal_radius=goal_radius,
                                 more=more))
         if tree is not None:
+            assert kind == "Regular", name
             self.trees[len(self.people)] = tree
         return len(self.people)
 
@@ -185,6 +186,11 @@ class Scene:
         return least
 
     def check(self):
+        if self.trees and any(p["kind"] != "Regular" for p in self.people):
+            yield f"{self.name}: trees are missing for reactions"
+        yield from self.check_places()
+
+    def check_places(self):
         """Starts and goals are free, and starts do not overlap."""
         spots = [(p["name"], *p["pose"][:2], p["radius"] + 0.05) for p in self.people]
         spots += [("robot", *r["pose"][:2], 0.4) for r in self.robots]
@@ -290,6 +296,8 @@ class Scene:
                 "hunavsim_desktop": {"ros__parameters": self.desktop_tree()}}
         with open(os.path.join(folder, self.name + ".yaml"), "w", encoding="utf-8") as file:
             file.write("\n".join(emit(tree)) + "\n")
+        if self.trees:  # then everybody needs a tree file
+            self.trees = {k + 1: self.trees.get(k + 1) or walk() for k in range(len(self.people))}
         for number, body in self.trees.items():
             name = f"{self.name}__agent_{number}_bt.xml"
             with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
@@ -352,9 +360,6 @@ def stand(seconds):
 
 
 def walk():
-    """One step towards the goals; the next one after each."""
-    return sequence_plain(step("RegularNav"), do("IsGoalReached"), do("UpdateGoal"))
-
-
-def sequence_plain(*children):
-    return node("Sequence", *children)
+    """One step towards the goals; the next one after each. The tree of a regular person."""
+    return select(node("Sequence", node("Inverter", do("IsGoalReached")), step("RegularNav")),
+                  do("UpdateGoal"))

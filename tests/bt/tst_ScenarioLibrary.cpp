@@ -78,7 +78,8 @@ class ScenarioLibraryTest : public QObject {
   void library_usesEveryNodeOfPeople() {
     const std::set<std::string> used = usedNodes();
     std::string unused;
-    for (const bt::NodeManifest& node : bt::humanNodes().catalogue().all()) {
+    const bt::NodeLibrary library = bt::humanNodes();
+    for (const bt::NodeManifest& node : library.catalogue().all()) {
       const bool isOfPeople = node.origin != bt::NodeOrigin::BehaviorTreeCpp;
       unused += isOfPeople && used.count(node.id) == 0 ? " " + node.id : std::string();
     }

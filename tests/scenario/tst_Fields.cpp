@@ -34,7 +34,8 @@ YamlNode wrongFor(const base::ParameterSpec& spec, bool isMap) {
   list.kind = YamlNode::Kind::List;
   list.items.push_back(scalarNode("1"));
   const bool isText = spec.type == base::ParameterType::Text && spec.choices.empty();
-  if (spec.key == "nav2_params") {  // a text or a list of texts
+  const bool isTextList = spec.key == "metrics" || spec.key == "expect";
+  if (isTextList || spec.key == "nav2_params") {
     return YamlNode(YamlNode::Kind::Map);
   }
   return isText || (isMap && spec.key != "configuration") ? list : scalarNode("neither");
