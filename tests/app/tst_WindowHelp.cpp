@@ -41,10 +41,16 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
       if (file.open(QIODevice::WriteOnly)) {
         file.write("(label)=\n# Title of ");
         file.write(page);
-        file.write("\n\n```{note}\nMind the gap.\n```\n\nSee [index](index.md#lower-part).\n\n");
+        file.write(
+            "\n\n```{include} part.md\n```\n\n```{note}\nMind the gap.\n```\n\nSee "
+            "[index](index.md#lower-part).\n\n");
         file.write(QByteArray("Text.\n\n").repeated(80));
         file.write("## Lower part\n\nEnd.\n");
       }
+    }
+    QFile part(at("part.md"));
+    if (part.open(QIODevice::WriteOnly)) {
+      part.write("Included, see [](metrics.md).\n");
     }
     app::WindowSetup setup = quiet::setup();
     setup.manual.markdown = folder_->path();
@@ -186,13 +192,18 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
   }
 
   void pages_allHaveTitles() {
-    QCOMPARE(app::manualPages().size(), std::size_t{21});
+    QCOMPARE(app::manualPages().size(), std::size_t{24});
     QSet<QString> names;
     for (const app::ManualPage& page : app::manualPages()) {
       names << QString::fromLatin1(page.name);
       QVERIFY(*page.title != '\0');
     }
-    QCOMPARE(names.size(), 21);
+    QCOMPARE(names.size(), 24);
+    const QDir sources(QStringLiteral(SOURCE_DIR "/resources/manual"));
+    for (const QString& file : sources.entryList({QStringLiteral("*.md")})) {
+      names.remove(QFileInfo(file).completeBaseName());
+    }
+    QVERIFY2(names.isEmpty(), qPrintable(names.values().join(QLatin1Char(' '))));
   }
 
   /// F1 with the focus in twenty different widgets.
@@ -326,6 +337,7 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
     QVERIFY(viewer.text().toPlainText().startsWith(QStringLiteral("Title of metrics.md")));
     QVERIFY(viewer.text().toPlainText().contains(QStringLiteral("Note. Mind the gap.")));
     QVERIFY(!viewer.text().toPlainText().contains(QStringLiteral("{note}")));
+    QVERIFY(viewer.text().toPlainText().contains(QStringLiteral("Included, see Metrics.")));
     Q_EMIT viewer.text().anchorClicked(QUrl(QStringLiteral("index.md#lower-part")));
     QCOMPARE(viewer.page(), QStringLiteral("index"));
     QVERIFY(viewer.text().verticalScrollBar()->value() > 0);

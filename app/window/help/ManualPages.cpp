@@ -15,6 +15,9 @@ const std::vector<ManualPage>& manualPages() {
       {"people-and-groups", QT_TRANSLATE_NOOP("Manual", "People and groups")},
       {"behaviour-tree", QT_TRANSLATE_NOOP("Manual", "Behaviour trees")},
       {"robots-and-sensors", QT_TRANSLATE_NOOP("Manual", "Robots and sensors")},
+      {"robots", QT_TRANSLATE_NOOP("Manual", "List of robots")},
+      {"planners", QT_TRANSLATE_NOOP("Manual", "Planners")},
+      {"models", QT_TRANSLATE_NOOP("Manual", "Pedestrian models")},
       {"compare-planners", QT_TRANSLATE_NOOP("Manual", "Compare planners")},
       {"nav2", QT_TRANSLATE_NOOP("Manual", "Nav2")},
       {"own-planner", QT_TRANSLATE_NOOP("Manual", "Your own planner")},
@@ -121,10 +124,17 @@ QString manualPageOfTool(const QString& icon) {
 }
 
 ManualFolders installedManual() {
-  const std::string sources = shippedResources("manual");
-  return {QString::fromStdString(builtManual()), QFileInfo::exists(QString::fromStdString(sources))
-                                                     ? QString::fromStdString(sources)
-                                                     : QString()};
+  const QString staged = QFileInfo(QString::fromStdString(programPath())).absolutePath() +
+                         QStringLiteral("/manual/source");  // with the generated pages
+  const QString shipped = QString::fromStdString(shippedResources("manual"));
+  ManualFolders folders;
+  folders.html = QString::fromStdString(builtManual());
+  for (const QString& folder : {shipped, staged}) {
+    if (!folder.isEmpty() && QFileInfo::exists(folder + QStringLiteral("/index.md"))) {
+      folders.markdown = folder;
+    }
+  }
+  return folders;
 }
 
 }  // namespace app

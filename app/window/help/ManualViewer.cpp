@@ -33,7 +33,42 @@ struct Directive {
   QStringList body;
 };
 
-QString markdownOf(const Directive& directive) {
+/// A link to a page with its title.
+QString linkTo(const QString& page) {
+  const auto& pages = manualPages();
+  const auto found = std::find_if(pages.begin(), pages.end(), [&page](const ManualPage& each) {
+    return page == QLatin1String(each.name);
+  });
+  const QString title =
+      found == pages.end() ? page : QCoreApplication::translate("Manual", found->title);
+  return QStringLiteral("[%1](%2.md)").arg(title, page);
+}
+
+/// The pages of a `toctree`, one per line after its options.
+QString contentsOf(const QStringList& body) {
+  QString list;
+  for (const QString& line : body) {
+    const QString page = line.trimmed();
+    if (page.startsWith(QLatin1String(":caption:"))) {
+      list += QStringLiteral("\n**%1**\n\n").arg(page.mid(9).trimmed());
+    } else if (!page.isEmpty() && !page.startsWith(QLatin1Char(':'))) {
+      list += QStringLiteral("- %1\n").arg(linkTo(page));
+    }
+  }
+  return list;
+}
+
+QString includedFile(const QString& name, const QString& folder) {
+  QFile file(QDir(folder).filePath(name));
+  return file.open(QIODevice::ReadOnly)
+             ? plainMarkdown(QString::fromUtf8(file.readAll()), folder)
+             : QObject::tr("*This part is generated; it is in the HTML pages of the manual.*\n");
+}
+
+QString markdownOf(const Directive& directive, const QString& folder) {
+  if (directive.name == QLatin1String("include")) {
+    return includedFile(directive.argument, folder);
+  }
   QStringList body;
   QString alt;
   for (const QString& line : directive.body) {
@@ -48,8 +83,8 @@ QString markdownOf(const Directive& directive) {
   if (directive.name == QLatin1String("figure") || directive.name == QLatin1String("image")) {
     return QStringLiteral("![%1](%2)\n\n%3\n").arg(alt, directive.argument, text);
   }
-  if (directive.name == QLatin1String("toctree") || directive.name == QLatin1String("contents")) {
-    return {};
+  if (directive.name == QLatin1String("toctree")) {
+    return contentsOf(directive.body);
   }
   if (directive.name.startsWith(QLatin1String("code"))) {
     return QStringLiteral("```\n%1\n```\n").arg(text);
@@ -61,7 +96,7 @@ QString markdownOf(const Directive& directive) {
 
 }  // namespace
 
-QString plainMarkdown(const QString& myst) {
+QString plainMarkdown(const QString& myst, const QString& folder) {
   static const QRegularExpression kOpening(
       QStringLiteral("^(`{3,}|:{3,})\\{([\\w:-]+)\\}\\s*(.*)$"));
   static const QRegularExpression kLabel(QStringLiteral("^\\([\\w-]+\\)=$"));
@@ -73,7 +108,7 @@ QString plainMarkdown(const QString& myst) {
   for (const QString& line : myst.split(QLatin1Char('\n'))) {
     if (!fence.isEmpty()) {
       if (line.trimmed() == fence) {
-        lines << QString() << markdownOf(open);
+        lines << QString() << markdownOf(open, folder);
         fence.clear();
       } else {
         open.body << line;
@@ -88,7 +123,13 @@ QString plainMarkdown(const QString& myst) {
       lines << QString(line).replace(kRole, QStringLiteral("\\1"));
     }
   }
-  return lines.join(QLatin1Char('\n'));
+  QString text = lines.join(QLatin1Char('\n'));
+  static const QRegularExpression kUntitled(QStringLiteral("\\[\\]\\(([\\w-]+)\\.md[^)]*\\)"));
+  for (QRegularExpressionMatch link = kUntitled.match(text); link.hasMatch();
+       link = kUntitled.match(text)) {
+    text.replace(link.capturedStart(), link.capturedLength(), linkTo(link.captured(1)));
+  }
+  return text;
 }
 
 ManualViewer::ManualViewer(QString folder, const editor::Theme& theme, QWidget* parent)
@@ -101,7 +142,7 @@ ManualViewer::ManualViewer(QString folder, const editor::Theme& theme, QWidget* 
   text_->setOpenLinks(false);
   text_->setFrameShape(QFrame::NoFrame);
   text_->setAccessibleName(tr("Page"));
-  text_->setSearchPaths({folder_});
+  text_->setSearchPaths({folder_, QDir(folder_).filePath(QStringLiteral(".."))});
   text_->document()->setDocumentMargin(kPageMargin);
   back_ = editor::makeAction(tr("Back"), QKeySequence::Back, tr("Show the previous page"), this);
   forward_ = editor::makeAction(tr("Forward"), QKeySequence::Forward,
@@ -192,7 +233,7 @@ void ManualViewer::display() {
           ? tr("# Page not found\n\nThe manual has no file `%1.md` in `%2`. Reinstall the "
                "program, or read the manual on the project's page.")
                 .arg(page, QDir::toNativeSeparators(folder_))
-          : plainMarkdown(text));
+          : plainMarkdown(text, folder_));
   text_->document()->setDocumentMargin(kPageMargin);
   text_->moveCursor(QTextCursor::Start);
   for (int i = 0; i < pages_->count(); ++i) {

@@ -7,8 +7,9 @@
 namespace app {
 
 /// The Markdown that Qt displays, from a page written for Sphinx with MyST: figures become images,
-/// notes become quotations, lists of contents and labels are left out.
-QString plainMarkdown(const QString& myst);
+/// notes become quotations, contents become lists of links, labels are left out. `folder`: of the
+/// pages, for included files.
+QString plainMarkdown(const QString& myst, const QString& folder);
 
 /// A window that shows the manual from its Markdown files, without a browser and a network: list of
 /// pages, search in all of them, back and forward.
