@@ -13,6 +13,7 @@
 #include "app/window/KeyRules.h"
 #include "app/window/MainWindow.h"
 #include "app/window/files/FileCommands.h"
+#include "app/window/files/MapFiles.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
@@ -297,7 +298,7 @@ void requireScenario(const std::string& name, bool isForPicture,
     requireFine(
         {unknownScenario(name, commands).value_or(base::error("file.not-there", {}, name))});
   }
-  if (isForPicture && FileCommands::isImage(scenario)) {
+  if (isForPicture && isMapImage(scenario) && mapYamlOf(scenario).isEmpty()) {
     requireFine({base::error("option.picture-of-image", {}, name)});
   }
 }

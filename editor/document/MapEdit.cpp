@@ -66,6 +66,14 @@ void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings
   document.undoStack().push(new SwapCommand(text, swap));
 }
 
+void pushNewMap(ScenarioDocument& document, std::shared_ptr<const sim2d::OccupancyGrid> map) {
+  ScenarioSettings settings = std::get<ScenarioSettings>(*document.entity(kSettingsId));
+  settings.map.reset();
+  settings.desktop.mapFile.reset();
+  pushMap(document, {std::move(map), {}, false, {}}, std::move(settings),
+          QObject::tr("Change map"));
+}
+
 void pushOpenPlane(ScenarioDocument& document) {
   ScenarioSettings settings = std::get<ScenarioSettings>(*document.entity(kSettingsId));
   settings.desktop.mapFile = "none";

@@ -31,6 +31,8 @@ class MapStroke {
 /// Replaces the map, together with the settings that name it.
 void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
              const QString& text);
+/// Replaces the map by one that is not in a file yet; a save writes it beside the scenario.
+void pushNewMap(ScenarioDocument& document, std::shared_ptr<const sim2d::OccupancyGrid> map);
 /// Removes the map and its name from the scenario.
 void pushOpenPlane(ScenarioDocument& document);
 /// Pushes nothing if no cell would change, or if the map has been replaced during the stroke.

@@ -3,6 +3,7 @@
 #include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunReplay.h"
+#include "app/window/files/MapFiles.h"
 #include "app/window/settings/Preferences.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/Layers.h"
@@ -41,13 +42,6 @@ bool FileCommands::showProblems(const base::Diagnostics& problems) {
   return fine;
 }
 
-bool FileCommands::isImage(const QString& path) {
-  static const QStringList kImages = {QStringLiteral("png"), QStringLiteral("pgm"),
-                                      QStringLiteral("bmp"), QStringLiteral("jpg"),
-                                      QStringLiteral("jpeg")};
-  return kImages.contains(QFileInfo(path).suffix().toLower());
-}
-
 /// Whether the name is that of third-party trajectories: no scenario, map or tree has it.
 bool FileCommands::isTracks(const QString& path) {
   static const QStringList kTracks = {QStringLiteral("csv"),    QStringLiteral("txt"),
@@ -64,7 +58,7 @@ FileCommands::Kind FileCommands::kindOf(const QString& path) const {
   if (file.isDir() || file.fileName() == QLatin1String("trace.json")) {
     return Kind::Run;
   }
-  if (isImage(path)) {
+  if (isMapImage(path)) {
     return Kind::Image;
   }
   if (isTracks(path)) {
@@ -87,8 +81,7 @@ bool FileCommands::openFile(const QString& path) {
     case Kind::Map:
       return openNewFromMap(path);
     case Kind::Image:
-      askMapOfImage(path);
-      return true;
+      return openNewFromImage(path);
     case Kind::Tree:
       return assignTree(path, {});
     case Kind::Run:
@@ -225,6 +218,15 @@ QString FileCommands::folder() const {
   return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
+QString FileCommands::askMapFile(const QString& title) {
+  QFileDialog dialog(&window_, title, folder(),
+                     tr("Maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);  // Native dialogs cannot hide scenarios.
+  dialog.setProxyModel(new MapFileFilter(&dialog));
+  return askFile(dialog, userSettings_);
+}
+
 QString FileCommands::ask(QFileDialog::FileMode mode, const QString& title, const QString& filter) {
   QFileDialog dialog(&window_, title, folder(), filter);
   dialog.setFileMode(mode);
@@ -285,39 +287,52 @@ void FileCommands::askNewEmptyRoom() {
 }
 
 void FileCommands::askNewFromMap() {
-  const QString path = ask(QFileDialog::ExistingFile, tr("New scenario from a map"),
-                           tr("Maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
-  if (path.isEmpty()) {
+  const QString path = askMapFile(tr("New scenario from a map"));
+  if (path.isEmpty() || !maybeSave()) {
     return;
   }
-  if (kindOf(path) == Kind::Image) {
-    askMapOfImage(path);
-  } else if (maybeSave()) {
-    openNewFromMap(path);
-  }
+  kindOf(path) == Kind::Image ? openNewFromImage(path) : openNewFromMap(path);
 }
 
-void FileCommands::askMapOfImage(const QString& path) {
+/// Resolution and origin are those of the YAML file that names the image; without such a file they
+/// are asked for.
+bool FileCommands::openNewFromImage(const QString& path) {
+  const QString yaml = mapYamlOf(path);
+  if (!yaml.isEmpty()) {
+    return openNewFromMap(yaml);
+  }
+  if (GridPtr map = askScaleOf(path)) {
+    newOnMap(std::move(map));
+  }
+  return !base::hasErrors(problems_);
+}
+
+FileCommands::GridPtr FileCommands::askScaleOf(const QString& path) {
   constexpr double kResolution = 0.05;
-  const base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> grid =
-      editor::gridOfImage(path, kResolution);
+  const base::Result<GridPtr> grid = editor::gridOfImage(path, kResolution);
   if (!showProblems(grid.diagnostics()) || !grid) {
-    return;
+    return nullptr;
   }
   QImage image(path);
   if (image.isNull()) {  // a format that only the map reader supports
     image = editor::mapImage(**grid, workspace_.theme());
   }
   ImageMapDialog dialog(*grid, image, workspace_.theme(), &window_);
-  if (dialog.exec() == QDialog::Accepted && maybeSave()) {
-    newOnMap(dialog.map());
-  }
+  return dialog.exec() == QDialog::Accepted ? dialog.map() : nullptr;
 }
 
 void FileCommands::askReplaceMap() {
-  const QString path = ask(QFileDialog::ExistingFile, tr("Change map"), tr("Maps (*.yaml *.yml)"));
-  if (!path.isEmpty()) {
-    replaceMap(path);
+  const QString path = askMapFile(tr("Change map"));
+  if (path.isEmpty()) {
+    return;
+  }
+  const bool isImage = kindOf(path) == Kind::Image;
+  const QString yaml = isImage ? mapYamlOf(path) : path;
+  if (!yaml.isEmpty()) {
+    replaceMap(yaml);
+  } else if (GridPtr map = askScaleOf(path)) {
+    editor::pushNewMap(workspace_.document(), std::move(map));
+    workspace_.runner().reset();
   }
 }
 

@@ -28,7 +28,6 @@ class FileCommands : public QObject {
   /// see the issues.
   bool openFile(const QString& path);
   static bool isTracks(const QString& path);
-  static bool isImage(const QString& path);  // by file name; opening it asks for the scale
   /// Opens a file dropped onto the entity `under`; none: onto the window.
   bool dropFile(const QString& path, editor::EntityId under);
   /// Reloads the document from disk.
@@ -53,7 +52,6 @@ class FileCommands : public QObject {
   void askImportTracks();
   void askNewFromMap();
   void askNewEmptyRoom();
-  void askMapOfImage(const QString& path);
   void askReplaceMap();
   void askExport();
   bool save();  // asks for a name if there is none; false: cancelled or failed
@@ -79,10 +77,14 @@ class FileCommands : public QObject {
 
  private:
   enum class Kind { Scenario, Map, Image, Tree, Run, Tracks };
+  using GridPtr = std::shared_ptr<const sim2d::OccupancyGrid>;
   bool showProblems(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
   void openIfWanted(const QString& path);  // empty: cancelled
   QString ask(QFileDialog::FileMode mode, const QString& title, const QString& filter = {});
+  QString askMapFile(const QString& title);
+  bool openNewFromImage(const QString& path);
+  GridPtr askScaleOf(const QString& path);  // null: cancelled, or not an image
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path);
   bool openRun(const QString& path);

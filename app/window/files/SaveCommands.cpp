@@ -1,9 +1,8 @@
 
 #include "app/window/files/FileCommands.h"
+#include "app/window/files/MapFiles.h"
 #include "editor/document/Autosave.h"
 #include "editor/look/Fields.h"
-#include "sim2d/base/Text.h"
-#include "sim2d/map/MapReader.h"
 
 /// The part of FileCommands that saves and exports, with the questions before data is lost.
 namespace app {
@@ -11,30 +10,6 @@ namespace app {
 namespace {
 
 constexpr const char* kExportKey = "files/export";  // scenario and its export folder
-
-/// Whether both are the same file, also through links. The files need not exist.
-bool isSameFile(const QFileInfo& a, const QFileInfo& b) {
-  const QString real = a.canonicalFilePath();
-  return a.absoluteFilePath() == b.absoluteFilePath() ||
-         (!real.isEmpty() && real == b.canonicalFilePath());
-}
-
-/// The path of a map's image; empty if the map cannot be read.
-QString imageOf(const QString& map) {
-  const base::Result<std::string> text = base::readTextFile(map.toStdString());
-  const auto description = text ? sim2d::parseMapDescription(*text, map.toStdString())
-                                : base::Result<sim2d::MapDescription>(text.diagnostics());
-  return description ? QFileInfo(map).dir().filePath(QString::fromStdString(description->image))
-                     : QString();
-}
-
-/// Whether the file is a map, even a damaged one.
-bool isMapYaml(const QString& path) {
-  const base::Result<std::string> text = base::readTextFile(path.toStdString());
-  const auto has = [&text](const char* words) { return text->find(words) != std::string::npos; };
-  return text && (sim2d::parseMapDescription(*text, path.toStdString()) ||
-                  (has("image:") && has("resolution:") && !has("ros__parameters")));
-}
 
 }  // namespace
 
