@@ -374,6 +374,37 @@ class PropertyPanelTest : public QObject {
       QVERIFY2(widgets::withText<QLabel>(*panel_, QLatin1String(words)) != nullptr, words);
     }
   }
+
+  void kinds_everythingSelected_clickShowsAndChangesThatKind() {
+    sim2d::Robot robot;
+    robot.name = "rob";
+    const EntityId rob = editor::pushAdd(*document_, robot);
+    document_->setSelection(
+        {key(0), key(1), document_->goalKey(1), document_->goalKey(2), document_->goalKey(3), rob});
+    const auto button = [this](const char* text) {
+      auto* found = widgets::withText<QPushButton>(*panel_, QLatin1String(text));
+      return found != nullptr && found->isVisible() ? found : nullptr;
+    };
+    for (const char* words : {"2 people", "3 goals", "robot"}) {
+      QVERIFY2(button(words) != nullptr, words);
+    }
+    QVERIFY(button("2 people")->isChecked());  // people come first
+    QTest::mouseClick(button("3 goals"), Qt::LeftButton);
+    QVERIFY(button("3 goals")->isChecked() && !button("2 people")->isChecked());
+    QCOMPARE(panel_->currentPage(), panel_->page(base::EntityKind::Goal));
+    QTest::mouseClick(button("2 people"), Qt::LeftButton);
+    enter(field<NumberField>(QStringLiteral("Top speed")), QStringLiteral("0.7"));
+    QCOMPARE(*human(0).maxVel, 0.7);
+    QCOMPARE(*human(1).maxVel, 0.7);
+    QVERIFY(button("2 people")->isChecked());  // also after the change
+    QTest::mouseClick(button("robot"), Qt::LeftButton);
+    QCOMPARE(panel_->currentPage(), panel_->page(base::EntityKind::Robot));
+    document_->setSelection({key(0), document_->goalKey(1)});
+    QVERIFY(button("person") != nullptr && button("goal") != nullptr);
+    QVERIFY(button("robot") == nullptr);
+    document_->setSelection({key(0), key(1)});
+    QVERIFY(button("2 people") == nullptr);  // one kind needs no switch
+  }
 };
 
 QTEST_MAIN(PropertyPanelTest)

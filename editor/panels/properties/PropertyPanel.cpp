@@ -206,6 +206,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   low->setMinimumHeight(kMinBody);
   auto* layout = configuredLayout(new QVBoxLayout(this), {}, 0);
   layout->addLayout(top);
+  layout->addWidget(kinds_);
   layout->addWidget(dividerLine(this));
   layout->addWidget(low, 1);
   pages_ = entityPages(document, theme);
@@ -215,6 +216,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
     stack_->widget(stack_->count() - 1)->setMinimumHeight(kMinPage);  // Low windows scroll here.
   }
   stack_->addWidget(spawnedPersonPage_);
+  connect(kinds_, &KindSwitch::chosen, this, &PropertyPanel::follow);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &PropertyPanel::follow);
   connect(&document_, &ScenarioDocument::pathChanged, this, &PropertyPanel::refresh);
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
@@ -254,6 +256,7 @@ void PropertyPanel::showSpawnedPerson() {
 
 void PropertyPanel::follow() {
   if (spawnedAgent_) {
+    kinds_->hide();
     showSpawnedPerson();
     return;
   }
@@ -261,8 +264,7 @@ void PropertyPanel::follow() {
   if (ids.empty()) {
     ids = {kSettingsId};
   }
-  // For several kinds: the page of the kind selected last.
-  const EntityKind kind = ids.back().kind;
+  const EntityKind kind = kinds_->setSelection(ids);
   ids.erase(std::remove_if(ids.begin(), ids.end(), [kind](EntityId id) { return id.kind != kind; }),
             ids.end());
   current_ = pages_.at(kind);
@@ -290,10 +292,7 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
   const std::size_t others = all > ids.size() ? all - ids.size() : 0;
   const QString rest = counted(others, tr("other"), tr("others"));
   if (ids.size() > 1) {
-    name_->setFullText(ids.front().kind == EntityKind::Human
-                           ? tr("%1 people").arg(ids.size())
-                           : counted(ids.size(), kindName(ids.front().kind),
-                                     kindName(ids.front().kind) + QLatin1Char('s')));
+    name_->setFullText(kindText(ids.front().kind, ids.size()));
     about_->setText(others == 0 ? tr("Changes apply to all of them")
                                 : tr("Changes apply to these, not to %1").arg(rest));
   } else if (ids.front() == kSettingsId) {

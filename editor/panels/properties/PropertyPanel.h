@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/look/Form.h"
+#include "editor/panels/properties/KindSwitch.h"
 #include "editor/panels/properties/PropertyPage.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/scenario/Scenario.h"
@@ -10,7 +11,8 @@ namespace editor {
 
 class RunStateSection;
 
-/// The right dock: properties of the selection, or of the scenario if nothing is selected.
+/// The right dock: properties of the selection, or of the scenario if nothing is selected. If
+/// several kinds are selected, a switch chooses the kind that is shown and changed.
 class PropertyPanel : public QWidget {
   Q_OBJECT
  public:
@@ -42,6 +44,7 @@ class PropertyPanel : public QWidget {
   QLabel* picture_ = new QLabel(this);
   ElidedLabel* name_ = new ElidedLabel(this);
   QLabel* about_ = secondaryLabel({}, this);
+  KindSwitch* kinds_ = new KindSwitch(this);
   RunStateSection* runState_;
   QWidget* later_ = new QWidget(this);
   bool isSame_ = true;  // No entities were added or removed in the current step.
