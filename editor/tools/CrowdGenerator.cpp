@@ -1,6 +1,7 @@
 #include "editor/tools/CrowdGenerator.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "editor/document/EditCommands.h"
@@ -24,10 +25,14 @@ constexpr int kFull = 40;                // Consecutive failures until the area 
 constexpr std::size_t kMaxGoals = 3;     // Maximum number of goals in a random route.
 constexpr int kPositionAgent = -1;       // Agent number of the position draws.
 constexpr int kBehaviorOrderAgent = -3;  // Agent number of the behaviour order draws.
+constexpr int kGoalAgent = -4;           // Agent number of the draws of new goals.
+constexpr std::size_t kBlock = 10;       // People among whom behaviours have their proportions.
+constexpr std::uint32_t kGoalTrials = 80;
+constexpr double kGoalRoom = 0.6;                         // Free radius around a new goal [m].
 constexpr std::array<int, 5> kAges = {70, 10, 12, 3, 5};  // Kinds in a mixed crowd [%].
 
 /// The purpose of a random draw for a person; index of the random number.
-enum Choice : std::uint32_t { BehaviorChoice, KindChoice, HeadingChoice };
+enum Choice : std::uint32_t { KindChoice = 1, HeadingChoice };
 
 template <std::size_t N>
 int weighted(const std::array<int, N>& weights, double uniform) {
@@ -151,11 +156,11 @@ int nextPersonIndex(const ScenarioDocument& document) {
   return static_cast<int>(document.scenario().humans.size());
 }
 
-sim2d::Human sampledPerson(const CrowdRecipe& recipe, int index, const sim2d::Scenario& scenario) {
+sim2d::Human sampledPerson(const CrowdRecipe& recipe, sim2d::BehaviorType behavior, int index,
+                           const sim2d::Scenario& scenario) {
   const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), index);
   sim2d::Human human = newPerson();
-  human.behavior.type = static_cast<sim2d::BehaviorType>(
-      1 + weighted(recipe.mix, rng.uniform01(DrawPurpose::Placement, BehaviorChoice)));
+  human.behavior.type = behavior;
   const auto kind = recipe.kind.value_or(static_cast<sim2d::PersonKind>(
       weighted(kAges, rng.uniform01(DrawPurpose::Placement, KindChoice))));
   if (kind != sim2d::PersonKind::Adult) {
@@ -172,39 +177,63 @@ sim2d::Human sampledPerson(const CrowdRecipe& recipe, int index, const sim2d::Sc
   return human;
 }
 
-std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
-                                    const CrowdRecipe& recipe, const ScenarioDocument& document) {
+namespace {
+
+/// Random positions inside the polygon on free ground.
+std::vector<Vec2> goalCandidates(const std::vector<Vec2>& polygon, const CrowdRecipe& recipe,
+                                 const FreeSpace& ground) {
   const auto [low, high] = *extentOf(polygon);
-  FreeSpace ground(document);
-  std::vector<sim2d::Human> people;
-  const int first = nextPersonIndex(document);
-  int without = 0;  // Number of consecutive people without a free position.
-  for (int index = first; index < first + static_cast<int>(count) && without < kFull; ++index) {
-    sim2d::Human human = sampledPerson(recipe, index, document.scenario());
-    const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kPositionAgent,
-                       static_cast<std::uint64_t>(index));
-    ++without;
-    for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
-      const double x = rng.uniform(low.x(), high.x(), DrawPurpose::Placement, 2 * trial);
-      const double y = rng.uniform(low.y(), high.y(), DrawPurpose::Placement, 2 * trial + 1);
-      const Vec2 place(roundedToCentimetres(x), roundedToCentimetres(y));
-      if (sim2d::isInside(polygon, place) && ground.isFree(place, *human.radius)) {
-        ground.take(place, *human.radius);
-        human.initPose.position = place;
-        people.push_back(std::move(human));
-        without = 0;
-        break;
-      }
+  const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kGoalAgent);
+  std::vector<Vec2> places;
+  for (std::uint32_t trial = 0; trial < kGoalTrials; ++trial) {
+    const double x = rng.uniform(low.x(), high.x(), DrawPurpose::Placement, 2 * trial);
+    const double y = rng.uniform(low.y(), high.y(), DrawPurpose::Placement, 2 * trial + 1);
+    const Vec2 place(roundedToCentimetres(x), roundedToCentimetres(y));
+    if (sim2d::isInside(polygon, place) && ground.isFree(place, kGoalRoom)) {
+      places.push_back(place);
     }
   }
-  return people;
+  return places;
 }
 
-std::vector<sim2d::BehaviorType> shuffledBehaviors(const CrowdRecipe& recipe, std::size_t count) {
+/// Up to `kNewGoals` goals; each is the candidate farthest from the goals before it, the first one
+/// the candidate farthest from the centre.
+std::vector<sim2d::GlobalGoal> newGoals(const std::vector<Vec2>& polygon, const CrowdRecipe& recipe,
+                                        const FreeSpace& ground) {
+  const std::vector<Vec2> places = goalCandidates(polygon, recipe, ground);
+  std::vector<sim2d::GlobalGoal> goals;
+  std::vector<Vec2> avoided = {extentOf(polygon)->centre()};
+  const auto distance = [&avoided](const Vec2& place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec2& other : avoided) {
+      nearest = std::min(nearest, (other - place).norm());
+    }
+    return nearest;
+  };
+  while (goals.size() < std::min(kNewGoals, places.size())) {
+    sim2d::GlobalGoal goal;
+    goal.id = static_cast<int>(goals.size()) + 1;
+    goal.key = {EntityKind::Goal, -goal.id};
+    goal.position =
+        *std::max_element(places.begin(), places.end(),
+                          [&](const Vec2& a, const Vec2& b) { return distance(a) < distance(b); });
+    if (goals.empty()) {
+      avoided.clear();
+    }
+    avoided.push_back(goal.position);
+    goals.push_back(goal);
+  }
+  return goals;
+}
+
+/// The first `count` behaviours in which each one follows its share: next is the one farthest below
+/// its share.
+std::vector<sim2d::BehaviorType> proportionalBehaviors(const CrowdRecipe& recipe,
+                                                       std::size_t count) {
   const int sum = std::accumulate(recipe.mix.begin(), recipe.mix.end(), 0);
   std::array<long long, kBehaviorCount> given = {};
   std::vector<sim2d::BehaviorType> all;
-  for (std::size_t n = 1; n <= count; ++n) {  // Next is the one farthest below its share.
+  for (std::size_t n = 1; n <= count; ++n) {
     std::size_t next = 0;
     long long most = 0;
     for (std::size_t k = 0; k < given.size(); ++k) {
@@ -217,11 +246,75 @@ std::vector<sim2d::BehaviorType> shuffledBehaviors(const CrowdRecipe& recipe, st
     ++given[next];
     all.push_back(static_cast<sim2d::BehaviorType>(next + 1));
   }
-  const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kBehaviorOrderAgent);
-  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+  return all;
+}
+
+/// Shuffles `count` values from `first` on.
+void shuffle(std::vector<sim2d::BehaviorType>& values, std::size_t first, std::size_t count,
+             const AgentRng& rng) {
+  for (std::size_t i = 0; i + 1 < count; ++i) {
     const double part = rng.uniform01(DrawPurpose::Placement, static_cast<std::uint32_t>(i));
-    std::swap(all[i], all[i + static_cast<std::size_t>(part * double(all.size() - i))]);
+    std::swap(values[first + i],
+              values[first + i + static_cast<std::size_t>(part * double(count - i))]);
   }
+}
+
+}  // namespace
+
+Crowd fillCrowd(const std::vector<Vec2>& polygon, std::size_t count, const CrowdRecipe& recipe,
+                const ScenarioDocument& document) {
+  const auto [low, high] = *extentOf(polygon);
+  FreeSpace ground(document);
+  Crowd crowd;
+  sim2d::Scenario scenario;  // All that a person of the crowd depends on.
+  scenario.goals = document.scenario().goals;
+  static_cast<sim2d::ScenarioSettings&>(scenario) = document.scenario();
+  if (recipe.walks && scenario.goals.empty()) {
+    crowd.goals = newGoals(polygon, recipe, ground);
+    scenario.goals = crowd.goals;
+  }
+  const int first = nextPersonIndex(document);
+  const std::vector<sim2d::BehaviorType> behaviors = behaviorsFrom(recipe, first, count);
+  int without = 0;  // Number of consecutive people without a free position.
+  for (std::size_t i = 0; i < count && without < kFull; ++i) {
+    const int index = first + static_cast<int>(i);
+    sim2d::Human human = sampledPerson(recipe, behaviors[i], index, scenario);
+    const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kPositionAgent,
+                       static_cast<std::uint64_t>(index));
+    ++without;
+    for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
+      const double x = rng.uniform(low.x(), high.x(), DrawPurpose::Placement, 2 * trial);
+      const double y = rng.uniform(low.y(), high.y(), DrawPurpose::Placement, 2 * trial + 1);
+      const Vec2 place(roundedToCentimetres(x), roundedToCentimetres(y));
+      if (sim2d::isInside(polygon, place) && ground.isFree(place, *human.radius)) {
+        ground.take(place, *human.radius);
+        human.initPose.position = place;
+        crowd.people.push_back(std::move(human));
+        without = 0;
+        break;
+      }
+    }
+  }
+  return crowd;
+}
+
+std::vector<sim2d::BehaviorType> behaviorsFrom(const CrowdRecipe& recipe, int first,
+                                               std::size_t count) {
+  const std::size_t begin = static_cast<std::size_t>(first);
+  const std::size_t blocks = (begin + count + kBlock - 1) / kBlock;
+  std::vector<sim2d::BehaviorType> all = proportionalBehaviors(recipe, blocks * kBlock);
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kBehaviorOrderAgent, block);
+    shuffle(all, block * kBlock, kBlock, rng);
+  }
+  const auto from = all.begin() + static_cast<std::ptrdiff_t>(begin);
+  return {from, from + static_cast<std::ptrdiff_t>(count)};
+}
+
+std::vector<sim2d::BehaviorType> shuffledBehaviors(const CrowdRecipe& recipe, std::size_t count) {
+  std::vector<sim2d::BehaviorType> all = proportionalBehaviors(recipe, count);
+  const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kBehaviorOrderAgent);
+  shuffle(all, 0, count, rng);
   return all;
 }
 
@@ -242,22 +335,27 @@ void pushMix(ScenarioDocument& document, const std::vector<EntityId>& people,
   pushEdit(document, std::move(values), QObject::tr("Mix behaviours"));
 }
 
-void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people) {
+void showCrowd(MapScene& scene, const Crowd& crowd) {
   std::vector<ToolDot> dots;
-  dots.reserve(people.size());
-  for (const sim2d::Human& human : people) {
+  dots.reserve(crowd.people.size());
+  for (const sim2d::Human& human : crowd.people) {
     dots.push_back({human.initPose.position, *human.radius,
                     scene.theme().line(lookOf(*human.behavior.type)), human.initPose.heading});
   }
   scene.marks().dots = std::move(dots);
+  scene.setPreview(std::vector<Entity>(crowd.goals.begin(), crowd.goals.end()));
 }
 
-void addCrowd(ScenarioDocument& document, const std::vector<sim2d::Human>& people) {
-  if (!people.empty()) {
-    const QString text = QObject::tr("Add %1").arg(peopleText(people.size()));
-    document.setSelection(
-        pushAdd(document, std::vector<Entity>(people.begin(), people.end()), text));
+void addCrowd(ScenarioDocument& document, const Crowd& crowd) {
+  if (crowd.people.empty()) {
+    return;
   }
+  std::vector<Entity> values(crowd.goals.begin(), crowd.goals.end());
+  values.insert(values.end(), crowd.people.begin(), crowd.people.end());
+  std::vector<EntityId> ids = pushAdd(document, std::move(values),
+                                      QObject::tr("Add %1").arg(peopleText(crowd.people.size())));
+  ids.erase(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(crowd.goals.size()));
+  document.setSelection(std::move(ids));
 }
 
 }  // namespace editor

@@ -38,14 +38,27 @@ class FreeSpace {
 
 /// The index of the next person that a recipe draws; it changes when people are added.
 int nextPersonIndex(const ScenarioDocument& document);
-/// Person `index` of a crowd at the origin; kind, body, speed, behaviour and route are drawn by the
-/// recipe. The document assigns names and ids.
-sim2d::Human sampledPerson(const CrowdRecipe& recipe, int index, const sim2d::Scenario& scenario);
-/// Up to `count` people at random positions inside the polygon with random headings; fewer if there
-/// is no free space.
-std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
-                                    const CrowdRecipe& recipe, const ScenarioDocument& document);
+/// Person `index` of a crowd at the origin; kind, body, speed and route are drawn by the recipe.
+/// The document assigns names and ids.
+sim2d::Human sampledPerson(const CrowdRecipe& recipe, sim2d::BehaviorType behavior, int index,
+                           const sim2d::Scenario& scenario);
 
+/// People and goals that have not been added yet.
+struct Crowd {
+  std::vector<sim2d::Human> people;
+  std::vector<sim2d::GlobalGoal> goals;
+};
+/// Up to `count` people at random positions inside the polygon with random headings; fewer if there
+/// is no free space. If they walk and the scenario has no goals, up to `kNewGoals` goals far apart
+/// in the polygon are part of the crowd.
+Crowd fillCrowd(const std::vector<Vec2>& polygon, std::size_t count, const CrowdRecipe& recipe,
+                const ScenarioDocument& document);
+
+/// The behaviours of the people from `first` on, by their index in the scenario. Each ten people
+/// have the proportions of the recipe, as far as whole people allow, in an order drawn with its
+/// seed.
+std::vector<sim2d::BehaviorType> behaviorsFrom(const CrowdRecipe& recipe, int first,
+                                               std::size_t count);
 /// `count` behaviours with the proportions of the recipe, rounded to whole people, in an order
 /// drawn with its seed.
 std::vector<sim2d::BehaviorType> shuffledBehaviors(const CrowdRecipe& recipe, std::size_t count);
@@ -57,15 +70,16 @@ void pushMix(ScenarioDocument& document, const std::vector<EntityId>& people,
 /// A person with default values, all set explicitly for other programs that read the file.
 sim2d::Human newPerson();
 
-/// Shows people who have not been added yet as discs.
-void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people);
-/// Adds people and selects them: one command; nothing if the list is empty.
-void addCrowd(ScenarioDocument& document, const std::vector<sim2d::Human>& people);
+/// Shows people as discs and goals as ghosts.
+void showCrowd(MapScene& scene, const Crowd& crowd);
+/// Adds the crowd and selects its people: one command; nothing if there are no people.
+void addCrowd(ScenarioDocument& document, const Crowd& crowd);
 
 QString peopleText(std::size_t count);       // "1 person", "20 people"
 double roundedToCentimetres(double metres);  // Rounded, to keep the file short.
 
 constexpr double kPersonGap = 0.1;   // Minimum distance between bodies [m].
 constexpr int kLargestCrowd = 2000;  // Per operation.
+constexpr std::size_t kNewGoals = 3;
 
 }  // namespace editor

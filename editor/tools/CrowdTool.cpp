@@ -36,9 +36,15 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
   return row;
 }
 
+sim2d::Human BrushTool::sampled(int drawn) const {
+  const int index = nextPersonIndex(document()) + drawn;
+  return sampledPerson(recipe_, behaviorsFrom(recipe_, index, 1).front(), index,
+                       document().scenario());
+}
+
 void BrushTool::placeAt(const Vec2& at, double heading) {
   const int index = nextPersonIndex(document()) + drawn_;
-  sim2d::Human human = sampledPerson(recipe_, index, document().scenario());
+  sim2d::Human human = sampled(drawn_);
   const base::AgentRng rng(static_cast<std::uint64_t>(recipe_.seed), kLateralAgent,
                            static_cast<std::uint64_t>(index));
   ++drawn_;
@@ -67,9 +73,7 @@ void BrushTool::press(const CanvasMouse& mouse) {
   cancel();
   ground_.emplace(document());
   last_ = mouse.world;
-  placeAt(
-      last_,
-      sampledPerson(recipe_, nextPersonIndex(document()), document().scenario()).initPose.heading);
+  placeAt(last_, sampled(0).initPose.heading);
   show();
 }
 
@@ -86,7 +90,7 @@ void BrushTool::release(const CanvasMouse& mouse) {
     const std::vector<sim2d::Human> people = std::move(people_);
     const QString result = skippedText(people.size(), static_cast<std::size_t>(drawn_));
     cancel();
-    addCrowd(document(), people);
+    addCrowd(document(), {people, {}});
     result_ = result;
     Q_EMIT statusTextChanged();
   }
@@ -100,10 +104,23 @@ void BrushTool::cancel() {
   clearMarks();
 }
 
+FillTool::FillTool(ScenarioDocument& document, MapScene& scene, QObject* parent)
+    : CornerDrawingTool(document, scene, parent) {
+  connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
+    if (!filling_) {
+      last_.clear();
+    }
+  });
+}
+
 QString FillTool::idleText() const {
-  return result_.isEmpty()
-             ? tr("Drag or click the corners of an area to fill with %1").arg(peopleText(count_))
-             : result_;
+  const bool addsGoals = recipe_.walks && document().scenario().goals.empty();
+  return !result_.isEmpty() ? result_
+         : addsGoals
+             ? tr("Drag or click the corners of an area to fill with %1 and %2 goals")
+                   .arg(peopleText(count_))
+                   .arg(kNewGoals)
+             : tr("Drag or click the corners of an area to fill with %1").arg(peopleText(count_));
 }
 
 QWidget* FillTool::makeOptions(QWidget* parent) {
@@ -111,10 +128,28 @@ QWidget* FillTool::makeOptions(QWidget* parent) {
   addNumber(*row, tr("People"), {1.0, double(kLargestCrowd), 0, 5.0}, {}, double(count_),
             [this](double value) {
               count_ = static_cast<std::size_t>(value);
-              Q_EMIT statusTextChanged();
+              applyOptions();
             });
-  addRecipeFields(*row, recipe_, scene(), [this] { Q_EMIT statusTextChanged(); });
+  addRecipeFields(*row, recipe_, scene(), [this] { applyOptions(); });
   return row;
+}
+
+/// Shows or makes the polygon again with the current options.
+void FillTool::applyOptions() {
+  if (!last_.empty()) {
+    filling_ = true;
+    document().undoStack().undo();
+    make(Corners(last_));
+  } else {
+    redraw();
+  }
+  Q_EMIT statusTextChanged();
+}
+
+void FillTool::deactivate() {
+  last_.clear();
+  result_.clear();
+  CornerDrawingTool::deactivate();
 }
 
 void FillTool::preview(const Corners& corners) {
@@ -123,16 +158,19 @@ void FillTool::preview(const Corners& corners) {
 }
 
 void FillTool::make(const Corners& corners) {
-  const std::vector<sim2d::Human> people = fillCrowd(corners, count_, recipe_, document());
-  result_ = skippedText(people.size(), count_);
-  addCrowd(document(), people);
+  const Crowd crowd = fillCrowd(corners, count_, recipe_, document());
+  result_ = skippedText(crowd.people.size(), count_);
+  filling_ = true;
+  addCrowd(document(), crowd);
+  filling_ = false;
+  last_ = crowd.people.empty() ? Corners() : corners;
   Q_EMIT statusTextChanged();
 }
 
 void addCrowdTool(ToolRegistry& to) {
   const QString crowd = QStringLiteral("crowd");
-  to.add<BrushTool>({30, QObject::tr("Brush"), QStringLiteral("tool-brush"), Qt::Key_K, crowd});
-  to.add<FillTool>({40, QObject::tr("Fill"), QStringLiteral("tool-fill"), Qt::Key_L, crowd});
+  to.add<FillTool>({30, QObject::tr("Fill"), QStringLiteral("tool-fill"), Qt::Key_L, crowd});
+  to.add<BrushTool>({40, QObject::tr("Brush"), QStringLiteral("tool-brush"), Qt::Key_K, crowd});
 }
 
 }  // namespace editor

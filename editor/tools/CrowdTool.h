@@ -27,8 +27,10 @@ class BrushTool : public Tool {
  private:
   void placeAt(const Vec2& at, double heading);
   void placeAlong(const Vec2& world);
+  /// Person number `drawn` of this gesture.
+  sim2d::Human sampled(int drawn) const;
   void show() {
-    showCrowd(scene(), people_);
+    showCrowd(scene(), {people_, {}});
     Q_EMIT statusTextChanged();
   }
 
@@ -42,14 +44,16 @@ class BrushTool : public Tool {
   QString result_;            // Message after a drag in which some people found no space.
 };
 
-/// Fills a polygon with people, or with as many as fit. The people are shown while the polygon is
-/// drawn.
+/// Fills a polygon with people, or with as many as fit, and with goals if the scenario has none.
+/// The people are shown while the polygon is drawn. Until the next command, a change of the options
+/// fills the last polygon again.
 class FillTool : public CornerDrawingTool {
   Q_OBJECT
  public:
-  using CornerDrawingTool::CornerDrawingTool;
+  FillTool(ScenarioDocument& document, MapScene& scene, QObject* parent);
 
   QWidget* makeOptions(QWidget* parent) override;
+  void deactivate() override;
 
   std::size_t count() const { return count_; }
   void setCount(std::size_t count) { count_ = count; }
@@ -61,9 +65,13 @@ class FillTool : public CornerDrawingTool {
   void make(const Corners& corners) override;
 
  private:
+  void applyOptions();
+
   CrowdRecipe recipe_;
   std::size_t count_ = 20;
-  QString result_;  // Message after a fill in which some people found no space.
+  QString result_;        // Message after a fill in which some people found no space.
+  Corners last_;          // The last polygon; empty after any other command.
+  bool filling_ = false;  // Commands of this tool are being pushed or undone.
 };
 
 }  // namespace editor

@@ -37,6 +37,11 @@ class CornerDrawingTool : public Tool {
   virtual void preview(const Corners& corners) = 0;
   /// Creates the result with one command. Preview and corners are already cleared.
   virtual void make(const Corners& corners) = 0;
+  void redraw() {  // Shows the current corners again, if there are any.
+    if (!corners_.empty()) {
+      show();
+    }
+  }
   /// The corners of a shape made by a drag: a rectangle, or the line itself for lines.
   virtual Corners draggedCorners(const Vec2& from, const Vec2& to) const;
 

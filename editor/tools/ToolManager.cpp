@@ -138,6 +138,11 @@ void ToolOptionsBar::place() {
   move(left, left);
 }
 
+/// Return commits a field; it must not also complete the shape that the tool is drawing.
+void ToolOptionsBar::keyPressEvent(QKeyEvent* event) {
+  event->setAccepted(event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter);
+}
+
 void ToolOptionsBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintLegendBackground(painter, view_.mapScene().theme(),

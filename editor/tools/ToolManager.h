@@ -56,6 +56,7 @@ class ToolOptionsBar : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void showFor(Tool* tool);

@@ -57,6 +57,11 @@ class Hands : public QObject {
         clickOn(*widget, widget->rect().center());
         return;
       }
+      auto* shared = qobject_cast<QToolButton*>(button);  // beside its arrow
+      if (shared != nullptr && shared->defaultAction() == &action && shared->isVisible()) {
+        clickOn(*shared, QPoint(12, shared->height() / 2));
+        return;
+      }
     }
     QFAIL(qPrintable(action.text()));
   }

@@ -63,6 +63,13 @@ class WorkflowTest : public QObject {
   editor::GoalAssignment* assignment() const {
     return qobject_cast<editor::GoalAssignment*>(hands_->openDialog());
   }
+  /// Types into the field for the number of people over the canvas.
+  void typeCount(const QString& number) {
+    auto* field =
+        widgets::named<editor::NumberField>(window_->workspace().view(), QStringLiteral("People"));
+    QVERIFY(field != nullptr);
+    hands_->typeInto(*field, number);
+  }
   void openMap() {
     QVERIFY(window_->open(path(QStringLiteral("maps/hall.yaml"))));
     QTest::qWait(300);  // the view fits
@@ -114,6 +121,27 @@ class WorkflowTest : public QObject {
     hands_->chooseTool(QStringLiteral("tool-select"));
     makeBehave({5.0, 2.0}, QStringLiteral("Curious"));
     makeBehave({8.0, 6.0}, QStringLiteral("Scared"));
+  }
+  /// Ten people with goals and five behaviours, and a robot with a goal.
+  void checkTenPeopleAndARobot() {
+    const sim2d::Scenario& scenario = document().scenario();
+    QCOMPARE(scenario.humans.size(), std::size_t(10));
+    QVERIFY(scenario.goals.size() >= 3);
+    std::set<sim2d::BehaviorType> types;
+    for (const sim2d::Human& human : scenario.humans) {
+      QVERIFY(human.goals.size() >= 3);
+      types.insert(*human.behavior.type);
+    }
+    QVERIFY(types.size() >= 5);
+    QCOMPARE(scenario.robots.size(), std::size_t(1));
+    QVERIFY(scenario.robots.front().goal.point || !scenario.robots.front().goal.goals.empty());
+    document().checkNow();
+    QVERIFY(!base::hasErrors(document().issues()));
+  }
+  void placeRobot(const Vec2& from, const Vec2& to) {
+    hands_->chooseTool(QStringLiteral("tool-robot"));
+    hands_->clickMap(from);
+    hands_->clickMap(to);
   }
   void moveThirdGoal() {
     hands_->clickMap({8.0, 4.15});  // the pin of goal 3 stands above its place
@@ -238,6 +266,40 @@ class WorkflowTest : public QObject {
     QCOMPARE(threatening, 2);
     QVERIFY(!document().isDirty());
     QVERIFY2(hands_->actions() <= 40, QByteArray::number(hands_->actions()).constData());
+    QCOMPARE(hands_->boxes(), 0);
+    qInfo("%d clicks and drags", hands_->actions());
+  }
+
+  void tenPeopleAndARobot_onAPlane_takeTwelveActionsAtMost() {
+    hands_->countFromHere();
+    clickButton(*window_, QStringLiteral("New open plane"));
+    QVERIFY(!window_->isOnStartPage());
+    QTest::qWait(300);  // the view fits
+    hands_->chooseTool(QStringLiteral("tool-goal"));
+    for (const Vec2& at : {Vec2(-5.0, 3.0), Vec2(5.0, 3.0), Vec2(5.0, -3.0)}) {
+      hands_->clickMap(at);
+    }
+    hands_->chooseTool(QStringLiteral("tool-fill"));
+    hands_->dragMap({-3.0, -3.0}, {3.0, 2.0});
+    typeCount(QStringLiteral("10"));
+    placeRobot({-6.0, -3.0}, {6.0, 0.0});
+    checkTenPeopleAndARobot();
+    QVERIFY(!QTest::currentTestFailed());
+    QVERIFY2(hands_->actions() <= 12, QByteArray::number(hands_->actions()).constData());
+    QCOMPARE(hands_->boxes(), 0);
+    qInfo("%d clicks and drags", hands_->actions());
+  }
+
+  void tenPeopleAndARobot_onAMapWithFill_takeSixActionsAtMost() {
+    openMap();
+    hands_->countFromHere();
+    hands_->chooseTool(QStringLiteral("tool-fill"));
+    hands_->dragMap({1.0, 1.0}, {9.0, 7.0});
+    typeCount(QStringLiteral("10"));
+    placeRobot({0.6, 0.6}, {9.4, 0.6});
+    checkTenPeopleAndARobot();
+    QVERIFY(!QTest::currentTestFailed());
+    QVERIFY2(hands_->actions() <= 6, QByteArray::number(hands_->actions()).constData());
     QCOMPARE(hands_->boxes(), 0);
     qInfo("%d clicks and drags", hands_->actions());
   }

@@ -136,6 +136,81 @@ class CrowdToolsTest : public QObject, private CanvasTester {
     QVERIFY(!(scenario() == first));
   }
 
+  void fill_withoutGoals_addsSomeInTheArea() {
+    use("Fill");
+    QVERIFY(fill().statusText().contains(QStringLiteral("20 people and 3 goals")));
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    QCOMPARE(undoCount(), 1);
+    const std::vector<sim2d::GlobalGoal>& goals = scenario().goals;
+    QCOMPARE(goals.size(), std::size_t{3});
+    for (const sim2d::GlobalGoal& goal : goals) {
+      const Vec2& at = goal.position;
+      QVERIFY(at.x() > 6.5 && at.x() < 11.5 && at.y() > 0.5 && at.y() < 8.5);
+      for (const sim2d::GlobalGoal& other : goals) {
+        QVERIFY(other.id == goal.id || (other.position - at).norm() > 2.0);
+      }
+    }
+    for (const sim2d::Human& human : scenario().humans) {
+      QCOMPARE(human.goals.size(), std::size_t{3});
+    }
+    QCOMPARE(document_.selection().size(), std::size_t{20});
+    undo();
+    QVERIFY(scenario() == sim2d::Scenario());
+    CrowdRecipe standing;
+    standing.walks = false;
+    fill().setRecipe(standing);
+    use("Select");
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    QVERIFY(scenario().goals.empty());
+  }
+
+  void fill_tenPeople_haveFiveBehaviours() {
+    fill().setCount(10);
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    std::map<sim2d::BehaviorType, int> counts;
+    for (const sim2d::Human& human : scenario().humans) {
+      ++counts[*human.behavior.type];
+    }
+    QCOMPARE(counts.size(), std::size_t{5});
+    QCOMPARE(counts[sim2d::BehaviorType::Regular], 6);  // 60 of 100 parts
+  }
+
+  void fill_peopleFieldAfterwards_fillsTheSameAreaAgain() {
+    ToolOptionsBar bar(tools_, view_);
+    use("Fill");
+    drag(Vec2(6.5, 0.5), Vec2(11.5, 8.5));
+    QCOMPARE(scenario().humans.size(), std::size_t{20});
+    typeCount(bar, QStringLiteral("7"));
+    QCOMPARE(scenario().humans.size(), std::size_t{7});
+    QCOMPARE(scenario().goals.size(), std::size_t{3});
+    QCOMPARE(undoCount(), 1);
+    typeCount(bar, QStringLiteral("12"));
+    QCOMPARE(scenario().humans.size(), std::size_t{12});
+    QCOMPARE(document_.selection().size(), std::size_t{12});
+    undo();
+    QVERIFY(scenario() == sim2d::Scenario());
+    typeCount(bar, QStringLiteral("5"));  // the undo was another action
+    QVERIFY(scenario() == sim2d::Scenario());
+    redo();
+    QCOMPARE(scenario().humans.size(), std::size_t{12});
+    typeCount(bar, QStringLiteral("6"));
+    QCOMPARE(scenario().humans.size(), std::size_t{12});
+  }
+
+  void fill_peopleFieldWhileDrawing_changesThePreview() {
+    ToolOptionsBar bar(tools_, view_);
+    use("Fill");
+    for (const Vec2& corner : {Vec2(6.5, 0.5), Vec2(11.5, 0.5), Vec2(11.5, 8.5)}) {
+      click(corner);
+    }
+    QCOMPARE(scene_.marks().dots.size(), std::size_t{20});
+    typeCount(bar, QStringLiteral("8"));
+    QCOMPARE(scene_.marks().dots.size(), std::size_t{8});
+    QVERIFY(scenario() == sim2d::Scenario());
+  }
+
   void fill_goals_becomeRoutes() {
     sim2d::Scenario withGoals;
     withGoals.goals = small::scenario().goals;
@@ -285,6 +360,14 @@ class CrowdToolsTest : public QObject, private CanvasTester {
  private:
   FillTool& fill() { return *static_cast<FillTool*>(tool("Fill")); }
   BrushTool& brush() { return *static_cast<BrushTool*>(tool("Brush")); }
+  void typeCount(ToolOptionsBar& bar, const QString& number) {
+    auto* count = bar.findChild<NumberField*>();
+    QVERIFY(count != nullptr);
+    count->setFocus();
+    count->selectAll();
+    QTest::keyClicks(count, number);
+    QTest::keyClick(count, Qt::Key_Return);
+  }
   /// What is measured: from where to where; empty before the first drag.
   const std::vector<Vec2>& span() { return scene_.marks().outline.points; }
   QString measureText() { return tool("Measure")->statusText(); }
