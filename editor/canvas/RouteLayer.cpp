@@ -14,7 +14,8 @@ constexpr double kArrowPx = 7.0;
 constexpr double kNarrowestArrows = 34.0;  // Minimum distance between two heads [px].
 constexpr double kFewRoutes = 16.0;        // Maximum number of routes at full opacity.
 constexpr double kFaintest = 0.16;
-constexpr std::size_t kMaxRounds = 6;     // Maximum number of people whose full routes are shown.
+constexpr std::size_t kMaxLegs = 48;  // Maximum number of legs with which full routes are shown.
+constexpr std::size_t kLegsPerRoute = 2;  // Legs of a full route that count as one route.
 constexpr double kFaintestChosen = 0.45;  // Stands out at any number of routes.
 
 QPointF towards(const QPointF& from, const QPointF& to, double distance) {
@@ -193,13 +194,17 @@ void RouteLayer::paintRobots(QPainter& painter) {
 void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
   painter->setRenderHint(QPainter::Antialiasing);
   exposed_ = option->exposedRect;
-  const std::vector<EntityId>& selection = document().selection();
-  const auto chosen =
-      static_cast<std::size_t>(std::count_if(selection.begin(), selection.end(), [](EntityId id) {
-        return id.kind == EntityKind::Human;
-      }));
-  showsFullRoutes_ = chosen <= kMaxRounds;
-  selectedOpacity_ = std::max(kFaintestChosen, routeOpacity(showsFullRoutes_ ? 1 : chosen));
+  std::size_t chosen = 0;
+  std::size_t legs = 0;
+  for (const EntityId id : document().selection()) {
+    const EntityRoute* route =
+        id.kind == EntityKind::Human ? mapScene().routes().route(id) : nullptr;
+    chosen += route != nullptr ? 1 : 0;
+    legs += route != nullptr ? route->size() : 0;
+  }
+  showsFullRoutes_ = legs <= kMaxLegs;
+  selectedOpacity_ =
+      std::max(kFaintestChosen, routeOpacity(showsFullRoutes_ ? legs / kLegsPerRoute : chosen));
   opacity_ = routeOpacity(countVisibleRoutes(shownRect(*painter, *option, widget)));
   if (options().routes) {
     paintPeople(*painter, false);

@@ -13,8 +13,9 @@ namespace {
 constexpr int kEditEntity = 1;
 
 /// The single command type: redo and undo exchange values and trees with the document. Entities are
-/// exchanged in order by redo and in reverse order by undo. A command whose merged edits cancel out
-/// becomes obsolete.
+/// exchanged in order by redo and in reverse order by undo. A direction that removes selected
+/// entities stores the selection, and the opposite direction restores it. A command whose merged
+/// edits cancel out becomes obsolete.
 class EditEntities : public QUndoCommand {
  public:
   EditEntities(ScenarioDocument& document, std::vector<EntityEdit> edits,
@@ -27,14 +28,18 @@ class EditEntities : public QUndoCommand {
 
   void redo() override {
     const ScenarioDocument::Step step(document_);
+    const std::vector<EntityId> before = document_.selection();
     std::for_each(edits_.begin(), edits_.end(), [this](EntityEdit& edit) { swap(edit); });
     swapTrees();
+    restoreSelection(before);
   }
 
   void undo() override {
     const ScenarioDocument::Step step(document_);
+    const std::vector<EntityId> before = document_.selection();
     std::for_each(edits_.rbegin(), edits_.rend(), [this](EntityEdit& edit) { swap(edit); });
-    swapTrees();  // Last, as in redo: the document records for which person a tree is written.
+    swapTrees();  // After the values: the document records for which person a tree is written.
+    restoreSelection(before);
   }
 
   int id() const override { return mayMerge_ ? kEditEntity : -1; }
@@ -55,6 +60,15 @@ class EditEntities : public QUndoCommand {
 
  private:
   void swap(EntityEdit& edit) { edit.slot = document_.exchange(edit.entity, std::move(edit.slot)); }
+  /// `before`: the selection before the exchange.
+  void restoreSelection(const std::vector<EntityId>& before) {
+    const std::vector<EntityId> lost = std::exchange(lostSelection_, {});
+    if (document_.selection().size() < before.size()) {
+      lostSelection_ = before;
+    } else if (!lost.empty()) {
+      document_.setSelection(lost);
+    }
+  }
   void swapTrees() {
     for (TreeEdit& edit : trees_) {
       edit.xml = document_.exchangeTree(edit.human, std::move(edit.xml));
@@ -64,6 +78,7 @@ class EditEntities : public QUndoCommand {
   ScenarioDocument& document_;
   std::vector<EntityEdit> edits_;
   std::vector<TreeEdit> trees_;
+  std::vector<EntityId> lostSelection_;  // The selection that the last exchange reduced.
   bool mayMerge_;
 };
 

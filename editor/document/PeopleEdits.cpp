@@ -162,7 +162,8 @@ void RoutePlan::append(const std::vector<EntityId>& people, const std::vector<in
   }
 }
 
-void RoutePlan::push(ScenarioDocument& document) const {
+std::vector<EntityId> RoutePlan::push(ScenarioDocument& document) const {
+  std::vector<EntityId> changed;
   std::vector<Entity> edited;
   for (const EntityId person : people_) {
     const sim2d::Human* before = document.human(person);
@@ -179,12 +180,14 @@ void RoutePlan::push(ScenarioDocument& document) const {
     }
     if (!(after == *before)) {
       edited.emplace_back(std::move(after));
+      changed.push_back(person);
     }
   }
   const QString text = edited.size() == 1
                            ? QObject::tr("Assign goals to %1").arg(displayName(edited.front()))
                            : QObject::tr("Assign goals to %1 people").arg(edited.size());
   pushEdit(document, std::move(edited), text);
+  return changed;
 }
 
 }  // namespace editor

@@ -68,8 +68,9 @@ class RoutePlan {
     }
   }
 
-  /// Pushes all routes as one command. Waiting times stay with their goals.
-  void push(ScenarioDocument& document) const;
+  /// Pushes all routes as one command. Waiting times stay with their goals. Returns the people who
+  /// have changed.
+  std::vector<EntityId> push(ScenarioDocument& document) const;
 
  private:
   struct PlannedRoute {

@@ -131,6 +131,43 @@ class CanvasTest : public QObject, private CanvasTester {
     QVERIFY(throughGap);
   }
 
+  void routes_ofTenSelectedPeople_showAllLegs() {
+    sim2d::Scenario scenario;
+    scenario.goals = {small::goal(11, 1, {7.0, 7.5}), small::goal(12, 2, {11.0, 7.5})};
+    std::vector<EntityId> all;
+    for (int key = 1; key <= 10; ++key) {
+      scenario.humans.push_back(small::person(key, qPrintable(QString::number(key)),
+                                              {7.0 + 0.4 * key, 0.6}, 0.0,
+                                              sim2d::BehaviorType::Regular, {1, 2}));
+      all.push_back(scenario.humans.back().key);
+    }
+    document_.load(scenario);
+    document_.setMap(small::room());
+    scene_.routes().finish();
+    CanvasOptions options;
+    options.names = options.grid = false;
+    scene_.setOptions(options);
+    const auto isDrawn = [this] {  // between the goals, where only the second leg is
+      QImage picture(90, 24, QImage::Format_RGB32);
+      picture.fill(Qt::white);
+      QPainter painter(&picture);
+      scene_.render(&painter, picture.rect(), QRectF(toScene({8.0, 7.7}), toScene({9.5, 7.3})));
+      painter.end();
+      for (int x = 0; x < picture.width(); ++x) {
+        for (int y = 0; y < picture.height(); ++y) {
+          if (picture.pixel(x, y) != QColor(Qt::white).rgb()) {
+            return true;
+          }
+        }
+      }
+      return false;
+    };
+    document_.setSelection({});
+    QVERIFY(!isDrawn());
+    document_.setSelection(all);
+    QVERIFY(isDrawn());
+  }
+
   void routeStrength_manyRoutes_fadesButStays() {
     QCOMPARE(editor::routeOpacity(0), 1.0);
     QCOMPARE(editor::routeOpacity(12), 1.0);

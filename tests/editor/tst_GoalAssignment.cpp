@@ -78,6 +78,54 @@ class GoalAssignmentTest : public QObject {
     QVERIFY(!dialog_->route().hint().isEmpty());
   }
 
+  void goals_selectedOnTheMap_startTheRoute() {
+    const editor::EntityId farid = human(4).key;
+    const editor::EntityId third = document_->goalKey(3);
+    const editor::EntityId first = document_->goalKey(1);
+    document_->setSelection({farid, third, first});
+    open();
+    QCOMPARE(dialog_->goals().selectedGoals(), (Route{1, 3}));
+    QCOMPARE(text(dialog_->route().goals()), QStringLiteral("3 1"));  // in order of selection
+    press(QStringLiteral("Assign"));
+    QCOMPARE(text(human(4).goals), QStringLiteral("3 1"));
+    QCOMPARE(document_->selection(), std::vector<editor::EntityId>{farid});
+  }
+
+  void goals_selectedAlone_goToPeopleWithoutGoals() {
+    document_->setSelection({document_->goalKey(2)});
+    open();
+    QCOMPARE(dialog_->people().selectedItems().size(), 1);
+    QCOMPARE(dialog_->people().currentItem()->text(), QStringLiteral("Farid"));
+    QCOMPARE(text(dialog_->route().goals()), QStringLiteral("2"));
+  }
+
+  void goals_selectedForPeopleWithARoute_areOnlyChosen() {
+    document_->setSelection({human(0).key, document_->goalKey(3)});
+    open();
+    QCOMPARE(text(dialog_->route().goals()), QStringLiteral("1 2"));
+    QCOMPARE(dialog_->goals().selectedGoals(), Route{3});
+    press(QStringLiteral("Add"));
+    press(QStringLiteral("Assign"));
+    QCOMPARE(text(human(0).goals), QStringLiteral("1 2 3"));
+  }
+
+  void assign_changedPeople_areSelectedOnTheMap() {
+    open();
+    click(dialog_->people(), 0);
+    click(dialog_->people(), 1, Qt::ControlModifier);
+    click(dialog_->goals(), 1);
+    press(QStringLiteral("Add"));
+    press(QStringLiteral("Assign"));
+    std::vector<editor::EntityId> changed;
+    for (int i = 0; i < 6; ++i) {
+      if (!(human(i) == small::scenario().humans[static_cast<std::size_t>(i)])) {
+        changed.push_back(human(i).key);
+      }
+    }
+    QVERIFY(!changed.empty());
+    QCOMPARE(document_->selection(), changed);
+  }
+
   void goals_addedToSeveralPeople_areOneUndoableStep() {
     open();
     click(dialog_->people(), 4);

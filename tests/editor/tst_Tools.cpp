@@ -33,6 +33,31 @@ class ToolsTest : public QObject, private CanvasTester {
     checkUndoAndRedo(sim2d::Scenario(), 2);
   }
 
+  void delete_undone_selectsAgain() {
+    click(Vec2(2.0, 2.0));
+    click(Vec2(4.0, 6.5), Qt::ShiftModifier);
+    QCOMPARE(document_.selection(), (std::vector<EntityId>{person(1), person(2)}));
+    key(Qt::Key_Delete);
+    QVERIFY(document_.selection().empty());
+    click(Vec2(7.5, 3.0));
+    undo();
+    QCOMPARE(document_.selection(), (std::vector<EntityId>{person(1), person(2)}));
+    redo();
+    QVERIFY(document_.selection().empty());
+    undo();
+    QCOMPARE(document_.selection(), (std::vector<EntityId>{person(1), person(2)}));
+  }
+
+  void placed_undoneAndRedone_isSelectedAgain() {
+    use("Person");
+    click(Vec2(9.0, 8.0));
+    const std::vector<EntityId> placed = document_.selection();
+    undo();
+    QVERIFY(document_.selection().empty());
+    redo();
+    QCOMPARE(document_.selection(), placed);
+  }
+
   void person_turnedToTheRightWithCtrl_hasNoMinusZero() {
     use("Person");
     drag(Vec2(2.5, 5.0), Vec2(3.5, 4.95), Qt::ControlModifier);

@@ -270,6 +270,7 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
   fillLists();
   connect(people_, &QListWidget::itemSelectionChanged, this, &GoalAssignment::showRoute);
   loadSelection();
+  addSelectedGoals();
   showRoute();
 }
 
@@ -349,19 +350,43 @@ void GoalAssignment::fillLists() {
   showPeople();
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
     goals_->addGoal(&goal, goal.id, positionText(goal));
+    goals_->item(goals_->count() - 1)->setSelected(document_.isSelected(goal.key));
   }
 }
 
-/// Chooses the people selected on the map, else the first one without goals.
+/// Chooses the people selected on the map, else the first one without goals, or all without goals
+/// if goals are selected.
 void GoalAssignment::loadSelection() {
   if (!chosen().empty()) {
     people_->setCurrentItem(people_->selectedItems().front(), QItemSelectionModel::NoUpdate);
     return;
   }
   const std::vector<EntityId>& all = plan_.people();
-  const auto idle = std::find_if(all.begin(), all.end(),
-                                 [this](EntityId person) { return plan_.route(person).empty(); });
-  people_->setCurrentRow(idle == all.end() ? 0 : static_cast<int>(idle - all.begin()));
+  std::vector<int> idle;
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    if (plan_.route(all[row]).empty()) {
+      idle.push_back(static_cast<int>(row));
+    }
+  }
+  people_->setCurrentRow(idle.empty() ? 0 : idle.front());
+  for (const int row : goals_->selectedGoals().empty() ? std::vector<int>() : idle) {
+    people_->item(row)->setSelected(true);
+  }
+}
+
+/// Puts the goals selected on the map into the route of the chosen people, in the order of their
+/// selection, unless the people have goals already.
+void GoalAssignment::addSelectedGoals() {
+  std::vector<int> goals;
+  for (const EntityId id : document_.selection()) {
+    if (const sim2d::GlobalGoal* goal = document_.goal(id)) {
+      goals.push_back(goal->id);
+    }
+  }
+  const std::optional<std::vector<int>> route = plan_.commonRoute(chosen());
+  if (!goals.empty() && route && route->empty()) {
+    plan_.setRoute(chosen(), goals);
+  }
 }
 
 std::vector<EntityId> GoalAssignment::chosen() const {
@@ -421,8 +446,12 @@ void GoalAssignment::showRoute() {
   showPeople();
 }
 
+/// Selects the people with new goals, so that the map shows their complete routes.
 void GoalAssignment::accept() {
-  plan_.push(document_);
+  const std::vector<EntityId> changed = plan_.push(document_);
+  if (!changed.empty()) {
+    document_.setSelection(changed);
+  }
   QDialog::accept();
 }
 

@@ -74,8 +74,9 @@ class RouteList : public GoalList {
 };
 
 /// "Assign goals": people on the left, all goals in the middle, the route of the chosen people on
-/// the right. Goals are added by button, double click, return or drag, and reordered by drag.
-/// Changes are applied by OK as one undoable step.
+/// the right. People and goals that are selected on the map are chosen at first. Goals are added by
+/// button, double click, return or drag, and reordered by drag. Changes are applied by OK as one
+/// undoable step.
 class GoalAssignment : public QDialog {
   Q_OBJECT
  public:
@@ -91,6 +92,7 @@ class GoalAssignment : public QDialog {
   QWidget* makeRouteColumn();
   void fillLists();
   void loadSelection();
+  void addSelectedGoals();
   void showRoute();
   void showPeople();
   void add(const std::vector<int>& goals, int row);
