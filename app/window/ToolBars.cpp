@@ -232,7 +232,7 @@ void showInteractionMenu(Workspace& workspace, const QPoint& at) {
 
 }  // namespace
 
-void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const Docks& docks) {
+void connectCanvasMenu(Workspace& workspace, WindowActions& actions, const Docks& docks) {
   editor::MapView& view = workspace.view();
   view.setContextMenuPolicy(Qt::CustomContextMenu);
   const auto offer = [&workspace, &actions, &docks, &view](const QPoint& at) {
@@ -255,7 +255,7 @@ void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const
       actions.fillArrangeMenu(*menu->addMenu(QObject::tr("Arrange")));
       addGroups(*menu, {{actions.cut, actions.copy, actions.duplicate, actions.remove}});
     } else {
-      addGroups(*menu, {{actions.paste, actions.selectAll},
+      addGroups(*menu, {{makePasteHere(*menu, actions, view.worldAt(at)), actions.selectAll},
                         {actions.zoomFit, actions.grid, actions.names, actions.routes},
                         {actions.settings}});
     }

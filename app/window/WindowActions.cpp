@@ -178,7 +178,8 @@ void WindowActions::makeEditActions() {
            kCtrl | kShift | Qt::Key_C);
   copyPlot = make(tr("Copy metric as plot"),
                   tr("Copy a plot of the selected metric over time: PNG and SVG"));
-  paste = make(tr("&Paste"), tr("Insert the copied items"), QKeySequence::Paste);
+  paste =
+      make(tr("&Paste"), tr("Insert the copied items at the mouse pointer"), QKeySequence::Paste);
   duplicate =
       make(tr("Dup&licate"), tr("Duplicate the selection"), kCtrl | Qt::Key_D, "edit-duplicate");
   rename = make(tr("Rena&me"), tr("Rename the selection; references are updated"), Qt::Key_F2);
@@ -407,26 +408,22 @@ void WindowActions::connectClipboard() {
   connect(copy, &QAction::triggered, this, &WindowActions::copySelection);
   connect(cut, &QAction::triggered, this, [this, &document] {
     copySelection();
-    pastes_ = -1;  // the first paste restores the position
     editor::pushRemove(document, document.selection());
   });
-  connect(paste, &QAction::triggered, this, [this, &document] {
-    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-    const double by = 0.5 * (pastes_ + 1);
-    if (data != nullptr && editor::paste(document, *data, base::Vec2(by, -by))) {
-      ++pastes_;
-    }
-  });
-  connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this, [this] {
-    pastes_ = 0;
-    updateEnabled();
-  });
+  connect(paste, &QAction::triggered, this, [this] { pasteAt(workspace_.view().pointer()); });
+  connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this,
+          &WindowActions::updateEnabled);
+}
+
+void WindowActions::pasteAt(const std::optional<base::Vec2>& place) {
+  if (const QMimeData* data = QGuiApplication::clipboard()->mimeData()) {
+    editor::pasteAt(workspace_.document(), *data, place);
+  }
 }
 
 void WindowActions::copySelection() {
   QGuiApplication::clipboard()->setMimeData(
       editor::copiedSelection(workspace_.document()).release());
-  pastes_ = 0;
 }
 
 void WindowActions::updateEnabled() {

@@ -37,6 +37,8 @@ class WindowActions : public QObject {
   QAction* make(const QString& text, const QString& description, const QKeySequence& shortcut = {},
                 const char* icon = nullptr);
   struct Toggle;
+  /// Pastes with the centre at this position [m]; none: at the copied position.
+  void pasteAt(const std::optional<base::Vec2>& place);
   QList<QAction*> togglesOf(const std::vector<Toggle>& rows);
   void makeFileActions();
   void makeHelpActions();
@@ -55,7 +57,6 @@ class WindowActions : public QObject {
   std::vector<std::pair<QAction*, const char*>> icons_;
   std::vector<std::pair<QAction*, const char*>> stored_;     // with the key of their state
   std::vector<std::pair<QAction*, std::size_t>> arranging_;  // with the minimum selection size
-  int pastes_ = 0;  // of the same copy; each is offset from the previous one
 };
 
 /// The tool bar: file, undo | tools | run | view.
@@ -66,6 +67,6 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
 /// The context menu of the map while the select tool is active; other tools end their lines with
 /// the right button.
-void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const Docks& docks);
+void connectCanvasMenu(Workspace& workspace, WindowActions& actions, const Docks& docks);
 
 }  // namespace app

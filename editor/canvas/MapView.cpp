@@ -208,6 +208,7 @@ void MapView::mousePressEvent(QMouseEvent* event) {
 }
 
 void MapView::mouseMoveEvent(QMouseEvent* event) {
+  pointer_ = event->pos();
   Q_EMIT cursorMoved(worldAt(event->pos()));
   if (panning_) {
     const QPoint by = event->pos() - panFrom_;

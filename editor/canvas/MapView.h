@@ -65,6 +65,10 @@ class MapView : public QGraphicsView {
     updateCursor();
   }
   MapScene& mapScene() const { return scene_; }
+  /// The mouse position on the map [m]; none while the mouse is elsewhere.
+  std::optional<Vec2> pointer() const {
+    return pointer_ ? std::optional<Vec2>(worldAt(*pointer_)) : std::nullopt;
+  }
 
  Q_SIGNALS:
   void cursorMoved(const base::Vec2& world);  // [m]
@@ -85,6 +89,7 @@ class MapView : public QGraphicsView {
   }
   void leaveEvent(QEvent* event) override {
     scene_.setHovered({});  // The mouse has left the canvas.
+    pointer_.reset();
     QGraphicsView::leaveEvent(event);
   }
   void drawBackground(QPainter* painter, const QRectF& rect) override {
@@ -119,6 +124,7 @@ class MapView : public QGraphicsView {
   QTimer settleTimer_;  // Runs while the view moves; afterwards everything is painted sharply.
   CanvasState state_ = CanvasState::Editing;
   QPoint panFrom_;
+  std::optional<QPoint> pointer_;  // In the viewport [px].
   bool panning_ = false;
   bool spaceHeld_ = false;
   bool spaceUsed_ = false;  // Space was used for a pan since it was pressed.

@@ -268,20 +268,90 @@ bool canPaste(const QMimeData* data) {
          data->text().contains(QLatin1String("hunav_loader:"));
 }
 
-bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta) {
+namespace {
+
+constexpr double kPasteStep = 0.5;     // [m]
+constexpr int kMaxSteps = 200;         // A free position is found earlier in any real scenario.
+constexpr double kSamePosition = 0.1;  // Closer entities hide each other [m].
+constexpr double kBody = 0.35;         // Radius of a body if none is set [m].
+
+/// None if the data contains no readable scenario.
+std::optional<sim2d::Scenario> copiedScenario(const QMimeData& data) {
   if (!canPaste(&data)) {
+    return std::nullopt;
+  }
+  sim2d::ScenarioReading reading = sim2d::readScenarioText(data.text().toStdString(), "clipboard");
+  return reading.ok() ? std::optional(std::move(reading.scenario)) : std::nullopt;
+}
+
+/// The copied entities that paste moves.
+std::vector<Entity> movedEntities(const sim2d::Scenario& copied, const std::set<int>& along) {
+  std::vector<Entity> all;
+  forEachList(copied, [&](EntityKind /*kind*/, const auto& list) {
+    for (const auto& value : list) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, sim2d::GlobalGoal>) {
+        if (along.count(value.id) > 0) {
+          continue;
+        }
+      }
+      all.emplace_back(value);
+    }
+  });
+  return all;
+}
+
+double bodyOf(const Entity& entity) {
+  const auto* human = std::get_if<sim2d::Human>(&entity);
+  return human != nullptr                               ? human->radius.value_or(kBody)
+         : std::holds_alternative<sim2d::Robot>(entity) ? kBody
+                                                        : 0.5 * kSamePosition;
+}
+
+bool isOccupied(const ScenarioDocument& document, const Entity& entity, const Vec2& delta) {
+  const Vec2 at = *positionOf(entity) + delta;
+  for (const Entity& there : valuesOf(document, document.entities(kindOf(entity)))) {
+    if ((*positionOf(there) - at).norm() < bodyOf(there) + bodyOf(entity)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool pasteAt(ScenarioDocument& document, const QMimeData& data, const std::optional<Vec2>& centre) {
+  const std::optional<sim2d::Scenario> copied = copiedScenario(data);
+  if (!copied) {
     return false;
   }
-  const sim2d::ScenarioReading reading =
-      sim2d::readScenarioText(data.text().toStdString(), "clipboard");
-  if (!reading.ok()) {
+  const std::vector<Entity> moving = movedEntities(*copied, goalsAlong(data.text()));
+  std::vector<Vec2> corners;
+  for (const Entity& entity : moving) {
+    const std::optional<Extent> extent = extentOf(entity);
+    corners.insert(corners.end(), {extent->low, extent->high});
+  }
+  const std::optional<Extent> whole = extentOf(corners);
+  Vec2 delta = Vec2::Zero();
+  if (centre && whole) {
+    delta = rounded(((*centre - whole->centre()) * 100.0).array().round().matrix() / 100.0);
+  }
+  const auto isTaken = [&](const Entity& entity) { return isOccupied(document, entity, delta); };
+  for (int i = 0; i < kMaxSteps && std::any_of(moving.begin(), moving.end(), isTaken); ++i) {
+    delta += Vec2(kPasteStep, -kPasteStep);
+  }
+  return paste(document, data, delta);
+}
+
+bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta) {
+  const std::optional<sim2d::Scenario> copied = copiedScenario(data);
+  if (!copied) {
     return false;
   }
   Renaming renaming(document, delta,
                     QJsonDocument::fromJson(data.data(QLatin1String(kTrees))).object());
-  renaming.takeGoals(reading.scenario, goalsAlong(data.text()));
-  renaming.takePeople(reading.scenario);
-  renaming.takeRest(reading.scenario);
+  renaming.takeGoals(*copied, goalsAlong(data.text()));
+  renaming.takePeople(*copied);
+  renaming.takeRest(*copied);
   if (renaming.values.empty()) {
     return false;
   }

@@ -27,5 +27,9 @@ bool canPaste(const QMimeData* data);
 /// itself selected and already exists in the document stays shared. Returns false without a
 /// scenario, or if it is empty.
 bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta);
+/// As `paste`, with the centre of the copied entities at `centre`; none: at their copied position.
+/// If entities of the same kind are already there, all are moved on in steps of 0.5 m to the right
+/// and down until they are free, so that a copy never hides its original.
+bool pasteAt(ScenarioDocument& document, const QMimeData& data, const std::optional<Vec2>& centre);
 
 }  // namespace editor
