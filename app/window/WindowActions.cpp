@@ -275,7 +275,11 @@ void WindowActions::makeToggles() {
                         {QT_TR_NOOP("Snap to &walls"), &Options::snapToWalls, 0,
                          QT_TR_NOOP("Snap drawn items to corners and edges of map walls")},
                         {QT_TR_NOOP("Snap to the gr&id"), &Options::snapToGrid, kShift | Qt::Key_S,
-                         QT_TR_NOOP("Snap drawn items to a grid of 0.5 m")}});
+                         QT_TR_NOOP("Snap drawn items to a grid of 0.5 m")},
+                        {QT_TR_NOOP("&Alignment guides"), &Options::guides, 0,
+                         QT_TR_NOOP("Align dragged items with edges, centres and distances of "
+                                    "others; Alt suspends this"),
+                         "map/guides"}});
   makeRunOverlays();
 }
 

@@ -1,5 +1,6 @@
 #include "editor/canvas/Layers.h"
 
+#include <cmath>
 #include <limits>
 
 #include "editor/canvas/FrameLayer.h"
@@ -19,7 +20,10 @@ constexpr double kTurnHandlePx = 10.0;
 constexpr double kHandleReachPx = 8.0;
 constexpr double kCornerPx = 6.0;
 constexpr double kSnapMarkPx = 7.0;
-constexpr double kRingGapPx = 3.0;  // Distance between a body and its group ring.
+constexpr double kTextPx = 16.0;      // Height of the length of a dimension line.
+constexpr double kTextRoomPx = 14.0;  // Free part of the line at both ends of its length.
+constexpr double kGapTickPx = 4.0;    // Half length of the ends of a dimension line.
+constexpr double kRingGapPx = 3.0;    // Distance between a body and its group ring.
 constexpr double kMinRingPx = 7.0;
 
 QPen accentPen(const QPainter& painter, const Theme& theme, double widthPx) {
@@ -313,6 +317,43 @@ void ToolLayer::paintArrows(QPainter& painter) const {
   }
 }
 
+void ToolLayer::paintGuides(QPainter& painter) const {
+  setPenAndBrush(painter, screenPen(painter, theme().color(Role::Guide), 1.0));
+  for (const auto& [from, to] : marks_.guides.lines) {
+    painter.drawLine(toScene(from), toScene(to));
+  }
+  for (const AlignmentGap& gap : marks_.guides.gaps) {
+    paintGap(painter, gap);
+  }
+}
+
+/// A dimension line with its length in a small box at its centre.
+void ToolLayer::paintGap(QPainter& painter, const AlignmentGap& gap) const {
+  const QPointF centre = toScene(0.5 * (gap.from + gap.to));
+  const double pixels = (gap.to - gap.from).norm() * pixelsPerMetreOf(painter);
+  const bool isFlat = std::abs(gap.to.y() - gap.from.y()) < std::abs(gap.to.x() - gap.from.x());
+  const PixelFrame frame(painter, centre);
+  painter.setPen(QPen(theme().color(Role::Guide), 1.0));
+  const QPointF half = isFlat ? QPointF(0.5 * pixels, 0.0) : QPointF(0.0, 0.5 * pixels);
+  const QPointF tick = isFlat ? QPointF(0.0, kGapTickPx) : QPointF(kGapTickPx, 0.0);
+  painter.drawLine(-half, half);
+  for (const QPointF& end : {-half, half}) {
+    painter.drawLine(end - tick, end + tick);
+  }
+  const QString words = QStringLiteral("%1 m").arg((gap.to - gap.from).norm(), 0, 'f', 2);
+  const QFont font = theme().figureFont(8.0);
+  const double width = QFontMetricsF(font).horizontalAdvance(words) + 8.0;
+  if (pixels < (isFlat ? width : kTextPx) + 2.0 * kTextRoomPx) {
+    return;  // The text would cover the neighbours.
+  }
+  const QRectF box(-0.5 * width, -0.5 * kTextPx, width, kTextPx);
+  setPenAndBrush(painter, Qt::NoPen, theme().color(Role::Guide));
+  painter.drawRoundedRect(box, 3.0, 3.0);
+  painter.setFont(font);
+  painter.setPen(theme().color(Role::Panel));
+  painter.drawText(box, Qt::AlignCenter, words);
+}
+
 void ToolLayer::paintTag(QPainter& painter) const {
   const auto& [at, words] = *marks_.tag;
   const PixelFrame frame(painter, toScene(at));
@@ -343,6 +384,7 @@ void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
   }
   paintLines(*painter);
   paintArrows(*painter);
+  paintGuides(*painter);
   if (marks_.snapMark) {
     const PixelFrame frame(*painter, toScene(*marks_.snapMark));
     paintRing(*painter, QPen(theme().color(Role::Accent), 1.5), kSnapMarkPx);

@@ -175,6 +175,8 @@ class ToolLayer : public FullLayer {
   void paintOutline(QPainter& painter) const;
   void paintLines(QPainter& painter) const;
   void paintArrows(QPainter& painter) const;
+  void paintGuides(QPainter& painter) const;
+  void paintGap(QPainter& painter, const AlignmentGap& gap) const;
   void paintTag(QPainter& painter) const;
 
   ToolMarks marks_;

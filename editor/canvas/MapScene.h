@@ -50,6 +50,7 @@ struct CanvasOptions {
   bool groups = true;                            // People who walk together.
   bool snapToPoints = true, snapToWalls = true;  // Snapping of drawn and moved points.
   bool snapToGrid = false;
+  bool guides = true;         // Alignment with other entities while dragging.
   double trailSeconds = 6.0;  // Length of the trails of a run.
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "editor/canvas/EntityItem.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -113,6 +114,26 @@ Vec2 Tool::snapToGrid(const CanvasMouse& mouse) const {
   return snapped(scene_, mouse, {std::nullopt, {}, {}, false}).point;
 }
 
+Alignment Tool::align(const CanvasMouse& mouse, const Extent& moving,
+                      const std::vector<EntityId>& without) const {
+  marks().guides = alignedOnCanvas(scene_, mouse, moving, without);
+  return marks().guides;
+}
+
+Vec2 Tool::snapAligned(const CanvasMouse& mouse, const SnapRequest& wish) const {
+  marks().guides = {};
+  const Snapped result = snapped(scene_, mouse, wish);
+  marks().snapMark = result.isOnPoint ? std::optional<Vec2>(result.point) : std::nullopt;
+  const bool isOnAngle = wish.anchor && mouse.modifiers.testFlag(Qt::ShiftModifier);
+  if (result.isOnPoint || isOnAngle) {
+    return result.point;
+  }
+  const Alignment aligned = align(mouse, {mouse.world, mouse.world}, wish.without);
+  const Vec2 exact = mouse.world + aligned.offset;
+  return {aligned.isAligned[0] ? exact.x() : result.point.x(),
+          aligned.isAligned[1] ? exact.y() : result.point.y()};
+}
+
 void Tool::clearMarks() {
   scene_.clearPreview();
   marks() = {};
@@ -169,6 +190,59 @@ std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2&
 
 double snappedAngle(double heading, double step) {
   return base::wrapToPi(std::round(heading / step) * step + 0.0);  // Avoids -0.
+}
+
+namespace {
+
+constexpr std::size_t kMaxGuideBoxes = 24;  // With more, every position would be aligned.
+constexpr double kGuideRangePx = 1200.0;
+constexpr double kStraight = 0.005;  // Deviation of a box from the axes [quarter turns].
+
+double distanceOf(const Extent& a, const Extent& b) {
+  const Vec2 gap = (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(Vec2(Vec2::Zero()));
+  return gap.norm();
+}
+
+}  // namespace
+
+std::optional<Extent> guideBoxOf(const Entity& entity) {
+  const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+    const double quarters = obstacle->pose.heading / (0.5 * base::kPi);
+    if (std::abs(quarters - std::round(quarters)) > kStraight) {
+      return Extent{obstacle->pose.position, obstacle->pose.position};
+    }
+  }
+  return extentOf(entity);
+}
+
+Alignment alignedOnCanvas(const MapScene& scene, const CanvasMouse& mouse, const Extent& moving,
+                          const std::vector<EntityId>& without) {
+  if (!scene.options().guides || mouse.modifiers.testFlag(Qt::AltModifier) ||
+      mouse.modifiers.testFlag(Qt::ControlModifier)) {
+    return {};
+  }
+  std::vector<std::pair<double, Extent>> found;
+  forEachList(scene.document().scenario(), [&](EntityKind /*kind*/, const auto& list) {
+    for (const auto& value : list) {
+      const EntityItem* item = scene.item(value.key);
+      const bool isMeant = item != nullptr && item->isVisible() &&
+                           std::find(without.begin(), without.end(), value.key) == without.end();
+      const std::optional<Extent> extent = isMeant ? guideBoxOf(Entity(value)) : std::nullopt;
+      const double distance = extent ? distanceOf(*extent, moving) : 0.0;
+      if (extent && distance * mouse.pixelsPerMetre <= kGuideRangePx) {
+        found.emplace_back(distance, *extent);
+      }
+    }
+  });
+  const auto end =
+      found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMaxGuideBoxes));
+  std::partial_sort(found.begin(), end, found.end(),
+                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Extent> others;
+  std::transform(found.begin(), end, std::back_inserter(others),
+                 [](const auto& each) { return each.second; });
+  return alignmentOf(moving, others, kGuideReachPx / mouse.pixelsPerMetre);
 }
 
 std::vector<Vec2> snapPointsOf(const Entity& entity) {

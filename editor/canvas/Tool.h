@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/canvas/AlignmentGuides.h"
 #include "editor/canvas/MapScene.h"
 
 namespace editor {
@@ -13,6 +14,7 @@ struct CanvasMouse {
 };
 
 constexpr double kSnapReachPx = 8.0;
+constexpr double kGuideReachPx = 5.0;
 constexpr double kSnapGrid = 0.5;              // [m]
 constexpr double kSnapAngle = base::kPi / 12;  // 15 degrees
 
@@ -56,6 +58,7 @@ struct ToolMarks {
   std::optional<std::pair<Vec2, Vec2>> arrow;
   std::optional<std::pair<Vec2, QString>> tag;  // A small dark box beside a point.
   std::optional<Vec2> snapMark;                 // Point of another entity that is snapped to.
+  Alignment guides;                             // Of the entities being dragged.
 };
 
 /// The mouse behaviour on the canvas. One tool is active at a time. It shows previews through the
@@ -91,6 +94,13 @@ class Tool : public QObject {
   /// The snapped mouse position (`snapped`). A point of another entity is marked on the canvas.
   Vec2 snap(const CanvasMouse& mouse, const SnapRequest& wish) const;
   Vec2 snapToGrid(const CanvasMouse& mouse) const;  // Snaps to the grid only.
+  /// The alignment of dragged entities with others, which is shown on the canvas
+  /// (`alignedOnCanvas`).
+  Alignment align(const CanvasMouse& mouse, const Extent& moving,
+                  const std::vector<EntityId>& without) const;
+  /// A dragged point: as `snap`, and aligned with other entities where it is not on a point or
+  /// wall.
+  Vec2 snapAligned(const CanvasMouse& mouse, const SnapRequest& wish) const;
   void clearMarks();  // Removes the marks of the gesture and emits `statusTextChanged`.
 
  private:
@@ -109,6 +119,14 @@ Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapReque
 /// corners. Examines only nearby cells.
 std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2& world,
                                    double reach);
+
+/// The box by which an entity is aligned: its bounding box; for bodies and for obstacles without
+/// horizontal edges the centre. None for the settings.
+std::optional<Extent> guideBoxOf(const Entity& entity);
+/// The alignment of a dragged bounding box with the nearest visible entities other than `without`.
+/// None with Alt or Ctrl, or if the canvas options disable it.
+Alignment alignedOnCanvas(const MapScene& scene, const CanvasMouse& mouse, const Extent& moving,
+                          const std::vector<EntityId>& without);
 
 /// The points of an entity that others snap to: corners, ends, centres; none for people.
 std::vector<Vec2> snapPointsOf(const Entity& entity);

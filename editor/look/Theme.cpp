@@ -30,7 +30,7 @@ constexpr std::array<RoleColors, static_cast<std::size_t>(Role::Count)> kRoles =
     {Role::Past, 0xFF2F6FDE, 0xFF6EA0FF},          {Role::ForceGoal, 0xFF2E8540, 0xFF58B36B},
     {Role::ForceSocial, 0xFFB35C8D, 0xFFDB96BC},   {Role::ForceObstacle, 0xFFB57A00, 0xFFE69F00},
     {Role::ForceGroup, 0xFF2389C4, 0xFF7CCBF5},    {Role::ForceTotal, 0xFF1B1F23, 0xFFFFFFFF},
-    {Role::Lidar, 0xFF8F7A00, 0xFFF0E442},
+    {Role::Lidar, 0xFF8F7A00, 0xFFF0E442},         {Role::Guide, 0xFFC2185B, 0xFFFF7EB0},
 }};
 
 constexpr bool isInOrder() {

@@ -41,6 +41,7 @@ enum class Role {
   ForceGroup,
   ForceTotal,
   Lidar,  // Also used for other robot perception.
+  Guide,  // Alignment with other entities.
   Count
 };
 

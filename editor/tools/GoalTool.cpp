@@ -89,8 +89,16 @@ class GoalTool : public Tool {
   }
 
   Vec2 placeOf(CanvasMouse mouse) const {
+    const bool isDragged = !pressed_ || isDrag(from_, mouse);
     mouse.world += grip_;
-    return snapToGrid(mouse);
+    const Vec2 onGrid = snapToGrid(mouse);
+    if (!isDragged) {
+      return onGrid;
+    }
+    const Alignment aligned = align(mouse, {mouse.world, mouse.world}, {held_->key});
+    const Vec2 exact = mouse.world + aligned.offset;
+    return {aligned.isAligned[0] ? exact.x() : onGrid.x(),
+            aligned.isAligned[1] ? exact.y() : onGrid.y()};
   }
 
   std::optional<sim2d::GlobalGoal> held_;  // Without a key in the document: a new goal.

@@ -251,6 +251,7 @@ class SelectTool : public Tool {
   void beginDrag(const CanvasMouse& mouse) {
     if (gesture_ == Gesture::Pressed) {
       gesture_ = Gesture::Moving;
+      moving_ = selectedExtent();
       deselectOnRelease_ = false;
       previewMove(mouse);
     } else if (gesture_ == Gesture::Handle) {
@@ -289,14 +290,16 @@ class SelectTool : public Tool {
       return Vec2::Zero();
     }
     Vec2 delta = mouse.world - from_;
+    const std::optional<int> fixedAxis = fixedAxisOf(mouse, delta);
     SnapRequest wish;
     wish.without = document().selection();
     wish.ontoWalls = grabbed_.kind != EntityKind::Goal;  // Goals at walls are unreachable.
-    if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {   // Along one axis.
-      (std::abs(delta.x()) < std::abs(delta.y()) ? delta.x() : delta.y()) = 0.0;
+    if (fixedAxis) {
+      delta(*fixedAxis) = 0.0;
       wish.ontoPoints = false;
     }
     CanvasMouse target = mouse;
+    marks().guides = {};
     if (wish.ontoPoints && grabbed_.kind != EntityKind::Robot) {
       for (const Vec2& own : snapPointsOf(*entity)) {  // Corners snap as well as the centre.
         target.world = own + delta;
@@ -307,7 +310,41 @@ class SelectTool : public Tool {
     }
     wish.ontoPoints = false;
     target.world = *start + delta;
-    return snap(target, wish) - *start;
+    return alignedDelta(mouse, delta, snap(target, wish) - *start, fixedAxis);
+  }
+
+  /// With Shift, entities move along one axis: the other one.
+  static std::optional<int> fixedAxisOf(const CanvasMouse& mouse, const Vec2& delta) {
+    const bool isShift = mouse.modifiers.testFlag(Qt::ShiftModifier);
+    return isShift ? std::optional<int>(std::abs(delta.x()) < std::abs(delta.y()) ? 0 : 1)
+                   : std::nullopt;
+  }
+
+  /// `free` aligned with other entities; `onGrid` along axes without alignment.
+  Vec2 alignedDelta(const CanvasMouse& mouse, const Vec2& free, const Vec2& onGrid,
+                    const std::optional<int>& fixedAxis) const {
+    if (!moving_) {
+      return onGrid;
+    }
+    const Alignment aligned = align(mouse, movedBy(*moving_, free), document().selection());
+    Vec2 delta = onGrid;
+    for (const int axis : {0, 1}) {
+      if (aligned.isAligned.at(static_cast<std::size_t>(axis)) && axis != fixedAxis) {
+        delta(axis) = free(axis) + aligned.offset(axis);
+      }
+    }
+    return rounded(delta);
+  }
+
+  /// The bounding box of the selection.
+  std::optional<Extent> selectedExtent() const {
+    std::vector<Vec2> corners;
+    for (const Entity& value : valuesOf(document(), document().selection())) {
+      if (const std::optional<Extent> extent = guideBoxOf(value)) {
+        corners.insert(corners.end(), {extent->low, extent->high});
+      }
+    }
+    return extentOf(corners);
   }
 
   void previewMove(const CanvasMouse& mouse) {
@@ -355,7 +392,9 @@ class SelectTool : public Tool {
       const bool isStart = index == 0 && isOpenPolyline(entity);
       wish.anchor = (*corners)[isStart ? 1 : (index + corners->size() - 1) % corners->size()];
     }
-    return snap(mouse, wish);
+    const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+    const bool isCircle = obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Circle;
+    return isCircle ? snap(mouse, wish) : snapAligned(mouse, wish);  // Its handle is on no edge.
   }
 
   QString handleText(const Entity& before, const Vec2& to) const {
@@ -391,6 +430,7 @@ class SelectTool : public Tool {
   void end() {
     gesture_ = Gesture::None;
     pulled_.reset();
+    moving_.reset();
     marks() = {};
     pulledRobot_.reset();
     pushedPerson_.reset();
@@ -420,6 +460,7 @@ class SelectTool : public Tool {
   EntityId grabbed_;
   Handle handle_;
   std::optional<Entity> pulled_;
+  std::optional<Extent> moving_;  // Bounding box of the selection before it is moved.
   Qt::CursorShape cursor_ = Qt::ArrowCursor;
   bool deselectOnRelease_ = false;
   std::optional<int> pulledRobot_;   // The robot pressed in a run, by its id in the frames.

@@ -87,7 +87,7 @@ class ThemeTest : public QObject {
       for (const Role role :
            {Role::Accent, Role::MapOccupied, Role::RobotBody, Role::RobotLine, Role::ForceGoal,
             Role::ForceSocial, Role::ForceObstacle, Role::ForceGroup, Role::ForceTotal,
-            Role::WarningMark, Role::Error, Role::ObstacleEdge, Role::Lidar}) {
+            Role::WarningMark, Role::Error, Role::ObstacleEdge, Role::Lidar, Role::Guide}) {
         QVERIFY2(contrastRatio(theme.color(role), map) >= 3.0,
                  qPrintable(QString::number(int(role))));
       }
