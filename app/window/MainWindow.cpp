@@ -42,7 +42,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       docks_(new Docks(*this, workspace_, setup.panels)),
       files_(
           new FileCommands(workspace_, docks_->panel<editor::IssuesPanel>(), userSettings_, *this)),
-      toolBar_(makeToolBar(*this, workspace_, *actions_)) {
+      toolBar_(makeToolBar(*this, workspace_, *actions_, *docks_)) {
   setObjectName(QStringLiteral("window"));
   setMinimumSize(kLeastWindow);
   resize(std::min(defaultSize().width(), screen()->availableGeometry().width()),
@@ -209,6 +209,12 @@ void MainWindow::showDock(const QString& name) {
 
 void MainWindow::connectView() {
   connectCanvasMenu(workspace_, *actions_, *docks_);
+  auto& layers = docks_->panel<editor::LayersPanel>();
+  for (const WindowActions::LayerGroup& group : actions_->layerGroups()) {
+    layers.addGroup(group.title, group.layers);
+  }
+  connect(&layers, &editor::LayersPanel::opacityChanged, this,
+          [this] { actions_->storeOpacities(userSettings_); });
   connect(actions_->fullScreen, &QAction::toggled, this, &MainWindow::showFullScreenMap);
   connect(actions_->resetLayout, &QAction::triggered, docks_, &Docks::resetLayout);
   actions_->systemTheme->setChecked(followsSystem_);

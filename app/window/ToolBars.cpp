@@ -63,16 +63,26 @@ void addTools(QToolBar& bar, Workspace& workspace) {
   }
 }
 
-/// A button with the list of all layers and overlays.
-QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
+/// A button that opens or closes the panel with all layers.
+QToolButton* makeLayersButton(const Docks& docks, QWidget* parent) {
+  QAction* toggle = docks.toggleOf(*docks.dock(QStringLiteral("layers")));
   auto* button = new QToolButton(parent);
-  button->setPopupMode(QToolButton::InstantPopup);
+  button->setCheckable(true);
   button->setToolTip(QObject::tr("Layers\nChoose what the map shows"));
   button->setAccessibleName(QObject::tr("Layers"));
-  auto* menu = new QMenu(button);
-  addGroups(*menu, {actions.layers, actions.overlays, actions.runOverlays});
-  button->setMenu(menu);
+  QObject::connect(button, &QToolButton::clicked, toggle, &QAction::trigger);
+  QObject::connect(toggle, &QAction::toggled, button, &QToolButton::setChecked);
   return button;
+}
+
+/// One menu per group of layers.
+void addLayerMenus(QMenu& menu, const WindowActions& actions) {
+  for (const WindowActions::LayerGroup& group : actions.layerGroups()) {
+    QMenu* part = menu.addMenu(group.title);
+    for (const editor::MapLayer& layer : group.layers) {
+      part->addAction(layer.action);
+    }
+  }
 }
 
 void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
@@ -99,7 +109,8 @@ void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
 
 }  // namespace
 
-QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& actions) {
+QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& actions,
+                      const Docks& docks) {
   auto* bar = new QToolBar(QObject::tr("Tools"), &window);
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
@@ -119,7 +130,7 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   bar->addWidget(spacer(4, bar));
   bar->addWidget(workspace.playback().makeSpeedBox(bar));
   bar->addSeparator();
-  QToolButton* layers = makeLayersButton(actions, bar);
+  QToolButton* layers = makeLayersButton(docks, bar);
   bar->addWidget(layers);
   bar->addActions({actions.rings, actions.forces, actions.grid, actions.snapToPoints,
                    actions.zoomFit, actions.switchTheme});
@@ -156,9 +167,9 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(edit, {actions.snapping, {actions.palette, actions.preferences}});
 
   QMenu& view = *bar.addMenu(QObject::tr("&View"));
-  addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
-  view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
-  view.addMenu(QObject::tr("Run overlays"))->addActions(actions.runOverlays);
+  addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit},
+                   {actions.names, actions.routes, actions.grid, actions.rings, actions.forces}});
+  addLayerMenus(*view.addMenu(QObject::tr("All &layers")), actions);
   view.addMenu(QObject::tr("Trail length"))->addActions(workspace.scrub().trailLengths());
   addGroups(view,
             {docks.toggles() << docks.mapOnly() << docks.treeMaximized() << actions.resetLayout,
@@ -228,6 +239,15 @@ void showInteractionMenu(Workspace& workspace, const QPoint& at) {
     return;
   }
   menu->popup(view.viewport()->mapToGlobal(at));
+}
+
+/// Pastes where the menu was opened.
+QAction* makePasteHere(QMenu& menu, WindowActions& actions, const base::Vec2& place) {
+  auto* paste = new QAction(QObject::tr("Paste here"), &menu);
+  paste->setEnabled(actions.paste->isEnabled());
+  QObject::connect(paste, &QAction::triggered, &actions,
+                   [&actions, place] { actions.pasteAt(place); });
+  return paste;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace {
 constexpr int kCtrl = Qt::CTRL;
 constexpr int kShift = Qt::SHIFT;
 
+constexpr const char* kOpacities = "map/opacities";
 constexpr const char* kShowOrHide = QT_TR_NOOP("Show or hide on the map");
 
 /// Connects a checkable action with an option of the map.
@@ -84,6 +85,7 @@ WindowActions::WindowActions(Workspace& workspace, QObject* parent)
   makeEditActions();
   makeViewActions();
   makeToggles();
+  makeLayerGroups();
   makeArranging();
   connectEditing();
   setTheme(workspace.theme());
@@ -222,6 +224,7 @@ QList<QAction*> WindowActions::togglesOf(const std::vector<Toggle>& rows) {
   for (const Toggle& row : rows) {
     QAction* action = make(tr(row.text), tr(row.tip), row.shortcut, row.icon);
     bindOption(*action, workspace_.scene(), row.option);
+    optionOf_[action] = row.option;
     all << action;
     if (row.action != nullptr) {
       this->*row.action = action;
@@ -312,7 +315,42 @@ void WindowActions::makeRunOverlays() {
         "map/masks"}});
 }
 
+void WindowActions::makeLayerGroups() {
+  const auto add = [this](const QString& title, const QList<QAction*>& actions) {
+    LayerGroup& group = layerGroups_.emplace_back(LayerGroup{title, {}});
+    for (QAction* action : actions) {
+      group.layers.push_back({action, optionOf_.at(action)});
+    }
+  };
+  // `overlays`: names, routes, grid, rulers, trails, spaces, forces, then perception of robots.
+  constexpr int kAlways = 4, kOfPeople = 3, kPeopleInRun = 8;
+  add(tr("Background"), QList<QAction*>{layers.front()} << overlays.mid(2, 2));
+  add(tr("Scenario"), layers.mid(1) << overlays.mid(0, 2));
+  add(tr("People in a run"), overlays.mid(kAlways, kOfPeople) << runOverlays.mid(0, kPeopleInRun));
+  add(tr("Robots in a run"), overlays.mid(kAlways + kOfPeople) << runOverlays.mid(kPeopleInRun));
+}
+
+void WindowActions::restoreOpacities(const UserSettings& userSettings) {
+  const QVariantMap stored = userSettings.value(kOpacities).toMap();
+  CanvasOptions options = workspace_.scene().options();
+  for (const auto& [action, key] : stored_) {
+    const double opacity = stored.value(QString::fromLatin1(key), 1.0).toDouble();
+    options.setOpacity(optionOf_.at(action), std::clamp(opacity, 0.1, 1.0));
+  }
+  workspace_.scene().setOptions(options);
+}
+
+void WindowActions::storeOpacities(UserSettings& userSettings) const {
+  QVariantMap opacities;
+  for (const auto& [action, key] : stored_) {
+    opacities[QString::fromLatin1(key)] =
+        workspace_.scene().options().opacityOf(optionOf_.at(action));
+  }
+  userSettings.setValue(kOpacities, opacities);
+}
+
 void WindowActions::restoreAndStore(UserSettings& userSettings) {
+  restoreOpacities(userSettings);
   for (const auto& [action, key] : stored_) {
     const QVariant before = userSettings.value(key);
     if (before.isValid()) {

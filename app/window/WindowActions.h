@@ -3,6 +3,7 @@
 #include "app/window/Docks.h"
 #include "app/window/Workspace.h"
 #include "app/window/files/FileDialogs.h"
+#include "editor/panels/LayersPanel.h"
 
 namespace app {
 
@@ -26,19 +27,26 @@ class WindowActions : public QObject {
   QAction *names, *routes, *grid, *rings, *forces, *snapToPoints, *lidar, *detections, *candidates;
   /// Checkable: what the canvas shows, also of a run only, and what drawing snaps to.
   QList<QAction*> overlays, layers, runOverlays, snapping;
+  /// The layers of the map in the groups of menu and panel.
+  struct LayerGroup {
+    QString title;
+    std::vector<editor::MapLayer> layers;
+  };
+  const std::vector<LayerGroup>& layerGroups() const { return layerGroups_; }
   /// The names of overlays on the command line, and their selection.
   static std::vector<std::string> overlayNames();
   void showOverlays(const std::vector<std::string>& names);
   void fillArrangeMenu(QMenu& menu) const;
+  /// Pastes with the centre at this position [m]; none: at the copied position.
+  void pasteAt(const std::optional<base::Vec2>& place);
   /// Restores and stores the display options of the map.
   void restoreAndStore(UserSettings& userSettings);
+  void storeOpacities(UserSettings& userSettings) const;
 
  private:
   QAction* make(const QString& text, const QString& description, const QKeySequence& shortcut = {},
                 const char* icon = nullptr);
   struct Toggle;
-  /// Pastes with the centre at this position [m]; none: at the copied position.
-  void pasteAt(const std::optional<base::Vec2>& place);
   QList<QAction*> togglesOf(const std::vector<Toggle>& rows);
   void makeFileActions();
   void makeHelpActions();
@@ -46,6 +54,8 @@ class WindowActions : public QObject {
   void makeViewActions();
   void makeToggles();
   void makeRunOverlays();
+  void makeLayerGroups();
+  void restoreOpacities(const UserSettings& userSettings);
   void makeArranging();
   void connectEditing();
   void updateEnabled();
@@ -55,12 +65,15 @@ class WindowActions : public QObject {
 
   Workspace& workspace_;
   std::vector<std::pair<QAction*, const char*>> icons_;
-  std::vector<std::pair<QAction*, const char*>> stored_;     // with the key of their state
+  std::vector<std::pair<QAction*, const char*>> stored_;  // with the key of their state
+  std::map<const QAction*, bool editor::CanvasOptions::*> optionOf_;
+  std::vector<LayerGroup> layerGroups_;
   std::vector<std::pair<QAction*, std::size_t>> arranging_;  // with the minimum selection size
 };
 
 /// The tool bar: file, undo | tools | run | view.
-QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& actions);
+QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& actions,
+                      const Docks& docks);
 
 /// Creates the menus with all commands. Returns the menu for recent files, which the caller fills.
 QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks);

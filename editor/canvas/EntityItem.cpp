@@ -44,6 +44,7 @@ class PersonItem : public EntityItem {
 
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
     if (options().proxemics && isSelectedEntity()) {
+      const LayerOpacity opacity(*painter, options(), &CanvasOptions::proxemics);
       for (const auto& [reach, alpha] : kHallZones) {
         setPenAndBrush(*painter, Qt::NoPen, withAlpha(theme().fill(look_), alpha));
         painter->drawEllipse(place(), reach, reach);
@@ -448,7 +449,7 @@ QRectF around(const QPointF& centre, double reach) {
 
 void EntityItem::sync(const Entity& value) {
   take(value);
-  setOpacity(isListed(value) ? 1.0 : 0.4);
+  setOpacity(mapScene().layerOpacity(id_.kind) * (isListed(value) ? 1.0 : 0.4));
   zoomChanged();
   update();
 }

@@ -19,7 +19,14 @@ constexpr double kStrideMetres = 1.4;  // Walked distance of a full step cycle.
 constexpr double kSpeechSeconds = 4.0;
 constexpr double kSpeechFade = 0.6;  // Duration of the fade-out [s].
 constexpr double kBubbleWidthPx = 220.0;
+constexpr double kEstimated = 0.4;  // Opacity of the pose that a robot estimates.
 constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
+
+/// The perception of all robots; empty if the frame has none.
+const std::vector<sim2d::RobotTelemetry>& sensesOf(const sim2d::Frame& frame) {
+  static const std::vector<sim2d::RobotTelemetry> nothing;
+  return frame.senses != nullptr ? *frame.senses : nothing;
+}
 
 /// The first entry that is still visible at `time`.
 template <class Said>
@@ -228,20 +235,23 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   }
   painter->setRenderHint(QPainter::Antialiasing);
   const CanvasOptions& on = options();
-  const std::pair<bool, void (FrameLayer::*)(QPainter&) const> parts[] = {
-      {true, &FrameLayer::paintPerception},
-      {on.trails, &FrameLayer::paintTrails},
-      {on.robotPath, &FrameLayer::paintRobotPaths},
-      {on.people, &FrameLayer::paintPeople},
-      {on.detections, &FrameLayer::paintEstimatedPoses},
-      {true, &FrameLayer::paintPull},
-      {true, &FrameLayer::paintPush},
-      {on.robots, &FrameLayer::paintRobots},
-      {on.forces, &FrameLayer::paintForces},
-      {on.speech, &FrameLayer::paintHearing},
-      {on.speech, &FrameLayer::paintSpeech}};
-  for (const auto& [isOn, paintPart] : parts) {
-    if (isOn) {
+  using Options = CanvasOptions;
+  const std::pair<bool Options::*, void (FrameLayer::*)(QPainter&) const> parts[] = {
+      {&Options::lidar, &FrameLayer::paintScans},
+      {&Options::candidates, &FrameLayer::paintCandidateTrajectories},
+      {&Options::trails, &FrameLayer::paintTrails},
+      {&Options::robotPath, &FrameLayer::paintRobotPaths},
+      {&Options::people, &FrameLayer::paintPeople},
+      {&Options::detections, &FrameLayer::paintEstimatedPoses},
+      {nullptr, &FrameLayer::paintPull},
+      {nullptr, &FrameLayer::paintPush},
+      {&Options::robots, &FrameLayer::paintRobots},
+      {&Options::forces, &FrameLayer::paintForces},
+      {&Options::speech, &FrameLayer::paintHearing},
+      {&Options::speech, &FrameLayer::paintSpeech}};
+  for (const auto& [layer, paintPart] : parts) {
+    if (layer == nullptr || on.*layer) {
+      const LayerOpacity opacity(*painter, on, layer);
       (this->*paintPart)(*painter);
     }
   }
@@ -312,20 +322,17 @@ void FrameLayer::paintRobotPaths(QPainter& painter) const {
   }
 }
 
-/// Draws scans and candidate trajectories beneath the people.
-void FrameLayer::paintPerception(QPainter& painter) const {
-  if (frame_->senses == nullptr) {
-    return;
-  }
-  for (const sim2d::RobotTelemetry& each : *frame_->senses) {
-    if (options().lidar && each.scan) {
+void FrameLayer::paintScans(QPainter& painter) const {
+  for (const sim2d::RobotTelemetry& each : sensesOf(*frame_)) {
+    if (each.scan) {
       paintScan(painter, theme(), *each.scan);
     }
   }
-  for (const sim2d::RobotTelemetry& each : *frame_->senses) {
-    if (options().candidates) {
-      paintCandidates(painter, theme(), each);
-    }
+}
+
+void FrameLayer::paintCandidateTrajectories(QPainter& painter) const {
+  for (const sim2d::RobotTelemetry& each : sensesOf(*frame_)) {
+    paintCandidates(painter, theme(), each);
   }
 }
 
@@ -343,9 +350,10 @@ void FrameLayer::paintEstimatedPoses(QPainter& painter) const {
       paintLocalizationError(painter, theme(), robot->pose.position, believed->position);
       Body ghost = *robot;
       ghost.pose = *believed;
-      painter.setOpacity(0.4);
+      const double opacity = painter.opacity();
+      painter.setOpacity(kEstimated * opacity);
       paintRobot(painter, ghost);
-      painter.setOpacity(1.0);
+      painter.setOpacity(opacity);
     }
   }
 }
@@ -422,7 +430,7 @@ void FrameLayer::paintBubble(QPainter& painter, const Body& speaker, const Speec
   const double left = speech.since + kSpeechSeconds - frame_->time;
   const double radiusPx = figureRadiusPx(speaker, pixelsPerMetreOf(painter));
   const PixelFrame frame(painter, toScene(speaker.pose.position));
-  painter.setOpacity(std::clamp(left / kSpeechFade, 0.0, 1.0));
+  painter.setOpacity(painter.opacity() * std::clamp(left / kSpeechFade, 0.0, 1.0));
   const QFont font = theme().font(9.0);
   const QRectF text = QFontMetricsF(font).boundingRect(QRectF(0.0, 0.0, kBubbleWidthPx, 200.0),
                                                        kBubbleText, speech.text);

@@ -109,7 +109,8 @@ class FrameLayer : public FullLayer {
   PersonFigure figureOf(const Body& person, double pixelsPerMetre) const;
   void paintTrails(QPainter& painter) const;
   void paintRobotPaths(QPainter& painter) const;
-  void paintPerception(QPainter& painter) const;
+  void paintScans(QPainter& painter) const;
+  void paintCandidateTrajectories(QPainter& painter) const;
   void paintEstimatedPoses(QPainter& painter) const;
   void paintPull(QPainter& painter) const;
   void paintPush(QPainter& painter) const;

@@ -48,6 +48,27 @@ Layer* addLayer(MapScene& scene, Depth depth, More&&... more) {
   return layer;
 }
 
+/// The option that shows entities of this kind; null: always shown.
+bool CanvasOptions::*layerOf(EntityKind kind) {
+  switch (kind) {
+    case EntityKind::Human:
+      return &CanvasOptions::people;
+    case EntityKind::Robot:
+      return &CanvasOptions::robots;
+    case EntityKind::Goal:
+      return &CanvasOptions::goals;
+    case EntityKind::Obstacle:
+    case EntityKind::Door:
+      return &CanvasOptions::obstacles;
+    case EntityKind::Area:
+    case EntityKind::Dock:
+      return &CanvasOptions::areas;
+    default:
+      return nullptr;
+  }
+}
+
+constexpr double kGhost = 0.7;    // Opacity of entities that do not exist yet.
 constexpr double kFaded = 0.2;    // Opacity.
 constexpr double kReachPx = 6.0;  // Maximum distance from the mouse.
 
@@ -110,7 +131,7 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
       routes_(new RouteModel(this)) {
   setItemIndexMethod(QGraphicsScene::NoIndex);
   mapItem_ = addLayer<MapItem>(*this, MapDepth);
-  addLayer<GridItem>(*this, GridDepth);
+  gridItem_ = addLayer<GridItem>(*this, GridDepth);
   groupLayer_ = addLayer<GroupLayer>(*this, GroupDepth);
   routeLayer_ = addLayer<RouteLayer>(*this, RouteDepth);
   frameLayer_ = addLayer<FrameLayer>(*this, FrameDepth);
@@ -187,9 +208,22 @@ void MapScene::setTheme(const Theme& theme) {
   Q_EMIT themeChanged();
 }
 
+void CanvasOptions::setOpacity(bool CanvasOptions::*layer, double opacity) {
+  opacities.erase(std::remove_if(opacities.begin(), opacities.end(),
+                                 [layer](const auto& each) { return each.first == layer; }),
+                  opacities.end());
+  if (opacity < 1.0) {
+    opacities.emplace_back(layer, opacity);
+  }
+}
+
 void MapScene::setOptions(const CanvasOptions& options) {
+  const bool isOtherOpacity = options.opacities != options_.opacities;
   options_ = options;
   mapItem_->setVisible(options_.map);
+  if (isOtherOpacity) {
+    applyOpacities();
+  }
   syncItems();
   Q_EMIT optionsChanged();
 }
@@ -319,12 +353,18 @@ void MapScene::setPreview(const std::vector<Entity>& values) {
   }
   for (const auto& [id, value] : preview_) {
     sync(id);
-    if (!document_.contains(id)) {
-      items_.at(id)->setOpacity(0.7);
-    }
   }
+  showGhosts();
   planRoutes();
   update();
+}
+
+void MapScene::showGhosts() {
+  for (const auto& [id, value] : preview_) {
+    if (!document_.contains(id)) {
+      items_.at(id)->setOpacity(kGhost * layerOpacity(id.kind));
+    }
+  }
 }
 
 void MapScene::setFaded(const std::vector<EntityId>& ids) {
@@ -334,30 +374,39 @@ void MapScene::setFaded(const std::vector<EntityId>& ids) {
   }
   for (const EntityId id : faded_) {
     if (EntityItem* const entityItem = item(id)) {
-      entityItem->setOpacity(kFaded);
+      entityItem->setOpacity(kFaded * layerOpacity(id.kind));
     }
   }
   invalidateResting();
 }
 
-/// According to the layers menu; in a run the frame layer draws people and robots instead.
+/// According to the layers; in a run the frame layer draws people and robots instead.
 bool MapScene::isShown(EntityId id) const {
-  switch (id.kind) {
-    case EntityKind::Human:
-      return options_.people && !isRunMode();
-    case EntityKind::Robot:
-      return options_.robots && !isRunMode();
-    case EntityKind::Goal:
-      return options_.goals;
-    case EntityKind::Obstacle:
-    case EntityKind::Door:
-      return options_.obstacles;
-    case EntityKind::Area:
-    case EntityKind::Dock:
-      return options_.areas;
-    default:
-      return true;
+  bool CanvasOptions::*const layer = layerOf(id.kind);
+  const bool isBody = id.kind == EntityKind::Human || id.kind == EntityKind::Robot;
+  return (layer == nullptr || options_.*layer) && !(isBody && isRunMode());
+}
+
+double MapScene::layerOpacity(EntityKind kind) const {
+  bool CanvasOptions::*const layer = layerOf(kind);
+  return layer == nullptr ? 1.0 : options_.opacityOf(layer);
+}
+
+void MapScene::applyOpacities() {
+  const std::pair<QGraphicsItem*, bool CanvasOptions::*> parts[] = {
+      {mapItem_, &CanvasOptions::map},
+      {gridItem_, &CanvasOptions::grid},
+      {groupLayer_, &CanvasOptions::groups},
+      {routeLayer_, &CanvasOptions::routes},
+      {labelLayer_, &CanvasOptions::names}};
+  for (const auto& [part, layer] : parts) {
+    part->setOpacity(options_.opacityOf(layer));
   }
+  for (const auto& [id, entityItem] : items_) {
+    sync(id);
+  }
+  showGhosts();
+  setFaded(std::vector<EntityId>(faded_));
 }
 
 void MapScene::planRoutes() {

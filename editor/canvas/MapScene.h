@@ -52,6 +52,33 @@ struct CanvasOptions {
   bool snapToGrid = false;
   bool guides = true;         // Alignment with other entities while dragging.
   double trailSeconds = 6.0;  // Length of the trails of a run.
+  /// Layers with an opacity below 1, named by their switch.
+  std::vector<std::pair<bool CanvasOptions::*, double>> opacities = {};
+
+  double opacityOf(bool CanvasOptions::*layer) const {
+    for (const auto& [each, opacity] : opacities) {
+      if (each == layer) {
+        return opacity;
+      }
+    }
+    return 1.0;
+  }
+  void setOpacity(bool CanvasOptions::*layer, double opacity);
+};
+
+/// The opacity of a layer, multiplied into a painter until destroyed.
+class LayerOpacity {
+ public:
+  LayerOpacity(QPainter& painter, const CanvasOptions& options, bool CanvasOptions::*layer)
+      : painter_(painter), before_(painter.opacity()) {
+    painter_.setOpacity(before_ * (layer != nullptr ? options.opacityOf(layer) : 1.0));
+  }
+  ~LayerOpacity() { painter_.setOpacity(before_); }
+  Q_DISABLE_COPY_MOVE(LayerOpacity)
+
+ private:
+  QPainter& painter_;
+  double before_;
 };
 
 /// The part of the canvas being painted. Moving: previewed (dragged) or simulated entities, tool
@@ -166,6 +193,7 @@ class MapScene : public QGraphicsScene {
   }
   SpriteAtlas& sprites() const { return *sprites_; }            // Sprites of people at this zoom.
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // In shown frame, else at start.
+  double layerOpacity(EntityKind kind) const;                   // Of the layer of this kind.
   double bodyRadius(const Entity& entity) const;                // For people and robots [m].
   bool isSizable(const Entity& entity) const;  // False if a pedestrian model sets the radius.
   /// Minimum radius of a figure [px]; larger for people if there are few.
@@ -200,6 +228,8 @@ class MapScene : public QGraphicsScene {
   void drop(EntityId id);
   bool isShown(EntityId id) const;
   bool isMoving(EntityId id) const;
+  void applyOpacities();
+  void showGhosts();
   void updateRoutes();
   void invalidateResting() {
     ++restingRevision_;
@@ -231,6 +261,7 @@ class MapScene : public QGraphicsScene {
   std::unique_ptr<SpriteAtlas> sprites_;
   QRectF extent_, knownGround_;
   MapItem* mapItem_ = nullptr;
+  QGraphicsItem* gridItem_ = nullptr;
   GroupLayer* groupLayer_ = nullptr;
   RouteLayer* routeLayer_ = nullptr;
   FrameLayer* frameLayer_ = nullptr;

@@ -321,6 +321,7 @@ void MapView::drawForeground(QPainter* painter, const QRectF&) {
   const OverlayContext context{scene_, window, viewportTransform(), pixelsPerMetre(),
                                legendCorner_};
   if (scene_.options().rulers) {
+    const LayerOpacity opacity(*painter, scene_.options(), &CanvasOptions::rulers);
     paintRulers(*painter, context);
   }
   paintScaleBar(*painter, context);

@@ -96,13 +96,16 @@ void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
   const OverlayPainter over(painter, scene_.theme(), {QPointF(), scale});
   const std::vector<ShownBody> bodies = bodiesIn(exposed);
   if (options.density) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::density);
     paintDensity(over);
   }
-  paintSpaces(over, bodies);
+  paintSpaces(painter, over, bodies);
   if (options.sight) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::sight);
     paintSight(over, bodies);
   }
   if (options.plans) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::plans);
     paintPlans(over, bodies);
   }
 }
@@ -121,6 +124,7 @@ void RunOverlays::paintCosts(QPainter& painter) {
     return kept.image;
   };
   if (options.masks) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::masks);
     for (const sim2d::MaskGrid& mask : robot->senses->masks) {
       QImage& image = masks_[mask.grid];
       if (image.isNull()) {
@@ -132,9 +136,11 @@ void RunOverlays::paintCosts(QPainter& painter) {
   const sim2d::CostGridPtr local = options.localCosts ? robot->senses->localCosts : nullptr;
   const sim2d::CostGridPtr global = options.globalCosts ? robot->senses->globalCosts : nullptr;
   if (global != nullptr) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::globalCosts);
     paintCells(painter, *global, picture(costs_[1], global), local ? areaOf(*local) : QRectF());
   }
   if (local != nullptr) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::localCosts);
     paintCells(painter, *local, picture(costs_[0], local));
     paintCostEdge(painter, scene_.theme(), *local);
   }
@@ -161,7 +167,7 @@ void RunOverlays::paintDensity(const OverlayPainter& over) {
   over.density(field_->field, field_->image);
 }
 
-void RunOverlays::paintSpaces(const OverlayPainter& over,
+void RunOverlays::paintSpaces(QPainter& painter, const OverlayPainter& over,
                               const std::vector<ShownBody>& bodies) const {
   const CanvasOptions& options = scene_.options();
   const bool isForAll = !scene_.frameLayer().hasSelectedBody();
@@ -170,10 +176,12 @@ void RunOverlays::paintSpaces(const OverlayPainter& over,
       continue;
     }
     if (options.proxemics) {
+      const LayerOpacity opacity(painter, options, &CanvasOptions::proxemics);
       over.hallZones(body.pose.position, scene_.theme().fill(body.look),
                      body.isChosen || bodies.size() <= kMaxSocialZones);
     }
     if (options.gaussian) {
+      const LayerOpacity opacity(painter, options, &CanvasOptions::gaussian);
       over.gaussian(body.pose, body.velocity.norm(), scene_.theme().line(body.look));
     }
   }
@@ -226,6 +234,7 @@ void RunOverlays::paintTop(QPainter& painter, const QRectF& exposed) const {
   const PixelFrame pixels(painter, {});
   const OverlayPainter over(painter, scene_.theme(), {QPointF(), scale});
   if (options.velocities) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::velocities);
     std::vector<MovingBody> moving;
     for (const ShownBody& body : bodiesIn(exposed)) {
       const bool isRobot = body.id < 0;
@@ -236,6 +245,7 @@ void RunOverlays::paintTop(QPainter& painter, const QRectF& exposed) const {
     over.velocities(moving);
   }
   if (options.contacts) {
+    const LayerOpacity opacity(painter, options, &CanvasOptions::contacts);
     const auto end = std::partition_point(
         contacts_.begin(), contacts_.end(),
         [this](const sim2d::ContactMark& mark) { return mark.time <= frame_->time + 1e-9; });

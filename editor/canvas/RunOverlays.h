@@ -54,7 +54,8 @@ class RunOverlays {
   };
   void paintCosts(QPainter& painter);
   void paintDensity(const OverlayPainter& over);
-  void paintSpaces(const OverlayPainter& over, const std::vector<ShownBody>& bodies) const;
+  void paintSpaces(QPainter& painter, const OverlayPainter& over,
+                   const std::vector<ShownBody>& bodies) const;
   void paintSight(const OverlayPainter& over, const std::vector<ShownBody>& bodies) const;
   void paintPlans(const OverlayPainter& over, const std::vector<ShownBody>& bodies) const;
   std::vector<ShownBody> bodiesIn(const QRectF& exposed) const;
