@@ -2,6 +2,7 @@
 
 #include "app/window/NoticeBar.h"
 #include "app/window/RunCommands.h"
+#include "app/window/TreeCommands.h"
 #include "app/window/files/FileCommands.h"
 #include "app/window/files/FileDialogs.h"
 #include "editor/look/AppStyle.h"
@@ -270,7 +271,11 @@ void MainWindow::connectRun() {
     Q_EMIT docks_->context().problemsFound(problems);
     showDock(QStringLiteral("issues"));
   };
-  connect(&runner, &SimulationRunner::notStarted, this, raise);
+  const auto* trees = new TreeCommands(workspace_, *docks_, *notices_, *this);
+  connect(trees, &TreeCommands::issuesRequested, this,
+          [this] { showDock(QStringLiteral("issues")); });
+  connect(trees, &TreeCommands::message, this,
+          [this](const QString& text) { statusBar()->showMessage(text, kMessageMs); });
   connect(&workspace_.feed(), &editor::MetricsFeed::failed, this, raise);
   connect(&runner, &SimulationRunner::failed, this, [raise](const QString& reason) {
     raise({base::error("run.failed", {reason.toStdString()})});

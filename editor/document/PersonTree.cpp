@@ -1,10 +1,12 @@
 #include "editor/document/PersonTree.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "bt/human/TreeLoader.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
+#include "sim2d/base/Text.h"
 
 namespace editor {
 
@@ -139,6 +141,45 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   const bool canSetGoals = result.mainTree() != nullptr && result.mainTree()->root.id == "Fallback";
   result.hasDifferentGoals = canSetGoals && bt::treeGoals(result.table) != human->goals;
   return result;
+}
+
+QString treeProblemText(const base::Diagnostic& problem, bool isAtNode) {
+  std::vector<std::string> contexts;  // Outermost first: "tree of Ana", "Main/Fallback/Wait".
+  std::size_t length = 0;
+  for (const auto& [key, value] : problem.values) {
+    if (key != "where") {
+      break;
+    }
+    contexts.push_back(value);
+    length += value.size() + 2;  // ": "
+  }
+  const std::string message = problem.message.substr(std::min(length, problem.message.size()));
+  if (contexts.empty()) {
+    return QString::fromStdString(message);
+  }
+  const std::string path = contexts.back();
+  const std::size_t cut = path.find_last_of("/:");
+  std::string name = cut == std::string::npos ? path : base::trimmed(path.substr(cut + 1));
+  const bool isRepeated = base::startsWith(message, "'" + name + "'");
+  contexts.back() = isRepeated || isAtNode ? std::string() : std::move(name);
+  std::string text;
+  for (std::size_t k = isAtNode ? contexts.size() : 0; k < contexts.size(); ++k) {
+    text += contexts[k].empty() ? std::string() : contexts[k] + ": ";
+  }
+  return QString::fromStdString(text + message);
+}
+
+QString problemSummary(const base::Diagnostics& problems) {
+  const auto isError = [](const base::Diagnostic& each) {
+    return each.severity == base::Severity::Error;
+  };
+  const auto error = std::find_if(problems.begin(), problems.end(), isError);
+  if (problems.empty()) {
+    return {};
+  }
+  const std::size_t more = problems.size() - 1;
+  return treeProblemText(error == problems.end() ? problems.front() : *error) +
+         (more > 0 ? QObject::tr(" (and %1 more)").arg(more) : QString());
 }
 
 bool hasAutoUpdatedTree(const ScenarioDocument& document, EntityId person) {

@@ -27,6 +27,12 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person);
 /// Returns true for a custom tree that consists of the generated tree and blocks.
 bool hasAutoUpdatedTree(const ScenarioDocument& document, EntityId person);
 
+/// The message with the name of the node instead of its path: "Wait: port 'seconds' is missing".
+/// `isAtNode`: without the name, for a message that is shown at the node.
+QString treeProblemText(const base::Diagnostic& problem, bool isAtNode = false);
+/// The errors first, as "message (and 2 more)"; empty: no problems.
+QString problemSummary(const base::Diagnostics& problems);
+
 /// A node of the tree, with SubTrees expanded. Its index in the list is the node number in the
 /// frames of a run.
 struct OutlineNode {

@@ -4,6 +4,7 @@
 
 #include "app/run/Bundle.h"
 #include "editor/document/Fixes.h"
+#include "editor/document/PersonTree.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
@@ -49,7 +50,9 @@ base::Diagnostics withoutRepeatedIssues(const base::Diagnostics& all) {
 }  // namespace
 
 QString issueSentence(const base::Diagnostic& issue) {
-  const QString text = QString::fromStdString(issue.message);
+  const QString text = base::startsWith(issue.code, "tree.")
+                           ? treeProblemText(issue)
+                           : QString::fromStdString(issue.message);
   const EntityKind about = issue.entity.kind;
   const bool isNamed =
       about != EntityKind::None && about != EntityKind::Scenario && about != EntityKind::Goal;

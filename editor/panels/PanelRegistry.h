@@ -43,6 +43,9 @@ class PanelContext : public QObject {
   void fileRequested(const QString& file, int line);  // Requests showing a file.
   /// A node of the selected person's tree, numbered as in outlineOf(); -1 = none.
   void nodeChosen(int node, const QObject* by);
+  /// The person whose tree the tree dock shows; none: the dock is hidden or shows no person.
+  void treeShown(editor::EntityId person);
+  void treePictureRequested(editor::EntityId person);  // Requests saving the picture of a tree.
   void comparedChanged(const std::vector<editor::TimelineRun>& runs);
   /// Requests showing a widget beside the canvas, `columns` times as wide as the canvas; null:
   /// none.

@@ -1,3 +1,4 @@
+#include <algorithm>
 
 #include "bt/human/BehaviorBlocks.h"
 #include "editor/document/PersonTree.h"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr int kXmlRole = Qt::UserRole;
 constexpr int kHelpRole = Qt::UserRole + 1;
+constexpr int kRankRole = Qt::UserRole + 2;   // Quality of the match; 0 = best.
+constexpr int kOrderRole = Qt::UserRole + 3;  // Order without a search.
 constexpr int kHelpHeight = 96;
 constexpr int kPaletteWidth = 220;
 
@@ -35,6 +38,35 @@ class NodeList : public QTreeWidget {
     return dragged;
   }
 };
+
+/// Sorted by quality of the match, then in the usual order.
+class PaletteRow : public QTreeWidgetItem {
+ public:
+  using QTreeWidgetItem::QTreeWidgetItem;
+  bool operator<(const QTreeWidgetItem& other) const override {
+    const int rank = data(0, kRankRole).toInt(), otherRank = other.data(0, kRankRole).toInt();
+    return rank != otherRank ? rank < otherRank
+                             : data(0, kOrderRole).toInt() < other.data(0, kOrderRole).toInt();
+  }
+};
+
+enum Match { NameStart, WordStart, InName, InHelp, NoMatch };
+
+/// How well a node type fits a search text: names are matched before descriptions, and their
+/// beginning before the rest. "robotvis" fits IsRobotVisible, and so does "robot vis".
+Match matchOf(const QString& name, const QString& help, const QString& text) {
+  const QString words = QString(text).remove(QLatin1Char(' '));
+  const int at = name.indexOf(words, 0, Qt::CaseInsensitive);
+  if (at == 0) {
+    return NameStart;
+  }
+  for (int k = at; k > 0; k = name.indexOf(words, k + 1, Qt::CaseInsensitive)) {
+    if (name[k].isUpper() || !name[k - 1].isLetter()) {
+      return WordStart;
+    }
+  }
+  return at > 0 ? InName : help.contains(text, Qt::CaseInsensitive) ? InHelp : NoMatch;
+}
 
 class PaletteDelegate : public RowDelegate {
  public:
@@ -86,9 +118,13 @@ NodePalette::NodePalette(const Theme& theme) : theme_(theme), list_(new NodeList
   setMinimumWidth(kPaletteWidth - 60);
   addRows();
   connect(search_, &QLineEdit::textChanged, this, &NodePalette::filter);
+  search_->installEventFilter(this);
   connect(search_, &QLineEdit::returnPressed, this, [this] {
-    if (const QTreeWidgetItem* row = bestMatch()) {
-      Q_EMIT addRequested(xmlOf(row));
+    const QTreeWidgetItem* row = list_->currentItem();
+    if (row != nullptr && !row->isHidden() && !xmlOf(row).isEmpty()) {
+      const QString xml = xmlOf(row);
+      search_->selectAll();  // Typing replaces the text.
+      Q_EMIT addRequested(xml);
     }
   });
   connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
@@ -111,21 +147,35 @@ QString NodePalette::xmlOf(const QTreeWidgetItem* row) {
 }
 
 QTreeWidgetItem* NodePalette::addGroup(const QString& title) {
-  auto* group = new QTreeWidgetItem(list_, {title});
+  auto* group = new PaletteRow(list_, QStringList(title));
+  group->setData(0, kOrderRole, list_->topLevelItemCount());
   group->setFlags(Qt::ItemIsEnabled);
   return group;
 }
 
 void NodePalette::addNode(QTreeWidgetItem& group, const bt::NodeSpec& node, const QString& title,
                           const QString& help) {
-  auto* row = new QTreeWidgetItem(&group, {title});
+  auto* row = new PaletteRow(&group, QStringList(title));
   row->setData(0, kXmlRole, qtText(nodeText(node)));
   row->setData(0, kHelpRole, help);
+  row->setData(0, kOrderRole, group.childCount());
   row->setToolTip(0, help);
   row->setIcon(0, drawnIcon(16, [&](QPainter& painter) {
                  paintNodeSign(painter, node, {}, theme_.color(Role::TextSecondary));
                }));
   group.setData(0, kSideTextRole, QString::number(group.childCount()));
+}
+
+/// Sorts the rows by name; this is their order without a search.
+void NodePalette::numberByName(QTreeWidgetItem& group) {
+  QList<QTreeWidgetItem*> rows = group.takeChildren();
+  std::sort(rows.begin(), rows.end(), [](const QTreeWidgetItem* a, const QTreeWidgetItem* b) {
+    return a->text(0).localeAwareCompare(b->text(0)) < 0;
+  });
+  for (int k = 0; k < rows.size(); ++k) {
+    rows[k]->setData(0, kOrderRole, k);
+  }
+  group.addChildren(rows);
 }
 
 void NodePalette::addRows() {
@@ -143,7 +193,7 @@ void NodePalette::addRows() {
                     (ports.isEmpty() ? QString() : QLatin1Char('\n') + ports));
       }
     }
-    group->sortChildren(0, Qt::AscendingOrder);
+    numberByName(*group);
     group->setExpanded(true);
   }
   trees_ = addGroup(tr("Subtrees"));
@@ -164,7 +214,6 @@ void NodePalette::showTrees(const QStringList& ids) {
     node.autoRemap = true;
     addNode(*trees_, node, id, tr("Runs the tree %1 with all entries of this tree.").arg(id));
   }
-  trees_->setHidden(ids.isEmpty());
   filter();
 }
 
@@ -185,47 +234,77 @@ void NodePalette::setTheme(const Theme& theme) {
   }
 }
 
-/// Among the visible rows: one whose name starts with the text, else one that contains it, else the
-/// first.
-const QTreeWidgetItem* NodePalette::bestMatch() const {
-  const QString text = search_->text().trimmed();
-  const QTreeWidgetItem* best = nullptr;
-  int bestRank = 3;
-  for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
-    if ((*row)->isHidden() || xmlOf(*row).isEmpty()) {
-      continue;
-    }
-    const int place = (*row)->text(0).indexOf(text, 0, Qt::CaseInsensitive);
-    const int rank = place == 0 ? 0 : place > 0 ? 1 : 2;
-    if (rank < bestRank) {
-      best = *row;
-      bestRank = rank;
-    }
-  }
-  return best;
-}
-
+/// Hides all other rows; the best match comes first and is highlighted, so that Enter adds it.
 void NodePalette::filter() {
   const QString text = search_->text().trimmed();
-  bool found = false;
   for (int k = 0; k < list_->topLevelItemCount(); ++k) {
     QTreeWidgetItem* group = list_->topLevelItem(k);
-    int count = 0;
+    int count = 0, best = NoMatch;
     for (int i = 0; i < group->childCount(); ++i) {
       QTreeWidgetItem* row = group->child(i);
-      const bool fits = row->text(0).contains(text, Qt::CaseInsensitive) ||
-                        row->data(0, kHelpRole).toString().contains(text, Qt::CaseInsensitive);
-      row->setHidden(!fits);
-      count += fits ? 1 : 0;
+      const int match =
+          text.isEmpty() ? 0 : matchOf(row->text(0), row->data(0, kHelpRole).toString(), text);
+      row->setHidden(match == NoMatch);
+      row->setData(0, kRankRole, match);
+      best = std::min(best, match);
+      count += match == NoMatch ? 0 : 1;
     }
     group->setHidden(count == 0);
+    group->setData(0, kRankRole, best);
     group->setData(0, kSideTextRole, QString::number(count));
     if (!text.isEmpty()) {
       group->setExpanded(true);
     }
-    found = found || count > 0;
   }
-  nothing_->setMatchFound(found);
+  list_->sortItems(0, Qt::AscendingOrder);
+  QTreeWidgetItem* first = firstMatch();
+  nothing_->setMatchFound(first != nullptr);
+  list_->setCurrentItem(text.isEmpty() ? nullptr : first);
+  first != nullptr && !text.isEmpty() ? list_->scrollToItem(first->parent()) : list_->scrollToTop();
+}
+
+QTreeWidgetItem* NodePalette::firstMatch() const {
+  for (QTreeWidgetItemIterator row(list_, QTreeWidgetItemIterator::NotHidden); *row != nullptr;
+       ++row) {
+    if (!xmlOf(*row).isEmpty()) {
+      return *row;
+    }
+  }
+  return nullptr;
+}
+
+/// In the search field, the arrow keys choose a match and Escape leaves the palette.
+bool NodePalette::eventFilter(QObject* watched, QEvent* event) {
+  const bool isKey = watched == search_ && (event->type() == QEvent::KeyPress ||
+                                            event->type() == QEvent::ShortcutOverride);
+  if (!isKey) {
+    return QWidget::eventFilter(watched, event);
+  }
+  const int key = static_cast<const QKeyEvent&>(*event).key();
+  const bool isArrow = key == Qt::Key_Up || key == Qt::Key_Down;
+  if (!isArrow && key != Qt::Key_Escape) {
+    return QWidget::eventFilter(watched, event);
+  }
+  if (event->type() == QEvent::ShortcutOverride) {
+    event->accept();
+  } else if (isArrow) {
+    moveCurrent(key == Qt::Key_Down);
+  } else {
+    Q_EMIT escaped();
+  }
+  return true;
+}
+
+/// To the next or previous visible node, across headings.
+void NodePalette::moveCurrent(bool down) {
+  QTreeWidgetItem* row =
+      list_->currentItem() == nullptr ? list_->topLevelItem(0) : list_->currentItem();
+  do {
+    row = down ? list_->itemBelow(row) : list_->itemAbove(row);
+  } while (row != nullptr && xmlOf(row).isEmpty());
+  if (row != nullptr) {
+    list_->setCurrentItem(row);
+  }
 }
 
 void NodePalette::explain() {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/document/PersonTree.h"
+#include "editor/panels/behavior/TreeOutline.h"
 
 namespace editor {
 
@@ -194,7 +195,11 @@ void TreeCanvas::paintEvent(QPaintEvent* /*event*/) {
 QString TreeCanvas::tipOf(int node) const {
   const bt::NodeSpec& spec = *graph_.node(node).node;
   const bt::NodeManifest* manifest = treeCatalogue().find(spec.id);
-  QStringList lines = {QString::fromStdString(spec.isSubTree() ? spec.subTree : spec.id)};
+  QStringList lines = {nodeTitle(spec),
+                       QString::fromStdString(spec.isSubTree() ? spec.subTree : spec.id)};
+  const QString values = nodeValues(spec);
+  lines << (values.isEmpty() ? QStringList() : QStringList(values));
+  lines.removeDuplicates();
   lines << (manifest == nullptr ? tr("Unknown node type; it is kept unchanged.")
                                 : QString::fromStdString(manifest->description));
   if (!graph_.isEditable(node)) {

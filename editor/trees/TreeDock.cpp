@@ -1,5 +1,7 @@
 // The dock of the TreeEditor, and its widgets with their layout; their contents: TreeEditor.cpp.
 
+#include <tuple>
+
 #include "editor/trees/TreeEditor.h"
 
 namespace editor {
@@ -13,6 +15,9 @@ void addTreeDock(PanelRegistry& to) {
     QObject::connect(&context, &PanelContext::themeChanged, studio, &TreeEditor::setTheme);
     QObject::connect(studio, &TreeEditor::nodeChosen, &context,
                      [&context, studio](int node) { Q_EMIT context.nodeChosen(node, studio); });
+    QObject::connect(studio, &TreeEditor::personShown, &context, &PanelContext::treeShown);
+    QObject::connect(studio, &TreeEditor::pictureRequested, &context,
+                     &PanelContext::treePictureRequested);
     QObject::connect(&context, &PanelContext::nodeChosen, studio,
                      [studio](int node, const QObject* by) {
                        if (by != studio) {
@@ -41,7 +46,9 @@ TreeEditor::TreeEditor(PanelContext& context)
       history_(new TreeHistory(canvas_->graph(), context.runner, context.theme())),
       text_(new TreeText(context.theme())),
       entries_(new BlackboardView(context.runner, context.theme())),
-      inset_(new MapInset(context.view.mapScene(), context.runner, canvas_)) {
+      inset_(new MapInset(context.view.mapScene(), context.runner, canvas_)),
+      fields_(new NodeFields(*canvas_, context.theme())),
+      running_(new RunningNodes(canvas_->graph(), *history_, context.runner, context.theme())) {
   canvas_->installEventFilter(this);
   context.view.installEventFilter(this);
   nameField_->hide();
@@ -120,6 +127,7 @@ bool TreeEditor::isAnyFolded() const {
 }
 
 void TreeEditor::makeLayout() {
+  problem_->setObjectName(QStringLiteral("problem"));
   problem_->setTextFormat(Qt::PlainText);
   problem_->setWordWrap(true);
   problem_->setContentsMargins(12, 6, 12, 6);
@@ -131,12 +139,14 @@ void TreeEditor::makeLayout() {
   upper->setSizes({kPaletteShare, kCanvasShare});
   splitter_->addWidget(upper);
   lower_->setDocumentMode(true);
-  lower_->addTab(history_, tr("Over time"));
-  lower_->addTab(text_, tr("XML"));
-  lower_->addTab(entries_, tr("Blackboard"));
-  lower_->setTabToolTip(0, tr("What each node returned in the run"));
-  lower_->setTabToolTip(1, tr("Edit the XML file of the tree"));
-  lower_->setTabToolTip(2, tr("Blackboard of the person's tree at the displayed step"));
+  const std::tuple<QWidget*, QString, QString> tabs[] = {
+      {history_, tr("Over time"), tr("What each node returned in the run")},
+      {running_, tr("Running"), tr("The nodes that are running at the displayed step")},
+      {text_, tr("XML"), tr("Edit the XML file of the tree")},
+      {entries_, tr("Blackboard"), tr("Blackboard of the person's tree at the displayed step")}};
+  for (const auto& [page, title, tip] : tabs) {
+    lower_->setTabToolTip(lower_->addTab(page, title), tip);
+  }
   splitter_->addWidget(lower_);
   splitter_->setStretchFactor(0, 1);
   splitter_->setCollapsible(0, false);
@@ -159,6 +169,9 @@ void TreeEditor::connectParts() {
   connect(text_, &TreeText::edited, this, &TreeEditor::applyText);
   connect(text_, &TreeText::lineChosen, this, [this](int line) { choose(nodeAtLine(line)); });
   connect(history_, &TreeHistory::choiceChanged, this, [this](int node) { choose(node); });
+  connect(running_, &RunningNodes::choiceChanged, this, [this](int node) { choose(node); });
+  connect(fields_, &NodeFields::applied, this, &TreeEditor::applyFields);
+  connect(palette_, &NodePalette::escaped, canvas_, [this] { canvas_->setFocus(); });
   connect(canvas_, &TreeCanvas::openRequested, this, &TreeEditor::openNode);
   connect(canvas_, &TreeCanvas::keyCommand, this, &TreeEditor::handleKey);
   connect(canvas_, &TreeCanvas::moved, this, [this] {
@@ -179,6 +192,11 @@ void TreeEditor::connectParts() {
   });
   connect(palette_, &NodePalette::addRequested, this, &TreeEditor::add);
   connect(&runner_, &SimulationRunner::frameShown, this, &TreeEditor::showStatuses);
+  connect(&runner_, &SimulationRunner::stateChanged, this, [this] {
+    if (runner_.state() != SimulationRunner::State::Editing) {  // No longer refused.
+      showProblems(canvas_->graph().tree().problems);
+    }
+  });
   connect(&runner_, &SimulationRunner::breakpointsChanged, this, &TreeEditor::showBreakpoints);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &TreeEditor::follow);
   connect(&document_, &ScenarioDocument::stepFinished, this, [this] {

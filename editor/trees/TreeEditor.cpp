@@ -2,14 +2,15 @@
 
 // Display and signals of the TreeEditor; its widgets: TreeDock.cpp.
 
+#include <algorithm>
 #include <iterator>
-#include <tuple>
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/behavior/TreeOutline.h"
+#include "sim2d/base/Text.h"
 
 namespace editor {
 
@@ -25,9 +26,9 @@ void TreeEditor::setTheme(const Theme& theme) {
   history_->setTheme(theme);
   text_->setTheme(theme);
   entries_->setTheme(theme);
-  QPalette colors = QWidget::palette();
-  colors.setColor(QPalette::WindowText, theme.color(Role::Warning));
-  problem_->setPalette(colors);
+  fields_->setTheme(theme);
+  running_->setTheme(theme);
+  colorProblem();
   if (isVisible()) {
     listPeople();  // Updates their marks.
   }
@@ -39,6 +40,12 @@ void TreeEditor::showEvent(QShowEvent* event) {
     rebuild();
   }
   showStatuses();
+  Q_EMIT personShown(person_);
+}
+
+void TreeEditor::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  Q_EMIT personShown({});
 }
 
 /// Keeps the person selected last while goals or nothing are selected.
@@ -51,7 +58,8 @@ void TreeEditor::follow() {
     wanted = id.kind == EntityKind::Human ? id : wanted;
   }
   if (wanted != person_ || !wanted) {
-    text_->commitPendingEdit();  // The text is for the previous person.
+    fields_->close(true);  // The values and the text are for the previous person.
+    text_->commitPendingEdit();
     person_ = wanted;
     stale_ = true;
     canvas_->choose(-1);
@@ -65,6 +73,7 @@ void TreeEditor::rebuild() {
   stale_ = false;
   menu_.close();  // The menu belongs to the previous tree or person.
   endRename(false);
+  fields_->close(false);
   const std::vector<EntityId> all = document_.entities(EntityKind::Human);
   if (human() == nullptr) {
     person_ = all.empty() ? EntityId() : all.front();
@@ -98,15 +107,65 @@ void TreeEditor::rebuild() {
   showProblems(tree.problems);
   updateLayoutButtons();
   entries_->showPerson(human() == nullptr ? std::nullopt : std::optional<int>(human()->id));
+  if (isVisible()) {
+    Q_EMIT personShown(person_);
+  }
 }
 
-void TreeEditor::showProblems(const base::Diagnostics& problems) {
+void TreeEditor::showProblems(const base::Diagnostics& problems, const QString& title) {
+  isErrorShown_ = base::hasErrors(problems);
   problem_->setVisible(!problems.empty());
-  if (!problems.empty()) {
-    const std::size_t more = problems.size() - 1;
-    problem_->setText(QStringLiteral("⚠ ") + QString::fromStdString(problems.front().message) +
-                      (more > 0 ? tr(" (and %1 more)").arg(more) : QString()));
+  problem_->setText(QStringLiteral("⚠ ") + title + problemSummary(problems));
+  colorProblem();
+}
+
+void TreeEditor::colorProblem() {
+  QPalette colors = QWidget::palette();
+  colors.setColor(QPalette::WindowText,
+                  context_.theme().color(isErrorShown_ ? Role::Error : Role::Warning));
+  problem_->setPalette(colors);
+}
+
+QString refusedRunText(const base::Diagnostics& problems) {
+  const auto errors = std::count_if(problems.begin(), problems.end(), [](const auto& each) {
+    return each.severity == base::Severity::Error;
+  });
+  return QObject::tr("Cannot run: %1")
+      .arg(counted(static_cast<std::size_t>(errors), QObject::tr("error"), QObject::tr("errors")));
+}
+
+bool TreeEditor::showRefusedRun(const base::Diagnostics& problems) {
+  const auto isOfTree = [this](const base::Diagnostic& each) {
+    return each.severity == base::Severity::Error && document_.human(each.entity) != nullptr &&
+           base::startsWith(each.code, "tree.");
+  };
+  const auto first = std::find_if(problems.begin(), problems.end(), isOfTree);
+  if (first != problems.end()) {
+    if (first->entity != person_) {
+      document_.setSelection({first->entity});
+    }
+    const int node = faultyNode(first->line);
+    canvas_->choose(-1);  // Jumps again if the node is already chosen.
+    choose(node);
   }
+  base::Diagnostics errors;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
+               [](const auto& each) { return each.severity == base::Severity::Error; });
+  showProblems(errors, refusedRunText(errors) + QStringLiteral(". "));
+  return first != problems.end();
+}
+
+/// The first node with an error, else the one at that line of the file.
+int TreeEditor::faultyNode(int line) const {
+  const TreeGraph& graph = canvas_->graph();
+  for (int node = 0; graph.has(node); ++node) {
+    for (const TreeGraph::Problem& problem : graph.problemsOf(node)) {
+      if (problem.severity == base::Severity::Error) {
+        return node;
+      }
+    }
+  }
+  return nodeAtLine(line);
 }
 
 void TreeEditor::listPeople() {
@@ -139,9 +198,11 @@ void TreeEditor::showStatuses() {
   const FramePtr frame = runner_.shownFrame();
   if (frame == nullptr || human() == nullptr || runner_.recording() == nullptr) {
     canvas_->showStatuses({});
+    running_->show({}, -1);
   } else if (isVisible()) {
     canvas_->showStatuses(statusesByNode(runner_.recording()->treeAt(human()->id, frame->step),
                                          canvas_->graph().names()));
+    running_->show(canvas_->shown().statuses, frame->step);
   }
 }
 
@@ -160,6 +221,7 @@ void TreeEditor::choose(int node) {
   if (choosing_ || (stale_ && !isVisible()) || node == canvas_->chosen()) {
     return;
   }
+  fields_->close(true);
   choosing_ = true;
   canvas_->choose(node);
   showChosen();
@@ -210,7 +272,7 @@ QString TreeEditor::label(int node) const {
   return graph.has(node) ? nodeTitle(*graph.node(node).node) : QString();
 }
 
-/// Unfolds a subtree; blocks and nodes are edited in the form beside the graph.
+/// Unfolds a subtree; the name and the ports of other nodes are edited in place.
 void TreeEditor::openNode(int node) {
   TreeGraph& graph = canvas_->graph();
   if (!graph.childrenOf(node).empty() && graph.node(node).node->isSubTree()) {
@@ -219,7 +281,7 @@ void TreeEditor::openNode(int node) {
     showChosen();
     return;
   }
-  beginRename();
+  editFields();
 }
 
 void TreeEditor::handleKey(int key, Qt::KeyboardModifiers modifiers) {
@@ -269,131 +331,6 @@ bool TreeEditor::eventFilter(QObject* watched, QEvent* event) {
     }
   }
   return QWidget::eventFilter(watched, event);
-}
-
-// Menus; their edits: TreeEditorEdits.cpp.
-
-void TreeEditor::showAssignMenu() {
-  QMenu& menu = menu_.begin(*this);
-  const std::vector<EntityId> same = peopleWithTreeOf(document_, person_);
-  for (const EntityId id : document_.entities(EntityKind::Human)) {
-    if (id == person_) {
-      continue;
-    }
-    QAction* action = menu.addAction(QString::fromStdString(document_.human(id)->name), this,
-                                     [this, id] { assignTreeTo(id); });
-    action->setCheckable(true);
-    action->setChecked(std::count(same.begin(), same.end(), id) > 0);
-  }
-  if (menu.isEmpty()) {
-    menu.addAction(tr("No other person"))->setEnabled(false);
-  }
-  menu.popup(assignButton_->mapToGlobal(QPoint(0, assignButton_->height())));
-}
-
-/// Adds separate submenus of node kinds, either with or without children.
-void TreeEditor::addKinds(QMenu& menu, const QString& title, bool areParents,
-                          const std::function<void(const std::string&)>& take) {
-  QMenu* all = menu.addMenu(title);
-  for (const bt::NodeKind kind : {bt::NodeKind::Decorator, bt::NodeKind::Control,
-                                  bt::NodeKind::Condition, bt::NodeKind::Action}) {
-    const bool isParent = kind == bt::NodeKind::Decorator || kind == bt::NodeKind::Control;
-    if (areParents && !isParent) {
-      continue;
-    }
-    QMenu* part = all->addMenu(QString::fromLatin1(bt::nodeKindName(kind)));
-    for (const bt::NodeManifest& manifest : treeCatalogue().all()) {
-      if (manifest.kind == kind) {
-        QAction* action = part->addAction(QString::fromStdString(manifest.id), this,
-                                          [take, id = manifest.id] { take(id); });
-        action->setToolTip(QString::fromStdString(manifest.description));
-      }
-    }
-    part->setToolTipsVisible(true);
-  }
-}
-
-void TreeEditor::addPicks(QMenu& menu, const bt::NodeSpec& node) {
-  const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
-  if (manifest == nullptr) {
-    return;
-  }
-  for (const bt::PortSpec& port : manifest->ports) {
-    if (isPickable(port.key)) {
-      menu.addAction(tr("Pick %1 on the map").arg(QString::fromStdString(port.key)), this,
-                     [this, key = port.key] { pick(key); });
-    }
-  }
-}
-
-void TreeEditor::fillMultiSelectionMenu(QMenu& menu) {
-  const bool isCustom = selectedLocations().has_value();
-  addKinds(menu, tr("Wrap in"), true, [this](const std::string& id) { wrapIn(id); });
-  menu.actions().back()->setEnabled(isCustom);
-  menu.addSeparator();
-  const std::tuple<QString, bool, void (TreeEditor::*)()> entries[] = {
-      {tr("Duplicate\tCtrl+D"), isCustom, &TreeEditor::duplicate},
-      {tr("Cut\tCtrl+X"), isCustom, &TreeEditor::cut},
-      {tr("Copy as XML\tCtrl+C"), true, &TreeEditor::copy},
-      {tr("Delete\tDel"), isCustom, &TreeEditor::remove}};
-  for (const auto& [text, isOn, action] : entries) {
-    menu.addAction(text, this, action)->setEnabled(isOn);
-  }
-}
-
-void TreeEditor::fillMenu(QMenu& menu, int node) {
-  TreeGraph& graph = canvas_->graph();
-  const auto add = [&](const QString& text, const QString& key, bool isOn, auto action) {
-    QAction* entry =
-        menu.addAction(key.isEmpty() ? text : text + QLatin1Char('\t') + key, this, action);
-    entry->setEnabled(isOn);
-  };
-  if (!graph.has(node)) {
-    add(tr("Paste"), tr("Ctrl+V"), !graph.nodes().empty(), [this] { paste(); });
-    add(tr("Fit"), tr("F"), true, [this] { canvas_->fit(); });
-    return;
-  }
-  if (canvas_->selected().size() > 1) {
-    fillMultiSelectionMenu(menu);
-    return;
-  }
-  const bt::NodeSpec& spec = *graph.node(node).node;
-  const bool isCustom = graph.isEditable(node);
-  const bool isInner = isCustom && !graph.locationOf(node).isRoot();
-  add(tr("Add a node…"), tr("Ins"), isCustom, [this] { palette_->search().setFocus(); });
-  addPicks(menu, spec);
-  if (isCustom) {
-    addKinds(menu, tr("Wrap in"), true, [this](const std::string& id) { wrapIn(id); });
-    addKinds(menu, tr("Replace with"), false, [this](const std::string& id) { replaceBy(id); });
-  }
-  add(tr("Remove, keep children"), {}, isCustom && !spec.children.empty(), [this] { unwrap(); });
-  if (spec.isSubTree()) {
-    add(tr("Inline subtree"), {}, isCustom, [this] { inlineSubtree(); });
-  } else {
-    add(tr("Extract as subtree"), {}, isInner, [this] { extract(); });
-  }
-  menu.addSeparator();
-  add(tr("Rename"), tr("F2"), isCustom, [this] { beginRename(); });
-  add(tr("Earlier"), tr("Alt+Left"), isInner, [this] { moveBy(-1); });
-  add(tr("Later"), tr("Alt+Right"), isInner, [this] { moveBy(1); });
-  add(tr("Duplicate"), tr("Ctrl+D"), isInner, [this] { duplicate(); });
-  add(tr("Cut"), tr("Ctrl+X"), isInner, [this] { cut(); });
-  add(tr("Copy as XML"), tr("Ctrl+C"), true, [this] { copy(); });
-  add(tr("Paste"), tr("Ctrl+V"), isCustom, [this] { paste(); });
-  add(tr("Delete"), tr("Del"), isInner, [this] { remove(); });
-  if (!graph.childrenOf(node).empty()) {
-    const bool isFolded = graph.isFolded(node);
-    add(isFolded ? tr("Expand") : tr("Collapse"), isFolded ? tr("+") : tr("-"), true,
-        [this, node, isFolded] {
-          canvas_->graph().setFolded(node, !isFolded);
-          canvas_->relayout();
-        });
-  }
-  menu.addSeparator();
-  if (human() != nullptr) {
-    fillBreakpointMenu(menu, runner_, graph.names()[static_cast<std::size_t>(node)], human()->id,
-                       *this);
-  }
 }
 
 }  // namespace editor

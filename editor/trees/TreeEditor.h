@@ -4,6 +4,8 @@
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
+#include "editor/trees/NodeFields.h"
+#include "editor/trees/RunningNodes.h"
 #include "editor/trees/TreeCanvas.h"
 #include "editor/trees/TreeEdits.h"
 #include "editor/trees/TreeHistory.h"
@@ -38,8 +40,13 @@ class TreeEditor : public QWidget {
   QString hint() const { return hint_->text(); }
   QString problem() const { return problem_->isHidden() ? QString() : problem_->text(); }
   QLineEdit& nameField() const { return *nameField_; }
+  NodeFields& fields() const { return *fields_; }
+  RunningNodes& running() const { return *running_; }
 
   void choose(int node);  // Emits `nodeChosen`.
+  /// Shows why a run was refused: chooses the person and the node of the first error in a tree.
+  /// Returns false if no error concerns a tree.
+  bool showRefusedRun(const base::Diagnostics& problems);
   /// Fills the context menu of a node; -1: of the tree.
   void fillMenu(QMenu& menu, int node);
 
@@ -60,6 +67,10 @@ class TreeEditor : public QWidget {
   void extract();
   void inlineSubtree();  // Inlines a SubTree.
   void beginRename();
+  /// Opens the name and the ports of the chosen node as fields in its place.
+  void editFields();
+  /// Replaces the tree by one whose root is an empty Sequence.
+  void startNewTree();
   /// The goal or person selected next becomes the value of a port.
   void pick(const std::string& port);
   bool isPicking() const { return !pickedPort_.empty(); }
@@ -67,30 +78,35 @@ class TreeEditor : public QWidget {
 
  Q_SIGNALS:
   void nodeChosen(int node);
+  void personShown(editor::EntityId person);  // None: the editor is hidden.
+  void pictureRequested(editor::EntityId person);
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   using Edit = std::function<OptionalLocations(bt::TreeFile&)>;
-  bool apply(const QString& text, const QString& ifNot, const Edit& edit);
-  bool applyToChosen(
-      const QString& text, const QString& ifNot,
-      const std::function<OptionalLocation(bt::TreeFile&, const NodeLocation&)>& edit);
+  using EditOfNode = std::function<OptionalLocation(bt::TreeFile&, const NodeLocation&)>;
   using EditOfNodes =
       std::function<OptionalLocations(bt::TreeFile&, const std::vector<NodeLocation>&)>;
-  bool applyToSelected(const QString& text, const QString& ifNot, const EditOfNodes& edit);
-  /// Applies the edit, or shows why it is impossible. No places: one is in an included file.
-  /// `name` replaces %1 in the texts.
-  bool applyTo(const OptionalLocations& places, const QString& name, const QString& text,
-               const QString& ifNot, const EditOfNodes& edit);
+  using WhyNotOne = std::function<QString(const bt::TreeFile&, const NodeLocation&)>;
+  using WhyNot = std::function<QString(const bt::TreeFile&, const std::vector<NodeLocation>&)>;
+  /// Applies the edit, or shows why it is impossible (not empty).
+  bool apply(const QString& text, const QString& whyNot, const Edit& edit);
+  bool applyToChosen(const QString& text, const WhyNotOne& whyNot, const EditOfNode& edit);
+  bool applyToSelected(const QString& text, const WhyNot& whyNot, const EditOfNodes& edit);
+  /// No places: one is in an included file.
+  bool applyTo(const OptionalLocations& places, const QString& text, const WhyNot& whyNot,
+               const EditOfNodes& edit);
   /// Positions in the file without descendants of other selected nodes; none if one of them is in
   /// an included file.
   OptionalLocations selectedLocations() const;
   QString selectedNodesText() const;
   QString selectedText() const;  // XML.
+  static QString readOnlyText();
   static bool isPickable(const std::string& port);
   void fillMultiSelectionMenu(QMenu& menu);
   void makeLayout();
@@ -98,7 +114,9 @@ class TreeEditor : public QWidget {
   void connectParts();
   void follow();
   void rebuild();
-  void showProblems(const base::Diagnostics& problems);
+  void showProblems(const base::Diagnostics& problems, const QString& title = {});
+  void colorProblem();
+  int faultyNode(int line) const;
   void listPeople();
   void showSharing();
   void showChosen();  // Updates the parts beside the graph.
@@ -111,10 +129,15 @@ class TreeEditor : public QWidget {
   void openNode(int node);
   void handleKey(int key, Qt::KeyboardModifiers modifiers);
   void addKinds(QMenu& menu, const QString& title, bool areParents,
+                const std::function<QString(const bt::NodeSpec&)>& whyNot,
                 const std::function<void(const std::string&)>& take);
+  void addStructureEntries(QMenu& menu, const NodeLocation& place);
+  void addViewEntries(QMenu& menu, int node);
+  void fillTreeMenu(QMenu& menu);
   void addPicks(QMenu& menu, const bt::NodeSpec& node);
   bool finishPick();
   void endRename(bool take);
+  void applyFields(const bt::NodeSpec& edited);
   void showHint(const QString& text);
   void placeInset();
   bool isAnyFolded() const;
@@ -144,8 +167,14 @@ class TreeEditor : public QWidget {
   bool isSplitByUser_ = false;  // The user has moved the splitter.
   MapInset* inset_;
   QLineEdit* nameField_ = new QLineEdit(canvas_);
+  NodeFields* fields_;
+  RunningNodes* running_;
+  bool isErrorShown_ = false;
   PanelMenu menu_;
   std::vector<int> lines_;  // Line of each node in the text; 0 = in another file.
 };
+
+/// "Cannot run: 2 errors"
+QString refusedRunText(const base::Diagnostics& problems);
 
 }  // namespace editor

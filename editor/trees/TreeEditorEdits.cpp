@@ -4,6 +4,7 @@
 #include "editor/document/PersonTree.h"
 #include "editor/panels/behavior/TreeOutline.h"
 #include "editor/trees/TreeEditor.h"
+#include "editor/trees/TreeRefusals.h"
 
 namespace editor {
 
@@ -18,10 +19,6 @@ EntityKind kindOfPort(const std::string& port) {
                                                           : EntityKind::Scenario;
 }
 
-QString readOnlyText() {
-  return QObject::tr("The node is in an included file, which cannot be edited here");
-}
-
 /// A single node as a list.
 OptionalLocations only(const OptionalLocation& place) {
   return place ? OptionalLocations({*place}) : std::nullopt;
@@ -29,18 +26,22 @@ OptionalLocations only(const OptionalLocation& place) {
 
 }  // namespace
 
+QString TreeEditor::readOnlyText() {
+  return tr("The node is in an included file, which cannot be edited here");
+}
+
 bool TreeEditor::isPickable(const std::string& port) {
   return kindOfPort(port) != EntityKind::Scenario;
 }
 
-bool TreeEditor::apply(const QString& text, const QString& ifNot, const Edit& edit) {
+bool TreeEditor::apply(const QString& text, const QString& whyNot, const Edit& edit) {
   if (human() == nullptr) {
     return false;
   }
   bt::TreeFile file = canvas_->graph().tree().file;
-  const OptionalLocations places = edit(file);
+  const OptionalLocations places = whyNot.isEmpty() ? edit(file) : std::nullopt;
   if (!places || places->empty()) {
-    showHint(ifNot);
+    showHint(whyNot);
     return false;
   }
   hint_->clear();
@@ -68,8 +69,8 @@ OptionalLocations TreeEditor::selectedLocations() const {
   return withoutDescendants(std::move(places));
 }
 
-bool TreeEditor::applyTo(const OptionalLocations& places, const QString& name, const QString& text,
-                         const QString& ifNot, const EditOfNodes& edit) {
+bool TreeEditor::applyTo(const OptionalLocations& places, const QString& text, const WhyNot& whyNot,
+                         const EditOfNodes& edit) {
   if (!canvas_->graph().has(canvas_->chosen())) {
     showHint(tr("Select a node first"));
     return false;
@@ -78,15 +79,13 @@ bool TreeEditor::applyTo(const OptionalLocations& places, const QString& name, c
     showHint(readOnlyText());
     return false;
   }
-  const auto named = [&](QString words) {  // Not all messages contain the placeholder.
-    return words.replace(QStringLiteral("%1"), name);
-  };
-  return apply(named(text), named(ifNot), [&](bt::TreeFile& file) { return edit(file, *places); });
+  const QString why = whyNot ? whyNot(canvas_->graph().tree().file, *places) : QString();
+  return apply(text, why, [&](bt::TreeFile& file) { return edit(file, *places); });
 }
 
-bool TreeEditor::applyToSelected(const QString& text, const QString& ifNot,
+bool TreeEditor::applyToSelected(const QString& text, const WhyNot& whyNot,
                                  const EditOfNodes& edit) {
-  return applyTo(selectedLocations(), selectedNodesText(), text, ifNot, edit);
+  return applyTo(selectedLocations(), text.arg(selectedNodesText()), whyNot, edit);
 }
 
 QString TreeEditor::selectedNodesText() const {
@@ -94,14 +93,16 @@ QString TreeEditor::selectedNodesText() const {
   return count == 1 ? label(canvas_->chosen()) : tr("%1 nodes").arg(count);
 }
 
-bool TreeEditor::applyToChosen(
-    const QString& text, const QString& ifNot,
-    const std::function<OptionalLocation(bt::TreeFile&, const NodeLocation&)>& edit) {
+bool TreeEditor::applyToChosen(const QString& text, const WhyNotOne& whyNot,
+                               const EditOfNode& edit) {
   const TreeGraph& graph = canvas_->graph();
   const int node = canvas_->chosen();
   const bool isEditable = graph.has(node) && graph.isEditable(node);
-  return applyTo(isEditable ? only(graph.locationOf(node)) : std::nullopt, label(node), text, ifNot,
-                 [&edit](bt::TreeFile& file, const std::vector<NodeLocation>& places) {
+  const auto why = [&whyNot](const bt::TreeFile& file, const std::vector<NodeLocation>& places) {
+    return whyNot ? whyNot(file, places.front()) : QString();
+  };
+  return applyTo(isEditable ? only(graph.locationOf(node)) : std::nullopt, text.arg(label(node)),
+                 why, [&edit](bt::TreeFile& file, const std::vector<NodeLocation>& places) {
                    return only(edit(file, places.front()));
                  });
 }
@@ -143,12 +144,14 @@ void TreeEditor::addAt(const QString& xml, const DropTarget& to) {
   const QString name =
       nodes->size() == 1 ? nodeTitle(nodes->front()) : tr("%1 nodes").arg(nodes->size());
   const bool isAround = to.how == DropTarget::How::Around;
-  apply(isAround ? tr("Wrap %2 in %1").arg(name, label(to.node)) : tr("Add %1").arg(name),
-        tr("%1 cannot have %2 as a child").arg(label(to.node), name), [&](bt::TreeFile& file) {
-          file = known;
-          return isAround ? wrapNodes(file, {at}, nodes->front())
-                          : addNodes(file, at, to.index, *nodes);
-        });
+  apply(
+      isAround ? tr("Wrap %2 in %1").arg(name, label(to.node)) : tr("Add %1").arg(name),
+      isAround ? whyNotWrapped(known, {at}, nodes->front()) : whyNotAdded(known, at, nodes->size()),
+      [&](bt::TreeFile& file) {
+        file = known;
+        return isAround ? wrapNodes(file, {at}, nodes->front())
+                        : addNodes(file, at, to.index, *nodes);
+      });
 }
 
 void TreeEditor::move(int node, const DropTarget& to) {
@@ -167,25 +170,23 @@ void TreeEditor::move(int node, const DropTarget& to) {
 
 void TreeEditor::moveBy(int places) {
   applyToChosen(
-      tr("Move %1"), {},
+      tr("Move %1"),
+      [places](const bt::TreeFile& file, const NodeLocation& place) {
+        return whyNotMovedBy(file, place, places);
+      },
       [places](bt::TreeFile& file, const NodeLocation& place) -> OptionalLocation {
-        const bt::NodeSpec* above = place.isRoot() ? nullptr : nodeAt(file, place.parent());
-        const int to = place.isRoot() ? -1 : place.path.back() + places;
-        if (above == nullptr || to < 0 || to >= static_cast<int>(above->children.size())) {
-          return std::nullopt;
-        }
-        const int index = places > 0 ? to + 1 : to;
-        const auto moved = moveNodes(file, {place}, place.parent(), index);
+        const int to = place.path.back() + places;
+        const auto moved = moveNodes(file, {place}, place.parent(), places > 0 ? to + 1 : to);
         return moved ? OptionalLocation(moved->front()) : std::nullopt;
       });
 }
 
 void TreeEditor::remove() {
-  applyToSelected(tr("Remove %1"), tr("A tree needs a root: replace it instead"), removeNodes);
+  applyToSelected(tr("Remove %1"), whyNotRemoved, removeNodes);
 }
 
 void TreeEditor::duplicate() {
-  applyToSelected(tr("Duplicate %1"), tr("%1 cannot have a sibling"), duplicateNodes);
+  applyToSelected(tr("Duplicate %1"), whyNotDuplicated, duplicateNodes);
 }
 
 QString TreeEditor::selectedText() const {
@@ -216,7 +217,7 @@ void TreeEditor::copy() {
 
 void TreeEditor::cut() {
   const QString text = selectedText();
-  if (applyToSelected(tr("Cut %1"), tr("A tree needs a root"), removeNodes)) {
+  if (applyToSelected(tr("Cut %1"), whyNotRemoved, removeNodes)) {
     QGuiApplication::clipboard()->setText(text);
   }
 }
@@ -231,44 +232,43 @@ void TreeEditor::paste() {
 }
 
 void TreeEditor::wrapIn(const std::string& id) {
-  const QString name = QString::fromStdString(id);
-  applyToSelected(tr("Wrap %1 in %2").arg(QStringLiteral("%1"), name),
-                  tr("%2 cannot wrap %1: it takes one child, or the nodes have different parents")
-                      .arg(QStringLiteral("%1"), name),
-                  [&id](bt::TreeFile& file, const std::vector<NodeLocation>& places) {
-                    return wrapNodes(file, places, defaultNode(id));
-                  });
+  applyToSelected(
+      tr("Wrap %1 in %2").arg(QStringLiteral("%1"), QString::fromStdString(id)),
+      [&id](const bt::TreeFile& file, const std::vector<NodeLocation>& places) {
+        return whyNotWrapped(file, places, defaultNode(id));
+      },
+      [&id](bt::TreeFile& file, const std::vector<NodeLocation>& places) {
+        return wrapNodes(file, places, defaultNode(id));
+      });
 }
 
 void TreeEditor::replaceBy(const std::string& id) {
-  const QString name = QString::fromStdString(id);
-  applyToChosen(tr("Replace %1 with %2").arg(QStringLiteral("%1"), name),
-                tr("%2 cannot have the children of %1").arg(QStringLiteral("%1"), name),
-                [&id](bt::TreeFile& file, const NodeLocation& place) {
-                  return replaceNode(file, place, defaultNode(id));
-                });
+  applyToChosen(
+      tr("Replace %1 with %2").arg(QStringLiteral("%1"), QString::fromStdString(id)),
+      [&id](const bt::TreeFile& file, const NodeLocation& place) {
+        return whyNotReplaced(file, place, defaultNode(id));
+      },
+      [&id](bt::TreeFile& file, const NodeLocation& place) {
+        return replaceNode(file, place, defaultNode(id));
+      });
 }
 
 void TreeEditor::unwrap() {
-  applyToChosen(tr("Remove %1, keep children"),
-                tr("The parent of %1 cannot have its "
-                   "children"),
-                unwrapNode);
+  applyToChosen(tr("Remove %1, keep children"), whyNotUnwrapped, unwrapNode);
 }
 
 void TreeEditor::extract() {
   const int node = canvas_->chosen();
   const std::string name =
       canvas_->graph().has(node) ? canvas_->graph().node(node).node->label() : std::string();
-  applyToChosen(tr("Extract %1 as subtree"), tr("%1 is already a tree"),
+  applyToChosen(tr("Extract %1 as subtree"), whyNotExtracted,
                 [&name](bt::TreeFile& file, const NodeLocation& place) {
                   return extractTree(file, place, name + "Tree");
                 });
 }
 
 void TreeEditor::inlineSubtree() {
-  applyToChosen(tr("Inline subtree %1"),
-                tr("%1 has its own blackboard entries, or is in an included file"), inlineTree);
+  applyToChosen(tr("Inline subtree %1"), whyNotInlined, inlineTree);
 }
 
 void TreeEditor::beginRename() {
@@ -299,6 +299,51 @@ void TreeEditor::endRename(bool take) {
       return renameNode(file, place, name);
     });
   }
+}
+
+void TreeEditor::editFields() {
+  const TreeGraph& graph = canvas_->graph();
+  const int node = canvas_->chosen();
+  if (!graph.has(node)) {
+    return;
+  }
+  if (!graph.isEditable(node)) {
+    showHint(readOnlyText());
+    return;
+  }
+  endRename(true);
+  const QRectF box = graph.box(node);
+  fields_->open(*graph.node(node).node,
+                QRectF(canvas_->fromGraph(box.topLeft()), canvas_->zoom() * box.size()).toRect());
+}
+
+void TreeEditor::applyFields(const bt::NodeSpec& edited) {
+  applyToChosen(tr("Edit %1"), {},
+                [&edited](bt::TreeFile& file, const NodeLocation& place) -> OptionalLocation {
+                  bt::TreeSpec* tree = file.find(place.tree);
+                  bt::NodeSpec* node = tree == nullptr ? nullptr : bt::nodeAt(*tree, place.path);
+                  if (node == nullptr) {
+                    return std::nullopt;
+                  }
+                  node->name = edited.name;
+                  node->ports = edited.ports;
+                  return place;
+                });
+}
+
+void TreeEditor::startNewTree() {
+  bt::TreeSpec tree;
+  tree.id = "MainTree";
+  tree.root = defaultNode("Sequence");
+  bt::TreeFile file;
+  file.mainTree = tree.id;
+  file.trees.push_back(std::move(tree));
+  file.order = {bt::FilePart::Tree};
+  pushTreeFile(document_, edited(), file, tr("New tree"));
+  choose(0);
+  palette_->search().setFocus();
+  palette_->search().selectAll();
+  showHint(tr("Type the name of a node: Enter adds it below the selected one"));
 }
 
 void TreeEditor::pick(const std::string& port) {

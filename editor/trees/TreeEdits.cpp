@@ -39,14 +39,6 @@ int usageCount(const bt::TreeFile& file, const std::string& tree) {
   return uses;
 }
 
-bool runs(const bt::NodeSpec& node, const std::string& tree) {
-  bool found = false;
-  forEachNode(node, [&](const bt::NodeSpec& each) {
-    found = found || (each.isSubTree() && each.subTree == tree);
-  });
-  return found;
-}
-
 /// Letters, digits and underscores of a text, for the ID of a tree.
 std::string treeIdOf(const std::string& wanted) {
   std::string id;
@@ -80,6 +72,14 @@ bool NodeLocation::holds(const NodeLocation& other) const {
 const bt::NodeSpec* nodeAt(const bt::TreeFile& file, const NodeLocation& place) {
   const bt::TreeSpec* tree = file.find(place.tree);
   return tree == nullptr ? nullptr : bt::nodeAt(*tree, place.path);
+}
+
+bool runsTree(const bt::NodeSpec& node, const std::string& tree) {
+  bool found = false;
+  forEachNode(node, [&](const bt::NodeSpec& each) {
+    found = found || (each.isSubTree() && each.subTree == tree);
+  });
+  return found;
 }
 
 int maxChildCount(const bt::NodeSpec& node) {
@@ -119,7 +119,9 @@ OptionalLocation unwrapNode(bt::TreeFile& file, const NodeLocation& place) {
     return place;
   }
   bt::NodeSpec* above = place.isRoot() ? nullptr : mutableNode(file, place.parent());
-  if (above == nullptr || maxChildCount(*above) >= 0) {  // The position can hold only one node.
+  const int most = above == nullptr ? 0 : maxChildCount(*above);
+  if (above == nullptr || (most >= 0 && above->children.size() - 1 + children.size() >
+                                            static_cast<std::size_t>(most))) {
     return std::nullopt;
   }
   const auto at = above->children.begin() + place.path.back();
@@ -178,7 +180,7 @@ OptionalLocation inlineTree(bt::TreeFile& file, const NodeLocation& place) {
   const bool isWhole = node != nullptr && node->isSubTree() && node->autoRemap &&
                        node->ports.empty() && node->conditions.empty();
   const bt::TreeSpec* tree = isWhole ? file.find(node->subTree) : nullptr;
-  if (tree == nullptr || tree->root.id.empty() || runs(tree->root, tree->id)) {
+  if (tree == nullptr || tree->root.id.empty() || runsTree(tree->root, tree->id)) {
     return std::nullopt;
   }
   const std::string id = tree->id;

@@ -31,6 +31,8 @@ const bt::NodeSpec* nodeAt(const bt::TreeFile& file, const NodeLocation& place);
 /// Maximum number of children: -1 = unlimited, also for unknown nodes.
 int maxChildCount(const bt::NodeSpec& node);
 bool canHaveChildren(const bt::NodeSpec& node);
+/// Whether the node or a descendant runs this tree.
+bool runsTree(const bt::NodeSpec& node, const std::string& tree);
 /// A node of this kind with default values.
 bt::NodeSpec defaultNode(const std::string& id);
 

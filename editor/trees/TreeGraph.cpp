@@ -10,7 +10,7 @@ namespace editor {
 
 namespace {
 
-constexpr double kMinWidth = 104.0, kMaxWidth = 190.0;  // Node width [px].
+constexpr double kMinWidth = 104.0, kMaxWidth = 220.0;  // Node width [px].
 constexpr double kTextMargin = 10.0;
 constexpr double kSignRoom = 24.0;    // To the right of the second line.
 constexpr double kDropReach = 170.0;  // Maximum distance from the mouse to a target [px].
@@ -30,14 +30,14 @@ QString nodeDetail(const bt::NodeSpec& node) {
   if (manifest == nullptr) {
     return QObject::tr("unknown node");
   }
-  QString values = nodeValues(node);
-  if (!values.isEmpty()) {
-    return values;
-  }
+  QStringList parts;
   if (!node.name.empty() && node.name != node.id) {
-    return QString::fromStdString(node.id);
+    parts << QString::fromStdString(node.id);
   }
-  return QString::fromLatin1(bt::nodeKindName(manifest->kind));
+  parts << nodeValues(node);
+  parts.removeAll(QString());
+  return parts.isEmpty() ? QString::fromLatin1(bt::nodeKindName(manifest->kind))
+                         : parts.join(QStringLiteral(" · "));
 }
 
 void TreeGraph::setTree(const PersonTree& tree) {
@@ -63,7 +63,7 @@ void TreeGraph::findProblems() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (nodes_[i].tree == issue.treeId && nodes_[i].path == issue.node) {
         problems_[i].push_back(
-            {issue.diagnostic.severity, QString::fromStdString(issue.diagnostic.message)});
+            {issue.diagnostic.severity, treeProblemText(issue.diagnostic, true)});
       }
     }
   }

@@ -119,7 +119,8 @@ class TreeGraph {
   QRectF bounds_;
 };
 
-/// The second line of a node: its values, or its kind.
+/// The second line of a node: the type of a renamed node and the values, "Wait · 3 s"; else its
+/// kind.
 QString nodeDetail(const bt::NodeSpec& node);
 
 /// The view state of a tree.

@@ -154,7 +154,7 @@ QPen TreePainter::penOf(int node, double width) const {
   const NodeStatus* status = view_.statusOf(node);
   if (status == nullptr) {
     const bool isUnknown = graph_.isUnknown(node);
-    return {theme_.color(isUnknown ? Role::WarningMark : Role::ObstacleEdge), width,
+    return {theme_.color(isUnknown ? Role::Error : Role::ObstacleEdge), width,
             isUnknown ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap};
   }
   switch (*status) {
@@ -219,11 +219,13 @@ void TreePainter::paintTexts(QPainter& painter, int node, bool isDimmed) const {
     painter.drawText(where, Qt::AlignLeft | Qt::AlignVCenter,
                      QFontMetricsF(font).elidedText(text, Qt::ElideRight, where.width()));
   };
+  // Small text is drawn paler than its colour, therefore darker when the view is zoomed out.
+  const Role secondary = painter.worldTransform().m11() < 1.0 ? Role::Text : Role::TextSecondary;
   const double half = 0.5 * box.height();
   write(theme_.font(9.5, QFont::DemiBold), QRectF(box.left(), box.top(), box.width(), half),
-        nodeTitle(spec), isDimmed ? Role::TextSecondary : Role::Text);
+        nodeTitle(spec), isDimmed ? secondary : Role::Text);
   write(theme_.font(9.0), QRectF(box.left(), box.top() + half, box.width() - 18.0, half),
-        nodeDetail(spec), graph_.isUnknown(node) ? Role::Warning : Role::TextSecondary);
+        nodeDetail(spec), graph_.isUnknown(node) ? Role::Error : secondary);
   paintNodeSign(painter, spec, QPointF(box.right() - 5.0, box.bottom() - 0.5 * half),
                 theme_.color(isDimmed ? Role::TextSecondary : Role::Text));
 }

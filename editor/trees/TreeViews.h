@@ -122,8 +122,10 @@ class NodePalette : public QWidget {
 
  Q_SIGNALS:
   void addRequested(const QString& xml);  // Emitted on a double click, or Enter.
+  void escaped();                         // By the Escape key in the search field.
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -131,7 +133,9 @@ class NodePalette : public QWidget {
   QTreeWidgetItem* addGroup(const QString& title);
   void addNode(QTreeWidgetItem& group, const bt::NodeSpec& node, const QString& title,
                const QString& help);
-  const QTreeWidgetItem* bestMatch() const;  // Best match of the search; null = none.
+  static void numberByName(QTreeWidgetItem& group);
+  QTreeWidgetItem* firstMatch() const;  // Null = none.
+  void moveCurrent(bool down);
   void filter();
   void explain();
 

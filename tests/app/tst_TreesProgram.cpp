@@ -24,6 +24,11 @@ class TreesProgramTest : public QObject {
   void make_hunav2_hasTheGoalsOfTheShippedTrees();
   void make_hunav2_bodyIsTheFilledTemplate_data();
   void make_hunav2_bodyIsTheFilledTemplate();
+  void picture_ofAnAgent_isOneVectorFile_data();
+  void picture_ofAnAgent_isOneVectorFile();
+  void picture_ofATreeFile_hasItsIncludedTrees();
+  void picture_impossible_isAnError_data();
+  void picture_impossible_isAnError();
 };
 
 namespace {
@@ -53,6 +58,9 @@ void TreesProgramTest::words_wrong_exitWith64_data() {
   QTest::newRow("style of nothing") << text("trees a.yaml --style mine");
   QTest::newRow("folder for a play") << text("trees --play b.xml -o out");
   QTest::newRow("script without play") << text("trees a.yaml --script s.yaml");
+  QTest::newRow("picture of a play") << text("trees --play b.xml --picture p.svg");
+  QTest::newRow("picture and folder") << text("trees a.yaml --picture p.svg -o out");
+  QTest::newRow("agent without picture") << text("trees a.yaml --agent 1");
   QTest::newRow("no ticks") << text("trees --play b.xml --ticks 0");
   QTest::newRow("half ticks") << text("trees --play b.xml --ticks 1.5");
   QTest::newRow("no step") << text("trees --play b.xml --dt 0");
@@ -289,6 +297,89 @@ void TreesProgramTest::make_hunav2_bodyIsTheFilledTemplate() {
   const QStringList tags = tagsOf(ours);
   QVERIFY(tags.size() > 10);
   QCOMPARE(tags, tagsOf(theirs));
+}
+
+void TreesProgramTest::picture_ofAnAgent_isOneVectorFile_data() {
+  QTest::addColumn<QString>("ending");
+  QTest::addColumn<QByteArray>("begin");
+  QTest::newRow("svg") << text("svg") << QByteArray("<?xml");
+  QTest::newRow("pdf") << text("pdf") << QByteArray("%PDF-");
+  QTest::newRow("png") << text("png") << QByteArray("\x89PNG");
+}
+
+void TreesProgramTest::picture_ofAnAgent_isOneVectorFile() {
+  QFETCH(QString, ending);
+  QFETCH(QByteArray, begin);
+  QTemporaryDir folder;
+  const QString scenario = text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+  const QString file = folder.filePath(text("tree.") + ending);
+  const QString again = folder.filePath(text("again.") + ending);
+  const Finished made = runProgram("trees % --agent Chloe --picture %", {scenario, file});
+  QVERIFY2(made.exitCode == 0 && made.err.isEmpty(), qPrintable(made.err));
+  QCOMPARE(made.out, file + QLatin1Char('\n'));
+  const QByteArray bytes = bytesOf(file);
+  QVERIFY2(bytes.startsWith(begin), bytes.left(8).constData());
+  QCOMPARE(failureOf("trees % --agent Chloe --picture %", {scenario, again}), QString());
+  QCOMPARE(bytesOf(again), bytes);
+  if (ending == text("svg")) {
+    QVERIFY(!bytes.contains("<image"));  // Vectors only.
+    QVERIFY(bytes.contains("Is robot visible"));
+    QVERIFY(bytes.contains("RegularNavTree") && bytes.contains("Update goal"));  // Expanded.
+    QVERIFY(bytes.contains("#ffffff"));                                          // Light.
+  }
+}
+
+void TreesProgramTest::picture_ofATreeFile_hasItsIncludedTrees() {
+  QTemporaryDir folder;
+  const QString tree = folder.filePath(text("mine.xml"));
+  writeText(folder.filePath(text("part.xml")),
+            "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Part\">"
+            "<AlwaysSuccess name=\"Deep inside\"/></BehaviorTree></root>");
+  writeText(tree,
+            "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">"
+            "<include path=\"part.xml\"/><BehaviorTree ID=\"Main\"><Sequence name=\"Top\">"
+            "<SubTree ID=\"Part\"/></Sequence></BehaviorTree></root>");
+  const QString file = folder.filePath(text("p.svg"));
+  QCOMPARE(failureOf("trees % --picture %", {tree, file}), QString());
+  const QByteArray svg = bytesOf(file);
+  QVERIFY(svg.contains("Top") && svg.contains("Part") && svg.contains("Deep inside"));
+  writeText(file, "mine");
+  QCOMPARE(unexpected(runProgram("trees % --picture %", {tree, file}), 2, text("p.svg: error: ")),
+           QString());
+  QCOMPARE(failureOf("trees % --picture % --force", {tree, file}), QString());
+  QCOMPARE(bytesOf(file), svg);
+}
+
+void TreesProgramTest::picture_impossible_isAnError_data() {
+  QTest::addColumn<QString>("words");
+  QTest::addColumn<int>("code");
+  QTest::addColumn<QString>("message");
+  QTest::newRow("of whom") << text("%1 --picture p.svg") << 64 << text("choose one with --agent (");
+  QTest::newRow("unknown agent") << text("%1 --agent Cloe --picture p.svg") << 64
+                                 << text("there is no agent 'Cloe' (did you mean 'Chloe'?)");
+  QTest::newRow("format") << text("%1 --agent Chloe --picture p.gif") << 64
+                          << text("cannot draw a tree as '.gif'");
+  QTest::newRow("no agents") << text("nobody.yaml --picture p.svg") << 2
+                             << text("the scenario has no agents");
+  QTest::newRow("no node") << text("empty.xml --picture p.svg") << 2 << text("error: ");
+  QTest::newRow("tree file alone")
+      << text("empty.xml") << 64 << text("a tree file can be drawn (--picture FILE)");
+}
+
+void TreesProgramTest::picture_impossible_isAnError() {
+  QFETCH(QString, words);
+  QFETCH(int, code);
+  QFETCH(QString, message);
+  QTemporaryDir folder;
+  writeText(folder.filePath(text("nobody.yaml")),
+            "hunav_loader:\n  ros__parameters:\n    map: none\n    agents: []\n");
+  writeText(folder.filePath(text("empty.xml")), "<root BTCPP_format=\"4\"/>");
+  const QString scenario = text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+  const QString line = words.contains(text("%1")) ? words.arg(scenario) : words;
+  const Finished found =
+      runProgram(QStringList(text("trees")) + line.split(QLatin1Char(' ')), folder.path());
+  QCOMPARE(unexpected(found, code, message), QString());
+  QVERIFY(!QFile::exists(folder.filePath(text("p.svg"))));
 }
 
 QTEST_GUILESS_MAIN(TreesProgramTest)

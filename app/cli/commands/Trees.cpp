@@ -10,12 +10,14 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/TreePictureFile.h"
 #include "app/run/DataPaths.h"
 #include "app/run/Export.h"
 #include "app/run/OutputFolder.h"
 #include "app/run/TreePlay.h"
 #include "bt/human/TreeGenerator.h"
 #include "bt/human/TreeLoader.h"
+#include "bt/tree/TreeXml.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -26,7 +28,7 @@ namespace app {
 namespace {
 
 struct TreesOptions {
-  std::string scenario;             // scenario for generated trees, or empty
+  std::string scenario;             // scenario for generated trees, tree file to draw, or empty
   std::string output;               // -o; empty: standard output
   std::string style = "corrected";  // corrected, hunav2
   std::string play;                 // tree file to play, or empty
@@ -34,12 +36,18 @@ struct TreesOptions {
   int ticks = 10;
   double dt = 0.05;  // [s]
   long long seed = 1;
-  std::string compat;  // quirks of the original while playing
-  bool force = false;  // overwrite files not created by hunavsim
+  std::string compat;   // quirks of the original while playing
+  bool force = false;   // overwrite files not created by hunavsim
+  std::string picture;  // file of the picture of a tree, or empty
+  std::string agent;    // name or id of the agent whose tree is drawn; empty: the only one
 };
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+bt::TreeStyle styleOf(const TreesOptions& options) {
+  return options.style == "hunav2" ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
+}
 
 /// A generated tree file: of an agent, or the one that all include.
 struct GeneratedFile {
@@ -121,21 +129,83 @@ int writeFiles(const std::vector<GeneratedFile>& files, const TreesOptions& opti
 }
 
 int generate(const TreesOptions& options, const Invocation& given) {
-  if (const std::optional<base::Diagnostic> unknown = unknownScenario(options.scenario)) {
-    requireFine({*unknown}, ExitBadInput);
-  }
   const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
   requireFine(reading.diagnostics, ExitBadInput, base::Severity::Warning);
   const std::string base = sim2d::baseName(reading.scenario, options.scenario);
-  const bt::TreeStyle style =
-      options.style == "hunav2" ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
-  const std::vector<GeneratedFile> files = makeFiles(reading.scenario, base, style);
+  const std::vector<GeneratedFile> files = makeFiles(reading.scenario, base, styleOf(options));
   requireFine(checkNames(base, files, options.scenario));
   if (options.output.empty()) {
     printFiles(files, given);
     return ExitFine;
   }
   return writeFiles(files, options, given);
+}
+
+bool isTreeFile(const std::string& path) {
+  return base::toLower(fs::path(path).extension().string()) == ".xml";
+}
+
+/// The agent of --agent, by name or id; without it, the only one.
+const sim2d::Human& drawnAgent(const sim2d::Scenario& scenario, const TreesOptions& options) {
+  std::vector<const sim2d::Human*> agents;
+  std::vector<std::string> names;
+  for (const sim2d::Human& human : scenario.humans) {
+    if (human.listed) {
+      agents.push_back(&human);
+      names.push_back(human.name);
+    }
+  }
+  if (options.agent.empty() && agents.size() != 1) {
+    requireFine(
+        {agents.empty() ? base::error("trees.no-agents", {}, options.scenario)
+                        : base::error("trees.picture-of-whom",
+                                      {agents.size(), base::join(names, ", ")}, options.scenario)},
+        agents.empty() ? ExitBadInput : ExitWrongCommandLine);
+  }
+  const auto found = std::find_if(agents.begin(), agents.end(), [&](const sim2d::Human* each) {
+    return options.agent.empty() || each->name == options.agent ||
+           std::to_string(each->id) == options.agent;
+  });
+  if (found == agents.end()) {
+    requireFine(
+        {base::error("trees.unknown-agent",
+                     {options.agent, base::nearestName(options.agent, names)}, options.scenario)},
+        ExitWrongCommandLine);
+  }
+  return **found;
+}
+
+/// The trees of a file, or those that the generator makes for an agent.
+bt::TreeTable tableToDraw(const TreesOptions& options) {
+  if (isTreeFile(options.scenario)) {
+    const base::Result<bt::TreeTable> table = bt::loadAgentTrees(bt::readTree(options.scenario));
+    requireFine(table.diagnostics());
+    return *table;
+  }
+  const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
+  requireFine(reading.diagnostics, ExitBadInput, base::Severity::Warning);
+  const bt::NodeLibrary library = bt::humanNodes();
+  const std::string text = bt::makeTreeText(reading.scenario, drawnAgent(reading.scenario, options),
+                                            styleOf(options), library.catalogue());
+  const base::Result<bt::TreeTable> table = bt::loadAgentTrees(bt::readTreeText(text));
+  requireFine(table.diagnostics());
+  return *table;
+}
+
+int draw(const TreesOptions& options, const Invocation& given) {
+  if (const std::optional<base::Diagnostic> unknown = unknownTreePicture(options.picture)) {
+    requireFine({*unknown}, ExitWrongCommandLine);
+  }
+  const base::Result<std::string> bytes = treePictureBytes(tableToDraw(options), options.picture);
+  requireFine(bytes.diagnostics());
+  requireFine(writeFile(options.picture, *bytes, options.force));
+  requireFine(recordOutputFile(options.picture, "trees"));
+  if (given.json) {
+    print(base::jsonText(Json{{"written", {options.picture}}}) + "\n");
+  } else if (!given.quiet) {
+    printLine(options.picture);
+  }
+  return ExitFine;
 }
 
 const char* statusText(const LeafCall& call) {
@@ -225,16 +295,32 @@ int treesCommand(const TreesOptions& options, const Invocation& given) {
   if (!std::isfinite(options.dt) || options.dt <= 0.0 || options.dt > 10.0) {
     requireFine({base::error("trees.bad-dt")}, ExitWrongCommandLine);
   }
-  return options.play.empty() ? generate(options, given) : play(options, given);
+  if (!options.play.empty()) {
+    return play(options, given);
+  }
+  if (options.picture.empty() && isTreeFile(options.scenario)) {
+    requireFine({base::error("trees.only-picture", {}, options.scenario)}, ExitWrongCommandLine);
+  }
+  if (const std::optional<base::Diagnostic> unknown = unknownScenario(options.scenario)) {
+    requireFine({*unknown}, ExitBadInput);
+  }
+  return options.picture.empty() ? generate(options, given) : draw(options, given);
+}
+
+Drawing drawingOf(const TreesOptions& options) {
+  return options.picture.empty() ? Drawing::None : Drawing::Pictures;
 }
 
 }  // namespace
 
 void addTrees(CommandRegistry& commands) {
   const auto [command, options] =
-      commands.add("trees", "Generate the behaviour trees of agents, or tick a tree", treesCommand);
-  CLI::Option* scenario =
-      command.add_option("scenario", options.scenario, "Scenario file")->transform(scenarioFile);
+      commands.add("trees", "Generate the behaviour trees of agents, draw or tick a tree",
+                   treesCommand, drawingOf);
+  CLI::Option* scenario = command
+                              .add_option("scenario", options.scenario,
+                                          "Scenario file; with --picture also a tree file (.xml)")
+                              ->transform(scenarioFile);
   CLI::Option* output =
       &addOutputFolder(command, options.output, "Output folder (default: print the trees)");
   addForce(command, options.force);
@@ -244,6 +330,12 @@ void addTrees(CommandRegistry& commands) {
   CLI::Option* play =
       command.add_option("--play", options.play, "Tree file to tick with scripted leaves");
   play->excludes(scenario)->excludes(output)->excludes(style);
+  CLI::Option* picture = command.add_option(
+      "--picture", options.picture,
+      "Draw the tree of an agent, or a tree file, with all subtrees expanded (.svg, .pdf, .png)");
+  picture->excludes(play)->excludes(output);
+  command.add_option("--agent", options.agent, "Agent whose tree is drawn: name or id")
+      ->needs(picture);
   command.add_option("--script", options.script, "YAML file: leaf -> statuses of its calls")
       ->needs(play);
   command.add_option("--ticks", options.ticks, "Number of ticks (default: 10)")

@@ -134,13 +134,12 @@ void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
 void BehaviorPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   outline_->setTheme(theme);
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, theme.color(Role::Warning));
-  problem_->setPalette(colors);
+  colorProblem();
 }
 
 void BehaviorPanel::follow() {
-  const EntityId before = std::exchange(person_, {});
+  const EntityId before =
+      std::exchange(person_, document_.human(otherPerson_) == nullptr ? EntityId() : otherPerson_);
   for (const EntityId id : document_.selection()) {
     person_ = id.kind == EntityKind::Human ? id : person_;
   }
@@ -197,10 +196,20 @@ void BehaviorPanel::showSummary() {
   add_->setEnabled(tree_.mainTree() != nullptr && tree_.mainTree()->root.id == "Fallback");
   takeRoute_->setVisible(tree_.hasDifferentGoals);
   problem_->setVisible(!tree_.problems.empty());
-  if (!tree_.problems.empty()) {
-    const QString more =
-        tree_.problems.size() > 1 ? tr(" (and %1 more)").arg(tree_.problems.size() - 1) : QString();
-    problem_->setText(QString::fromStdString(tree_.problems.front().message) + more);
+  problem_->setText(problemSummary(tree_.problems));
+  colorProblem();
+}
+
+void BehaviorPanel::colorProblem() {
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText,
+                  theme_.color(base::hasErrors(tree_.problems) ? Role::Error : Role::Warning));
+  problem_->setPalette(colors);
+}
+
+void BehaviorPanel::showPersonOf(EntityId person) {
+  if (std::exchange(otherPerson_, person) != person) {
+    follow();
   }
 }
 
@@ -332,6 +341,7 @@ void addBehaviorPanel(PanelRegistry& to) {
     QObject::connect(&context, &PanelContext::themeChanged, panel, &BehaviorPanel::setTheme);
     QObject::connect(panel, &BehaviorPanel::problemsReported, &context,
                      &PanelContext::problemsFound);
+    QObject::connect(&context, &PanelContext::treeShown, panel, &BehaviorPanel::showPersonOf);
     TreeOutline& outline = panel->outline();
     QObject::connect(
         &outline, &QTreeWidget::currentItemChanged, &context,

@@ -28,6 +28,8 @@ class BehaviorPanel : public QWidget {
   base::Diagnostics saveTreeTo(const QString& path, EntityId person) const;
   /// Sets a behaviour and its generated tree: one command.
   void applyTemplate(sim2d::BehaviorType type);
+  /// The person that is shown while no person is selected; none: a hint is shown.
+  void showPersonOf(EntityId person);
 
  Q_SIGNALS:
   void problemsReported(const base::Diagnostics& problems);
@@ -43,6 +45,7 @@ class BehaviorPanel : public QWidget {
   bool hasPerson() const { return document_.human(person_) != nullptr; }
   void rebuild();
   void showSummary();
+  void colorProblem();
   void showNode();
   void showStatus();
   void offerTemplates();
@@ -60,6 +63,7 @@ class BehaviorPanel : public QWidget {
   SimulationRunner& runner_;
   std::function<QString()> folder_;
   EntityId person_;
+  EntityId otherPerson_;  // Shown while no person is selected.
   PersonTree tree_;
   std::vector<bt::Block> blocks_;  // Blocks of the main tree.
   bool stale_ = false;             // The document has changed while the panel was hidden.

@@ -349,8 +349,8 @@ void fillBreakpointMenu(QMenu& menu, SimulationRunner& runner, const std::string
     to.addAction(QObject::tr("A condition holds…"), &menu,
                  [&runner, asked, &window] { askForCondition(runner, asked, window); });
   };
-  offer(*menu.addMenu(QObject::tr("Stop the run when")), person);
-  offer(*menu.addMenu(QObject::tr("Stop the run for any person when")), std::nullopt);
+  offer(*menu.addMenu(QObject::tr("Break when")), person);
+  offer(*menu.addMenu(QObject::tr("Break for any person when")), std::nullopt);
   menu.addSeparator();
   for (const TreeBreakpoint& point : runner.breakpoints()) {
     if (point.path == path && point.person.value_or(person) == person) {
