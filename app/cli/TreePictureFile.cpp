@@ -1,8 +1,8 @@
 #include "app/cli/TreePictureFile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <new>
 
 #include "app/cli/PictureFiles.h"
 #include "editor/trees/TreePicture.h"
@@ -13,7 +13,8 @@ namespace app {
 namespace {
 
 constexpr double kImageScale = 2.0;       // image pixels per CSS pixel, for print
-constexpr double kLongestSide = 16000.0;  // [image pixels]
+constexpr double kLongestSide = 32000.0;  // [image pixels]
+constexpr double kMostPixels = 64e6;
 
 std::string endingOf(const std::string& file) {
   return base::toLower(std::filesystem::path(file).extension().string());
@@ -21,8 +22,9 @@ std::string endingOf(const std::string& file) {
 
 std::string pngOfTree(const editor::TreePicture& picture) {
   const QSizeF size = picture.size();
-  const double scale =
-      std::min(kImageScale, kLongestSide / std::max({size.width(), size.height(), 1.0}));
+  const double side = std::max({size.width(), size.height(), 1.0});
+  const double area = std::max(size.width() * size.height(), 1.0);
+  const double scale = std::min({kImageScale, kLongestSide / side, std::sqrt(kMostPixels / area)});
   return pngOf(scale * size, [&picture, scale](QPainter& painter) {
     painter.scale(scale, scale);
     picture.paint(painter);
@@ -55,11 +57,7 @@ base::Result<std::string> treePictureBytes(const bt::TreeTable& table, const std
   if (ending == ".pdf") {
     return pdfOf(picture.size(), paint);
   }
-  try {
-    return pngOfTree(picture);
-  } catch (const std::bad_alloc&) {
-    return base::error("trees.picture-memory", {}, file);
-  }
+  return pngOfTree(picture);
 }
 
 }  // namespace app

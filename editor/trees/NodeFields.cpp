@@ -57,7 +57,10 @@ void NodeFields::open(const bt::NodeSpec& node, const QRect& place) {
   QLabel* keys = secondaryLabel(tr("Enter applies, Esc cancels"), body_);
   grid_->addWidget(keys, grid_->rowCount(), LabelColumn, 1, 3, Qt::AlignRight);
   layout()->addWidget(body_);
-  placeAt(place);
+  setParent(canvas_.window());
+  body_->show();
+  adjustSize();
+  moveTo(place);
   show();
   raise();
   moveFocus(rows_.size() > 1 ? 2 : 1);  // The first port, else the name.
@@ -76,12 +79,9 @@ void NodeFields::addRow(const QString& label, const QString& unit, Row row) {
   rows_.push_back(std::move(row));
 }
 
-/// In the place of the node, within the window: a small dock is lower than the fields.
-void NodeFields::placeAt(const QRect& place) {
-  QWidget* window = canvas_.window();
-  setParent(window);
-  body_->show();
-  adjustSize();
+/// Within the window, because a small dock is lower than the fields.
+void NodeFields::moveTo(const QRect& place) {
+  const QWidget* window = canvas_.window();
   const QRect room =
       window->rect().adjusted(kWindowMargin, kWindowMargin, -kWindowMargin, -kWindowMargin);
   const QPoint corner = canvas_.mapTo(window, place.topLeft());

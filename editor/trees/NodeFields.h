@@ -22,6 +22,8 @@ class NodeFields : public QFrame {
   void setTheme(const Theme& theme);
   /// `place`: the rectangle of the node in the canvas.
   void open(const bt::NodeSpec& node, const QRect& place);
+  /// The node has moved.
+  void moveTo(const QRect& place);
   /// Emits `applied` if `apply` is set and a value has changed.
   void close(bool apply);
   bool isOpen() const { return !isHidden(); }
@@ -42,7 +44,6 @@ class NodeFields : public QFrame {
     TextField::Check check;
   };
   void addRow(const QString& label, const QString& unit, Row row);
-  void placeAt(const QRect& place);
   void moveFocus(int by);
   int focusedRow() const;
   bool handleKey(const QKeyEvent& event);

@@ -263,6 +263,11 @@ void NodePalette::filter() {
   first != nullptr && !text.isEmpty() ? list_->scrollToItem(first->parent()) : list_->scrollToTop();
 }
 
+void NodePalette::startSearch() {
+  search_->setFocus();
+  search_->selectAll();
+}
+
 QTreeWidgetItem* NodePalette::firstMatch() const {
   for (QTreeWidgetItemIterator row(list_, QTreeWidgetItemIterator::NotHidden); *row != nullptr;
        ++row) {

@@ -38,6 +38,9 @@ class TreeCanvas : public QWidget {
   bool isFree(const QRect& place) const;  // No part of the tree is in the rectangle.
   QPointF toGraph(const QPointF& at) const { return (at - origin_) / zoom_; }
   QPointF fromGraph(const QPointF& at) const { return at * zoom_ + origin_; }
+  QRect placeOf(int node) const {
+    return QRectF(fromGraph(graph_.box(node).topLeft()), zoom_ * graph_.box(node).size()).toRect();
+  }
   QPoint centreOf(int node) const { return fromGraph(graph_.box(node).center()).toPoint(); }
 
  Q_SIGNALS:

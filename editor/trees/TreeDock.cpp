@@ -176,6 +176,9 @@ void TreeEditor::connectParts() {
   connect(canvas_, &TreeCanvas::keyCommand, this, &TreeEditor::handleKey);
   connect(canvas_, &TreeCanvas::moved, this, [this] {
     placeInset();
+    if (fields_->isOpen() && canvas_->graph().isShown(canvas_->chosen())) {
+      fields_->moveTo(canvas_->placeOf(canvas_->chosen()));
+    }
     folds_->setText(isAnyFolded() ? tr("Expand all") : tr("Collapse"));
   });
   connect(canvas_, &TreeCanvas::escaped, this, [this] {

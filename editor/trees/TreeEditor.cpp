@@ -45,6 +45,7 @@ void TreeEditor::showEvent(QShowEvent* event) {
 
 void TreeEditor::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
+  fields_->close(true);
   Q_EMIT personShown({});
 }
 
@@ -302,7 +303,7 @@ void TreeEditor::handleKey(int key, Qt::KeyboardModifiers modifiers) {
     }
   }
   if (key == Qt::Key_Insert) {
-    palette_->search().setFocus();
+    palette_->startSearch();
   } else if (isAlt) {
     moveBy(key == Qt::Key_Left || key == Qt::Key_Up ? -1 : 1);
   } else if (canvas_->chosen() >= 0) {  // Enter.

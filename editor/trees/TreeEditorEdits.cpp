@@ -312,9 +312,7 @@ void TreeEditor::editFields() {
     return;
   }
   endRename(true);
-  const QRectF box = graph.box(node);
-  fields_->open(*graph.node(node).node,
-                QRectF(canvas_->fromGraph(box.topLeft()), canvas_->zoom() * box.size()).toRect());
+  fields_->open(*graph.node(node).node, canvas_->placeOf(node));
 }
 
 void TreeEditor::applyFields(const bt::NodeSpec& edited) {
@@ -341,8 +339,7 @@ void TreeEditor::startNewTree() {
   file.order = {bt::FilePart::Tree};
   pushTreeFile(document_, edited(), file, tr("New tree"));
   choose(0);
-  palette_->search().setFocus();
-  palette_->search().selectAll();
+  palette_->startSearch();
   showHint(tr("Type the name of a node: Enter adds it below the selected one"));
 }
 

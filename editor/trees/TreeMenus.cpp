@@ -157,8 +157,10 @@ void TreeEditor::fillMenu(QMenu& menu, int node) {
   const auto add = [&](const QString& text, const QString& whyNot, auto action) {
     setPossible(*menu.addAction(text, this, action), isCustom ? whyNot : readOnlyText());
   };
-  add(tr("Edit ports\tEnter"), {}, [this] { editFields(); });
-  add(tr("Add a node…\tIns"), {}, [this] { palette_->search().setFocus(); });
+  if (!graph.node(node).node->isSubTree()) {  // Enter unfolds a subtree.
+    add(tr("Edit ports\tEnter"), {}, [this] { editFields(); });
+  }
+  add(tr("Add a node…\tIns"), {}, [this] { palette_->startSearch(); });
   if (isCustom) {
     addPicks(menu, *graph.node(node).node);
     addStructureEntries(menu, place);

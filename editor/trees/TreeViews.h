@@ -117,6 +117,7 @@ class NodePalette : public QWidget {
   void showTrees(const QStringList& ids);
   QTreeWidget& list() const { return *list_; }
   QLineEdit& search() const { return *search_; }
+  void startSearch();  // Typing replaces the previous text.
   /// XML of the row; empty for headings.
   static QString xmlOf(const QTreeWidgetItem* row);
 

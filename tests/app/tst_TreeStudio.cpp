@@ -1,7 +1,9 @@
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
 #include <QFileDialog>
 
+#include "app/cli/TreePictureFile.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
@@ -361,7 +363,69 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     QVERIFY(svg.contains("Is robot visible"));
   }
 
+  void picture_withoutNodes_isAnError() {
+    const base::Result<std::string> none = app::treePictureBytes(bt::TreeTable(), "a.svg");
+    QVERIFY(!none);
+    QCOMPARE(none.diagnostics().front().code, std::string_view("trees.nothing-to-draw"));
+  }
+
+  /// The second lines of nodes reach 4.5 : 1 as they are drawn, also in a small dock.
+  void secondLines_areReadable_data() {
+    QTest::addColumn<bool>("isDark");
+    QTest::addColumn<double>("zoom");
+    for (const double zoom : {1.0, 0.8, 0.6}) {
+      QTest::addRow("light %.1f", zoom) << false << zoom;
+      QTest::addRow("dark %.1f", zoom) << true << zoom;
+    }
+  }
+
+  void secondLines_areReadable() {
+    QFETCH(bool, isDark);
+    QFETCH(double, zoom);
+    open("Chloe");
+    window_->setTheme(isDark ? editor::Theme::dark() : editor::Theme::light());
+    canvas().zoomBy(zoom / canvas().zoom(), QPointF(canvas().rect().center()));
+    QTest::mouseMove(&canvas(), QPoint(2, canvas().height() - 2));
+    const QImage image = canvas().grab().toImage();
+    int checked = 0;
+    for (const int node : graph().shown()) {
+      const QRect place = canvas().placeOf(node);
+      const int sign = static_cast<int>(24 * zoom);  // At the right end.
+      const QRect line(place.left() + static_cast<int>(8 * zoom), place.center().y() + 2,
+                       place.width() - static_cast<int>(16 * zoom) - sign, place.height() / 2 - 5);
+      if (canvas().rect().contains(line)) {
+        const double contrast = bestContrast(image, line, graphColor(isDark));
+        QVERIFY2(contrast >= 4.5,
+                 qPrintable(QStringLiteral("node %1: %2").arg(node).arg(contrast)));
+        ++checked;
+      }
+    }
+    QVERIFY(checked > 3);
+    window_->setTheme(editor::Theme::light());
+  }
+
  private:
+  static QColor graphColor(bool isDark) {
+    return (isDark ? editor::Theme::dark() : editor::Theme::light()).color(editor::Role::Panel);
+  }
+  static double luminance(const QColor& color) {  // WCAG 2.1
+    const auto linear = [](double channel) {
+      return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+           0.0722 * linear(color.blueF());
+  }
+  /// Of the pixel that differs most from the ground: the core of a stroke.
+  static double bestContrast(const QImage& image, const QRect& where, const QColor& ground) {
+    double best = 1.0;
+    for (int y = where.top(); y <= where.bottom(); ++y) {
+      for (int x = where.left(); x <= where.right(); ++x) {
+        const double a = luminance(image.pixelColor(x, y)), b = luminance(ground);
+        best = std::max(best, (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05));
+      }
+    }
+    return best;
+  }
   void addByKeysAt(int node, const char* words) {
     click(node);
     QTest::keyClick(&canvas(), Qt::Key_Insert);
