@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "bt/human/BehaviorBlocks.h"
 #include "editor/document/PersonTree.h"
@@ -119,14 +120,6 @@ NodePalette::NodePalette(const Theme& theme) : theme_(theme), list_(new NodeList
   addRows();
   connect(search_, &QLineEdit::textChanged, this, &NodePalette::filter);
   search_->installEventFilter(this);
-  connect(search_, &QLineEdit::returnPressed, this, [this] {
-    const QTreeWidgetItem* row = list_->currentItem();
-    if (row != nullptr && !row->isHidden() && !xmlOf(row).isEmpty()) {
-      const QString xml = xmlOf(row);
-      search_->selectAll();  // Typing replaces the text.
-      Q_EMIT addRequested(xml);
-    }
-  });
   connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
     if (!xmlOf(row).isEmpty()) {
       Q_EMIT addRequested(xmlOf(row));
@@ -278,7 +271,7 @@ QTreeWidgetItem* NodePalette::firstMatch() const {
   return nullptr;
 }
 
-/// In the search field, the arrow keys choose a match and Escape leaves the palette.
+/// In the search field, the arrow keys choose a match, Enter adds it and Escape leaves the palette.
 bool NodePalette::eventFilter(QObject* watched, QEvent* event) {
   const bool isKey = watched == search_ && (event->type() == QEvent::KeyPress ||
                                             event->type() == QEvent::ShortcutOverride);
@@ -286,18 +279,30 @@ bool NodePalette::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
   }
   const int key = static_cast<const QKeyEvent&>(*event).key();
-  const bool isArrow = key == Qt::Key_Up || key == Qt::Key_Down;
-  if (!isArrow && key != Qt::Key_Escape) {
+  const int keys[] = {Qt::Key_Up, Qt::Key_Down, Qt::Key_Return, Qt::Key_Enter, Qt::Key_Escape};
+  if (std::find(std::begin(keys), std::end(keys), key) == std::end(keys)) {
     return QWidget::eventFilter(watched, event);
   }
   if (event->type() == QEvent::ShortcutOverride) {
     event->accept();
-  } else if (isArrow) {
+  } else if (key == Qt::Key_Escape) {
+    Q_EMIT escaped();
+  } else if (key == Qt::Key_Up || key == Qt::Key_Down) {
     moveCurrent(key == Qt::Key_Down);
   } else {
-    Q_EMIT escaped();
+    addCurrent();
   }
   return true;
+}
+
+/// Adds the highlighted match; the next typed text replaces the search.
+void NodePalette::addCurrent() {
+  const QTreeWidgetItem* row = list_->currentItem();
+  const QString xml = row == nullptr || row->isHidden() ? QString() : xmlOf(row);
+  if (!xml.isEmpty()) {
+    search_->selectAll();
+    Q_EMIT addRequested(xml);
+  }
 }
 
 /// To the next or previous visible node, across headings.

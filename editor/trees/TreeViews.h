@@ -137,6 +137,7 @@ class NodePalette : public QWidget {
   static void numberByName(QTreeWidgetItem& group);
   QTreeWidgetItem* firstMatch() const;  // Null = none.
   void moveCurrent(bool down);
+  void addCurrent();
   void filter();
   void explain();
 

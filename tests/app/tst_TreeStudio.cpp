@@ -194,6 +194,19 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     QVERIFY(palette().list().currentItem() == nullptr);
   }
 
+  void search_besideTheMap_keepsTheKeyboard() {
+    window_->docks().toggleOf(*window_->docks().dock(text("tree")))->trigger();
+    QTRY_VERIFY(studio().isVisible());
+    document().setSelection({person("Chloe")});
+    click(0);
+    const int before = rootChildren().size();
+    QTest::keyClick(&canvas(), Qt::Key_Insert);
+    addByKeys("stopmov");
+    QVERIFY(palette().search().hasFocus());
+    addByKeys("alwayss");
+    QCOMPARE(rootChildren().size(), before + 2);
+  }
+
   void ports_doubleClicked_areEditedInTheNode() {
     open("Chloe");
     const int node = called("Is robot visible");
