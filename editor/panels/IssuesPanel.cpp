@@ -148,6 +148,9 @@ void IssuesPanel::goToIssue(const base::Diagnostic& issue) {
   if (issue.entity && document_.contains(issue.entity)) {
     document_.setSelection({issue.entity});
     Q_EMIT entityRequested(issue.entity);
+    if (base::startsWith(issue.code, "tree.")) {
+      Q_EMIT treeIssueRequested(issue);
+    }
   } else if (!issue.file.empty()) {
     Q_EMIT fileRequested(QString::fromStdString(issue.file), issue.line);
   }
@@ -294,6 +297,8 @@ void addIssuesPanel(PanelRegistry& to) {
       Q_EMIT context.counted(panel, count, worst);
     });
     QObject::connect(panel, &IssuesPanel::entityRequested, &context.view, &MapView::centerOnEntity);
+    QObject::connect(panel, &IssuesPanel::treeIssueRequested, &context,
+                     &PanelContext::treeIssueRequested);
     QObject::connect(panel, &IssuesPanel::fileRequested, &context, &PanelContext::fileRequested);
     QObject::connect(panel, &IssuesPanel::goalsRequested, &context, &PanelContext::goalsRequested);
     QObject::connect(&context, &PanelContext::problemsFound, panel, &IssuesPanel::setActionIssues);

@@ -33,9 +33,10 @@ class IssuesPanel : public QWidget {
 
  Q_SIGNALS:
   void countChanged(int count);
-  void entityRequested(editor::EntityId id);          // Requests selecting and showing an entity.
-  void fileRequested(const QString& file, int line);  // For problems without an entity.
-  void goalsRequested();                              // The person without goals is selected.
+  void entityRequested(editor::EntityId id);  // Requests selecting and showing an entity.
+  void treeIssueRequested(const base::Diagnostic& issue);  // Of the tree of a person.
+  void fileRequested(const QString& file, int line);       // For problems without an entity.
+  void goalsRequested();                                   // The person without goals is selected.
 
  private:
   void makeTable();

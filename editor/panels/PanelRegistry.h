@@ -45,7 +45,8 @@ class PanelContext : public QObject {
   void nodeChosen(int node, const QObject* by);
   /// The person whose tree the tree dock shows; none: the dock is hidden or shows no person.
   void treeShown(editor::EntityId person);
-  void treePictureRequested(editor::EntityId person);  // Requests saving the picture of a tree.
+  void treeIssueRequested(const base::Diagnostic& issue);  // Requests showing the faulty node.
+  void treePictureRequested(editor::EntityId person);      // Requests saving the picture of a tree.
   void comparedChanged(const std::vector<editor::TimelineRun>& runs);
   /// Requests showing a widget beside the canvas, `columns` times as wide as the canvas; null:
   /// none.

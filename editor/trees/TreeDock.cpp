@@ -16,6 +16,7 @@ void addTreeDock(PanelRegistry& to) {
     QObject::connect(studio, &TreeEditor::nodeChosen, &context,
                      [&context, studio](int node) { Q_EMIT context.nodeChosen(node, studio); });
     QObject::connect(studio, &TreeEditor::personShown, &context, &PanelContext::treeShown);
+    QObject::connect(&context, &PanelContext::treeIssueRequested, studio, &TreeEditor::showIssue);
     QObject::connect(studio, &TreeEditor::pictureRequested, &context,
                      &PanelContext::treePictureRequested);
     QObject::connect(&context, &PanelContext::nodeChosen, studio,

@@ -28,7 +28,7 @@ void TreeEditor::setTheme(const Theme& theme) {
   entries_->setTheme(theme);
   fields_->setTheme(theme);
   running_->setTheme(theme);
-  colorProblem();
+  colorProblem(theme);
   if (isVisible()) {
     listPeople();  // Updates their marks.
   }
@@ -117,13 +117,12 @@ void TreeEditor::showProblems(const base::Diagnostics& problems, const QString& 
   isErrorShown_ = base::hasErrors(problems);
   problem_->setVisible(!problems.empty());
   problem_->setText(QStringLiteral("⚠ ") + title + problemSummary(problems));
-  colorProblem();
+  colorProblem(context_.theme());
 }
 
-void TreeEditor::colorProblem() {
+void TreeEditor::colorProblem(const Theme& theme) {
   QPalette colors = QWidget::palette();
-  colors.setColor(QPalette::WindowText,
-                  context_.theme().color(isErrorShown_ ? Role::Error : Role::Warning));
+  colors.setColor(QPalette::WindowText, theme.color(isErrorShown_ ? Role::Error : Role::Warning));
   problem_->setPalette(colors);
 }
 
@@ -142,12 +141,7 @@ bool TreeEditor::showRefusedRun(const base::Diagnostics& problems) {
   };
   const auto first = std::find_if(problems.begin(), problems.end(), isOfTree);
   if (first != problems.end()) {
-    if (first->entity != person_) {
-      document_.setSelection({first->entity});
-    }
-    const int node = faultyNode(first->line);
-    canvas_->choose(-1);  // Jumps again if the node is already chosen.
-    choose(node);
+    showIssue(*first);
   }
   base::Diagnostics errors;
   std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
@@ -156,17 +150,33 @@ bool TreeEditor::showRefusedRun(const base::Diagnostics& problems) {
   return first != problems.end();
 }
 
-/// The first node with an error, else the one at that line of the file.
-int TreeEditor::faultyNode(int line) const {
+void TreeEditor::showIssue(const base::Diagnostic& issue) {
+  if (!isVisible()) {
+    return;
+  }
+  if (issue.entity != person_) {
+    document_.setSelection({issue.entity});
+  }
+  const int node = faultyNode(issue);
+  canvas_->choose(-1);  // Also if the node is already chosen: it may be out of view.
+  choose(node);
+}
+
+/// The node with that message, else the first with an error, else the one at that line of the file.
+int TreeEditor::faultyNode(const base::Diagnostic& issue) const {
   const TreeGraph& graph = canvas_->graph();
+  const QString text = treeProblemText(issue, true);
+  int first = -1;
   for (int node = 0; graph.has(node); ++node) {
     for (const TreeGraph::Problem& problem : graph.problemsOf(node)) {
-      if (problem.severity == base::Severity::Error) {
+      const bool isSame = problem.text == text && (issue.line == 0 || issue.line == lineOf(node));
+      if (isSame) {
         return node;
       }
+      first = first < 0 && problem.severity == base::Severity::Error ? node : first;
     }
   }
-  return nodeAtLine(line);
+  return first < 0 || issue.severity != base::Severity::Error ? nodeAtLine(issue.line) : first;
 }
 
 void TreeEditor::listPeople() {

@@ -44,6 +44,8 @@ class TreeEditor : public QWidget {
   RunningNodes& running() const { return *running_; }
 
   void choose(int node);  // Emits `nodeChosen`.
+  /// Chooses the person and the node of an issue in a tree, if the editor is visible.
+  void showIssue(const base::Diagnostic& issue);
   /// Shows why a run was refused: chooses the person and the node of the first error in a tree.
   /// Returns false if no error concerns a tree.
   bool showRefusedRun(const base::Diagnostics& problems);
@@ -115,8 +117,8 @@ class TreeEditor : public QWidget {
   void follow();
   void rebuild();
   void showProblems(const base::Diagnostics& problems, const QString& title = {});
-  void colorProblem();
-  int faultyNode(int line) const;
+  void colorProblem(const Theme& theme);
+  int faultyNode(const base::Diagnostic& issue) const;
   void listPeople();
   void showSharing();
   void showChosen();  // Updates the parts beside the graph.

@@ -129,6 +129,27 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     QCOMPARE(canvas().chosen(), 0);
   }
 
+  void issue_clicked_showsItsNode() {
+    window_->docks().toggleOf(*window_->docks().dock(text("tree")))->trigger();
+    QTRY_VERIFY(studio().isVisible());
+    giveTree("Chloe", "<Sequence><AlwaysSuccess/><Inverter name='Not'/></Sequence>");
+    document().setSelection({person("Ana")});
+    base::Diagnostic found;
+    for (const base::Diagnostic& each : editor::personTree(document(), person("Chloe")).problems) {
+      found = each.severity == base::Severity::Error ? each : found;
+    }
+    QVERIFY(!found.message.empty());
+    found.entity = person("Chloe");
+    auto& issues = window_->docks().panel<editor::IssuesPanel>();
+    issues.setActionIssues({found});
+    auto* table = issues.findChild<QTableWidget*>();
+    QTRY_VERIFY(table->rowCount() > 0 && table->item(0, 0) != nullptr);
+    QCOMPARE(table->item(0, 0)->text(), text("Not: 'Inverter' has 0 children (needs 1)"));
+    Q_EMIT table->clicked(table->model()->index(0, 0));
+    QCOMPARE(studio().person(), person("Chloe"));
+    QCOMPARE(canvas().chosen(), called("Not"));
+  }
+
   void error_isRed_andAWarningAmber() {
     open("Chloe");
     giveTree("Chloe", "<Sequence/>");
