@@ -143,8 +143,8 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
   return pair;
 }
 
-/// Holm's adjustment over the pairs that have a test.
-void adjust(std::vector<PairTest*> tests) {
+/// Holm's adjustment over the tests that have a p value.
+void adjust(const std::vector<PairTest*>& tests) {
   Numbers ps;
   ps.reserve(tests.size());
   std::transform(tests.begin(), tests.end(), std::back_inserter(ps),
@@ -155,19 +155,25 @@ void adjust(std::vector<PairTest*> tests) {
   }
 }
 
-/// Adjusts the tests over all cases and those within each case.
-void adjustPairs(std::vector<PairResult>& pairs) {
-  std::vector<PairTest*> all;
-  std::map<std::size_t, std::vector<PairTest*>> byCase;
-  for (PairResult& pair : pairs) {
-    all.push_back(&pair);
-    for (PairResult::CaseResult& ofCase : pair.cases) {
-      byCase[ofCase.number].push_back(&ofCase);
+/// Adjusts the tests of each table as one family: pairs over all cases, pairs per case, and
+/// Friedman's tests.
+void adjustTables(const std::vector<MetricComparison*>& comparisons) {
+  std::vector<PairTest*> pairs;
+  std::vector<PairTest*> casePairs;
+  Numbers friedman;
+  for (MetricComparison* comparison : comparisons) {
+    for (PairResult& pair : comparison->pairs) {
+      pairs.push_back(&pair);
+      std::transform(pair.cases.begin(), pair.cases.end(), std::back_inserter(casePairs),
+                     [](PairTest& test) { return &test; });
     }
+    friedman.push_back(comparison->friedman ? comparison->friedman->fP : statistics::kUndefined);
   }
-  adjust(std::move(all));
-  for (auto& [number, tests] : byCase) {
-    adjust(std::move(tests));
+  adjust(pairs);
+  adjust(casePairs);
+  friedman = statistics::holm(friedman);
+  for (std::size_t k = 0; k < comparisons.size(); ++k) {
+    comparisons[k]->friedmanAdjusted = friedman[k];
   }
 }
 
@@ -346,7 +352,6 @@ MetricComparison compare(const Study& study, std::size_t metric,
       comparison.pairs.back().delta = deltaOf(byCase[first], byCase[second]);
     }
   }
-  adjustPairs(comparison.pairs);
   if (study.options.size() > 2) {
     const std::vector<Numbers> complete = completeBlocks(study, metric, blocks);
     if (complete.size() > 1) {
@@ -356,23 +361,48 @@ MetricComparison compare(const Study& study, std::size_t metric,
     }
   }
   comparison.succeeds = succeedingOptions(study);
+  adjustTables({&comparison});
   findBest(study.metrics[metric], comparison);
   return comparison;
 }
 
-int decimalsFor(const std::vector<Estimate>& estimates, bool isRate) {
-  if (isRate) {
-    return 2;
+void adjustTogether(const Study& study, std::vector<MetricComparison>& comparisons) {
+  std::vector<MetricComparison*> all;
+  all.reserve(comparisons.size());
+  std::transform(comparisons.begin(), comparisons.end(), std::back_inserter(all),
+                 [](MetricComparison& each) { return &each; });
+  adjustTables(all);
+  for (MetricComparison& comparison : comparisons) {
+    findBest(study.metrics[comparison.metric], comparison);
   }
-  double spread = 0.0;
-  double size = 0.0;
-  for (const Estimate& estimate : estimates) {
-    const double half = 0.5 * (estimate.interval.high - estimate.interval.low);
-    spread = half > 0.0 && (spread == 0.0 || half < spread) ? half : spread;
-    size = std::isnan(estimate.mean) ? size : std::max(size, std::abs(estimate.mean));
+}
+
+TestCounts testCounts(const std::vector<MetricComparison>& comparisons) {
+  TestCounts counts;
+  const auto count = [](const PairTest& test) { return std::isnan(test.p) ? 0U : 1U; };
+  for (const MetricComparison& comparison : comparisons) {
+    for (const PairResult& pair : comparison.pairs) {
+      counts.pairs += count(pair);
+      for (const PairResult::CaseResult& ofCase : pair.cases) {
+        counts.casePairs += count(ofCase);
+      }
+    }
+    counts.friedman += comparison.friedman ? 1 : 0;
   }
-  const double unit = spread > 0.0 ? spread : size > 0.0 ? size / 10.0 : 1.0;
-  return std::clamp(static_cast<int>(std::ceil(0.3 - std::log10(unit))), 0, 4);
+  return counts;
+}
+
+int decimalsFor(double value, const Interval& interval) {
+  constexpr int kMost = 6;
+  constexpr double kTwoUnits = 0.3;  // log10(2): the half width is at least two units
+  const auto placeOf = [](double size) { return std::floor(std::log10(size)); };
+  double decimals = value != 0.0 && std::isfinite(value) ? 2.0 - placeOf(std::abs(value)) : 0.0;
+  const double half = 0.5 * (interval.high - interval.low);
+  if (half > 0.0 && std::isfinite(half)) {
+    const double size = std::log10(half);
+    decimals = std::clamp(decimals, std::ceil(kTwoUnits - size), std::ceil(1.0 - size));
+  }
+  return static_cast<int>(std::clamp(decimals, 0.0, static_cast<double>(kMost)));
 }
 
 }  // namespace report

@@ -29,13 +29,13 @@ struct PairTest {
   double shift = statistics::kUndefined;  // Hodges-Lehmann; for rates, the difference
   Interval shiftInterval;
   double p = statistics::kUndefined;         // signed-rank; for rates, McNemar; NaN: no blocks
-  double adjusted = statistics::kUndefined;  // Holm-adjusted over all pairs of the metric
+  double adjusted = statistics::kUndefined;  // Holm-adjusted over all tests of the table
 };
 
 /// The test over all cases: differences are ranked within their case (statistics/Stratified.h). For
 /// rates, McNemar's test has one stratum per pair, so it is also valid over all cases.
 struct PairResult : PairTest {
-  struct CaseResult : PairTest {  // `adjusted`: over the pairs in this case
+  struct CaseResult : PairTest {  // `adjusted`: over the pairs of all cases
     std::size_t number = 0;       // index of the case
     int both = 0;                 // for rates: blocks in which both succeed
   };
@@ -62,6 +62,7 @@ struct MetricComparison {
   std::optional<std::size_t> best;               // option; none: neutral metric, or all equal
   std::vector<RelativeToBest> relativeToBest;    // per option
   std::optional<statistics::Friedman> friedman;  // at least 3 options and 2 complete blocks
+  double friedmanAdjusted = statistics::kUndefined;    // p of F, adjusted over all metrics
   double criticalDifference = statistics::kUndefined;  // Nemenyi, of mean ranks
 
   /// Whether the option is the best or has an equal mean. An option that never succeeds cannot be
@@ -89,11 +90,21 @@ std::vector<bool> succeedingOptions(const Study& study);
 /// every metric (at least one defined): such runs are not independent.
 std::size_t constantCells(const Study& study);
 
+/// Compares all options by one metric; p values are adjusted over the tests of this metric.
 MetricComparison compare(const Study& study, std::size_t metric,
                          const std::vector<std::vector<std::size_t>>& blocks);
+/// Adjusts the p values of several metrics that are displayed in one table over all its tests, and
+/// updates the best options.
+void adjustTogether(const Study& study, std::vector<MetricComparison>& comparisons);
 
-/// The number of decimals for means: half of the narrowest interval is at least two units of the
-/// last digit.
-int decimalsFor(const std::vector<Estimate>& estimates, bool isRate);
+/// The numbers of tests in the tables of pairs, of pairs per case and of Friedman's test.
+struct TestCounts {
+  std::size_t pairs = 0, casePairs = 0, friedman = 0;
+};
+TestCounts testCounts(const std::vector<MetricComparison>& comparisons);
+
+/// The number of decimals of a value: three significant digits, or fewer or more so that half of
+/// its interval has one or two digits. An undefined or empty interval is ignored.
+int decimalsFor(double value, const Interval& interval = {});
 
 }  // namespace report

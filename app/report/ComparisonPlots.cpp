@@ -74,11 +74,38 @@ void drawOption(Figure& figure, const Plane& plane, std::size_t option, const Es
   figure.mark(at.x(), at.y(), option, 5.5);
 }
 
-/// Draws the options with their names, and the Pareto front if both metrics have a direction.
-void drawOptions(Figure& figure, const Plane& plane, const Study& study, const MetricComparison& x,
-                 const MetricComparison& y) {
+/// The Pareto-optimal options; options that never succeed are excluded. Empty: a metric has no
+/// direction.
+std::vector<bool> frontOf(const Study& study, const MetricComparison& x,
+                          const MetricComparison& y) {
   const Metric& metricX = study.metrics[x.metric];
   const Metric& metricY = study.metrics[y.metric];
+  if (metricX.sense == 0 || metricY.sense == 0) {
+    return {};
+  }
+  Numbers atX;
+  Numbers atY;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    atX.push_back(x.succeeds[option] ? x.estimates[option].mean : statistics::kUndefined);
+    atY.push_back(y.estimates[option].mean);
+  }
+  return statistics::paretoFront(atX, senseOf(metricX), atY, senseOf(metricY));
+}
+
+/// What the figure shows of the Pareto front.
+std::string frontText(const Study& study, const std::vector<bool>& front) {
+  const auto optimal = std::count(front.begin(), front.end(), true);
+  if (optimal == 1) {
+    const auto only = std::find(front.begin(), front.end(), true) - front.begin();
+    return "; " + study.options[static_cast<std::size_t>(only)] +
+           " is the only Pareto-optimal option.";
+  }
+  return optimal > 1 ? "; the dashed line connects the Pareto-optimal options." : ".";
+}
+
+/// Draws the options with their names, and the Pareto front.
+void drawOptions(Figure& figure, const Plane& plane, const Study& study, const MetricComparison& x,
+                 const MetricComparison& y) {
   Numbers atX;
   Numbers atY;
   for (std::size_t option = 0; option < study.options.size(); ++option) {
@@ -86,15 +113,7 @@ void drawOptions(Figure& figure, const Plane& plane, const Study& study, const M
     atY.push_back(y.estimates[option].mean);
   }
   PlaneMarks marks;
-  if (metricX.sense != 0 && metricY.sense != 0) {
-    Numbers ranked = atX;  // options that never succeed are not on the front
-    for (std::size_t option = 0; option < ranked.size(); ++option) {
-      ranked[option] = x.succeeds[option] ? ranked[option] : statistics::kUndefined;
-    }
-    drawFront(figure, plane,
-              statistics::paretoFront(ranked, senseOf(metricX), atY, senseOf(metricY)), atX, atY,
-              marks);
-  }
+  drawFront(figure, plane, frontOf(study, x, y), atX, atY, marks);
   for (std::size_t option = 0; option < study.options.size(); ++option) {
     if (!std::isnan(atX[option]) && !std::isnan(atY[option])) {
       drawOption(figure, plane, option, x.estimates[option], y.estimates[option], marks);
@@ -175,12 +194,12 @@ std::optional<Figure> paretoFigure(const Study& study, const MetricComparison& x
   const Plane plane{scaleOfValues(wide, 64.0, kWidth - 130.0),
                     scaleOfValues(high, kHeight - 52.0, 34.0)};
   plane.draw(figure, metricX, metricY);
-  const bool isJudged = metricX.sense != 0 && metricY.sense != 0;
   drawOptions(figure, plane, study, x, y);
+  const std::vector<bool> front = frontOf(study, x, y);
   figure.caption = titleOf(metricX) + " versus " + titleOf(metricY) +
-                   ": means with confidence intervals" +
-                   (isJudged ? "; the dashed line connects the Pareto-optimal options." : ".") +
-                   (isJudged && std::count(x.succeeds.begin(), x.succeeds.end(), false) > 0
+                   ": means with confidence intervals, level " + levelText(study.level) +
+                   frontText(study, front) +
+                   (!front.empty() && std::count(x.succeeds.begin(), x.succeeds.end(), false) > 0
                         ? " Options that never succeed are excluded from it."
                         : "");
   return figure;
@@ -246,8 +265,9 @@ namespace {
 
 using Anchor = Figure::Anchor;
 
-constexpr double kPairLetter = 6.2;  // [px], character width of pair names
-constexpr double kPairGap = 16.0;    // [px], gap beside pair names
+constexpr double kPairLetter = 6.2;     // [px], character width of pair names
+constexpr std::size_t kFewOptions = 3;  // up to this number, all pairs are shown
+constexpr double kPairGap = 16.0;       // [px], gap beside pair names
 
 /// The width [px] for the names of pairs, including the gap: that of the longest name, at most
 /// `most`.
@@ -378,6 +398,37 @@ void ranksPanel(Figure& figure, const Study& study, const MetricComparison& comp
   }
 }
 
+/// Says that not all differences are drawn.
+std::string dotsText(const std::vector<const MetricComparison*>& comparisons) {
+  for (const MetricComparison* comparison : comparisons) {
+    for (const PairResult* pair : shownPairs(*comparison)) {
+      if (pair->differences.size() > kMostDots) {
+        return "; at most " + std::to_string(kMostDots) + ", evenly selected by value";
+      }
+    }
+  }
+  return {};
+}
+
+/// Says that an interval is missing.
+std::string fewPairsText(const std::vector<const MetricComparison*>& comparisons) {
+  for (const MetricComparison* comparison : comparisons) {
+    for (const PairResult* pair : shownPairs(*comparison)) {
+      if (!pair->differences.empty() && !pair->shiftInterval.isDefined()) {
+        return " Without a bar: too few pairs for an interval of this level.";
+      }
+    }
+  }
+  return {};
+}
+
+/// Whether a bar connects two options in a panel of ranks.
+bool hasGroup(const MetricComparison& comparison) {
+  Numbers sorted = comparison.friedman->meanRanks;
+  std::sort(sorted.begin(), sorted.end());
+  return !indistinguishableGroups(sorted, comparison.criticalDifference).empty();
+}
+
 }  // namespace
 
 std::optional<Figure> differencesFigure(const Study& study, const Comparisons& comparisons) {
@@ -398,9 +449,13 @@ std::optional<Figure> differencesFigure(const Study& study, const Comparisons& c
                differencePanel(to, study, *chosen[k], {left, top, width, names});
              });
   figure.caption =
-      "Differences within the same case and seed (dots), with the Hodges-Lehmann estimate of the "
-      "difference and its confidence interval, level " +
-      levelText(study.level) + ".";
+      "Differences within the same case and seed (small dots" + dotsText(chosen) +
+      "), with the Hodges-Lehmann estimate of the difference (large dot) and its confidence "
+      "interval (bar), level " +
+      levelText(study.level) + "." + fewPairsText(chosen) +
+      (study.options.size() > kFewOptions ? " Only pairs with the best option are shown (if there "
+                                            "is none, with the first)."
+                                          : "");
   return figure;
 }
 
@@ -420,9 +475,15 @@ std::optional<Figure> ranksFigure(const Study& study, const Comparisons& compari
                          [&](Figure& to, std::size_t k, double left, double top, double width) {
                            ranksPanel(to, study, *chosen[k], left, top, width);
                          });
+  const bool isAnyGroup = std::any_of(chosen.begin(), chosen.end(),
+                                      [](const MetricComparison* each) { return hasGroup(*each); });
   figure.caption =
-      "Mean ranks; 1 is best. The ranks of options connected by a bar do not differ by more than "
-      "Nemenyi's critical difference (CD, level 5 %).";
+      isAnyGroup
+          ? "Mean ranks; 1 is best. The ranks of options connected by a bar do not differ by more "
+            "than Nemenyi's critical difference (CD, level 5 %)."
+          : "Mean ranks; 1 is best. All ranks differ by more than Nemenyi's critical difference "
+            "(CD, "
+            "level 5 %).";
   return figure;
 }
 

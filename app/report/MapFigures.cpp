@@ -250,10 +250,7 @@ std::map<CaseOption, std::vector<const RunPicture*>> pathsByCell(const Study& st
     if (picture.path.empty()) {
       continue;  // no robot
     }
-    auto& cell = cells[{study.caseOf[picture.run], study.optionOf[picture.run]}];
-    if (cell.size() < kMostWays) {
-      cell.push_back(&picture);
-    }
+    cells[{study.caseOf[picture.run], study.optionOf[picture.run]}].push_back(&picture);
   }
   return cells;
 }
@@ -271,6 +268,10 @@ class PathsFigureBuilder {
 
   std::optional<Figure> make() {
     cells_ = pathsByCell(study_, pictures_);
+    for (auto& [place, ways] : cells_) {
+      isThinned_ = isThinned_ || ways.size() > kMostWays;
+      ways.resize(std::min(ways.size(), kMostWays));
+    }
     if (cells_.empty()) {
       return std::nullopt;
     }
@@ -291,8 +292,10 @@ class PathsFigureBuilder {
     grid_.forEach([&](std::size_t index, double left, double top) {
       draw(figure, floorPlans, index, {left, top});
     });
-    figure.caption = "Paths of the robot on the map, at most " + std::to_string(kMostWays) +
-                     " runs per panel; a dot marks the end of a run" + cut + "." + omittedText();
+    figure.caption =
+        "Paths of the robot on the map" +
+        (isThinned_ ? ", at most " + std::to_string(kMostWays) + " runs per panel" : "") +
+        "; a dot marks the end of a run" + cut + "." + omittedText();
     return figure;
   }
 
@@ -397,6 +400,7 @@ class PathsFigureBuilder {
   std::vector<PathPanel> panels_;
   PanelGrid grid_;
   bool isTable_ = false;
+  bool isThinned_ = false;  // some panel does not show all its runs
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/report/PlayerPage.h"
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
+#include "app/report/Verdict.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ResultRow.h"
 #include "sim2d/base/Find.h"
@@ -16,64 +17,6 @@
 namespace report {
 
 namespace {
-
-/// The names of the options with this standing, without the leaders.
-std::vector<std::string> namesOf(const Study& study, const MetricComparison& comparison,
-                                 RelativeToBest standing) {
-  std::vector<std::string> names;
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    if (!comparison.isBestOrTied(option) && comparison.relativeToBest[option] == standing) {
-      names.push_back(study.options[option]);
-    }
-  }
-  return names;
-}
-
-std::string namesText(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNames = 6;
-  return names.size() > kMostNames ? std::to_string(names.size()) + " others"
-                                   : escaped(base::join(names, ", "));
-}
-
-/// The result of a comparison as a sentence (markup); empty: nothing was compared. "Path length:
-/// best is dwa (7.1 m), better than pursuit; not clearly different from mppi."
-std::string findingMarkup(const Study& study, const MetricComparison& comparison) {
-  if (!comparison.best) {
-    return {};
-  }
-  const Metric& metric = study.metrics[comparison.metric];
-  const double best = comparison.estimates[*comparison.best].mean;
-  std::vector<std::string> leaders;  // the best and those equal to it
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    if (comparison.isBestOrTied(option)) {
-      leaders.push_back(study.options[option]);
-    }
-  }
-  const std::vector<std::string> beaten = namesOf(study, comparison, RelativeToBest::Worse);
-  const std::vector<std::string> close = namesOf(study, comparison, RelativeToBest::NotDifferent);
-  const std::vector<std::string> ahead = namesOf(study, comparison, RelativeToBest::Better);
-  const std::vector<std::string> pieces = namesOf(study, comparison, RelativeToBest::NeverSucceeds);
-  const int decimals = decimalsFor(comparison.estimates, metric.isRate);
-  const std::string unit = metric.unit.empty() || metric.unit == "-" ? "" : " " + metric.unit;
-  std::string words = element("b", "", escaped(metric.name)) +
-                      (leaders.size() == 1 ? ": best is " : ": best are ") +
-                      escaped(base::join(leaders, ", ")) + " (" +
-                      escaped(estimateText(metric, best, decimals) + unit) + ")";
-  const bool beatsAll = close.empty() && ahead.empty() && pieces.empty() && beaten.size() > 1;
-  const char* between = ", ";
-  const auto add = [&](const std::vector<std::string>& names, const std::string& more) {
-    words += names.empty() ? "" : between + more;
-    between = names.empty() ? between : "; ";
-  };
-  add(beaten, "better than " + (beatsAll ? "all others" : namesText(beaten)));
-  add(close, "not significantly different from " + namesText(close));
-  add(ahead, "but " + namesText(ahead) + (ahead.size() == 1 ? " is" : " are") +
-                 " better on the same cases and seeds");
-  add(pieces, namesText(pieces) +
-                  (pieces.size() == 1 ? " never succeeds and is" : " never succeed and are") +
-                  " excluded");
-  return words + ".";
-}
 
 /// The seeds: "1 to 20", or a list.
 std::string seedsText(const Study& study) {
@@ -94,8 +37,9 @@ std::string seedsText(const Study& study) {
 }
 
 /// The markup of the methods section: procedures with references, versions and inputs, and the
-/// commands. `blocks`: number of blocks; `command`: the command line of this report.
-std::string methodsMarkup(const Study& study, std::size_t blocks,
+/// commands. `blocks`: number of blocks; `tests`: number of paired tests over all cases; `command`:
+/// the command line of this report.
+std::string methodsMarkup(const Study& study, std::size_t blocks, std::size_t tests,
                           const std::vector<std::string>& command) {
   std::string facts;
   const auto fact = [&facts](const std::string& name, const std::string& value) {
@@ -120,6 +64,7 @@ std::string methodsMarkup(const Study& study, std::size_t blocks,
   return filled(kMethodsText, {{"level", levelText(study.level)},
                                {"resamples", std::to_string(study.resamples)},
                                {"blocks", std::to_string(blocks)},
+                               {"tests", std::to_string(tests)},
                                {"facts", facts},
                                {"commands", escaped(batch + shellText(command))}});
 }
@@ -162,6 +107,7 @@ class PageBuilder {
       reportProgress("comparing " + study_.metrics[metric].name);
       comparisons_.push_back(compare(study_, metric, blocks_));
     }
+    adjustTogether(study_, comparisons_);
   }
 
   void readRuns() {
@@ -253,6 +199,7 @@ class PageBuilder {
   }
 
   void writeNotes() {
+    notes_ += verdictMarkup(study_, comparisons_);
     if (!study_.shard.empty()) {
       notes_ += paragraph("This report contains only the runs of shard " + study_.shard +
                           " of the study; merge joins all shards.");
@@ -401,7 +348,7 @@ class PageBuilder {
 
   void writeMethods() {
     section("methods", "Methods");
-    body_ += methodsMarkup(study_, blocks_.size(), command_);
+    body_ += methodsMarkup(study_, blocks_.size(), testCounts(comparisons_).pairs, command_);
   }
 
   const Study& study_;

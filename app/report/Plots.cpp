@@ -104,6 +104,18 @@ void distributionPanel(Figure& figure, const Study& study, const MetricCompariso
   horizontalAxis(figure, scale, top + kTitle + static_cast<double>(study.options.size()) * kRow);
 }
 
+/// Says that an interval is missing.
+std::string singleValueText(const std::vector<const MetricComparison*>& comparisons) {
+  for (const MetricComparison* comparison : comparisons) {
+    for (const Estimate& estimate : comparison->estimates) {
+      if (!std::isnan(estimate.mean) && !estimate.interval.isDefined()) {
+        return " Without a line: a single value has no interval.";
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string titleOf(const Metric& metric) {
@@ -138,7 +150,7 @@ std::optional<Figure> intervalsFigure(const Study& study, const Comparisons& com
       20.0);
   figure.caption = std::string(rates ? "Rates with Wilson confidence intervals"
                                      : "Means with bootstrap confidence intervals (BCa)") +
-                   ", level " + levelText(study.level) + ".";
+                   ", level " + levelText(study.level) + "." + singleValueText(chosen);
   return figure;
 }
 

@@ -23,6 +23,11 @@ std::size_t runsOf(const Study& study, std::size_t option) {
   return static_cast<std::size_t>(std::count(study.optionOf.begin(), study.optionOf.end(), option));
 }
 
+/// "all 12 tests of this table"
+std::string allTests(std::size_t count) {
+  return count == 1 ? "the only test" : "all " + std::to_string(count) + " tests";
+}
+
 /// The number of runs with a value, if some have none.
 std::string countNote(const Study& study, const Estimate& estimate, std::size_t option) {
   const std::size_t runs = runsOf(study, option);
@@ -43,13 +48,15 @@ std::string intervalText(const Metric& metric, const Interval& interval, int dec
 }
 
 Cell estimateCell(const Study& study, const MetricComparison& comparison, std::size_t option,
-                  bool median, int decimals) {
+                  bool median) {
   const Metric& metric = study.metrics[comparison.metric];
   const Estimate& estimate = comparison.estimates[option];
   const double value = median ? estimate.median : estimate.mean;
+  const Interval& interval = median ? estimate.medianInterval : estimate.interval;
+  const int decimals = decimalsFor(value, interval);
   Cell cell;
   cell.text = estimateText(metric, value, decimals);
-  cell.below = intervalText(metric, median ? estimate.medianInterval : estimate.interval, decimals);
+  cell.below = intervalText(metric, interval, decimals);
   cell.note = countNote(study, estimate, option);
   cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
   cell.bold = !median && comparison.isBestOrTied(option);
@@ -120,7 +127,7 @@ std::vector<Cell> namesOfPair(const Study& study, const MetricComparison& compar
 void addTest(const Study& study, const MetricComparison& comparison, const PairTest& test,
              std::vector<Cell>& row) {
   const Metric& metric = study.metrics[comparison.metric];
-  const int decimals = decimalsFor(comparison.estimates, metric.isRate) + 1;
+  const int decimals = decimalsFor(test.shift, test.shiftInterval);
   const auto ties = static_cast<int>(test.differences.size()) - test.higher - test.lower;
   Cell shift = numberCell(estimateText(metric, test.shift, decimals), test.shift);
   shift.below = intervalText(metric, test.shiftInterval, decimals);
@@ -208,9 +215,7 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
   for (std::size_t option = 0; option < study.options.size(); ++option) {
     std::vector<Cell> row = {{study.options[option]}, {std::to_string(runsOf(study, option))}};
     for (const MetricComparison& comparison : comparisons) {
-      const Metric& metric = study.metrics[comparison.metric];
-      row.push_back(estimateCell(study, comparison, option, false,
-                                 decimalsFor(comparison.estimates, metric.isRate)));
+      row.push_back(estimateCell(study, comparison, option, false));
     }
     if (!weights.empty()) {
       row.push_back({numberText(composite[option], 2)});
@@ -222,7 +227,8 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
   if (study.options.size() > 1) {
     table.caption +=
         " Bold: best. †: significantly worse than the best on the same cases and seeds (p < 0.05, "
-        "adjusted with Holm's method over all pairs).";
+        "adjusted with Holm's method over " +
+        allTests(testCounts(comparisons).pairs) + ").";
     const auto hasFailure = [](const MetricComparison& each) {
       return std::find(each.succeeds.begin(), each.succeeds.end(), false) != each.succeeds.end();
     };
@@ -250,9 +256,8 @@ std::optional<Table> mediansTable(const Study& study, const Comparisons& compari
       continue;
     }
     table.columns.push_back({metric.name, metric.unit == "-" ? "" : metric.unit, true});
-    const int decimals = decimalsFor(comparison.estimates, false);
     for (std::size_t option = 0; option < study.options.size(); ++option) {
-      table.rows[option].push_back(estimateCell(study, comparison, option, true, decimals));
+      table.rows[option].push_back(estimateCell(study, comparison, option, true));
     }
   }
   table.caption = "Medians with confidence intervals of at least " + levelText(study.level) +
@@ -280,8 +285,9 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
       "first option is higher, equal, lower. Difference: Hodges-Lehmann estimate (rates: "
       "difference of rates) with its confidence interval, level " +
       levelText(study.level) +
-      ". p: signed-rank test (rates: McNemar's test). p, Holm: adjusted over all pairs of the "
-      "metric. δ: Cliff's delta. Enough: number of pairs required to detect such a difference "
+      ". p: signed-rank test (rates: McNemar's test). p, Holm: adjusted over " +
+      allTests(testCounts(comparisons).pairs) +
+      ". δ: Cliff's delta. Enough: number of pairs required to detect such a difference "
       "(power 80 %, level 5 %)." +
       (hasCases
            ? " Differences are ranked within their case and combined over cases (van Elteren). "
@@ -319,36 +325,40 @@ std::optional<Table> casePairsTable(const Study& study, const Comparisons& compa
       }
     }
   }
-  table.caption =
-      "The same pairs separately for each case. p, Holm: adjusted over all pairs of the metric in "
-      "that case." +
-      std::string(isCut ? " The first " + std::to_string(kMaxRows) +
-                              " rows are listed; tables/pairs_by_case.csv contains all."
-                        : "");
+  table.caption = "The same pairs separately for each case. p, Holm: adjusted over " +
+                  allTests(testCounts(comparisons).casePairs) + "." +
+                  std::string(isCut ? " The first " + std::to_string(kMaxRows) +
+                                          " rows are listed; tables/pairs_by_case.csv contains all."
+                                    : "");
   return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }
 
 std::optional<Table> familyTable(const Study& study, const Comparisons& comparisons) {
   Table table;
   table.name = "friedman";
-  table.columns = {{"Metric", {}, false}, {"Blocks", {}, true}, {"χ²", {}, true}, {"p", {}, true},
-                   {"F", {}, true},       {"p of F", {}, true}, {"CD", {}, true}};
+  table.columns = {
+      {"Metric", {}, false}, {"Blocks", {}, true}, {"χ²", {}, true},           {"p", {}, true},
+      {"F", {}, true},       {"p of F", {}, true}, {"p of F, Holm", {}, true}, {"CD", {}, true}};
   for (const MetricComparison& comparison : comparisons) {
     if (!comparison.friedman) {
       continue;
     }
     const statistics::Friedman& test = *comparison.friedman;
-    table.rows.push_back({{titleOf(study.metrics[comparison.metric])},
-                          {std::to_string(test.blocks)},
-                          {numberText(test.chiSquared, 2)},
-                          pValueCell(test.p),
-                          {std::isinf(test.f) ? std::string("∞") : numberText(test.f, 2)},
-                          pValueCell(test.fP),
-                          {numberText(comparison.criticalDifference, 2)}});
+    table.rows.push_back(
+        {{titleOf(study.metrics[comparison.metric])},
+         {std::to_string(test.blocks)},
+         {numberText(test.chiSquared, 2)},
+         pValueCell(test.p),
+         {std::isinf(test.f) ? std::string("∞") : numberText(test.f, 2)},
+         pValueCell(test.fP),
+         pValueCell(comparison.friedmanAdjusted, comparison.friedmanAdjusted < kSignificance),
+         {numberText(comparison.criticalDifference, 2)}});
   }
   table.caption =
       "Friedman's test over all options, for blocks in which every option has a value. F: "
-      "statistic of Iman and Davenport. CD: Nemenyi's critical difference of mean ranks (level 5 "
+      "statistic of Iman and Davenport. p of F, Holm: adjusted over " +
+      allTests(testCounts(comparisons).friedman) +
+      ". CD: Nemenyi's critical difference of mean ranks (level 5 "
       "%).";
   return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }

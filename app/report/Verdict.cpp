@@ -1,0 +1,262 @@
+#include "app/report/Verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/report/Tables.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+/// The names of the options with this standing, without the leaders.
+std::vector<std::string> namesOf(const Study& study, const MetricComparison& comparison,
+                                 RelativeToBest standing) {
+  std::vector<std::string> names;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    if (!comparison.isBestOrTied(option) && comparison.relativeToBest[option] == standing) {
+      names.push_back(study.options[option]);
+    }
+  }
+  return names;
+}
+
+std::string namesText(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 6;
+  return names.size() > kMostNames ? std::to_string(names.size()) + " others"
+                                   : escaped(base::join(names, ", "));
+}
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& words) {
+  if (words.size() < 2) {
+    return base::join(words, "");
+  }
+  const std::vector<std::string> first(words.begin(), words.end() - 1);
+  return base::join(first, ", ") + " and " + words.back();
+}
+
+std::string bold(const std::string& name) {
+  return element("b", "", escaped(name));
+}
+
+/// The difference of a pair as a positive number: "by 1.24 s (95 % CI 0.91 to 1.53)"; empty if it
+/// is 0 or undefined.
+std::string amountText(const Study& study, const Metric& metric, const PairTest& pair) {
+  if (std::isnan(pair.shift) || pair.shift == 0.0) {
+    return {};
+  }
+  const double scale = (metric.isRate ? 100.0 : 1.0) * (pair.shift < 0.0 ? -1.0 : 1.0);
+  Interval interval{scale * pair.shiftInterval.low, scale * pair.shiftInterval.high};
+  if (scale < 0.0) {
+    std::swap(interval.low, interval.high);
+  }
+  const double size = scale * pair.shift;
+  const int decimals = metric.isRate ? 0 : decimalsFor(size, interval);
+  const std::string unit = metric.isRate                               ? " percentage points"
+                           : metric.unit.empty() || metric.unit == "-" ? ""
+                                                                       : " " + metric.unit;
+  std::string text = " by " + numberText(size, decimals) + unit;
+  if (interval.isDefined()) {
+    text += " (" + levelText(study.level) + " CI " + numberText(interval.low, decimals) + " to " +
+            numberText(interval.high, decimals) + ")";
+  }
+  return text;
+}
+
+/// The results of one metric for the verdict.
+struct Outcome {
+  const MetricComparison* comparison = nullptr;
+  std::size_t better = 0;                // option; only if `worse` is not empty
+  std::vector<const PairResult*> worse;  // significant pairs of it, the smallest difference first
+  bool isUnclear = false;                // the best mean is significantly worse in pairs
+};
+
+bool isSuccess(const Metric& metric) {
+  return metric.isRate && metric.sense > 0;
+}
+
+/// The option that is better in a significant pair; nothing: no difference could be shown.
+std::optional<std::size_t> betterOf(const Metric& metric, const PairResult& pair) {
+  if (!(pair.adjusted < kSignificance)) {
+    return std::nullopt;
+  }
+  const double towards =
+      pair.shift != 0.0 ? pair.shift : static_cast<double>(pair.higher - pair.lower);
+  return towards * metric.sense > 0.0 ? pair.first : pair.second;
+}
+
+/// Whether the tests of a pair count: options that never succeed are only compared by success.
+bool isRanked(const Metric& metric, const MetricComparison& comparison, const PairResult& pair) {
+  return isSuccess(metric) || (comparison.succeeds[pair.first] && comparison.succeeds[pair.second]);
+}
+
+/// The significant pairs of an option.
+void addPairs(const Metric& metric, std::size_t option, Outcome& outcome) {
+  for (const PairResult& pair : outcome.comparison->pairs) {
+    const bool isOfOption = pair.first == option || pair.second == option;
+    const auto better = isOfOption && isRanked(metric, *outcome.comparison, pair)
+                            ? betterOf(metric, pair)
+                            : std::nullopt;
+    if (better == option) {
+      outcome.better = option;
+      outcome.worse.push_back(&pair);
+    } else if (better) {
+      outcome.isUnclear = true;
+    }
+  }
+}
+
+/// Of two options, the better one; of several, the one with the best mean.
+Outcome outcomeOf(const Study& study, const MetricComparison& comparison) {
+  const Metric& metric = study.metrics[comparison.metric];
+  Outcome outcome;
+  outcome.comparison = &comparison;
+  if (study.options.size() == 2) {
+    addPairs(metric, 0, outcome);
+    addPairs(metric, 1, outcome);
+    outcome.isUnclear = false;
+  } else if (comparison.best) {
+    addPairs(metric, *comparison.best, outcome);
+  }
+  std::stable_sort(outcome.worse.begin(), outcome.worse.end(),
+                   [](const PairResult* a, const PairResult* b) {
+                     return std::abs(a->shift) < std::abs(b->shift);
+                   });
+  return outcome;
+}
+
+/// "Path length by 1.24 m (95 % CI 0.91 to 1.53)"; with several options also the one it is compared
+/// with.
+std::string winMarkup(const Study& study, const Outcome& outcome) {
+  const Metric& metric = study.metrics[outcome.comparison->metric];
+  const PairResult& nearest = *outcome.worse.front();
+  std::string text = escaped(metric.name);
+  if (study.options.size() > 2) {
+    const std::size_t other = nearest.first == outcome.better ? nearest.second : nearest.first;
+    text += ", better than " + escaped(study.options[other]);
+  }
+  text += escaped(amountText(study, metric, nearest));
+  const std::size_t others = outcome.worse.size() - 1;
+  text += others > 0 ? " and than " + counted(others, "other") : "";
+  const std::vector<std::string> close =
+      namesOf(study, *outcome.comparison, RelativeToBest::NotDifferent);
+  return study.options.size() > 2 && !close.empty()
+             ? text + ", not significantly different from " + namesText(close)
+             : text;
+}
+
+/// "10 seeds", "10 seeds in each of 3 cases".
+std::string sizeText(const Study& study) {
+  std::set<long long> seeds;
+  for (const Results::Run& run : study.results.runs) {
+    seeds.insert(run.seed);
+  }
+  return counted(seeds.size(), "seed") +
+         (study.cases.size() > 1 ? " in each of " + std::to_string(study.cases.size()) + " cases"
+                                 : "");
+}
+
+/// The sentences about the metrics in which an option is better, one per option.
+std::string winsMarkup(const Study& study, const std::vector<Outcome>& outcomes) {
+  std::string text;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    std::vector<std::string> wins;
+    for (const Outcome& outcome : outcomes) {
+      if (!outcome.worse.empty() && !outcome.isUnclear && outcome.better == option) {
+        wins.push_back(winMarkup(study, outcome));
+      }
+    }
+    if (!wins.empty()) {
+      const bool isPair = study.options.size() == 2;
+      text += bold(study.options[option]) +
+              (isPair ? " is better than " + bold(study.options[1 - option]) + " in "
+                      : " is best in ") +
+              base::join(wins, "; ") + ". ";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string verdictMarkup(const Study& study, const Comparisons& comparisons) {
+  std::vector<Outcome> outcomes;
+  std::vector<std::string> open;
+  std::vector<std::string> never;
+  for (const MetricComparison& comparison : comparisons) {
+    const Metric& metric = study.metrics[comparison.metric];
+    const auto ranked = std::count(comparison.succeeds.begin(), comparison.succeeds.end(), true);
+    const bool isComparable = isSuccess(metric) || ranked > 1;
+    if (metric.sense != 0 && !comparison.pairs.empty() && isComparable) {
+      outcomes.push_back(outcomeOf(study, comparison));
+      if (outcomes.back().worse.empty() && !outcomes.back().isUnclear) {
+        open.push_back(escaped(metric.name));
+      }
+    }
+  }
+  if (outcomes.empty()) {
+    return {};
+  }
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    if (!comparisons.front().succeeds[option]) {
+      never.push_back(bold(study.options[option]));
+    }
+  }
+  std::string text = winsMarkup(study, outcomes);
+  if (!open.empty()) {
+    const bool isNone = open.size() == outcomes.size() && open.size() > 1;
+    text += "With " + sizeText(study) + ", no difference could be shown in " +
+            (isNone ? "any metric" : listed(open)) + ". ";
+  }
+  if (!never.empty()) {
+    text += listed(never) + (never.size() == 1 ? " never succeeds" : " never succeed") +
+            ", so only success is compared with " + (never.size() == 1 ? "it" : "them") + ". ";
+  }
+  text += "Paired tests" + (open.empty() ? " over " + sizeText(study) : std::string()) +
+          ", p &lt; 0.05 after Holm&#39;s adjustment over " +
+          counted(testCounts(comparisons).pairs, "test") + ".";
+  return element("p", " class=\"verdict\"", text) + "\n";
+}
+
+std::string findingMarkup(const Study& study, const MetricComparison& comparison) {
+  if (!comparison.best) {
+    return {};
+  }
+  const Metric& metric = study.metrics[comparison.metric];
+  const double best = comparison.estimates[*comparison.best].mean;
+  std::vector<std::string> leaders;  // the best and those equal to it
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    if (comparison.isBestOrTied(option)) {
+      leaders.push_back(study.options[option]);
+    }
+  }
+  const std::vector<std::string> beaten = namesOf(study, comparison, RelativeToBest::Worse);
+  const std::vector<std::string> close = namesOf(study, comparison, RelativeToBest::NotDifferent);
+  const std::vector<std::string> ahead = namesOf(study, comparison, RelativeToBest::Better);
+  const std::vector<std::string> pieces = namesOf(study, comparison, RelativeToBest::NeverSucceeds);
+  const int decimals = decimalsFor(best, comparison.estimates[*comparison.best].interval);
+  const std::string unit = metric.unit.empty() || metric.unit == "-" ? "" : " " + metric.unit;
+  std::string words = element("b", "", escaped(metric.name)) +
+                      (leaders.size() == 1 ? ": best is " : ": best are ") +
+                      escaped(base::join(leaders, ", ")) + " (" +
+                      escaped(estimateText(metric, best, decimals) + unit) + ")";
+  const bool beatsAll = close.empty() && ahead.empty() && pieces.empty() && beaten.size() > 1;
+  const char* between = ", ";
+  const auto add = [&](const std::vector<std::string>& names, const std::string& more) {
+    words += names.empty() ? "" : between + more;
+    between = names.empty() ? between : "; ";
+  };
+  add(beaten, "better than " + (beatsAll ? "all others" : namesText(beaten)));
+  add(close, "not significantly different from " + namesText(close));
+  add(ahead, "but " + namesText(ahead) + (ahead.size() == 1 ? " is" : " are") +
+                 " better on the same cases and seeds");
+  add(pieces, namesText(pieces) +
+                  (pieces.size() == 1 ? " never succeeds and is" : " never succeed and are") +
+                  " excluded");
+  return words + ".";
+}
+
+}  // namespace report
