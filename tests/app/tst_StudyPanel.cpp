@@ -32,7 +32,7 @@ QString estimateOf(const char* key, const std::vector<StudyRow>& rows) {
   }
   for (const app::StudyMetric& metric : app::studyMetrics()) {
     if (metric.key == text(key)) {
-      return app::estimateText(metric, all);
+      return app::estimateText(metric, app::estimateOf(metric, all));
     }
   }
   return text("no such metric");

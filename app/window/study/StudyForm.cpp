@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-constexpr int kMostScenarioRows = 6;  // visible rows
+constexpr int kScenarioRows = 3;  // visible rows
 constexpr int kPlannerWidth = 118;
 constexpr int kValueLines = 2;
 
@@ -138,17 +138,23 @@ QWidget* StudyForm::makeScenarios() {
   editor::styleList(*scenarios_, tr("Scenarios"));
   scenarios_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   scenarios_->setToolTip(tr("Press Delete to remove the selection"));
-  rows->addWidget(scenarios_);
-  emptyLabel_->setFixedHeight(editor::kListRowHeight);
-  rows->addWidget(emptyLabel_);
+  scenarios_->setTextElideMode(Qt::ElideMiddle);
+  // The room for several rows is reserved: nothing below moves when a scenario is added.
+  scenarioRoom_->setFixedHeight(kScenarioRows * editor::kListRowHeight);
+  emptyLabel_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  emptyLabel_->setContentsMargins(0, 4, 0, 0);
+  scenarioRoom_->addWidget(emptyLabel_);
+  scenarioRoom_->addWidget(scenarios_);
+  rows->addWidget(scenarioRoom_);
   auto* remove =
       new QShortcut(QKeySequence::Delete, scenarios_, nullptr, nullptr, Qt::WidgetShortcut);
   connect(remove, &QShortcut::activated, this, [this] {
     qDeleteAll(scenarios_->selectedItems());
-    fitScenarios();
+    showScenarios();
+    isPreset_ = false;
     Q_EMIT changed();
   });
-  fitScenarios();
+  showScenarios();
   const auto follow = [this] {
     addThis_->setEnabled(!context_.document.path().isEmpty());
     addThis_->setToolTip(addThis_->isEnabled() ? tr("Add the open scenario")
@@ -193,23 +199,41 @@ void StudyForm::addItem(const QString& path) {
   auto* item = new QListWidgetItem(QFileInfo(path).completeBaseName(), scenarios_);
   item->setData(Qt::UserRole, path);
   item->setToolTip(path);
-  fitScenarios();
+  showScenarios();
 }
 
-void StudyForm::fitScenarios() {
-  const int rows = std::clamp(scenarios_->count(), 1, kMostScenarioRows);
-  scenarios_->setFixedHeight(rows * editor::kListRowHeight);
-  emptyLabel_->setVisible(scenarios_->count() == 0);
-  scenarios_->setVisible(scenarios_->count() > 0);
+void StudyForm::showScenarios() {
+  scenarioRoom_->setCurrentWidget(scenarios_->count() > 0 ? static_cast<QWidget*>(scenarios_)
+                                                          : emptyLabel_);
 }
 
 void StudyForm::addScenario(const QString& path) {
   if (!path.isEmpty() && !scenarios().contains(path)) {
     addItem(path);
-    if (!isLoading_) {
-      Q_EMIT changed();
-    }
+    isPreset_ = false;
+    Q_EMIT changed();
   }
+}
+
+void StudyForm::presetOpenScenario() {
+  const QString path = context_.document.path();
+  if (!isPreset_ || path.isEmpty() || scenarios() == QStringList(path)) {
+    return;
+  }
+  scenarios_->clear();
+  addItem(path);
+  const QStringList chosen = chosenPlanners();
+  const auto& robots = context_.document.scenario().robots;
+  if (chosen.isEmpty() || chosen == presetPlanners_) {
+    presetPlanners_ = robots.empty()
+                          ? QStringList()
+                          : QStringList(QString::fromStdString(
+                                robots.front().planner.value_or(sim2d::ResolvedRobot().planner)));
+    isLoading_ = true;
+    showPlanners(presetPlanners_);
+    isLoading_ = false;
+  }
+  Q_EMIT changed();
 }
 
 QStringList StudyForm::scenarios() const {
@@ -319,8 +343,9 @@ QString StudyForm::yamlFor(const QString& folder) const {
 
 void StudyForm::show(const Experiment& experiment) {
   isLoading_ = true;
+  isPreset_ = false;
   scenarios_->clear();
-  fitScenarios();
+  showScenarios();
   for (const std::string& path : experiment.scenarioPaths) {
     addItem(QFileInfo(QString::fromStdString(path)).absoluteFilePath());
   }

@@ -1,6 +1,6 @@
 #include "app/window/study/StudyPanel.h"
 
-#include "app/window/study/StudyRows.h"
+#include "app/window/study/StudyResults.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace app {
@@ -14,6 +14,35 @@ constexpr int kLeastName = 150;
 constexpr QSize kBarSize(100, 8);
 constexpr int kCheckMs = 300;
 constexpr int kProgressSteps = 1000;
+constexpr int kMessageLines = 2;
+
+/// Keeps the place of the widget while it is hidden, so that nothing moves when it appears.
+void reserveSpace(QWidget& widget) {
+  QSizePolicy policy = widget.sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  widget.setSizePolicy(policy);
+}
+
+/// Makes the button as wide as the widest of its texts.
+void reserveWidth(QPushButton& button, const QStringList& texts) {
+  int width = 0;
+  for (const QString& text : texts) {
+    button.setText(text);
+    width = std::max(width, button.sizeHint().width());
+  }
+  button.setMinimumWidth(width);
+}
+
+/// A file for a new study in the folder that neither exists nor has results.
+QString unusedFile(const QDir& folder, const QString& name) {
+  for (int number = 1;; ++number) {
+    const QString base = number == 1 ? name : QStringLiteral("%1_%2").arg(name).arg(number);
+    if (!folder.exists(base + QStringLiteral(".yaml")) &&
+        !folder.exists(base + QStringLiteral("_results"))) {
+      return folder.filePath(base + QStringLiteral(".yaml"));
+    }
+  }
+}
 
 }  // namespace
 
@@ -48,6 +77,8 @@ void StudyPanel::connectSignals() {
   });
   connect(&context_.document, &editor::ScenarioDocument::dirtyChanged, this,
           &StudyPanel::checkSoon);
+  connect(&context_.document, &editor::ScenarioDocument::pathChanged, this,
+          &StudyPanel::presetForm);
   connect(&context_, &editor::PanelContext::themeChanged, this, &StudyPanel::updateMessageColor);
   connect(results_, &StudyResults::playRequested, this, &StudyPanel::play);
   connect(&process_, &StudyProcess::began, this, [this](const StudyHeader& begin) {
@@ -66,6 +97,18 @@ void StudyPanel::connectSignals() {
   connect(&process_, &StudyProcess::ended, this, &StudyPanel::finish);
 }
 
+/// A new study is about the open scenario.
+void StudyPanel::presetForm() {
+  if (isVisible() && file_.isEmpty()) {
+    form_->presetOpenScenario();
+  }
+}
+
+void StudyPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  presetForm();
+}
+
 StudyPanel::~StudyPanel() {
   helperProcess_.disconnect(this);
 }
@@ -81,6 +124,7 @@ QWidget* StudyPanel::makeHead() {
                                tr("Save the experiment as a file; its results are stored beside "
                                   "it"),
                                head, [this] { askFile(true); });
+  reserveWidth(*start_, {tr("Start"), tr("Stop"), tr("Resume")});
   for (QWidget* button : std::initializer_list<QWidget*>{open_, saveAs_, start_, report_}) {
     row->addWidget(button);
   }
@@ -93,6 +137,9 @@ QWidget* StudyPanel::makeHead() {
 QWidget* StudyPanel::makeState() {
   auto* state = new QWidget(this);
   messageLabel_->setWordWrap(true);
+  messageLabel_->setFixedHeight(kMessageLines * messageLabel_->fontMetrics().lineSpacing() + 2);
+  reserveSpace(*restartButton_);
+  reserveSpace(*progress_);
   progress_->setRange(0, kProgressSteps);
   progress_->setTextVisible(false);
   progress_->setFixedSize(kBarSize);
@@ -116,6 +163,7 @@ void StudyPanel::updateControls() {
   progress_->setVisible(isRunning());
   form_->setEditable(!isRunning());
   name_->setFullText(file_.isEmpty() ? tr("New study") : QFileInfo(file_).fileName());
+  name_->setToolTip(file_);
 }
 
 void StudyPanel::showMessage(const QString& text, bool isProblem) {
@@ -170,6 +218,19 @@ void StudyPanel::askFile(bool toSave) {
   } else {
     openFile(path);
   }
+}
+
+/// Chooses a new file beside the scenario; asks the user if that folder cannot be written.
+void StudyPanel::chooseFile() {
+  const QFileInfo folder(context_.folder());
+  if (!folder.isDir() || !folder.isWritable()) {
+    askFile(true);
+    return;
+  }
+  const QString scenario = QFileInfo(form_->scenarios().value(0)).completeBaseName();
+  setFile(unusedFile(QDir(folder.absoluteFilePath()), scenario.isEmpty()
+                                                          ? QStringLiteral("study")
+                                                          : scenario + QStringLiteral("_study")));
 }
 
 bool StudyPanel::openFile(const QString& path) {

@@ -3,7 +3,7 @@
 #include "app/run/Experiment.h"
 #include "app/run/PlannerFiles.h"
 #include "app/window/study/StudyProcess.h"
-#include "app/window/study/StudyRows.h"
+#include "app/window/study/StudyResults.h"
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/panels/PanelRegistry.h"
@@ -20,7 +20,10 @@ class StudyForm : public QWidget {
   QString yamlFor(const QString& folder) const;
   void show(const Experiment& experiment);
   void addScenario(const QString& path);  // ignored if present
-  QStringList scenarios() const;          // absolute paths, or names of shipped scenarios
+  /// Selects the open scenario and the planner of its robot, until the user or a file has selected
+  /// other scenarios.
+  void presetOpenScenario();
+  QStringList scenarios() const;  // absolute paths, or names of shipped scenarios
   void setEditable(bool editable);
 
  Q_SIGNALS:
@@ -36,7 +39,7 @@ class StudyForm : public QWidget {
   QLayout* makeNumbers();
   void styleValues();
   void addItem(const QString& path);
-  void fitScenarios();
+  void showScenarios();
   void askScenarios();
   QString plannerPath() const;
   void addPlanner(const QString& name, const QString& help);
@@ -45,6 +48,7 @@ class StudyForm : public QWidget {
 
   editor::PanelContext& context_;
   QListWidget* scenarios_ = new QListWidget(this);
+  QStackedWidget* scenarioRoom_ = new QStackedWidget(this);
   QLabel* emptyLabel_ = new QLabel(tr("No scenarios: add or drop files here"), this);
   QListWidget* planners_;
   QLineEdit* seeds_ = new QLineEdit(QStringLiteral("30"), this);
@@ -55,6 +59,8 @@ class StudyForm : public QWidget {
   QString plannerPath_;       // planner path in the opened file
   QStringList plannerOrder_;  // planners in file order
   QStringList others_;        // lines of the file without a field
+  QStringList presetPlanners_;
+  bool isPreset_ = true;  // the scenarios are those of presetOpenScenario()
   bool isLoading_ = false;
 };
 
@@ -87,6 +93,9 @@ class StudyPanel : public QWidget {
   QString message() const { return messageLabel_->text(); }
   const StudyResults& results() const { return *results_; }
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  Q_SIGNALS:
   void openRunRequested(const QString& folder);  // requests playback
   /// Asks the user to allow external code; call allowCode() on consent. Empty: the question is
@@ -95,9 +104,11 @@ class StudyPanel : public QWidget {
 
  private:
   void connectSignals();
+  void presetForm();
   QWidget* makeHead();
   QWidget* makeState();
   void askFile(bool toSave);
+  void chooseFile();
   void checkSoon() { check_.start(); }
   void check();
   QStringList messagesFor(const base::Result<Experiment>& checked) const;

@@ -81,10 +81,11 @@ void StudyPanel::start(StudyProcess::Begin begin) {
   if (isRunning()) {
     return;
   }
-  if (file_.isEmpty()) {
-    askFile(true);
+  base::Result<Experiment> checked = experiment();
+  if (file_.isEmpty() && checked) {
+    chooseFile();
+    checked = experiment();
   }
-  const base::Result<Experiment> checked = experiment();
   if (file_.isEmpty() || !checked) {
     check();
     return;

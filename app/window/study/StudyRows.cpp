@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/report/Markup.h"
 #include "editor/look/Form.h"
-#include "editor/panels/RowDelegate.h"
 #include "metrics/MetricRegistry.h"
 #include "metrics/statistics/Summary.h"
 #include "sim2d/base/Find.h"
@@ -19,12 +19,12 @@ enum FirstColumn { RunColumn, ScenarioColumn, SeedColumn, FirstColumns };
 constexpr int kEndColumns = 1;               // end reason
 constexpr std::size_t kMostResampled = 300;  // values; the table is updated twice a second
 
-QString numberText(double value) {
-  const double size = std::abs(value);
-  return QString::number(value, 'f', size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2);
+QString numberText(double value, int decimals) {
+  return QString::fromStdString(report::numberText(value, decimals));
 }
 
-QString rateText(const std::vector<const StudyRow*>& rows, const QString& key) {
+report::Estimate rateOf(const std::vector<const StudyRow*>& rows, const QString& key) {
+  report::Estimate rate;
   int successes = 0;
   int count = 0;
   for (const StudyRow* row : rows) {
@@ -33,14 +33,11 @@ QString rateText(const std::vector<const StudyRow*>& rows, const QString& key) {
     count += isDefined || !row->isOk ? 1 : 0;
     successes += row->isOk && isDefined && found->second != 0.0 ? 1 : 0;
   }
-  if (count == 0) {
-    return {};
+  if (count > 0) {
+    rate.mean = static_cast<double>(successes) / count;
+    rate.interval = statistics::wilsonInterval(successes, count);
   }
-  const statistics::Interval interval = statistics::wilsonInterval(successes, count);
-  return QStringLiteral("%1 % [%2, %3]")
-      .arg(std::lround(100.0 * successes / count))
-      .arg(std::lround(100.0 * interval.low))
-      .arg(std::lround(100.0 * interval.high));
+  return rate;
 }
 
 }  // namespace
@@ -120,38 +117,75 @@ QString StudyMetric::heading() const {
   return unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
 }
 
-QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow*>& rows) {
+report::Estimate estimateOf(const StudyMetric& metric, const std::vector<const StudyRow*>& rows) {
   if (metric.isRate) {
-    return rateText(rows, metric.key);
+    return rateOf(rows, metric.key);
   }
-  statistics::Numbers values;
+  report::Estimate estimate;
   for (const StudyRow* row : rows) {
     const auto found = row->metrics.find(metric.key);
     if (row->isOk && found != row->metrics.end()) {
-      values.push_back(found->second);
+      estimate.values.push_back(found->second);
     }
   }
-  if (values.empty()) {
+  estimate.mean = statistics::mean(estimate.values);
+  estimate.interval = estimate.values.size() <= kMostResampled
+                          ? statistics::bootstrapMeanInterval(estimate.values)
+                          : statistics::meanInterval(estimate.values);
+  return estimate;
+}
+
+QString estimateText(const StudyMetric& metric, const report::Estimate& estimate) {
+  if (std::isnan(estimate.mean)) {
     return {};
   }
-  const QString mean = numberText(statistics::mean(values));
-  const statistics::Interval interval = values.size() <= kMostResampled
-                                            ? statistics::bootstrapMeanInterval(values)
-                                            : statistics::meanInterval(values);
-  return !interval.isDefined()
+  const double scale = metric.isRate ? 100.0 : 1.0;
+  const int decimals = metric.isRate ? 0 : report::decimalsFor(estimate.mean, estimate.interval);
+  const QString mean =
+      numberText(scale * estimate.mean, decimals) + QLatin1String(metric.isRate ? " %" : "");
+  return !estimate.interval.isDefined()
              ? mean
              : QStringLiteral("%1 [%2, %3]")
-                   .arg(mean, numberText(interval.low), numberText(interval.high));
+                   .arg(mean, numberText(scale * estimate.interval.low, decimals),
+                        numberText(scale * estimate.interval.high, decimals));
 }
 
 void StudyRunsModel::begin(const QStringList& paths) {
   beginResetModel();
   paths_ = paths;
   rows_.clear();
+  commonFolder_.reset();
   endResetModel();
 }
 
+/// Keeps the folder that the scenarios of all rows share.
+void StudyRunsModel::takeFolderOf(const QString& scenario) {
+  QString folder = scenario.left(scenario.lastIndexOf(QLatin1Char('/')) + 1);
+  const QString known = commonFolder_.value_or(folder);
+  while (!known.startsWith(folder)) {
+    folder.chop(1);
+    folder = folder.left(folder.lastIndexOf(QLatin1Char('/')) + 1);
+  }
+  if (commonFolder_ && folder != *commonFolder_ && !rows_.empty()) {
+    Q_EMIT dataChanged(index(0, ScenarioColumn),
+                       index(static_cast<int>(rows_.size()) - 1, ScenarioColumn));
+  }
+  commonFolder_ = folder;
+}
+
+QString StudyRunsModel::scenarioName(const QString& scenario) const {
+  QString name = scenario.mid(commonFolder_ ? commonFolder_->size() : 0);
+  for (const char* ending : {".yaml", ".yml"}) {
+    if (name.endsWith(QLatin1String(ending))) {
+      name.chop(static_cast<int>(qstrlen(ending)));
+      break;
+    }
+  }
+  return name;
+}
+
 void StudyRunsModel::add(StudyRow row) {
+  takeFolderOf(row.scenario);
   const auto at = std::lower_bound(rows_.begin(), rows_.end(), row.run,
                                    [](const StudyRow& each, int run) { return each.run < run; });
   const int place = static_cast<int>(at - rows_.begin());
@@ -178,6 +212,10 @@ std::vector<std::pair<QString, std::vector<const StudyRow*>>> StudyRunsModel::by
       options.push_back({option, {&row}});
     }
   }
+  for (auto& [option, rows] : options) {
+    const bool isScenario = rows.front()->values.count(path) == 0;
+    option = isScenario ? scenarioName(option) : option;
+  }
   return options;
 }
 
@@ -196,7 +234,7 @@ QVariant StudyRunsModel::shown(const StudyRow& row, int column) const {
     case RunColumn:
       return row.run;
     case ScenarioColumn:
-      return row.scenario;
+      return scenarioName(row.scenario);
     case SeedColumn:
       return row.seed;
     default:
@@ -234,11 +272,14 @@ QVariant StudyRunsModel::data(const QModelIndex& index, int role) const {
       const double number = value.toDouble();
       return studyMetrics()[static_cast<std::size_t>(metric)].isRate
                  ? (number != 0.0 ? tr("yes") : tr("no"))
-                 : numberText(number);
+                 : numberText(number, report::decimalsFor(number));
     }
     case Qt::TextAlignmentRole:
       return int((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::ToolTipRole:
+      if (index.column() == ScenarioColumn) {
+        return row.scenario;
+      }
       return value.type() == QVariant::String ? value : QVariant();
     default:
       return {};
@@ -296,147 +337,6 @@ QString sizeText(const Experiment& experiment) {
 QString withoutSeverity(const QString& line) {
   const QString head = QStringLiteral("error: ");
   return editor::capitalized(line.startsWith(head) ? line.mid(head.size()) : line);
-}
-
-namespace {
-
-constexpr int kCompareMs = 500;
-constexpr int kHeadHeight = 40;
-constexpr int kLeastColumn = 48;
-constexpr int kMostColumn = 240;
-constexpr int kColumnMargin = 32;  // beside a title, including the sort arrow
-enum Page { NothingPage, ComparisonPage, RunsPage };
-
-/// Metric titles wrap to two lines.
-void styleHead(QHeaderView& head) {
-  head.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter | Qt::Alignment(Qt::TextWordWrap));
-  head.setFixedHeight(kHeadHeight);
-  head.setMinimumSectionSize(kLeastColumn);
-}
-
-/// Fits the columns to their cells, half of their title and its longest word.
-void fitColumns(QTableView& table) {
-  const QFontMetrics metrics(table.horizontalHeader()->font());
-  for (int column = 0; column < table.model()->columnCount(); ++column) {
-    const QString title = table.model()->headerData(column, Qt::Horizontal).toString();
-    int lines = metrics.horizontalAdvance(title) / 2;
-    for (const QString& word : title.split(QLatin1Char(' '))) {
-      lines = std::max(lines, metrics.horizontalAdvance(word));
-    }
-    lines += kColumnMargin;
-    const int cells = static_cast<const QAbstractItemView&>(table).sizeHintForColumn(column);
-    table.setColumnWidth(
-        column, std::clamp(std::max(lines, cells + kColumnMargin / 2), kLeastColumn, kMostColumn));
-  }
-}
-
-QTableWidgetItem* cellOf(const QString& text, bool isName) {
-  auto* item = new QTableWidgetItem(text);
-  item->setTextAlignment(int((isName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));
-  return item;
-}
-
-}  // namespace
-
-StudyResults::StudyResults(QWidget* parent) : QWidget(parent) {
-  tabs_->addTab(tr("Comparison"));
-  tabs_->addTab(tr("Runs"));
-  tabs_->setDrawBase(false);
-  tabs_->setExpanding(false);
-  strip_->setAutoFillBackground(true);
-  strip_->setBackgroundRole(QPalette::Window);
-  editor::configuredLayout(new QHBoxLayout(strip_), {}, 0, {tabs_})->addStretch();
-  pages_->addWidget(
-      editor::emptyState(tr("Choose scenarios and planners on the left, then press Start.\nFor "
-                            "each seed, all planners run with the same people."),
-                         this));
-  makeComparison();
-  makeRuns();
-  editor::configuredLayout(new QVBoxLayout(this), {}, 0, {strip_})->addWidget(pages_, 1);
-  compareSoon_.setSingleShot(true);
-  compareSoon_.setInterval(kCompareMs);
-  connect(&compareSoon_, &QTimer::timeout, this, &StudyResults::compare);
-  connect(tabs_, &QTabBar::currentChanged, this, &StudyResults::showPage);
-  showPage();
-}
-
-void StudyResults::makeComparison() {
-  editor::styleTable(*comparison_, tr("Comparison"));
-  styleHead(*comparison_->horizontalHeader());
-  comparison_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-  comparison_->setSelectionMode(QAbstractItemView::NoSelection);
-  comparison_->setToolTip(tr("Means with 95 % confidence intervals"));
-  pages_->addWidget(comparison_);
-}
-
-void StudyResults::makeRuns() {
-  sorted_.setSourceModel(&runs_);
-  sorted_.setSortRole(Qt::UserRole);
-  runTable_->setModel(&sorted_);
-  editor::styleTable(*runTable_, tr("Runs"));
-  styleHead(*runTable_->horizontalHeader());
-  runTable_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-  runTable_->setSortingEnabled(true);
-  runTable_->sortByColumn(0, Qt::AscendingOrder);
-  runTable_->setToolTip(tr("Double-click a run to play it"));
-  pages_->addWidget(runTable_);
-  connect(runTable_, &QTableView::activated, this, [this](const QModelIndex& at) {
-    const auto row = static_cast<std::size_t>(sorted_.mapToSource(at).row());
-    if (row < runs_.rows().size()) {  // false for an invalid index
-      Q_EMIT playRequested(runs_.rows()[row].run);
-    }
-  });
-}
-
-void StudyResults::showPage() {
-  const bool hasRows = !runs_.rows().empty();
-  const Page chosen = tabs_->currentIndex() == 0 ? ComparisonPage : RunsPage;
-  pages_->setCurrentIndex(hasRows ? chosen : NothingPage);
-  strip_->setVisible(hasRows);
-}
-
-void StudyResults::begin(const QStringList& paths, const QString& compared) {
-  compared_ = compared;
-  runs_.begin(paths);
-  showPage();
-}
-
-void StudyResults::add(const std::vector<StudyRow>& rows) {
-  const bool wasEmpty = runs_.rows().empty();
-  for (const StudyRow& row : rows) {
-    runs_.add(row);
-  }
-  if (wasEmpty) {
-    compare();
-    fitColumns(*runTable_);
-    showPage();
-  } else if (!compareSoon_.isActive()) {
-    compareSoon_.start();
-  }
-}
-
-void StudyResults::compare() {
-  const auto options = runs_.byOption(compared_);
-  QStringList titles = {compared_.isEmpty() ? tr("Scenario") : pathTitle(compared_), tr("Runs")};
-  for (const StudyMetric& metric : studyMetrics()) {
-    titles.append(metric.heading());
-  }
-  comparison_->setColumnCount(titles.size());
-  comparison_->setHorizontalHeaderLabels(titles);
-  comparison_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  comparison_->setRowCount(static_cast<int>(options.size()));
-  int row = 0;
-  for (const auto& [option, runs] : options) {
-    int column = 0;
-    comparison_->setItem(row, column++, cellOf(option, true));
-    comparison_->setItem(row, column++, cellOf(QString::number(runs.size()), false));
-    for (const StudyMetric& metric : studyMetrics()) {
-      const QString text = estimateText(metric, runs);
-      comparison_->setItem(row, column++, cellOf(text.isEmpty() ? tr("–") : text, false));
-    }
-    ++row;
-  }
-  fitColumns(*comparison_);
 }
 
 }  // namespace app

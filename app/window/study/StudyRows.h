@@ -6,6 +6,7 @@
 
 #include <QtWidgets>
 
+#include "app/report/Comparison.h"
 #include "app/run/Experiment.h"
 
 namespace app {
@@ -45,10 +46,12 @@ struct StudyMetric {
 };
 const std::vector<StudyMetric>& studyMetrics();
 
-/// The mean of a metric with its 95 % interval: "12.3 [11.8, 12.9]". Up to 300 values: BCa as in
-/// the report; above, Student's t, which is almost equal and fast. For a failed run, success is 0
-/// and other values are undefined. Empty: no values.
-QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow*>& rows);
+/// The mean of a metric with its 95 % interval. Up to 300 values: BCa as in the report; above,
+/// Student's t, which is almost equal and fast; for a rate, Wilson's. For a failed run, success is
+/// 0 and other values are undefined. NaN: no values.
+report::Estimate estimateOf(const StudyMetric& metric, const std::vector<const StudyRow*>& rows);
+/// "12.3 [11.8, 12.9]" or "50 % [15, 85]"; empty: no values.
+QString estimateText(const StudyMetric& metric, const report::Estimate& estimate);
 
 /// A table model of the finished runs of a study, ordered by number. GUI thread.
 class StudyRunsModel : public QAbstractTableModel {
@@ -59,6 +62,8 @@ class StudyRunsModel : public QAbstractTableModel {
   void begin(const QStringList& paths);  // clears the model
   void add(StudyRow row);                // replaces the row with the same number
   const std::vector<StudyRow>& rows() const { return rows_; }
+  /// The scenario of a row without the folder that all rows share and without its suffix.
+  QString scenarioName(const QString& scenario) const;
   /// Rows grouped by the value of a path; empty: by scenario. Groups are in order of first
   /// appearance.
   std::vector<std::pair<QString, std::vector<const StudyRow*>>> byOption(const QString& path) const;
@@ -70,8 +75,10 @@ class StudyRunsModel : public QAbstractTableModel {
 
  private:
   QVariant shown(const StudyRow& row, int column) const;
+  void takeFolderOf(const QString& scenario);
 
   QStringList paths_;
+  std::optional<QString> commonFolder_;  // with a slash at its end; null: no rows
   std::vector<StudyRow> rows_;
 };
 
@@ -81,39 +88,5 @@ QString studyTimeText(double seconds);
 QString sizeText(const Experiment& experiment);
 /// "error: this went wrong" -> "This went wrong".
 QString withoutSeverity(const QString& line);
-
-/// The results of a running study: a comparison of options with intervals, and all runs. GUI
-/// thread.
-class StudyResults : public QWidget {
-  Q_OBJECT
- public:
-  explicit StudyResults(QWidget* parent);
-
-  /// Clears both tables. `paths`: value paths, one column each in the runs table; `compared`: the
-  /// path that is compared, empty: scenarios.
-  void begin(const QStringList& paths, const QString& compared);
-  void add(const std::vector<StudyRow>& rows);
-  void compare();  // updates the comparison immediately instead of delayed
-  const StudyRunsModel& runs() const { return runs_; }
-  QTableWidget& comparison() const { return *comparison_; }
-
- Q_SIGNALS:
-  void playRequested(int run);
-
- private:
-  void makeComparison();
-  void makeRuns();
-  void showPage();
-
-  StudyRunsModel runs_;
-  QSortFilterProxyModel sorted_;
-  QString compared_;
-  QTimer compareSoon_;
-  QTabBar* tabs_ = new QTabBar(this);
-  QWidget* strip_ = new QWidget(this);
-  QStackedWidget* pages_ = new QStackedWidget(this);
-  QTableWidget* comparison_ = new QTableWidget(this);
-  QTableView* runTable_ = new QTableView(this);
-};
 
 }  // namespace app
