@@ -13,6 +13,19 @@ namespace {
 
 constexpr double kMinCurveGap = 0.25;  // [s] between two values so far
 constexpr double kMaxCurvePoints = 120.0;
+constexpr double kTimeTolerance = 1e-9;  // [s]
+
+/// Metrics that are only meaningful at the end of a run.
+constexpr const char* kOutcomeKeys[] = {"success",
+                                        "completed",
+                                        "timeout",
+                                        "time_to_reach_goal",
+                                        "total_time",
+                                        "spl",
+                                        "stl",
+                                        "final_distance_to_target",
+                                        "targ_dist_norm",
+                                        "goal_traversal_ratio"};
 
 std::map<int, base::Vec2> positionsOf(const sim2d::Frame& frame) {
   std::map<int, base::Vec2> places;
@@ -96,12 +109,15 @@ std::map<std::string, MetricTimeSeries> RecordingMeasurer::curves(
 }
 
 RecordingMetrics measureRun(const sim2d::Recording& recording, const MetricsSetup& setup,
-                            const base::StopFlagPtr& stop) {
+                            const base::StopFlagPtr& stop, double until) {
   RecordingMetrics none;
   none.isCut = true;
-  const std::size_t size = recording.size();
+  std::size_t size = recording.size();
   if (size == 0 || recording.first() > 0) {
     return none;
+  }
+  if (until < recording.timeOf(size - 1)) {
+    size = recording.indexAtTime(until + kTimeTolerance) + 1;
   }
   const double gap = std::max(kMinCurveGap, recording.timeOf(size - 1) / kMaxCurvePoints);
   RecordingMeasurer measurer(*recording.header(), setup.selection, setup.parameters,
@@ -139,6 +155,36 @@ std::vector<ComparedMetric> compareRecordingMetrics(const std::vector<RecordingM
     }
   }
   return rows;
+}
+
+std::vector<ComparedMetric> compareRecordingMetrics(
+    const std::vector<RecordingMetrics>& wholeRuns,
+    const std::vector<RecordingMetrics>& upToCommonEnd) {
+  const std::vector<ComparedMetric> whole = compareRecordingMetrics(wholeRuns);
+  std::vector<ComparedMetric> rows = compareRecordingMetrics(upToCommonEnd);
+  for (ComparedMetric& row : rows) {
+    row.isWholeRun = std::find(std::begin(kOutcomeKeys), std::end(kOutcomeKeys), row.info.key) !=
+                     std::end(kOutcomeKeys);
+    const ComparedMetric* const same = base::findIf(
+        whole, [&](const ComparedMetric& each) { return each.info.key == row.info.key; });
+    if (row.isWholeRun && same != nullptr) {
+      row.values = same->values;
+    }
+  }
+  return rows;
+}
+
+std::optional<double> commonEnd(const std::vector<const sim2d::Recording*>& runs) {
+  double shortest = std::numeric_limits<double>::infinity();
+  double longest = 0.0;
+  double step = 0.0;
+  for (const sim2d::Recording* run : runs) {
+    const double end = run->size() == 0 ? 0.0 : run->timeOf(run->size() - 1);
+    shortest = std::min(shortest, end);
+    longest = std::max(longest, end);
+    step = std::max(step, run->header()->dt);
+  }
+  return longest - shortest > step + kTimeTolerance ? std::optional(shortest) : std::nullopt;
 }
 
 std::optional<double> divergenceTime(const sim2d::Recording& first, const sim2d::Recording& second,

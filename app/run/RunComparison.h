@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -57,20 +58,30 @@ struct RecordingMetrics {
   bool isCut = false;  // the oldest states are not in memory: there are no values
 };
 
-/// Measures all recorded states, for the first robot. Throws `base::Stopped`.
+/// Measures the recorded states up to a time [s], for the first robot. Throws `base::Stopped`.
 RecordingMetrics measureRun(const sim2d::Recording& recording, const MetricsSetup& setup,
-                            const base::StopFlagPtr& stop);
+                            const base::StopFlagPtr& stop,
+                            double until = std::numeric_limits<double>::infinity());
+
+/// The end of the shortest run [s]; nullopt: all runs are equally long, to within one step.
+std::optional<double> commonEnd(const std::vector<const sim2d::Recording*>& runs);
 
 /// One metric of several runs.
 struct ComparedMetric {
   metrics::MetricInfo info;
   std::vector<std::optional<double>> values;  // one per run; nullopt: undefined or not measured
+  bool isWholeRun = true;                     // otherwise up to the common end
 
   /// Value of that run minus that of the first; nullopt unless both are finite.
   std::optional<double> difference(std::size_t run) const;
 };
 /// The metrics of the first run in its order, then those that only later runs have.
 std::vector<ComparedMetric> compareRecordingMetrics(const std::vector<RecordingMetrics>& runs);
+/// The same for runs of different length: `upToCommonEnd`, except for metrics of the outcome of a
+/// run (success, time to the goal, final distance …), which are those of the whole runs.
+std::vector<ComparedMetric> compareRecordingMetrics(
+    const std::vector<RecordingMetrics>& wholeRuns,
+    const std::vector<RecordingMetrics>& upToCommonEnd);
 
 /// The first time [s] at which a body is farther than `apart` [m] from its position in the other
 /// run, or is in only one run; nullopt if that does not happen while both are active. Compares

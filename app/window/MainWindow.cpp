@@ -14,6 +14,7 @@
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/behavior/BehaviorPanel.h"
 #include "editor/panels/behavior/GoalAssignment.h"
+#include "editor/panels/runs/SideBySide.h"
 #include "editor/trees/TreeEditor.h"
 
 namespace app {
@@ -97,7 +98,11 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   startPage_ =
       new StartPage(workspace_, *actions_, userSettings_, setup.demos, setup.thumbnailFolder, this);
   centre_->addWidget(startPage_);
-  canvas_->addWidget(&workspace_.view());
+  auto* pane = new QWidget(this);
+  editor::configuredLayout(new QVBoxLayout(pane), {}, 0, {paneTitle_})
+      ->addWidget(&workspace_.view(), 1);
+  paneTitle_->hide();
+  canvas_->addWidget(pane);
   canvas_->setChildrenCollapsible(false);
   canvas_->setFocusProxy(&workspace_.view());
   centre_->addWidget(canvas_);
@@ -239,6 +244,13 @@ void MainWindow::connectView() {
   });
   connect(&docks_->context(), &editor::PanelContext::sideViewRequested, this,
           &MainWindow::showSideBySide);
+  connect(&docks_->context(), &editor::PanelContext::panelRequested, this, &MainWindow::showDock);
+  connect(&docks_->context(), &editor::PanelContext::canvasTitleChanged, this,
+          [this](const QString& title) {
+            editor::stylePaneTitle(*paneTitle_, workspace_.theme());
+            paneTitle_->setText(title);
+            paneTitle_->setVisible(!title.isEmpty());
+          });
   connect(&docks_->context(), &editor::PanelContext::fileRequested, this, &MainWindow::showFile);
   const auto assign = [this] {
     editor::openGoalAssignment(workspace_.document(), workspace_.theme(), this);

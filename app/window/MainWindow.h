@@ -103,6 +103,7 @@ class MainWindow : public QMainWindow {
   NoticeBar* notices_;
   QStackedWidget* centre_ = new QStackedWidget(this);
   QSplitter* canvas_ = new QSplitter(Qt::Horizontal, this);  // the map and views beside it
+  QLabel* paneTitle_ = new QLabel(this);  // of the run on the map, while views are beside it
   StartPage* startPage_ = nullptr;
   Docks* docks_;
   FileCommands* files_;

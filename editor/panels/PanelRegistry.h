@@ -51,7 +51,9 @@ class PanelContext : public QObject {
   /// Requests showing a widget beside the canvas, `columns` times as wide as the canvas; null:
   /// none.
   void sideViewRequested(QWidget* view, int columns);
-  void goalsRequested();  // For the selected people.
+  void panelRequested(const QString& name);       // Requests showing a panel, by its name.
+  void canvasTitleChanged(const QString& title);  // Of the run on the canvas; empty: none.
+  void goalsRequested();                          // For the selected people.
 };
 
 /// The place of a panel in the window.

@@ -6,6 +6,7 @@
 #include "Hands.h"
 #include "RunFiles.h"
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/RunOverlays.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/runs/FuturesPanel.h"
@@ -154,6 +155,93 @@ class RunsAndFuturesTest : public QObject {
     quiet::shoot(*window_, "runs_beside_two");
     tick(0);  // one of them is not wanted any more
     QTRY_COMPARE(runs().sideBySide()->views().size(), std::size_t{1});
+  }
+
+  /// Six seconds here, three recorded: distances up to the third second are compared, and what a
+  /// run came to as a whole.
+  void runs_ofDifferentLength_areComparedUpToTheCommonEnd() {
+    const QTemporaryDir folder;
+    const QString other = folder.filePath(text("short"));
+    QCOMPARE(
+        runProgram("run % -q -o % --duration 3 --planner dwa", {quiet::demoPath(), other}).exitCode,
+        0);
+    runDemo(6.0);
+    window_->docks().show({text("scenario"), text("properties"), text("runs")});
+    runs().addRecorded(other);
+    QTRY_COMPARE(runs().list().topLevelItemCount(), 2);
+    editor::CompareTable& compared = runs().comparison();
+    QTRY_VERIFY_WITH_TIMEOUT(compared.table().rowCount() > 10, 30000);
+    const QTableWidget& table = compared.table();
+    const auto rowOf = [&table](const char* name) {
+      for (int k = 0; k < table.rowCount(); ++k) {
+        if (table.item(k, 0)->text() == text(name)) {
+          return k;
+        }
+      }
+      return -1;
+    };
+    QVERIFY2(compared.lengths().contains(text("A 6.0 s, B 3.0 s · compared up to 3.0 s")),
+             qPrintable(compared.lengths()));
+    const int last = table.columnCount() - 1;
+    const int length = rowOf("Path length");
+    const int duration = rowOf("Duration of the record");
+    QVERIFY(length >= 0 && duration >= 0);
+    QCOMPARE(table.item(length, last)->text(), text("to 3.0 s"));
+    QCOMPARE(table.item(duration, last)->text(), text("whole runs"));
+    QCOMPARE(table.item(duration, 1)->text().toDouble(), 6.0);
+    // The way of A up to the third second, from its states.
+    double way = 0.0;
+    const auto recording = runner().recording();
+    for (std::size_t k = 1; k < recording->size() && recording->timeOf(k) < 3.0 + 1e-6; ++k) {
+      const auto& before = recording->frame(k - 1)->robots;
+      const auto& now = recording->frame(k)->robots;
+      way += std::hypot(now.x[0] - before.x[0], now.y[0] - before.y[0]);
+    }
+    QVERIFY2(std::fabs(table.item(length, 1)->text().toDouble() - way) < 0.006,
+             qPrintable(table.item(length, 1)->text()));
+    quiet::shoot(*window_, "runs_lengths");
+    const QRect before = compared.table().geometry();
+    QTest::mouseClick(&compared.wholeRunsButton(), Qt::LeftButton);
+    QCOMPARE(compared.table().geometry(), before);
+    QCOMPARE(table.item(rowOf("Path length"), last)->text(), text("whole runs"));
+    QVERIFY(table.item(rowOf("Path length"), 1)->text().toDouble() > way + 0.1);
+    QVERIFY(compared.lengths().contains(text("of different length")));
+  }
+
+  /// Each view has a title and the overlays of the canvas, also those that read the run.
+  void views_haveTitlesAndTheSameOverlays() {
+    runDemo(6.0);
+    window_->docks().show({text("runs")});
+    forkAt(2.0, "dwa");
+    runToTheEnd();
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    QVERIFY(runs().sideBySide() != nullptr);
+    const editor::SideView& view = *runs().sideBySide()->views().front();
+    const auto titleOfCanvas = [this] {
+      return widgets::findIf<QLabel>(*window_, [](const QLabel* each) {
+        return each->isVisible() && each->text().startsWith(text("A  "));
+      });
+    };
+    QVERIFY(titleOfCanvas() != nullptr);
+    QVERIFY2(view.title().startsWith(text("B  ")), qPrintable(view.title()));
+    QTRY_COMPARE(titleOfCanvas()->mapTo(window_.get(), QPoint()).y(),
+                 view.mapTo(window_.get(), QPoint()).y());
+    editor::MapScene& canvas = window_->workspace().view().mapScene();
+    editor::CanvasOptions options = canvas.options();
+    options.contacts = options.thoughts = options.proxemics = true;
+    canvas.setOptions(options);
+    QVERIFY(view.scene().options().contacts && view.scene().options().proxemics);
+    for (const int id : {1, 2, 3}) {
+      QTRY_COMPARE(view.scene().overlays().thoughtOf(id).isEmpty(),
+                   canvas.overlays().thoughtOf(id).isEmpty());
+    }
+    QVERIFY(!canvas.overlays().thoughtOf(1).isEmpty());
+    const auto person = window_->workspace().document().entities(base::EntityKind::Human).front();
+    window_->workspace().document().setSelection({person});
+    QCOMPARE(view.scene().document().selection(), std::vector<editor::EntityId>{person});
+    quiet::shoot(*window_, "runs_titles");
+    QTest::mouseClick(&runs().sideBySideButton(), Qt::LeftButton);
+    QVERIFY(titleOfCanvas() == nullptr);
   }
 
   void branches_switchedByDoubleClick_areBothThere() {

@@ -191,6 +191,42 @@ class RunComparisonTest : public QObject {
       QVERIFY(course.values[k] >= course.values[k - 1]);
     }
   }
+
+  /// Within one step two runs are equally long.
+  void commonEnd_isThatOfTheShortestRun() {
+    const auto one = walk({0, 1, 2, 3, 4, 5}), other = walk({0, 1, 2});
+    QVERIFY(!app::commonEnd({one.get(), one.get()}));
+    QCOMPARE(*app::commonEnd({one.get(), other.get()}), 2.0);
+    QCOMPARE(*app::commonEnd({other.get(), one.get(), one.get()}), 2.0);
+  }
+
+  void measureRun_upToATime_measuresThatPart() {
+    const auto run = runOf({});
+    const auto setup = app::metricsSetupOf(*passing().scenario, "");
+    const app::RecordingMetrics part =
+        app::measureRun(*run, *setup, std::make_shared<base::StopFlag>(), 2.0);
+    double way = 0.0;
+    for (std::size_t k = 1; k < run->size() && run->timeOf(k) < 2.0 + 1e-6; ++k) {
+      const auto& before = run->frame(k - 1)->robots;
+      const auto& now = run->frame(k)->robots;
+      way += std::hypot(now.x[0] - before.x[0], now.y[0] - before.y[0]);
+    }
+    const metrics::MetricResult* length = metrics::findResult(part.results, "path_length");
+    QVERIFY(way > 0.3 && length != nullptr);
+    QVERIFY(std::fabs(*length->value.value - way) < 1e-6);
+  }
+
+  /// What a run comes to is not known before its end.
+  void measures_upToTheCommonEnd_keepOutcomesOfWholeRuns() {
+    app::RecordingMetrics whole, part;
+    whole.results = {resultOf("path_length", 9.0), resultOf("success", 1.0)};
+    part.results = {resultOf("path_length", 4.0), resultOf("success", 0.0)};
+    const auto rows = app::compareRecordingMetrics({whole, whole}, {part, part});
+    QCOMPARE(*rows[0].values[1], 4.0);
+    QVERIFY(!rows[0].isWholeRun);
+    QCOMPARE(*rows[1].values[1], 1.0);
+    QVERIFY(rows[1].isWholeRun);
+  }
 };
 
 QTEST_GUILESS_MAIN(RunComparisonTest)

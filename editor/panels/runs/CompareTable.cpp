@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kNumberWidth = 58;
 constexpr int kUnitWidth = 44;
+constexpr int kPartWidth = 76;
 constexpr int kNameWidth = 150;  // For metric names if the columns do not fit.
 constexpr int kFewRuns = 2;
 
@@ -42,7 +43,7 @@ CompareTable::CompareTable(PanelContext& context)
   styleTable(*table_, tr("Metrics of the runs"));
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // Needed for five runs.
   auto* both = new QSplitter(Qt::Horizontal, this);
-  both->addWidget(table_);
+  both->addWidget(makeTable());
   both->addWidget(plot_);
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
@@ -60,6 +61,24 @@ CompareTable::CompareTable(PanelContext& context)
     }
   });
   connect(&context, &PanelContext::themeChanged, plot_, &MetricPlot::setTheme);
+}
+
+QWidget* CompareTable::makeTable() {
+  wholeRuns_ =
+      linkButton(tr("Whole runs"), tr("Compare the whole runs, although they differ in length"),
+                 this, [this] { fill(); });
+  wholeRuns_->setCheckable(true);
+  QSizePolicy policy = wholeRuns_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  wholeRuns_->setSizePolicy(policy);
+  auto* part = new QWidget(this);
+  auto* head = configuredLayout(new QHBoxLayout, {12, 4, 12, 4}, 8);
+  head->addWidget(lengths_, 1);
+  head->addWidget(wholeRuns_);
+  auto* rows = configuredLayout(new QVBoxLayout(part), {}, 0);
+  rows->addLayout(head);
+  rows->addWidget(table_, 1);
+  return part;
 }
 
 CompareTable::~CompareTable() {
@@ -94,25 +113,41 @@ void CompareTable::compare(std::vector<Run> runs) {
   stop_->stop();
   stop_ = std::make_shared<base::StopFlag>();
   task_.start([runs = std::move(runs), setup = *setup, before = shown_,
-               stop = base::StopFlagPtr(stop_)] {
-    Measured all;
-    all.runs = runs;
-    for (const Run& run : runs) {
-      const std::size_t size = run.recording->size();
-      std::optional<std::size_t> known;
-      for (std::size_t k = 0; k < before.runs.size(); ++k) {
-        const bool isSame = before.runs[k].recording == run.recording && before.sizes[k] == size;
-        known = isSame ? std::optional(k) : known;
-      }
-      all.sizes.push_back(size);
-      all.measures.push_back(known ? before.measures[*known]
-                                   : app::measureRun(*run.recording, setup, stop));
+               stop = base::StopFlagPtr(stop_)] { return measured(runs, setup, before, stop); });
+}
+
+/// Measures the runs; values that are known from before are reused.
+CompareTable::Measured CompareTable::measured(std::vector<Run> runs, const app::MetricsSetup& setup,
+                                              const Measured& before,
+                                              const base::StopFlagPtr& stop) {
+  Measured all;
+  all.runs = std::move(runs);
+  std::vector<const sim2d::Recording*> recordings;
+  for (const Run& run : all.runs) {
+    recordings.push_back(run.recording.get());
+    all.sizes.push_back(run.recording->size());
+  }
+  all.end = app::commonEnd(recordings);
+  for (std::size_t run = 0; run < all.runs.size(); ++run) {
+    std::optional<std::size_t> known;
+    for (std::size_t k = 0; k < before.runs.size(); ++k) {
+      const bool isSame =
+          before.runs[k].recording == all.runs[run].recording && before.sizes[k] == all.sizes[run];
+      known = isSame ? std::optional(k) : known;
     }
-    for (std::size_t k = 1; k < runs.size(); ++k) {
-      all.divergences.push_back(app::divergenceTime(*runs.front().recording, *runs[k].recording));
+    const sim2d::Recording& recording = *recordings[run];
+    all.measures.push_back(known ? before.measures[*known]
+                                 : app::measureRun(recording, setup, stop));
+    if (all.end) {
+      all.upToEnd.push_back(known && before.end == all.end
+                                ? before.upToEnd[*known]
+                                : app::measureRun(recording, setup, stop, *all.end));
     }
-    return all;
-  });
+    if (run > 0) {
+      all.divergences.push_back(app::divergenceTime(*recordings.front(), recording));
+    }
+  }
+  return all;
 }
 
 /// True if the run has another scenario than the first one: its positions, and possibly its ids,
@@ -138,10 +173,41 @@ void CompareTable::deliver(Measured measured) {
   Q_EMIT measuredAll();
 }
 
+/// "A 30.8 s, B 13.7 s · compared up to 13.7 s, outcomes over whole runs"
+void CompareTable::showLengths() {
+  QStringList lengths;
+  for (std::size_t k = 0; k < shown_.runs.size(); ++k) {
+    const sim2d::Recording& recording = *shown_.runs[k].recording;
+    lengths << tr("%1 %2 s").arg(shown_.runs[k].letter,
+                                 QString::number(recording.timeOf(shown_.sizes[k] - 1), 'f', 1));
+  }
+  QString text = lengths.join(QStringLiteral(", "));
+  if (shown_.end) {
+    text += isShortened() ? tr(" · compared up to %1 s, outcomes over whole runs")
+                                .arg(QString::number(*shown_.end, 'f', 1))
+                          : tr(" · runs of different length are compared as a whole");
+  }
+  lengths_->setFullText(text);
+  wholeRuns_->setVisible(shown_.end.has_value());
+}
+
 void CompareTable::fill() {
-  rows_ = app::compareRecordingMetrics(shown_.measures);
+  rows_ = isShortened() ? app::compareRecordingMetrics(shown_.measures, shown_.upToEnd)
+                        : app::compareRecordingMetrics(shown_.measures);
   const auto runs = static_cast<int>(shown_.runs.size());
   stack_->setCurrentIndex(runs > 1 ? 1 : 0);
+  showLengths();
+  table_->clear();
+  fillHead();
+  table_->setRowCount(static_cast<int>(rows_.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    fillRow(row);
+  }
+  showSelected();
+}
+
+void CompareTable::fillHead() {
+  const auto runs = static_cast<int>(shown_.runs.size());
   QStringList heads = {tr("Metric")};
   for (const Run& run : shown_.runs) {
     heads << run.letter;
@@ -150,47 +216,57 @@ void CompareTable::fill() {
     heads << QStringLiteral("%1 − A").arg(shown_.runs[static_cast<std::size_t>(k)].letter);
   }
   heads << tr("Unit");
-  table_->clear();
+  if (shown_.end) {
+    heads << tr("Compared");
+  }
   table_->setColumnCount(heads.size());
   table_->setHorizontalHeaderLabels(heads);
-  table_->setRowCount(static_cast<int>(rows_.size()));
-  for (int row = 0; row < table_->rowCount(); ++row) {
-    const app::ComparedMetric& metric = rows_[static_cast<std::size_t>(row)];
-    const auto put = [&](int column, const QString& text, bool isNumber) {
-      auto* item = new QTableWidgetItem(text);
-      item->setTextAlignment(
-          static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-      item->setToolTip(QString::fromStdString(metric.info.name + "\n" + metric.info.formula));
-      table_->setItem(row, column, item);
-    };
-    put(0, QString::fromStdString(metric.info.name), false);
-    for (int k = 0; k < runs; ++k) {
-      put(1 + k, valueText(metric.info, metric.values[static_cast<std::size_t>(k)]), true);
-    }
-    for (int k = 1; k < runs; ++k) {
-      put(runs + k, differenceText(metric.info, metric.difference(static_cast<std::size_t>(k))),
-          true);
-    }
-    put(2 * runs, QString::fromStdString(metric.info.unit), false);
-    if (metric.info.key == chosen_) {
-      table_->setCurrentCell(row, 0);
-    }
-  }
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(0,
-                               runs > kFewRuns ? QHeaderView::Interactive : QHeaderView::Stretch);
-  if (runs > kFewRuns) {
+  const bool hasRoom = runs <= kFewRuns && !shown_.end;
+  header->setSectionResizeMode(0, hasRoom ? QHeaderView::Stretch : QHeaderView::Interactive);
+  if (!hasRoom) {
     header->resizeSection(0, kNameWidth);
   }
   for (int column = 1; column < heads.size(); ++column) {
     header->setSectionResizeMode(column, QHeaderView::Fixed);
-    const bool isUnit = column + 1 == heads.size();
-    header->resizeSection(column, isUnit ? kUnitWidth : kNumberWidth);
+    const bool isNumber = column < 2 * runs;
+    header->resizeSection(column, isNumber             ? kNumberWidth
+                                  : column == 2 * runs ? kUnitWidth
+                                                       : kPartWidth);
     table_->horizontalHeaderItem(column)->setTextAlignment(
-        static_cast<int>((isUnit ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));
+        static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
   }
   table_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  showSelected();
+}
+
+void CompareTable::fillRow(int row) {
+  const auto runs = static_cast<int>(shown_.runs.size());
+  const app::ComparedMetric& metric = rows_[static_cast<std::size_t>(row)];
+  const auto put = [&](int column, const QString& text, bool isNumber) {
+    auto* item = new QTableWidgetItem(text);
+    item->setTextAlignment(
+        static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    item->setToolTip(QString::fromStdString(metric.info.name + "\n" + metric.info.formula));
+    table_->setItem(row, column, item);
+  };
+  put(0, QString::fromStdString(metric.info.name), false);
+  for (int k = 0; k < runs; ++k) {
+    put(1 + k, valueText(metric.info, metric.values[static_cast<std::size_t>(k)]), true);
+  }
+  for (int k = 1; k < runs; ++k) {
+    put(runs + k, differenceText(metric.info, metric.difference(static_cast<std::size_t>(k))),
+        true);
+  }
+  put(2 * runs, QString::fromStdString(metric.info.unit), false);
+  if (shown_.end) {
+    put(2 * runs + 1,
+        metric.isWholeRun ? tr("whole runs")
+                          : tr("to %1 s").arg(QString::number(*shown_.end, 'f', 1)),
+        false);
+  }
+  if (metric.info.key == chosen_) {
+    table_->setCurrentCell(row, 0);
+  }
 }
 
 /// Shows the selected row, else the first that differs.

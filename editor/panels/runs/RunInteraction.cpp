@@ -6,10 +6,8 @@
 
 #include "bt/human/ActiveBranch.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/RunOverlays.h"
 #include "editor/look/Form.h"
 #include "sim2d/scenario/ResolvedValues.h"
-#include "sim2d/trace/ContactMarks.h"
 #include "sim2d/world/WorldState.h"
 
 namespace editor {
@@ -270,11 +268,7 @@ void PeopleInteraction::fillMenu(QMenu& menu, std::optional<int> person, const V
 
 namespace {
 
-constexpr std::size_t kContactsAtOnce = 64;  // Events; the event loop runs in between.
-constexpr qint64 kContactMs = 12;            // Duration of a batch.
-constexpr qint64 kThoughtMs = 100;           // Interval between updates during a run.
-constexpr std::size_t kMaxThinkers = 120;    // Above that only for selected people.
-constexpr double kSpeechMemory = 4.0;        // [s]
+constexpr double kSpeechMemory = 4.0;  // [s]
 
 QString spoken(const std::string& text) {
   return QStringLiteral("“%1”").arg(QString::fromStdString(text));
@@ -284,62 +278,26 @@ QString spoken(const std::string& text) {
 
 RunOverlayUpdater::RunOverlayUpdater(SimulationRunner& runner, const RunEvents& events,
                                      MapView& view)
-    : QObject(&view), runner_(runner), events_(events), view_(view) {
+    : QObject(&view),
+      runner_(runner),
+      events_(events),
+      view_(view),
+      reader_(new RunOverlayReader(view.mapScene(), this)) {
   connect(&runner_, &SimulationRunner::frameShown, this, &RunOverlayUpdater::follow);
   connect(&view_.mapScene(), &MapScene::optionsChanged, this, &RunOverlayUpdater::follow);
   connect(&view_.mapScene(), &MapScene::spawnedAgentChanged, this, &RunOverlayUpdater::follow);
   connect(&view_.mapScene().document(), &ScenarioDocument::selectionChanged, this,
           &RunOverlayUpdater::follow);
-  soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, &RunOverlayUpdater::follow);
   view_.viewport()->installEventFilter(this);
   follow();
 }
 
 void RunOverlayUpdater::follow() {
-  if (runner_.recording() != recording_) {
-    recording_ = runner_.recording();
-    read_ = 0;
-    thoughtStep_.reset();
-    view_.mapScene().overlays().setContacts({});
-    view_.mapScene().overlays().setThoughts({});
-  }
   const CanvasOptions& options = view_.mapScene().options();
   runner_.setPlannerDebug(options.localCosts || options.globalCosts || options.masks,
                           options.candidates);
-  if (recording_ == nullptr || runner_.shownFrame() == nullptr) {
-    return;
-  }
-  if (options.contacts) {
-    readContacts();
-  }
-  if (options.thoughts) {
-    updateThoughts();
-  }
-}
-
-/// Reads for a limited time; the rest is scheduled.
-void RunOverlayUpdater::readContacts() {
-  const std::size_t there = recording_->events().size();
-  if (read_ >= there) {
-    return;
-  }
-  QElapsedTimer clock;
-  clock.start();
-  RunOverlays& overlays = view_.mapScene().overlays();
-  std::vector<sim2d::ContactMark> contacts = overlays.contacts();
-  while (read_ < there && clock.elapsed() < kContactMs) {
-    const std::size_t end = std::min(there, read_ + kContactsAtOnce);
-    for (sim2d::ContactMark& mark : sim2d::contactMarks(*recording_, read_, end)) {
-      contacts.push_back(mark);
-    }
-    read_ = end;
-  }
-  overlays.setContacts(std::move(contacts));
-  view_.mapScene().update();
-  if (read_ < there) {
-    soon_.start();
-  }
+  reader_->show(runner_.recording(), runner_.shownFrame(),
+                runner_.state() == SimulationRunner::State::Running);
 }
 
 QString RunOverlayUpdater::thoughtOf(int id) const {
@@ -349,35 +307,6 @@ QString RunOverlayUpdater::thoughtOf(int id) const {
     return {};
   }
   return QString::fromStdString(bt::activeBranchOf(recording->treeAt(id, frame->step)).words());
-}
-
-void RunOverlayUpdater::updateThoughts() {
-  const FramePtr frame = runner_.shownFrame();
-  const std::optional<int> spawnedAgent = view_.mapScene().spawnedAgent();
-  const bool isEarly = runner_.state() == SimulationRunner::State::Running &&
-                       sinceThoughts_.isValid() && sinceThoughts_.elapsed() < kThoughtMs;
-  const bool isCrowd = frame->humans.size() > kMaxThinkers;
-  const bool isSame = thoughtStep_ == frame->step && thoughtAgent_ == spawnedAgent && !isCrowd;
-  if (isEarly || isSame) {
-    return;
-  }
-  sinceThoughts_.start();
-  thoughtStep_ = frame->step;
-  thoughtAgent_ = spawnedAgent;
-  std::map<int, QString> thoughts;
-  if (isCrowd) {
-    for (const ShownBody& body : view_.mapScene().frameLayer().shownBodies()) {
-      if (body.isChosen && body.id >= 0 && thoughts.size() < kMaxThinkers) {
-        thoughts[body.id] = thoughtOf(body.id);
-      }
-    }
-  } else {
-    for (const auto& [id, tree] : recording_->treesAt(frame->step)) {
-      thoughts[id] = QString::fromStdString(bt::activeBranchOf(tree).words());
-    }
-  }
-  view_.mapScene().overlays().setThoughts(std::move(thoughts));
-  view_.mapScene().update();
 }
 
 /// Recent speech of an agent, said and heard.

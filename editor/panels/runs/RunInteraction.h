@@ -12,6 +12,7 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/MapView.h"
 #include "editor/panels/EventsPanel.h"
+#include "editor/panels/runs/RunOverlayReader.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
@@ -94,20 +95,13 @@ class RunOverlayUpdater : public QObject {
 
  private:
   void follow();
-  void readContacts();
-  void updateThoughts();
   QString thoughtOf(int id) const;
   QStringList speechOf(int id, double time) const;
 
   SimulationRunner& runner_;
   const RunEvents& events_;
   MapView& view_;
-  QTimer soon_;             // Schedules reading of further contacts.
-  RecordingPtr recording_;  // Its contacts have been read.
-  std::size_t read_ = 0;    // Number of events read.
-  QElapsedTimer sinceThoughts_;
-  std::optional<std::int64_t> thoughtStep_;  // Step of the shown thoughts.
-  std::optional<int> thoughtAgent_;
+  RunOverlayReader* reader_;
 };
 
 }  // namespace editor

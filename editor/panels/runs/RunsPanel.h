@@ -38,6 +38,9 @@ class CompareTable : public QWidget {
   MetricPlot& plot() const { return *plot_; }
   /// The times at which the other runs diverge from the first, as text; empty: no comparison.
   QString divergences() const { return divergences_; }
+  /// The lengths of the runs and the part that is compared.
+  QString lengths() const { return lengths_->text(); }
+  QAbstractButton& wholeRunsButton() const { return *wholeRuns_; }
 
  Q_SIGNALS:
   void measuredAll();
@@ -47,9 +50,18 @@ class CompareTable : public QWidget {
     std::vector<Run> runs;
     std::vector<std::size_t> sizes;  // Sizes of the recordings.
     std::vector<app::RecordingMetrics> measures;
+    std::optional<double> end;  // The end of the shortest run [s]; none: all are equally long.
+    std::vector<app::RecordingMetrics> upToEnd;      // Empty without `end`.
     std::vector<std::optional<double>> divergences;  // Divergence times of the other runs [s].
   };
+  static Measured measured(std::vector<Run> runs, const app::MetricsSetup& setup,
+                           const Measured& before, const base::StopFlagPtr& stop);
+  QWidget* makeTable();
   base::Result<app::MetricsSetup> setup() const;
+  void showLengths();
+  void fillHead();
+  void fillRow(int row);
+  bool isShortened() const { return shown_.end.has_value() && !wholeRuns_->isChecked(); }
   void deliver(Measured measured);
   bool hasOtherScenario(const Run& run) const;
   void fill();
@@ -58,6 +70,8 @@ class CompareTable : public QWidget {
   PanelContext& context_;
   QStackedLayout* stack_ = new QStackedLayout(this);
   QTableWidget* table_ = new QTableWidget(this);
+  ElidedLabel* lengths_ = new ElidedLabel(this);
+  QAbstractButton* wholeRuns_ = nullptr;
   MetricPlot* plot_;
   QString divergences_;
   Measured shown_;
@@ -144,6 +158,7 @@ class RunsPanel : public QWidget {
   void showGhosts();
   void measure();
   void showSideBySide();
+  QString titleOf(const Row& row) const;
   void showBranchColumns();
   void showDivergences();
   void updateTimeline();

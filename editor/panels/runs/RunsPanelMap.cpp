@@ -61,20 +61,33 @@ void RunsPanel::showGhosts() {
   }
 }
 
+/// "B  Branch 1": the title of a view.
+QString RunsPanel::titleOf(const Row& row) const {
+  const int style = styleOf(row);
+  const QString letter = style < 0
+                             ? QStringLiteral("A")
+                             : ghostStyle(static_cast<std::size_t>(style), context_.theme()).letter;
+  return letter + QStringLiteral("  ") + row.name;
+}
+
 void RunsPanel::showSideBySide() {
   const std::vector<Row> others = compared();
   sideBySideButton_->setEnabled(!others.empty());
   const bool isWanted = sideBySideButton_->isChecked() && !others.empty();
   if (!isWanted && side_ != nullptr) {
     Q_EMIT context_.sideViewRequested(nullptr, 1);
+    Q_EMIT context_.canvasTitleChanged({});
     side_.reset();
   }
   if (isWanted) {
     std::vector<SideBySide::Run> runs;
     for (const Row& row : others) {
-      const QString letter =
-          ghostStyle(static_cast<std::size_t>(styleOf(row)), context_.theme()).letter;
-      runs.push_back({letter + QStringLiteral("  ") + row.name, row.recording, row.branch >= 0});
+      runs.push_back({titleOf(row), row.recording, row.branch >= 0});
+    }
+    for (const Row& row : rows()) {
+      if (isShown(row)) {
+        Q_EMIT context_.canvasTitleChanged(titleOf(row));
+      }
     }
     const int before = side_ == nullptr ? 0 : side_->columns();
     if (side_ == nullptr) {

@@ -10,11 +10,11 @@
 
 namespace editor {
 
-SideView::SideView(MapView& canvas, const DocumentSnapshot& document, QWidget* parent)
+SideView::SideView(MapView& canvas, const DocumentSnapshot& document, bool isOfEdited,
+                   QWidget* parent)
     : QWidget(parent), canvas_(canvas), scene_(document_, canvas.mapScene().theme()) {
   document_.restore(document, true);
   scene_.setOptions(canvas.mapScene().options());
-  title_->setContentsMargins(12, 6, 12, 6);
   configuredLayout(new QVBoxLayout(this), {}, 0, {title_, view_});
   view_->setInteractive(false);
   view_->setCanvasState(CanvasState::Past);
@@ -26,8 +26,16 @@ SideView::SideView(MapView& canvas, const DocumentSnapshot& document, QWidget* p
   for (QScrollBar* bar : {canvas_.horizontalScrollBar(), canvas_.verticalScrollBar()}) {
     connect(bar, &QScrollBar::valueChanged, this, &SideView::followCanvas);
   }
-  connect(&canvas_.mapScene(), &MapScene::optionsChanged, this,
-          [this] { scene_.setOptions(canvas_.mapScene().options()); });
+  connect(&canvas_.mapScene(), &MapScene::optionsChanged, this, [this] {
+    scene_.setOptions(canvas_.mapScene().options());
+    readOverlays();
+  });
+  if (isOfEdited) {  // Some overlays are limited to the selected people.
+    const ScenarioDocument& edited = canvas_.mapScene().document();
+    const auto select = [this, &edited] { document_.setSelection(edited.selection()); };
+    connect(&edited, &ScenarioDocument::selectionChanged, this, select);
+    select();
+  }
 }
 
 SideView::~SideView() {
@@ -37,7 +45,11 @@ SideView::~SideView() {
 
 void SideView::setTheme(const Theme& theme) {
   scene_.setTheme(theme);
-  title_->setFont(theme.font(9.5, QFont::DemiBold));
+  stylePaneTitle(*title_, theme);
+}
+
+void SideView::readOverlays() {
+  overlays_.show(recording_, frame_, false);
 }
 
 void SideView::resizeEvent(QResizeEvent* event) {
@@ -59,10 +71,18 @@ void SideView::showAt(const std::shared_ptr<const sim2d::Recording>& recording, 
   if (recording == nullptr || recording->size() == 0) {
     return;
   }
+  recording_ = recording;
   if (auto frame = recording->frameIfKept(recording->indexAtTime(time + 1e-9))) {
-    scene_.showFrame(std::move(frame), recording.get());
+    frame_ = std::move(frame);
+    scene_.showFrame(frame_, recording.get());
+    readOverlays();
   }
   followCanvas();
+}
+
+void stylePaneTitle(QLabel& title, const Theme& theme) {
+  title.setContentsMargins(12, 6, 12, 6);
+  title.setFont(theme.font(9.5, QFont::DemiBold));
 }
 
 DocumentSnapshot documentOf(const sim2d::Recording& recording, const ScenarioDocument& edited,
@@ -100,8 +120,8 @@ void SideBySide::showRuns(const std::vector<Run>& runs) {
       view = std::move(before[static_cast<std::size_t>(same - runsBefore.begin())]);
     }
     if (view == nullptr) {
-      view = std::make_unique<SideView>(canvas_,
-                                        documentOf(*run.recording, edited_, run.isOfEdited), this);
+      view = std::make_unique<SideView>(
+          canvas_, documentOf(*run.recording, edited_, run.isOfEdited), run.isOfEdited, this);
     }
     view->setTitle(run.title);
     views_.push_back(std::move(view));

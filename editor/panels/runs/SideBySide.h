@@ -7,6 +7,7 @@
 
 #include "editor/canvas/MapView.h"
 #include "editor/document/ScenarioDocument.h"
+#include "editor/panels/runs/RunOverlayReader.h"
 #include "sim2d/trace/Recording.h"
 
 namespace editor {
@@ -16,10 +17,13 @@ namespace editor {
 class SideView : public QWidget {
   Q_OBJECT
  public:
-  /// `document`: the document of the run; it is copied. The canvas must outlive the view.
-  SideView(MapView& canvas, const DocumentSnapshot& document, QWidget* parent = nullptr);
+  /// `document`: the document of the run; it is copied. `isOfEdited`: it is that of the canvas, so
+  /// the selection of the canvas is followed. The canvas must outlive the view.
+  SideView(MapView& canvas, const DocumentSnapshot& document, bool isOfEdited,
+           QWidget* parent = nullptr);
   ~SideView() override;
   Q_DISABLE_COPY_MOVE(SideView)
+  QString title() const { return title_->text(); }
   void setTitle(const QString& title) { title_->setText(title); }
   void setTheme(const Theme& theme);
   /// Shows the state of the run at a time [s].
@@ -32,13 +36,20 @@ class SideView : public QWidget {
 
  private:
   void followCanvas();
+  void readOverlays();
 
   MapView& canvas_;
   ScenarioDocument document_;
   MapScene scene_;
+  RunOverlayReader overlays_{scene_};
+  std::shared_ptr<const sim2d::Recording> recording_;
+  sim2d::FramePtr frame_;  // shown
   QLabel* title_ = new QLabel(this);
   MapView* view_ = new MapView(scene_, this);
 };
+
+/// The style of the title above a view of a run.
+void stylePaneTitle(QLabel& title, const Theme& theme);
 
 /// The document shown for a run: `edited` if the run belongs to it, else one from the recording.
 DocumentSnapshot documentOf(const sim2d::Recording& recording, const ScenarioDocument& edited,
