@@ -192,7 +192,8 @@ void Docks::ensureHeight(QDockWidget& dock, int initialHeight) {
 
 void Docks::addToggle(QDockWidget& dock) {
   const int number = static_cast<int>(docks_.size());
-  const QKeySequence key(number > 10 ? QString() : QStringLiteral("Alt+%1").arg(number % 10));
+  const QKeySequence key(number > 10 ? QStringLiteral("Alt+Shift+%1").arg(number % 10)
+                                     : QStringLiteral("Alt+%1").arg(number % 10));
   QAction* toggle =
       editor::makeAction(dock.windowTitle(), key, tr("Open or close this panel"), this);
   toggle->setCheckable(true);

@@ -3,8 +3,8 @@
 #include "app/run/Nav2Robots.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
+#include "editor/panels/nav2/Nav2Form.h"
 #include "editor/panels/properties/EntityPages.h"
-#include "editor/panels/properties/PageWidgets.h"
 #include "tests/support/Widgets.h"
 
 using editor::EntityKind;
@@ -13,18 +13,31 @@ using editor::Nav2Form;
 using editor::RobotPage;
 using editor::ScenarioDocument;
 
-/// The parameters of Nav2 on a robot's page: found, changed, checked, taken back.
+/// The parameters of Nav2: found, changed, checked, taken back; the robot's page leads to them.
 class Nav2FormTest : public QObject {
   Q_OBJECT
 
  private:
   ScenarioDocument document_;
-  std::unique_ptr<RobotPage> page_;
+  std::unique_ptr<Nav2Form> form_;
 
   const sim2d::Robot& robot() const { return document_.scenario().robots.front(); }
-  Nav2Form& form() const { return *page_->findChild<Nav2Form*>(); }
-  FormSection& section() const {
-    return *widgets::titled<FormSection>(*page_, QStringLiteral("Nav2 parameters"));
+  Nav2Form& form() const { return *form_; }
+  void refresh() const {
+    const bool isNav2 = robot().planner == std::string("nav2");
+    form_->show(isNav2 ? std::optional(robot()) : std::nullopt, {});
+  }
+  int tabOf(const char* server) const {
+    for (int tab = 0; tab < form().servers().count(); ++tab) {
+      if (form().servers().tabText(tab) == QString::fromUtf8(server)) {
+        return tab;
+      }
+    }
+    return -1;
+  }
+  void clickTab(int tab) const {
+    QTest::mouseClick(&form().servers(), Qt::LeftButton, {},
+                      form().servers().tabRect(tab).center());
   }
   QLineEdit& search() const { return *form().findChild<QLineEdit*>(); }
   QToolButton& link(const QString& words, const QWidget& parent) const {
@@ -40,8 +53,7 @@ class Nav2FormTest : public QObject {
       up->setExpanded(true);
     }
     tree.scrollToItem(&row);
-    const QModelIndex index =
-        tree.indexAt(QPoint(2 * tree.width() / 3 + 20, tree.visualItemRect(&row).center().y()));
+    const QModelIndex index = tree.indexAt(QPoint(120, tree.visualItemRect(&row).center().y()));
     return tree.visualRect(index.sibling(index.row(), column));
   }
   /// The field in which the value of a row is edited, by a double click there.
@@ -74,16 +86,22 @@ class Nav2FormTest : public QObject {
     robot.nav2Params = {SOURCE_DIR "/resources/nav2_params/generic.yaml"};
     scenario.robots.push_back(robot);
     document_.load(std::move(scenario));
-    page_ = std::make_unique<RobotPage>(document_);
-    page_->setTheme(editor::Theme::light());
-    page_->setTargets({{EntityKind::Robot, 1}});
-    page_->resize(320, 1400);
-    page_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(page_.get()));
-    section().setOpen(true);
+    form_ = std::make_unique<Nav2Form>();
+    form_->setTheme(editor::Theme::light());
+    connect(form_.get(), &Nav2Form::edited, this,
+            [this](const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml) {
+              editor::pushChange<sim2d::Robot>(
+                  document_, robot().key, QStringLiteral("Change"), [&](sim2d::Robot& edited) {
+                    edited = app::withNav2Value(edited, parameter, yaml);
+                  });
+            });
+    refresh();
+    form_->resize(1100, 420);
+    form_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(form_.get()));
     QCoreApplication::processEvents();
   }
-  void cleanup() { page_.reset(); }
+  void cleanup() { form_.reset(); }
 
   void rows_haveTheValuesOfTheFile() {
     QCOMPARE(row("FollowPath.temperature").text(1), QStringLiteral("0.3"));
@@ -94,13 +112,50 @@ class Nav2FormTest : public QObject {
     QVERIFY(help().size() > 40);  // with a sentence
   }
 
-  void otherPlanner_hidesThem() {
-    QVERIFY(section().isVisible());
+  /// Default, value in the file and help stand beside the value.
+  void rows_showDefaultAndHelp() {
+    const QTreeWidgetItem& found = row("FollowPath.temperature");
+    QCOMPARE(found.text(editor::Nav2FileColumn), QStringLiteral("0.3"));
+    QVERIFY(found.text(editor::Nav2DefaultColumn).startsWith(QStringLiteral("0.3")));
+    QVERIFY(found.text(editor::Nav2HelpColumn).size() > 20);
+    QCOMPARE(row("FollowPath.vx_max").text(editor::Nav2DefaultColumn), QStringLiteral("0.5 m/s"));
+    QCOMPARE(row("FollowPath.vx_max").text(editor::Nav2FileColumn), QStringLiteral("0.8"));
+  }
+
+  void tab_showsOneServer() {
+    QVERIFY(tabOf("controller_server") > 0 && tabOf("local_costmap") > 0);
+    clickTab(tabOf("local_costmap"));
+    QVERIFY(row("FollowPath.temperature").isHidden());
+    QVERIFY(!row("local_costmap.inflation_layer.inflation_radius").isHidden());
+    clickTab(tabOf("controller_server"));
+    QVERIFY(!row("FollowPath.temperature").isHidden());
+    QVERIFY(row("FollowPath.temperature").parent()->isExpanded());
+    clickTab(0);
+    QVERIFY(!row("local_costmap.inflation_layer.inflation_radius").isHidden());
+  }
+
+  /// The page of the robot leads to the panel, and says how many values are changed.
+  void page_leadsToThePanel() {
+    RobotPage page(document_);
+    page.setTheme(editor::Theme::light());
+    page.setTargets({{EntityKind::Robot, 1}});
+    page.resize(320, 1200);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    auto& section = *widgets::titled<FormSection>(page, QStringLiteral("Nav2 parameters"));
+    QVERIFY(section.isVisible() && section.height() < 80);
+    QSignalSpy requested(&page, &RobotPage::panelRequested);
+    QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("nav2_open")), Qt::LeftButton);
+    QCOMPARE(requested.count(), 1);
+    QCOMPARE(requested.front().front().toString(), QStringLiteral("nav2"));
+    typeInto("FollowPath.temperature", QStringLiteral("0.2"));
+    page.refresh();
+    QCOMPARE(section.note(), QStringLiteral("1 changed"));
     sim2d::Robot other = robot();
     other.planner = "dwa";
     editor::pushEdit(document_, {other}, QStringLiteral("Change"));
-    page_->refresh();
-    QVERIFY(!section().isVisible());
+    page.refresh();
+    QVERIFY(!section.isVisible());
   }
 
   /// Qt commits what is being typed when the list is emptied, while other rows are being read.
@@ -113,11 +168,11 @@ class Nav2FormTest : public QObject {
     sim2d::Robot other = before;
     other.nav2Params = {"nowhere.yaml"};
     editor::pushEdit(document_, {other}, QStringLiteral("Change"));
-    page_->refresh();
+    refresh();
     QVERIFY(form().rowOf("FollowPath.temperature") == nullptr);
     QVERIFY(robot().nav2Values.empty());
     editor::pushEdit(document_, {before}, QStringLiteral("Change back"));
-    page_->refresh();
+    refresh();
     QCOMPARE(row("FollowPath.temperature").text(1), QStringLiteral("0.3"));
   }
 
@@ -133,22 +188,22 @@ class Nav2FormTest : public QObject {
   void value_typed_isGivenInsteadOfTheFile() {
     typeInto("FollowPath.temperature", QStringLiteral("0.2"));
     QCOMPARE(robot().nav2Values, (sim2d::ParameterTexts{{"FollowPath.temperature", "0.2"}}));
-    page_->refresh();
+    refresh();
     QCOMPARE(row("FollowPath.temperature").text(1), QStringLiteral("0.2"));
     QVERIFY(row("FollowPath.temperature").font(1).weight() >
             row("FollowPath.vx_max").font(1).weight());
-    QCOMPARE(section().note(), QStringLiteral("1 changed"));
+    QCOMPARE(form().changedCount(), 1);
     QVERIFY(help().contains(QStringLiteral("in the file 0.3")));
     // what a run is made of
     QVERIFY(app::wrongNav2Values(document_.scenario(), {}).empty());
     if (const QByteArray folder = qgetenv("HUNAV_PICTURES"); !folder.isEmpty()) {
-      page_->grab().save(QString::fromLocal8Bit(folder) + QStringLiteral("/nav2_form.png"));
+      form_->grab().save(QString::fromLocal8Bit(folder) + QStringLiteral("/nav2_form.png"));
     }
     document_.undoStack().undo();
     QVERIFY(robot().nav2Values.empty());
-    page_->refresh();
+    refresh();
     QCOMPARE(row("FollowPath.temperature").text(1), QStringLiteral("0.3"));
-    QVERIFY(section().note().isEmpty());
+    QCOMPARE(form().changedCount(), 0);
   }
 
   void value_wrong_isToldWhileTypedAndNotTaken() {
@@ -165,24 +220,24 @@ class Nav2FormTest : public QObject {
   void change_takenBack_byDeleteAndByTheLinks() {
     typeInto("FollowPath.temperature", QStringLiteral("0.2"));
     typeInto("FollowPath.vx_max", QStringLiteral("0.5"));
-    page_->refresh();
+    refresh();
     QCOMPARE(form().changedCount(), 2);
-    QTest::mouseClick(&link(QStringLiteral("Changed"), form()), Qt::LeftButton);
+    QTest::mouseClick(&link(QStringLiteral("Changed only"), form()), Qt::LeftButton);
     QVERIFY(row("FollowPath.wz_max").isHidden() && !row("FollowPath.vx_max").isHidden());
     form().tree().setCurrentItem(&row("FollowPath.vx_max"));
     form().tree().setFocus();
     QTest::keyClick(&form().tree(), Qt::Key_Delete);
-    page_->refresh();
+    refresh();
     QCOMPARE(robot().nav2Values, (sim2d::ParameterTexts{{"FollowPath.temperature", "0.2"}}));
-    QTest::mouseClick(&link(QStringLiteral("Changed"), form()), Qt::LeftButton);
+    QTest::mouseClick(&link(QStringLiteral("Changed only"), form()), Qt::LeftButton);
     form().tree().setCurrentItem(&row("FollowPath.temperature"));
-    QTest::mouseClick(&link(QStringLiteral("Reset"), form()), Qt::LeftButton);
+    QTest::mouseClick(&link(QStringLiteral("Reset value"), form()), Qt::LeftButton);
     QVERIFY(robot().nav2Values.empty());
   }
 
   void value_ofTheFileTyped_isNoChange() {
     typeInto("FollowPath.temperature", QStringLiteral("0.2"));
-    page_->refresh();
+    refresh();
     typeInto("FollowPath.temperature", QStringLiteral("0.3"));
     QVERIFY(robot().nav2Values.empty());
   }

@@ -43,7 +43,6 @@ class PersonPage : public PropertyPage {
   std::optional<long long> ownSeed_;  // Tried out in the page; none = that of the scenario.
 };
 
-class Nav2Form;
 class RobotPicture;
 
 /// Page for robots: a picture of the body, then type, planner, start and goal. The parameters of
@@ -65,7 +64,6 @@ class RobotPage : public PropertyPage {
                const std::map<std::string, FieldOptions>& looks = {});
 
   RobotPicture* picture_;
-  Nav2Form* nav2_ = nullptr;
   QToolButton* source_ = nullptr;
 };
 

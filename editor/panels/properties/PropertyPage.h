@@ -61,6 +61,9 @@ class PropertyPage : public QWidget {
   void refresh();
   virtual void setTheme(const Theme&) {}
 
+ Q_SIGNALS:
+  void panelRequested(const QString& name);  // As `PanelContext::panelRequested`.
+
  protected:
   ScenarioDocument& document() const { return document_; }
   virtual long long seed() const;  // Seed of the shown sampled values.

@@ -213,6 +213,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   for (const auto& [kind, page] : pages_) {
     page->setProperty(kManualPageProperty, manualPageOf(kind));
     stack_->addWidget(scrollArea(page, stack_));
+    connect(page, &PropertyPage::panelRequested, this, &PropertyPanel::panelRequested);
     stack_->widget(stack_->count() - 1)->setMinimumHeight(kMinPage);  // Low windows scroll here.
   }
   stack_->addWidget(spawnedPersonPage_);
@@ -381,6 +382,8 @@ void addPropertyPanel(PanelRegistry& to) {
          [](PanelContext& context) {
            auto* panel = new PropertyPanel(context.document, context.theme());
            QObject::connect(&context, &PanelContext::themeChanged, panel, &PropertyPanel::setTheme);
+           QObject::connect(panel, &PropertyPanel::panelRequested, &context,
+                            &PanelContext::panelRequested);
            if (context.drive != nullptr) {
              panel->setDriveAction(context.drive);
            }

@@ -28,7 +28,8 @@ class PropertyPanel : public QWidget {
   void setSpawnedAgent(std::optional<sim2d::TraceHuman> spawnedAgent);
 
  Q_SIGNALS:
-  void restartRequested();  // Requests restarting the current run with the edits.
+  void restartRequested();                   // Requests restarting the current run with the edits.
+  void panelRequested(const QString& name);  // As `PanelContext::panelRequested`.
 
  private:
   void follow();

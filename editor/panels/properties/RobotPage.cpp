@@ -200,7 +200,6 @@ void RobotPage::addPart(const QString& title, const sim2d::FieldTables& tables,
 
 void RobotPage::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
-  nav2_->setTheme(theme);
 }
 
 /// The type chooser, and the sources of the values of the chosen type.
@@ -277,17 +276,14 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
   });
 }
 
-/// For one robot with Nav2: the file values and their overrides.
+/// For one robot with Nav2: opens the panel with its parameters.
 void RobotPage::addNav2Section() {
   FormSection* section = addSection(tr("Nav2 parameters"));
-  section->setOpen(false);
-  nav2_ = new Nav2Form(this);
-  section->addRow({}, nav2_);
-  spanBothColumns(*nav2_);
-  QToolButton* all = section->addLink(tr("Reset"), tr("Reset all to the file values"), [this] {
-    apply(tr("Reset Nav2 parameters"),
-          [](Entity& entity) { std::get<Robot>(entity).nav2Values.clear(); });
-  });
+  QToolButton* open = linkButton(tr("Show and change parameters…"),
+                                 tr("Open the panel with all parameters of the robot"), this,
+                                 [this] { Q_EMIT panelRequested(QStringLiteral("nav2")); });
+  open->setObjectName(QStringLiteral("nav2_open"));
+  section->addRow({}, open);
   QToolButton* body = section->addLink(
       tr("Use body"), tr("Use radius or footprint from local_costmap in the file"), [this] {
         apply(tr("Use the body in the Nav2 file"), [this](Entity& entity) {
@@ -297,20 +293,12 @@ void RobotPage::addNav2Section() {
         });
       });
   body->setObjectName(QStringLiteral("nav2_take_body"));
-  connect(nav2_, &Nav2Form::edited, this,
-          [this](const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml) {
-            apply(tr("Change %1").arg(QString::fromStdString(parameter.path)), [&](Entity& entity) {
-              entity = app::withNav2Value(robotOf(entity), parameter, yaml);
-            });
-          });
-  addRefresh([this, section, all](const std::vector<Entity>& shown) {
+  body->setVisible(true);
+  addRefresh([section](const std::vector<Entity>& shown) {
     const Robot& robot = robotOf(shown.front());
-    const bool isNav2 = shown.size() == 1 && robot.planner == std::string(sim2d::kNav2Planner);
-    section->setVisible(isNav2);
-    nav2_->show(isNav2 ? std::optional(robot) : std::nullopt, document().path());
-    const int changed = nav2_->changedCount();
+    section->setVisible(shown.size() == 1 && robot.planner == std::string(sim2d::kNav2Planner));
+    const std::size_t changed = robot.nav2Values.size();
     section->setNote(changed > 0 ? tr("%1 changed").arg(changed) : QString());
-    all->setVisible(changed > 0);
   });
 }
 

@@ -1,16 +1,21 @@
+#include "editor/panels/nav2/Nav2Form.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "editor/look/Fields.h"
 #include "editor/panels/RowDelegate.h"
-#include "editor/panels/properties/PageWidgets.h"
 
 namespace editor {
 
 namespace {
 
-constexpr int kTreeHeight = 336;  // [px]: 14 rows
-constexpr int kValueWidth = 104;  // [px]
+constexpr int kNameWidth = 250;    // [px]
+constexpr int kValueWidth = 150;   // [px]
+constexpr int kNumberWidth = 120;  // [px]
+constexpr int kSearchWidth = 220;  // [px]
+constexpr int kHelpLines = 2;
+constexpr int kAllTab = 0;
 
 /// Edits values only: a combo box for booleans, else a validated text field.
 class Nav2ValueDelegate : public RowDelegate {
@@ -20,7 +25,7 @@ class Nav2ValueDelegate : public RowDelegate {
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                         const QModelIndex& index) const override {
     const app::Nav2Parameter* const parameter = parameterAt(index);
-    if (parameter == nullptr || index.column() != 1) {
+    if (parameter == nullptr || index.column() != Nav2ValueColumn) {
       return nullptr;
     }
     if (parameter->type == "bool") {
@@ -56,7 +61,7 @@ class Nav2ValueDelegate : public RowDelegate {
 
  private:
   const app::Nav2Parameter* parameterAt(const QModelIndex& index) const {
-    return form_.parameterOf(index.sibling(index.row(), 0).data(kParameterRole));
+    return form_.parameterOf(index.sibling(index.row(), 0).data(kNav2ParameterRole));
   }
 
   Nav2Form& form_;
@@ -79,38 +84,61 @@ QString withUnit(const std::string& value, const app::Nav2Parameter& parameter) 
 }  // namespace
 
 Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
-  onlyChanged_ = linkButton(tr("Changed"), tr("Show only values that differ from the file"), this,
-                            [this] { filter(); });
+  onlyChanged_ = linkButton(tr("Changed only"), tr("Show only values that differ from the file"),
+                            this, [this] { filter(); });
   onlyChanged_->setCheckable(true);
-  reset_ = linkButton(tr("Reset"), tr("Reset to the value in the file (Delete)"), this,
+  reset_ = linkButton(tr("Reset value"), tr("Reset to the value in the file (Delete)"), this,
                       [this] { resetRow(); });
+  QSizePolicy policy = reset_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  reset_->setSizePolicy(policy);
   const auto* deleteKey =
       new QShortcut(QKeySequence::Delete, tree_, nullptr, nullptr, Qt::WidgetShortcut);
   connect(deleteKey, &QShortcut::activated, this, &Nav2Form::resetRow);
-  styleList(*tree_, tr("Nav2 parameters"));
-  tree_->setColumnCount(2);
-  tree_->setHeaderHidden(true);
-  tree_->setIndentation(14);
-  tree_->setFixedHeight(kTreeHeight);
-  tree_->setTextElideMode(Qt::ElideMiddle);
-  tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  tree_->setItemDelegate(new Nav2ValueDelegate(*this));
-  tree_->header()->setStretchLastSection(false);
-  tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-  tree_->header()->resizeSection(1, kValueWidth);
+  styleTree();
+  tabs_->setAccessibleName(tr("Servers"));
+  tabs_->setExpanding(false);
+  tabs_->setDrawBase(false);
+  tabs_->setUsesScrollButtons(true);
+  search_->setFixedWidth(kSearchWidth);
   nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);
   help_ = secondaryLabel({}, this);
   help_->setObjectName(QStringLiteral("nav2_help"));
   help_->setWordWrap(true);
   help_->setTextFormat(Qt::PlainText);
-  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
-  layout->addLayout(configuredLayout(new QHBoxLayout, {0, 0, 0, 0}, 8, {search_, onlyChanged_}));
-  layout->addWidget(tree_);
-  layout->addWidget(nothing_);
-  layout->addLayout(configuredLayout(new QHBoxLayout, {0, 0, 0, 0}, 8, {help_, reset_}));
+  help_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  help_->setFixedHeight(kHelpLines * help_->fontMetrics().lineSpacing() + 4);
+  configuredLayout(head_, {12, 6, 12, 6}, 8, {search_, onlyChanged_})->addStretch(1);
+  auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
+  layout->addLayout(head_);
+  layout->addWidget(tabs_);
+  layout->addWidget(tree_, 1);
+  layout->addWidget(nothing_, 1);
+  auto* foot = configuredLayout(new QHBoxLayout, {12, 4, 12, 4}, 8);
+  foot->addWidget(help_, 1);
+  foot->addWidget(reset_);
+  layout->addLayout(foot);
   connect(search_, &QLineEdit::textChanged, this, &Nav2Form::filter);
+  connect(tabs_, &QTabBar::currentChanged, this, &Nav2Form::filter);
   connect(tree_, &QTreeWidget::currentItemChanged, this, &Nav2Form::showHelp);
+}
+
+void Nav2Form::styleTree() {
+  styleList(*tree_, tr("Nav2 parameters"));
+  tree_->setColumnCount(Nav2Columns);
+  tree_->setHeaderLabels(
+      {tr("Parameter"), tr("Value"), tr("In the file"), tr("Nav2 default"), tr("Description")});
+  tree_->setIndentation(14);
+  tree_->setUniformRowHeights(true);
+  tree_->setTextElideMode(Qt::ElideRight);
+  tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  tree_->setItemDelegate(new Nav2ValueDelegate(*this));
+  QHeaderView& header = *tree_->header();
+  header.setStretchLastSection(true);
+  header.resizeSection(Nav2NameColumn, kNameWidth);
+  header.resizeSection(Nav2ValueColumn, kValueWidth);
+  header.resizeSection(Nav2FileColumn, kNumberWidth);
+  header.resizeSection(Nav2DefaultColumn, kNumberWidth);
 }
 
 void Nav2Form::setTheme(const Theme& theme) {
@@ -165,7 +193,7 @@ QTreeWidgetItem* Nav2Form::rowOf(const std::string& path) const {
 
 const app::Nav2Parameter* Nav2Form::current() const {
   const QTreeWidgetItem* const row = tree_->currentItem();
-  return row != nullptr ? parameterOf(row->data(0, kParameterRole)) : nullptr;
+  return row != nullptr ? parameterOf(row->data(0, kNav2ParameterRole)) : nullptr;
 }
 
 QString Nav2Form::problemOf(const app::Nav2Parameter& parameter, const QString& text) const {
@@ -215,49 +243,104 @@ void Nav2Form::build() {
         dot == std::string::npos ? parameter.name : parameter.name.substr(dot + 1);
     auto* row = new QTreeWidgetItem(group, {words(name)});
     row->setFlags(row->flags() | Qt::ItemIsEditable);
-    row->setData(0, kParameterRole, QVariant::fromValue(i));
+    row->setData(0, kNav2ParameterRole, QVariant::fromValue(i));
     rows_.push_back(row);
+  }
+  buildTabs();
+}
+
+/// The chosen server stays chosen if the new file has it.
+void Nav2Form::buildTabs() {
+  const QSignalBlocker quiet(tabs_);
+  const QString before =
+      tabs_->currentIndex() > kAllTab ? tabs_->tabText(tabs_->currentIndex()) : QString();
+  while (tabs_->count() > 0) {
+    tabs_->removeTab(0);
+  }
+  if (rows_.empty()) {
+    return;
+  }
+  tabs_->addTab(tr("All"));
+  for (int k = 0; k < tree_->topLevelItemCount(); ++k) {
+    const QString node = tree_->topLevelItem(k)->text(Nav2NameColumn);
+    const int tab = tabs_->addTab(node);
+    if (node == before) {
+      tabs_->setCurrentIndex(tab);
+    }
   }
 }
 
 void Nav2Form::showValues() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const app::Nav2Parameter& parameter = sheet_.parameters[i];
-    QTreeWidgetItem& row = *rows_[i];
-    QFont letters = font();
-    letters.setWeight(parameter.given ? QFont::DemiBold : QFont::Normal);
-    for (const int column : {0, 1}) {
-      row.setFont(column, letters);
-      row.setToolTip(column, words(parameter.path) + QLatin1Char('\n') + words(parameter.meaning));
-    }
-    row.setText(1, words(parameter.value()));
-    row.setForeground(1, parameter.given                   ? accent_
-                         : parameter.fileValue.has_value() ? palette().color(QPalette::Text)
-                                                           : secondary_);
+    showRow(i);
   }
+  showTabs();
   showHelp();
 }
 
+void Nav2Form::showRow(std::size_t index) {
+  const app::Nav2Parameter& parameter = sheet_.parameters[index];
+  QTreeWidgetItem& row = *rows_[index];
+  QFont letters = font();
+  letters.setWeight(parameter.given ? QFont::DemiBold : QFont::Normal);
+  const QString meaning = capitalized(words(parameter.meaning));
+  for (int column = 0; column < Nav2Columns; ++column) {
+    row.setToolTip(column, words(parameter.path) + QLatin1Char('\n') + meaning);
+    if (column > Nav2ValueColumn) {
+      row.setForeground(column, secondary_);
+    }
+  }
+  row.setFont(Nav2NameColumn, letters);
+  row.setFont(Nav2ValueColumn, letters);
+  row.setText(Nav2ValueColumn, words(parameter.value()));
+  row.setText(Nav2FileColumn,
+              parameter.fileValue ? words(*parameter.fileValue) : QStringLiteral("–"));
+  row.setText(Nav2DefaultColumn, withUnit(parameter.fallback, parameter));
+  row.setText(Nav2HelpColumn, meaning);
+  row.setForeground(Nav2ValueColumn, parameter.given ? accent_
+                                     : parameter.fileValue.has_value()
+                                         ? palette().color(QPalette::Text)
+                                         : secondary_);
+}
+
+/// Marks the servers that have changed values.
+void Nav2Form::showTabs() {
+  std::map<QString, int> changed;
+  for (const app::Nav2Parameter& parameter : sheet_.parameters) {
+    changed[words(parameter.node)] += parameter.given ? 1 : 0;
+  }
+  for (int tab = kAllTab + 1; tab < tabs_->count(); ++tab) {
+    const int count = changed[tabs_->tabText(tab)];
+    tabs_->setTabTextColor(tab, count > 0 ? accent_ : QColor());
+    tabs_->setTabToolTip(tab, count > 0 ? tr("%1 changed").arg(count) : tr("As in the file"));
+  }
+}
+
+bool Nav2Form::isShown(const app::Nav2Parameter& parameter) const {
+  const int tab = tabs_->currentIndex();
+  return (tab <= kAllTab || tabs_->tabText(tab) == words(parameter.node)) &&
+         matchesSearch(parameter, search_->text().trimmed()) &&
+         (!onlyChanged_->isChecked() || parameter.given.has_value());
+}
+
 void Nav2Form::filter() {
-  const QString searched = search_->text().trimmed();
-  const bool isFiltered = !searched.isEmpty() || onlyChanged_->isChecked();
+  const bool isFiltered = !search_->text().trimmed().isEmpty() || onlyChanged_->isChecked() ||
+                          tabs_->currentIndex() > kAllTab;
   bool isAny = false;
   for (const auto& [name, group] : groups_) {
     group->setHidden(isFiltered);
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const app::Nav2Parameter& parameter = sheet_.parameters[i];
-    const bool isShown = matchesSearch(parameter, searched) &&
-                         (!onlyChanged_->isChecked() || parameter.given.has_value());
-    rows_[i]->setHidden(!isShown);
-    isAny = isAny || isShown;
-    for (QTreeWidgetItem* group = rows_[i]->parent(); group != nullptr && isShown && isFiltered;
+    const bool isVisible = isShown(sheet_.parameters[i]);
+    rows_[i]->setHidden(!isVisible);
+    isAny = isAny || isVisible;
+    for (QTreeWidgetItem* group = rows_[i]->parent(); group != nullptr && isVisible && isFiltered;
          group = group->parent()) {
       group->setHidden(false);
       group->setExpanded(true);
     }
   }
-  nothing_->setMatchFound(isAny || searched.isEmpty());
+  nothing_->setMatchFound(isAny || search_->text().trimmed().isEmpty());
 }
 
 /// Shows description, default and file value of the current row.
@@ -265,10 +348,11 @@ void Nav2Form::showHelp() {
   const app::Nav2Parameter* const parameter = current();
   reset_->setVisible(parameter != nullptr && parameter->given.has_value());
   if (parameter == nullptr) {
-    help_->setText(
-        rows_.empty()
-            ? words(sheet_.problems.empty() ? std::string() : sheet_.problems.front().message)
-            : tr("Double-click a value to change it. The file is not changed."));
+    help_->setText(rows_.empty() ? words(sheet_.problems.empty() ? std::string()
+                                                                 : sheet_.problems.front().message)
+                                 : tr("Double-click a value to change it. The scenario keeps the "
+                                      "change; the file is only "
+                                      "changed by saving it as a new file."));
     return;
   }
   QStringList lines;
