@@ -6,7 +6,6 @@
 
 #include "app/run/Nav2Robots.h"
 #include "app/run/PlannerFiles.h"
-#include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
 #include "sim2d/nav/nav2/params/ParameterPatch.h"
@@ -41,27 +40,27 @@ void nameFile(std::vector<std::string>& entries, const std::string& entry) {
   }
 }
 
-/// The values in effect, by node and name.
-std::map<std::pair<std::string, std::string>, std::string> valuesOf(const Nav2ParameterList& list) {
-  std::map<std::pair<std::string, std::string>, std::string> values;
-  for (const Nav2Parameter& parameter : list.parameters) {
-    values[{parameter.node, parameter.name}] = parameter.value();
+/// The values in effect, by path.
+std::map<std::string, std::string> effectiveValues(const bt::Nav2Loaded& loaded) {
+  std::map<std::string, std::string> values;
+  for (const sim2d::nav2::EffectiveKey& key : loaded.parameters.notes.known) {
+    values[key.path] = key.value;
   }
   return values;
 }
 
 /// Gives back the values that have no effect in the file.
-void keepIneffective(const Nav2ParameterList& before, const std::string& scenarioPath,
-                     SavedNav2Parameters& saved) {
-  const auto now = valuesOf(nav2ParameterListOf(saved.robot, scenarioPath));
-  for (const Nav2Parameter& parameter : before.parameters) {
-    const auto found = now.find({parameter.node, parameter.name});
-    const bool isKept = base::findIf(saved.kept, [&](const std::string& path) {
-                          return path == parameter.path;
-                        }) != nullptr;
-    if (parameter.given && !isKept &&
-        (found == now.end() ||
-         (found->second != *parameter.given && found->second != typedValue(parameter)))) {
+void keepIneffective(const bt::Nav2Loaded& before, const Nav2ParameterList& list,
+                     const std::string& scenarioPath, SavedNav2Parameters& saved) {
+  const auto wanted = effectiveValues(before);
+  const auto now = effectiveValues(filesOf(saved.robot, scenarioPath));
+  for (const Nav2Parameter& parameter : list.parameters) {
+    const std::string path = parameter.node + "." + parameter.name;
+    const auto found = now.find(path);
+    const bool isEffective = found != now.end() && found->second == wanted.at(path);
+    const bool isKept =
+        std::find(saved.kept.begin(), saved.kept.end(), parameter.path) != saved.kept.end();
+    if (parameter.given && !isKept && !isEffective) {
       saved.robot = withNav2Value(std::move(saved.robot), parameter, parameter.given);
       saved.kept.push_back(parameter.path);
     }
@@ -100,7 +99,7 @@ base::Result<SavedNav2Parameters> saveNav2Parameters(const sim2d::Robot& robot,
     return problems;
   }
   nameFile(saved.robot.nav2Params, entry);
-  keepIneffective(list, scenarioPath, saved);
+  keepIneffective(files, list, scenarioPath, saved);
   return saved;
 }
 
