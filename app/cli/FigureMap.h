@@ -28,6 +28,7 @@ struct FigureOptions {
   std::set<FigureOverlay> overlays;
   double timeMarks = 0.0;  // [s] between two marks on trajectories; 0: none
   bool names = true;       // below the bodies
+  bool isDark = false;     // in the colours of the dark theme
 };
 
 /// The layout of a figure. Pixels are those of CSS, 96 per inch.
@@ -54,17 +55,18 @@ struct FigureSizes {
   double line() const { return isNarrow ? 1.2 : 1.8; }
 };
 
-/// Draws text in figures on white, with the fonts of the light theme.
+/// Draws text in figures, and has their theme.
 class FigureText {
  public:
-  explicit FigureText(bool asOutlines) : asOutlines_(asOutlines) {}
+  explicit FigureText(bool asOutlines, bool isDark = false)
+      : asOutlines_(asOutlines), theme_(isDark) {}
   const editor::Theme& theme() const { return theme_; }
   void write(QPainter& painter, const QPointF& baseline, const QFont& font, editor::Role role,
              const QString& text) const;
 
  private:
   bool asOutlines_;
-  editor::Theme theme_ = editor::Theme::light();
+  editor::Theme theme_;
 };
 
 /// The trajectory of a body and its appearance.

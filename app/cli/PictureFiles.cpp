@@ -43,9 +43,9 @@ void removeCreationDate(QByteArray& pdf) {
 
 }  // namespace
 
-std::string pngOf(const QSizeF& size, const Paint& paint) {
+std::string pngOf(const QSizeF& size, const Paint& paint, const QColor& ground) {
   QImage image = editor::blankImage(size.toSize(), QImage::Format_ARGB32_Premultiplied);
-  image.fill(Qt::white);
+  image.fill(ground);
   {
     QPainter painter(&image);
     paint(painter);
@@ -318,13 +318,17 @@ class FfmpegMovie : public Movie {
 
 }  // namespace
 
+bool Movie::isAvailable(const std::string& ending) {
+  return ending == ".gif" || !QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty();
+}
+
 base::Result<std::unique_ptr<Movie>> Movie::begin(const std::string& path, double framesPerSecond) {
   std::error_code ignored;  // an impossible folder is reported when the file is written
   fs::create_directories(fs::path(path).parent_path(), ignored);
   if (endingOf(path) == ".gif") {
     return std::unique_ptr<Movie>(std::make_unique<GifMovie>(path, framesPerSecond));
   }
-  if (QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
+  if (!isAvailable(endingOf(path))) {
     return base::error("movie.no-encoder", {}, path);
   }
   return std::unique_ptr<Movie>(std::make_unique<FfmpegMovie>(path, framesPerSecond));

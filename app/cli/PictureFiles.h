@@ -5,13 +5,14 @@
 #include <string>
 #include <utility>
 
+#include <QColor>
+#include <QImage>
 #include <QSizeF>
 #include <QString>
 
 #include "app/report/Figure.h"
 #include "sim2d/base/Result.h"
 
-class QImage;
 class QPainter;
 
 /// Renders pictures to the bytes of a file, which are reproducible. Pixels are those of CSS, 96 per
@@ -21,7 +22,7 @@ namespace app {
 using Paint = std::function<void(QPainter&)>;
 
 /// Throws std::bad_alloc if it is too large for memory.
-std::string pngOf(const QSizeF& size, const Paint& paint);
+std::string pngOf(const QSizeF& size, const Paint& paint, const QColor& ground = Qt::white);
 std::string svgOf(const QSizeF& size, const QString& title, const Paint& paint);
 /// One page of that size, with embedded fonts.
 std::string pdfOf(const QSizeF& size, const Paint& paint);
@@ -40,6 +41,8 @@ class Movie {
   /// writable.
   static base::Result<std::unique_ptr<Movie>> begin(const std::string& path,
                                                     double framesPerSecond);
+  /// Whether the program that writes this format is installed: ".gif" needs none.
+  static bool isAvailable(const std::string& ending);
 
   Movie() = default;
   virtual ~Movie() = default;

@@ -263,14 +263,14 @@ RunFigure::RunFigure(const sim2d::Trace& trace, const FigureSizes& sizes, bool t
                      const FigureOptions& options)
     : seed_(trace.header.seed),
       sizes_(sizes),
-      text_(textAsOutlines),
+      text_(textAsOutlines, options.isDark),
       map_(trace, sizes_, text_, options),
       legend_(trace, map_, sizes_, text_),
       key_(map_, sizes_, text_, options) {}
 
 void RunFigure::paintGround(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(QRectF(QPointF(), size_), Qt::white);
+  painter.fillRect(QRectF(QPointF(), size_), ground());
 }
 
 double RunFigure::paintFoot(QPainter& painter, const QPointF& leftTop, double width) const {

@@ -73,6 +73,7 @@ class RunFigure {
  public:
   Q_DISABLE_COPY_MOVE(RunFigure)         // members refer to each other
   QSizeF size() const { return size_; }  // [px]
+  QColor ground() const { return text_.theme().color(editor::Role::MapFree); }
 
  protected:
   RunFigure(const sim2d::Trace& trace, const FigureSizes& sizes, bool textAsOutlines,
@@ -92,7 +93,8 @@ class RunFigure {
   QSizeF size_;
 };
 
-/// The picture of a run for a paper: map and obstacles on white, trajectories that fade from light
+/// The picture of a run for a paper: map and obstacles on white (dark
+/// theme: on dark), trajectories that fade from light
 /// to full, starts as rings, goals as pins, legend and scale. One thread; requires a
 /// QGuiApplication. The trace must outlive it.
 class RunPicture : public RunFigure {

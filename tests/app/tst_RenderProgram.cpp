@@ -75,6 +75,16 @@ class RenderProgramTest : public QObject, protected InFolder {
     }
   }
 
+  void theme_dark_hasADarkGround() {
+    QVERIFY(render(text("dark.png"), {text("--theme"), text("dark")}).exitCode == 0);
+    const QImage dark(path("dark.png"));
+    QCOMPARE(dark.pixelColor(2, 2), QColor(0x2A, 0x2E, 0x33));
+    QVERIFY(render(text("light.png"), {text("--theme"), text("light")}).exitCode == 0);
+    QVERIFY(render(text("usual.png")).exitCode == 0);
+    QVERIFY(bytesOf(path("light.png")) == bytesOf(path("usual.png")));
+    QCOMPARE(render(text("x.html"), {text("--theme"), text("dark")}).exitCode, 64);
+  }
+
   /// A third-party file is kept, unless --force is given; a file of hunavsim is replaced.
   void file_ofOthers_isLeftAlone_data() {
     QTest::addColumn<QString>("name");

@@ -10,12 +10,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <QImage>
-
 #include "app/bridge/bag/RunBagWriter.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/PictureFiles.h"
+#include "app/cli/RunExport.h"
 #include "app/cli/RunPicture.h"
 #include "app/report/PlayerPage.h"
 #include "app/report/RunPictures.h"
@@ -23,7 +22,6 @@
 #include "app/run/OutputFolder.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunFolder.h"
-#include "editor/look/FigurePainter.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -54,17 +52,11 @@ struct RenderOptions {
   std::optional<double> timeMarks;  // [s] between two
   std::string strip;                // a number of instants, or their times
   std::string plot;                 // keys of metrics
+  std::string theme;                // light or dark; empty: light
   bool force = false;               // overwrite files not created by hunavsim
 };
 
 enum class Kind { Picture, Vectors, Film, Page, Bag, Trajnet, Socnav3 };
-
-constexpr double kPixelsPerMm = 96.0 / 25.4;
-constexpr double kVectorWidth = 170.0;     // [mm] of two columns
-constexpr double kPictureHeight = 1000.0;  // [px] by default
-constexpr double kFilmWidth = 1280.0;      // [px]
-constexpr double kMaxGifRate = 50.0;       // maximum frame rate of GIF viewers [1/s]
-constexpr double kFilmRate = 20.0;         // [1/s]
 
 /// The kinds of files, by extension.
 const std::map<std::string, Kind>& kindsOfFiles() {
@@ -98,6 +90,7 @@ base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
   const bool isPlot = !options.plot.empty();
   checkApplies(!options.overlays.empty(), isDrawn && !isPlot, "--overlay");
   checkApplies(options.timeMarks.has_value(), isDrawn && !isPlot, "--time-marks");
+  checkApplies(!options.theme.empty(), isDrawn && !isPlot, "--theme");
   checkApplies(!options.strip.empty(), isPicture && !isPlot && !options.at, "--strip");
   checkApplies(isPlot, isPicture, "--plot");
   const auto checkFinite = [&](const std::optional<double>& number, const char* option) {
@@ -112,7 +105,7 @@ base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
   if (options.at && !(*options.at >= 0.0 && std::isfinite(*options.at))) {
     problems.push_back(base::error("option.at"));
   }
-  if (endingOf(options) == ".gif" && options.fps.value_or(kFilmRate) > kMaxGifRate) {
+  if (endingOf(options) == ".gif" && options.fps.value_or(0.0) > kMaxGifRate) {
     problems.push_back(base::error("option.gif-rate", {}, options.output));
   }
   return problems;
@@ -136,6 +129,7 @@ PictureLayout layoutOf(const RenderOptions& options, Kind kind) {
     layout.options.overlays.insert(static_cast<FigureOverlay>(at));
   }
   layout.options.timeMarks = options.timeMarks.value_or(0.0);
+  layout.options.isDark = options.theme == "dark";
   return layout;
 }
 
@@ -186,13 +180,9 @@ std::vector<report::TimeCurve> plotCurves(const std::string& keys, const sim2d::
 }
 
 /// The file content of a figure of this size.
-std::string fileOf(const RenderOptions& options, const sim2d::Trace& trace, const QSizeF& size,
+std::string fileOf(const RenderOptions& options, const sim2d::Trace& trace, const RunFigure& figure,
                    const Paint& paint) {
-  const std::string ending = endingOf(options);
-  if (ending == ".svg") {
-    return svgOf(size, QString::fromStdString(trace.header.scenario), paint);
-  }
-  return ending == ".pdf" ? pdfOf(size, paint) : pngOf(size, paint);
+  return runFigureFile(figure, paint, endingOf(options), trace.header.scenario);
 }
 
 std::string bytesOf(const RenderOptions& options, const sim2d::Trace& trace,
@@ -206,47 +196,30 @@ std::string bytesOf(const RenderOptions& options, const sim2d::Trace& trace,
   }
   if (!options.strip.empty()) {
     RunStrip strip(trace, layout, stripTimes(options.strip, trace));
-    return fileOf(options, trace, strip.size(), [&](QPainter& painter) { strip.paint(painter); });
+    return fileOf(options, trace, strip, [&](QPainter& painter) { strip.paint(painter); });
   }
   RunPicture picture(trace, layout);
-  return fileOf(options, trace, picture.size(),
+  return fileOf(options, trace, picture,
                 [&](QPainter& painter) { picture.paint(painter, options.at); });
-}
-
-/// With even sides, as encoders require.
-QImage frameAt(double time, RunPicture& picture) {
-  const auto even = [](double side) { return 2 * static_cast<int>(std::ceil(0.5 * side)); };
-  QImage image = editor::blankImage({even(picture.size().width()), even(picture.size().height())},
-                                    QImage::Format_RGB32);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  picture.paint(painter, time);
-  painter.end();
-  return image;
 }
 
 /// False: interrupted.
 bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPicture& picture,
               bool quiet) {
   catchInterrupts();
-  const double rate = options.fps.value_or(kFilmRate);
-  const double step = options.speed.value_or(1.0) / rate;
-  const double first = trace.frames.empty() ? 0.0 : trace.frames.front().time;
-  const double last = trace.frames.empty() ? 0.0 : trace.frames.back().time;
-  const auto count = static_cast<long long>(std::ceil((last - first) / step - 1e-9)) + 1;
-  base::Result<std::unique_ptr<Movie>> film = Movie::begin(options.output, rate);
-  requireFine(film.diagnostics());
+  FilmTiming timing;
+  timing.framesPerSecond = options.fps.value_or(timing.framesPerSecond);
+  timing.speed = options.speed.value_or(timing.speed);
+  timing.from = trace.frames.empty() ? 0.0 : trace.frames.front().time;
+  timing.to = trace.frames.empty() ? 0.0 : trace.frames.back().time;
   Progress progress(quiet);
-  for (long long k = 0; k < count; ++k) {
-    if (wasInterrupted()) {
-      return false;
-    }
-    progress.show("frame " + std::to_string(k + 1) + " of " + std::to_string(count));
-    requireFine(
-        (*film)->add(frameAt(std::min(last, first + static_cast<double>(k) * step), picture)));
-  }
-  requireFine((*film)->finish());
-  return true;
+  const base::Result<bool> isComplete =
+      writeFilm(options.output, picture, timing, [&progress](long long frame, long long count) {
+        progress.show("frame " + std::to_string(frame) + " of " + std::to_string(count));
+        return !wasInterrupted();
+      });
+  requireFine(isComplete.diagnostics());
+  return *isComplete;
 }
 
 base::Diagnostics writeBag(const std::string& path, const std::string& run) {
@@ -361,6 +334,8 @@ void addRender(CommandRegistry& commands) {
           "(forces are not recorded; the window shows them during a run)")
       ->delimiter(',')
       ->check(oneOf(recordedOverlayNames()));
+  command.add_option("--theme", options.theme, "Colours: light (default) or dark")
+      ->check(oneOf({"light", "dark"}));
   command
       .add_option("--time-marks", options.timeMarks,
                   "Draw a dot on each trajectory at this interval [s]")
