@@ -3,6 +3,7 @@
 #include "app/window/NoticeBar.h"
 #include "app/window/RunCommands.h"
 #include "app/window/TreeCommands.h"
+#include "app/window/export/RunExportCommands.h"
 #include "app/window/files/FileCommands.h"
 #include "app/window/files/FileDialogs.h"
 #include "editor/look/AppStyle.h"
@@ -71,6 +72,10 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
   connect(figures, &FigureCommands::message, this,
           [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });
+  exports_ = new RunExportCommands(workspace_, *docks_, *actions_, userSettings_, *this);
+  connect(exports_, &RunExportCommands::saved, this, [this](const QString& file) {
+    statusBar()->showMessage(tr("Saved %1").arg(file), kMessageMs);
+  });
   restoreGeometry(userSettings_.value(kGeometryKey).toByteArray());
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder,
                              setup.openFilesFolder, this);
@@ -133,6 +138,7 @@ MainWindow::~MainWindow() {
   delete help_;
   delete preferences_;
   delete guard_;
+  delete exports_;
   delete status_;
   delete files_;
   qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
@@ -349,6 +355,7 @@ void MainWindow::showStart(bool start) {
   if (start) {
     tour_->stop();
   }
+  exports_->setOpen(!start);
   updateActions();
   if (!start) {
     workspace_.view().setFocus();

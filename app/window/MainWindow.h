@@ -21,6 +21,7 @@ namespace app {
 
 class DocumentGuard;
 class NoticeBar;
+class RunExportCommands;
 
 struct WindowSetup {
   editor::Theme theme = editor::Theme::light();
@@ -108,6 +109,7 @@ class MainWindow : public QMainWindow {
   Docks* docks_;
   FileCommands* files_;
   DocumentGuard* guard_;
+  RunExportCommands* exports_;
   StatusLine* status_ = new StatusLine(*statusBar(), workspace_);
   QToolBar* toolBar_;
   QMenu* recent_ = nullptr;

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "app/cli/PictureFiles.h"
+#include "app/cli/RunExport.h"
 #include "app/cli/RunObservers.h"
 #include "app/cli/RunPicture.h"
 #include "app/report/RunPictures.h"
@@ -261,14 +262,12 @@ void showHistoryDialog(UserSettings& memory, editor::SimulationRunner& runner,
 
 namespace {
 
-constexpr double kTwoColumns = 170.0;        // [mm], two columns of a paper
-constexpr double kPxPerMm = 96.0 / 25.4;     // as in CSS
 constexpr double kSharp = 300.0 / 96.0;      // PNG pixels per CSS pixel
 constexpr std::size_t kMostStates = 400000;  // body states per figure
 
 PictureLayout paperLayout(FigureOptions options) {
   PictureLayout layout;
-  layout.width = kTwoColumns * kPxPerMm;
+  layout.width = kVectorWidth * kPixelsPerMm;
   layout.textAsOutlines = true;
   layout.options = std::move(options);
   return layout;
@@ -337,8 +336,7 @@ void FigureCommands::updateEnabled() {
   editor::setEnabled(*actions_.copyPlot, !workspace_.feed().snapshot().curves.empty(), noRun);
 }
 
-FigureOptions FigureCommands::options() const {
-  const editor::CanvasOptions& on = workspace_.scene().options();
+FigureOptions figureOptionsOf(const editor::CanvasOptions& on) {
   FigureOptions options;
   const std::pair<bool, FigureOverlay> overlays[] = {
       {on.density, FigureOverlay::Density},   {on.proxemics, FigureOverlay::Zones},
@@ -360,7 +358,7 @@ void FigureCommands::copyMap() {
     return;
   }
   const sim2d::Trace trace = figureTrace(*recording, frame->time);
-  RunPicture picture(trace, paperLayout(options()));
+  RunPicture picture(trace, paperLayout(figureOptionsOf(workspace_.scene().options())));
   const Paint paint = [&](QPainter& painter) { picture.paint(painter, frame->time); };
   const std::string svg =
       svgOf(picture.size(), QString::fromStdString(trace.header.scenario), paint);
@@ -389,7 +387,7 @@ void FigureCommands::copyPlot() {
       recording->header()->scenario + " · seed " + std::to_string(recording->header()->seed);
   const report::Figure plot = report::timePlot(
       {{result->info.name, result->info.unit, curve->second.times, curve->second.values}},
-      kTwoColumns * kPxPerMm, caption);
+      kVectorWidth * kPixelsPerMm, caption);
   const auto [size, paint] = paintingOf(plot);
   QGuiApplication::clipboard()->setMimeData(copiedFigure(size, plot.standalone(), paint).release());
   Q_EMIT message(

@@ -83,6 +83,9 @@ class HistoryDialog : public QDialog {
 void showHistoryDialog(UserSettings& memory, editor::SimulationRunner& runner,
                        const editor::Theme& theme, QWidget* parent);
 
+/// The overlays of the canvas that figures have.
+FigureOptions figureOptionsOf(const editor::CanvasOptions& on);
+
 /// Copies figures for publications to the clipboard as PNG (300 dpi) and SVG: the displayed frame
 /// with its overlays, or the selected metric.
 class FigureCommands : public QObject {
@@ -98,7 +101,6 @@ class FigureCommands : public QObject {
   void copyMap();
   void copyPlot();
   std::string selectedMetric() const;  // metric key; empty: none
-  FigureOptions options() const;
 
   Workspace& workspace_;
   Docks& docks_;

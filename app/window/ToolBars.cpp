@@ -154,8 +154,9 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
                     actions.openRun, actions.importTracks}});
   QMenu* recent = file.addMenu(QObject::tr("Open recen&t"));
   recent->setProperty(KeyMap::kListsFilesProperty, true);
-  addGroups(file,
-            {{actions.save, actions.saveAs, actions.exportTo}, {actions.close, actions.quit}});
+  addGroups(file, {{actions.save, actions.saveAs, actions.exportTo},
+                   {actions.savePicture, actions.saveFilm},
+                   {actions.close, actions.quit}});
 
   QMenu& edit = *bar.addMenu(QObject::tr("&Edit"));
   addGroups(edit, {{actions.undo, actions.redo},
@@ -234,6 +235,10 @@ void showInteractionMenu(Workspace& workspace, const QPoint& at) {
     addDriveAction(*menu, workspace, layer.entityOf(*agent));
   }
   workspace.interaction().fillMenu(*menu, agent, place);
+  if (agent && workspace.playback().branchHere->isEnabled()) {
+    menu->addSeparator();
+    menu->addAction(workspace.playback().branchHere);
+  }
   if (menu->isEmpty()) {
     delete menu;
     return;

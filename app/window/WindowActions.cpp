@@ -117,6 +117,12 @@ void WindowActions::makeFileActions() {
       make(tr("Save &as…"), tr("Save the scenario under another name"), kCtrl | kShift | Qt::Key_S);
   exportTo = make(tr("&Export…"), tr("Export scenario, trees and map for another simulator"),
                   kCtrl | Qt::Key_E);
+  savePicture = make(tr("Save p&icture…"),
+                     tr("Save the displayed step of the run, or the start of the scenario, as PNG, "
+                        "SVG or PDF"),
+                     kCtrl | kShift | Qt::Key_I);
+  saveFilm = make(tr("Save fi&lm…"), tr("Save the run as a GIF, MP4 or WebP film"),
+                  kCtrl | kShift | Qt::Key_F);
   close = make(tr("&Close"), tr("Return to the start page"), kCtrl | Qt::Key_W);
   quit = make(tr("&Quit"), tr("Quit the program"), kCtrl | Qt::Key_Q);
   openMap = make(tr("Change &map…"), tr("Choose another map for the scenario"), {}, "start-map");

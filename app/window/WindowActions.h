@@ -16,7 +16,8 @@ class WindowActions : public QObject {
   explicit WindowActions(Workspace& workspace, QObject* parent = nullptr);
   void setTheme(const editor::Theme& theme);
 
-  QAction *newOpenPlane, *newFromMap, *open, *openRun, *save, *saveAs, *exportTo, *close, *quit;
+  QAction *newOpenPlane, *newFromMap, *open, *openRun, *save, *saveAs, *exportTo, *savePicture,
+      *saveFilm, *close, *quit;
   QAction *newEmptyRoom, *copyFigure, *copyPlot;
   QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or entity of the selected kind

@@ -1,0 +1,341 @@
+#include <QImageReader>
+#include <QStandardItemModel>
+#include <QtTest>
+
+#include "QuietWindow.h"
+#include "RunFiles.h"
+#include "app/window/export/RunExportDialog.h"
+#include "editor/look/AppStyle.h"
+
+using app::ExportSource;
+using app::SaveFilmDialog;
+using app::SavePictureDialog;
+using editor::SimulationRunner;
+using namespace outside;
+
+namespace {
+
+constexpr int kLongMs = 60000;
+
+/// Types a number into a field, as a user does.
+void typeInto(QAbstractSpinBox& field, const QString& number) {
+  field.setFocus();
+  field.selectAll();
+  QTest::keyClicks(&field, number);
+  QTest::keyClick(&field, Qt::Key_Tab);
+}
+
+void choose(QComboBox& box, const QString& words) {
+  for (int k = 0; k < box.count(); ++k) {
+    if (box.itemText(k).startsWith(words)) {
+      box.setFocus();
+      QTest::keyClick(&box, Qt::Key_Home);
+      for (int step = 0; step < k; ++step) {
+        QTest::keyClick(&box, Qt::Key_Down);
+      }
+    }
+  }
+  QVERIFY2(box.currentText().startsWith(words), qPrintable(box.currentText()));
+}
+
+QPushButton& button(const QDialog& dialog, const char* words) {
+  return *widgets::withText<QPushButton>(dialog, text(words));
+}
+
+/// The source of a dialog without a window: a person and a robot who walk for `seconds`.
+ExportSource walk(double seconds, int steps) {
+  auto trace = std::make_shared<sim2d::Trace>();
+  trace->header.scenario = "walk";
+  trace->header.dt = seconds / steps;
+  sim2d::TraceHuman human;
+  human.id = 1;
+  human.name = "anna";
+  trace->header.humans.push_back(human);
+  for (int step = 0; step <= steps; ++step) {
+    sim2d::Frame frame;
+    frame.step = step;
+    frame.time = step * trace->header.dt;
+    frame.humans.id.push_back(1);
+    frame.humans.x.push_back(frame.time);
+    frame.humans.y.push_back(1.0);
+    frame.humans.heading.push_back(0.0);
+    frame.humans.vx.push_back(1.0);
+    frame.humans.vy.push_back(0.0);
+    trace->frames.push_back(frame);
+  }
+  ExportSource source;
+  source.name = text("walk");
+  source.to = seconds;
+  source.shown = seconds;
+  source.trace = [trace] { return base::Result<sim2d::Trace>(*trace); };
+  return source;
+}
+
+}  // namespace
+
+/// Pictures and films of runs, saved from the window.
+class RunExportTest : public QObject, protected InFolder {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<app::MainWindow> window_;
+
+  /// The file dialog that opens next gets this path.
+  static void answerFile(const QString& file) {
+    quiet::answerDialog<QFileDialog>([file](QFileDialog& dialog) {
+      dialog.findChild<QLineEdit*>(text("fileNameEdit"))->setText(file);
+      QMetaObject::invokeMethod(&dialog, "accept");
+    });
+  }
+  /// Opens a dialog of the window by its command, changes it, and saves to the file.
+  template <class Dialog>
+  void saveAs(QAction& command, const QString& file, const std::function<void(Dialog&)>& change) {
+    quiet::answerDialog<Dialog>([this, file, change](Dialog& dialog) {
+      QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), kLongMs);
+      change(dialog);
+      answerFile(file);
+      QTest::mouseClick(&button(dialog, "Save…"), Qt::LeftButton);
+    });
+    command.trigger();  // returns when the dialog has been closed
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    editor::applyTheme(editor::Theme::light());
+    QCOMPARE(failureOf("run % --duration 4 -q -o %", {quiet::demoPath(), path("run")}), QString());
+  }
+  void init() { window_ = quiet::shownWindow(); }
+  void cleanup() { quiet::leave(window_); }
+
+  void picture_ofARecordedRun_hasTheBytesOfTheCommand_data() {
+    QTest::addColumn<QString>("ending");
+    QTest::addColumn<QString>("format");
+    QTest::newRow("png") << text("png") << text("PNG");
+    QTest::newRow("svg") << text("svg") << text("SVG");
+    QTest::newRow("pdf") << text("pdf") << text("PDF");
+  }
+  void picture_ofARecordedRun_hasTheBytesOfTheCommand() {
+    QFETCH(QString, ending);
+    QFETCH(QString, format);
+    const QString ours = path(text("ours.") + ending), theirs = path(text("theirs.") + ending);
+    QCOMPARE(failureOf("render % -o % --at 2.5 --overlay velocities --time-marks 1",
+                       {path("run"), theirs}),
+             QString());
+    QVERIFY(window_->open(path("run")));
+    saveAs<SavePictureDialog>(
+        *window_->actions().savePicture, ours, [format](SavePictureDialog& dialog) {
+          choose(quiet::part<QComboBox>(dialog, "Format"), format);
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Time"), text("2.5"));
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Time marks every"), text("1"));
+          QTest::mouseClick(widgets::withText<QCheckBox>(dialog, text("Velocities")),
+                            Qt::LeftButton, {}, QPoint(8, 8));
+        });
+    QVERIFY(bytesOf(ours).size() > 1000);
+    QVERIFY(bytesOf(ours) == bytesOf(theirs));
+  }
+
+  void film_ofARecordedRun_hasTheBytesOfTheCommand() {
+    QCOMPARE(failureOf("render % -o % --fps 10 --speed 2 --width 640",
+                       {path("run"), path("theirs.gif")}),
+             QString());
+    QVERIFY(window_->open(path("run")));
+    saveAs<SaveFilmDialog>(
+        *window_->actions().saveFilm, path("ours.gif"), [](SaveFilmDialog& dialog) {
+          choose(quiet::part<QComboBox>(dialog, "Size"), text("Small"));
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Frames per second"), text("10"));
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Speed"), text("2"));
+          QCOMPARE(dialog.timing().frameCount(), 21LL);  // 0, 0.2 … 4 s
+        });
+    QVERIFY(bytesOf(path("ours.gif")).size() > 1000);
+    QVERIFY(bytesOf(path("ours.gif")) == bytesOf(path("theirs.gif")));
+  }
+
+  void film_mp4_isWrittenByFfmpeg() {
+    if (!app::Movie::isAvailable(".mp4")) {
+      QSKIP("ffmpeg is not installed");
+    }
+    QVERIFY(window_->open(path("run")));
+    saveAs<SaveFilmDialog>(*window_->actions().saveFilm, path("film.mp4"),
+                           [](SaveFilmDialog& dialog) {
+                             choose(quiet::part<QComboBox>(dialog, "Format"), text("MP4"));
+                             choose(quiet::part<QComboBox>(dialog, "Size"), text("Small"));
+                             typeInto(quiet::part<QAbstractSpinBox>(dialog, "To"), text("1"));
+                           });
+    QCOMPARE(bytesOf(path("film.mp4")).mid(4, 4), QByteArray("ftyp"));
+  }
+
+  void film_ofASection_hasItsFrames() {
+    QVERIFY(window_->open(path("run")));
+    saveAs<SaveFilmDialog>(*window_->actions().saveFilm, path("part.gif"),
+                           [](SaveFilmDialog& dialog) {
+                             QPushButton& save = button(dialog, "Save…");
+                             typeInto(quiet::part<QAbstractSpinBox>(dialog, "From"), text("3"));
+                             typeInto(quiet::part<QAbstractSpinBox>(dialog, "To"), text("2"));
+                             QVERIFY(!save.isEnabled());  // the end is before the start
+                             typeInto(quiet::part<QAbstractSpinBox>(dialog, "To"), text("3.5"));
+                             QVERIFY(save.isEnabled());
+                             choose(quiet::part<QComboBox>(dialog, "Size"), text("Small"));
+                           });
+    QImageReader film(path("part.gif"));
+    QCOMPARE(film.imageCount(), 11);  // 3, 3.05 … 3.5 s
+  }
+
+  void picture_ofARunOfTheWindow_isDrawnWithItsTheme() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    SimulationRunner& runner = window_->workspace().runner();
+    runner.setSpeed(1e9);
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.newestFrame() && runner.newestFrame()->time > 2.0, kLongMs);
+    saveAs<SavePictureDialog>(*window_->actions().savePicture, path("dark.png"),
+                              [&runner](SavePictureDialog& dialog) {
+                                QCOMPARE(runner.state(), SimulationRunner::State::Paused);
+                                choose(quiet::part<QComboBox>(dialog, "Theme"), text("Dark"));
+                                choose(quiet::part<QComboBox>(dialog, "Size"), text("Slide"));
+                                QVERIFY(widgets::withText<QCheckBox>(dialog, text("Forces"))
+                                            ->isEnabled());  // they are in memory
+                              });
+    const QImage image(path("dark.png"));
+    QCOMPARE(image.size(), QSize(1920, 1080));
+    QCOMPARE(image.pixelColor(2, 2), QColor(0x2A, 0x2E, 0x33));  // the dark map's free space
+    QVERIFY(window_->statusBar()->currentMessage().contains(path("dark.png")));
+  }
+
+  void picture_ofAScenario_showsItsStart() {
+    QVERIFY(!window_->actions().savePicture->isEnabled());  // the start page
+    QVERIFY(window_->open(quiet::demoPath()));
+    QVERIFY(!window_->actions().saveFilm->isEnabled());
+    saveAs<SavePictureDialog>(
+        *window_->actions().savePicture, path("start.svg"), [](SavePictureDialog& dialog) {
+          QVERIFY(widgets::named<QAbstractSpinBox>(dialog, text("Time")) == nullptr);
+          choose(quiet::part<QComboBox>(dialog, "Format"), text("SVG"));
+          QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().image().isNull(), kLongMs);
+          quiet::shoot(dialog, "save_picture_start");
+        });
+    QVERIFY(bytesOf(path("start.svg")).size() > 5000);
+    QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
+    QVERIFY(!window_->workspace().document().isDirty());
+  }
+
+  void customSize_typed_isThatOfTheFile() {
+    QVERIFY(window_->open(path("run")));
+    saveAs<SavePictureDialog>(
+        *window_->actions().savePicture, path("free.png"), [](SavePictureDialog& dialog) {
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Width"), text("1000"));
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Height"), text("500"));
+          QCOMPARE(quiet::part<QComboBox>(dialog, "Size").currentText(), text("Custom"));
+        });
+    QCOMPARE(QImage(path("free.png")).size(), QSize(1000, 500));
+  }
+
+  void forPrint_has300Dpi() {
+    QVERIFY(window_->open(path("run")));
+    saveAs<SavePictureDialog>(*window_->actions().savePicture, path("print.png"),
+                              [](SavePictureDialog& dialog) {
+                                choose(quiet::part<QComboBox>(dialog, "Size"), text("One column"));
+                              });
+    QCOMPARE(QImage(path("print.png")).width(), qRound(85.0 / 25.4 * 300.0));
+  }
+
+  void preview_follows_eachField() {
+    SavePictureDialog dialog(walk(4.0, 80), {}, editor::Theme::light());
+    dialog.show();
+    const auto settled = [&dialog] {
+      [&] { QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().isBusy(), kLongMs); }();
+      return dialog.preview().image();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().image().isNull(), kLongMs);
+    QImage before = settled();
+    const auto changes = [&](const char* what) {
+      const QImage now = settled();
+      QVERIFY2(now != before, what);
+      before = now;
+    };
+    typeInto(quiet::part<QAbstractSpinBox>(dialog, "Time"), text("1"));
+    changes("time");
+    choose(quiet::part<QComboBox>(dialog, "Theme"), text("Dark"));
+    changes("theme");
+    QTest::mouseClick(widgets::withText<QCheckBox>(dialog, text("Hall zones")), Qt::LeftButton, {},
+                      QPoint(8, 8));
+    changes("overlay");
+    choose(quiet::part<QComboBox>(dialog, "Size"), text("One column"));
+    changes("size");
+  }
+
+  void film_stopped_writesNothing() {
+    const QString file = path("stopped.gif");
+    SaveFilmDialog dialog(
+        walk(600.0, 6000), [file](const QString&, const QString&) { return file; },
+        editor::Theme::light());
+    dialog.show();
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), kLongMs);
+    QTest::mouseClick(&button(dialog, "Save…"), Qt::LeftButton);
+    QVERIFY(dialog.isWriting());
+    auto& bar = quiet::part<QProgressBar>(dialog, "Progress");
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible() && bar.maximum() == 12001, kLongMs);
+    quiet::shoot(dialog, "save_film_progress");
+    QTest::mouseClick(&button(dialog, "Stop"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.isWriting(), kLongMs);
+    QVERIFY(dialog.isVisible() && dialog.savedFile().isEmpty());
+    QVERIFY(!QFile::exists(file));
+    QVERIFY(widgets::withText<QLabel>(dialog, text("Stopped. No file was written.")) != nullptr);
+    QTest::keyClick(&dialog, Qt::Key_Escape);  // nothing is written: the dialog closes
+    QVERIFY(!dialog.isVisible());
+  }
+
+  void film_withoutFfmpeg_saysSoBefore() {
+    const QByteArray programs = qgetenv("PATH");
+    qputenv("PATH", "/nowhere");
+    const SaveFilmDialog dialog(walk(1.0, 20), {}, editor::Theme::light());
+    qputenv("PATH", programs);
+    const auto& formats = quiet::part<QComboBox>(dialog, "Format");
+    const auto* model = qobject_cast<const QStandardItemModel*>(formats.model());
+    for (int k = 0; k < formats.count(); ++k) {
+      const bool isGif = formats.itemText(k) == text("GIF");
+      QCOMPARE(model->item(k)->isEnabled(), isGif);
+      QCOMPARE(formats.itemText(k).contains(text("requires ffmpeg")), !isGif);
+    }
+    QVERIFY(widgets::findIf<QLabel>(dialog, [](const QLabel* label) {
+              return label->text().contains(text("sudo apt install ffmpeg"));
+            }) != nullptr);
+  }
+
+  void folder_thatCannotBeWritten_isReportedInTheDialog() {
+    SavePictureDialog dialog(
+        walk(1.0, 20), [](const QString&, const QString&) { return text("/proc/none/x.png"); },
+        editor::Theme::light());
+    dialog.show();
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), kLongMs);
+    QTest::mouseClick(&button(dialog, "Save…"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.isWriting(), kLongMs);
+    QVERIFY(dialog.isVisible());
+    QVERIFY(widgets::findIf<QLabel>(dialog, [](const QLabel* label) {
+              return label->text().startsWith(text("Not saved: "));
+            }) != nullptr);
+  }
+
+  void dialogs_areShown() {
+    QVERIFY(window_->open(path("run")));
+    window_->workspace().runner().seek(60);
+    for (const bool isDark : {false, true}) {
+      window_->setTheme(isDark ? editor::Theme::dark() : editor::Theme::light());
+      quiet::answerDialog<SavePictureDialog>([isDark](SavePictureDialog& dialog) {
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().image().isNull(), kLongMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().isBusy(), kLongMs);
+        quiet::shoot(dialog, isDark ? "save_picture_dark" : "save_picture_light");
+        dialog.reject();
+      });
+      window_->actions().savePicture->trigger();
+      quiet::answerDialog<SaveFilmDialog>([isDark](SaveFilmDialog& dialog) {
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().image().isNull(), kLongMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().isBusy(), kLongMs);
+        quiet::shoot(dialog, isDark ? "save_film_dark" : "save_film_light");
+        dialog.reject();
+      });
+      window_->actions().saveFilm->trigger();
+    }
+    window_->setTheme(editor::Theme::light());
+  }
+};
+
+QTEST_MAIN(RunExportTest)
+#include "tst_RunExport.moc"
