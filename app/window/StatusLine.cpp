@@ -171,6 +171,8 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
           &StatusLine::showState);
   connect(&workspace_.document(), &editor::ScenarioDocument::stepFinished, this,
           &StatusLine::showNumbers);
+  connect(&workspace_.document(), &editor::ScenarioDocument::runChanged, this,
+          &StatusLine::showNumbers);
   bar.parentWidget()->installEventFilter(this);
   showState();
 }
@@ -289,7 +291,9 @@ void StatusLine::showMousePosition() {
 
 void StatusLine::showNumbers() {
   zoom_->setText(tr("%1 px/m").arg(qRound(workspace_.view().pixelsPerMetre())));
-  seed_->setText(tr("Seed %1").arg(workspace_.document().scenario().desktop.seed.value_or(1)));
+  const std::shared_ptr<const sim2d::Scenario>& run = workspace_.runner().scenarios().now;
+  const sim2d::Scenario& scenario = run != nullptr ? *run : workspace_.document().scenario();
+  seed_->setText(tr("Seed %1").arg(scenario.desktop.seed.value_or(1)));
   const bool running = workspace_.runner().state() == SimulationRunner::State::Running;
   speed_->setVisible(running);
   speed_->setText(tr("%1 × real time").arg(workspace_.runner().measuredSpeed(), 0, 'f', 1));

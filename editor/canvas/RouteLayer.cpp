@@ -3,6 +3,7 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/PeopleEdits.h"
+#include "editor/document/RunValues.h"
 
 namespace editor {
 
@@ -174,7 +175,7 @@ void RouteLayer::paintPeople(QPainter& painter, bool selected) {
       continue;
     }
     Style style;
-    style.color = theme().line(lookOfPerson(document(), std::get<sim2d::Human>(*value)));
+    style.color = theme().line(shownLookOf(document(), std::get<sim2d::Human>(*value)));
     const double strength = selected ? selectedOpacity_ : opacity_;
     style.widthPx = std::max(selected ? 1.6 : 1.0, (selected ? 2.6 : 1.8) * std::sqrt(strength));
     style.color.setAlphaF((selected ? 1.0 : 0.62) * strength);

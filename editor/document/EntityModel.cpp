@@ -4,6 +4,7 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
+#include "editor/document/RunValues.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 
@@ -84,10 +85,15 @@ EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject
     changed_.insert(change.entity);
   });
   connect(&document_, &ScenarioDocument::stepFinished, this, &EntityModel::follow);
+  connect(&document_, &ScenarioDocument::runChanged, this, &EntityModel::refreshAll);
 }
 
 void EntityModel::setTheme(const Theme& theme) {
   theme_ = theme;
+  refreshAll();
+}
+
+void EntityModel::refreshAll() {
   for (int group = 0; group < rows_.size(); ++group) {
     const QModelIndex parentIndex = index(group, 0);
     const int rows = rowCount(parentIndex);
@@ -254,7 +260,9 @@ QString EntityModel::text(const Entity& entity, int column) const {
     return obstacle == nullptr ? kindName(kindOf(entity)) : obstacleKindName(obstacle->kind);
   }
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
-    return lookName(lookOfPerson(document_, *human));
+    const QString own = lookName(lookOfPerson(document_, *human));
+    const QString shown = lookName(shownLookOf(document_, *human));
+    return own == shown ? own : shown + QString::fromUtf8(" → ") + own;
   }
   if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
     return QString::fromStdString(robot->type.value_or("generic"));
@@ -265,10 +273,20 @@ QString EntityModel::text(const Entity& entity, int column) const {
   return positionText(entity);
 }
 
+/// States that an edited behaviour applies at the next start; nothing: it was not edited in a run.
+QVariant EntityModel::pendingTip(const Entity& entity) const {
+  const auto* human = std::get_if<sim2d::Human>(&entity);
+  const Look own = human == nullptr ? Look::Regular : lookOfPerson(document_, *human);
+  return human == nullptr || own == shownLookOf(document_, *human)
+             ? QVariant()
+             : tr("%1 in this run; %2 applies at the next start")
+                   .arg(lookName(shownLookOf(document_, *human)), lookName(own));
+}
+
 QVariant EntityModel::icon(const Entity& entity) const {
   const FigurePainter painter(theme_);
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
-    return painter.markIcon(lookOfPerson(document_, *human));
+    return painter.markIcon(shownLookOf(document_, *human));
   }
   if (const auto* goal = std::get_if<sim2d::GlobalGoal>(&entity)) {
     return painter.goalIcon(QString::number(goal->id), 20);
@@ -299,6 +317,8 @@ QVariant EntityModel::entityData(EntityId id, int column, int role) const {
     case Qt::TextAlignmentRole:
       return column == BehaviorColumn ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
                                       : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+      return pendingTip(*entity);
     case ListedRole:
       return isListed(*entity);
     case IdKindRole:

@@ -50,7 +50,9 @@ class EntityModel : public QAbstractItemModel {
   QVariant entityData(EntityId id, int column, int role) const;
   QString text(const Entity& entity, int column) const;
   QVariant icon(const Entity& entity) const;
+  QVariant pendingTip(const Entity& entity) const;
   void follow();
+  void refreshAll();
   void syncGroup(int group, const std::function<bool(EntityId)>& isChanged);
   void reorder(int group, std::vector<EntityId> wanted);
 

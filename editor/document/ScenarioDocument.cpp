@@ -4,6 +4,7 @@
 #include "editor/document/DocumentDiskState.h"
 #include "editor/document/LatestTask.h"
 #include "editor/document/PersonTree.h"
+#include "sim2d/base/Find.h"
 
 namespace editor {
 
@@ -100,6 +101,40 @@ std::optional<Entity> ScenarioDocument::entity(EntityId id) const {
     const auto* found = findIn(list, id);
     return found == nullptr ? std::nullopt : std::optional<Entity>(*found);
   });
+}
+
+/// Keys of a run that was read from files are those of its reader.
+std::optional<Entity> ScenarioDocument::entityIn(const sim2d::Scenario& scenario,
+                                                 EntityId id) const {
+  if (id == kSettingsId) {
+    return Entity(static_cast<const ScenarioSettings&>(scenario));
+  }
+  const std::optional<Entity> own = entity(id);
+  if (!own) {
+    return std::nullopt;
+  }
+  const auto find = [&](const auto& list) -> std::optional<Entity> {
+    using T = typename std::decay_t<decltype(list)>::value_type;
+    const auto* const same = findIn(list, id);
+    if constexpr (kIsNamed<T>) {
+      const std::string& name = std::get<T>(*own).name;
+      if (same == nullptr || same->name != name) {
+        const T* const named = base::findBy(list, &T::name, name);
+        return named != nullptr  ? std::optional<Entity>(*named)
+               : same != nullptr ? std::optional<Entity>(*same)
+                                 : std::nullopt;
+      }
+    }
+    return same == nullptr ? std::nullopt : std::optional<Entity>(*same);
+  };
+  return withList(scenario, id.kind, find);
+}
+
+void ScenarioDocument::setRun(RunScenarios run) {
+  if (run.start != run_.start || run.now != run_.now) {
+    run_ = std::move(run);
+    Q_EMIT runChanged();
+  }
 }
 
 std::vector<EntityId> ScenarioDocument::entities(EntityKind kind) const {

@@ -39,6 +39,11 @@ struct MapState {
   base::Diagnostics problems;  // Problems of finding and reading the map.
 };
 
+/// The scenarios of a run: at its start, and with the changes of its branches. Null: no run.
+struct RunScenarios {
+  std::shared_ptr<const sim2d::Scenario> start, now;
+};
+
 /// A save would replace a hand-written tree file.
 struct TreeConflict {
   enum class Why {
@@ -123,6 +128,16 @@ class ScenarioDocument : public QObject {
   const MapState& mapState() const { return map_; }
   MapState exchangeMap(MapState map);
 
+  // The run that is shown beside the document, which may have been edited since
+  void setRun(RunScenarios run);
+  /// The entity in the shown run; none: no run, or not in it.
+  std::optional<Entity> entityInRun(EntityId id) const {
+    return run_.now == nullptr ? std::nullopt : entityIn(*run_.now, id);
+  }
+  std::optional<Entity> entityAtRunStart(EntityId id) const {
+    return run_.start == nullptr ? std::nullopt : entityIn(*run_.start, id);
+  }
+
   // Undo
   QUndoStack& undoStack() { return undoStack_; }
   bool isDirty() const { return !undoStack_.isClean() || neverSaved_; }
@@ -187,11 +202,14 @@ class ScenarioDocument : public QObject {
   void mapChanged();
   void selectionChanged();
   void pathChanged();
+  void runChanged();  // Another run or branch is shown, or none.
   void dirtyChanged(bool dirty);
   void issuesChanged(const base::Diagnostics& issues);
 
  private:
   base::Diagnostics reportedMapProblems() const;
+  /// The same entity in another scenario: with its key, or else with its name.
+  std::optional<Entity> entityIn(const sim2d::Scenario& scenario, EntityId id) const;
   void resetScenario(sim2d::Scenario scenario);
   void replaced();  // Emits the signals after another file was loaded.
   void emitFileSignals();
@@ -212,6 +230,7 @@ class ScenarioDocument : public QObject {
   void adoptSaved(SavePlan plan);
 
   sim2d::Scenario scenario_;
+  RunScenarios run_;
   MapState map_{std::make_shared<sim2d::OccupancyGrid>(), {}, false, {}};
   std::map<EntityId, std::string> trees_;
   QUndoStack undoStack_;

@@ -181,6 +181,39 @@ void describe(QAction& action, const QString& tip) {
                                   : QStringLiteral("%1 (%2)\n%3").arg(name, key, tip));
 }
 
+namespace {
+
+/// A label with an optional dot in the gap to its field.
+class RowLabel : public QLabel {
+ public:
+  RowLabel(const QString& text, QWidget* parent) : QLabel(text, parent) {
+    setForegroundRole(QPalette::PlaceholderText);
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setContentsMargins(0, 0, kGap, 0);
+  }
+  void setMark(const QString& tip) {
+    setToolTip(tip);
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QLabel::paintEvent(event);
+    if (!toolTip().isEmpty()) {
+      QPainter painter(this);
+      painter.setRenderHint(QPainter::Antialiasing);
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(Theme::fromSystem(palette()).color(Role::WarningMark));
+      painter.drawEllipse(QPointF(width() - 0.5 * kGap, 0.5 * height()), kMarkRadius, kMarkRadius);
+    }
+  }
+
+ private:
+  static constexpr double kMarkRadius = 3.0;  // [px]
+};
+
+}  // namespace
+
 FormSection::FormSection(const QString& title, QWidget* parent)
     : QWidget(parent),
       heading_(new QToolButton(this)),
@@ -204,9 +237,9 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   top_->addWidget(note_);
 
   grid_->setContentsMargins(12, 0, 12, 8);
-  grid_->setHorizontalSpacing(kGap);
+  grid_->setHorizontalSpacing(0);  // The labels contain the gap.
   grid_->setVerticalSpacing(0);
-  grid_->setColumnMinimumWidth(0, kLabelEnd - 12);
+  grid_->setColumnMinimumWidth(0, kLabelEnd - 12 + kGap);
   grid_->setColumnStretch(1, 1);
 
   auto* layout = configuredLayout(new QVBoxLayout(this), {}, 0);
@@ -226,8 +259,7 @@ QToolButton* FormSection::addLink(const QString& text, const QString& tip,
 void FormSection::addRow(const QString& label, QWidget* field) {
   const int row = grid_->rowCount();
   grid_->setRowMinimumHeight(row, kFormRowHeight);
-  QLabel* words = secondaryLabel(label, body_);
-  words->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  auto* words = new RowLabel(label, body_);
   words->setBuddy(field);
   field->setAccessibleName(label);
   QSizePolicy policy = field->sizePolicy();
@@ -297,6 +329,14 @@ void FormSection::setRowVisible(const QWidget* field, bool visible) {
         item != nullptr && item->widget() != nullptr) {
       item->widget()->setVisible(visible);
     }
+  }
+}
+
+void FormSection::setRowMark(const QWidget* field, const QString& tip) {
+  const int row = rowOf(field);
+  QLayoutItem* item = row < 0 ? nullptr : grid_->itemAtPosition(row, 0);
+  if (auto* label = item == nullptr ? nullptr : dynamic_cast<RowLabel*>(item->widget())) {
+    label->setMark(tip);
   }
 }
 

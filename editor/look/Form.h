@@ -27,6 +27,9 @@ class FormSection : public QWidget {
   /// Moves the row added last below the row of `field`; null: to the top.
   void moveLastRow(const QWidget* field);
   void setRowVisible(const QWidget* field, bool visible);
+  /// Marks the label of a row with a dot in the colour of warnings, and sets the tooltip of the
+  /// label; empty: no mark. Nothing moves.
+  void setRowMark(const QWidget* field, const QString& tip);
   void setOpen(bool open) {
     body_->setVisible(open);
     heading_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);

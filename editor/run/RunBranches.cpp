@@ -49,13 +49,28 @@ base::Result<BranchRequest> branchRequestFor(const RunRequest& run, std::int64_t
   return {std::move(fork), std::move(problems)};
 }
 
+/// The scenario with the seed of the draws after the last branch.
+std::shared_ptr<const sim2d::Scenario> withSeed(std::shared_ptr<const sim2d::Scenario> scenario,
+                                                const std::vector<app::RunBranch>& branches) {
+  for (const app::RunBranch& branch : branches) {
+    if (branch.changes.seed) {
+      auto reseeded = std::make_shared<sim2d::Scenario>(*scenario);
+      reseeded->desktop.seed = branch.changes.seed;
+      scenario = std::move(reseeded);
+    }
+  }
+  return scenario;
+}
+
 }  // namespace
 
 RunRequest requestFor(app::Bundle bundle, std::vector<app::RunBranch> branches) {
   RunRequest request;
   request.again = [bundle, branches] { return requestFor(bundle, branches); };
   const base::Result<app::Bundle> last = app::continueWith(bundle, branches);
-  const sim2d::Scenario& scenario = last ? *last->scenario : *bundle.scenario;
+  request.scenarios = {bundle.scenario,
+                       withSeed(last ? last->scenario : bundle.scenario, branches)};
+  const sim2d::Scenario& scenario = *request.scenarios.now;
   request.rule = sim2d::stopRuleOf(scenario);
   request.recordEvery = scenario.desktop.recordEvery.value_or(1);
   bundle.stopOfRun = request.left;
@@ -137,6 +152,16 @@ void SimulationRunner::storeShownBranch() {
   kept.isRecorded = isRecorded_;
   kept.result = result_;
   kept.again = recreate_;
+  kept.scenarios = scenarios_;
+}
+
+base::Diagnostics SimulationRunner::branchProblems(const app::RunSpec& changes) const {
+  if (!canBranchFromShown()) {
+    return {};
+  }
+  const base::Result<BranchRequest> fork =
+      branchRequestFor(recreate_(), shown_->step, changes, *recording_->header());
+  return fork ? base::Diagnostics() : fork.diagnostics();
 }
 
 bool SimulationRunner::branchFromShown(const app::RunSpec& changes, const QString& name) {
@@ -210,6 +235,7 @@ void SimulationRunner::showStoredBranch(const RunnerBranch& kept, double time) {
     return;
   }
   recreate_ = kept.again;
+  setScenarios(kept.scenarios);
   recording_ = kept.recording;
   newest_ = kept.newest;
   result_ = kept.result;

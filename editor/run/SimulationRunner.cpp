@@ -65,6 +65,7 @@ void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInp
   session_ = std::make_unique<app::Session>(request.rule);
   stopFlag_ = request.left;
   recreate_ = std::move(request.again);
+  setScenarios(std::move(request.scenarios));
   session_->enableHistory(request.recordEvery, memoryForNextRun(), historyFolder_);
   session_->setStepHook(std::move(request.change));
   session_->replayInputs(std::move(inputs), until);
@@ -200,6 +201,7 @@ void SimulationRunner::clearRun() {
   stopSession();
   session_.reset();
   recreate_ = {};
+  setScenarios({});
   finished_ = isRecorded_ = isCut_ = isLooping_ = false;
   result_.reset();
   currentBreak_.reset();
@@ -209,6 +211,11 @@ void SimulationRunner::clearRun() {
   newest_.reset();
   expected_.reset();
   show(nullptr, false);
+}
+
+void SimulationRunner::setScenarios(RunScenarios scenarios) {
+  scenarios_ = std::move(scenarios);
+  Q_EMIT scenariosChanged();
 }
 
 void SimulationRunner::setSpeed(double factor) {

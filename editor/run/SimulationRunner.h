@@ -25,6 +25,7 @@ struct RunRequest {
   /// The inputs of the run; null: unknown, so that it cannot be branched.
   std::shared_ptr<const app::Bundle> bundle;
   std::vector<app::RunBranch> branches;
+  RunScenarios scenarios;  // Null: unknown.
 };
 
 /// A run of the bundle with these branches.
@@ -43,6 +44,7 @@ struct RunnerBranch {
   bool isFinished = false, isRecorded = false;
   std::optional<sim2d::RunResult> result;
   std::function<RunRequest()> again;
+  RunScenarios scenarios;
 };
 
 /// A run of the document in its current state, with copies of scenario, map and trees. GUI thread.
@@ -182,15 +184,20 @@ class SimulationRunner : public QObject {
   /// Re-runs up to the shown state as a new branch and pauses there, where the branch may diverge.
   /// Returns false if that is impossible; the reason is reported and nothing changes.
   bool branchFromShown(const app::RunSpec& changes = {}, const QString& name = {});
-  /// Returns true if the shown state is in the past of a reproducible run and another branch is
-  /// allowed.
+  /// Returns true if the run is reproducible and continues after the shown state, and another
+  /// branch is allowed.
   bool canBranchFromShown() const {
-    return recreate_ && shown_ != nullptr && (lookingBack_ || isRecorded_) &&
+    return recreate_ && shown_ != nullptr && (lookingBack_ || isRecorded_ || !finished_) &&
            branches_.size() < kMaxBranches;
   }
+  /// Errors of a branch from the shown state with these changes; none: it is possible.
+  base::Diagnostics branchProblems(const app::RunSpec& changes) const;
   /// All runs with the same beginning, in order of creation; empty while editing.
   const std::vector<RunnerBranch>& branches() const { return branches_; }
   int branch() const { return branch_; }  // Number of the shown branch; -1: none.
+  /// The scenario of the shown run, which does not follow the document. Null: no run, or a recorded
+  /// run.
+  const RunScenarios& scenarios() const { return scenarios_; }
   /// The recording of any branch, also the shown one; null: none yet.
   RecordingPtr recordingOf(int branch) const;
   /// Shows another branch at the same time, paused. An unfinished branch is re-run up to its
@@ -207,6 +214,7 @@ class SimulationRunner : public QObject {
   void lookingBackChanged(bool lookingBack);
   void loopChanged();
   void branchesChanged();
+  void scenariosChanged();
   void breakpointsChanged();
   void breakpointHit(const sim2d::TreeBreakpointHit& at);  // Paused there.
   void entriesChanged();
@@ -243,6 +251,7 @@ class SimulationRunner : public QObject {
            loop_->from < newest_->time;
   }
   void clearRun();
+  void setScenarios(RunScenarios scenarios);
   void storeShownBranch();
   RunnerBranch* branchOf(int number);
   void showStoredBranch(const RunnerBranch& kept, double time);
@@ -257,6 +266,7 @@ class SimulationRunner : public QObject {
   std::function<bool(bool)> startCondition_;
   ObserverFactory observerFactory_;
   std::function<RunRequest()> recreate_;  // For the current session.
+  RunScenarios scenarios_;
   std::unique_ptr<app::Session> session_;
   std::future<void> thread_;  // Thread of the session.
   struct StoppingSession {

@@ -1,6 +1,8 @@
 #include "editor/panels/properties/PropertyPage.h"
 
+#include "editor/document/RunValues.h"
 #include "sim2d/base/Find.h"
+
 namespace editor {
 
 namespace {
@@ -97,8 +99,14 @@ void PropertyPage::setTargets(const std::vector<EntityId>& targets) {
   refresh();
 }
 
+/// The values of the shown run, except those that were edited since its start.
 void PropertyPage::refresh() {
-  const std::vector<Entity> shown = values();
+  std::vector<Entity> shown = values();
+  inRun_.clear();
+  for (Entity& value : shown) {
+    inRun_.push_back(document_.entityInRun(idOf(value)));
+    value = withRunValues(document_, std::move(value));
+  }
   if (shown.empty()) {
     return;
   }
@@ -188,6 +196,20 @@ void PropertyPage::change(const EntityField& field, const base::ParameterValue& 
         [&](Entity& entity) { field.set(entity, value); });
 }
 
+/// Marks a row whose value differs from that of the shown run.
+void PropertyPage::addPendingMark(FormSection* section, const QWidget* row,
+                                  const std::vector<EntityField>& fields) {
+  addRefresh([=](const std::vector<Entity>& shown) {
+    bool isPending = false;
+    for (std::size_t k = 0; k < shown.size() && !isPending; ++k) {
+      isPending = inRun_[k] && std::any_of(fields.begin(), fields.end(), [&](const auto& field) {
+                    return field.get(shown[k]) != field.get(*inRun_[k]);
+                  });
+    }
+    section->setRowMark(row, isPending ? tr("Applies at the next start") : QString());
+  });
+}
+
 void PropertyPage::addName(FormSection* section) {
   auto* field = new TextField(this);
   field->setCheck([this](const QString& name) {
@@ -268,6 +290,7 @@ QWidget* PropertyPage::addRow(FormSection* section, const EntityField& field,
       fold.rows.emplace_back(field, applies);
     }
   }
+  addPendingMark(section, row, {field});
   addRefresh([=](const std::vector<Entity>& shown) {
     section->setRowVisible(row, applies(shown));
     whole->setEnabled(!look.enabled || look.enabled(shown));
@@ -319,6 +342,7 @@ void PropertyPage::addNumberPair(FormSection* section, const QString& label,
   section->addRow(label, left, right);
   left->setAccessibleName(labelOf(first.spec));
   right->setAccessibleName(labelOf(second.spec));
+  addPendingMark(section, left, {first, second});
 }
 
 NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldOptions& look) {

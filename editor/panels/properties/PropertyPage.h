@@ -139,6 +139,8 @@ class PropertyPage : public QWidget {
     FormSection* section;
     std::vector<std::pair<EntityField, Applies>> rows;
   };
+  void addPendingMark(FormSection* section, const QWidget* row,
+                      const std::vector<EntityField>& fields);
   FormSection* foldOf(const QString& group);
   void showFold(const Fold& fold, QToolButton& reset, const std::vector<Entity>& shown);
   void resetFold(const FormSection* section);
@@ -151,6 +153,7 @@ class PropertyPage : public QWidget {
   ScenarioDocument& document_;
   const sim2d::FieldTables& tables_;
   std::vector<EntityId> targets_;
+  std::vector<std::optional<Entity>> inRun_;  // Of the shown run, parallel to the shown values.
   std::vector<std::function<void(const std::vector<Entity>&)>> refreshers_;
   std::vector<FormSection*> sections_;
   std::vector<Fold> folds_;

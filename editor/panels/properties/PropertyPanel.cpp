@@ -6,6 +6,7 @@
 #include "editor/canvas/Tool.h"
 #include "editor/document/EntityModel.h"
 #include "editor/document/PeopleEdits.h"
+#include "editor/document/RunValues.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
@@ -193,6 +194,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
                              [this] { Q_EMIT restartRequested(); });
   restart->setObjectName(QStringLiteral("restart"));
   auto* hint = secondaryLabel(tr("Changes take effect at the next start."), later_);
+  hint->setToolTip(tr("A dot marks values that differ from those of the run"));
   hint->setWordWrap(true);
   configuredLayout(new QHBoxLayout(later_), {12, 2, 12, 3}, 8, {hint, restart})->setStretch(0, 1);
   later_->hide();
@@ -220,6 +222,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   connect(kinds_, &KindSwitch::chosen, this, &PropertyPanel::follow);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &PropertyPanel::follow);
   connect(&document_, &ScenarioDocument::pathChanged, this, &PropertyPanel::refresh);
+  connect(&document_, &ScenarioDocument::runChanged, this, &PropertyPanel::refresh);
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
     isSame_ = isSame_ && change.what == Change::What::Edited;
   });
@@ -283,10 +286,11 @@ void PropertyPanel::refresh() {
 }
 
 void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
-  const std::optional<Entity> first = document_.entity(ids.front());
+  std::optional<Entity> first = document_.entity(ids.front());
   if (!first) {
     return;
   }
+  first = withRunValues(document_, *std::move(first));
   picture_->setPixmap(picture(*first));
   // A selection may contain several kinds; the page shows one of them.
   const std::size_t all = document_.selection().size();
@@ -301,7 +305,8 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
     about_->setText(tr("Scenario · nothing selected"));
   } else {
     name_->setFullText(displayName(*first));
-    const QString one = aboutOne(document_.scenario(), *first);
+    const Entity inRun = document_.entityInRun(ids.front()).value_or(*first);
+    const QString one = aboutOne(document_.scenario(), inRun);
     about_->setText(others == 0 ? one : tr("%1 · and %2").arg(one, rest));
   }
 }
@@ -312,7 +317,7 @@ QPixmap PropertyPanel::picture(const Entity& entity) const {
   const auto icon = [&] {
     switch (kindOf(entity)) {
       case EntityKind::Human:
-        return painter.personIcon(lookOfPerson(document_, std::get<sim2d::Human>(entity)),
+        return painter.personIcon(shownLookOf(document_, std::get<sim2d::Human>(entity)),
                                   kPictureSize);
       case EntityKind::Robot:
         return painter.robotIcon(kPictureSize);
