@@ -5,6 +5,7 @@
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/runs/Playback.h"
+#include "editor/panels/runs/RunPlots.h"
 #include "sim2d/base/Find.h"
 
 namespace app {
@@ -72,6 +73,7 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
       context_(workspace.view(), workspace.document(), workspace.runner(), workspace.events(),
                workspace.feed()) {
   context_.drive = workspace_.drive().toggle();
+  context_.branch = workspace_.playback().branchHere;
   window_.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDocumentMode(true);
@@ -90,6 +92,10 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
   for (const editor::PanelRegistry::Entry& entry : panels.entries()) {
     add(entry);
   }
+  for (const auto* plot : window_.findChildren<editor::MetricPlot*>()) {
+    connect(plot, &editor::MetricPlot::menuRequested, &workspace_.branching(),
+            &editor::BranchCommand::offerAt);
+  }
   addTimeline();
   resetLayout();
 }
@@ -100,6 +106,7 @@ void Docks::addTimeline() {
   connect(&context_, &editor::PanelContext::themeChanged, timeline, &editor::TimelineBar::setTheme);
   connect(&context_, &editor::PanelContext::comparedChanged, timeline,
           &editor::TimelineBar::setCompared);
+  timeline->setMenuActions({workspace_.playback().branchHere});
   timelineBar_ = new QToolBar(tr("Timeline"), &window_);
   timelineBar_->setObjectName(QStringLiteral("timeline"));
   timelineBar_->setMovable(false);

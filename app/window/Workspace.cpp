@@ -26,7 +26,8 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
       feed_(document_, runner_),
       playback_(runner_, theme),
       scrub_(runner_, events_, scene_),
-      interaction_(runner_, scene_) {
+      interaction_(runner_, scene_),
+      branching_(runner_, *view_, *playback_.branchHere) {
   new editor::ToolOptionsBar(tools_, *view_);  // owned by the view
   new editor::RunOverlayUpdater(runner_, events_, *view_);
   // Gives keyboard focus to the map when a tool is chosen.
@@ -44,6 +45,8 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
                                              : sim2d::ExternalCodePolicy::Refused;
     return editor::runRequestOf(document_, settings);
   });
+  connect(&runner_, &SimulationRunner::scenariosChanged, this,
+          [this] { document_.setRun(runner_.scenarios()); });
   connect(&runner_, &SimulationRunner::frameShown, this, &Workspace::showFrame);
   interpolationTimer_.setInterval(kSmoothMs);
   interpolationTimer_.setTimerType(Qt::PreciseTimer);

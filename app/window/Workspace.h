@@ -6,6 +6,7 @@
 #include "editor/document/ScenarioDocument.h"
 #include "editor/panels/EventsPanel.h"
 #include "editor/panels/MetricsFeed.h"
+#include "editor/panels/runs/BranchDialog.h"
 #include "editor/panels/runs/Playback.h"
 #include "editor/panels/runs/RunInteraction.h"
 #include "editor/panels/runs/ScrubActions.h"
@@ -36,6 +37,7 @@ class Workspace : public QObject {
   editor::ScrubActions& scrub() { return scrub_; }
   editor::ManualDriveController& drive() { return *drive_; }
   editor::PeopleInteraction& interaction() { return interaction_; }
+  editor::BranchCommand& branching() { return branching_; }
   const editor::Theme& theme() const { return theme_; }
   void setTheme(const editor::Theme& theme);
   /// Shows a recorded run instead of the document; editing is disabled. `again`: as for the runner.
@@ -80,6 +82,7 @@ class Workspace : public QObject {
   editor::PlaybackActions playback_;
   editor::ScrubActions scrub_;
   editor::PeopleInteraction interaction_;
+  editor::BranchCommand branching_;
   std::set<std::pair<QString, std::string>> allowedCode_;  // file (empty: unsaved), command
   std::optional<QString> trustedFile_;
   QString recordedName_;  // name of the displayed recorded run

@@ -7,6 +7,7 @@
 #include "editor/canvas/RobotPainters.h"
 #include "editor/canvas/RunOverlays.h"
 #include "editor/document/PeopleEdits.h"
+#include "editor/document/RunValues.h"
 #include "sim2d/scenario/ResolvedValues.h"
 
 namespace editor {
@@ -47,7 +48,7 @@ void FrameLayer::begin() {
   for (const sim2d::Human& human : scenario.humans) {
     const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
     agents_[human.id] = {QString::fromStdString(human.name), human.key,
-                         lookOfPerson(document(), human), resolved.kind,
+                         shownLookOf(document(), human), resolved.kind,
                          mapScene().bodyRadius(human)};
   }
   int id = 0;
@@ -245,6 +246,7 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
       {&Options::detections, &FrameLayer::paintEstimatedPoses},
       {nullptr, &FrameLayer::paintPull},
       {nullptr, &FrameLayer::paintPush},
+      {nullptr, &FrameLayer::paintPlacement},
       {&Options::robots, &FrameLayer::paintRobots},
       {&Options::forces, &FrameLayer::paintForces},
       {&Options::speech, &FrameLayer::paintHearing},
@@ -394,6 +396,25 @@ void FrameLayer::paintPush(QPainter& painter) const {
   painter.drawRoundedRect(box, 4.0, 4.0);
   painter.setPen(theme().color(Role::Text));
   painter.drawText(box, Qt::AlignCenter, words);
+}
+
+/// Draws a person where the mouse drags them, with a line from where they stand.
+void FrameLayer::paintPlacement(QPainter& painter) const {
+  const auto& placement = mapScene().placement();
+  const Body* person = placement ? body(placement->person) : nullptr;
+  if (person == nullptr) {
+    return;
+  }
+  setPenAndBrush(painter, screenPen(painter, theme().color(Role::Accent), 2.0, Qt::DashLine));
+  painter.drawLine(toScene(person->pose.position), toScene(placement->pose.position));
+  Body ghost = *person;
+  ghost.pose = placement->pose;
+  const PersonFigure figure = figureOf(ghost, pixelsPerMetreOf(painter));
+  const PixelFrame frame(painter, toScene(ghost.pose.position));
+  painter.setOpacity(0.75);
+  FigurePainter(theme()).person(painter, figure);
+  painter.setOpacity(1.0);
+  paintRing(painter, QPen(theme().color(Role::Accent), 2.0), figure.radiusPx + 4.0);
 }
 
 void FrameLayer::paintTrails(QPainter& painter) const {

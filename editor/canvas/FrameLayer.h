@@ -114,6 +114,7 @@ class FrameLayer : public FullLayer {
   void paintEstimatedPoses(QPainter& painter) const;
   void paintPull(QPainter& painter) const;
   void paintPush(QPainter& painter) const;
+  void paintPlacement(QPainter& painter) const;
   void paintPeople(QPainter& painter) const;
   void paintRobot(QPainter& painter, const Body& robot) const;
   void paintRobots(QPainter& painter) const;

@@ -164,6 +164,24 @@ class MapScene : public QGraphicsScene {
   /// The next drag, wherever it begins, sets the push of this person; none: disarmed.
   void armPush(std::optional<int> person) { armedPush_ = person; }
   std::optional<int> armedPush() const { return armedPush_; }
+  /// A person of the run who is dragged to where a branch would start with them.
+  struct Placement {
+    int person = 0;
+    Pose2 pose;
+  };
+  const std::optional<Placement>& placement() const { return placement_; }
+  void setPlacement(std::optional<Placement> placement) {
+    placement_ = isPlaceable_ ? placement : std::nullopt;
+    update();
+  }
+  void clearPlacement() { setPlacement({}); }
+  bool isPlaceable() const { return isPlaceable_; }  // The run is paused and can be branched.
+  void setPlaceable(bool placeable) {
+    isPlaceable_ = placeable;
+    if (!placeable && placement_) {
+      clearPlacement();
+    }
+  }
   bool isPullable() const { return isPullable_; }  // False: the run has finished, or was recorded.
   void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
@@ -209,6 +227,7 @@ class MapScene : public QGraphicsScene {
   void spawnedAgentChanged();
   void pullChanged();
   void pushed(int person, const base::Vec2& velocity);  // [m/s]
+  void placed(int person, const base::Pose2& pose);     // The placement is shown until cleared.
 
  protected:
   void mousePressEvent(QGraphicsSceneMouseEvent* event) override;
@@ -251,7 +270,8 @@ class MapScene : public QGraphicsScene {
   EntityId hovered_;
   std::optional<int> spawnedAgent_;
   std::optional<Pull> pull_;
-  bool isPullable_ = false;
+  std::optional<Placement> placement_;
+  bool isPlaceable_ = false, isPullable_ = false;
   double pixelsPerMetre_ = 50.0;
   std::map<EntityId, EntityItem*> items_;
   std::map<EntityId, Entity> preview_;

@@ -30,7 +30,8 @@ class PanelContext : public QObject {
   SimulationRunner& runner;
   RunEvents& runEvents;
   MetricsFeed& feed;
-  QAction* drive = nullptr;  // Drives the selected robot manually.
+  QAction* drive = nullptr;   // Drives the selected robot manually.
+  QAction* branch = nullptr;  // Branches the run at the shown state; opens a dialog.
   /// Initial folder of file dialogs; never among the program's own files.
   std::function<QString()> folder = [this] { return QFileInfo(document.path()).absolutePath(); };
 

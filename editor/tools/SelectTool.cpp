@@ -30,7 +30,11 @@ class SelectTool : public Tool {
   QString statusText() const override {
     if (scene().isRunMode()) {
       return scene().pull()        ? tr("The robot follows until you release the button")
+             : scene().placement() ? tr("Release to branch with the person here")
              : scene().armedPush() ? tr("Drag an arrow: a longer arrow pushes harder · Esc cancels")
+             : scene().isPlaceable() ? tr("Click a person for details · Drag a person to branch "
+                                          "with another position · "
+                                          "Space resumes")
              : scene().isPullable()
                  ? tr("Click a person for details · Shift+drag to push · Drag a robot to lead it · "
                       "Space pauses")
@@ -73,6 +77,7 @@ class SelectTool : public Tool {
       selectAgent(agent);
       const bool isRobot = agent && *agent < 0;
       pulledRobot_ = isRobot && scene().isPullable() ? agent : std::nullopt;
+      placedPerson_ = agent && !isRobot && scene().isPlaceable() ? agent : std::nullopt;
       return;
     }
     grabbed_ = scene().entityAt(mouse.world);
@@ -102,6 +107,10 @@ class SelectTool : public Tool {
     if (pushedPerson_) {
       const bool isArrow = scene().push() || isDrag(from_, mouse);
       scene().setPush(MapScene::Push{*pushedPerson_, isArrow ? pushTo(mouse) : Vec2(Vec2::Zero())});
+    } else if (placedPerson_) {
+      if (scene().placement() || isDrag(from_, mouse)) {
+        dragPerson(mouse);
+      }
     } else if (pulledRobot_ && (scene().pull() || isDrag(from_, mouse))) {
       const bool begins = !scene().pull();
       scene().setPull(MapScene::Pull{*pulledRobot_, mouse.world});
@@ -127,6 +136,13 @@ class SelectTool : public Tool {
       if (isArrow) {
         Q_EMIT scene().pushed(person, pushTo(mouse));
       }
+      Q_EMIT statusTextChanged();
+      return;
+    }
+    if (const auto placement = scene().placement(); placedPerson_ && placement) {
+      end();
+      scene().setPlacement(placement);  // Shown until the question is answered.
+      Q_EMIT scene().placed(placement->person, placement->pose);
       Q_EMIT statusTextChanged();
       return;
     }
@@ -222,6 +238,19 @@ class SelectTool : public Tool {
   Vec2 pushTo(const CanvasMouse& mouse) const {
     const Vec2 drawn = mouse.world - from_;
     return drawn.norm() > kStrongestPush ? Vec2(kStrongestPush * drawn.normalized()) : drawn;
+  }
+  /// Keeps the heading; the pointer keeps its place on the figure.
+  void dragPerson(const CanvasMouse& mouse) {
+    for (const ShownBody& body : scene().frameLayer().shownBodies()) {
+      if (body.id == *placedPerson_) {
+        const bool begins = !scene().placement();
+        const Vec2 to = body.pose.position + (mouse.world - from_);
+        scene().setPlacement(MapScene::Placement{body.id, {to, body.pose.heading}});
+        if (begins) {
+          Q_EMIT statusTextChanged();
+        }
+      }
+    }
   }
   /// With Shift from a person, or from anywhere after the menu has armed the push.
   bool beginPush(std::optional<int> agent, const CanvasMouse& mouse) {
@@ -434,6 +463,8 @@ class SelectTool : public Tool {
     marks() = {};
     pulledRobot_.reset();
     pushedPerson_.reset();
+    placedPerson_.reset();
+    scene().clearPlacement();
     scene().setPull({});
     scene().setPush({});
     scene().clearPreview();
@@ -464,6 +495,7 @@ class SelectTool : public Tool {
   Qt::CursorShape cursor_ = Qt::ArrowCursor;
   bool deselectOnRelease_ = false;
   std::optional<int> pulledRobot_;   // The robot pressed in a run, by its id in the frames.
+  std::optional<int> placedPerson_;  // The person pressed while paused, by the id in the frames.
   std::optional<int> pushedPerson_;  // The person being pushed, by the id in the frames.
 };
 

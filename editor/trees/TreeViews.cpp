@@ -193,7 +193,7 @@ QString BlackboardView::whyEmpty() const {
   }
   if (runner_.isRecorded()) {
     return runner_.canBranchFromShown()
-               ? tr("Recorded runs contain no blackboard. \"Branch from here\" (in the menu Run) "
+               ? tr("Recorded runs contain no blackboard. \"Branch here…\" (in the menu Run) "
                     "replays the run with it.")
                : tr("Recorded runs contain no blackboard.");
   }

@@ -49,7 +49,7 @@ class CanvasMenuTest : public QObject {
     menu->close();
   }
 
-  /// While a run goes on it is about people; while one looks back there is none.
+  /// In a run it is about the people and robots of the run.
   void menu_ofARun_offersHands() {
     editor::SimulationRunner& runner = window_->workspace().runner();
     runner.stepOnce();
@@ -64,7 +64,9 @@ class CanvasMenuTest : public QObject {
     const sim2d::RobotColumns& robots = runner.newestFrame()->robots;
     menu = menuAt(base::Vec2(robots.x[0], robots.y[0]));
     QVERIFY(menu != nullptr);
-    QCOMPARE(wordsOf(*menu), QStringList{QStringLiteral("Drive manually")});
+    const QStringList offers = {QStringLiteral("Drive manually"), QString(),
+                                QStringLiteral("Branch here…")};
+    QCOMPARE(wordsOf(*menu), offers);
     menu->actions().front()->trigger();
     menu->close();
     QCOMPARE(document().selection(), document().entities(base::EntityKind::Robot));

@@ -9,6 +9,7 @@
 #include "editor/canvas/RunOverlays.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
+#include "editor/panels/runs/BranchDialog.h"
 #include "editor/panels/runs/FuturesPanel.h"
 #include "editor/panels/runs/RunsPanel.h"
 

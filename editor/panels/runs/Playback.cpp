@@ -81,9 +81,8 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
                       this)),
       newest(makeAction(tr("Go to newest step"), QKeySequence(Qt::Key_End),
                         tr("Show the newest step of the run"), this)),
-      branchHere(makeAction(tr("Branch from here"), {},
-                            tr("Create a branch that repeats the run up to this moment and pauses"),
-                            this)),
+      branchHere(
+          makeAction(tr("&Branch here…"), QKeySequence(int{Qt::CTRL} | Qt::Key_B), {}, this)),
       runner_(runner),
       theme_(theme) {
   playPause->setShortcuts({Qt::Key_Space, int{Qt::CTRL} | Qt::Key_Space});  // Ctrl while typing.
@@ -91,13 +90,11 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
   connect(stepBack, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
   connect(step, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
   connect(newest, &QAction::triggered, &runner_, &SimulationRunner::seekNewest);
-  connect(branchHere, &QAction::triggered, &runner_, [this] { runner_.branchFromShown(); });
   connect(playPause, &QAction::triggered, this, [this] {
     runner_.state() == SimulationRunner::State::Running ? runner_.pause() : runner_.play();
   });
   connect(&runner_, &SimulationRunner::stateChanged, this, &PlaybackActions::follow);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &PlaybackActions::follow);
-  connect(&runner_, &SimulationRunner::branchesChanged, this, &PlaybackActions::follow);
   setTheme(theme);
 }
 
@@ -124,8 +121,6 @@ void PlaybackActions::follow() {
   setEnabled(*stepBack, !editing, noRun);
   setEnabled(*newest, runner_.isLookingBack(),
              editing ? noRun : tr("The newest step is already shown"));
-  setEnabled(*branchHere, runner_.canBranchFromShown(),
-             editing ? noRun : tr("This run cannot be repeated from the displayed step"));
 }
 
 QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {
@@ -355,6 +350,21 @@ void TimelineBar::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && !loop_.press(event->localPos(), isFresh)) {
     seekTo(event->localPos().x());
   }
+}
+
+/// The commands at this time of the run.
+void TimelineBar::contextMenuEvent(QContextMenuEvent* event) {
+  if (menuActions_.isEmpty() || runner_.state() == SimulationRunner::State::Editing) {
+    return;
+  }
+  if (event->reason() == QContextMenuEvent::Mouse && event->x() >= kLeft) {
+    seekTo(event->x());
+  }
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  menu->addActions(menuActions_);
+  menu->popup(event->globalPos());
 }
 
 void TimelineBar::mouseMoveEvent(QMouseEvent* event) {

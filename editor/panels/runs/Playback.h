@@ -15,8 +15,8 @@ class PlaybackActions : public QObject {
   PlaybackActions(SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
 
-  QAction *const reset, *const stepBack, *const playPause, *const step, *const newest,
-                                                                            *const branchHere;
+  QAction *const reset, *const stepBack, *const playPause, *const step, *const newest;
+  QAction* const branchHere;  // Connected by BranchCommand.
   QList<QAction*> all() const { return {reset, stepBack, playPause, step}; }
   /// A combo box of speeds for a tool bar.
   QComboBox* makeSpeedBox(QWidget* parent);
@@ -39,6 +39,8 @@ class TimelineBar : public QWidget {
               const Theme& theme);
   void setTheme(const Theme& theme);
   void setCompared(const std::vector<TimelineRun>& runs);
+  /// Sets the commands of the context menu, which opens at the pointed time.
+  void setMenuActions(const QList<QAction*>& actions) { menuActions_ = actions; }
   double length() const;  // Duration of the whole bar [s].
   double xOf(double time) const;
   double timeAt(double x) const;
@@ -57,6 +59,7 @@ class TimelineBar : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
@@ -77,6 +80,7 @@ class TimelineBar : public QWidget {
   Theme theme_;
   LoopMarks loop_;
   std::vector<TimelineRun> compared_;
+  QList<QAction*> menuActions_;
 };
 
 }  // namespace editor

@@ -230,6 +230,18 @@ void MetricPlot::show(const QString& name, const QString& unit, const std::vecto
   plot_->replot();
 }
 
+/// By key: at the shown time.
+void MetricPlot::contextMenuEvent(QContextMenuEvent* event) {
+  if (curves_.empty()) {
+    return;
+  }
+  const QPoint at = plot_->canvas()->mapFromGlobal(event->globalPos());
+  const bool isPointed = event->reason() == QContextMenuEvent::Mouse;
+  Q_EMIT menuRequested(
+      isPointed ? std::max(0.0, plot_->invTransform(QwtPlot::xBottom, at.x())) : cursor_->xValue(),
+      event->globalPos());
+}
+
 /// Reserves space for half of the last label beyond the end of the axis.
 void MetricPlot::reserveEnd() {
   constexpr int kMinMargin = 12;  // [px]

@@ -54,6 +54,13 @@ class MetricPlot : public QWidget {
   void setCursor(double time);  // [s]
   std::size_t lines() const { return curves_.size(); }
 
+ Q_SIGNALS:
+  /// The context menu was requested at this time [s] of the run.
+  void menuRequested(double time, const QPoint& globalPos);
+
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
  private:
   void applyStyles();
   void reserveEnd();

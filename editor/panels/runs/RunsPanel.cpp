@@ -96,7 +96,7 @@ void RunsPanel::makeList() {
 }
 
 void RunsPanel::connectRuns() {
-  connect(branchButton_, &QPushButton::clicked, this, &RunsPanel::createBranch);
+  connect(branchButton_, &QPushButton::clicked, context_.branch, &QAction::trigger);
   connect(add_, &QPushButton::clicked, this, [this] {
     QFileDialog dialog(window(), tr("Compare with a run folder"), context_.folder());
     dialog.setFileMode(QFileDialog::Directory);
@@ -114,7 +114,7 @@ void RunsPanel::connectRuns() {
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &RunsPanel::showChosen);
   connect(list_, &QTreeWidget::currentItemChanged, this, &RunsPanel::followChoice);
   SimulationRunner& runner = context_.runner;
-  connect(&runner, &SimulationRunner::branchesChanged, this, &RunsPanel::fillList);
+  connect(&runner, &SimulationRunner::branchesChanged, this, &RunsPanel::handleBranches);
   connect(&runner, &SimulationRunner::stateChanged, this, [this] {
     followChoice();
     measure();
@@ -161,6 +161,17 @@ int RunsPanel::styleOf(const Row& row) const {
   const std::vector<Row> others = compared();
   const auto found = std::find(others.begin(), others.end(), row);
   return found == others.end() ? -1 : static_cast<int>(found - others.begin());
+}
+
+/// Ticks the run that a new branch has left, for comparison.
+void RunsPanel::handleBranches() {
+  const std::vector<RunnerBranch>& branches = context_.runner.branches();
+  const int newest = branches.empty() ? 0 : branches.back().number;
+  if (newest > newestBranch_ && branches.back().from >= 0) {
+    ticked_.insert(Row{branches.back().from, {}, {}, nullptr});
+  }
+  newestBranch_ = newest;
+  fillList();
 }
 
 void RunsPanel::fillList() {
@@ -298,32 +309,10 @@ void RunsPanel::removeChosen() {
 void RunsPanel::followChoice() {
   const std::optional<Row> row = chosen();
   branchButton_->setEnabled(context_.runner.canBranchFromShown());
-  const bool isFull = context_.runner.branches().size() >= SimulationRunner::kMaxBranches;
-  branchButton_->setToolTip(
-      branchButton_->isEnabled()
-          ? tr("Create a branch of this run at the displayed step: another planner, another seed, "
-               "or driven manually")
-      : isFull ? tr("The maximum number of branches is reached: remove one first")
-               : tr("A branch starts at an earlier step: go back on the timeline first"));
+  branchButton_->setToolTip(context_.branch->toolTip());
   add_->setEnabled(shownBranch() >= 0);
   show_->setEnabled(row && row->branch >= 0 && !isShown(*row));
   remove_->setEnabled(row && !isShown(*row));
-}
-
-void RunsPanel::createBranch() {
-  SimulationRunner& runner = context_.runner;
-  if (!runner.canBranchFromShown()) {
-    return;
-  }
-  runner.pause();
-  const auto number = static_cast<int>(runner.branches().size());
-  BranchDialog dialog(*runner.recording()->header(), runner.shownFrame()->time,
-                      tr("Branch %1").arg(number), context_.theme(), window());
-  if (dialog.exec() != QDialog::Accepted) {
-    return;
-  }
-  ticked_.insert(Row{shownBranch(), {}, {}, nullptr});  // For comparison.
-  runner.branchFromShown(dialog.changes(), dialog.name());
 }
 
 void RunsPanel::addRecorded(const QString& folder) {

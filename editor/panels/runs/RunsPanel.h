@@ -81,30 +81,6 @@ class CompareTable : public QWidget {
   LatestTask<Measured> task_;
 };
 
-/// Options of a new branch: planners and speeds of robots, and a new random seed; all may be
-/// unchanged.
-class BranchDialog : public QDialog {
-  Q_OBJECT
- public:
-  BranchDialog(const sim2d::TraceHeader& header, double time, const QString& name,
-               const Theme& theme, QWidget* parent = nullptr);
-
-  app::RunSpec changes() const;
-  QString name() const { return name_->text().trimmed(); }
-
- private:
-  struct RobotRow {
-    std::string name;
-    double maxVel = 1.0;  // Current value [m/s].
-    QComboBox* planner = nullptr;
-    NumberField* speed = nullptr;
-  };
-  std::vector<RobotRow> robots_;
-  QLineEdit* name_;
-  QCheckBox* drawsNewSeed_ = new QCheckBox(tr("New random seed"), this);
-  QSpinBox* seed_ = new QSpinBox(this);
-};
-
 /// The shown run, its branches and recorded runs. The others can be compared with the shown one as
 /// ghosts on the map, side by side, by their metrics and over time.
 class RunsPanel : public QWidget {
@@ -117,11 +93,10 @@ class RunsPanel : public QWidget {
   QTreeWidget& list() const { return *list_; }
   CompareTable& comparison() const { return *table_; }
   const GhostLayer& ghosts() const { return *ghosts_; }
-  QPushButton& branchButton() const { return *branchButton_; }
+  QAbstractButton& branchButton() const { return *branchButton_; }
   QPushButton& sideBySideButton() const { return *sideBySideButton_; }
   SideBySide* sideBySide() const { return side_.get(); }  // Null: no side-by-side view.
   void addRecorded(const QString& folder);                // Reads the run outside the GUI thread.
-  void createBranch();                                    // Opens a dialog.
 
  private:
   /// A row: a branch of the run, or a recorded run from a folder.
@@ -162,6 +137,7 @@ class RunsPanel : public QWidget {
   void showBranchColumns();
   void showDivergences();
   void updateTimeline();
+  void handleBranches();
   std::optional<Row> chosen() const;
   GhostLayer::Ghost ghostOf(const Row& row, double time) const;
 
@@ -169,7 +145,7 @@ class RunsPanel : public QWidget {
   GhostLayer* ghosts_;  // Belongs to the scene.
   QTreeWidget* list_ = new QTreeWidget(this);
   CompareTable* table_;
-  QPushButton *branchButton_ = new QPushButton(tr("Branch from here…"), this),
+  QPushButton *branchButton_ = new QPushButton(tr("Branch here…"), this),
               *add_ = new QPushButton(tr("Add a run…"), this),
               *show_ = new QPushButton(tr("Show"), this),
               *remove_ = new QPushButton(tr("Remove"), this),
@@ -177,6 +153,7 @@ class RunsPanel : public QWidget {
   QLabel* divergences_ = secondaryLabel({}, this);
   std::vector<Row> recordedRuns_;  // Recorded runs.
   std::set<Row> ticked_;
+  int newestBranch_ = 0;  // The branches up to this number have been seen.
   std::unique_ptr<SideBySide> side_;
   bool isFilling_ = false;
   bool isTakingEdit_ = false;  // The rows of the list must not change meanwhile.
