@@ -56,7 +56,7 @@ def sean(places):
                 "The robot stops outside the circle", SPACE)
     group_talk(join, 3, 9.6, 6.0)
     join.robot("west", (7.4, 4.6))
-    join.expects.append("member_1 starts ConversationFormation before 2 s")
+    join.expects.append("member_1 starts ConversationFormation before 15 s")
 
     leave = make("leave_group", "Leave group", "lift_lobby", "Talk; one after another leaves",
                  "The robot gives way", SPACE)
@@ -66,7 +66,7 @@ def sean(places):
     leave.person("leaver_2", (7.4, 2.6, PI), ["east"], 1.0,
                  tree=sequence(stand(5.0), go(leave.goal("east")), stand(60.0)))
     leave.robot("east", "west")
-    leave.expects.append("leaver comes within 1 m of goal 2 before 20 s")
+    leave.expects.append("leaver comes within 1 m of goal 2 before 30 s")
     return [empty, cross, down, join, leave]
 
 

@@ -138,8 +138,8 @@ def intersection_wait(level):
                                    select(once(do("YieldToRobot", distance="6.0", patience="3.0")),
                                           stand(2.0)), go(far)),
         "The robot goes within 1 s of the offer")
-    s.expects += ['crosser says "After you" before 12 s',
-                  "crosser yields at goal 1 for 1 s before 15 s"]
+    s.expects += ['crosser says "After you" before 20 s',
+                  "crosser yields at goal 1 for 1 s before 25 s"]
     return s
 
 
@@ -149,7 +149,7 @@ def intersection_proceed(level):
         "Say that they go first and cross without stopping",
         lambda near, far: sequence(go(near), say("I go first"), go(far)),
         "The robot waits until the person has crossed, then goes")
-    s.expects.append('crosser says "I go first" before 12 s')
+    s.expects.append('crosser says "I go first" before 20 s')
     return s
 
 
@@ -200,7 +200,7 @@ def narrow_doorway(level):
         s.person("visitor_2", (14.6, 3.2, PI), [(1.6, 2.6)], 1.1, start_time=3.0)
     if level == 2:
         s.person("visitor_3", (13.2, 6.6, PI), [(1.6, 6.4)], 1.3, start_time=5.0)
-    s.expects += ["visitor_1 yields at goal 1 before 12 s",
+    s.expects += ["visitor_1 yields at goal 1 before 20 s",
                   "visitor_1 comes within 1 m of goal 2 before 30 s"]
     return s
 
@@ -300,7 +300,7 @@ def join_group(level):
     group_talk(s, (2, 3, 4)[level], 9.0, 6.0)
     s.person("joiner", (3.0, 9.0, 0.0), [(8.0, 7.8)], 1.0)
     s.robot((2.0, 4.0, 0.0), (7.0, 5.2))
-    s.expects += ["member_1 starts ConversationFormation before 2 s", "joiner arrives before 20 s"]
+    s.expects += ["member_1 starts ConversationFormation before 15 s", "joiner arrives before 20 s"]
     return s
 
 
@@ -316,7 +316,7 @@ def leave_group(level):
     s.person("leaver", (7.0, 6.2, 1.0), [(4.0, 1.5)], (1.0, 1.2, 1.4)[level],
              tree=sequence(once(stand((3.0, 2.5, 2.0)[level])), once(say("See you")), go(away)))
     s.robot((1.5, 5.0, 0.0), (12.5, 5.0))
-    s.expects += ['leaver says "See you" before 6 s', "leaver comes within 1 m of goal 2 before 20 s"]
+    s.expects += ['leaver says "See you" before 15 s', "leaver comes within 1 m of goal 2 before 30 s"]
     return s
 
 
@@ -332,7 +332,7 @@ def following_human(level):
     s.person("leader", (3.6, y, 0.0), [(25.0, y)], (1.0, 0.9, 0.8)[level], tree=leader)
     if level == 2:
         s.person("oncoming", (24.0, y + 0.5, PI), [(1.5, y + 0.5)], 1.2)
-    s.expects += ["leader comes within 1 m of goal 2 before 50 s", "leader says \"Follow me\" before 2 s"]
+    s.expects += ["leader comes within 1 m of goal 2 before 50 s", "leader says \"Follow me\" before 15 s"]
     return s
 
 

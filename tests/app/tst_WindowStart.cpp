@@ -55,6 +55,16 @@ class WindowStartTest : public QObject, protected quiet::InFolder {
     quiet::shoot(*window_, "start");
   }
 
+  void cards_showTheCardOfTheFile() {
+    const app::ScenarioInfo info =
+        app::infoOfFile(QStringLiteral("doorway_agents"),
+                        QStringLiteral(SOURCE_DIR "/maps/planners/doorway_agents.yaml"));
+    QCOMPARE(info.title, QStringLiteral("Doorway"));
+    QCOMPARE(info.family, QStringLiteral("Planner comparison"));
+    QCOMPARE(info.difficulty, QStringLiteral("hard"));
+    QVERIFY(info.contains(QStringLiteral("turns door")));  // words of the purpose
+  }
+
   void pictures_secondStart_areReadFromTheFolder() {
     waitForPictures();
     QCOMPARE(gallery().thumbnails().drawnCount(), 4);

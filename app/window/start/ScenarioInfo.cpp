@@ -1,6 +1,8 @@
 #include "app/window/start/ScenarioInfo.h"
 
 #include "editor/look/Form.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
 
@@ -15,6 +17,19 @@ constexpr const char* kRobots = "robots";
 
 QString spaced(QString name) {
   return editor::capitalized(name.replace(QLatin1Char('_'), QLatin1Char(' ')));
+}
+
+void setCard(ScenarioInfo& info, const sim2d::ScenarioCard& card) {
+  const auto set = [](QString& to, const std::optional<std::string>& text) {
+    to = text ? QString::fromStdString(*text) : to;
+  };
+  set(info.title, card.title);
+  set(info.family, card.family);
+  set(info.purpose, card.purpose);
+  if (card.difficulty) {
+    const QString words[] = {QObject::tr("easy"), QObject::tr("normal"), QObject::tr("hard")};
+    info.difficulty = words[static_cast<int>(*card.difficulty)];
+  }
 }
 
 }  // namespace
@@ -39,7 +54,8 @@ bool ScenarioInfo::contains(const QString& words) const {
   });
 }
 
-/// A scenario alone in its folder belongs to the family of places.
+/// The card of the file takes precedence. A scenario alone in its folder belongs to the family of
+/// places.
 ScenarioInfo infoOfFile(const QString& name, const QString& path) {
   QString base = name;
   base.remove(QStringLiteral("_agents"));
@@ -47,6 +63,9 @@ ScenarioInfo infoOfFile(const QString& name, const QString& path) {
   ScenarioInfo info;
   info.title = spaced(base);
   info.family = base == folder ? QObject::tr("Places") : spaced(folder);
+  if (const base::Result<std::string> text = base::readTextFile(path.toStdString())) {
+    setCard(info, sim2d::cardOf(*text));
+  }
   return info;
 }
 

@@ -20,7 +20,7 @@ struct ScenarioInfo {
   bool contains(const QString& words) const;
 };
 
-/// The info of a shipped scenario before its file has been read: from its name and folder.
+/// The info of a shipped scenario without its contents: from its card, name and folder.
 ScenarioInfo infoOfFile(const QString& name, const QString& path);
 
 /// Adds what the scenario itself says.
