@@ -114,15 +114,15 @@ std::string figureFile(const report::Figure& figure, const std::string& ending, 
   });
 }
 
+std::string endingOf(const std::string& path) {
+  return base::toLower(std::filesystem::path(path).extension().string());
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr int kWaitMs = 120'000;  // for the encoder, which may lag by some frames
-
-std::string endingOf(const std::string& path) {
-  return base::toLower(fs::path(path).extension().string());
-}
 
 /// 6 x 6 x 6 colours and 32 greys, the same for all frames to avoid flicker.
 QVector<QRgb> gifColors() {

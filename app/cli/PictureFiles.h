@@ -19,6 +19,9 @@ class QPainter;
 /// inch. One thread; requires a QGuiApplication.
 namespace app {
 
+/// The extension of a file in lower case: ".png".
+std::string endingOf(const std::string& path);
+
 using Paint = std::function<void(QPainter&)>;
 
 /// Throws std::bad_alloc if it is too large for memory.

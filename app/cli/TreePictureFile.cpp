@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/cli/PictureFiles.h"
 #include "editor/trees/TreePicture.h"
@@ -15,10 +14,6 @@ namespace {
 constexpr double kImageScale = 2.0;       // image pixels per CSS pixel, for print
 constexpr double kLongestSide = 32000.0;  // [image pixels]
 constexpr double kMostPixels = 64e6;
-
-std::string endingOf(const std::string& file) {
-  return base::toLower(std::filesystem::path(file).extension().string());
-}
 
 std::string pngOfTree(const editor::TreePicture& picture) {
   const QSizeF size = picture.size();

@@ -11,7 +11,7 @@ namespace editor {
 
 namespace {
 
-constexpr int kFieldWidth = 168;  // [px]
+constexpr int kPortFieldWidth = 168;  // [px]
 constexpr int kFrameRadius = 6;
 constexpr int kWindowMargin = 8;
 
@@ -73,7 +73,7 @@ void NodeFields::addRow(const QString& label, const QString& unit, Row row) {
   grid_->addWidget(words, at, LabelColumn, Qt::AlignRight | Qt::AlignVCenter);
   grid_->addWidget(row.field, at, ValueColumn);
   grid_->addWidget(secondaryLabel(unit, body_), at, UnitColumn);
-  row.field->setMinimumWidth(kFieldWidth);
+  row.field->setMinimumWidth(kPortFieldWidth);
   row.field->setAccessibleName(label);
   row.field->installEventFilter(this);
   rows_.push_back(std::move(row));

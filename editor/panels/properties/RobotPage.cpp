@@ -119,15 +119,6 @@ QString typeSummary(const std::string& name) {
            QString::fromStdString(type->source).toHtmlEscaped());
 }
 
-/// Extends a field without a label over both columns.
-void spanBothColumns(QWidget& field) {
-  auto* grid = qobject_cast<QGridLayout*>(field.parentWidget()->layout());
-  int row = 0, column = 0, rows = 0, columns = 0;
-  grid->getItemPosition(grid->indexOf(&field), &row, &column, &rows, &columns);
-  grid->removeWidget(&field);
-  grid->addWidget(&field, row, 0, rows, column + columns);
-}
-
 /// A combo box of names that marks the default.
 FieldOptions nameOptions(std::vector<std::string> names, const std::string& usual,
                          const std::function<QString(const std::string&)>& title,

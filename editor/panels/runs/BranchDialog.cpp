@@ -19,7 +19,7 @@ constexpr double kFastestRobot = 10.0;  // [m/s]
 constexpr double kFarthest = 10000.0;   // [m]
 constexpr double kDegrees = 180.0 / base::kPi;
 constexpr int kWidth = 480;
-constexpr int kNameWidth = 88;
+constexpr int kLabelWidth = 88;
 
 }  // namespace
 
@@ -163,7 +163,7 @@ void BranchDialog::addMove(const std::string& person, const base::Pose2& pose) {
   const QString label = QString::fromStdString(person);
   auto* named = new ElidedLabel(move.row);
   named->setFullText(label);
-  named->setFixedWidth(kNameWidth);
+  named->setFixedWidth(kLabelWidth);
   const auto number = [&](double value, const NumberField::Range& range, const QString& unit,
                           const QString& says) {
     auto* field = new NumberField(range, unit, move.row);
