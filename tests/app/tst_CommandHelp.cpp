@@ -171,7 +171,7 @@ class CommandHelpTest : public QObject, protected InFolder {
 
   void formats_ofCommands_areRefusedElsewhere() {
     QCOMPARE(runProgram("list nodes --format bash").exitCode, 64);
-    QCOMPARE(runProgram("list scenarios --format markdown").exitCode, 64);
+    QCOMPARE(runProgram("list scenarios --format zsh").exitCode, 64);
   }
 };
 

@@ -302,7 +302,7 @@ class ListProgramTest : public QObject {
   }
 
   void markdown_ofOtherThings_isAWrongWord() {
-    const Finished wrong = runProgram("list scenarios --format markdown");
+    const Finished wrong = runProgram("list scenarios --format man");
     QCOMPARE(wrong.exitCode, 64);
   }
 };

@@ -88,6 +88,19 @@ def problems_of(place, text, is_shown, known):
     return found
 
 
+def advice_problems(root):
+    """The manual says for each area of problems what to do, and for no other."""
+    file = root / "resources/manual/advice.txt"
+    given = {line.partition(":")[0] for line in file.read_text(encoding="utf-8").splitlines()
+             if line and not line.startswith("#")}
+    ids = {line.partition(":")[0].split(" ")[0]
+           for line in (root / "sim2d/base/problems.txt").read_text(encoding="utf-8").splitlines()
+           if line and not line.startswith("#")}
+    areas = {name.partition(".")[0] for name in ids}
+    return ([f"{file.name}: no advice for '{name}' (what should the user do?)" for name in sorted(areas - given)]
+            + [f"{file.name}: no problem '{name}'" for name in sorted(given - areas - ids)])
+
+
 def selftest(known):
     """Each rule finds its phrase: rules that match nothing are mistakes."""
     bad = ["the run tells a story", "somebody new came", "it goes on", "this is there twice", "begin anew",
@@ -106,7 +119,7 @@ def selftest(known):
 def main():
     root, known = pathlib.Path(sys.argv[1]), rules()
     selftest(known)
-    count, found = 0, []
+    count, found = 0, advice_problems(root)
     for place, text, is_shown in [*messages(root), *pages(root)]:
         count += 1
         found += problems_of(place, text, is_shown, known)
