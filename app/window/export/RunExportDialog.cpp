@@ -11,10 +11,11 @@ namespace app {
 
 namespace {
 
-constexpr int kSideWidth = 316;
+constexpr int kOptionsWidth = 316;
 constexpr int kPollMs = 40;
-constexpr double kLeastHeight = 300.0;  // [px] of the figure; smaller ones have no room for the map
-constexpr double kAutomatic = 0.0;      // height that the map requires
+constexpr double kLeastFigureHeight =
+    300.0;                          // [px] of the figure; smaller ones have no room for the map
+constexpr double kAutomatic = 0.0;  // height that the map requires
 constexpr double kLeastPx = 200.0, kMostPx = 8000.0;
 constexpr double kLeastMm = 50.0, kMostMm = 2000.0;
 
@@ -150,7 +151,7 @@ void RunExportDialog::build(const QString& title, const std::vector<Format>& for
   columns->setStretch(0, 1);
   side_->setLayout(makeForm(formats));
   QScrollArea* scrolled = editor::scrollArea(side_, this);
-  scrolled->setFixedWidth(kSideWidth);
+  scrolled->setFixedWidth(kOptionsWidth);
   columns->addWidget(scrolled);
   rows->addLayout(columns, 1);
   rows->addLayout(makeFoot());
@@ -309,7 +310,7 @@ void RunExportDialog::fillPresets() {
   height_->setSuffix(unit);
   width_->setRange(isMm ? kLeastMm : kLeastPx, isMm ? kMostMm : kMostPx);
   // The lowest value stands for the automatic height.
-  height_->setRange(std::ceil(isMm ? kLeastHeight / kPixelsPerMm : kLeastHeight) - 1.0,
+  height_->setRange(std::ceil(isMm ? kLeastFigureHeight / kPixelsPerMm : kLeastFigureHeight) - 1.0,
                     isMm ? kMostMm : kMostPx);
   size_->setCurrentIndex(0);
   choosePreset(0);
