@@ -52,8 +52,9 @@ void RunExportCommands::setOpen(bool isOpen) {
 }
 
 void RunExportCommands::updateEnabled() {
-  actions_.savePicture->setEnabled(isOpen_);
-  actions_.saveFilm->setEnabled(isOpen_ && workspace_.runner().recording() != nullptr);
+  editor::setEnabled(*actions_.savePicture, isOpen_, tr("Open a scenario or a run first"));
+  editor::setEnabled(*actions_.saveFilm, isOpen_ && workspace_.runner().recording() != nullptr,
+                     tr("Start a run first: Space"));
 }
 
 ExportSource RunExportCommands::source() const {

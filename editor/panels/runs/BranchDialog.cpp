@@ -257,6 +257,8 @@ void BranchDialog::accept() {
 BranchCommand::BranchCommand(SimulationRunner& runner, MapView& view, QAction& action,
                              QObject* parent)
     : QObject(parent), runner_(runner), view_(view), scene_(view.mapScene()), action_(action) {
+  describe(action_, tr("Continue the run from the displayed step in another way: another planner, "
+                       "other positions, another seed; the run itself is kept"));
   connect(&action_, &QAction::triggered, this, [this] { branchHere(); });
   connect(&runner_, &SimulationRunner::stateChanged, this, &BranchCommand::follow);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &BranchCommand::follow);
@@ -267,20 +269,17 @@ BranchCommand::BranchCommand(SimulationRunner& runner, MapView& view, QAction& a
 }
 
 void BranchCommand::follow() {
-  const bool isPossible = runner_.canBranchFromShown();
-  const bool isFull = runner_.branches().size() >= SimulationRunner::kMaxBranches;
   const bool isRun = runner_.state() != SimulationRunner::State::Editing;
-  const QString tip =
-      isPossible || !isRun
-          ? tr("Continue the run from the displayed step in another way: another planner, other "
-               "positions, another seed; the run itself is kept")
-      : isFull ? tr("The maximum number of branches is reached: remove one first")
-      : runner_.again() == nullptr
-          ? tr("The inputs of this run are unknown, so it cannot be repeated")
-          : tr("A branch starts at an earlier step: go back on the timeline first");
-  if (action_.isEnabled() != isPossible || action_.statusTip() != tip) {
-    action_.setEnabled(isPossible);
-    describe(action_, tip);
+  const bool isPossible = isRun && runner_.canBranchFromShown();
+  const bool isFull = runner_.branches().size() >= SimulationRunner::kMaxBranches;
+  const QString why = !isRun   ? tr("Start a run first: Space")
+                      : isFull ? tr("The maximum number of branches is reached: remove one first")
+                      : runner_.again() == nullptr
+                          ? tr("The inputs of this run are unknown, so it cannot be repeated")
+                          : tr("A branch starts at an earlier step: go back on the timeline first");
+  if (action_.isEnabled() != isPossible || why_ != why) {
+    why_ = why;
+    setEnabled(action_, isPossible, why);
   }
   scene_.setPlaceable(isPossible && runner_.state() == SimulationRunner::State::Paused);
 }

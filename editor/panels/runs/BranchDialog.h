@@ -107,6 +107,7 @@ class BranchCommand : public QObject {
   MapView& view_;
   MapScene& scene_;  // Outlives the view.
   QAction& action_;
+  QString why_;  // Reason for which the command is disabled.
 };
 
 }  // namespace editor

@@ -309,7 +309,9 @@ void RunsPanel::removeChosen() {
 void RunsPanel::followChoice() {
   const std::optional<Row> row = chosen();
   branchButton_->setEnabled(context_.runner.canBranchFromShown());
-  branchButton_->setToolTip(context_.branch->toolTip());
+  branchButton_->setToolTip(branchButton_->isEnabled()
+                                ? context_.branch->toolTip()
+                                : context_.branch->property(kWhyDisabledProperty).toString());
   add_->setEnabled(shownBranch() >= 0);
   show_->setEnabled(row && row->branch >= 0 && !isShown(*row));
   remove_->setEnabled(row && !isShown(*row));
