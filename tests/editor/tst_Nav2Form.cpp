@@ -79,12 +79,12 @@ class Nav2FormTest : public QObject {
   void initTestCase() { editor::applyTheme(editor::Theme::light()); }
   void init() {
     sim2d::Scenario scenario;
-    sim2d::Robot robot;
-    robot.key = {EntityKind::Robot, 1};
-    robot.name = "robot1";
-    robot.planner = "nav2";
-    robot.nav2Params = {SOURCE_DIR "/resources/nav2_params/generic.yaml"};
-    scenario.robots.push_back(robot);
+    sim2d::Robot driven;
+    driven.key = {EntityKind::Robot, 1};
+    driven.name = "robot1";
+    driven.planner = "nav2";
+    driven.nav2Params = {SOURCE_DIR "/resources/nav2_params/generic.yaml"};
+    scenario.robots.push_back(driven);
     document_.load(std::move(scenario));
     form_ = std::make_unique<Nav2Form>();
     form_->setTheme(editor::Theme::light());
@@ -97,7 +97,7 @@ class Nav2FormTest : public QObject {
             });
     refresh();
     form_->resize(1100, 420);
-    form_->show();
+    form_->QWidget::show();
     QVERIFY(QTest::qWaitForWindowExposed(form_.get()));
     QCoreApplication::processEvents();
   }
