@@ -19,7 +19,7 @@ using namespace outside;
 
 namespace {
 
-constexpr int kLongMs = 60000;
+constexpr int kBranchMs = 60000;
 
 QAction* entryOf(const QMenu& menu, const char* words) {
   for (QAction* action : menu.actions()) {
@@ -46,7 +46,7 @@ void clickOk(const BranchDialog& dialog) {
                     Qt::LeftButton);
 }
 
-void typeInto(QAbstractSpinBox& field, const QString& number) {
+void enterNumber(QAbstractSpinBox& field, const QString& number) {
   field.setFocus();
   field.selectAll();
   QTest::keyClicks(&field, number);
@@ -77,7 +77,7 @@ class BranchCommandTest : public QObject {
     runner().setSpeed(std::numeric_limits<double>::infinity());
     QSignalSpy finished(&runner(), &SimulationRunner::finished);
     runner().play();
-    QVERIFY(finished.wait(kLongMs));
+    QVERIFY(finished.wait(kBranchMs));
   }
   /// Paused in the middle of a run.
   void pauseDemo() {
@@ -85,7 +85,8 @@ class BranchCommandTest : public QObject {
     for (int step = 0; step < 20; ++step) {
       runner().stepOnce();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() && runner().newestFrame()->step == 20, kLongMs);
+    QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() && runner().newestFrame()->step == 20,
+                             kBranchMs);
     QCOMPARE(runner().state(), SimulationRunner::State::Paused);
   }
   void sendMenu(QWidget& widget, const QPoint& at) {
@@ -95,7 +96,7 @@ class BranchCommandTest : public QObject {
   void waitForBranch(int number, std::int64_t step) {
     QTRY_VERIFY_WITH_TIMEOUT(runner().branch() == number && runner().newestFrame() &&
                                  runner().newestFrame()->step == step,
-                             kLongMs);
+                             kBranchMs);
   }
   base::Vec2 placeOf(int person) { return *workspace().scene().frameLayer().positionOf(person); }
   QWidget& row(const char* name) {
@@ -179,7 +180,7 @@ class BranchCommandTest : public QObject {
     runDemo(4.0);
     window_->docks().show({text("metrics")});
     auto* plot = window_->findChild<editor::MetricPlot*>();
-    QTRY_VERIFY_WITH_TIMEOUT(plot->lines() > 0, kLongMs);
+    QTRY_VERIFY_WITH_TIMEOUT(plot->lines() > 0, kBranchMs);
     QTRY_VERIFY(plot->isVisible());
     sendMenu(*plot, plot->rect().center());
     const double time = runner().shownFrame()->time;
@@ -249,8 +250,9 @@ class BranchCommandTest : public QObject {
       people.setFocus();
       QTest::keyClick(&people, Qt::Key_Down);
       QCOMPARE(dialog.changes().moves.size(), std::size_t{1});
-      typeInto(*widgets::named<QAbstractSpinBox>(dialog, text("X of ") + name), text("1.5"));
-      typeInto(*widgets::named<QAbstractSpinBox>(dialog, text("Heading of ") + name), text("180"));
+      enterNumber(*widgets::named<QAbstractSpinBox>(dialog, text("X of ") + name), text("1.5"));
+      enterNumber(*widgets::named<QAbstractSpinBox>(dialog, text("Heading of ") + name),
+                  text("180"));
       auto& values = quiet::part<QPlainTextEdit>(dialog, "Other values");
       values.setFocus();
       QTest::keyClicks(&values, text("robot1.radius = 0.9"));
@@ -306,7 +308,7 @@ class BranchCommandTest : public QObject {
                                                      return each->objectName() == text("restart");
                                                    }),
                       Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != nullptr, kLongMs);
+    QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != nullptr, kBranchMs);
     runner().pause();
     QCOMPARE(lookOnMap(id), editor::Look::Scared);
     QCOMPARE(listTextOf(person), text("Scared"));

@@ -15,8 +15,8 @@ namespace editor {
 
 namespace {
 
-constexpr double kFastestRobot = 10.0;  // [m/s]
-constexpr double kFarthest = 10000.0;   // [m]
+constexpr double kFastestRobot = 10.0;      // [m/s]
+constexpr double kFarthestPlace = 10000.0;  // [m]
 constexpr double kDegrees = 180.0 / base::kPi;
 constexpr int kWidth = 480;
 constexpr int kLabelWidth = 88;
@@ -171,7 +171,7 @@ void BranchDialog::addMove(const std::string& person, const base::Pose2& pose) {
     field->setAccessibleName(says.arg(label));
     return field;
   };
-  const NumberField::Range place{-kFarthest, kFarthest, 2, 0.1};
+  const NumberField::Range place{-kFarthestPlace, kFarthestPlace, 2, 0.1};
   move.x = number(pose.position.x(), place, tr("m"), tr("X of %1"));
   move.y = number(pose.position.y(), place, tr("m"), tr("Y of %1"));
   move.heading = number(pose.heading * kDegrees, {-180.0, 180.0, 0, 15.0}, QStringLiteral("°"),
