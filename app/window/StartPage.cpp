@@ -118,13 +118,12 @@ void StartPage::fillRecent() {
 void StartPage::showTheme() {
   page_->update();
   fillRecent();
-  isVisible() ? gallery_->showTheme() : void();
+  gallery_->showTheme();
 }
 
 void StartPage::showEvent(QShowEvent* event) {
   QScrollArea::showEvent(event);
-  fillRecent();                                             // files may have changed
-  editor::later(*this, [this] { gallery_->showTheme(); });  // after layout
+  fillRecent();  // files may have changed
 }
 
 }  // namespace app

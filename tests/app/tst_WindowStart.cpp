@@ -25,7 +25,7 @@ class WindowStartTest : public QObject, protected quiet::InFolder {
   void waitForPictures() {
     const auto haveAll = [this] {
       const std::vector<app::ScenarioCard*> cards = gallery().shownCards();
-      return gallery().thumbnails().isIdle() &&
+      return gallery().areCardsRead() && gallery().thumbnails().isIdle() &&
              std::all_of(cards.begin(), cards.end(),
                          [](const app::ScenarioCard* card) { return card->hasPicture(); });
     };

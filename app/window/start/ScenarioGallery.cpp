@@ -1,5 +1,8 @@
 #include "app/window/start/ScenarioGallery.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace app {
 
 namespace {
@@ -28,7 +31,8 @@ ScenarioGallery::ScenarioGallery(const std::vector<ShippedScenario>& scenarios,
     : QWidget(parent),
       theme_(theme),
       thumbnails_(new Thumbnails(thumbnailFolder, this)),
-      search_(new editor::SearchField(tr("Find a scenario"), tr("Find a scenario"), this)) {
+      search_(new editor::SearchField(tr("Find a scenario"), tr("Find a scenario"), this)),
+      reading_([this](const std::vector<ScenarioInfo>& infos) { takeInfos(infos); }) {
   auto* rows = editor::configuredLayout(new QVBoxLayout(this), {}, 0);
   rows->addLayout(makeTop());
   rows->addSpacing(12);
@@ -40,19 +44,63 @@ ScenarioGallery::ScenarioGallery(const std::vector<ShippedScenario>& scenarios,
   }
   for (const ShippedScenario& scenario : scenarios) {
     const QString path = QString::fromStdString(scenario.path);
-    auto* card = new ScenarioCard(path, infoOfFile(QString::fromStdString(scenario.name), path),
-                                  theme_, area_);
+    auto* card = new ScenarioCard(path, infoOf(path, {}), theme_, area_);
     connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileRequested(path); });
+    connect(card, &ScenarioCard::pictureNeeded, this, [this, card] {
+      thumbnails_->request({card->path(), card->pictureSize(), devicePixelRatioF()});
+    });
     cards_.push_back(card);
   }
   nothing_ = makeNothing();
   rows->addWidget(area_);
   rows->addWidget(nothing_);
   rows->addStretch(1);
-  connect(thumbnails_, &Thumbnails::ready, this, &ScenarioGallery::take);
-  fillFilters();
+  thumbnails_->setTheme(theme_);
+  connect(thumbnails_, &Thumbnails::ready, this, &ScenarioGallery::takePicture);
   filter();
   search_->setTheme(theme_);
+  readCards();
+}
+
+ScenarioGallery::~ScenarioGallery() {
+  reading_.abandon();
+}
+
+void ScenarioGallery::readCards() {
+  std::vector<QString> paths;
+  for (const ScenarioCard* card : cards_) {
+    paths.push_back(card->path());
+  }
+  reading_.start([paths] {
+    std::vector<ScenarioInfo> infos;
+    infos.reserve(paths.size());
+    std::transform(paths.begin(), paths.end(), std::back_inserter(infos), infoOfFile);
+    return infos;
+  });
+}
+
+void ScenarioGallery::takeInfos(const std::vector<ScenarioInfo>& infos) {
+  for (std::size_t i = 0; i < cards_.size(); ++i) {
+    ScenarioInfo info = infos[i];
+    info.people = cards_[i]->info().people;  // a picture may have come first
+    info.robots = cards_[i]->info().robots;
+    cards_[i]->setInfo(info);
+  }
+  areCardsRead_ = true;
+  fillFilters();
+  filter();
+}
+
+void ScenarioGallery::takePicture(const QString& path, const Thumbnail& thumbnail) {
+  for (ScenarioCard* card : cards_) {
+    if (card->path() == path) {
+      ScenarioInfo info = card->info();
+      info.people = thumbnail.people;
+      info.robots = thumbnail.robots;
+      card->setInfo(info);
+      card->setPicture(QPixmap::fromImage(thumbnail.picture));
+    }
+  }
 }
 
 QLayout* ScenarioGallery::makeTop() {
@@ -97,30 +145,10 @@ QWidget* ScenarioGallery::makeNothing() {
 
 void ScenarioGallery::showTheme() {
   search_->setTheme(theme_);
-  loadPictures();
-}
-
-void ScenarioGallery::loadPictures() {
-  const std::vector<ScenarioCard*> shown = shownCards();
-  if (shown.empty()) {
-    return;
-  }
-  std::deque<Thumbnails::Request> requests;
-  for (const ScenarioCard* card : cards_) {  // hidden ones have no size yet
-    requests.push_back(
-        {card->path(), card->info(), shown.front()->pictureSize(), devicePixelRatioF()});
-  }
-  thumbnails_->request(std::move(requests), theme_);
-}
-
-void ScenarioGallery::take(const QString& path, const QImage& picture, const ScenarioInfo& info) {
+  thumbnails_->setTheme(theme_);
   for (ScenarioCard* card : cards_) {
-    if (card->path() == path) {
-      card->show(QPixmap::fromImage(picture), info);
-    }
+    card->forgetPicture();
   }
-  fillFilters();
-  filter();
 }
 
 void ScenarioGallery::fillFilters() {
@@ -136,6 +164,7 @@ void ScenarioGallery::fillFilters() {
     }
   }
   setChoices(*family_, families, tr("All families"));
+  difficulties.sort();
   setChoices(*difficulty_, difficulties, tr("Any difficulty"));
 }
 

@@ -8,28 +8,41 @@ namespace app {
 
 namespace {
 
-constexpr const char* kTitle = "title";
-constexpr const char* kFamily = "family";
-constexpr const char* kPurpose = "purpose";
-constexpr const char* kDifficulty = "difficulty";
-constexpr const char* kPeople = "people";
-constexpr const char* kRobots = "robots";
-
 QString spaced(QString name) {
   return editor::capitalized(name.replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
-void setCard(ScenarioInfo& info, const sim2d::ScenarioCard& card) {
-  const auto set = [](QString& to, const std::optional<std::string>& text) {
-    to = text ? QString::fromStdString(*text) : to;
-  };
-  set(info.title, card.title);
-  set(info.family, card.family);
-  set(info.purpose, card.purpose);
-  if (card.difficulty) {
-    const QString words[] = {QObject::tr("easy"), QObject::tr("normal"), QObject::tr("hard")};
-    info.difficulty = words[static_cast<int>(*card.difficulty)];
+QString cardText(const std::optional<std::string>& text) {
+  return QString::fromStdString(text.value_or(std::string()));
+}
+
+QString difficultyText(std::optional<sim2d::Difficulty> difficulty) {
+  if (!difficulty) {
+    return {};
   }
+  switch (*difficulty) {
+    case sim2d::Difficulty::Easy:
+      return QObject::tr("easy");
+    case sim2d::Difficulty::Normal:
+      return QObject::tr("normal");
+    case sim2d::Difficulty::Hard:
+      break;
+  }
+  return QObject::tr("hard");
+}
+
+QString detailsOf(const sim2d::ScenarioCard& card) {
+  QStringList lines;
+  const auto add = [&lines](const QString& label, const std::optional<std::string>& text) {
+    if (text && !text->empty()) {
+      lines << label.arg(QString::fromStdString(*text));
+    }
+  };
+  add(QObject::tr("Robot: %1"), card.robotTask);
+  add(QObject::tr("People: %1"), card.people);
+  add(QObject::tr("Expected: %1"), card.outcome);
+  add(QObject::tr("Source: %1"), card.source);
+  return lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace
@@ -47,52 +60,32 @@ QString ScenarioInfo::contents() const {
 }
 
 bool ScenarioInfo::contains(const QString& words) const {
-  const QString all = QStringList({title, family, purpose, difficulty}).join(QLatin1Char('\n'));
+  const QString all =
+      QStringList({name, title, family, purpose, details, difficulty}).join(QLatin1Char('\n'));
   const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
   return std::all_of(wanted.begin(), wanted.end(), [&all](const QString& word) {
     return all.contains(word, Qt::CaseInsensitive);
   });
 }
 
-/// The card of the file takes precedence. A scenario alone in its folder belongs to the family of
-/// places.
-ScenarioInfo infoOfFile(const QString& name, const QString& path) {
-  QString base = name;
+ScenarioInfo infoOf(const QString& path, const sim2d::ScenarioCard& card) {
+  const QFileInfo file(path);
+  QString base = file.completeBaseName();
   base.remove(QStringLiteral("_agents"));
-  const QString folder = QFileInfo(path).absoluteDir().dirName();
+  const QString folder = file.absoluteDir().dirName();
   ScenarioInfo info;
-  info.title = spaced(base);
-  info.family = base == folder ? QObject::tr("Places") : spaced(folder);
-  if (const base::Result<std::string> text = base::readTextFile(path.toStdString())) {
-    setCard(info, sim2d::cardOf(*text));
-  }
+  info.name = file.completeBaseName();
+  info.title = card.title ? cardText(card.title) : spaced(base);
+  info.family = card.family ? cardText(card.family) : spaced(folder);
+  info.purpose = cardText(card.purpose);
+  info.details = detailsOf(card);
+  info.difficulty = difficultyText(card.difficulty);
   return info;
 }
 
-void addContents(ScenarioInfo& info, const sim2d::Scenario& scenario) {
-  info.people = static_cast<int>(scenario.humans.size());
-  info.robots = static_cast<int>(scenario.robots.size());
-}
-
-void writeInfo(QImage& image, const ScenarioInfo& info) {
-  image.setText(QString::fromLatin1(kTitle), info.title);
-  image.setText(QString::fromLatin1(kFamily), info.family);
-  image.setText(QString::fromLatin1(kPurpose), info.purpose);
-  image.setText(QString::fromLatin1(kDifficulty), info.difficulty);
-  image.setText(QString::fromLatin1(kPeople), QString::number(info.people));
-  image.setText(QString::fromLatin1(kRobots), QString::number(info.robots));
-}
-
-ScenarioInfo readInfo(const QImage& image) {
-  const auto text = [&image](const char* key) { return image.text(QString::fromLatin1(key)); };
-  ScenarioInfo info;
-  info.title = text(kTitle);
-  info.family = text(kFamily);
-  info.purpose = text(kPurpose);
-  info.difficulty = text(kDifficulty);
-  info.people = text(kPeople).isEmpty() ? -1 : text(kPeople).toInt();
-  info.robots = text(kRobots).toInt();
-  return info;
+ScenarioInfo infoOfFile(const QString& path) {
+  const base::Result<std::string> text = base::readTextFile(path.toStdString());
+  return infoOf(path, text ? sim2d::cardOf(*text) : sim2d::ScenarioCard());
 }
 
 }  // namespace app

@@ -139,29 +139,36 @@ void RecentRow::paintEvent(QPaintEvent*) {
 ScenarioCard::ScenarioCard(QString path, const ScenarioInfo& info, const editor::Theme& theme,
                            QWidget* parent)
     : StartCard(theme, parent), path_(std::move(path)) {
-  show(QPixmap(), info);
+  setInfo(info);
 }
 
 QSize ScenarioCard::pictureSize() const {
   return {width(), height() - kCaption};
 }
 
-void ScenarioCard::show(const QPixmap& picture, const ScenarioInfo& info) {
-  picture_ = picture;
+void ScenarioCard::setInfo(const ScenarioInfo& info) {
   info_ = info;
+  const QStringList spoken = {info.contents(), info.difficulty, info.purpose};
   setAccessibleName(info.title);
-  setAccessibleDescription(QStringList({info.contents(), info.difficulty, info.purpose})
-                               .filter(QRegularExpression(QStringLiteral(".")))
-                               .join(QStringLiteral(", ")));
-  setToolTip(info.purpose.isEmpty() ? info.title + QLatin1Char('\n') + path_
-                                    : info.title + QLatin1Char('\n') + info.purpose);
+  setAccessibleDescription(
+      spoken.filter(QRegularExpression(QStringLiteral("."))).join(QStringLiteral(", ")));
+  const QStringList tip = {info.title, info.purpose, info.details, path_};
+  setToolTip(tip.filter(QRegularExpression(QStringLiteral("."))).join(QLatin1Char('\n')));
   update();
 }
 
 void ScenarioCard::paintEvent(QPaintEvent* /*event*/) {
+  if (!std::exchange(isRequested_, true)) {
+    Q_EMIT pictureNeeded();
+  }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  paintPicture(painter);
+  paintCaption(painter);
+}
+
+void ScenarioCard::paintPicture(QPainter& painter) const {
   const QRectF frame = QRectF(QPointF(), QSizeF(pictureSize())).adjusted(0.5, 0.5, -0.5, -0.5);
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme_.color(Role::CanvasOutside));
@@ -177,22 +184,27 @@ void ScenarioCard::paintEvent(QPaintEvent* /*event*/) {
       QPen(theme_.color(isHighlighted() ? Role::Accent : Role::Line), isHighlighted() ? 2.0 : 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawRoundedRect(frame, kRadius, kRadius);
+}
+
+/// Title and contents, below them the purpose and the difficulty.
+void ScenarioCard::paintCaption(QPainter& painter) const {
   const QRect first(0, pictureSize().height() + 5, width(), 20);
-  painter.setFont(theme_.font(9.0));
-  painter.setPen(theme_.color(Role::TextSecondary));
-  const QString contents = info_.contents();
-  painter.drawText(first, Qt::AlignVCenter | Qt::AlignRight, contents);
-  const int left = width() - painter.fontMetrics().horizontalAdvance(contents) - kKeysGap;
-  const QStringList about =
-      QStringList({info_.purpose.isEmpty() ? info_.family : info_.purpose, info_.difficulty})
-          .filter(QRegularExpression(QStringLiteral(".")));
-  painter.drawText(
-      first.translated(0, 20), Qt::AlignVCenter | Qt::AlignLeft,
-      painter.fontMetrics().elidedText(about.join(QStringLiteral(" · ")), Qt::ElideRight, width()));
-  painter.setFont(theme_.font(10.0, QFont::DemiBold));
-  painter.setPen(theme_.color(Role::Text));
-  painter.drawText(first, Qt::AlignVCenter | Qt::AlignLeft,
-                   painter.fontMetrics().elidedText(info_.title, Qt::ElideRight, left));
+  const QRect second = first.translated(0, 20);
+  const auto drawLine = [&](const QRect& line, const QString& left, const QString& right,
+                            const QFont& font, Role color) {
+    painter.setFont(theme_.font(9.0));
+    painter.setPen(theme_.color(Role::TextSecondary));
+    painter.drawText(line, Qt::AlignVCenter | Qt::AlignRight, right);
+    const int used =
+        painter.fontMetrics().horizontalAdvance(right) + (right.isEmpty() ? 0 : kKeysGap);
+    painter.setFont(font);
+    painter.setPen(theme_.color(color));
+    painter.drawText(line, Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(left, Qt::ElideRight, line.width() - used));
+  };
+  drawLine(first, info_.title, info_.contents(), theme_.font(10.0, QFont::DemiBold), Role::Text);
+  drawLine(second, info_.purpose.isEmpty() ? info_.family : info_.purpose, info_.difficulty,
+           theme_.font(9.0), Role::TextSecondary);
 }
 
 }  // namespace app

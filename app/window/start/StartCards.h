@@ -59,7 +59,16 @@ class ScenarioCard : public StartCard {
   Q_OBJECT
  public:
   ScenarioCard(QString path, const ScenarioInfo& info, const editor::Theme& theme, QWidget* parent);
-  void show(const QPixmap& picture, const ScenarioInfo& info);
+  void setInfo(const ScenarioInfo& info);
+  void setPicture(const QPixmap& picture) {
+    picture_ = picture;
+    update();
+  }
+  /// The next time that the card is painted, it requests its picture again.
+  void forgetPicture() {
+    isRequested_ = false;
+    update();
+  }
   QString path() const { return path_; }
   const ScenarioInfo& info() const { return info_; }
   bool hasPicture() const { return !picture_.isNull(); }
@@ -67,13 +76,20 @@ class ScenarioCard : public StartCard {
   QSize minimumSizeHint() const override { return {240, 220}; }
   QSize pictureSize() const;
 
+ Q_SIGNALS:
+  void pictureNeeded();  // the card is visible for the first time
+
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintPicture(QPainter& painter) const;
+  void paintCaption(QPainter& painter) const;
+
   QString path_;
   ScenarioInfo info_;
   QPixmap picture_;
+  bool isRequested_ = false;
 };
 
 /// The time of last use as text: "2 min ago", "Yesterday", "12 Nov".

@@ -1,5 +1,7 @@
 #include "app/window/start/Thumbnails.h"
 
+#include <algorithm>
+
 #include "app/run/DataPaths.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/RouteModel.h"
@@ -15,14 +17,15 @@ constexpr double kThumbnailScale = 1.75;   // lines are thinner than on the canv
 constexpr double kThumbnailMargin = 10.0;  // [px]
 constexpr int kMostFiles = 500;            // kept, newest first
 
+constexpr const char* kPeopleText = "people";  // texts of the kept pictures
+constexpr const char* kRobotsText = "robots";
+
 /// Renders the scenario as on the canvas, fitted to the size.
-QImage pictureOf(const Thumbnails::Request& request, const editor::Theme& theme,
-                 ScenarioInfo& info) {
+Thumbnail thumbnailOf(const Thumbnails::Request& request, const editor::Theme& theme) {
   editor::ScenarioDocument document;
   if (base::hasErrors(document.open(request.path))) {
     return {};
   }
-  addContents(info, document.scenario());
   editor::MapScene scene(document, theme);
   editor::CanvasOptions options;
   options.names = false;
@@ -49,7 +52,21 @@ QImage pictureOf(const Thumbnails::Request& request, const editor::Theme& theme,
   QImage small =
       picture.scaled(request.size * request.ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   small.setDevicePixelRatio(request.ratio);
-  return small;
+  const sim2d::Scenario& scenario = document.scenario();
+  return {small, static_cast<int>(scenario.humans.size()),
+          static_cast<int>(scenario.robots.size())};
+}
+
+/// Null picture: not kept.
+Thumbnail keptThumbnail(const QString& file, double ratio) {
+  Thumbnail kept;
+  kept.picture = file.isEmpty() ? QImage() : QImage(file);
+  if (!kept.picture.isNull()) {
+    kept.picture.setDevicePixelRatio(ratio);
+    kept.people = kept.picture.text(QString::fromLatin1(kPeopleText)).toInt();
+    kept.robots = kept.picture.text(QString::fromLatin1(kRobotsText)).toInt();
+  }
+  return kept;
 }
 
 }  // namespace
@@ -66,9 +83,20 @@ Thumbnails::Thumbnails(QString folder, QObject* parent)
   }
 }
 
-void Thumbnails::request(std::deque<Request> requests, const editor::Theme& theme) {
-  waiting_ = std::move(requests);
+void Thumbnails::request(const Request& request) {
+  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
+                                [&](const Request& each) { return each.path == request.path; }),
+                 waiting_.end());
+  waiting_.push_front(request);
+  schedule();
+}
+
+void Thumbnails::setTheme(const editor::Theme& theme) {
   theme_ = theme;
+  waiting_.clear();
+}
+
+void Thumbnails::schedule() {
   if (!waiting_.empty() && !std::exchange(isScheduled_, true)) {
     editor::later(*this, [this] { next(); });
   }
@@ -100,23 +128,19 @@ void Thumbnails::next() {
   const Request request = waiting_.front();
   waiting_.pop_front();
   const QString file = fileOf(request);
-  ScenarioInfo info = request.info;
-  QImage picture = file.isEmpty() ? QImage() : QImage(file);
-  if (!picture.isNull()) {
-    info = readInfo(picture);
-    picture.setDevicePixelRatio(request.ratio);
-  } else {
-    picture = pictureOf(request, theme_, info);
+  Thumbnail thumbnail = keptThumbnail(file, request.ratio);
+  if (thumbnail.picture.isNull()) {
+    thumbnail = thumbnailOf(request, theme_);
     ++drawn_;
-    if (!picture.isNull() && !file.isEmpty() && QDir().mkpath(folder_)) {
-      writeInfo(picture, info);
-      picture.save(file, "PNG");  // on failure it is drawn again at the next start
+    if (!thumbnail.picture.isNull() && !file.isEmpty() && QDir().mkpath(folder_)) {
+      QImage kept = thumbnail.picture;
+      kept.setText(QString::fromLatin1(kPeopleText), QString::number(thumbnail.people));
+      kept.setText(QString::fromLatin1(kRobotsText), QString::number(thumbnail.robots));
+      kept.save(file, "PNG");  // on failure it is drawn again at the next start
     }
   }
-  Q_EMIT ready(request.path, picture, info);
-  if (!waiting_.empty() && !std::exchange(isScheduled_, true)) {
-    editor::later(*this, [this] { next(); });
-  }
+  Q_EMIT ready(request.path, thumbnail);
+  schedule();
 }
 
 }  // namespace app

@@ -2,36 +2,43 @@
 
 #include <deque>
 
-#include "app/window/start/ScenarioInfo.h"
 #include "editor/look/Theme.h"
 
 namespace app {
 
-/// Pictures of scenarios, drawn as on the canvas. They are kept in a folder, so that they are drawn
-/// once per change of the file; drawing takes place in the event loop, one scenario at a time.
+/// A scenario drawn as on the canvas, and what it contains.
+struct Thumbnail {
+  QImage picture;   // null: the scenario cannot be read
+  int people = -1;  // -1: unknown
+  int robots = 0;
+};
+
+/// Pictures of scenarios. They are kept in a folder, so that they are drawn once per change of the
+/// file; drawing takes place in the event loop, one scenario at a time.
 class Thumbnails : public QObject {
   Q_OBJECT
  public:
   struct Request {
     QString path;
-    ScenarioInfo info;  // from the name of the file
-    QSize size;         // [px]
+    QSize size;  // [px]
     double ratio = 1.0;
   };
 
   /// `folder` empty: nothing is kept.
   Thumbnails(QString folder, QObject* parent);
-  /// Replaces the requests that are still waiting.
-  void request(std::deque<Request> requests, const editor::Theme& theme);
+  /// The newest request comes first; a waiting request for the same file is replaced.
+  void request(const Request& request);
+  /// Discards the waiting requests. The next ones are drawn in this theme.
+  void setTheme(const editor::Theme& theme);
   bool isIdle() const { return waiting_.empty(); }
   int drawnCount() const { return drawn_; }  // not read from the folder
 
  Q_SIGNALS:
-  /// A picture is ready; null: the scenario cannot be read.
-  void ready(const QString& path, const QImage& picture, const app::ScenarioInfo& info);
+  void ready(const QString& path, const app::Thumbnail& thumbnail);
 
  private:
   void next();
+  void schedule();
   QString fileOf(const Request& request) const;
 
   QString folder_;
