@@ -57,8 +57,7 @@ class WindowStartTest : public QObject, protected quiet::InFolder {
 
   void cards_showTheCardOfTheFile() {
     const app::ScenarioInfo info =
-        app::infoOfFile(QStringLiteral("doorway_agents"),
-                        QStringLiteral(SOURCE_DIR "/maps/planners/doorway_agents.yaml"));
+        app::infoOfFile(QStringLiteral(SOURCE_DIR "/maps/planners/doorway_agents.yaml"));
     QCOMPARE(info.title, QStringLiteral("Doorway"));
     QCOMPARE(info.family, QStringLiteral("Planner comparison"));
     QCOMPARE(info.difficulty, QStringLiteral("hard"));

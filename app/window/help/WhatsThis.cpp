@@ -130,6 +130,14 @@ const std::vector<Explanation>& panelTexts() {
        QT_TRANSLATE_NOOP("WhatsThis",
                          "Runs scenarios with several planners and seeds and compares them with "
                          "confidence intervals in a report.")},
+      {"layers", QT_TRANSLATE_NOOP(
+                     "WhatsThis",
+                     "What the map shows: people, routes, sensor data, costmaps and other layers, "
+                     "each with its opacity.")},
+      {"nav2", QT_TRANSLATE_NOOP(
+                   "WhatsThis",
+                   "The Nav2 parameters of the selected robot with defaults and explanations. "
+                   "Search by name, or show only what was changed.")},
       {"tree", QT_TRANSLATE_NOOP(
                    "WhatsThis",
                    "The behaviour tree of the selected person as a graph. Drag nodes from the "
