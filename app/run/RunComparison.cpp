@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMinCurveGap = 0.25;  // [s] between two values so far
 constexpr double kMaxCurvePoints = 120.0;
-constexpr double kTimeTolerance = 1e-9;  // [s]
+constexpr double kSameTime = 1e-9;  // [s]
 
 /// Metrics that are only meaningful at the end of a run.
 constexpr const char* kOutcomeKeys[] = {"success",
@@ -117,7 +117,7 @@ RecordingMetrics measureRun(const sim2d::Recording& recording, const MetricsSetu
     return none;
   }
   if (until < recording.timeOf(size - 1)) {
-    size = recording.indexAtTime(until + kTimeTolerance) + 1;
+    size = recording.indexAtTime(until + kSameTime) + 1;
   }
   const double gap = std::max(kMinCurveGap, recording.timeOf(size - 1) / kMaxCurvePoints);
   RecordingMeasurer measurer(*recording.header(), setup.selection, setup.parameters,
@@ -184,7 +184,7 @@ std::optional<double> commonEnd(const std::vector<const sim2d::Recording*>& runs
     longest = std::max(longest, end);
     step = std::max(step, run->header()->dt);
   }
-  return longest - shortest > step + kTimeTolerance ? std::optional(shortest) : std::nullopt;
+  return longest - shortest > step + kSameTime ? std::optional(shortest) : std::nullopt;
 }
 
 std::optional<double> divergenceTime(const sim2d::Recording& first, const sim2d::Recording& second,

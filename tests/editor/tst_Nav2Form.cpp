@@ -88,13 +88,13 @@ class Nav2FormTest : public QObject {
     document_.load(std::move(scenario));
     form_ = std::make_unique<Nav2Form>();
     form_->setTheme(editor::Theme::light());
-    connect(form_.get(), &Nav2Form::edited, this,
-            [this](const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml) {
-              editor::pushChange<sim2d::Robot>(
-                  document_, robot().key, QStringLiteral("Change"), [&](sim2d::Robot& edited) {
-                    edited = app::withNav2Value(edited, parameter, yaml);
-                  });
-            });
+    connect(
+        form_.get(), &Nav2Form::edited, this,
+        [this](const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml) {
+          editor::pushChange<sim2d::Robot>(
+              document_, {EntityKind::Robot, 1}, QStringLiteral("Change"),
+              [&](sim2d::Robot& edited) { edited = app::withNav2Value(edited, parameter, yaml); });
+        });
     refresh();
     form_->resize(1100, 420);
     form_->QWidget::show();

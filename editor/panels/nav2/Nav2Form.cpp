@@ -10,11 +10,11 @@ namespace editor {
 
 namespace {
 
-constexpr int kNameWidth = 250;    // [px]
-constexpr int kValueWidth = 150;   // [px]
-constexpr int kNumberWidth = 120;  // [px]
-constexpr int kSearchWidth = 220;  // [px]
-constexpr int kHelpLines = 2;
+constexpr int kNav2NameWidth = 250;    // [px]
+constexpr int kNav2ValueWidth = 150;   // [px]
+constexpr int kNav2NumberWidth = 120;  // [px]
+constexpr int kNav2SearchWidth = 220;  // [px]
+constexpr int kNav2HelpLines = 2;
 constexpr int kAllTab = 0;
 
 /// Edits values only: a combo box for booleans, else a validated text field.
@@ -100,14 +100,14 @@ Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   tabs_->setExpanding(false);
   tabs_->setDrawBase(false);
   tabs_->setUsesScrollButtons(true);
-  search_->setFixedWidth(kSearchWidth);
+  search_->setFixedWidth(kNav2SearchWidth);
   nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);
   help_ = secondaryLabel({}, this);
   help_->setObjectName(QStringLiteral("nav2_help"));
   help_->setWordWrap(true);
   help_->setTextFormat(Qt::PlainText);
   help_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  help_->setFixedHeight(kHelpLines * help_->fontMetrics().lineSpacing() + 4);
+  help_->setFixedHeight(kNav2HelpLines * help_->fontMetrics().lineSpacing() + 4);
   configuredLayout(head_, {12, 6, 12, 6}, 8, {search_, onlyChanged_})->addStretch(1);
   auto* layout = configuredLayout(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
   layout->addLayout(head_);
@@ -135,10 +135,10 @@ void Nav2Form::styleTree() {
   tree_->setItemDelegate(new Nav2ValueDelegate(*this));
   QHeaderView& header = *tree_->header();
   header.setStretchLastSection(true);
-  header.resizeSection(Nav2NameColumn, kNameWidth);
-  header.resizeSection(Nav2ValueColumn, kValueWidth);
-  header.resizeSection(Nav2FileColumn, kNumberWidth);
-  header.resizeSection(Nav2DefaultColumn, kNumberWidth);
+  header.resizeSection(Nav2NameColumn, kNav2NameWidth);
+  header.resizeSection(Nav2ValueColumn, kNav2ValueWidth);
+  header.resizeSection(Nav2FileColumn, kNav2NumberWidth);
+  header.resizeSection(Nav2DefaultColumn, kNav2NumberWidth);
 }
 
 void Nav2Form::setTheme(const Theme& theme) {
