@@ -10,8 +10,8 @@ set(CPACK_PACKAGE_CONTACT "${HUNAV_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Simulate and evaluate robots among people")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Draw a scenario on a map, populate it with people driven by behaviour trees and
- social forces, drive a robot among them, and measure its performance. Reads and
- writes the files of HuNavSim 2.0 and needs no ROS.")
+social forces, drive a robot among them, and measure its performance. Reads and
+writes the files of HuNavSim 2.0 and needs no ROS.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
