@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-constexpr int kScenarioRows = 3;  // visible rows
+constexpr int kScenarioRows = 2;  // visible rows
 constexpr int kPlannerWidth = 118;
 constexpr int kValueLines = 2;
 
