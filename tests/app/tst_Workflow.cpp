@@ -272,7 +272,7 @@ class WorkflowTest : public QObject {
 
   void tenPeopleAndARobot_onAPlane_takeTwelveActionsAtMost() {
     hands_->countFromHere();
-    clickButton(*window_, QStringLiteral("New open plane"));
+    hands_->chooseInMenu(QStringLiteral("File"), QStringLiteral("New open plane"));
     QVERIFY(!window_->isOnStartPage());
     QTest::qWait(300);  // the view fits
     hands_->chooseTool(QStringLiteral("tool-goal"));
