@@ -37,7 +37,8 @@ std::string dataFolder(const std::string& name) {
   std::error_code error;
   fs::path folder = fs::weakly_canonical(ownFile(), error).parent_path();
   for (; folder.has_relative_path(); folder = folder.parent_path()) {
-    const bool isSourceTree = isFolder(folder / "maps") && isFolder(folder / "resources");
+    const bool isSourceTree = fs::exists(folder / "CMakeLists.txt", error) &&
+                              isFolder(folder / "maps") && isFolder(folder / "resources");
     for (const fs::path& place : {folder / "share/hunavsim", isSourceTree ? folder : fs::path()}) {
       if (!place.empty() && isFolder(place / name)) {
         return (place / name).string();
