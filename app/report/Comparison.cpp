@@ -394,13 +394,16 @@ TestCounts testCounts(const std::vector<MetricComparison>& comparisons) {
 
 int decimalsFor(double value, const Interval& interval) {
   constexpr int kMost = 6;
+  constexpr double kMore = 2.0;      // at most five significant digits
   constexpr double kTwoUnits = 0.3;  // log10(2): the half width is at least two units
   const auto placeOf = [](double size) { return std::floor(std::log10(size)); };
   double decimals = value != 0.0 && std::isfinite(value) ? 2.0 - placeOf(std::abs(value)) : 0.0;
   const double half = 0.5 * (interval.high - interval.low);
   if (half > 0.0 && std::isfinite(half)) {
     const double size = std::log10(half);
+    const double usual = decimals;
     decimals = std::clamp(decimals, std::ceil(kTwoUnits - size), std::ceil(1.0 - size));
+    decimals = std::min(decimals, usual + kMore);
   }
   return static_cast<int>(std::clamp(decimals, 0.0, static_cast<double>(kMost)));
 }

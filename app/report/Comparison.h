@@ -103,8 +103,8 @@ struct TestCounts {
 };
 TestCounts testCounts(const std::vector<MetricComparison>& comparisons);
 
-/// The number of decimals of a value: three significant digits, or fewer or more so that half of
-/// its interval has one or two digits. An undefined or empty interval is ignored.
+/// The number of decimals of a value: three significant digits, or fewer or more (up to five) so
+/// that half of its interval has one or two digits. An undefined or empty interval is ignored.
 int decimalsFor(double value, const Interval& interval = {});
 
 }  // namespace report

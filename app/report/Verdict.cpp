@@ -55,7 +55,8 @@ std::string amountText(const Study& study, const Metric& metric, const PairTest&
   }
   const double size = scale * pair.shift;
   const int decimals = metric.isRate ? 0 : decimalsFor(size, interval);
-  const std::string unit = metric.isRate                               ? " percentage points"
+  const bool isShare = metric.isRate || metric.unit == "%";
+  const std::string unit = isShare                                     ? " percentage points"
                            : metric.unit.empty() || metric.unit == "-" ? ""
                                                                        : " " + metric.unit;
   std::string text = " by " + numberText(size, decimals) + unit;

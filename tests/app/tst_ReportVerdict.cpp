@@ -85,6 +85,7 @@ class ReportVerdictTest : public QObject {
     QTest::newRow("wide beside a small mean") << 0.05 << 0.0 << 0.2 << 2;
     QTest::newRow("narrow interval") << 30.05 << 30.02 << 30.08 << 2;
     QTest::newRow("usual interval") << 12.345 << 11.8 << 12.9 << 1;
+    QTest::newRow("very narrow") << 0.991367 << 0.991357 << 0.991380 << 5;
     QTest::newRow("zero width") << 12.345 << 12.345 << 12.345 << 1;
   }
   void decimals_followTheInterval() {

@@ -20,12 +20,12 @@ enum Page { NothingPage, ComparisonPage, RunsPage };
 enum IntervalPart { Low, Mean, High, ScaleLow, ScaleHigh, IntervalParts };
 
 /// Draws the text of a cell and, below it, its interval on the scale of the column.
-class IntervalDelegate : public editor::RowDelegate {
+class IntervalDelegate : public QStyledItemDelegate {
  public:
-  using RowDelegate::RowDelegate;
+  using QStyledItemDelegate::QStyledItemDelegate;
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    return {RowDelegate::sizeHint(option, index).width(), kIntervalRowHeight};
+    return {QStyledItemDelegate::sizeHint(option, index).width(), kIntervalRowHeight};
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -37,7 +37,7 @@ class IntervalDelegate : public editor::RowDelegate {
       text.rect.setHeight(option.rect.height() - kBarRoom);
       text.displayAlignment = Qt::AlignRight | Qt::AlignBottom;
     }
-    RowDelegate::paint(painter, text, index);
+    QStyledItemDelegate::paint(painter, text, index);
     if (parts.size() == IntervalParts) {
       QRectF room = option.rect;
       room.setTop(room.bottom() - kBarRoom);
