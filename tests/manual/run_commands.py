@@ -11,7 +11,7 @@ Each page runs in an empty folder of its own. Code blocks:
   sh           not executed; the comment before it says why: <!-- not run: needs ROS 2 -->, or in pages
                that the program writes "(needs …):"
 
-Other blocks are ignored.
+Other blocks are ignored. commands.md, which the program writes, shows commands without their output.
 """
 import os
 import pathlib
@@ -99,7 +99,7 @@ def check_page(page, folder, environment):
             got, output = run(command, folder, environment)
             if got != code:
                 problems.append(f"{where}: {command}\nexit code {got}, expected {code}\n{output}")
-            elif not matches(expected, output):
+            elif (expected or page.name != "commands.md") and not matches(expected, output):
                 wanted = "\n".join(expected)
                 problems.append(f"{where}: {command}\nexpected:\n{wanted}\ngot:\n{output}")
     return count, problems
