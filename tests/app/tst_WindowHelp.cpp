@@ -144,6 +144,18 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
     QTRY_COMPARE(window_->actions().grid->isChecked(), !before);
   }
 
+  void palette_lettersScatteredOverTheMenus_doNotMatch() {
+    openPalette();
+    QTest::keyClicks(&palette().search(), QStringLiteral("copy"));
+    QVERIFY(palette().list().count() >= 2);
+    for (int i = 0; i < palette().list().count(); ++i) {
+      QVERIFY2(row(i).text().contains(QStringLiteral("Copy")), qPrintable(row(i).text()));
+    }
+    palette().search().clear();
+    QTest::keyClicks(&palette().search(), QStringLiteral("arrange tops"));  // menu and name
+    QVERIFY(row(0).text().contains(QStringLiteral("tops")));
+  }
+
   void palette_cursorKeys_moveInTheList() {
     openPalette();
     QTest::keyClick(&palette().search(), Qt::Key_Down);

@@ -70,6 +70,29 @@ QString whyDisabled(const QAction& action) {
   return known.isEmpty() ? CommandPalette::tr("Not available at the moment") : known;
 }
 
+/// Whether the menus and the name contain each word of the text.
+bool containsWords(const Command& command, const QString& typed) {
+  const QString all = command.path + QLatin1Char(' ') + command.name;
+  const QStringList words = typed.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  return std::all_of(words.begin(), words.end(), [&all](const QString& word) {
+    return all.contains(word, Qt::CaseInsensitive);
+  });
+}
+
+/// Letters may be scattered in the name only; in the menus they would match nearly everything.
+std::optional<int> pointsOf(const Command& command, const QString& typed) {
+  constexpr int kKey = 1000;
+  constexpr int kName = 15;  // a match in the name is better than one with its menus
+  const QString keys = commandKeys(*command.action);
+  if (!keys.isEmpty() && keys.compare(typed.trimmed(), Qt::CaseInsensitive) == 0) {
+    return kKey;
+  }
+  if (const std::optional<int> points = fuzzyScore(typed, command.name)) {
+    return *points + kName;
+  }
+  return containsWords(command, typed) ? std::optional<int>(0) : std::nullopt;
+}
+
 }  // namespace
 
 CommandPalette::CommandPalette(const QMenuBar& menus, const editor::Theme& theme, QWidget* parent)
@@ -148,23 +171,15 @@ void CommandPalette::fill() {
     if (command.action == nullptr) {
       continue;  // removed since the palette was opened
     }
-    const std::optional<int> byName = fuzzyScore(typed, command.name);
-    const std::optional<int> byPath =
-        fuzzyScore(typed, command.path + QLatin1Char(' ') + command.name);
-    const bool byKey =
-        !typed.trimmed().isEmpty() &&
-        commandKeys(*command.action).compare(typed.trimmed(), Qt::CaseInsensitive) == 0;
-    if (!byName && !byPath && !byKey) {
+    std::optional<int> points = pointsOf(command, typed);
+    if (!points) {
       continue;
     }
-    constexpr int kNameFirst = 15;  // a match in the name alone is better than one with its menus
-    int points = std::max(byName ? *byName + kNameFirst : 0, byPath.value_or(0));
-    points = byKey ? 1000 : points;
     const int before = used_.indexOf(command.action);
     if (typed.isEmpty() && before >= 0 && before < kUsedFirst) {
-      points += kUsedFirst - before;
+      *points += kUsedFirst - before;
     }
-    matches.push_back({points, command.action->isEnabled(), i});
+    matches.push_back({*points, command.action->isEnabled(), i});
   }
   std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
     return a.isAvailable != b.isAvailable ? a.isAvailable : a.points > b.points;

@@ -14,7 +14,7 @@ constexpr int kTourWidth = 340;
 constexpr int kMapGap = 16;          // [px] to the corner of the map
 constexpr double kRunSeconds = 2.0;  // simulated time after which the run counts
 constexpr int kTourSteps = 4;
-constexpr int kFrameGap = 3;  // [px] around the target
+constexpr int kFrameGap = 2;  // [px] around the target
 
 /// A frame that lets the mouse through.
 class TargetFrame : public QWidget {
