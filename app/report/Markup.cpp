@@ -260,6 +260,52 @@ std::string tableLatex(const Table& table) {
   return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
 }
 
+namespace {
+
+/// Escapes what would end a cell or change its text.
+std::string markdownText(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (std::string_view("|*_`<[\\").find(letter) != std::string_view::npos) {
+      escaped += '\\';
+    }
+    escaped += letter == '\n' ? ' ' : letter;
+  }
+  return escaped;
+}
+
+std::string cellMarkdown(const Table::Cell& cell) {
+  const std::string words = markdownText(cell.text);
+  std::string text = cell.bold && !words.empty() ? "**" + words + "**" : words;
+  text += markdownText(cell.mark);
+  for (const std::string& small : {cell.below, cell.note}) {
+    text += small.empty() ? "" : " " + markdownText(small);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string tableMarkdown(const Table& table) {
+  std::string head = "|";
+  std::string rule = "|";
+  for (const Table::Column& column : table.columns) {
+    head += " " +
+            markdownText(column.title + (column.unit.empty() ? "" : " [" + column.unit + "]")) +
+            " |";
+    rule += column.isNumber ? " ---: |" : " --- |";
+  }
+  std::string text = "**" + markdownText(table.caption) + "**\n\n" + head + "\n" + rule + "\n";
+  for (const std::vector<Table::Cell>& row : table.rows) {
+    text += "|";
+    for (const Table::Cell& cell : row) {
+      text += " " + cellMarkdown(cell) + " |";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string tableCsv(const Table& table) {
   std::vector<bool> hasBelow(table.columns.size(), false);
   std::vector<bool> hasNote(table.columns.size(), false);

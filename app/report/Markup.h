@@ -35,7 +35,7 @@ std::string filled(std::string_view pattern,
 /// A count with its noun: "1 run", "2 runs".
 std::string counted(std::size_t count, const std::string& word);
 
-/// A table that can be written as HTML, CSV and LaTeX.
+/// A table that can be written as HTML, CSV, LaTeX and Markdown.
 struct Table {
   struct Column {
     std::string title;
@@ -59,6 +59,8 @@ struct Table {
 };
 std::string tableHtml(const Table& table, const std::string& htmlClass = {});
 std::string tableLatex(const Table& table);  // booktabs
+/// A GitHub table: the caption in bold, then the rows; numbers are right-aligned.
+std::string tableMarkdown(const Table& table);
 std::string tableCsv(
     const Table& table);  // ASCII minus, no marks; intervals and notes in separate columns
 

@@ -293,13 +293,32 @@ ValueAxis axisOf(const std::vector<double>& values, double height) {
           ticks(low, high, static_cast<int>(std::lround((high - low) / step)))};
 }
 
+/// The curve of a panel and those over it.
+std::vector<const TimeCurve*> curvesOf(const TimeCurve& panel) {
+  std::vector<const TimeCurve*> all = {&panel};
+  for (const TimeCurve& curve : panel.overlaid) {
+    all.push_back(&curve);
+  }
+  return all;
+}
+
+std::vector<double> valuesOf(const TimeCurve& panel) {
+  std::vector<double> values;
+  for (const TimeCurve* curve : curvesOf(panel)) {
+    values.insert(values.end(), curve->values.begin(), curve->values.end());
+  }
+  return values;
+}
+
 /// The times of all curves; at least 1 s if they have no duration.
-Extent timesOf(const std::vector<TimeCurve>& curves) {
+Extent timesOf(const std::vector<TimeCurve>& panels) {
   Extent times;
-  for (const TimeCurve& curve : curves) {
-    if (!curve.times.empty()) {
-      times.add(curve.times.front());
-      times.add(curve.times.back());
+  for (const TimeCurve& panel : panels) {
+    for (const TimeCurve* curve : curvesOf(panel)) {
+      if (!curve->times.empty()) {
+        times.add(curve->times.front());
+        times.add(curve->times.back());
+      }
     }
   }
   if (!(times.high > times.low)) {
@@ -310,7 +329,8 @@ Extent timesOf(const std::vector<TimeCurve>& curves) {
 }
 
 /// Undefined values are gaps; a value between two gaps is a dot.
-void drawCurve(Figure& figure, const TimeCurve& curve, const Scale& across, const Scale& up) {
+void drawCurve(Figure& figure, const TimeCurve& curve, std::size_t option, const Scale& across,
+               const Scale& up) {
   std::vector<base::Vec2> line;
   const std::size_t end = std::min(curve.times.size(), curve.values.size());
   for (std::size_t k = 0; k <= end; ++k) {
@@ -319,10 +339,35 @@ void drawCurve(Figure& figure, const TimeCurve& curve, const Scale& across, cons
       continue;
     }
     if (line.size() == 1) {
-      figure.disc(line.front().x(), line.front().y(), 1.0, fillOf(0));
+      figure.disc(line.front().x(), line.front().y(), 1.0, fillOf(option));
     }
-    figure.polyline(line, strokeOf(0), 1.4);
+    figure.polyline(line, strokeOf(option), 1.4);
     line.clear();
+  }
+}
+
+/// Draws the curves of a panel; several have a mark at their ends and a legend that ends at the
+/// right edge.
+void drawCurves(Figure& figure, const TimeCurve& panel, const Scale& across, const Scale& up,
+                double legendY) {
+  const std::vector<const TimeCurve*> curves = curvesOf(panel);
+  for (std::size_t k = curves.size(); k-- > 0;) {
+    drawCurve(figure, *curves[k], k, across, up);
+  }
+  if (curves.size() < 2) {
+    return;
+  }
+  double right = across.to;
+  for (std::size_t k = curves.size(); k-- > 0;) {
+    const TimeCurve& curve = *curves[k];
+    const std::size_t points = std::min(curve.times.size(), curve.values.size());
+    if (points > 0 && std::isfinite(curve.values[points - 1])) {
+      figure.mark(across.at(curve.times[points - 1]), up.at(curve.values[points - 1]), k, 3.5);
+    }
+    figure.text(right, legendY, curve.label, "ink", Figure::Anchor::End, 10.0);
+    right -= kLetter * static_cast<double>(characterCount(curve.label)) + 10.0;
+    figure.mark(right, legendY - 3.5, k, 3.5);
+    right -= 14.0;
   }
 }
 
@@ -336,7 +381,7 @@ Figure timePlot(const std::vector<TimeCurve>& curves, double width, const std::s
   std::vector<ValueAxis> axes;
   std::size_t digits = 0;
   for (const TimeCurve& curve : curves) {
-    axes.push_back(axisOf(curve.values, height));
+    axes.push_back(axisOf(valuesOf(curve), height));
     for (const std::string& text : tickTexts(axes.back().scale, axes.back().at)) {
       digits = std::max(digits, characterCount(text));
     }
@@ -362,7 +407,7 @@ Figure timePlot(const std::vector<TimeCurve>& curves, double width, const std::s
     if (at && *at >= times.low && *at <= times.high) {
       figure.line(across.at(*at), top, across.at(*at), top + height, "accent");
     }
-    drawCurve(figure, curve, across, axis.scale);
+    drawCurves(figure, curve, across, axis.scale, margin + above + kTitle - 8.0);
   });
   horizontalAxis(figure, across, bottom);
   figure.text(across.to, bottom + 30.0, "time [s]", "dim", Figure::Anchor::End, 10.0);

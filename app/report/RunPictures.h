@@ -68,14 +68,17 @@ std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pict
 
 /// A metric over the time of a run.
 struct TimeCurve {
-  std::string name, unit;      // unit: empty = none
-  std::vector<double> times;   // [s], ascending
-  std::vector<double> values;  // NaN: undefined, a gap
+  std::string name, unit;             // unit: empty = none
+  std::vector<double> times;          // [s], ascending
+  std::vector<double> values;         // NaN: undefined, a gap
+  std::string label{};                // in the legend, if there are several curves in a panel
+  std::vector<TimeCurve> overlaid{};  // further curves of the panel, with the same unit
 };
 
 /// Metrics over time for a paper, one panel above the other with a common time axis; at least one
-/// curve. `width` [px]: below 900 the figure is for a column or page. `caption`: a line below;
-/// `at` [s]: the time of a vertical line, if it is within the run.
+/// curve. Overlaid curves have the colours and marks of options, with a legend above the panel.
+/// `width` [px]: below 900 the figure is for a column or page. `caption`: a line below; `at` [s]:
+/// the time of a vertical line, if it is within the run.
 Figure timePlot(const std::vector<TimeCurve>& curves, double width, const std::string& caption = {},
                 std::optional<double> at = {});
 

@@ -47,6 +47,22 @@ bool areApart(const sim2d::Frame& first, const sim2d::Frame& second, double apar
          });
 }
 
+/// The frame without the other people.
+sim2d::Frame withOnly(int person, sim2d::Frame frame) {
+  const std::vector<int> ids = frame.humans.id;
+  sim2d::forEachColumn(frame.humans, [&](auto& column) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < ids.size() && k < column.size(); ++k) {
+      if (ids[k] == person) {
+        column[kept++] = column[k];
+      }
+    }
+    column.resize(kept);
+  });
+  frame.forces = {};
+  return frame;
+}
+
 metrics::Selection cumulative(metrics::Selection selection) {
   selection.window = {};  // values so far, of all pedestrians
   selection.behaviors = false;
@@ -55,11 +71,21 @@ metrics::Selection cumulative(metrics::Selection selection) {
 
 }  // namespace
 
+std::string MetricTimeSeries::meaning() const {
+  return !isPerSample ? "so far" : kind == metrics::Kind::Number ? "per step" : "count per step";
+}
+
+std::string MetricTimeSeries::axisUnit() const {
+  return isPerSample && kind != metrics::Kind::Number ? meaning() : unit;
+}
+
 RecordingMeasurer::RecordingMeasurer(const sim2d::TraceHeader& header, metrics::Selection selection,
                                      const metrics::MetricParameters& parameters,
-                                     std::function<double(double time)> gap)
+                                     std::function<double(double time)> gap,
+                                     std::optional<int> person)
     : evaluation_(header, cumulative(std::move(selection)), parameters),
       gap_(std::move(gap)),
+      person_(person),
       known_(header) {}
 
 void RecordingMeasurer::addValues(double time) {
@@ -69,6 +95,12 @@ void RecordingMeasurer::addValues(double time) {
     curve.values.push_back(result.value.value.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
   next_ = time + gap_(time);
+}
+
+/// Events of robots and doors are always measured.
+bool RecordingMeasurer::isMeasured(const sim2d::Event& event) const {
+  const auto isOther = [this](bool has, int id) { return has && id >= 0 && id != *person_; };
+  return !person_ || (!isOther(event.hasId, event.id) && !isOther(event.hasOther, event.other));
 }
 
 bool RecordingMeasurer::takeNext(const sim2d::Recording& recording) {
@@ -82,9 +114,11 @@ bool RecordingMeasurer::takeNext(const sim2d::Recording& recording) {
   const std::size_t happened = recording.events().size();
   for (; events_ < happened && recording.events()[events_].first <= frame->step; ++events_) {
     const auto& [step, event] = recording.events()[events_];
-    evaluation_.note(static_cast<double>(step) * recording.header()->dt, event);
+    if (isMeasured(event)) {
+      evaluation_.note(static_cast<double>(step) * recording.header()->dt, event);
+    }
   }
-  evaluation_.append(*frame);
+  evaluation_.append(person_ ? withOnly(*person_, *frame) : *frame);
   times_.push_back(frame->time);
   if (gap_ && frame->time >= next_ - 1e-9) {
     addValues(frame->time);
@@ -100,9 +134,13 @@ std::map<std::string, MetricTimeSeries> RecordingMeasurer::curves(
     const auto soFar = soFar_.find(result.info.key);
     MetricTimeSeries& curve = found[result.info.key];
     if (series && series->values.size() == times_.size()) {
-      curve = {times_, series->values};
+      const bool isNumber = series->kind == metrics::Kind::Number;
+      curve = {times_, series->values, isNumber ? result.info.unit : std::string(), true,
+               series->kind};
     } else if (soFar != soFar_.end()) {
       curve = soFar->second;
+      curve.unit = result.info.unit;
+      curve.kind = result.info.kind;
     }
   }
   return found;

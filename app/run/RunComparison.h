@@ -19,16 +19,27 @@ namespace app {
 struct MetricTimeSeries {
   std::vector<double> times;   // [s]
   std::vector<double> values;  // NaN: undefined
+  /// Unit of the values; empty: none. That of a value per sample may differ from that of the
+  /// metric: a share of the time in % has a count of 0 or 1 per sample.
+  std::string unit;
+  bool isPerSample = false;
+  metrics::Kind kind = metrics::Kind::Number;
+
+  /// What the values are: "per step", "count per step", "so far".
+  std::string meaning() const;
+  /// For the title of an axis: the unit, or "count per step".
+  std::string axisUnit() const;
 };
 
 /// Measures a recording state by state, complete or while it grows. Not synchronised.
 class RecordingMeasurer {
  public:
   /// The selection without its window and behaviour types. `gap`: from a value so far at this time
-  /// to the next one in a curve [s]; null: no curves.
+  /// to the next one in a curve [s]; null: no curves. `person`: measures as if this person (by id)
+  /// were the only one.
   RecordingMeasurer(const sim2d::TraceHeader& header, metrics::Selection selection,
                     const metrics::MetricParameters& parameters,
-                    std::function<double(double time)> gap);
+                    std::function<double(double time)> gap, std::optional<int> person = {});
 
   /// Measures the next state. False: it is no longer in memory.
   bool takeNext(const sim2d::Recording& recording);
@@ -41,9 +52,11 @@ class RecordingMeasurer {
 
  private:
   void addValues(double time);
+  bool isMeasured(const sim2d::Event& event) const;
 
   metrics::FrameEvaluation evaluation_;
   std::function<double(double)> gap_;
+  std::optional<int> person_;  // null: everybody
   sim2d::KnownPeople known_;   // to the metrics
   std::size_t events_ = 0;     // that were passed to the metrics
   std::vector<double> times_;  // of all states [s]

@@ -1,6 +1,7 @@
 #include "app/window/MainWindow.h"
 
 #include "app/window/NoticeBar.h"
+#include "app/window/PlotExport.h"
 #include "app/window/RunCommands.h"
 #include "app/window/TreeCommands.h"
 #include "app/window/export/RunExportCommands.h"
@@ -11,6 +12,7 @@
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/look/TableExport.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/behavior/BehaviorPanel.h"
@@ -30,6 +32,7 @@ constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 2;
 constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 % with the timeline
 constexpr const char* kCutNotice = "cut-run";
+constexpr const char* kOptionsNotice = "options";
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
 constexpr int kLeastMiddle = 160;  // [px]; notices shrink the canvas, not the panels
@@ -59,6 +62,11 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   }
   askBeforeExternalCode(workspace_, *notices_);
   files_->setOptions(setup.options, setup.compatibility);
+  if (setup.storesSettings) {  // not in pictures
+    connect(files_, &FileCommands::optionsApplied, this, &MainWindow::reportOptions);
+    connect(&workspace_.document().undoStack(), &QUndoStack::indexChanged, this,
+            [this] { notices_->drop(QString::fromLatin1(kOptionsNotice)); });
+  }
   workspace_.runner().setHistory(historyMemory(userSettings_));
   actions_->restoreAndStore(userSettings_);
   placeParts(setup);
@@ -70,12 +78,14 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   new RunSharing(workspace_, *actions_->publishFoxglove, *actions_->publishRos2, *notices_,
                  notices_);
   const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
-  connect(figures, &FigureCommands::message, this,
-          [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });
   exports_ = new RunExportCommands(workspace_, *docks_, *actions_, userSettings_, *this);
   connect(exports_, &RunExportCommands::saved, this, [this](const QString& file) {
     statusBar()->showMessage(tr("Saved %1").arg(file), kMessageMs);
   });
+  const auto* plots = new PlotExport(workspace_, docks_->context(), *this);
+  const auto tell = [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); };
+  connect(figures, &FigureCommands::message, this, tell);
+  connect(plots, &PlotExport::message, this, tell);
   restoreGeometry(userSettings_.value(kGeometryKey).toByteArray());
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder,
                              setup.openFilesFolder, this);
@@ -165,8 +175,7 @@ void MainWindow::connectFiles() {
   connect(actions_->newEmptyRoom, &QAction::triggered, files, &FileCommands::askNewEmptyRoom);
   connect(actions_->close, &QAction::triggered, this, [this] {
     if (files_->maybeSave()) {
-      workspace_.document().clear();
-      showStart(true);
+      files_->close();
     }
   });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
@@ -367,6 +376,7 @@ void MainWindow::showStart(bool start) {
 }
 
 void MainWindow::showTitle() {
+  setProperty(editor::kFolderProperty, files_->folder());
   const editor::ScenarioDocument& document = workspace_.document();
   if (isOnStartPage()) {
     setWindowTitle(tr("HuNavSim Desktop"));
@@ -419,6 +429,24 @@ void MainWindow::saveLayout() {
   if (!isOnStartPage()) {
     userSettings_.setValue(kWindowStateKey, saveState(kLayoutVersion));
   }
+}
+
+void MainWindow::reportOptions() {
+  notices_->inform(
+      QString::fromLatin1(kOptionsNotice),
+      tr("The options of the command line replace values of %1. Saving writes them to the file.")
+          .arg(workspace_.document().displayName()),
+      {{tr("Use the values of the file"), [this] {
+          workspace_.document().undoStack().undo();
+          workspace_.document().undoStack().setClean();
+        }}});
+}
+
+void MainWindow::endSession() {
+  editor::commitPendingEdit(*this);
+  guard_->endSession();
+  saveLayout();
+  QApplication::exit();  // also leaves the event loops of dialogs
 }
 
 /// Stores a theme chosen in the window, not one given on the command line.

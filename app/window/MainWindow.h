@@ -64,6 +64,8 @@ class MainWindow : public QMainWindow {
   GuidedTour& tour() { return *tour_; }
   bool open(const QString& path) { return files_->openFile(path); }
   void setTheme(const editor::Theme& theme);
+  /// Ends the program without questions, as at logout. Unsaved work is kept for the next session.
+  void endSession();
   bool isOnStartPage() const { return centre_->currentWidget() == startPage_; }
 
  protected:
@@ -93,6 +95,7 @@ class MainWindow : public QMainWindow {
   void startTour();
   void showFile(const QString& file, int line);
   void saveLayout();
+  void reportOptions();
   void saveTheme();
 
   Workspace workspace_;

@@ -273,9 +273,10 @@ PictureLayout paperLayout(FigureOptions options) {
   return layout;
 }
 
-/// The figure as pixels for office programs and as vectors for drawing programs.
+}  // namespace
+
 std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const std::string& svg,
-                                        const Paint& paint) {
+                                        const std::function<void(QPainter&)>& paint) {
   QImage image = editor::blankImage((size * kSharp).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
   QPainter painter(&image);
@@ -289,8 +290,6 @@ std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const std::string& s
   data->setData(QStringLiteral("image/svg+xml"), QByteArray::fromStdString(svg));
   return data;
 }
-
-}  // namespace
 
 sim2d::Trace figureTrace(const sim2d::Recording& recording, double time) {
   sim2d::Trace trace;
@@ -323,6 +322,10 @@ FigureCommands::FigureCommands(Workspace& workspace, Docks& docks, const WindowA
     : QObject(parent), workspace_(workspace), docks_(docks), actions_(actions) {
   connect(actions_.copyFigure, &QAction::triggered, this, &FigureCommands::copyMap);
   connect(actions_.copyPlot, &QAction::triggered, this, &FigureCommands::copyPlot);
+  connect(actions_.savePlot, &QAction::triggered, this, [this] {
+    const editor::MetricPlot& plot = docks_.panel<editor::MetricsDock>().plot();
+    Q_EMIT docks_.context().plotExportRequested(plot.figure(), true);
+  });
   connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
           &FigureCommands::updateEnabled);
   connect(&workspace_.feed(), &editor::MetricsFeed::updated, this, &FigureCommands::updateEnabled);
@@ -333,7 +336,9 @@ FigureCommands::FigureCommands(Workspace& workspace, Docks& docks, const WindowA
 void FigureCommands::updateEnabled() {
   const QString noRun = tr("Start a run first: Space");
   editor::setEnabled(*actions_.copyFigure, workspace_.runner().recording() != nullptr, noRun);
-  editor::setEnabled(*actions_.copyPlot, !workspace_.feed().snapshot().curves.empty(), noRun);
+  for (QAction* action : {actions_.copyPlot, actions_.savePlot}) {
+    editor::setEnabled(*action, !workspace_.feed().snapshot().curves.empty(), noRun);
+  }
 }
 
 FigureOptions figureOptionsOf(const editor::CanvasOptions& on) {
@@ -367,9 +372,7 @@ void FigureCommands::copyMap() {
 }
 
 std::string FigureCommands::selectedMetric() const {
-  const QModelIndexList rows =
-      docks_.panel<editor::MetricsDock>().table().selectionModel()->selectedRows();
-  return rows.isEmpty() ? std::string() : rows.front().data(Qt::UserRole).toString().toStdString();
+  return docks_.panel<editor::MetricsDock>().shownKey();
 }
 
 /// Plots the selected metric, or the first one with a curve.
@@ -386,7 +389,7 @@ void FigureCommands::copyPlot() {
   const std::string caption =
       recording->header()->scenario + " · seed " + std::to_string(recording->header()->seed);
   const report::Figure plot = report::timePlot(
-      {{result->info.name, result->info.unit, curve->second.times, curve->second.values}},
+      {{result->info.name, curve->second.axisUnit(), curve->second.times, curve->second.values}},
       kVectorWidth * kPixelsPerMm, caption);
   const auto [size, paint] = paintingOf(plot);
   QGuiApplication::clipboard()->setMimeData(copiedFigure(size, plot.standalone(), paint).release());

@@ -107,6 +107,11 @@ class FigureCommands : public QObject {
   const WindowActions& actions_;
 };
 
+/// A figure for the clipboard: as pixels (300 dpi) for office programs and as SVG for drawing
+/// programs.
+std::unique_ptr<QMimeData> copiedFigure(const QSizeF& size, const std::string& svg,
+                                        const std::function<void(QPainter&)>& paint);
+
 /// The frames of a recording up to `time`, thinned out so that the figure is created quickly.
 sim2d::Trace figureTrace(const sim2d::Recording& recording, double time);
 

@@ -1,6 +1,7 @@
 #include "app/window/StatusLine.h"
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
 #include "sim2d/base/Find.h"
@@ -28,16 +29,23 @@ QPixmap dotPixmap(const QColor& color) {
   return pixmap;
 }
 
-/// The arrival time of the last robot [s]; runs continue for 1 s after it.
-double arrivalIn(const sim2d::Recording& recording) {
+/// When the last robot arrived, as the events and the metrics have it: "29.8 s", or "29.8 s, 28.8 s
+/// after its start", which is the time to reach the goal. Runs continue for 1 s after it.
+QString arrivalIn(const sim2d::Recording& recording) {
+  const auto text = [](double seconds) { return StatusLine::tr("%1 s").arg(seconds, 0, 'f', 1); };
   const auto& events = recording.events();
   for (std::size_t i = events.size(); i-- > 0;) {
     const auto& [step, event] = events[i];
     if (event.id < 0 && sim2d::isRobotArrival(event, event.id)) {
-      return double(step) * recording.header()->dt;
+      const double time = double(step) * recording.header()->dt;
+      const sim2d::TraceRobot* robot = recording.header()->robot(event.id);
+      const double start = robot == nullptr ? 0.0 : robot->startTime;
+      return start > 0.0
+                 ? StatusLine::tr("%1, %2 after its start").arg(text(time), text(time - start))
+                 : text(time);
     }
   }
-  return recording.timeOf(recording.size() - 1);
+  return text(recording.timeOf(recording.size() - 1));
 }
 
 /// The reason of the first aborted goal: ": planner NO_VALID_PATH (208)".
@@ -58,8 +66,7 @@ QString endText(const SimulationRunner& runner) {
     return {};
   }
   if (runner.result()->reason == "arrived") {
-    return StatusLine::tr("The robot has arrived, %1 s · ")
-        .arg(arrivalIn(*runner.recording()), 0, 'f', 1);
+    return StatusLine::tr("The robot has arrived, %1 · ").arg(arrivalIn(*runner.recording()));
   }
   const QString time = StatusLine::tr("%1 s").arg(runner.newestFrame()->time, 0, 'f', 1);
   if (runner.result()->reason == "duration") {
@@ -82,10 +89,19 @@ QString endText(const SimulationRunner& runner) {
   return end == nullptr ? QString() : end->second;
 }
 
+/// Keeps the width of a button while the count in its text grows; it never shrinks again.
+void reserveDigits(QToolButton& button) {
+  const QString text = button.text();
+  const int more = button.fontMetrics().horizontalAdvance(editor::withReservedDigits(text)) -
+                   button.fontMetrics().horizontalAdvance(text);
+  button.setMinimumWidth(std::max(button.minimumWidth(), button.sizeHint().width() + more));
+}
+
 /// The displayed state and hint.
 struct StateText {
   Role color = Role::TextSecondary;
   QString state, hint;
+  QString reason{};  // why the run stopped; stays visible while a status tip replaces the hint
 };
 
 StateText playbackText(const SimulationRunner& runner) {
@@ -115,14 +131,14 @@ StateText stateTextOf(const SimulationRunner& runner, const QString& runEnd) {
   }
   if (runner.isFinished()) {
     return {Role::WarningMark, StatusLine::tr("Finished"),
-            endText(runner) + StatusLine::tr("Space replays · Ctrl+R returns to editing")};
+            StatusLine::tr("Space replays · Ctrl+R returns to editing"), endText(runner)};
   }
   const QString where = runner.currentBreak()
                             ? StatusLine::tr("Stopped at %1 · ")
                                   .arg(QString::fromStdString(runner.currentBreak()->at.path))
                             : QString();
   return {Role::WarningMark, StatusLine::tr("Paused"),
-          where + StatusLine::tr("Space resumes · . steps · Ctrl+R returns to editing")};
+          StatusLine::tr("Space resumes · . steps · Ctrl+R returns to editing"), where};
 }
 
 }  // namespace
@@ -208,9 +224,15 @@ void StatusLine::addPanels(const QList<QAction*>& toggles) {
     button->setFocusPolicy(Qt::NoFocus);  // each has a shortcut
     button->setFixedHeight(kPanelButton);
     row->addWidget(button);
+    connect(toggle, &QAction::changed, button, [button] { reserveDigits(*button); });
+    reserveDigits(*button);
   }
+  // The speed, which is shown only during a run, takes its space from the hint: the buttons stay.
   constexpr int kBeforeNumbers = 3;  // after dot, state and hint
-  bar_.insertPermanentWidget(kBeforeNumbers, panels_);
+  bar_.removeWidget(speed_);
+  bar_.insertPermanentWidget(kBeforeNumbers, speed_);
+  bar_.insertPermanentWidget(kBeforeNumbers + 1, panels_);
+  showNumbers();
 }
 
 void StatusLine::setIdle(bool idle) {
@@ -253,12 +275,11 @@ void StatusLine::showState() {
   } else if (isRun) {
     stateText = stateTextOf(workspace_.runner(), runEnd_);
   }
-  if (isRun) {
-    stateText.hint.prepend(watchedName());
-  }
+  const QString watched = isRun ? watchedName() : QString();
   dot_->setPixmap(dotPixmap(workspace_.theme().color(stateText.color)));
   state_->setText(stateText.state);
-  hint_->setFullText(tip_.isEmpty() ? stateText.hint : tip_);
+  hint_->setFullText(tip_.isEmpty() ? watched + stateText.reason + stateText.hint
+                                    : stateText.reason + tip_);
   showNumbers();
 }
 

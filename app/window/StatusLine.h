@@ -15,7 +15,7 @@ class StatusLine : public QObject {
   void addPanels(const QList<QAction*>& toggles);  // adds panels that are closed by default
 
  protected:
-  /// Shows the status tip of a menu entry instead of the hint.
+  /// Shows the status tip of a menu entry instead of the hint, after the reason of a stop.
   bool eventFilter(QObject* window, QEvent* event) override;
 
  private:

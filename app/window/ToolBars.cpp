@@ -162,7 +162,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(edit, {{actions.undo, actions.redo},
                    {actions.cut, actions.copy, actions.paste, actions.duplicate, actions.rename,
                     actions.remove},
-                   {actions.copyFigure, actions.copyPlot},
+                   {actions.copyFigure, actions.copyPlot, actions.savePlot},
                    {actions.selectAll, actions.deselect, actions.next, actions.previous}});
   actions.fillArrangeMenu(*edit.addMenu(QObject::tr("Arran&ge")));
   addGroups(edit, {actions.snapping, {actions.palette, actions.preferences}});

@@ -186,6 +186,8 @@ void WindowActions::makeEditActions() {
            kCtrl | kShift | Qt::Key_C);
   copyPlot = make(tr("Copy metric as plot"),
                   tr("Copy a plot of the selected metric over time: PNG and SVG"));
+  savePlot = make(tr("Save metric as plot…"),
+                  tr("Save a plot of the selected metric over time: PNG, SVG or PDF"));
   paste =
       make(tr("&Paste"), tr("Insert the copied items at the mouse pointer"), QKeySequence::Paste);
   duplicate =

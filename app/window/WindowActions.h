@@ -18,7 +18,7 @@ class WindowActions : public QObject {
 
   QAction *newOpenPlane, *newFromMap, *open, *openRun, *save, *saveAs, *exportTo, *savePicture,
       *saveFilm, *close, *quit;
-  QAction *newEmptyRoom, *copyFigure, *copyPlot;
+  QAction *newEmptyRoom, *copyFigure, *copyPlot, *savePlot;
   QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or entity of the selected kind
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;

@@ -12,6 +12,7 @@
 #include "app/run/DataPaths.h"
 #include "app/window/KeyRules.h"
 #include "app/window/MainWindow.h"
+#include "app/window/TerminationSignals.h"
 #include "app/window/files/FileCommands.h"
 #include "app/window/files/MapFiles.h"
 #include "editor/canvas/RouteModel.h"
@@ -359,6 +360,8 @@ int windowCommand(const Invocation& given, const RunSpec& run, const WindowOptio
     requireFine(showTreeOf(window, options.tree), ExitWrongCommandLine);
   }
   if (!picture) {
+    TerminationSignals termination;
+    QObject::connect(&termination, &TerminationSignals::received, &window, &MainWindow::endSession);
     const int code = QApplication::exec();
     application.setExceptionHandler({});  // the window is destroyed first
     return code;

@@ -450,7 +450,7 @@ double LegendStrip::paintPart(QPainter& painter, const LegendPart& part, const Q
     painter.setFont(font);
     painter.setPen(theme.color(role));
     painter.drawText(place, side | Qt::AlignVCenter,
-                     QFontMetricsF(font).elidedText(label, Qt::ElideRight, place.width() + 1.0));
+                     QFontMetricsF(font).elidedText(label, Qt::ElideMiddle, place.width() + 1.0));
   };
   write(line, Qt::AlignLeft, part.title, theme.font(9.0, QFont::DemiBold), Role::Text);
   line.translate(0.0, kLegendRowPx);

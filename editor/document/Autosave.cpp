@@ -12,6 +12,7 @@ constexpr const char* kScenarioFile = "scenario.yaml";
 constexpr const char* kMapFile = "map.yaml";
 constexpr const char* kNotesFile = "recovery.json";  // Marks a folder that contains a snapshot.
 constexpr const char* kLockFile = "lock";
+constexpr const char* kCrashKey = "is_from_crash";
 
 QString lockOf(const QString& folder) {
   return QDir(folder).filePath(QString::fromLatin1(kLockFile));
@@ -79,6 +80,7 @@ std::vector<base::FileContent> snapshotFiles(const DocumentSnapshot& snapshot,
                              {QStringLiteral("map_is_missing"), snapshot.map.isMissing},
                              {QStringLiteral("read_only"), snapshot.readOnly},
                              {QStringLiteral("trees"), trees},
+                             {QLatin1String(kCrashKey), snapshot.isFromCrash},
                              {QStringLiteral("when"), snapshot.when.toString(Qt::ISODateWithMs)}};
   files.push_back({in(folder, kNotesFile), QJsonDocument(notes).toJson().toStdString()});
   return files;
@@ -108,7 +110,8 @@ base::Result<DocumentSnapshot> readSnapshot(const QString& folder) {
                           note("map_is_in_file").toBool(true),
                           note("path").toString(),
                           note("read_only").toBool(),
-                          QDateTime::fromString(note("when").toString(), Qt::ISODateWithMs)};
+                          QDateTime::fromString(note("when").toString(), Qt::ISODateWithMs),
+                          note(kCrashKey).toBool(true)};
   for (const auto& value : notes[QStringLiteral("trees")].toArray()) {
     const int number = value.toInt(-1);
     base::Result<std::string> tree = base::readTextFile(in(folder, treeFile(number)));
@@ -150,9 +153,11 @@ Autosave::Autosave(ScenarioDocument& document, QString root, QObject* parent)
 Autosave::~Autosave() {
   document_.disconnect(this);
   task_->abandon();
-  removeCopy();
+  if (!isKept_) {
+    removeCopy();
+  }
   lock_.reset();
-  if (!folder_.isEmpty()) {
+  if (!folder_.isEmpty() && !isKept_) {
     QDir(folder_).removeRecursively();
   }
 }
@@ -189,12 +194,24 @@ bool Autosave::makeFolder() {
 }
 
 void Autosave::write() {
-  if (!document_.isDirty() || !makeFolder()) {
+  if (isKept_ || !document_.isDirty() || !makeFolder()) {
     return;
   }
   task_->start([snapshot = document_.snapshot(), folder = folder_] {
     return base::writeFilesAtomically(snapshotFiles(snapshot, folder));
   });
+}
+
+bool Autosave::keepForNextSession() {
+  timer_.stop();
+  task_->finish();
+  if (!document_.isDirty() || !makeFolder()) {
+    return false;
+  }
+  DocumentSnapshot snapshot = document_.snapshot();
+  snapshot.isFromCrash = false;
+  isKept_ = !base::hasErrors(base::writeFilesAtomically(snapshotFiles(snapshot, folder_)));
+  return isKept_;
 }
 
 void Autosave::writeNow() {

@@ -16,6 +16,7 @@ struct DocumentSnapshot {
   QString path;             // Path of the scenario file; empty: not saved yet.
   bool readOnly = false;
   QDateTime when;
+  bool isFromCrash = true;  // Otherwise the session was ended in order, such as at logout.
 };
 
 /// The files of a snapshot in a folder: scenario.yaml, tree_<number>.xml, map.yaml, map.pgm and
@@ -26,7 +27,7 @@ base::Result<DocumentSnapshot> readSnapshot(const QString& folder);
 
 /// Stores a copy of unsaved work in a separate folder for recovery after a crash. The copy is
 /// written outside the GUI thread at most `setDelay` after an edit, and removed when the work is
-/// saved or the program exits normally.
+/// saved or the user quits the program.
 class Autosave : public QObject {
   Q_OBJECT
  public:
@@ -41,6 +42,9 @@ class Autosave : public QObject {
   void setDelay(std::optional<int> milliseconds);
   QString folder() const { return folder_; }  // Folder of the copy; empty: not needed yet.
   void writeNow();                            // Blocks until the copy is written.
+  /// Writes unsaved work for the next session, which is offered as work of an orderly end. Nothing
+  /// is removed from then on. Returns false if there is no unsaved work or it cannot be written.
+  bool keepForNextSession();
 
   /// Folders of copies whose process no longer exists.
   static QStringList orphanedFolders(const QString& root);
@@ -59,6 +63,7 @@ class Autosave : public QObject {
   bool makeFolder();
   void removeCopy();
 
+  bool isKept_ = false;  // The copy is left for the next session.
   ScenarioDocument& document_;
   QString root_, folder_;
   std::unique_ptr<QLockFile> lock_;  // Held while this process is running.

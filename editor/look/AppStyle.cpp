@@ -14,6 +14,7 @@ constexpr int kFieldHeight = 24;
 constexpr int kRowHeight = 24;
 constexpr int kTabHeight = 32;
 constexpr int kToolButton = 32;
+constexpr int kHeadingGap = 8;   // Between the headings of a table [px].
 constexpr int kComboFrame = 34;  // Space around the text of a combo box.
 
 /// Mirrored horizontally.
@@ -28,6 +29,12 @@ QIcon mirrored(const QIcon& icon) {
 }
 
 }  // namespace
+
+QString withReservedDigits(const QString& text) {
+  static const QRegularExpression kCount(QStringLiteral("  \\d{1,3}$"));
+  QString reserved = text;
+  return reserved.replace(kCount, QStringLiteral("  888"));
+}
 
 void applyTheme(const Theme& theme) {
   if (auto* style = qobject_cast<AppStyle*>(QApplication::style())) {
@@ -122,6 +129,10 @@ QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, 
       break;
     case CT_TabBarTab:
       result.setHeight(kTabHeight);
+      if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) {
+        result.rwidth() += tab->fontMetrics.horizontalAdvance(withReservedDigits(tab->text)) -
+                           tab->fontMetrics.horizontalAdvance(tab->text);
+      }
       break;
     case CT_ItemViewItem:
       result.setHeight(std::max(result.height(), kRowHeight));
@@ -183,7 +194,7 @@ bool AppStyle::drawSimple(PrimitiveElement element, const QStyleOption& option, 
     case PE_PanelLineEdit:
     case PE_FrameLineEdit:
       if (const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(&option);
-          frame != nullptr && frame->lineWidth > 0) {
+          frame != nullptr && (frame->lineWidth > 0 || isInPlaceEditor(widget))) {
         drawFieldFrame(painter, option, widget);
       }
       return true;
@@ -275,6 +286,10 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
       if (drawn) {  // Aligned with the cells below.
         QStyleOptionHeader label = *header;
         label.rect.adjust(kTableInset, 0, 0, 0);
+        if ((int(header->textAlignment) & Qt::TextWordWrap) == 0) {
+          label.text = label.fontMetrics.elidedText(label.text, Qt::ElideMiddle,
+                                                    label.rect.width() - kHeadingGap);
+        }
         QProxyStyle::drawControl(element, &label, painter, widget);
       }
       break;

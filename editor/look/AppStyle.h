@@ -65,6 +65,11 @@ constexpr int kTableInset = 8;  // Padding before the first and after the last t
 constexpr int kListInset = 6;   // Horizontal padding of list rows [px].
 /// Returns true if an item is the last one in a table row.
 bool endsTableRow(const QStyleOption* option, const QWidget* widget);
+/// The text with a count at its end, "Events  7", padded to three digits, so that the width of its
+/// tab or button does not change while the count grows. Other texts are unchanged.
+QString withReservedDigits(const QString& text);
+/// Returns true for the editor of an item in a list, tree or table, which covers the item.
+bool isInPlaceEditor(const QWidget* widget);
 /// A field with this property set to true is drawn with an error border.
 constexpr const char* kInvalidProperty = "hunavInvalid";
 /// A tool button with this property draws its text as a link.

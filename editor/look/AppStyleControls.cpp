@@ -44,6 +44,9 @@ void AppStyle::drawFieldFrame(QPainter& painter, const QStyleOption& option,
                     : focused           ? Role::Accent
                     : isHovered(option) ? Role::ObstacleEdge
                                         : Role::FieldEdge;
+  if (isInPlaceEditor(widget)) {  // also hides the row at the rounded corners
+    painter.fillRect(option.rect, theme_.color(Role::Field));
+  }
   drawBox(painter, onPixels(option.rect), kFieldRadius,
           theme_.color(isEnabled(option) ? Role::Field : Role::Window),
           QPen(theme_.color(edge), focused || invalid ? 1.5 : 1.0));
@@ -161,7 +164,7 @@ QRect AppStyle::subControlRect(ComplexControl control, const QStyleOptionComplex
 
 void AppStyle::drawSpinBox(QPainter& painter, const QStyleOptionSpinBox& spin,
                            const QWidget* widget) const {
-  if (spin.frame) {
+  if (spin.frame || isInPlaceEditor(widget)) {
     drawFieldFrame(painter, spin, widget);
   }
   if (spin.buttonSymbols == QAbstractSpinBox::NoButtons) {
@@ -226,6 +229,13 @@ void AppStyle::drawToolButton(QPainter& painter, const QStyleOptionToolButton& b
     drawChevron(painter, QRectF(arrow).adjusted(-2.0, 1.0, -2.0, 1.0), 0, isEnabled(button));
   }
   drawControl(CE_ToolButtonLabel, &label, &painter, widget);
+}
+
+bool isInPlaceEditor(const QWidget* widget) {
+  const QWidget* const parent = widget == nullptr ? nullptr : widget->parentWidget();
+  const auto* const view =
+      parent == nullptr ? nullptr : qobject_cast<const QAbstractItemView*>(parent->parentWidget());
+  return view != nullptr && view->viewport() == parent;
 }
 
 bool endsTableRow(const QStyleOption* option, const QWidget* widget) {

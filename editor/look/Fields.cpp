@@ -35,7 +35,7 @@ void setInvalid(QWidget& widget, bool invalid) {
 }  // namespace
 
 NumberField::NumberField(const Range& range, const QString& unit, QWidget* parent)
-    : QDoubleSpinBox(parent), range_(range), unit_(unit) {
+    : QDoubleSpinBox(parent), range_(range), unit_(unit), mostDecimals_(kMaxDecimals) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   setLocale(QLocale::c());
   setDecimals(range.decimals == 0 ? 0 : kExact);
@@ -51,6 +51,7 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
     if (!showing_) {
       take(value);
     }
+    fitText();
   });
   connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
     isTypingOverMixed_ = std::exchange(mixed_, false) || isTypingOverMixed_;
@@ -72,12 +73,13 @@ QString NumberField::rangeText() const {
   const QString low = QString::number(range_.minimum, 'f', range_.decimals);
   const QString high = QString::number(range_.maximum, 'f', range_.decimals);
   if (!std::isfinite(range_.maximum)) {
-    return hasLow ? (range_.above ? tr("above %1%2") : tr("at least %1%2")).arg(low, suffix())
-                  : QString();
+    return hasLow
+               ? (range_.above ? tr("above %1%2") : tr("at least %1%2")).arg(low, unitSuffix(unit_))
+               : QString();
   }
-  return !hasLow        ? tr("at most %1%2").arg(high, suffix())
-         : range_.above ? tr("above %1, at most %2%3").arg(low, high, suffix())
-                        : tr("%1 to %2%3").arg(low, high, suffix());
+  return !hasLow        ? tr("at most %1%2").arg(high, unitSuffix(unit_))
+         : range_.above ? tr("above %1, at most %2%3").arg(low, high, unitSuffix(unit_))
+                        : tr("%1 to %2%3").arg(low, high, unitSuffix(unit_));
 }
 
 /// Arrows and sliders stop at 0 for counts, even where files may contain less.
@@ -118,13 +120,76 @@ void NumberField::show(double value, bool isDefault) {
       lineEdit()->setText(textFromValue(value) + suffix());
     }
   }
-  const bool isOne = this->value() == 1.0 && !singularUnit_.isEmpty();
-  const QString unit = unitSuffix(isOne ? singularUnit_ : unit_);
-  if (suffix() != unit) {
-    setSuffix(unit);
+  if (!isShortened_ && suffix() != unitText()) {
+    setSuffix(unitText());
   }
+  fitText();
   setSecondaryColor(isDefault);
   showing_ = false;
+}
+
+/// The unit as it is shown after the number.
+QString NumberField::unitText() const {
+  const bool isOne = value() == 1.0 && !singularUnit_.isEmpty();
+  return unitSuffix(isOne ? singularUnit_ : unit_);
+}
+
+bool NumberField::fits(const QString& text) const {
+  constexpr int kMargins = 5;  // Of a QLineEdit, with the cursor [px].
+  return lineEdit()->fontMetrics().horizontalAdvance(text) <= lineEdit()->width() - kMargins;
+}
+
+/// Leaves out decimals beyond the usual ones first, then the unit, then the other decimals.
+void NumberField::fitText() {
+  if (!isVisible() || mixed_) {
+    return;
+  }
+  const QString whole = textWith(value(), kMaxDecimals);
+  const auto mostOf = [&](const QString& unit, int least) {
+    int decimals = kMaxDecimals;
+    while (decimals > least && !fits(textWith(value(), decimals) + unit)) {
+      --decimals;
+    }
+    return decimals;
+  };
+  QString unit = unitText();
+  int decimals = mostOf(unit, std::min(range_.decimals, kMaxDecimals));
+  if (!fits(textWith(value(), decimals) + unit)) {
+    unit.clear();
+    decimals = mostOf(unit, 0);
+  }
+  const bool isChanged = decimals != mostDecimals_ || unit != suffix();
+  mostDecimals_ = decimals;
+  isShortened_ = unit != unitText() || textWith(value(), decimals) != whole;
+  if (isChanged) {
+    const QScopedValueRollback<bool> showing(showing_, true);
+    if (unit != suffix()) {
+      setSuffix(unit);
+    }
+    lineEdit()->setText(textFromValue(value()) + suffix());
+  }
+}
+
+void NumberField::resizeEvent(QResizeEvent* event) {
+  QDoubleSpinBox::resizeEvent(event);
+  if (!lineEdit()->isModified()) {  // Text that is being typed stays as it is.
+    fitText();
+  }
+}
+
+void NumberField::showEvent(QShowEvent* event) {
+  QDoubleSpinBox::showEvent(event);
+  fitText();
+}
+
+bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && isShortened_ && !mixed_) {
+    const QString whole = textWith(value(), kMaxDecimals) + unitText();
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                       toolTip().isEmpty() ? whole : whole + QLatin1Char('\n') + toolTip(), this);
+    return true;
+  }
+  return QDoubleSpinBox::event(event);
 }
 
 void NumberField::showMixed() {
@@ -164,15 +229,16 @@ QValidator::State NumberField::validate(QString& text, int&) const {
 }
 
 QString NumberField::textFromValue(double value) const {
-  if (mixed_) {
-    return QStringLiteral("–");
-  }
+  return mixed_ ? QStringLiteral("–") : textWith(value, mostDecimals_);
+}
+
+QString NumberField::textWith(double value, int mostDecimals) const {
   if (range_.decimals > 0 && std::abs(value) >= kLong) {
     return QString::fromStdString(base::formatDouble(value));
   }
-  int decimals = range_.decimals;
+  int decimals = std::min(range_.decimals, mostDecimals);
   const double shown = roundedTo(value, kMaxDecimals);
-  while (!default_ && decimals > 0 && decimals < kMaxDecimals &&
+  while (!default_ && decimals > 0 && decimals < mostDecimals &&
          roundedTo(value, decimals) != shown) {
     ++decimals;
   }
@@ -203,6 +269,7 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
   QDoubleSpinBox::focusOutEvent(event);
   lineEdit()->setText(textFromValue(value()) + suffix());  // Discards invalid text.
   setInvalid(*this, false);
+  fitText();
 }
 
 void NumberField::setSecondaryColor(bool pale) {

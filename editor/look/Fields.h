@@ -9,8 +9,10 @@ namespace editor {
 
 /// A spin box with the unit inside the field. Typed text is validated immediately: a number outside
 /// the range has a red edge and is never accepted. A comma is accepted as decimal point. A number
-/// from a file keeps all its digits, of which up to six decimals are shown. A value that the
-/// scenario leaves out is shown in the secondary colour. A dash stands for several values.
+/// from a file keeps all its digits, of which up to six decimals are shown. If they do not fit,
+/// decimals and the unit are left out rather than cut off, and the tooltip has the whole number. A
+/// value that the scenario leaves out is shown in the secondary colour. A dash stands for several
+/// values.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
  public:
@@ -46,8 +48,15 @@ class NumberField : public QDoubleSpinBox {
   void contextMenuEvent(QContextMenuEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
+  void fitText();
+  bool fits(const QString& text) const;
+  QString textWith(double value, int mostDecimals) const;
+  QString unitText() const;
   void take(double value);
   void setSecondaryColor(bool pale);
   QString bare(const QString& text) const;
@@ -59,6 +68,8 @@ class NumberField : public QDoubleSpinBox {
   bool isTypedValid_ = false;
   bool default_ = false;
   bool showing_ = false;
+  int mostDecimals_;          // Of which there is room.
+  bool isShortened_ = false;  // The text has less than the whole number.
 };
 
 /// A slider beside a NumberField; both show the same number.

@@ -4,6 +4,7 @@
 
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
+#include "editor/look/TableExport.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/panels/runs/Playback.h"
@@ -19,6 +20,8 @@ class EventsPanel : public QWidget {
       : context_(context), stack_(new QStackedLayout(this)), table_(new QTableWidget(0, 2, this)) {
     setProperty(kManualPageProperty, QStringLiteral("recordings"));
     styleTable(*table_, tr("Events"));
+    makeTableSavable(*table_, tr("Events"));
+    table_->setHorizontalHeaderLabels({tr("Time"), tr("Event")});  // in saved tables
     QHeaderView* header = table_->horizontalHeader();
     header->hide();
     header->setSectionResizeMode(0, QHeaderView::Fixed);
@@ -68,6 +71,7 @@ class EventsPanel : public QWidget {
     for (; row < count; ++row) {
       auto* time = new QTableWidgetItem(clockText(eventAt(row).time));
       time->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      time->setData(kExactValueRole, eventAt(row).time);
       table_->setItem(row, 0, time);
       table_->setItem(row, 1, new QTableWidgetItem(eventAt(row).text));
       paintRow(row);
@@ -161,14 +165,37 @@ void RunEvents::follow() {
   const std::size_t there = recording_ == nullptr ? 0 : recording_->events().size();
   for (; read_ < there; ++read_) {
     const auto& [step, event] = recording_->events()[read_];
-    if (event.kind != EventKind::Stop) {  // The state of the run shows it.
-      const double time = static_cast<double>(step) * recording_->header()->dt;
+    if (event.kind == EventKind::Stop) {  // The state of the run shows it.
+      continue;
+    }
+    const double time = static_cast<double>(step) * recording_->header()->dt;
+    RunEvent* const goal =
+        event.kind == EventKind::Arrived ? lastGoal(before, step, event.id) : nullptr;
+    if (goal != nullptr) {  // One thing that happens is one event.
+      goal->text = tr("%1 has arrived at %2").arg(nameOfAgent(event.id), goalText(goal->event));
+      goal->event.kind = EventKind::Arrived;
+    } else {
       events_.push_back({step, time, event, textOf(event)});
     }
   }
   if (events_.size() > before) {
     Q_EMIT added(static_cast<int>(before), static_cast<int>(events_.size()) - 1);
   }
+}
+
+/// The goal that an agent reached in this step, from that index on; null: none.
+RunEvent* RunEvents::lastGoal(std::size_t from, std::int64_t step, int id) {
+  for (std::size_t k = events_.size(); k-- > from && events_[k].step == step;) {
+    if (events_[k].event.kind == EventKind::Goal && events_[k].event.id == id) {
+      return &events_[k];
+    }
+  }
+  return nullptr;
+}
+
+/// A robot's own goal point has no number.
+QString RunEvents::goalText(const sim2d::Event& event) {
+  return event.text.empty() ? tr("the goal") : goalName(QString::fromStdString(event.text).toInt());
 }
 
 QString RunEvents::nameOfAgent(int id) const {
@@ -194,11 +221,8 @@ QString RunEvents::textOf(const sim2d::Event& event) const {
     return tr("%1 touches a wall").arg(who);
   }
   const bool isOfTwo = event.kind == EventKind::Contact || event.kind == EventKind::Heard;
-  const bool isGoal = event.kind == EventKind::Goal;  // A robot's own goal point has no number.
-  const QString what = isOfTwo          ? other
-                       : !isGoal        ? text
-                       : text.isEmpty() ? tr("the goal")
-                                        : goalName(text.toInt());
+  const bool isGoal = event.kind == EventKind::Goal;
+  const QString what = isOfTwo ? other : isGoal ? goalText(event) : text;
   const QString words = tr(presentationOf(event.kind).words);
   return !words.contains(QLatin1String("%1"))   ? words.arg(what)
          : !words.contains(QLatin1String("%2")) ? words.arg(who)

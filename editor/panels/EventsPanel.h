@@ -34,6 +34,8 @@ class RunEvents : public QObject {
   void follow();
   QString textOf(const sim2d::Event& event) const;
   QString nameOfAgent(int id) const;
+  RunEvent* lastGoal(std::size_t from, std::int64_t step, int id);
+  static QString goalText(const sim2d::Event& event);
 
   const ScenarioDocument& document_;
   SimulationRunner& runner_;

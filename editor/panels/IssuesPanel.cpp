@@ -6,6 +6,7 @@
 #include "editor/document/Fixes.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/Icons.h"
+#include "editor/look/TableExport.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
@@ -200,6 +201,7 @@ void IssuesPanel::offerMenu(const QPoint& at) {
   menu->addAction(tr("Copy text"), this, [issue] {
     QGuiApplication::clipboard()->setText(QString::fromStdString(issue.text()));
   });
+  addTableActions(*menu, *table_, tr("Issues"));
   menu->popup(table_->viewport()->mapToGlobal(at));
 }
 

@@ -42,6 +42,8 @@ class MetricsFeed : public QObject {
   /// Overrides the metrics of the scenario settings, from the next frame on.
   void setSelection(std::optional<metrics::Selection> selection);
   metrics::Selection selection() const;
+  /// The metrics and parameters of the scenario, or of the recorded run.
+  base::Result<app::MetricsSetup> setup() const;
   /// Selects the robot by its id in the run; the first one is -1.
   void setRobot(int id);
   int robot() const;
@@ -64,7 +66,6 @@ class MetricsFeed : public QObject {
   void begin();
   void restart();
   void startNextBatch();
-  base::Result<app::MetricsSetup> setup() const;
   void deliver(MetricSnapshot snapshot);
   std::optional<std::size_t> pastIndex() const;
   void lookBack();

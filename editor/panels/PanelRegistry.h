@@ -5,6 +5,7 @@
 #include "editor/canvas/MapView.h"
 #include "editor/panels/EventsPanel.h"
 #include "editor/panels/MetricsFeed.h"
+#include "editor/panels/runs/RunPlots.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
@@ -55,6 +56,7 @@ class PanelContext : public QObject {
   void panelRequested(const QString& name);       // Requests showing a panel, by its name.
   void canvasTitleChanged(const QString& title);  // Of the run on the canvas; empty: none.
   void goalsRequested();                          // For the selected people.
+  void plotExportRequested(const editor::PlottedFigure& plot, bool toFile);  // Or to the clipboard.
 };
 
 /// The place of a panel in the window.

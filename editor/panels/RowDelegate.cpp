@@ -41,9 +41,9 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const int room = option.rect.width() - margin - kTextGap - icon;
   const int nameWidth = std::min(row.fontMetrics.horizontalAdvance(row.text), room);
   const QString side = option.fontMetrics.elidedText(
-      sideText(index), Qt::ElideRight, std::max(room - nameWidth - kTextGap, room / 3));
+      sideText(index), Qt::ElideMiddle, std::max(room - nameWidth - kTextGap, room / 3));
   const int sideWidth = option.fontMetrics.horizontalAdvance(side);
-  row.text = row.fontMetrics.elidedText(row.text, Qt::ElideRight,
+  row.text = row.fontMetrics.elidedText(row.text, Qt::ElideMiddle,
                                         std::max(room - sideWidth - kTextGap, kTextGap));
   const QStyle* style = option.widget != nullptr ? option.widget->style() : nullptr;
   if (style != nullptr) {
@@ -70,6 +70,7 @@ void WholeRows::resizeEvent(QResizeEvent*) {
 void styleList(QAbstractItemView& list, const QString& name) {
   list.setFrameShape(QFrame::NoFrame);
   list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list.setTextElideMode(Qt::ElideMiddle);  // The ends of names and paths tell them apart.
   list.viewport()->setAutoFillBackground(false);
   list.setAccessibleName(name);
 }
@@ -80,6 +81,7 @@ void styleTable(QTableView& table, const QString& name) {
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::SingleSelection);
+  table.horizontalHeader()->setTextElideMode(Qt::ElideMiddle);
   table.verticalHeader()->hide();
   table.verticalHeader()->setDefaultSectionSize(kListRowHeight);
 }

@@ -4,6 +4,7 @@
 
 #include "bt/tree/TreeXml.h"
 #include "editor/look/Fields.h"
+#include "editor/look/TableExport.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -146,6 +147,7 @@ constexpr int kKeyWidth = 220;
 BlackboardView::BlackboardView(SimulationRunner& runner, const Theme& theme)
     : runner_(runner), theme_(theme), table_(new QTableWidget(0, EntryColumns, this)) {
   styleTable(*table_, tr("Blackboard"));
+  makeTableSavable(*table_, tr("Blackboard"));
   table_->setHorizontalHeaderLabels({tr("Entry"), tr("Value")});
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);

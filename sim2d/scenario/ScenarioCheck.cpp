@@ -314,6 +314,7 @@ base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& su
   checkReferences(scenario, names, report);
   checkPeople(scenario, report);
   checkCard(scenario, report);
+  checkPlausibility(scenario, report);
   checkShapes(scenario, report);
   if (checkCoordinates(scenario, report)) {
     checkPlaces(scenario, surroundings, report);

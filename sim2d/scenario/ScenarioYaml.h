@@ -206,6 +206,8 @@ struct CheckReport {
 };
 
 void checkCard(const Scenario& scenario, CheckReport& report);
+/// Warns about valid values that are far from those in the literature.
+void checkPlausibility(const Scenario& scenario, CheckReport& report);
 void checkShapes(const Scenario& scenario, CheckReport& report);
 /// False: a coordinate is not finite or beyond a million metres, so paths cannot be planned.
 bool checkCoordinates(const Scenario& scenario, CheckReport& report);

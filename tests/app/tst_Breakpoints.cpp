@@ -73,6 +73,12 @@ class BreakpointsTest : public QObject {
     QVERIFY(widgets::findIf<QLabel>(*window_->statusBar(), [&words](const QLabel* label) {
               return label->toolTip().startsWith(words) || label->text().contains(words);
             }) != nullptr);
+    QStatusTipEvent hover(QStringLiteral("Run one step"));
+    QCoreApplication::sendEvent(window_.get(), &hover);
+    QVERIFY(widgets::findIf<QLabel>(*window_->statusBar(), [&words](const QLabel* label) {
+              return label->text().startsWith(words) &&
+                     label->text().endsWith(QLatin1String("Run one step"));
+            }) != nullptr);
     runner().stepOnce();
     QTRY_COMPARE(runner().newestFrame()->step, std::int64_t{2});
     QVERIFY(!runner().currentBreak());

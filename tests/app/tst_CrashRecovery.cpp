@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
+#include "app/window/TerminationSignals.h"
 #include "app/window/files/FileCommands.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
@@ -35,6 +36,9 @@ int editForEver(int argc, char** argv) {
   if (!window.open(QString::fromLocal8Bit(argv[3]))) {
     return 1;
   }
+  const app::TerminationSignals termination;
+  QObject::connect(&termination, &app::TerminationSignals::received, &window,
+                   &MainWindow::endSession);
   QTimer edits;
   QElapsedTimer clock;
   clock.start();
@@ -97,6 +101,55 @@ class CrashRecoveryTest : public QObject {
     QVERIFY(bytesOf(scenario) != before);
     MainWindow next(setupWith(recovery));
     QVERIFY(next.notices().notices().empty());
+  }
+
+  /// Logout, a closed terminal, Ctrl-C: the program ends in order and keeps the last edit.
+  void terminated_endsInOrderAndKeepsTheLastEdit_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("logout") << SIGTERM;
+    QTest::newRow("closed terminal") << SIGHUP;
+    QTest::newRow("Ctrl-C") << SIGINT;
+  }
+  void terminated_endsInOrderAndKeepsTheLastEdit() {
+    QFETCH(int, signal);
+    const QString demo = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    const QString scenario = folder_->filePath(QStringLiteral("work.yaml"));
+    const QString other = folder_->filePath(QStringLiteral("other.yaml"));
+    const QString recovery = folder_->filePath(QStringLiteral("recovery"));
+    QVERIFY(QFile::copy(demo, scenario) && QFile::copy(demo, other));
+    QProcess program;
+    program.start(QCoreApplication::applicationFilePath(),
+                  {QString::fromLatin1(kEditForEver), recovery, scenario});
+    QVERIFY(program.waitForStarted(20000));
+    QVERIFY(readUntil(program, 100) >= 100);
+    QCOMPARE(::kill(static_cast<pid_t>(program.processId()), signal), 0);
+    QVERIFY(program.waitForFinished(20000));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), 0);
+    qint64 last = 0;
+    while (program.canReadLine()) {
+      last = program.readLine().trimmed().toLongLong();
+    }
+
+    MainWindow window(setupWith(recovery));
+    window.show();
+    QCOMPARE(window.notices().notices().size(), std::size_t(1));
+    const QString id = window.notices().notices().front().id;
+    QVERIFY2(window.notices().notices().front().text.contains(
+                 QStringLiteral("work.yaml were kept when the last session ended")),
+             qPrintable(window.notices().notices().front().text));
+    QVERIFY(window.open(other));  // which has nothing to do with it
+    QVERIFY(!window.notices().has(id));
+    QVERIFY(window.open(scenario));
+    QVERIFY(window.notices().has(id));
+    window.actions().close->trigger();
+    QVERIFY(window.isOnStartPage());
+    QVERIFY(window.notices().has(id));
+    QVERIFY(window.open(scenario));
+    window.notices().choose(id, 0);
+    QVERIFY(!window.notices().has(id));
+    QVERIFY(window.workspace().document().scenario().desktop.seed.value_or(0) >= last);
+    window.workspace().document().undoStack().setClean();
   }
 
   void restore_thenKilledAgain_isStillThere() {

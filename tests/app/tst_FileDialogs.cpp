@@ -26,7 +26,8 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     });
   }
   static QString ownFiles() {
-    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)).absolutePath();
+    const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    return documents.exists() ? documents.absolutePath() : QDir::homePath();
   }
 
  private Q_SLOTS:
@@ -45,6 +46,30 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     QVERIFY(!document().isShipped(own));
     QCOMPARE(window_->files().folder(), QFileInfo(own).absolutePath());
     QCOMPARE(window_->files().suggestedPath(), own);
+  }
+
+  /// As for a user who has neither a folder for documents nor opened a file before.
+  void open_withoutDocumentsFolder_beginsAtHomeWithoutName() {
+    const QByteArray home = qgetenv("HOME");
+    const QByteArray configuration = qgetenv("XDG_CONFIG_HOME");
+    qputenv("HOME", folder_->path().toUtf8());
+    qputenv("XDG_CONFIG_HOME", at("no-configuration").toUtf8());
+    QString folder;
+    QString name = QStringLiteral("not asked");
+    quiet::answerDialog<QFileDialog>([&](QFileDialog& dialog) {
+      folder = dialog.directory().absolutePath();
+      name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+      dialog.reject();
+    });
+    window_->actions().open->trigger();
+    QDir().mkpath(at("Documents"));
+    const QString documents = window_->files().folder();
+    qputenv("HOME", home);
+    configuration.isEmpty() ? qunsetenv("XDG_CONFIG_HOME")
+                            : qputenv("XDG_CONFIG_HOME", configuration);
+    QCOMPARE(folder, QDir(folder_->path()).absolutePath());
+    QCOMPARE(name, QString());
+    QCOMPARE(documents, at("Documents"));
   }
 
   void dialogs_forReading_deleteNothing() {

@@ -156,6 +156,31 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
   }
 
+  /// They are no change of the user, can be undone, and do not ask when the window is left.
+  void options_ofTheCommandLine_doNotMarkTheScenarioAsChanged() {
+    app::RunSpec options;
+    const QString file = copyOfDemo();
+    options.scenario = file.toStdString();
+    options.planner = "dwa";
+    window_->files().setOptions(options, {});
+    QSignalSpy applied(&window_->files(), &app::FileCommands::optionsApplied);
+    QVERIFY(window_->open(file));
+    QCOMPARE(applied.count(), 1);
+    QCOMPARE(document().scenario().robots.front().planner, std::optional<std::string>("dwa"));
+    QVERIFY(!document().isDirty());
+    QVERIFY(!window_->isWindowModified());
+    QVERIFY(document().undoStack().canUndo());
+    document().undoStack().undo();
+    QVERIFY(document().scenario().robots.front().planner != std::optional<std::string>("dwa"));
+    document().undoStack().redo();
+    QVERIFY(!document().isDirty());
+    editor::pushChange<editor::ScenarioSettings>(
+        document(), editor::kSettingsId, QString(),
+        [](editor::ScenarioSettings& settings) { settings.desktop.seed = 77; });
+    QVERIFY(document().isDirty());
+    document().undoStack().setClean();
+  }
+
   void options_compat_isThatOfTheRuns() {
     app::RunSpec options;
     const sim2d::Compatibility hunav2 = *sim2d::Compatibility::parse("hunav2");

@@ -240,7 +240,6 @@ class KeyRulesTest : public QObject {
     QTest::newRow("issues") << "issues" << false;
     QTest::newRow("time line") << "time line" << true;
     QTest::newRow("metrics") << "metrics" << false;
-    QTest::newRow("values of metrics") << "values" << false;
   }
   void focus(const QString& where) {
     QWidget* wanted = &window_->workspace().view();
@@ -255,9 +254,6 @@ class KeyRulesTest : public QObject {
       wanted = window_->docks().panel<editor::IssuesPanel>().findChild<QAbstractItemView*>();
     } else if (where == QLatin1String("metrics")) {
       wanted = &metrics();
-    } else if (where == QLatin1String("values")) {
-      raise(QStringLiteral("metrics"));
-      wanted = &window_->docks().panel<editor::MetricsDock>().table();
     } else if (where == QLatin1String("number")) {
       wanted = someNumber();
     } else if (where == QLatin1String("time line")) {
@@ -271,8 +267,7 @@ class KeyRulesTest : public QObject {
   }
   QTreeWidget& metrics() {
     raise(QStringLiteral("metrics"));
-    window_->docks().panel<editor::MetricsDock>().choose().setChecked(true);
-    return *window_->docks().panel<editor::MetricsChoice>().findChild<QTreeWidget*>();
+    return window_->docks().panel<editor::MetricsDock>().table().tree();
   }
   void raise(const QString& dock) {
     window_->docks().dock(dock)->show();

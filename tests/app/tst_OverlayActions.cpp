@@ -131,6 +131,35 @@ class OverlayActionsTest : public QObject {
     QVERIFY(vectors.isValid());
   }
 
+  void savePlot_writesTheFormatOfTheEnding_data() {
+    QTest::addColumn<QString>("ending");
+    QTest::addColumn<QByteArray>("start");
+    QTest::newRow("PNG") << text("png") << QByteArray("\x89PNG");
+    QTest::newRow("SVG") << text("svg") << QByteArray("<svg");
+    QTest::newRow("PDF") << text("pdf") << QByteArray("%PDF");
+  }
+  void savePlot_writesTheFormatOfTheEnding() {
+    QFETCH(QString, ending);
+    QFETCH(QByteArray, start);
+    runDemo(3.0);
+    QAction& save = *window_->actions().savePlot;
+    QTRY_VERIFY_WITH_TIMEOUT(save.isEnabled(), 20000);
+    QTemporaryDir folder;
+    const QString file = folder.filePath(text("plot.") + ending);
+    quiet::answerDialog<QFileDialog>([&file](QFileDialog& dialog) {
+      dialog.findChild<QLineEdit*>(text("fileNameEdit"))->setText(file);
+      QTest::keyClick(&dialog, Qt::Key_Return);
+    });
+    save.trigger();
+    QFile saved(file);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    const QByteArray bytes = saved.readAll();
+    QVERIFY2(bytes.left(200).contains(start), bytes.left(60).constData());
+    if (ending == text("png")) {  // 170 mm at 300 dpi
+      QVERIFY(std::abs(QImage::fromData(bytes).width() - 170.0 / 25.4 * 300.0) < 3.0);
+    }
+  }
+
   void picture_withOverlays_isMadeByTheCommandLine() {
     QTemporaryDir folder;
     const auto shoot = [&folder](const QStringList& more) {

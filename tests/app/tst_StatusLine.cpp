@@ -53,6 +53,23 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(!isHinted("Time limit reached"));
   }
 
+  /// The text of the button under the mouse does not replace why the run stopped.
+  void reason_ofAStop_staysWhileAButtonIsHovered() {
+    setDuration(1.0);
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    runner().play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 20000);
+    QVERIFY(isHinted("Time limit reached, 1.0 s · Space replays"));
+    const auto hover = [this](const QString& tip) {
+      QStatusTipEvent event(tip);
+      QCoreApplication::sendEvent(window_.get(), &event);
+    };
+    hover(QStringLiteral("Run one step"));
+    QVERIFY(isHinted("Time limit reached, 1.0 s · Run one step"));
+    hover({});
+    QVERIFY(isHinted("Time limit reached, 1.0 s · Space replays"));
+  }
+
   /// A run goes on for a second after the arrival (stop rule of a scenario without a duration).
   void run_thatArrived_saysWhen() {
     setDuration(std::nullopt);
@@ -63,6 +80,33 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     const QString said = QStringLiteral("The robot has arrived, %1 s")
                              .arg(runner().newestFrame()->time - 1.0, 0, 'f', 1);
     QVERIFY2(isHinted(said.toUtf8().constData()), qPrintable(said));
+  }
+
+  /// The clock of the run, and the duration that the metric has.
+  void run_thatArrivedAfterALateStart_saysBothTimes() {
+    static constexpr double kStart = 1.5;  // [s]
+    setDuration(std::nullopt);
+    for (const base::EntityId& id : document().entities(base::EntityKind::Robot)) {
+      editor::pushChange<sim2d::Robot>(document(), id, QString(),
+                                       [](sim2d::Robot& robot) { robot.startTime = kStart; });
+    }
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    runner().play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->workspace().feed().isCurrent(), 20000);
+    const metrics::MetricResult* metric =
+        metrics::findResult(window_->workspace().feed().shown(), "time_to_reach_goal");
+    QVERIFY(metric != nullptr && metric->value.value.has_value());
+    const QString said = QStringLiteral("The robot has arrived, %1 s, %2 s after its start")
+                             .arg(*metric->value.value + kStart, 0, 'f', 1)
+                             .arg(*metric->value.value, 0, 'f', 1);
+    QVERIFY2(isHinted(said.toUtf8().constData()), qPrintable(said));
+    int arrivals = 0;
+    for (const editor::RunEvent& event : window_->workspace().events().events()) {
+      arrivals += event.event.id < 0 && event.text.contains(QStringLiteral("arrived")) ? 1 : 0;
+      QVERIFY(event.event.id >= 0 || event.event.kind != sim2d::EventKind::Goal);
+    }
+    QCOMPARE(arrivals, 1);
   }
 
   void run_whoseNavigationFailed_saysWhy() {
@@ -105,6 +149,39 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     runner().pause();
     runner().play();
     QVERIFY(isHinted("Until the robot arrives, at most 120 s"));
+  }
+
+  /// Neither the speed of a run nor a growing count moves a button away from the mouse.
+  void buttons_ofPanels_keepTheirPlacesDuringARun() {
+    const auto places = [this] {
+      QStringList all;
+      for (const QToolButton* button : window_->statusBar()->findChildren<QToolButton*>()) {
+        const QString name = button->text().section(QStringLiteral("  "), 0, 0);
+        all << QStringLiteral("%1 %2").arg(name).arg(button->mapTo(window_.get(), QPoint()).x());
+      }
+      return all;
+    };
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    runner().stepOnce();
+    QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step >= 1);
+    editor::PanelContext& context = window_->docks().context();
+    auto* events = window_->docks().dock(QStringLiteral("events"))->widget();
+    Q_EMIT context.counted(events, 1, base::Severity::Info);
+    QCoreApplication::processEvents();
+    const QStringList before = places();
+    QVERIFY(before.size() >= 4);
+    runner().play();
+    QCOMPARE(runner().state(), SimulationRunner::State::Running);
+    QCoreApplication::processEvents();
+    QCOMPARE(places(), before);
+    for (const int count : {9, 10, 99, 100, 999, 7}) {
+      Q_EMIT context.counted(events, count, base::Severity::Info);
+      QCoreApplication::processEvents();
+      QCOMPARE(places(), before);
+    }
+    runner().pause();
+    QCoreApplication::processEvents();
+    QCOMPARE(places(), before);
   }
 
   void hint_thatDoesNotFit_losesItsLastPartsFirst() {

@@ -104,6 +104,48 @@ class WindowLookTest : public QObject {
     QCOMPARE(rows, 4);  // area, brush, fill, map
   }
 
+  /// Of every kind of thing, with usual and larger fonts.
+  void numbers_ofAllProperties_areNotCut() {
+    window_->resize(1280, 800);
+    QVERIFY(window_->open(quiet::demoPath()));
+    editor::ScenarioDocument& document = window_->workspace().document();
+    const QFont usual = QApplication::font();
+    int fields = 0;
+    for (const double larger : {1.0, 1.3, 1.6}) {
+      QFont font = usual;
+      font.setPointSizeF(larger * usual.pointSizeF());
+      QApplication::setFont(font);
+      std::vector<std::vector<editor::EntityId>> selections = {{}};
+      for (const base::EntityKind kind :
+           {base::EntityKind::Human, base::EntityKind::Robot, base::EntityKind::Goal,
+            base::EntityKind::Obstacle, base::EntityKind::Area}) {
+        if (!document.entities(kind).empty()) {
+          selections.push_back({document.entities(kind).front()});
+        }
+      }
+      for (const std::vector<editor::EntityId>& selection : selections) {
+        document.setSelection(selection);
+        QCoreApplication::processEvents();
+        for (const QAbstractSpinBox* box : window_->findChildren<QAbstractSpinBox*>()) {
+          const auto* line = box->findChild<QLineEdit*>();
+          if (!box->isVisible() || line == nullptr || line->visibleRegion().isEmpty()) {
+            continue;
+          }
+          ++fields;
+          const int needed = line->fontMetrics().horizontalAdvance(line->text());
+          QVERIFY2(needed <= line->width() - 4,
+                   qPrintable(QStringLiteral("%1: '%2' needs %3 of %4 px at %5 points")
+                                  .arg(box->accessibleName(), line->text())
+                                  .arg(needed)
+                                  .arg(line->width() - 4)
+                                  .arg(font.pointSizeF())));
+        }
+      }
+    }
+    QApplication::setFont(usual);
+    QVERIFY(fields > 30);
+  }
+
   void dock_leftAloneInItsPlace_hasAHeading() {
     QVERIFY(window_->open(quiet::demoPath()));
     app::Docks& docks = window_->docks();

@@ -183,8 +183,8 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QCOMPARE(window_->size(), small);
     const auto& metrics = window_->docks().panel<editor::MetricsDock>();
     QVERIFY(metrics.isVisible());
-    QVERIFY2(metrics.table().columnWidth(0) >= 100,
-             qPrintable(QString::number(metrics.table().columnWidth(0))));
+    QVERIFY2(metrics.table().tree().columnWidth(0) >= 100,
+             qPrintable(QString::number(metrics.table().tree().columnWidth(0))));
     quiet::shoot(*window_, "small-screen");
   }
 

@@ -318,6 +318,44 @@ class FieldFormsTest : public QObject {
     QCOMPARE(document_.scenario().robots[0].mass, std::optional(1.25));
   }
 
+  /// Whatever the width and the font; the number itself keeps all digits.
+  void digits_inANarrowField_areNotCut() {
+    NumberField field({-1e6, 1e6, 2, 0.1}, QStringLiteral("m/s²"));
+    field.QWidget::show();
+    QVERIFY(QTest::qWaitForWindowExposed(&field));
+    QSignalSpy edited(&field, &NumberField::edited);
+    for (const double points : {9.0, 12.0, 16.0}) {
+      QFont font = field.font();
+      font.setPointSizeF(points);
+      field.setFont(font);
+      for (const int width : {300, 130, 90, 72, 60}) {
+        field.resize(width, 24);
+        for (const double value : {1.3, 0.123456, -123.456789, -98765.4321}) {
+          field.show(value, false);
+          const QLineEdit& line = *field.findChild<QLineEdit*>();
+          const int needed = line.fontMetrics().horizontalAdvance(line.text());
+          const QString sizes = QStringLiteral("'%1' needs %2 of %3 px")
+                                    .arg(line.text())
+                                    .arg(needed)
+                                    .arg(line.width() - 4);
+          const bool isShortest =
+              !line.text().contains(QLatin1Char('.')) && !line.text().contains(QLatin1Char('m'));
+          QVERIFY2(needed <= line.width() - 4 || isShortest, qPrintable(sizes));
+          QCOMPARE(field.value(), value);
+          if (width == 300 && points < 10.0) {
+            QCOMPARE(line.text(),
+                     QString::number(value, 'g', 9) +
+                         (value == 1.3 ? QStringLiteral("0 m/s²") : QStringLiteral(" m/s²")));
+          }
+          field.setFocus();
+          QTest::keyClick(&field, Qt::Key_Return);
+          QCOMPARE(field.value(), value);
+        }
+      }
+    }
+    QCOMPARE(edited.count(), 0);
+  }
+
   void arrows_atAnOpenEnd_stayInside() {
     NumberField field({0.0, 100.0, 2, 0.1, true}, QStringLiteral("m"));
     field.show(0.25, false);

@@ -37,12 +37,28 @@ sim2d::Scenario passing() {
   return scenario;
 }
 
-/// The row of a metric; -1 when it is not in the table.
-int rowOf(const MetricsDock& dock, const QString& key) {
-  const QAbstractItemModel& model = *dock.table().model();
-  const QModelIndexList found =
-      model.match(model.index(0, 0), Qt::UserRole, key, 1, Qt::MatchExactly);
-  return found.isEmpty() ? -1 : found.front().row();
+/// The row of a metric; null when it is not in the table.
+QTreeWidgetItem* rowOf(const MetricsDock& dock, const QString& key) {
+  for (QTreeWidgetItemIterator each(&dock.table().tree()); *each != nullptr; ++each) {
+    if ((*each)->data(0, Qt::UserRole) == key) {
+      return *each;
+    }
+  }
+  return nullptr;
+}
+
+/// The text in a column of the row of a metric.
+QString textOf(const MetricsDock& dock, const std::string& key, int column = 1) {
+  const QTreeWidgetItem* row = rowOf(dock, QString::fromStdString(key));
+  return row == nullptr ? QStringLiteral("no row") : row->text(column);
+}
+
+/// As a user does it.
+void click(const MetricsDock& dock, const QString& key) {
+  QTreeWidget& tree = dock.table().tree();
+  QTreeWidgetItem* row = rowOf(dock, key);
+  tree.scrollToItem(row);
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualItemRect(row).center());
 }
 
 /// A run of the two as fast as possible, with its metrics.
@@ -61,7 +77,7 @@ struct Measured {
   ScenarioDocument document;
   SimulationRunner runner;
   MetricsFeed feed{document, runner};
-  MetricsDock dock{feed, runner, editor::Theme::light()};
+  MetricsDock dock{document, feed, runner, editor::Theme::light()};
 };
 
 }  // namespace
@@ -109,42 +125,228 @@ class MetricsPanelTest : public QObject {
     QCOMPARE(feed.snapshot().results.size(), evaluation->results.size());
     int defined = 0;
     for (const metrics::MetricResult& expected : evaluation->results) {
-      const QString key = QString::fromStdString(expected.info.key);
-      const int row = rowOf(dock, key);
-      QVERIFY2(row >= 0, qPrintable(key));
-      const QString shown = dock.table().model()->index(row, 1).data().toString();
-      QVERIFY2(shown == editor::metricText(expected), qPrintable(key));
+      const QString shown = textOf(dock, expected.info.key);
+      QVERIFY2(shown == editor::metricText(expected), expected.info.key.c_str());
       defined += expected.value.value ? 1 : 0;
     }
     QVERIFY(defined > 10);
     dock.resize(900, 220);
     dock.show();
     QVERIFY(QTest::qWaitForWindowExposed(&dock));
-    const auto* table = dock.findChild<QTableView*>();
-    QTRY_VERIFY(table->rowHeight(0) < 30);  // there is room for one line
-    QTRY_VERIFY(table->rowHeight(3) < 30);
-    dock.table().selectRow(rowOf(dock, QStringLiteral("path_length")));
+    const QTreeWidget& tree = dock.table().tree();
+    for (int row = 0; row < 4; ++row) {  // there is room for one line
+      QTRY_VERIFY(tree.visualItemRect(tree.topLevelItem(0)->child(row)).height() < 30);
+    }
+    click(dock, QStringLiteral("path_length"));
+    QCOMPARE(dock.shownKey(), std::string("path_length"));
     QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
   }
 
-  void dock_choice_isBesideTheTableWhenAskedFor() {
+  /// The plot shows what the search leaves, and the choice again afterwards.
+  void search_ofAMetric_isFollowedByThePlot() {
     Measured run;
     MetricsDock& dock = run.dock;
-    auto* choice = new editor::MetricsChoice(run.document, run.feed, editor::Theme::light());
-    dock.setChoice(*choice);
-    dock.resize(900, 220);
+    dock.resize(1000, 260);
     dock.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&dock));
-    QVERIFY(!choice->isVisible());
-    QVERIFY(dock.choose().text().startsWith(choice->count()));
-    QTest::mouseClick(&dock.choose(), Qt::LeftButton);
-    QVERIFY(choice->isVisible());
-    QVERIFY(choice->width() >= 200 && choice->width() < 400);
-    choice->chooseAll(false);
-    QVERIFY2(dock.choose().text().startsWith(QStringLiteral("0 of ")),
-             qPrintable(dock.choose().text()));
-    QTest::mouseClick(&dock.choose(), Qt::LeftButton);
-    QVERIFY(!choice->isVisible());
+    QVERIFY(QTest::qWaitForWindowActive(&dock));
+    run.run();
+    click(dock, QStringLiteral("path_length"));
+    QCOMPARE(dock.plot().title(), rowOf(dock, QStringLiteral("path_length"))->text(0));
+    dock.table().search().setFocus();
+    QTest::keyClicks(&dock.table().search(), QStringLiteral("smallest distance to people"));
+    QVERIFY(rowOf(dock, QStringLiteral("path_length"))->isHidden());
+    QCOMPARE(dock.shownKey(), std::string("minimum_distance_to_people"));
+    QCOMPARE(dock.plot().title(),
+             rowOf(dock, QStringLiteral("minimum_distance_to_people"))->text(0));
+    QVERIFY(dock.plot().lines() == 1);
+    QTest::keyClick(&dock.table().search(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(&dock.table().search(), Qt::Key_Delete);
+    QCOMPARE(dock.shownKey(), std::string("path_length"));
+    QCOMPARE(dock.plot().title(), rowOf(dock, QStringLiteral("path_length"))->text(0));
+  }
+
+  /// A click does not move what is below the pointer: the next click meets the same row.
+  void click_onAMetric_movesNothing() {
+    Measured run;
+    MetricsDock& dock = run.dock;
+    dock.resize(1000, 260);
+    dock.show();
+    QVERIFY(QTest::qWaitForWindowActive(&dock));
+    run.run();
+    QTreeWidget& tree = dock.table().tree();
+    const auto places = [&] {
+      std::vector<QRect> all;
+      for (QTreeWidgetItemIterator each(&tree); *each != nullptr; ++each) {
+        all.push_back(tree.visualItemRect(*each));
+      }
+      all.push_back(tree.geometry());
+      all.push_back(dock.plot().geometry());
+      return all;
+    };
+    tree.scrollToItem(rowOf(dock, QStringLiteral("path_length")));
+    const std::vector<QRect> before = places();
+    click(dock, QStringLiteral("path_length"));
+    QTest::keyClick(&tree, Qt::Key_Space);  // not measured any more
+    QTRY_VERIFY_WITH_TIMEOUT(run.feed.isCurrent(), 20000);
+    QVERIFY(places() == before);
+    QCOMPARE(textOf(dock, "path_length"), QString());
+    run.document.setSelection({run.document.entities(base::EntityKind::Human).front()});
+    const std::vector<QRect> after = places();
+    for (std::size_t k = 0; k < after.size(); ++k) {  // columns of people only narrow the names
+      QCOMPARE(after[k].top(), before[k].top());
+    }
+  }
+
+  /// The column of a person has the metrics of a run in which only this person is seen.
+  void people_thatAreSelected_haveTheirOwnValues() {
+    sim2d::Scenario scenario = passing();
+    sim2d::Human second = scenario.humans[0];
+    second.key.key = 7;
+    second.id = 2;
+    second.name = "Ben";
+    second.initPose.position = {0.0, -3.0};
+    scenario.humans.push_back(second);
+    Measured run;
+    run.document.load(scenario);
+    MetricsDock& dock = run.dock;
+    run.run();
+    QCOMPARE(dock.table().tree().columnCount(), 4);
+    const auto people = run.document.entities(base::EntityKind::Human);
+    run.document.setSelection({people[0], people[1]});
+    QCOMPARE(dock.table().tree().columnCount(), 6);
+    QCOMPARE(dock.table().tree().headerItem()->text(5), QStringLiteral("Ben"));
+    for (const std::int64_t step : {std::int64_t{-1}, std::int64_t{30}, std::int64_t{12}}) {
+      step < 0 ? run.runner.seekNewest() : run.runner.seek(step);
+      QTRY_VERIFY_WITH_TIMEOUT(dock.people().isCurrent() && run.feed.isCurrent(), 20000);
+      for (int person = 0; person < 2; ++person) {
+        sim2d::Trace alone = run.runner.recording()->trace();
+        alone.frames.resize(step < 0 ? alone.frames.size() : static_cast<std::size_t>(step) + 1);
+        alone.events.erase(std::remove_if(alone.events.begin(), alone.events.end(),
+                                          [&](const auto& event) {
+                                            return event.second.id == 2 - person ||
+                                                   (step >= 0 && event.first > step);
+                                          }),
+                           alone.events.end());
+        for (sim2d::Frame& frame : alone.frames) {
+          sim2d::forEachColumn(frame.humans, [&](auto& column) {
+            column.erase(column.begin() + (1 - person), column.begin() + (2 - person));
+          });
+          frame.forces = {};
+        }
+        const auto expected = metrics::evaluate(alone, run.feed.selection(), {});
+        QVERIFY(bool(expected));
+        int compared = 0;
+        for (const metrics::MetricResult& result : expected->results) {
+          const QString shown = textOf(dock, result.info.key, 4 + person);
+          QVERIFY2(
+              shown == (result.info.needs.people ? editor::metricText(result) : QString()),
+              qPrintable(QString::fromStdString(result.info.key) + QStringLiteral(": ") + shown));
+          compared += result.info.needs.people && result.value.value ? 1 : 0;
+        }
+        QVERIFY(compared > 10);
+      }
+    }
+    QVERIFY(textOf(dock, "minimum_distance_to_people", 4) !=
+            textOf(dock, "minimum_distance_to_people", 5));
+    run.document.setSelection({});
+    QCOMPARE(dock.table().tree().columnCount(), 4);
+  }
+
+  /// A share of the time in % has a count of 0 or 1 per step, a distance has metres.
+  void plot_ofValuesPerStep_hasTheirUnit() {
+    Measured run;
+    run.run();
+    const auto& curves = run.feed.snapshot().curves;
+    int perStep = 0;
+    for (const metrics::MetricResult& result : run.feed.snapshot().results) {
+      const app::MetricTimeSeries& curve = curves.at(result.info.key);
+      const bool isShare = result.info.unit == "%" && curve.isPerSample;
+      const bool isZeroOrOne =
+          std::all_of(curve.values.begin(), curve.values.end(),
+                      [](double value) { return value == 0.0 || value == 1.0; });
+      if (isShare && isZeroOrOne && curve.kind == metrics::Kind::Count) {
+        QCOMPARE(curve.unit, std::string());
+        QCOMPARE(curve.axisUnit(), std::string("count per step"));
+        ++perStep;
+      }
+      QVERIFY(curve.kind == metrics::Kind::Count || curve.kind == metrics::Kind::Boolean ||
+              curve.unit == result.info.unit);
+    }
+    QVERIFY(perStep > 0);
+    run.dock.show();
+    click(run.dock, QStringLiteral("path_length"));
+    QCOMPARE(run.dock.plot().unitText(), QStringLiteral("so far · m"));
+    run.dock.table().setCurrentKey("minimum_distance_to_people");
+    QVERIFY(!curves.at("path_length").isPerSample);
+  }
+
+  /// At 0.0 s, and in any width.
+  void plot_axisLabels_doNotOverlap() {
+    editor::MetricPlot plot(editor::Theme::light(), true);
+    app::MetricTimeSeries curve;
+    curve.times = {0.0};
+    curve.values = {0.3};
+    plot.QWidget::show();
+    QVERIFY(QTest::qWaitForWindowExposed(&plot));
+    for (const int width : {180, 200, 240, 320, 500}) {
+      plot.resize(width, 160);
+      plot.show({}, {}, {{&curve}});
+      QCoreApplication::processEvents();
+      const QImage picture = plot.grab().toImage();
+      const QRgb ground = editor::Theme::light().color(editor::Role::Panel).rgb();
+      std::vector<std::pair<int, int>> words;  // groups of inked columns below the axis
+      int last = -100;
+      for (int x = 0; x < picture.width(); ++x) {
+        bool isInked = false;
+        for (int y = picture.height() - 20; y < picture.height() - 6; ++y) {
+          isInked = isInked || picture.pixel(x, y) != ground;
+        }
+        if (isInked && x - last > 6) {
+          words.emplace_back(x, x);
+        }
+        if (isInked) {
+          words.back().second = last = x;
+        }
+      }
+      QVERIFY(words.size() >= 2);
+      for (const auto& [from, to] : words) {
+        QVERIFY2(to - from < 40,
+                 qPrintable(QStringLiteral("%1 to %2 at %3").arg(from).arg(to).arg(width)));
+      }
+    }
+  }
+
+  /// The context menu of the plot, as its user opens it.
+  void plot_contextMenu_copiesAndSaves() {
+    Measured run;
+    MetricsDock& dock = run.dock;
+    dock.resize(1000, 260);
+    dock.show();
+    QVERIFY(QTest::qWaitForWindowActive(&dock));
+    run.run();
+    click(dock, QStringLiteral("path_length"));
+    QSignalSpy asked(&dock.plot(), &editor::ExportablePlot::exportRequested);
+    for (const char* words : {"Copy plot", "Save plot…"}) {
+      QContextMenuEvent event(QContextMenuEvent::Mouse, QPoint(40, 40),
+                              dock.plot().mapToGlobal(QPoint(40, 40)));
+      QCoreApplication::sendEvent(&dock.plot(), &event);
+      auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+      QVERIFY(menu != nullptr);
+      for (QAction* action : menu->actions()) {
+        if (action->text() == QString::fromUtf8(words)) {
+          QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+          break;
+        }
+      }
+    }
+    QCOMPARE(asked.count(), 2);
+    QCOMPARE(asked[0][1].toBool(), false);
+    QCOMPARE(asked[1][1].toBool(), true);
+    const editor::PlottedFigure figure = dock.plot().figure();
+    QCOMPARE(figure.unit, QStringLiteral("m"));
+    QCOMPARE(figure.curves.size(), std::size_t{1});
+    QCOMPARE(figure.curves[0].times.size(), figure.curves[0].values.size());
+    QVERIFY(figure.curves[0].times.size() > 5);
   }
 
   /// With several robots the dock asks whose metrics are wanted; what is selected stays.
@@ -170,16 +372,14 @@ class MetricsPanelTest : public QObject {
     QVERIFY(dock.robot().isVisible());
     QCOMPARE(dock.robot().count(), 2);
     QCOMPARE(dock.robot().currentText(), QStringLiteral("robot1"));
-    dock.table().selectRow(rowOf(dock, QStringLiteral("path_length")));
+    click(dock, QStringLiteral("path_length"));
     const auto showsThoseOf = [&](int id) {
       metrics::Selection selection = feed.selection();
       selection.robotId = id;
       const auto expected = metrics::evaluate(runner.recording()->trace(), selection, {});
       return std::all_of(expected->results.begin(), expected->results.end(),
                          [&](const metrics::MetricResult& result) {
-                           const int row = rowOf(dock, QString::fromStdString(result.info.key));
-                           return dock.table().model()->index(row, 1).data() ==
-                                  editor::metricText(result);
+                           return textOf(dock, result.info.key) == editor::metricText(result);
                          });
     };
     QVERIFY(showsThoseOf(-1) && !showsThoseOf(-2));
@@ -187,9 +387,8 @@ class MetricsPanelTest : public QObject {
     QCOMPARE(feed.robot(), -2);
     QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
     QVERIFY(showsThoseOf(-2) && !showsThoseOf(-1));
-    const QModelIndexList kept = dock.table().selectionModel()->selectedRows();
-    QCOMPARE(kept.size(), 1);
-    QCOMPARE(kept.front().data(Qt::UserRole).toString(), QStringLiteral("path_length"));
+    QCOMPARE(dock.table().currentKey(), std::string("path_length"));
+    QCOMPARE(dock.shownKey(), std::string("path_length"));
   }
 
   /// "Now" is the moment that is shown, forwards and backwards.
@@ -215,8 +414,7 @@ class MetricsPanelTest : public QObject {
                         part.events.end());
       const auto expected = metrics::evaluate(part, feed.selection(), {});
       for (const metrics::MetricResult& result : expected->results) {
-        const int row = rowOf(dock, QString::fromStdString(result.info.key));
-        QCOMPARE(dock.table().model()->index(row, 1).data().toString(), editor::metricText(result));
+        QCOMPARE(textOf(dock, result.info.key), editor::metricText(result));
       }
     }
     runner.seekNewest();
@@ -258,17 +456,13 @@ class MetricsPanelTest : public QObject {
         isFine = isFine && (!slowly || isAt(step));
       }
       isFine = isFine && isAt(steps);
-      const QModelIndexList rows = dock.table().selectionModel()->selectedRows();
-      const QString shown =
-          isFine && rows.size() == 1 ? rows.front().data(Qt::UserRole).toString() : QString();
-      dock.table().selectRow(rowOf(dock, QStringLiteral("path_length")));  // of the user: it stays
+      const QString shown = isFine ? QString::fromStdString(dock.shownKey()) : QString();
+      dock.resize(900, 300);
+      dock.show();
+      click(dock, QStringLiteral("path_length"));  // of the user: it stays
       runner.stepOnce();
       isFine = isFine && isAt(steps + 1);
-      const QModelIndexList kept = dock.table().selectionModel()->selectedRows();
-      return isFine && kept.size() == 1 &&
-                     kept.front().data(Qt::UserRole) == QLatin1String("path_length")
-                 ? shown
-                 : QString();
+      return isFine && dock.shownKey() == "path_length" ? shown : QString();
     };
     for (const double seconds : {0.5, 2.5}) {
       const QString atOnce = shownAfter(seconds, false);

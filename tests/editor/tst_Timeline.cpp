@@ -68,6 +68,24 @@ class TimelineTest : public QObject {
     QVERIFY(bar_.clusters().front().mark == editor::EventMark::Cross);
   }
 
+  /// Reaching the last goal is the arrival: one event, at one time. Others keep theirs.
+  void arrival_atTheLastGoal_isOneEvent() {
+    const Event reached{EventKind::Goal, 1, true, 0, false, "3"};
+    const Event other{EventKind::Goal, 2, true, 0, false, "1"};
+    const Event arrived{EventKind::Arrived, 1, true, 0, false, {}};
+    const Event alone{EventKind::Arrived, 2, true, 0, false, {}};
+    open({{1.0, reached}, {4.0, reached}, {4.0, other}, {4.0, arrived}, {5.0, alone}});
+    QStringList texts;
+    for (const editor::RunEvent& event : events_.events()) {
+      texts << QStringLiteral("%1 %2").arg(event.time, 0, 'f', 1).arg(event.text);
+    }
+    QCOMPARE(texts, (QStringList{QStringLiteral("1.0 Ana reached Goal 3"),
+                                 QStringLiteral("4.0 Ana has arrived at Goal 3"),
+                                 QStringLiteral("4.0 Ben reached Goal 1"),
+                                 QStringLiteral("5.0 Ben has arrived")}));
+    QVERIFY(events_.events()[1].event.kind == EventKind::Arrived);
+  }
+
   void texts_ofGoals_nameThem() {
     open({{1.0, {EventKind::Goal, 1, true, 0, false, "3"}},
           {2.0, {EventKind::Goal, 1, true, 0, false, {}}}});

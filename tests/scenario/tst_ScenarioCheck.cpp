@@ -58,7 +58,10 @@ void touch(const QTemporaryDir& folder, const char* name) {
   QVERIFY(file.open(QIODevice::WriteOnly));
 }
 
+using Change = std::function<void(Scenario&)>;
+
 }  // namespace
+Q_DECLARE_METATYPE(Change)
 
 class ScenarioCheckTest : public QObject {
   Q_OBJECT
@@ -67,6 +70,99 @@ class ScenarioCheckTest : public QObject {
   void check_goodScenario_silent() {
     const auto said = check(oneWalker({1.0, 1.0}, {4.0, 8.0}), dividedRoom(true));
     QVERIFY2(said.empty(), qPrintable(shown(said)));
+  }
+
+  void check_valueFarFromAnyReal_isWarned_data() {
+    QTest::addColumn<Change>("change");
+    QTest::addColumn<QByteArray>("text");  // empty: no warning
+    const auto factor = [](double value, Configuration configuration) -> Change {
+      return [=](Scenario& scenario) {
+        scenario.humans[0].behavior.configuration = configuration;
+        scenario.humans[0].behavior.socialForceFactor = value;
+      };
+    };
+    const auto body = [](auto member, double value) -> Change {
+      return [=](Scenario& scenario) { scenario.humans[0].*member = value; };
+    };
+    const auto robot = [](auto member, double value) -> Change {
+      return [=](Scenario& scenario) {
+        Robot one;
+        one.key = {base::EntityKind::Robot, 70};
+        one.name = "rob";
+        one.start.position = {2.0, 2.0};
+        one.goal.goals = {1};
+        one.*member = value;
+        scenario.robots.push_back(one);
+      };
+    };
+    QTest::newRow("a sprinter in km/h")
+        << body(&Human::maxVel, 99.0)
+        << QByteArray("anna: max_vel 99.0 is implausible: usual values are 0.0 to 5.0 m/s");
+    QTest::newRow("somebody who rushes") << body(&Human::maxVel, 5.0) << QByteArray();
+    QTest::newRow("somebody who stands") << body(&Human::maxVel, 0.0) << QByteArray();
+    QTest::newRow("a radius in centimetres")
+        << body(&Human::radius, 35.0)
+        << QByteArray("anna: radius 35.0 is implausible: usual values are 0.1 to 1.0 m");
+    QTest::newRow("a point") << body(&Human::radius, 0.01)
+                             << QByteArray(
+                                    "anna: radius 0.01 is implausible: usual values are 0.1 "
+                                    "to 1.0 m");
+    QTest::newRow("arrival") << body(&Human::goalRadius, 40.0)
+                             << QByteArray(
+                                    "anna: goal_radius 40.0 is implausible: usual values "
+                                    "are 0.0 to 10.0 m");
+    QTest::newRow("a mass in grams")
+        << Change([](Scenario& scenario) { scenario.humans[0].ours.mass = 80000.0; })
+        << QByteArray("anna: mass 80000.0 is implausible: usual values are 3.0 to 400.0 kg");
+    QTest::newRow("a force that attracts")
+        << factor(-5.0, Configuration::Custom)
+        << QByteArray(
+               "anna: social_force_factor -5.0 is implausible: usual values are 0.0 to "
+               "200.0");
+    QTest::newRow("a custom force") << factor(50.0, Configuration::Custom) << QByteArray();
+    QTest::newRow("a force that the loader clamps")
+        << factor(999.0, Configuration::Default)
+        << QByteArray(
+               "anna: social_force_factor 999.0 is outside 5.0 to 20.0: HuNavSim's loader "
+               "clamps it");
+    QTest::newRow("a robot in km/h")
+        << robot(&Robot::maxVel, 20.0)
+        << QByteArray("rob: max_vel 20.0 is implausible: usual values are 0.0 to 6.0 m/s");
+    QTest::newRow("a robot as wide as a house")
+        << robot(&Robot::radius, 9.0)
+        << QByteArray("rob: radius 9.0 is implausible: usual values are 0.02 to 5.0 m");
+    QTest::newRow("a robot of a tonne") << robot(&Robot::mass, 1000.0) << QByteArray();
+  }
+  void check_valueFarFromAnyReal_isWarned() {
+    QFETCH(Change, change);
+    QFETCH(QByteArray, text);
+    Scenario scenario = oneWalker({1.0, 1.0}, {4.0, 8.0});
+    change(scenario);
+    QByteArray told;
+    for (const base::Diagnostic& each : check(scenario)) {
+      QCOMPARE(each.severity, base::Severity::Warning);
+      told += QByteArray::fromStdString(each.message);
+    }
+    QCOMPARE(told, text);
+  }
+
+  void shippedAndInteropFiles_haveNoImplausibleValues() {
+    int files = 0;
+    for (const char* folder : {SOURCE_DIR "/maps", interopFolder().toUtf8().constData()}) {
+      QDirIterator each(QString::fromUtf8(folder), {QStringLiteral("*.yaml")}, QDir::Files,
+                        QDirIterator::Subdirectories);
+      while (each.hasNext()) {
+        const std::string path = each.next().toStdString();
+        if (textOf(path).find("hunav_loader") == std::string::npos) {
+          continue;
+        }
+        ++files;
+        for (const base::Diagnostic& found : check(readScenario(path).scenario)) {
+          QVERIFY2(found.code != "scenario.implausible", found.text().c_str());
+        }
+      }
+    }
+    QVERIFY(files > 30);
   }
 
   void check_sourceWithoutIds_told() {

@@ -172,8 +172,10 @@ std::vector<report::TimeCurve> plotCurves(const std::string& keys, const sim2d::
       problems.push_back(base::error("option.plot-series", {result.info.key}));
       continue;
     }
-    curves.push_back(
-        {result.info.name, result.info.unit, evaluation->times, result.value.series->values});
+    // A count per sample, such as 0 or 1, does not have the unit of the metric.
+    const bool isCount = result.value.series->kind == metrics::Kind::Count;
+    curves.push_back({result.info.name, isCount ? "count per step" : result.info.unit,
+                      evaluation->times, result.value.series->values});
   }
   requireFine(problems, ExitWrongCommandLine);
   return curves;

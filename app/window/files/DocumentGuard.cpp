@@ -106,6 +106,14 @@ DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBa
                           tr("Cannot save a copy for crash recovery: %1")
                               .arg(QString::fromStdString(problems.front().text())));
           });
+  connect(&files_, &FileCommands::opened, this, [this] {
+    isStart_ = false;
+    offerRecovery();
+  });
+  connect(&files_, &FileCommands::closed, this, [this] {
+    isStart_ = true;
+    offerRecovery();
+  });
   offerRecovery();
 }
 
@@ -141,24 +149,49 @@ void DocumentGuard::checkFiles() {
   }
 }
 
+/// Copies are offered on the start page, and with the file that they belong to. Other files are not
+/// affected by them.
 void DocumentGuard::offerRecovery() {
+  if (recoveryFolder_.isEmpty()) {
+    return;
+  }
+  for (const QString& folder : std::exchange(offered_, {})) {
+    notices_.drop(folder);
+  }
   for (const QString& folder : editor::Autosave::orphanedFolders(recoveryFolder_)) {
-    const base::Result<editor::DocumentSnapshot> copy = editor::readSnapshot(folder);
-    const Notice::Choice discard = {tr("Discard"), [folder] { QDir(folder).removeRecursively(); }};
-    if (!copy) {
-      notices_.warn(folder,
-                    tr("Unsaved changes of an earlier session cannot be read: %1")
-                        .arg(QString::fromStdString(copy.diagnostics().front().text())),
-                    {discard});
-      continue;
-    }
-    const QString name =
-        copy->path.isEmpty() ? tr("an unnamed scenario") : QFileInfo(copy->path).fileName();
-    notices_.inform(
-        folder,
-        tr("The program ended unexpectedly. Unsaved changes to %1 were kept (%2).")
-            .arg(name, relativeTimeText(copy->when.toLocalTime(), QDateTime::currentDateTime())),
-        {{tr("Restore"), [this, folder] { restore(folder); }}, discard});
+    offerCopy(folder);
+  }
+}
+
+void DocumentGuard::offerCopy(const QString& folder) {
+  const base::Result<editor::DocumentSnapshot> copy = editor::readSnapshot(folder);
+  const Notice::Choice discard = {tr("Discard"), [folder] { QDir(folder).removeRecursively(); }};
+  if (!isStart_ && (!copy || copy->path.isEmpty() || copy->path != document_.path())) {
+    return;
+  }
+  offered_ << folder;
+  if (!copy) {
+    notices_.warn(folder,
+                  tr("Unsaved changes of an earlier session cannot be read: %1")
+                      .arg(QString::fromStdString(copy.diagnostics().front().text())),
+                  {discard});
+    return;
+  }
+  const QString name =
+      copy->path.isEmpty() ? tr("an unnamed scenario") : QFileInfo(copy->path).fileName();
+  const QString words =
+      copy->isFromCrash
+          ? tr("The program ended unexpectedly. Unsaved changes to %1 were kept (%2).")
+          : tr("Unsaved changes to %1 were kept when the last session ended (%2).");
+  notices_.inform(
+      folder,
+      words.arg(name, relativeTimeText(copy->when.toLocalTime(), QDateTime::currentDateTime())),
+      {{tr("Restore"), [this, folder] { restore(folder); }}, discard});
+}
+
+void DocumentGuard::endSession() {
+  if (autosave_) {
+    autosave_->keepForNextSession();
   }
 }
 
@@ -170,6 +203,7 @@ void DocumentGuard::restore(const QString& folder) {
   }
   autosave_->writeNow();
   QDir(folder).removeRecursively();
+  offerRecovery();
 }
 
 void DocumentGuard::reportChanged(const QStringList& changed) {

@@ -194,10 +194,15 @@ base::Diagnostics FileCommands::applyRunOptions() {
     }
   });
   values.emplace_back(static_cast<const sim2d::ScenarioSettings&>(wanted));
+  QUndoStack& stack = document.undoStack();
+  stack.beginMacro(tr("Apply command-line options"));
   editor::pushEdit(document, std::move(values), tr("Apply command-line options"));
   if (!newRobots.empty()) {
     editor::pushAdd(document, std::move(newRobots), tr("Add command-line robot"));
   }
+  stack.endMacro();
+  stack.setClean();  // the options are no change of the user
+  Q_EMIT optionsApplied();
   return problems;
 }
 
@@ -210,8 +215,9 @@ QString FileCommands::folder() const {
   QStringList files = userSettings_.recentFiles();
   files.prepend(own);
   for (const QString& file : files) {
-    if (!file.isEmpty() && !workspace_.document().isShipped(file)) {
-      return QFileInfo(file).absolutePath();
+    const QString folder = QFileInfo(file).absolutePath();
+    if (!file.isEmpty() && !workspace_.document().isShipped(file) && QFileInfo(folder).isDir()) {
+      return folder;
     }
   }
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -269,6 +275,11 @@ void FileCommands::newOpenPlane() {
   workspace_.document().clear();
   showProblems({});
   Q_EMIT opened();
+}
+
+void FileCommands::close() {
+  workspace_.document().clear();
+  Q_EMIT closed();
 }
 
 void FileCommands::newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map) {
@@ -445,8 +456,7 @@ void FileCommands::showRun(const RecordedRun& run, const QString& path, const QS
 void FileCommands::closeRun() {
   const QString path = previousDocument_.isEmpty() ? scenarioOfRun_ : previousDocument_;
   if (path.isEmpty() || !QFileInfo::exists(path)) {
-    workspace_.document().clear();
-    Q_EMIT closed();
+    close();
   } else {
     openScenario(path);
   }

@@ -36,6 +36,7 @@ class FileCommands : public QObject {
   bool openNewFromMap(const QString& mapYaml);
   bool replaceMap(const QString& mapYaml);  // replaces the map of the open scenario
   void newOpenPlane();                      // creates an open plane
+  void close();                             // closes the document without questions
   void newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map);
   bool saveTo(const QString& path, const editor::TreeReplacements& trees = {});
   void fillRecentMenu(QMenu& menu);
@@ -62,13 +63,15 @@ class FileCommands : public QObject {
   /// Asks about unsaved changes or a removed file: save, discard or cancel. True: the document may
   /// be replaced.
   bool maybeSave();
-  /// The initial folder of dialogs: that of the user's own files.
+  /// The initial folder of dialogs, which exists: that of the user's own files, else the folder for
+  /// documents, else the home folder.
   QString folder() const;
 
  Q_SIGNALS:
   void runOpened(const QString& folder);  // a recorded run is displayed
   void opened();                          // a document or recorded run was opened
   void closed();                          // no document is open
+  void optionsApplied();                  // options of the command line changed the document
   void recentChanged();
   void issuesRaised();
   void exported(const QString& folder, int files);
@@ -123,6 +126,8 @@ class DocumentGuard : public QObject {
                 QObject* parent = nullptr);
   editor::Autosave* autosave() const { return autosave_.get(); }
   void checkFiles();  // checks the files on disk
+  /// Keeps unsaved work for the next session when the session is ended from outside.
+  void endSession();
   void reportUnreadable(
       const base::Diagnostics& problems);  // reports a file that could not be opened
 
@@ -132,6 +137,7 @@ class DocumentGuard : public QObject {
  private:
   void watchFiles();
   void offerRecovery();
+  void offerCopy(const QString& folder);
   void restore(const QString& folder);
   void reportChanged(const QStringList& changed);
   void reportRemoved();
@@ -151,6 +157,8 @@ class DocumentGuard : public QObject {
   QTimer pause_;         // waits for a program that writes several files
   bool isThere_ = true;  // whether the scenario file exists
   std::unique_ptr<editor::Autosave> autosave_;
+  bool isStart_ = true;  // no document has been opened, or it was closed
+  QStringList offered_;  // folders of copies with a notice
 };
 
 }  // namespace app

@@ -129,10 +129,14 @@ void RecentRow::paintEvent(QPaintEvent*) {
                    painter.fontMetrics().elidedText(file.fileName(), Qt::ElideMiddle, room));
   painter.setFont(theme_.font(9.0));
   painter.setPen(theme_.color(exists_ ? Role::TextSecondary : Role::Warning));
-  const QString line = exists_ ? homeRelative(file.absolutePath())
-                               : tr("File not found · %1").arg(homeRelative(file.absolutePath()));
-  painter.drawText(QRect(kNameLeft, 30, width() - 52, 18), Qt::AlignVCenter | Qt::AlignLeft,
-                   painter.fontMetrics().elidedText(line, Qt::ElideLeft, width() - 52));
+  const QString folder = file.absolutePath();
+  const QString state = exists_                     ? QString()
+                        : QFileInfo::exists(folder) ? tr("File not found in ")
+                                                    : tr("Folder not found: ");
+  const int folderRoom = width() - 52 - painter.fontMetrics().horizontalAdvance(state);
+  painter.drawText(
+      QRect(kNameLeft, 30, width() - 52, 18), Qt::AlignVCenter | Qt::AlignLeft,
+      state + painter.fontMetrics().elidedText(homeRelative(folder), Qt::ElideLeft, folderRoom));
   painter.fillRect(QRect(0, height() - 1, width(), 1), theme_.color(Role::Line));
 }
 

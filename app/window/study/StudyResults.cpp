@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/look/Form.h"
+#include "editor/look/TableExport.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace app {
@@ -75,6 +76,7 @@ class IntervalDelegate : public QStyledItemDelegate {
 void styleHead(QHeaderView& head) {
   head.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter | Qt::Alignment(Qt::TextWordWrap));
   head.setFixedHeight(kHeadHeight);
+  head.setTextElideMode(Qt::ElideNone);  // two lines
   head.setMinimumSectionSize(kLeastColumn);
 }
 
@@ -157,6 +159,7 @@ StudyResults::StudyResults(QWidget* parent) : QWidget(parent) {
 
 QWidget* StudyResults::makeComparison() {
   editor::styleTable(*comparison_, tr("Comparison"));
+  editor::makeTableSavable(*comparison_, tr("Comparison"));
   styleHead(*comparison_->horizontalHeader());
   comparison_->setItemDelegate(new IntervalDelegate(comparison_));
   comparison_->verticalHeader()->setDefaultSectionSize(kIntervalRowHeight);
@@ -181,6 +184,7 @@ void StudyResults::makeRuns() {
   sorted_.setSortRole(Qt::UserRole);
   runTable_->setModel(&sorted_);
   editor::styleTable(*runTable_, tr("Runs"));
+  editor::makeTableSavable(*runTable_, tr("Runs of the study"));
   styleHead(*runTable_->horizontalHeader());
   runTable_->setTextElideMode(Qt::ElideMiddle);
   runTable_->setWordWrap(false);

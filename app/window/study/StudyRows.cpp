@@ -6,6 +6,7 @@
 
 #include "app/report/Markup.h"
 #include "editor/look/Form.h"
+#include "editor/look/TableExport.h"
 #include "metrics/MetricRegistry.h"
 #include "metrics/statistics/Summary.h"
 #include "sim2d/base/Find.h"
@@ -263,6 +264,7 @@ QVariant StudyRunsModel::data(const QModelIndex& index, int role) const {
   const bool isNumber = value.type() != QVariant::String;
   switch (role) {
     case Qt::UserRole:
+    case editor::kExactValueRole:
       return value;
     case Qt::DisplayRole: {
       const int metric = index.column() - FirstColumns - paths_.size() - kEndColumns;

@@ -7,6 +7,7 @@
 #include "editor/document/PeopleEdits.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
+#include "editor/look/TableExport.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
@@ -80,6 +81,7 @@ QWidget* BehaviorPanel::makePage() {
   auto* below = new QWidget;
   entriesTitle_->setContentsMargins(12, 12, 12, 4);
   styleTable(*entries_, tr("Blackboard"));
+  makeTableSavable(*entries_, tr("Blackboard"));
   entries_->horizontalHeader()->hide();
   entries_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   entries_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

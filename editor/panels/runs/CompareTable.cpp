@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "editor/look/TableExport.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/panels/runs/Playback.h"
 #include "editor/panels/runs/RunsPanel.h"
@@ -61,6 +62,8 @@ CompareTable::CompareTable(PanelContext& context)
     }
   });
   connect(&context, &PanelContext::themeChanged, plot_, &MetricPlot::setTheme);
+  connectExport(*plot_, context);
+  makeTableSavable(*table_, tr("Metrics of the runs"));
 }
 
 QWidget* CompareTable::makeTable() {
@@ -290,7 +293,7 @@ void CompareTable::showSelected() {
   for (std::size_t k = 0; k < shown_.runs.size(); ++k) {
     const auto curve = shown_.measures[k].curves.find(info.key);
     lines.push_back({curve == shown_.measures[k].curves.end() ? nullptr : &curve->second,
-                     shown_.runs[k].style});
+                     shown_.runs[k].style, shown_.runs[k].letter});
   }
   plot_->show(QString::fromStdString(info.name), QString::fromStdString(info.unit), lines);
 }

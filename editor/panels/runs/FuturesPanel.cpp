@@ -34,6 +34,7 @@ FuturesPanel::FuturesPanel(PanelContext& context) : context_(context), process_(
   connect(&context.runner, &SimulationRunner::frameShown, this, &FuturesPanel::follow);
   connect(&context.runner, &SimulationRunner::stateChanged, this, &FuturesPanel::follow);
   connect(&context, &PanelContext::themeChanged, plot_, &ContactProbabilityPlot::setTheme);
+  connectExport(*plot_, context);
   follow();
 }
 

@@ -14,7 +14,9 @@
 #include <qwt_scale_widget.h>
 
 #include "editor/canvas/ComparedRunLayers.h"
+#include "editor/look/DeferredActions.h"
 #include "editor/look/Form.h"
+#include "editor/panels/PanelRegistry.h"
 
 namespace editor {
 
@@ -52,6 +54,29 @@ void layOutPlot(QwtPlot& plot) {
   plot.setContentsMargins(0, 0, kRightMargin, 0);
 }
 
+/// Limits the number of labels of the time axis to those that fit beside each other.
+void fitTimeAxis(QwtPlot& plot) {
+  constexpr int kMostLabels = 5;
+  constexpr int kGap = 12;  // [px]
+  const QFontMetrics metrics(plot.axisFont(QwtPlot::xBottom));
+  const int label = metrics.horizontalAdvance(QStringLiteral("00.5 s")) + kGap;
+  const int count = std::clamp(plot.canvas()->width() / label, 1, kMostLabels);
+  if (plot.axisMaxMajor(QwtPlot::xBottom) != count) {
+    plot.setAxisMaxMajor(QwtPlot::xBottom, count);
+  }
+}
+
+/// The samples of a curve; `factor` converts its values to the unit of the figure.
+PlottedCurve plottedCurve(const QwtPlotCurve& curve, const QString& label, double factor = 1.0) {
+  PlottedCurve plotted;
+  plotted.label = label;
+  for (std::size_t k = 0; k < curve.dataSize(); ++k) {
+    plotted.times.push_back(curve.sample(static_cast<int>(k)).x());
+    plotted.values.push_back(factor * curve.sample(static_cast<int>(k)).y());
+  }
+  return plotted;
+}
+
 void stylePlot(QwtPlot& plot, const Theme& theme) {
   plot.setCanvasBackground(theme.color(Role::Panel));
   QPalette colors = plot.palette();
@@ -67,6 +92,25 @@ void stylePlot(QwtPlot& plot, const Theme& theme) {
 }
 
 }  // namespace
+
+void ExportablePlot::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& text, const QString& tip, bool toFile) {
+    QAction* action =
+        menu->addAction(text, this, [this, toFile] { Q_EMIT exportRequested(figure(), toFile); });
+    describe(*action, tip);
+    action->setEnabled(!figure().curves.empty());
+  };
+  add(tr("Copy plot"), tr("Copy the plot as PNG and SVG"), false);
+  add(tr("Save plot…"), tr("Save the plot as PNG, SVG or PDF"), true);
+  menu->popup(event->globalPos());
+}
+
+void connectExport(const ExportablePlot& plot, PanelContext& context) {
+  QObject::connect(&plot, &ExportablePlot::exportRequested, &context,
+                   &PanelContext::plotExportRequested);
+}
 
 ContactProbabilityPlot::ContactProbabilityPlot(const Theme& theme)
     : plot_(new QwtPlot(this)),
@@ -141,6 +185,35 @@ void ContactProbabilityPlot::setCursor(double time) {
   plot_->replot();
 }
 
+PlottedFigure ContactProbabilityPlot::figure() const {
+  constexpr double kPercent = 100.0;
+  PlottedFigure figure{accessibleName(), QStringLiteral("%"), {}};
+  if (curve_->dataSize() == 0) {
+    return figure;
+  }
+  figure.curves.push_back(plottedCurve(*curve_, tr("share of the futures"), kPercent));
+  PlottedCurve low{tr("lower limit (95 % CI)"), {}, {}};
+  PlottedCurve high{tr("upper limit"), {}, {}};
+  for (std::size_t k = 0; k < band_->dataSize(); ++k) {
+    const QwtIntervalSample sample = band_->sample(static_cast<int>(k));
+    low.times.push_back(sample.value);
+    low.values.push_back(kPercent * sample.interval.minValue());
+    high.times.push_back(sample.value);
+    high.values.push_back(kPercent * sample.interval.maxValue());
+  }
+  if (!low.times.empty()) {
+    figure.curves.push_back(std::move(low));
+    figure.curves.push_back(std::move(high));
+  }
+  return figure;
+}
+
+void ContactProbabilityPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitTimeAxis(*plot_);
+  plot_->replot();
+}
+
 MetricPlot::MetricPlot(const Theme& theme, bool isSingle)
     : theme_(theme),
       isSingle_(isSingle),
@@ -193,9 +266,20 @@ void MetricPlot::applyStyles() {
 
 void MetricPlot::show(const QString& name, const QString& unit, const std::vector<Line>& lines) {
   title_->setText(name);
-  unit_->setText(unit);
+  const auto known = std::find_if(lines.begin(), lines.end(),
+                                  [](const Line& line) { return line.curve != nullptr; });
+  QStringList words;
+  axisUnit_ = unit;
+  if (known != lines.end() && !known->curve->times.empty()) {
+    axisUnit_ = QString::fromStdString(known->curve->axisUnit());
+    words << QString::fromStdString(known->curve->meaning())
+          << QString::fromStdString(known->curve->unit);
+  }
+  words.removeAll(QString());
+  unit_->setText(words.join(QStringLiteral(" · ")));
   curves_.clear();
   styles_.clear();
+  labels_.clear();
   double end = 1.0;
   bool any = false;
   for (const Line& line : lines) {
@@ -216,6 +300,7 @@ void MetricPlot::show(const QString& name, const QString& unit, const std::vecto
     curve->attach(plot_);
     curves_.push_back(std::move(curve));
     styles_.push_back(line.style);
+    labels_ << line.label;
   }
   applyStyles();
   plot_->setAxisScale(QwtPlot::xBottom, 0.0, end);
@@ -253,6 +338,22 @@ void MetricPlot::reserveEnd() {
   const QString last = plot_->axisScaleDraw(QwtPlot::xBottom)->label(ticks.back()).text();
   const QFontMetrics metrics(plot_->axisFont(QwtPlot::xBottom));
   plot_->setContentsMargins(0, 0, std::max(kMinMargin, metrics.horizontalAdvance(last) / 2 + 4), 0);
+}
+
+PlottedFigure MetricPlot::figure() const {
+  PlottedFigure figure{title_->text(), axisUnit_, {}};
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    if (curves_[k]->dataSize() > 0) {
+      figure.curves.push_back(plottedCurve(*curves_[k], labels_[static_cast<int>(k)]));
+    }
+  }
+  return figure;
+}
+
+void MetricPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitTimeAxis(*plot_);
+  plot_->replot();
 }
 
 void MetricPlot::setCursor(double time) {

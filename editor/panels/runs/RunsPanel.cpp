@@ -5,6 +5,7 @@
 
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/look/TableExport.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/panels/runs/Playback.h"
 
@@ -82,6 +83,7 @@ QWidget* RunsPanel::makeHead() {
 
 void RunsPanel::makeList() {
   styleList(*list_, tr("Runs"));
+  makeTableSavable(*list_, tr("Runs"));
   list_->setRootIsDecorated(false);
   list_->setColumnCount(RunColumns);
   list_->setHeaderLabels({tr("Run"), tr("Branched at"), tr("Changed")});

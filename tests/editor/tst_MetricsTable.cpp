@@ -2,11 +2,11 @@
 
 #include "editor/panels/MetricsDock.h"
 
-using editor::MetricsChoice;
+using editor::MetricsTable;
 
 namespace {
 
-void setChosen(const MetricsChoice& panel, const QString& key, bool chosen) {
+void setChosen(const MetricsTable& panel, const QString& key, bool chosen) {
   for (QTreeWidgetItemIterator each(&panel.tree()); *each != nullptr; ++each) {
     if ((*each)->data(0, Qt::UserRole) == key) {
       (*each)->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
@@ -16,7 +16,7 @@ void setChosen(const MetricsChoice& panel, const QString& key, bool chosen) {
 
 }  // namespace
 
-class MetricsChoiceTest : public QObject {
+class MetricsTableTest : public QObject {
   Q_OBJECT
 
  private:
@@ -24,7 +24,8 @@ class MetricsChoiceTest : public QObject {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
     editor::MetricsFeed feed{document, runner};
-    MetricsChoice panel{document, feed, editor::Theme::light()};
+    editor::PersonMetrics people{feed, runner};
+    MetricsTable panel{document, feed, people, editor::Theme::light()};
   };
   std::unique_ptr<Subject> subject_;
 
@@ -33,13 +34,13 @@ class MetricsChoiceTest : public QObject {
   void cleanup() { subject_.reset(); }
 
   void all_atFirst_nothingIsWritten() {
-    MetricsChoice& panel = subject_->panel;
+    MetricsTable& panel = subject_->panel;
     QVERIFY(!panel.selection().keys.has_value());
     QVERIFY(base::hasErrors(panel.save()));  // there is no file yet to lie beside
   }
 
   void unchecked_isLeftOut() {
-    MetricsChoice& panel = subject_->panel;
+    MetricsTable& panel = subject_->panel;
     setChosen(panel, QStringLiteral("path_length"), false);
     const metrics::Selection selection = subject_->feed.selection();
     QVERIFY(selection.keys.has_value());
@@ -49,7 +50,7 @@ class MetricsChoiceTest : public QObject {
   }
 
   void names_inANarrowDock_areNotCut() {
-    MetricsChoice& panel = subject_->panel;
+    MetricsTable& panel = subject_->panel;
     panel.setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
     panel.resize(260, 400);
     panel.show();
@@ -85,7 +86,7 @@ class MetricsChoiceTest : public QObject {
   }
 
   void search_hidesTheOthers() {
-    MetricsChoice& panel = subject_->panel;
+    MetricsTable& panel = subject_->panel;
     panel.search().setText(QStringLiteral("path_length"));
     int shown = 0;
     for (int i = 0; i < panel.tree().topLevelItemCount(); ++i) {
@@ -111,7 +112,8 @@ class MetricsChoiceTest : public QObject {
     QVERIFY(!base::hasErrors(document.save(path)));
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoice panel(document, feed, editor::Theme::light());
+    editor::PersonMetrics people(feed, runner);
+    MetricsTable panel(document, feed, people, editor::Theme::light());
     panel.chooseAll(false);
     setChosen(panel, QStringLiteral("path_length"), true);
     QVERIFY(!base::hasErrors(panel.save()));
@@ -128,7 +130,7 @@ class MetricsChoiceTest : public QObject {
   }
 
   void groupsAndKeys_areThoseOfTheRegistry() {
-    MetricsChoice& panel = subject_->panel;
+    MetricsTable& panel = subject_->panel;
     QCOMPARE(panel.tree().topLevelItemCount(), metrics::kCategories);
     int rows = 0;
     for (int i = 0; i < panel.tree().topLevelItemCount(); ++i) {
@@ -183,7 +185,8 @@ class MetricsChoiceTest : public QObject {
     QVERIFY(!base::hasErrors(document.save(folder.filePath(QStringLiteral("room.yaml")))));
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoice panel(document, feed, editor::Theme::light());
+    editor::PersonMetrics people(feed, runner);
+    MetricsTable panel(document, feed, people, editor::Theme::light());
     QCOMPARE(static_cast<int>(panel.selection().keys->off.size()), count / 2);
     setChosen(panel, QString::fromStdString(keys[1]), true);
     QVERIFY(!base::hasErrors(panel.save()));
@@ -198,5 +201,5 @@ class MetricsChoiceTest : public QObject {
   }
 };
 
-QTEST_MAIN(MetricsChoiceTest)
-#include "tst_MetricsChoice.moc"
+QTEST_MAIN(MetricsTableTest)
+#include "tst_MetricsTable.moc"
