@@ -94,7 +94,7 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
   }
   for (const auto* plot : window_.findChildren<editor::MetricPlot*>()) {
     connect(plot, &editor::MetricPlot::menuRequested, &workspace_.branching(),
-            &editor::BranchCommand::offerAt);
+            &editor::BranchCommand::offerIn);
   }
   addTimeline();
   resetLayout();

@@ -325,16 +325,19 @@ void BranchCommand::offerMove(int person, const base::Pose2& pose) {
   menu->popup(view_.viewport()->mapToGlobal(view_.viewportFrom(pose.position)));
 }
 
-void BranchCommand::offerAt(double time, const QPoint& globalPos) {
+void BranchCommand::offerIn(double time, QMenu* menu) {
   const RecordingPtr recording = runner_.recording();
-  if (recording == nullptr || recording->size() == 0) {
-    return;
+  if (recording != nullptr && recording->size() > 0) {
+    runner_.seek(recording->stepOf(recording->indexAtTime(time)));
+    menu->addAction(&action_);
   }
-  runner_.seek(recording->stepOf(recording->indexAtTime(time)));
+}
+
+void BranchCommand::offerAt(double time, const QPoint& globalPos) {
   auto* menu = new QMenu(&view_);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setToolTipsVisible(true);
-  menu->addAction(&action_);
+  offerIn(time, menu);
   menu->popup(globalPos);
 }
 

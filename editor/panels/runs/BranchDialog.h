@@ -99,6 +99,8 @@ class BranchCommand : public QObject {
   void offerMove(int person, const base::Pose2& pose);
   /// Shows the state at this time [s] and offers a branch there.
   void offerAt(double time, const QPoint& globalPos);
+  /// The same as an entry of a menu.
+  void offerIn(double time, QMenu* menu);
 
  private:
   void follow();

@@ -96,6 +96,11 @@ void stylePlot(QwtPlot& plot, const Theme& theme) {
 void ExportablePlot::contextMenuEvent(QContextMenuEvent* event) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  extendMenu(*menu, *event);
+  if (!menu->isEmpty()) {
+    menu->addSeparator();
+  }
   const auto add = [&](const QString& text, const QString& tip, bool toFile) {
     QAction* action =
         menu->addAction(text, this, [this, toFile] { Q_EMIT exportRequested(figure(), toFile); });
@@ -316,15 +321,15 @@ void MetricPlot::show(const QString& name, const QString& unit, const std::vecto
 }
 
 /// By key: at the shown time.
-void MetricPlot::contextMenuEvent(QContextMenuEvent* event) {
+void MetricPlot::extendMenu(QMenu& menu, const QContextMenuEvent& event) {
   if (curves_.empty()) {
     return;
   }
-  const QPoint at = plot_->canvas()->mapFromGlobal(event->globalPos());
-  const bool isPointed = event->reason() == QContextMenuEvent::Mouse;
+  const QPoint at = plot_->canvas()->mapFromGlobal(event.globalPos());
+  const bool isPointed = event.reason() == QContextMenuEvent::Mouse;
   Q_EMIT menuRequested(
       isPointed ? std::max(0.0, plot_->invTransform(QwtPlot::xBottom, at.x())) : cursor_->xValue(),
-      event->globalPos());
+      &menu);
 }
 
 /// Reserves space for half of the last label beyond the end of the axis.

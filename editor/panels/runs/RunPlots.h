@@ -43,6 +43,8 @@ class ExportablePlot : public QWidget {
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
+  /// Adds more entries to the menu.
+  virtual void extendMenu(QMenu& /*menu*/, const QContextMenuEvent& /*event*/) {}
 };
 
 /// Sends the requests of a plot to the window.
@@ -98,11 +100,11 @@ class MetricPlot : public ExportablePlot {
   void resizeEvent(QResizeEvent* event) override;
 
  Q_SIGNALS:
-  /// The context menu was requested at this time [s] of the run.
-  void menuRequested(double time, const QPoint& globalPos);
+  /// The context menu was requested at this time [s] of the run, for more entries.
+  void menuRequested(double time, QMenu* menu);
 
  protected:
-  void contextMenuEvent(QContextMenuEvent* event) override;
+  void extendMenu(QMenu& menu, const QContextMenuEvent& event) override;
 
  private:
   void applyStyles();
