@@ -5,6 +5,7 @@
 
 #include "sim2d/scenario/Variation.h"
 #include "tests/bt/ShippedScenario.h"
+#include "tests/support/LibraryFiles.h"
 #include "tests/support/TraceHash.h"
 
 using namespace shipped;
@@ -152,7 +153,7 @@ class VariedPeopleTest : public QObject {
     QTest::addColumn<QString>("path");
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(mapsFolder())) {
       const base::Result<std::string> text = base::readTextFile(entry.path().string());
-      if (entry.path().extension() == ".yaml" && text &&
+      if (entry.path().extension() == ".yaml" && isTakenByLongTests(entry.path()) && text &&
           text->find("hunav_loader:") != std::string::npos) {
         QTest::newRow(entry.path().stem().c_str()) << QString::fromStdString(entry.path().string());
       }

@@ -6,6 +6,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
+#include "tests/support/LibraryFiles.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -69,7 +70,7 @@ class WallPropertyTest : public QObject {
     QTest::addColumn<QString>("path");
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(SOURCE_DIR "/maps")) {
       const base::Result<std::string> text = base::readTextFile(entry.path().string());
-      if (entry.path().extension() == ".yaml" && text &&
+      if (entry.path().extension() == ".yaml" && isTakenByLongTests(entry.path()) && text &&
           text->find("occupied_thresh") != std::string::npos) {
         QTest::newRow(entry.path().stem().c_str()) << QString::fromStdString(entry.path().string());
       }
