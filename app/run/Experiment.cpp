@@ -204,6 +204,9 @@ class Reader {
       if (value) {
         experiment_.values.push_back(*value);
       }
+      if (!isCountPossible(item)) {
+        return false;
+      }
     }
     readDesignOf(root);
     return isCountPossible(*node);
