@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "app/run/Nav2Robots.h"
@@ -49,6 +50,14 @@ std::map<std::string, std::string> effectiveValues(const bt::Nav2Loaded& loaded)
   return values;
 }
 
+/// Whether two values are equal as texts or as numbers: a file needs 1.0 for a double, the scenario
+/// also accepts 1.
+bool areEqual(const std::string& a, const std::string& b) {
+  const std::optional<double> first = base::parseDouble(a);
+  const std::optional<double> second = base::parseDouble(b);
+  return a == b || (first && second && *first == *second);
+}
+
 /// Gives back the values that have no effect in the file.
 void keepIneffective(const bt::Nav2Loaded& before, const Nav2ParameterList& list,
                      const std::string& scenarioPath, SavedNav2Parameters& saved) {
@@ -57,7 +66,7 @@ void keepIneffective(const bt::Nav2Loaded& before, const Nav2ParameterList& list
   for (const Nav2Parameter& parameter : list.parameters) {
     const std::string path = parameter.node + "." + parameter.name;
     const auto found = now.find(path);
-    const bool isEffective = found != now.end() && found->second == wanted.at(path);
+    const bool isEffective = found != now.end() && areEqual(found->second, wanted.at(path));
     const bool isKept =
         std::find(saved.kept.begin(), saved.kept.end(), parameter.path) != saved.kept.end();
     if (parameter.given && !isKept && !isEffective) {

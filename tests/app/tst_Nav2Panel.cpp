@@ -163,7 +163,7 @@ class Nav2PanelTest : public QObject, protected quiet::InFolder {
     openPanel();
     type("FollowPath.temperature", "0.2");
     QSignalSpy told(&window_->docks().context(), &editor::PanelContext::problemsFound);
-    QVERIFY(!panel().saveAs(at("nowhere/tuned.yaml")));
+    QVERIFY(!panel().saveAs(at("scene.yaml/tuned.yaml")));
     QVERIFY(told.count() >= 1);
     QCOMPARE(robot().nav2Params, std::vector<std::string>{"mine.yaml"});
     QCOMPARE(robot().nav2Values.size(), std::size_t{1});

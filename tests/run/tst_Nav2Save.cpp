@@ -108,8 +108,9 @@ class Nav2SaveTest : public QObject {
   }
 
   void file_thatCannotBeWritten_isReported() {
+    QVERIFY(base::writeFileAtomically(at("file"), "no folder").empty());
     const auto saved = app::saveNav2Parameters(robotOf({kShipped}, {}), scenario(),
-                                               at("nowhere/new.yaml"), "new.yaml");
+                                               at("file/new.yaml"), "new.yaml");
     QVERIFY(!saved && !saved.diagnostics().empty());
     const auto unread = app::saveNav2Parameters(robotOf({at("none.yaml")}, {}), scenario(),
                                                 at("new.yaml"), "new.yaml");
