@@ -302,7 +302,7 @@ std::vector<const TimeCurve*> curvesOf(const TimeCurve& panel) {
   return all;
 }
 
-std::vector<double> valuesOf(const TimeCurve& panel) {
+std::vector<double> panelValues(const TimeCurve& panel) {
   std::vector<double> values;
   for (const TimeCurve* curve : curvesOf(panel)) {
     values.insert(values.end(), curve->values.begin(), curve->values.end());
@@ -381,7 +381,7 @@ Figure timePlot(const std::vector<TimeCurve>& curves, double width, const std::s
   std::vector<ValueAxis> axes;
   std::size_t digits = 0;
   for (const TimeCurve& curve : curves) {
-    axes.push_back(axisOf(valuesOf(curve), height));
+    axes.push_back(axisOf(panelValues(curve), height));
     for (const std::string& text : tickTexts(axes.back().scale, axes.back().at)) {
       digits = std::max(digits, characterCount(text));
     }

@@ -14,19 +14,19 @@ namespace editor {
 namespace {
 
 constexpr int kNowWidth = 68;
-constexpr int kUnitWidth = 52;
+constexpr int kMetricUnitWidth = 52;
 constexpr int kSparklineWidth = 84;
 constexpr int kPersonWidth = 72;
 constexpr int kOpenGroups = 2;  // Number of groups that are expanded initially.
-constexpr int kIndent = 16;
-constexpr auto kRight = static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-constexpr auto kLeft = static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
+constexpr int kMetricIndent = 16;
+constexpr auto kNumberAlignment = static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+constexpr auto kTextAlignment = static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
 
-bool isChosen(const QTreeWidgetItem* row) {
+bool isTicked(const QTreeWidgetItem* row) {
   return row->checkState(MetricsTable::NameColumn) == Qt::Checked;
 }
 
-void choose(QTreeWidgetItem* row, bool chosen) {
+void setMeasured(QTreeWidgetItem* row, bool chosen) {
   row->setCheckState(MetricsTable::NameColumn, chosen ? Qt::Checked : Qt::Unchecked);
 }
 
@@ -115,9 +115,9 @@ void MetricsTable::styleTree() {
   makeTableSavable(*tree_, tr("Metrics"));
   tree_->setColumnCount(FirstPersonColumn);
   tree_->setHeaderLabels({tr("Metric"), tr("Now"), tr("Unit"), tr("Since start")});
-  tree_->headerItem()->setTextAlignment(NowColumn, kRight);
+  tree_->headerItem()->setTextAlignment(NowColumn, kNumberAlignment);
   tree_->setWordWrap(true);
-  tree_->setIndentation(kIndent);
+  tree_->setIndentation(kMetricIndent);
   tree_->setItemDelegate(new MetricNameDelegate(tree_));
   tree_->setItemDelegateForColumn(SparklineColumn, sparkline_);
   QHeaderView* header = tree_->header();
@@ -127,7 +127,7 @@ void MetricsTable::styleTree() {
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
   header->resizeSection(NowColumn, kNowWidth);
-  header->resizeSection(UnitColumn, kUnitWidth);
+  header->resizeSection(UnitColumn, kMetricUnitWidth);
   header->resizeSection(SparklineColumn, kSparklineWidth);
   connect(header, &QHeaderView::sectionResized, tree_, [this](int column) {
     if (column == NameColumn) {
@@ -157,7 +157,7 @@ void MetricsTable::build() {
     auto* group = new QTreeWidgetItem(
         tree_, QStringList(QString::fromLatin1(metrics::categoryName(category))));
     group->setFont(NameColumn, bold);
-    group->setTextAlignment(NowColumn, kRight);
+    group->setTextAlignment(NowColumn, kNumberAlignment);
     group->setExpanded(i < kOpenGroups);
     groups_.push_back(group);
   }
@@ -170,8 +170,8 @@ QTreeWidgetItem* MetricsTable::addRow(QTreeWidgetItem* parent, const metrics::Me
   auto* row = new QTreeWidgetItem(parent);
   row->setText(NameColumn, QString::fromStdString(info.name));
   row->setText(UnitColumn, QString::fromStdString(info.unit));
-  row->setTextAlignment(NowColumn, kRight);
-  row->setTextAlignment(UnitColumn, kLeft);
+  row->setTextAlignment(NowColumn, kNumberAlignment);
+  row->setTextAlignment(UnitColumn, kTextAlignment);
   row->setData(NameColumn, kMetricKeyRole, QString::fromStdString(info.key));
   row->setToolTip(NameColumn, descriptionOf(info));
   rowsByKey_[info.key] = row;
@@ -229,11 +229,11 @@ void MetricsTable::setPeople(std::vector<MeasuredPerson> people) {
     QTreeWidgetItem* head = tree_->headerItem();
     head->setText(column, metrics.elidedText(name, Qt::ElideMiddle, kPersonWidth - 16));
     head->setToolTip(column, tr("As if %1 were the only person").arg(name));
-    head->setTextAlignment(column, kRight);
+    head->setTextAlignment(column, kNumberAlignment);
     tree_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
     tree_->header()->resizeSection(column, kPersonWidth);
     for (const auto& [key, row] : rowsByKey_) {
-      row->setTextAlignment(column, kRight);
+      row->setTextAlignment(column, kNumberAlignment);
     }
   }
   std::vector<int> ids;
@@ -321,7 +321,7 @@ void MetricsTable::loadSelection() {
   const QSignalBlocker quiet(tree_);
   const metrics::Selection selection = feed_.selection();
   for (QTreeWidgetItem* row : rows_) {
-    choose(row, selection.selects(infoOf(row)));
+    setMeasured(row, selection.selects(infoOf(row)));
   }
   showCounts();
 }
@@ -333,10 +333,10 @@ metrics::Selection MetricsTable::selection() const {
   for (const QTreeWidgetItem* row : rows_) {
     const metrics::MetricInfo& info = infoOf(row);
     const bool theirs = info.hunav > 0;
-    all = all && isChosen(row);
-    if (theirs && !isChosen(row)) {
+    all = all && isTicked(row);
+    if (theirs && !isTicked(row)) {
       keys.off.insert(info.key);
-    } else if (!theirs && isChosen(row)) {
+    } else if (!theirs && isTicked(row)) {
       keys.on.insert(info.key);
     }
   }
@@ -353,7 +353,7 @@ void MetricsTable::chooseAll(bool chosen) {
   const QSignalBlocker quiet(tree_);
   for (QTreeWidgetItem* row : rows_) {
     if (!row->isHidden()) {
-      choose(row, chosen);
+      setMeasured(row, chosen);
     }
   }
   storeSelection();
@@ -368,7 +368,7 @@ bool MetricsTable::filterRow(QTreeWidgetItem& row, const QString& text) {
     isPartShown = filterRow(*row.child(k), isMatch ? QString() : text) || isPartShown;
   }
   const bool hasCheckBox = row.data(NameColumn, Qt::CheckStateRole).isValid();
-  const bool isMeasured = !onlyMeasured_->isChecked() || !hasCheckBox || isChosen(&row);
+  const bool isMeasured = !onlyMeasured_->isChecked() || !hasCheckBox || isTicked(&row);
   const bool isShown = (isMatch || isPartShown) && isMeasured;
   row.setHidden(!isShown);
   return isShown;
@@ -397,9 +397,9 @@ void MetricsTable::showCounts() {
   const QSignalBlocker quiet(tree_);
   std::map<QTreeWidgetItem*, std::pair<int, int>> counts;  // By group: chosen, all.
   for (QTreeWidgetItem* row : rows_) {
-    row->setData(NameColumn, Qt::ForegroundRole, isChosen(row) ? QVariant() : QVariant(pale_));
+    row->setData(NameColumn, Qt::ForegroundRole, isTicked(row) ? QVariant() : QVariant(pale_));
     auto& [chosen, all] = counts[row->parent()];
-    chosen += isChosen(row) ? 1 : 0;
+    chosen += isTicked(row) ? 1 : 0;
     ++all;
   }
   int chosen = 0;

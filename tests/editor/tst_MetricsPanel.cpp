@@ -54,7 +54,7 @@ QString textOf(const MetricsDock& dock, const std::string& key, int column = 1) 
 }
 
 /// As a user does it.
-void click(const MetricsDock& dock, const QString& key) {
+void clickMetric(const MetricsDock& dock, const QString& key) {
   QTreeWidget& tree = dock.table().tree();
   QTreeWidgetItem* row = rowOf(dock, key);
   tree.scrollToItem(row);
@@ -137,7 +137,7 @@ class MetricsPanelTest : public QObject {
     for (int row = 0; row < 4; ++row) {  // there is room for one line
       QTRY_VERIFY(tree.visualItemRect(tree.topLevelItem(0)->child(row)).height() < 30);
     }
-    click(dock, QStringLiteral("path_length"));
+    clickMetric(dock, QStringLiteral("path_length"));
     QCOMPARE(dock.shownKey(), std::string("path_length"));
     QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
   }
@@ -150,7 +150,7 @@ class MetricsPanelTest : public QObject {
     dock.show();
     QVERIFY(QTest::qWaitForWindowActive(&dock));
     run.run();
-    click(dock, QStringLiteral("path_length"));
+    clickMetric(dock, QStringLiteral("path_length"));
     QCOMPARE(dock.plot().title(), rowOf(dock, QStringLiteral("path_length"))->text(0));
     dock.table().search().setFocus();
     QTest::keyClicks(&dock.table().search(), QStringLiteral("smallest distance to people"));
@@ -185,7 +185,7 @@ class MetricsPanelTest : public QObject {
     };
     tree.scrollToItem(rowOf(dock, QStringLiteral("path_length")));
     const std::vector<QRect> before = places();
-    click(dock, QStringLiteral("path_length"));
+    clickMetric(dock, QStringLiteral("path_length"));
     QTest::keyClick(&tree, Qt::Key_Space);  // not measured any more
     QTRY_VERIFY_WITH_TIMEOUT(run.feed.isCurrent(), 20000);
     QVERIFY(places() == before);
@@ -274,7 +274,7 @@ class MetricsPanelTest : public QObject {
     }
     QVERIFY(perStep > 0);
     run.dock.show();
-    click(run.dock, QStringLiteral("path_length"));
+    clickMetric(run.dock, QStringLiteral("path_length"));
     QCOMPARE(run.dock.plot().unitText(), QStringLiteral("so far · m"));
     run.dock.table().setCurrentKey("minimum_distance_to_people");
     QVERIFY(!curves.at("path_length").isPerSample);
@@ -324,7 +324,7 @@ class MetricsPanelTest : public QObject {
     dock.show();
     QVERIFY(QTest::qWaitForWindowActive(&dock));
     run.run();
-    click(dock, QStringLiteral("path_length"));
+    clickMetric(dock, QStringLiteral("path_length"));
     QSignalSpy asked(&dock.plot(), &editor::ExportablePlot::exportRequested);
     for (const char* words : {"Copy plot", "Save plot…"}) {
       QContextMenuEvent event(QContextMenuEvent::Mouse, QPoint(40, 40),
@@ -372,7 +372,7 @@ class MetricsPanelTest : public QObject {
     QVERIFY(dock.robot().isVisible());
     QCOMPARE(dock.robot().count(), 2);
     QCOMPARE(dock.robot().currentText(), QStringLiteral("robot1"));
-    click(dock, QStringLiteral("path_length"));
+    clickMetric(dock, QStringLiteral("path_length"));
     const auto showsThoseOf = [&](int id) {
       metrics::Selection selection = feed.selection();
       selection.robotId = id;
@@ -459,7 +459,7 @@ class MetricsPanelTest : public QObject {
       const QString shown = isFine ? QString::fromStdString(dock.shownKey()) : QString();
       dock.resize(900, 300);
       dock.show();
-      click(dock, QStringLiteral("path_length"));  // of the user: it stays
+      clickMetric(dock, QStringLiteral("path_length"));  // of the user: it stays
       runner.stepOnce();
       isFine = isFine && isAt(steps + 1);
       return isFine && dock.shownKey() == "path_length" ? shown : QString();

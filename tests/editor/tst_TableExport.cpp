@@ -25,7 +25,7 @@ std::unique_ptr<QTableWidget> pets() {
 }
 
 /// The entry of the menu that a right click opens, clicked.
-void choose(QAbstractItemView& view, const QString& entry) {
+void chooseEntry(QAbstractItemView& view, const QString& entry) {
   const QPoint at = view.visualRect(view.model()->index(0, 0)).center();
   QContextMenuEvent event(QContextMenuEvent::Mouse, at, view.viewport()->mapToGlobal(at));
   QCoreApplication::sendEvent(view.viewport(), &event);
@@ -89,7 +89,7 @@ class TableExportTest : public QObject {
     table->show();
     QVERIFY(QTest::qWaitForWindowActive(table.get()));
     QGuiApplication::clipboard()->clear();
-    choose(*table, QStringLiteral("Copy table"));
+    chooseEntry(*table, QStringLiteral("Copy table"));
     QCOMPARE(QGuiApplication::clipboard()->text(),
              QStringLiteral("Name\tWeight [kg]\tSays\nTom & Co\t4.20\tme|ow, \"purr\"\n"
                             "Rex_2\t31.5\t–\n"));
@@ -134,7 +134,7 @@ class TableExportTest : public QObject {
       QTest::keyClick(dialog, Qt::Key_Return);
     });
     answer.start(50);
-    choose(*table, QStringLiteral("Save table…"));
+    chooseEntry(*table, QStringLiteral("Save table…"));
     QCOMPARE(proposed, QStringLiteral("pets-of-mine.") + ending);
     QFile file(folder.filePath(proposed));
     QVERIFY(file.open(QIODevice::ReadOnly));
