@@ -96,7 +96,10 @@ class GoalAssignmentTest : public QObject {
     open();
     QCOMPARE(dialog_->people().selectedItems().size(), 1);
     QCOMPARE(dialog_->people().currentItem()->text(), QStringLiteral("Farid"));
-    QCOMPARE(text(dialog_->route().goals()), QStringLiteral("2"));
+    QCOMPARE(dialog_->goals().selectedGoals(), Route{2});
+    press(QStringLiteral("Add"));
+    press(QStringLiteral("Assign"));
+    QCOMPARE(text(human(4).goals), QStringLiteral("2"));
   }
 
   void goals_selectedForPeopleWithARoute_areOnlyChosen() {

@@ -374,17 +374,19 @@ void GoalAssignment::loadSelection() {
   }
 }
 
-/// Puts the goals selected on the map into the route of the chosen people, in the order of their
-/// selection, unless the people have goals already.
+/// Puts the goals selected on the map together with people into the route of these people, in the
+/// order of their selection, unless they have goals already.
 void GoalAssignment::addSelectedGoals() {
   std::vector<int> goals;
+  bool isWithPeople = false;
   for (const EntityId id : document_.selection()) {
+    isWithPeople = isWithPeople || id.kind == EntityKind::Human;
     if (const sim2d::GlobalGoal* goal = document_.goal(id)) {
       goals.push_back(goal->id);
     }
   }
   const std::optional<std::vector<int>> route = plan_.commonRoute(chosen());
-  if (!goals.empty() && route && route->empty()) {
+  if (isWithPeople && !goals.empty() && route && route->empty()) {
     plan_.setRoute(chosen(), goals);
   }
 }
