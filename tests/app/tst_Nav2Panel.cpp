@@ -13,12 +13,13 @@ using namespace outside;
 
 namespace {
 
-constexpr char kScenario[] =
-    "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n    map_file: none\n"
-    "    robots: [robot1, second]\n    robot1:\n      start: {x: 3.0, y: -3.0, h: 1.5}\n"
-    "      goal: {x: 3.0, y: 4.0}\n      planner: nav2\n      nav2_params: mine.yaml\n"
-    "    second:\n      start: {x: 0.0, y: -3.0, h: 1.5}\n      goal: {x: 0.0, y: 4.0}\n"
-    "      planner: dwa\n";
+/// The yard with two robots, the first of them driven by Nav2.
+QByteArray scenarioText() {
+  return QByteArray(kYardText).replace("robots: [robot1]", "robots: [robot1, second]") +
+         "      planner: nav2\n      nav2_params: mine.yaml\n"
+         "    second:\n      start: {x: 0.0, y: -3.0, h: 1.5}\n      goal: {x: 0.0, y: 4.0}\n"
+         "      planner: dwa\n";
+}
 
 }  // namespace
 
@@ -67,7 +68,7 @@ class Nav2PanelTest : public QObject, protected quiet::InFolder {
   void init() {
     begin();
     writeText(at("mine.yaml"), shipped());
-    writeText(at("scene.yaml"), kScenario);
+    writeText(at("scene.yaml"), scenarioText());
     QVERIFY(window_->open(at("scene.yaml")));
   }
   void cleanup() { end(); }
