@@ -53,10 +53,12 @@ class StudyClicksTest : public QObject, protected quiet::InFolder {
   std::map<const QWidget*, QRect> places() {
     std::map<const QWidget*, QRect> found;
     for (const QWidget* each : panel().findChildren<QWidget*>()) {
-      const bool isInTable = qobject_cast<const QHeaderView*>(each) != nullptr ||
-                             qobject_cast<const QHeaderView*>(each->parentWidget()) != nullptr ||
-                             qobject_cast<const QScrollBar*>(each) != nullptr ||
-                             each->inherits("QAbstractScrollArea");
+      const bool isInTable =
+          qobject_cast<const QHeaderView*>(each) != nullptr ||
+          qobject_cast<const QHeaderView*>(each->parentWidget()) != nullptr ||
+          qobject_cast<const QScrollBar*>(each) != nullptr ||
+          each->inherits("QAbstractScrollArea") ||
+          qobject_cast<const QAbstractItemView*>(each->parentWidget()) != nullptr;
       if (each->isVisible() && !isInTable) {
         found[each] = QRect(each->mapTo(&panel(), QPoint()), each->size());
       }
