@@ -79,6 +79,8 @@ QWidget* TreeEditor::makeHead() {
   sharing_->hide();
   assignButton_ = link(tr("Assign to…"), tr("Assign the same tree to other people"),
                        [this] { showAssignMenu(); });
+  newTree_ = link(tr("New tree"), tr("Start a new tree with an empty Sequence as its root"),
+                  [this] { startNewTree(); });
   turn_ = link(tr("Left to right"), tr("Place the root on the left or at the top"), [this] {
     const bool isDown = canvas_->graph().direction() == TreeDirection::Down;
     canvas_->setDirection(isDown ? TreeDirection::Right : TreeDirection::Down);
@@ -103,7 +105,7 @@ QWidget* TreeEditor::makeHead() {
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* row = configuredLayout(
       new QHBoxLayout(head), {12, 4, 12, 4}, 12,
-      {secondaryLabel(tr("Tree of"), head), people_, sharing_, assignButton_, hint_});
+      {secondaryLabel(tr("Tree of"), head), people_, sharing_, assignButton_, newTree_, hint_});
   row->setStretchFactor(hint_, 1);
   for (QToolButton* each : {positionSource_, folds_, turn_, fit}) {
     row->addWidget(each);

@@ -146,7 +146,7 @@ bool TreeEditor::showRefusedRun(const base::Diagnostics& problems) {
   base::Diagnostics errors;
   std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
                [](const auto& each) { return each.severity == base::Severity::Error; });
-  showProblems(errors, refusedRunText(errors) + QStringLiteral(". "));
+  showProblems(errors, refusedRunText(errors) + QStringLiteral(" · "));
   return first != problems.end();
 }
 

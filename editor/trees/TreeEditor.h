@@ -155,7 +155,7 @@ class TreeEditor : public QWidget {
   bool choosing_ = false;
   std::string pickedPort_;
   QComboBox* people_ = new ChoiceField(this);
-  QToolButton *sharing_, *turn_, *folds_, *assignButton_, *positionSource_;
+  QToolButton *sharing_, *turn_, *folds_, *assignButton_, *newTree_, *positionSource_;
   QLabel *hint_ = new QLabel(this), *problem_ = new QLabel(this),
          *empty_ = emptyState(tr("No people yet: press P and click on the map."), this);
   QTimer hintTimer_;

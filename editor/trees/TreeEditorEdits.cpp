@@ -330,6 +330,9 @@ void TreeEditor::applyFields(const bt::NodeSpec& edited) {
 }
 
 void TreeEditor::startNewTree() {
+  if (human() == nullptr) {
+    return;
+  }
   bt::TreeSpec tree;
   tree.id = "MainTree";
   tree.root = defaultNode("Sequence");

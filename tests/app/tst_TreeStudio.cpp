@@ -112,6 +112,7 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     window_->setTheme(editor::Theme::light());
     addByKeysAt(called("Choose"), "AlwaysSuccess");
     QVERIFY(!studio().problem().contains(text("Cannot run")));  // Fixed.
+    QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QTest::keyClick(window_.get(), Qt::Key_Space);
     QTRY_VERIFY(runner().state() != State::Editing);
     runner().reset();
