@@ -418,6 +418,9 @@ class ShapeToolsTest : public QObject, private CanvasTester {
 
   void personAndGoal_nearAWall_areNotPulledOntoIt() {
     start(small::scenario());
+    CanvasOptions options;
+    options.guides = false;  // the person would align with the goal
+    scene_.setOptions(options);
     use("Goal");
     click({5.80, 2.0});
     use("Select");
