@@ -354,8 +354,8 @@ QPainterPath areaGlyph(sim2d::AreaKind kind) {
     case sim2d::AreaKind::Exit:
       return runner();
     case sim2d::AreaKind::Speed:  // Two chevrons, as on a ramp.
-      addLine(path, {{-5.0, -5.0}, {0.0, 0.0}, {-5.0, 5.0}});
-      addLine(path, {{1.0, -5.0}, {6.0, 0.0}, {1.0, 5.0}});
+      addLine(path, {{-6.0, -5.0}, {-0.5, 0.0}, {-6.0, 5.0}});
+      addLine(path, {{0.5, -5.0}, {6.0, 0.0}, {0.5, 5.0}});
       break;
   }
   return path;

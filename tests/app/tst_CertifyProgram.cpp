@@ -7,30 +7,48 @@ using namespace outside;
 
 namespace {
 
-/// A person comes towards the robot in a hall of 12 x 4 m.
+/// A person comes towards the robot in a hall of 12 x 4 m, in which a crate stands in the way.
+constexpr const char* kMeeting = R"(hunav_loader:
+  ros__parameters:
+    yaml_base_name: meeting
+    simulator: Gazebo Classic
+    map: open
+    publish_people: true
+    global_goals:
+      1: {x: 1.0, y: 2.1}
+    agents: [anna]
+    anna:
+      id: 1
+      max_vel: 1.2
+      radius: 0.3
+      goal_radius: 0.3
+      cyclic_goals: false
+      init_pose: {x: 11.0, y: 2.1, h: 3.142}
+      goals: [1]
+hunavsim_desktop:
+  ros__parameters:
+    format: 1
+    card:
+      title: Meeting
+      metrics: [minimum_distance_to_people]
+      expect: [EXPECTATION]
+    map_file: none
+    stuck_after: 10.0
+    variation: {preset: light}
+    robots: [robot1]
+    robot1:
+      start: {x: 1.0, y: 2.0, h: 0.0}
+      goal: {x: GOAL, y: 2.0}
+    obstacles: [room, crate]
+    room:
+      kind: wall
+      xs: [0.0, 12.0, 12.0, 0.0, 0.0]
+      ys: [0.0, 0.0, 4.0, 4.0, 0.0]
+    crate: {kind: box, x: 5.0, y: 2.0, h: 0.0, length: 0.8, width: 0.8}
+)";
+
 QByteArray meeting(const QByteArray& expectation, const QByteArray& robotGoal = "10.5") {
-  return "hunav_loader:\n  ros__parameters:\n    yaml_base_name: meeting\n    simulator: Gazebo "
-         "Classic\n    map: open\n    publish_people: true\n    global_goals:\n      1:\n        "
-         "x: "
-         "1.000\n        y: 2.100\n    agents:\n      - anna\n    anna:\n      id: 1\n      "
-         "max_vel: "
-         "1.2\n      radius: 0.3\n      goal_radius: 0.3\n      cyclic_goals: false\n      "
-         "init_pose:\n        x: 11.000\n        y: 2.100\n        h: 3.142\n      goals:\n        "
-         "- "
-         "1\nhunavsim_desktop:\n  ros__parameters:\n    format: 1\n    card:\n      title: "
-         "Meeting\n      metrics:\n        - minimum_distance_to_people\n      expect:\n        "
-         "- " +
-         expectation +
-         "\n    map_file: none\n    stuck_after: 10.0\n    variation:\n      preset: light\n    "
-         "robots:\n      - robot1\n    robot1:\n      start:\n        x: 1.0\n        y: 2.0\n     "
-         " "
-         "  h: 0.0\n      goal:\n        x: " +
-         robotGoal +
-         "\n        y: 2.0\n    obstacles:\n      - room\n    room:\n      kind: wall\n      xs:\n "
-         " "
-         "      - 0.0\n        - 12.0\n        - 12.0\n        - 0.0\n        - 0.0\n      ys:\n   "
-         "  "
-         "   - 0.0\n        - 0.0\n        - 4.0\n        - 4.0\n        - 0.0\n";
+  return QByteArray(kMeeting).replace("EXPECTATION", expectation).replace("GOAL", robotGoal);
 }
 
 QJsonObject certificateIn(const QTemporaryDir& folder) {
