@@ -71,6 +71,7 @@ def pedestrian_overtaking(level):
               "The robot moves less than 0.3 m to the side and does not stop")
     y = corridor(s, 30, (5.0, 4.0, 3.0)[level])
     s.robot((5.0, y, 0.0), (28.0, y))
+    s.circle("bin", 17.0, y, 0.25)
     for k in range((1, 2, 3)[level]):
         offset = (0.0, 0.6, -0.6)[k]
         s.person(f"hurry_{k + 1}", (1.2 + 0.8 * k, y + offset, 0.0), [(28.8, y + offset)],
@@ -102,6 +103,7 @@ def down_path(level):
     width = (6.0, 4.4, 3.4)[level]
     corridor(s, 26, width)
     s.robot((2.0, 1.1, 0.0), (24.0, 1.1))
+    s.circle("bin", 14.0, 1.0, 0.25)
     for k in range((1, 2, 3)[level]):
         s.person(f"peer_{k + 1}", (3.5 + 1.6 * k, width - 1.1, 0.0), [(25.0, width - 1.1)], 1.1)
     s.expects.append("peer_1 reaches goal 1 before 45 s")
@@ -114,6 +116,7 @@ def intersection(level, key, title, letter, people, tree_of, outcome):
     arm = (5.0, 4.0, 3.2)[level]
     c = crossing(s, 20, arm)
     s.robot((2.0, c, 0.0), (18.0, c))
+    s.circle("bin", 5.0, c, 0.25)
     near = s.goal(c, c + arm / 2 + 0.6)
     far = s.goal(c, 1.5)
     tree = tree_of(near, far)
@@ -192,6 +195,7 @@ def narrow_doorway(level):
     s.wall("wall_south", (8, 0), (8, 4 - gap / 2))
     s.wall("wall_north", (8, 4 + gap / 2), (8, 8))
     s.robot((2.0, 4.0, 0.0), (14.0, 4.0))
+    s.circle("plant", 4.6, 4.0, 0.25)
     door, end = s.goal(9.2, 4.9), s.goal(1.6, 5.4)
     s.person("visitor_1", (14.0, 5.0, PI), [(1.6, 5.4)], 1.2,
              tree=sequence(go(door), select(once(do("YieldToRobot", distance="4.0", patience="4.0")),
@@ -232,6 +236,7 @@ def exiting_room(level):
               "The robot waits inside, beside the door")
     room_with_door(s, (2.0, 1.5, 1.2)[level])
     s.robot((13.5, 4.0, PI), (2.5, 4.0))
+    s.circle("plant", 5.4, 4.0, 0.25)
     for k in range((1, 2, 4)[level]):
         s.person(f"guest_{k + 1}", (3.0 + 0.9 * k, 3.0 + 0.6 * k, 0.0), [(14.0, 2.4 + 1.0 * k)], 0.9)
     s.expects.append("guest_1 arrives before 35 s")
@@ -251,6 +256,7 @@ def entering_elevator(level):
               "Enter the lift", "Get out of the lift", "People get out first, then the robot enters")
     lift(s, (1.8, 1.5, 1.2)[level])
     s.robot((8.0, 2.0, 1.571), (8.0, 9.6))
+    s.circle("plant", 8.0, 4.4, 0.25)
     for k in range((1, 2, 3)[level]):
         x, y = ((7.4, 9.2), (8.5, 9.8), (8.6, 8.9))[k]
         s.person(f"rider_{k + 1}", (x, y, -1.571), [(3.0 + 5.0 * k, 2.0)], 0.8,
@@ -266,6 +272,7 @@ def exiting_elevator(level):
               "The door is not blocked for more than 5 s")
     lift(s, (1.8, 1.5, 1.2)[level])
     s.robot((8.0, 9.6, -1.571), (8.0, 2.0))
+    s.circle("plant", 8.0, 4.2, 0.25)
     for k in range((1, 2, 3)[level]):
         inside = s.goal(7.3 + 0.7 * k, 9.8)
         x = (6.4, 9.6, 8.2)[k]
@@ -300,6 +307,7 @@ def join_group(level):
     group_talk(s, (2, 3, 4)[level], 9.0, 6.0)
     s.person("joiner", (3.0, 9.0, 0.0), [(8.0, 7.8)], 1.0)
     s.robot((2.0, 4.0, 0.0), (7.0, 5.2))
+    s.circle("plant", 4.4, 4.6, 0.25)
     s.expects += ["member_1 starts ConversationFormation before 15 s", "joiner arrives before 20 s"]
     return s
 
@@ -316,6 +324,7 @@ def leave_group(level):
     s.person("leaver", (7.0, 6.2, 1.0), [(4.0, 1.5)], (1.0, 1.2, 1.4)[level],
              tree=sequence(once(stand((3.0, 2.5, 2.0)[level])), once(say("See you")), go(away)))
     s.robot((1.5, 5.0, 0.0), (12.5, 5.0))
+    s.circle("plant", 10.6, 5.0, 0.25)
     s.expects += ['leaver says "See you" before 15 s', "leaver comes within 1 m of goal 2 before 30 s"]
     return s
 
@@ -343,6 +352,7 @@ def leading_human(level):
               "The robot is never more than 4 m ahead", TIME)
     y = corridor(s, 26, (6.0, 4.0, 3.0)[level])
     s.robot((3.5, y, 0.0), (24.0, y))
+    s.circle("bin", 14.0, y, 0.25)
     s.person("follower", (1.8, y, 0.0), [(24.5, y)], (1.2, 1.0, 0.9)[level],
              tree=select(node("Sequence", do("IsRobotVisible", distance="6.0"),
                               step("ApproachRobot", closest_dist="1.5", duration="2.0",
@@ -362,6 +372,7 @@ def accompanying_peer(level):
               "0.7 to 1.2 m beside the person in 80 % of the time", SPACE)
     y = corridor(s, 26, (6.0, 4.0, 3.2)[level])
     s.robot((2.0, y - 0.5, 0.0), (23.0, y - 0.5))
+    s.circle("bin", 14.0, y - 0.5, 0.25)
     s.person("peer", (2.0, y + 0.5, 0.0), [(23.5, y + 0.5)], (1.0, 0.95, 0.9)[level])
     if level:
         s.person("oncoming", (24.5, y - 0.4, PI), [(1.5, y - 0.4)], (1.0, 1.1, 1.3)[level])
@@ -392,6 +403,7 @@ def crowd_navigation(level):
     s.room(20, 14)
     crowd(s, (6, 11, 17)[level], 4.0, 1.5, 16.0, 12.5)
     s.robot((1.2, 7.0, 0.0), (18.8, 7.0))
+    s.circle("column", 10.0, 7.0, 0.3)
     s.expects.append("person_1 reaches goal 1 before 30 s")
     return s
 
@@ -418,6 +430,7 @@ def parallel_traffic(level):
     stream(s, "along", (1.2, 1.1), (22.6, 1.1), (0.25, 0.4, 0.6)[level], 20)
     stream(s, "against", (22.8, width - 1.1), (1.4, width - 1.1), (0.25, 0.4, 0.6)[level], 20)
     s.robot((1.5, width / 2, 0.0), (22.5, width / 2))
+    s.circle("bin", 12.0, width / 2, 0.25)
     s.expects.append("4 people arrive before 60 s")
     return s
 
@@ -431,6 +444,7 @@ def perpendicular_traffic(level):
     stream(s, "stream", (c, 16.6), (c, 1.4), (0.3, 0.5, 0.7)[level], 25, 1.2,
            round(arm / 2 - 0.7, 2), "y")
     s.robot((1.8, c, 0.0), (16.2, c))
+    s.circle("bin", 4.2, c, 0.25)
     s.expects.append("3 people arrive before 50 s")
     return s
 
@@ -448,6 +462,7 @@ def circular_crossing(level):
         s.person(f"walker_{k + 1}", (round(x, 2), round(y, 2), round(math.atan2(8 - y, 8 - x), 3)),
                  [(round(16 - x, 2), round(16 - y, 2))], 1.0)
     s.robot((8 - radius, 8.0, 0.0), (8 + radius, 8.0))
+    s.circle("column", 8.0, 8.0, 0.4)
     s.expects.append(f"{count} people arrive before 60 s")
     return s
 
