@@ -105,13 +105,13 @@ base::Result<Design> readDesign(const base::YamlNode& node) {
     }
   }
   const base::YamlNode* const seed = node.find("seed");
+  const std::vector<std::string> methods(std::begin(Design::kMethodNames),
+                                         std::end(Design::kMethodNames));
   if (!readMethod(*method, design)) {
     problems.push_back(located(
-        *method,
-        base::error("experiment.unknown-name",
-                    {"design method", method->text,
-                     base::join({std::begin(Design::kMethodNames), std::end(Design::kMethodNames)},
-                                ", ")})));
+        *method, base::error("experiment.unknown-name", {"design method", method->text,
+                                                         base::nearestName(method->text, methods),
+                                                         base::join(methods, ", ")})));
   }
   if (!readCount(*points, design)) {
     problems.push_back(

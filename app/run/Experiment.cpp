@@ -175,7 +175,9 @@ class Reader {
     if (node->text.empty()) {
       error(*node, "experiment.no-word", {option.key()});
     } else if (std::find(known.begin(), known.end(), node->text) == known.end()) {
-      error(*node, "experiment.unknown-name", {option.key(), node->text, base::join(known, ", ")});
+      error(*node, "experiment.unknown-name",
+            {option.key(), node->text, base::nearestName(node->text, known),
+             base::join(known, ", ")});
     } else if (const auto* const name =
                    std::get_if<std::optional<std::string> RunSpec::*>(&option.member)) {
       experiment_.common.** name = node->text;

@@ -142,7 +142,8 @@ base::Result<int> robotIdOf(const sim2d::TraceHeader& header, const std::string&
     names.push_back(robot.name);
   }
   const std::string known = names.empty() ? "none" : base::join(names, ", ");
-  return base::error("option.unknown-name", {"--robot", word, known});
+  return base::error("option.unknown-name",
+                     {"--robot", word, base::nearestName(word, names), known});
 }
 
 base::Diagnostics applyMetricsOptions(const MetricsOptions& options, MetricsSetup& setup,

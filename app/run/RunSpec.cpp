@@ -90,8 +90,9 @@ base::Diagnostics wrongNames(const RunSpec& spec) {
     const auto* const name = std::get_if<std::string>(&value);
     if (name != nullptr && !known.empty() &&
         std::find(known.begin(), known.end(), *name) == known.end()) {
-      wrong.push_back(base::error("option.unknown-name", {std::string("--") + option.name, *name,
-                                                          base::join(known, ", ")}));
+      wrong.push_back(base::error("option.unknown-name",
+                                  {std::string("--") + option.name, *name,
+                                   base::nearestName(*name, known), base::join(known, ", ")}));
     }
   }
   return wrong;

@@ -203,12 +203,12 @@ base::Diagnostics showTreeOf(MainWindow& window, const std::string& person) {
       return {};
     }
   }
-  QStringList names;
+  std::vector<std::string> names;
   for (const sim2d::Human& human : document.scenario().humans) {
-    names.push_back(QString::fromStdString(human.name));
+    names.push_back(human.name);
   }
-  return {base::error("option.unknown-name",
-                      {"--tree", person, names.join(QStringLiteral(", ")).toStdString()})};
+  return {base::error("option.unknown-name", {"--tree", person, base::nearestName(person, names),
+                                              base::join(names, ", ")})};
 }
 
 base::Diagnostics save(const QPixmap& picture, const std::string& file) {

@@ -119,8 +119,9 @@ std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
   base::Diagnostics wrong;
   for (const std::string& model : options.models) {
     if (std::find(known.begin(), known.end(), model) == known.end()) {
-      wrong.push_back(
-          base::error("option.unknown-name", {"--model", model, base::join(known, ", ")}));
+      wrong.push_back(base::error(
+          "option.unknown-name",
+          {"--model", model, base::nearestName(model, known), base::join(known, ", ")}));
     }
   }
   std::vector<std::string> names;
@@ -133,8 +134,9 @@ std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
   for (const std::string& name : options.names.empty() ? names : options.names) {
     const auto found = byName.find(name);
     if (found == byName.end()) {
-      wrong.push_back(
-          base::error("option.unknown-name", {"realism tests", name, base::join(names, ", ")}));
+      wrong.push_back(base::error(
+          "option.unknown-name",
+          {"realism tests", name, base::nearestName(name, names), base::join(names, ", ")}));
     } else {
       tests.push_back(found->second);
     }
