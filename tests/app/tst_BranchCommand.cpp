@@ -41,6 +41,11 @@ QMenu& openMenu() {
   return *qobject_cast<QMenu*>(QApplication::activePopupWidget());
 }
 
+void activate(BranchDialog& dialog) {
+  dialog.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&dialog));
+}
+
 void clickOk(const BranchDialog& dialog) {
   QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
                     Qt::LeftButton);
@@ -246,6 +251,7 @@ class BranchCommandTest : public QObject {
         runner().recording()->header()->human(runner().shownFrame()->humans.id.front())->name);
     app::RunSpec changes;
     quiet::answerDialog<BranchDialog>([&](BranchDialog& dialog) {
+      activate(dialog);
       auto& people = quiet::part<QComboBox>(dialog, "Move a person");
       people.setFocus();
       QTest::keyClick(&people, Qt::Key_Down);

@@ -92,6 +92,8 @@ class RunExportTest : public QObject, protected InFolder {
   void saveAs(QAction& command, const QString& file, const std::function<void(Dialog&)>& change) {
     quiet::answerDialog<Dialog>([this, file, change](Dialog& dialog) {
       QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), kLongMs);
+      dialog.activateWindow();
+      QVERIFY(QTest::qWaitForWindowActive(&dialog));
       change(dialog);
       answerFile(file);
       QTest::mouseClick(&button(dialog, "Save…"), Qt::LeftButton);
@@ -126,7 +128,7 @@ class RunExportTest : public QObject, protected InFolder {
         *window_->actions().savePicture, ours, [format](SavePictureDialog& dialog) {
           choose(quiet::part<QComboBox>(dialog, "Format"), format);
           typeInto(quiet::part<QAbstractSpinBox>(dialog, "Time"), text("2.5"));
-          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Time marks every"), text("1"));
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Time marks"), text("1"));
           QTest::mouseClick(widgets::withText<QCheckBox>(dialog, text("Velocities")),
                             Qt::LeftButton, {}, QPoint(8, 8));
         });
@@ -142,7 +144,7 @@ class RunExportTest : public QObject, protected InFolder {
     saveAs<SaveFilmDialog>(
         *window_->actions().saveFilm, path("ours.gif"), [](SaveFilmDialog& dialog) {
           choose(quiet::part<QComboBox>(dialog, "Size"), text("Small"));
-          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Frames per second"), text("10"));
+          typeInto(quiet::part<QAbstractSpinBox>(dialog, "Frame rate"), text("10"));
           typeInto(quiet::part<QAbstractSpinBox>(dialog, "Speed"), text("2"));
           QCOMPARE(dialog.timing().frameCount(), 21LL);  // 0, 0.2 … 4 s
         });
@@ -239,6 +241,7 @@ class RunExportTest : public QObject, protected InFolder {
   void preview_follows_eachField() {
     SavePictureDialog dialog(walk(4.0, 80), {}, editor::Theme::light());
     dialog.show();
+    QVERIFY(QTest::qWaitForWindowActive(&dialog));
     const auto settled = [&dialog] {
       [&] { QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().isBusy(), kLongMs); }();
       return dialog.preview().image();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kOptionsWidth = 316;
 constexpr int kPollMs = 40;
+constexpr int kLeastField = 64;  // [px]
 constexpr double kLeastFigureHeight =
     300.0;                          // [px] of the figure; smaller ones have no room for the map
 constexpr double kAutomatic = 0.0;  // height that the map requires
@@ -187,6 +188,17 @@ QLayout* RunExportDialog::makeForm(const std::vector<Format>& formats) {
   connect(colours_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &RunExportDialog::updatePreview);
   form->addRow(tr("Theme"), colours_);
+  timeMarks_ =
+      addNumber(*form, tr("Time marks"), {0.0, 600.0, 1, 1.0}, tr("s"), source_.options.timeMarks);
+  timeMarks_->setToolTip(tr("Interval of dots with the time on each trajectory; 0: none"));
+  timeMarks_->setEnabled(source_.isRun);
+  for (QWidget* field : side_->findChildren<QWidget*>()) {
+    if (qobject_cast<QComboBox*>(field) != nullptr ||
+        qobject_cast<QAbstractSpinBox*>(field) != nullptr) {
+      field->setMinimumWidth(kLeastField);  // Long texts do not widen the column.
+      field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+  }
   rows->addLayout(form);
   rows->addWidget(makeOverlays());
   rows->addStretch(1);
@@ -234,7 +246,9 @@ QWidget* RunExportDialog::makeOverlays() {
   add(names_, source_.options.names, tr("Names below the bodies"));
   for (const OverlayLabel& label : kOverlayLabels) {
     const bool isForces = label.overlay == FigureOverlay::Forces;
-    const bool isThere = isForces ? source_.hasForces : source_.isRun;
+    const bool isOfRun =
+        label.overlay == FigureOverlay::Velocities || label.overlay == FigureOverlay::Contacts;
+    const bool isThere = isForces ? source_.hasForces : source_.isRun || !isOfRun;
     auto* check = new QCheckBox(tr(label.text), box);
     add(check, isThere && source_.options.overlays.count(label.overlay) > 0,
         isForces && !isThere ? tr("Forces are not recorded: only a run of this window has them")
@@ -243,13 +257,6 @@ QWidget* RunExportDialog::makeOverlays() {
     overlays_.emplace_back(check, label.overlay);
   }
   rows->addLayout(grid);
-  QFormLayout* form = formRows();
-  timeMarks_ = addNumber(*form, tr("Time marks every"), {0.0, 600.0, 1, 1.0}, tr("s"),
-                         source_.options.timeMarks);
-  timeMarks_->setToolTip(tr("Dots with the time on each trajectory; 0: none"));
-  timeMarks_->setEnabled(source_.isRun);
-  rows->addSpacing(4);
-  rows->addLayout(form);
   return box;
 }
 
@@ -442,6 +449,24 @@ void RunExportDialog::finishWriting(const Outcome& outcome) {
   } else {
     savedFile_ = outcome.path;
     accept();
+  }
+}
+
+/// The tab order is that of the form, from top to bottom.
+void RunExportDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  QList<QWidget*> fields;
+  for (QWidget* field : side_->findChildren<QWidget*>()) {
+    if ((field->focusPolicy() & Qt::TabFocus) != 0 && field->focusProxy() == nullptr) {
+      fields << field;
+    }
+  }
+  const auto place = [this](const QWidget* field) { return field->mapTo(side_, QPoint()); };
+  std::stable_sort(fields.begin(), fields.end(), [&](const QWidget* a, const QWidget* b) {
+    return std::pair(place(a).y(), place(a).x()) < std::pair(place(b).y(), place(b).x());
+  });
+  for (int k = 1; k < fields.size(); ++k) {
+    setTabOrder(fields[k - 1], fields[k]);
   }
 }
 

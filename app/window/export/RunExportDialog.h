@@ -99,6 +99,7 @@ class RunExportDialog : public QDialog {
 
   RunExportDialog(ExportSource source, AskExportFile askFile, const editor::Theme& theme,
                   QWidget* parent);
+  void showEvent(QShowEvent* event) override;
   /// Creates the widgets, then reads the run.
   void build(const QString& title, const std::vector<Format>& formats);
   virtual void addTimeRows(QFormLayout& form) = 0;

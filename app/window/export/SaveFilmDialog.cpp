@@ -51,7 +51,7 @@ void SaveFilmDialog::addTimeRows(QFormLayout& form) {
   }
   links->addStretch(1);
   form.addRow(QString(), links);
-  rate_ = addNumber(form, tr("Frames per second"), {1.0, 60.0, 0, 1.0}, {},
+  rate_ = addNumber(form, tr("Frame rate"), {1.0, 60.0, 0, 1.0}, tr("fps"),
                     FilmTiming().framesPerSecond);
   speed_ =
       addNumber(form, tr("Speed"), {0.05, 100.0, 2, 0.5}, QStringLiteral("×"), FilmTiming().speed);

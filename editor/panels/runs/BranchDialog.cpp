@@ -1,6 +1,7 @@
 #include "editor/panels/runs/BranchDialog.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -19,7 +20,15 @@ constexpr double kFastestRobot = 10.0;      // [m/s]
 constexpr double kFarthestPlace = 10000.0;  // [m]
 constexpr double kDegrees = 180.0 / base::kPi;
 constexpr int kWidth = 480;
-constexpr int kLabelWidth = 88;
+constexpr int kLabelWidth = 60;
+constexpr int kBesideFigure = 18;  // [px]
+
+/// In cm and whole degrees, as the fields show them.
+base::Pose2 roundedPose(const base::Pose2& pose) {
+  const auto rounded = [](double value, double unit) { return std::round(value / unit) * unit; };
+  return {{rounded(pose.position.x(), 0.01), rounded(pose.position.y(), 0.01)},
+          rounded(pose.heading * kDegrees, 1.0) / kDegrees};
+}
 
 }  // namespace
 
@@ -134,7 +143,7 @@ void BranchDialog::addPeople(FormSection& section) {
   connect(people_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
     const std::string person = people_->itemData(index).toString().toStdString();
     if (const auto* known = base::findBy(state_.people, &BranchState::PersonState::name, person)) {
-      addMove(person, known->pose);
+      addMove(person, roundedPose(known->pose));
       moves_.back().x->setFocus();
       moves_.back().x->selectAll();
     }
@@ -304,6 +313,16 @@ void BranchCommand::branchHere(const app::RunSpec& proposal) {
   }
 }
 
+/// Kept, because the dialog opens while the menu handles an event.
+QMenu& BranchCommand::emptyMenu() {
+  if (menu_ == nullptr) {
+    menu_ = new QMenu(&view_);
+    menu_->setToolTipsVisible(true);
+  }
+  menu_->clear();
+  return *menu_;
+}
+
 void BranchCommand::offerMove(int person, const base::Pose2& pose) {
   const sim2d::TraceHuman* human =
       runner_.recording() != nullptr ? runner_.recording()->header()->human(person) : nullptr;
@@ -312,17 +331,16 @@ void BranchCommand::offerMove(int person, const base::Pose2& pose) {
     return;
   }
   app::RunSpec proposal;
-  proposal.moves = {moveText(human->name, pose)};
-  auto* menu = new QMenu(&view_);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->setToolTipsVisible(true);
-  QAction* branch = menu->addAction(tr("Branch with this change…"), this,
-                                    [this, proposal] { branchHere(proposal); });
+  proposal.moves = {moveText(human->name, roundedPose(pose))};
+  QMenu& menu = emptyMenu();
+  QAction* branch = menu.addAction(tr("Branch with this change…"), this,
+                                   [this, proposal] { branchHere(proposal); });
   describe(*branch, tr("Continue the run with %1 here").arg(QString::fromStdString(human->name)));
-  menu->addAction(tr("Cancel"));
-  connect(menu, &QMenu::aboutToHide, &scene_, &MapScene::clearPlacement);
-  menu->setActiveAction(branch);
-  menu->popup(view_.viewport()->mapToGlobal(view_.viewportFrom(pose.position)));
+  menu.addAction(tr("Cancel"));
+  connect(&menu, &QMenu::aboutToHide, &scene_, &MapScene::clearPlacement, Qt::UniqueConnection);
+  menu.setActiveAction(branch);
+  const QPoint beside(kBesideFigure, kBesideFigure);
+  menu.popup(view_.viewport()->mapToGlobal(view_.viewportFrom(pose.position) + beside));
 }
 
 void BranchCommand::offerIn(double time, QMenu* menu) {
@@ -334,11 +352,9 @@ void BranchCommand::offerIn(double time, QMenu* menu) {
 }
 
 void BranchCommand::offerAt(double time, const QPoint& globalPos) {
-  auto* menu = new QMenu(&view_);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->setToolTipsVisible(true);
-  offerIn(time, menu);
-  menu->popup(globalPos);
+  QMenu& menu = emptyMenu();
+  offerIn(time, &menu);
+  menu.popup(globalPos);
 }
 
 }  // namespace editor

@@ -104,11 +104,13 @@ class BranchCommand : public QObject {
 
  private:
   void follow();
+  QMenu& emptyMenu();
 
   SimulationRunner& runner_;
   MapView& view_;
   MapScene& scene_;  // Outlives the view.
   QAction& action_;
+  QPointer<QMenu> menu_;
   QString why_;  // Reason for which the command is disabled.
 };
 

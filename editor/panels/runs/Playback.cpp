@@ -360,11 +360,12 @@ void TimelineBar::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() == QContextMenuEvent::Mouse && event->x() >= kLeft) {
     seekTo(event->x());
   }
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->setToolTipsVisible(true);
-  menu->addActions(menuActions_);
-  menu->popup(event->globalPos());
+  if (menu_ == nullptr) {  // Kept, because a command may open a dialog.
+    menu_ = new QMenu(this);
+    menu_->setToolTipsVisible(true);
+    menu_->addActions(menuActions_);
+  }
+  menu_->popup(event->globalPos());
 }
 
 void TimelineBar::mouseMoveEvent(QMouseEvent* event) {

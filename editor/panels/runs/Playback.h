@@ -81,6 +81,7 @@ class TimelineBar : public QWidget {
   LoopMarks loop_;
   std::vector<TimelineRun> compared_;
   QList<QAction*> menuActions_;
+  QMenu* menu_ = nullptr;
 };
 
 }  // namespace editor
