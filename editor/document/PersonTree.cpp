@@ -153,7 +153,8 @@ QString treeProblemText(const base::Diagnostic& problem, bool isAtNode) {
     contexts.push_back(value);
     length += value.size() + 2;  // ": "
   }
-  const std::string message = problem.message.substr(std::min(length, problem.message.size()));
+  std::string message = problem.message;
+  message.erase(0, length);  // Contexts precede the text of the problem.
   if (contexts.empty()) {
     return QString::fromStdString(message);
   }
