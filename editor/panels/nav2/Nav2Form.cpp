@@ -99,6 +99,7 @@ Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   tabs_->setAccessibleName(tr("Servers"));
   tabs_->setExpanding(false);
   tabs_->setDrawBase(false);
+  tabs_->setElideMode(Qt::ElideNone);
   tabs_->setUsesScrollButtons(true);
   search_->setFixedWidth(kNav2SearchWidth);
   nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);

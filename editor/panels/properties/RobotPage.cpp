@@ -270,9 +270,9 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
 /// For one robot with Nav2: opens the panel with its parameters.
 void RobotPage::addNav2Section() {
   FormSection* section = addSection(tr("Nav2 parameters"));
-  QToolButton* open = linkButton(tr("Show and change parameters…"),
-                                 tr("Open the panel with all parameters of the robot"), this,
-                                 [this] { Q_EMIT panelRequested(QStringLiteral("nav2")); });
+  QToolButton* open =
+      linkButton(tr("Open Nav2 panel"), tr("Open the panel with all parameters of the robot"), this,
+                 [this] { Q_EMIT panelRequested(QStringLiteral("nav2")); });
   open->setObjectName(QStringLiteral("nav2_open"));
   section->addRow({}, open);
   QToolButton* body = section->addLink(
