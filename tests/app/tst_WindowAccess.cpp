@@ -198,20 +198,23 @@ class WindowAccessTest : public QObject, protected quiet::InFolder {
     }
     form.show();
     QVERIFY(QTest::qWaitForWindowActive(&form));
-    for (QWidget* control : controls) {
-      QWidget* other = control == controls.front() ? controls.back() : controls.front();
-      other->setFocus(Qt::TabFocusReason);
-      const QImage before = form.grab(control->geometry().adjusted(-3, -3, 3, 3)).toImage();
-      control->setFocus(Qt::TabFocusReason);
-      const QImage after = form.grab(control->geometry().adjusted(-3, -3, 3, 3)).toImage();
-      int accent = 0;
-      for (int i = 0; i < after.width() * after.height(); ++i) {
-        const QPoint at(i % after.width(), i / after.width());
-        const QColor now = after.pixelColor(at);
-        const bool isNew = now != before.pixelColor(at);
-        accent += isNew && editor::contrastRatio(now, theme.color(editor::Role::Window)) >= 3.0;
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      QWidget* const control = controls[i];
+      QWidget* const before = controls[(i + controls.size() - 1) % controls.size()];
+      const QRect place = control->geometry().adjusted(-3, -3, 3, 3);
+      before->setFocus();
+      const QImage without = form.grab(place).toImage();
+      QTest::keyClick(before, Qt::Key_Tab);  // the ring is shown while the keyboard is used
+      QVERIFY2(control->hasFocus(), control->metaObject()->className());
+      const QImage with = form.grab(place).toImage();
+      int visible = 0;
+      for (int k = 0; k < with.width() * with.height(); ++k) {
+        const QPoint at(k % with.width(), k / with.width());
+        const QColor now = with.pixelColor(at);
+        const bool isNew = now != without.pixelColor(at);
+        visible += isNew && editor::contrastRatio(now, theme.color(editor::Role::Window)) >= 3.0;
       }
-      QVERIFY2(accent >= 20, control->metaObject()->className());
+      QVERIFY2(visible >= 20, control->metaObject()->className());
     }
     editor::applyTheme(editor::Theme::light());
   }

@@ -70,7 +70,10 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
     begin();
     QVERIFY(window_->open(quiet::demoPath()));
   }
-  void cleanup() { end(); }
+  void cleanup() {
+    palette().hide();
+    end();
+  }
 
   void score_lettersInOrder_bestForBeginnings_data() {
     QTest::addColumn<QString>("query");
@@ -236,6 +239,11 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
     const auto dock = [this](const char* name) {
       return window_->docks().dock(QString::fromLatin1(name))->widget();
     };
+    window_->docks().dock(QStringLiteral("properties"))->raise();
+    QCoreApplication::processEvents();
+    auto* personName = widgets::findIf<QLineEdit>(*dock("properties"), [](const QLineEdit* each) {
+      return each->isVisible() && each->accessibleName() == QLatin1String("Name");
+    });
     std::vector<Case> cases = {
         {"map", &window_->workspace().view(), "window"},
         {"scenario list", window_->docks().panel<editor::ScenarioPanel>().findChild<QTreeView*>(),
@@ -248,15 +256,15 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
          "behaviour-tree"},
         {"issues", &window_->docks().panel<editor::IssuesPanel>(), "troubleshooting"},
         {"metrics", &window_->docks().panel<editor::MetricsDock>().table(), "metrics"},
-        {"metric choice", window_->findChild<editor::MetricsChoice*>(), "metrics"},
+        {"metric search", window_->docks().panel<editor::MetricsDock>().findChild<QLineEdit*>(),
+         "metrics"},
         {"events", dock("events"), "recordings"},
         {"runs", dock("runs"), "recordings"},
         {"futures", dock("futures"), "recordings"},
         {"study", &window_->docks().panel<app::StudyPanel>(), "compare-planners"},
         {"tree", window_->findChild<editor::TreeEditor*>(), "behaviour-tree"},
         {"timeline", window_->findChild<editor::TimelineBar*>(), "recordings"},
-        {"person", widgets::named<QWidget>(*dock("properties"), QStringLiteral("Name")),
-         "people-and-groups"},
+        {"person", personName, "people-and-groups"},
         {"start page", &window_->startPage(), "first-scenario"},
         {"menu bar", window_->menuBar(), "window"}};
     for (const Case& each : cases) {
@@ -354,7 +362,8 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
     QCOMPARE(viewer.page(), QStringLiteral("index"));
     QVERIFY(viewer.text().verticalScrollBar()->value() > 0);
     QCOMPARE(viewer.pages().currentItem()->data(Qt::UserRole).toString(), QStringLiteral("index"));
-    QTest::keyClick(&viewer, Qt::Key_Left, Qt::AltModifier);
+    QVERIFY(QTest::qWaitForWindowActive(&viewer));
+    QTest::keyClick(viewer.windowHandle(), Qt::Key_Left, Qt::AltModifier);
     QCOMPARE(viewer.page(), QStringLiteral("metrics"));
     QTest::keyClicks(&viewer.search(), QStringLiteral("title of index"));
     int shown = 0;

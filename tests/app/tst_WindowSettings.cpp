@@ -199,7 +199,7 @@ class WindowSettingsTest : public QObject, protected quiet::InFolder {
     preferences.setHistoryMegabytes(64);
     preferences.setFolder(folder_->path());
     window_->keyMap().assign(*window_->actions().grid, QKeySequence(Qt::Key_F6));
-    press(dialog(), "&Restore defaults");
+    press(dialog(), "R&estore defaults");
     QVERIFY(preferences.isAnimated());
     QVERIFY(preferences.isAutosaved());
     QCOMPARE(preferences.autosaveSeconds(), 3);

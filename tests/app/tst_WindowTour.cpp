@@ -107,6 +107,7 @@ class WindowTourTest : public QObject, protected quiet::InFolder {
 
   void startPage_shownAgain_endsTheTour() {
     start();
+    answerBox(QMessageBox::Discard);  // the new room is not saved
     window_->actions().close->trigger();
     QVERIFY(window_->isOnStartPage());
     QVERIFY(!tour().isActive());

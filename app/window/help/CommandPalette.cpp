@@ -81,8 +81,8 @@ bool containsWords(const Command& command, const QString& typed) {
 
 /// Letters may be scattered in the name only; in the menus they would match nearly everything.
 std::optional<int> pointsOf(const Command& command, const QString& typed) {
-  constexpr int kKey = 1000;
-  constexpr int kName = 15;  // a match in the name is better than one with its menus
+  constexpr int kKey = 1000000;
+  constexpr int kName = 1000;  // a match in the name is better than one with its menus
   const QString keys = commandKeys(*command.action);
   if (!keys.isEmpty() && keys.compare(typed.trimmed(), Qt::CaseInsensitive) == 0) {
     return kKey;

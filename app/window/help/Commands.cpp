@@ -1,5 +1,7 @@
 #include "app/window/help/Commands.h"
 
+#include <algorithm>
+
 #include "app/window/WindowActions.h"
 
 namespace app {
@@ -37,10 +39,12 @@ void addMenu(QMenu& menu, const QString& path, bool refresh, std::vector<Command
 }
 
 constexpr int kWordStart = 8;  // points for a letter that begins a word
-constexpr int kAdjacent = 5;   // for a letter directly after the one before
+constexpr int kAdjacent = 8;   // for a letter directly after the one before
 constexpr int kLetter = 1;
-constexpr int kWhole = 40;   // for a text that begins with the query
-constexpr int kInside = 20;  // for a text that contains the query
+constexpr int kWhole = 40;    // for a text that begins with the query
+constexpr int kInside = 20;   // for a text that contains the query
+constexpr int kPoint = 100;   // of the result
+constexpr int kLongest = 80;  // letters; between equal matches, the shorter text is better
 
 bool beginsWord(const QString& text, int at) {
   return at == 0 || !text.at(at - 1).isLetterOrNumber();
@@ -97,7 +101,8 @@ std::optional<int> fuzzyScore(const QString& query, const QString& text) {
   if (points < 0) {
     return std::nullopt;
   }
-  return points + (whole.startsWith(typed) ? kWhole : whole.contains(typed) ? kInside : 0);
+  const int bonus = whole.startsWith(typed) ? kWhole : whole.contains(typed) ? kInside : 0;
+  return kPoint * (points + bonus) + kLongest - std::min(kLongest, static_cast<int>(whole.size()));
 }
 
 }  // namespace app

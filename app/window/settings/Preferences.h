@@ -25,7 +25,9 @@ class Preferences : public QObject {
   bool isAnimated() const;
   void setAnimated(bool on);
   QString folder() const { return userSettings_.value(kFolderKey).toString(); }
-  void setFolder(const QString& folder) { userSettings_.setValue(kFolderKey, folder); }
+  void setFolder(const QString& folder) {
+    userSettings_.setValue(kFolderKey, folder.isEmpty() ? folder : QDir::cleanPath(folder));
+  }
   bool isAutosaved() const;
   int autosaveSeconds() const;  // the longest time between a change and its copy
   void setAutosave(bool on, int seconds);

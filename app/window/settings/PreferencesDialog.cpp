@@ -135,7 +135,7 @@ QWidget* PreferencesDialog::makeFiles() {
 
 void PreferencesDialog::addButtons(QVBoxLayout& rows) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  QPushButton* reset = buttons->addButton(tr("&Restore defaults"), QDialogButtonBox::ResetRole);
+  QPushButton* reset = buttons->addButton(tr("R&estore defaults"), QDialogButtonBox::ResetRole);
   reset->setAutoDefault(false);
   reset->setToolTip(tr("Restore the defaults of all pages"));
   buttons->button(QDialogButtonBox::Close)->setDefault(true);
