@@ -1,6 +1,7 @@
 #include "editor/look/TableExport.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "app/report/Markup.h"
 #include "editor/look/DeferredActions.h"

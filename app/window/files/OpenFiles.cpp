@@ -1,5 +1,8 @@
 #include "app/window/files/OpenFiles.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace app {
 
 namespace {

@@ -1,5 +1,7 @@
 #include "app/window/help/CommandPalette.h"
 
+#include <algorithm>
+
 #include "editor/look/DeferredActions.h"
 #include "editor/panels/RowDelegate.h"
 

@@ -1,5 +1,7 @@
 #include "app/window/help/ManualViewer.h"
 
+#include <algorithm>
+
 #include "editor/look/DeferredActions.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/RowDelegate.h"

@@ -1,5 +1,7 @@
 #include "app/window/start/ScenarioInfo.h"
 
+#include <algorithm>
+
 #include "editor/look/Form.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
