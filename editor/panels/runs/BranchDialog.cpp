@@ -351,10 +351,4 @@ void BranchCommand::offerIn(double time, QMenu* menu) {
   }
 }
 
-void BranchCommand::offerAt(double time, const QPoint& globalPos) {
-  QMenu& menu = emptyMenu();
-  offerIn(time, &menu);
-  menu.popup(globalPos);
-}
-
 }  // namespace editor

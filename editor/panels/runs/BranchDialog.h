@@ -97,9 +97,7 @@ class BranchCommand : public QObject {
   void branchHere(const app::RunSpec& proposal = {});
   /// Offers a branch at the shown state in which this person stands elsewhere.
   void offerMove(int person, const base::Pose2& pose);
-  /// Shows the state at this time [s] and offers a branch there.
-  void offerAt(double time, const QPoint& globalPos);
-  /// The same as an entry of a menu.
+  /// Shows the state at this time [s] and adds the command to the menu.
   void offerIn(double time, QMenu* menu);
 
  private:
