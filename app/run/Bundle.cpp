@@ -65,9 +65,8 @@ std::shared_ptr<const sim2d::ScenarioReading> FileCache::scenario(const std::str
 
 void FileCache::setScenario(const std::string& path, sim2d::ScenarioReading reading) {
   scenarios_.remove_if([&path](const auto& each) { return each.first == path; });
-  fetch(scenarios_, path, [&reading] {
-    return std::make_shared<const sim2d::ScenarioReading>(std::move(reading));
-  });
+  fetch(scenarios_, path,
+        [&reading] { return std::make_shared<const sim2d::ScenarioReading>(std::move(reading)); });
 }
 
 std::shared_ptr<const CachedMap> FileCache::map(const std::string& path, const std::string& rule) {

@@ -291,7 +291,8 @@ void Checker::checkPorts(const NodeSpec& node, const NodeManifest& manifest) {
   for (const PortSpec& port : manifest.ports) {
     if (isLacking(node, port)) {
       warn(node, "tree.port-missing",
-           {port.key, node.id, port.suggested.empty() ? port.help : "for example " + port.suggested});
+           {port.key, node.id,
+            port.suggested.empty() ? port.help : "for example " + port.suggested});
     }
   }
 }

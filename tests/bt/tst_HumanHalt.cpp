@@ -166,7 +166,8 @@ class HumanHaltTest : public QObject {
          {"GoTo", "SetGoal", "LookAtPoint", "IsAtPosition", "WaitInQueue", "UseObject"}) {
       const QByteArray name(id);
       const QByteArray node = "<" + name + " agent_id='1'";
-      const QByteArray message = name + ": port 'goal_id' of '" + name + "' is missing (for example 1)";
+      const QByteArray message =
+          name + ": port 'goal_id' of '" + name + "' is missing (for example 1)";
       QTest::newRow((name + " without a place").constData()) << node + "/>" << message;
       QTest::newRow((name + " with x alone").constData()) << node + " target_x='1'/>" << message;
       QTest::newRow((name + " with a point").constData())
@@ -175,7 +176,8 @@ class HumanHaltTest : public QObject {
           << node + " goal_id='{g}'/>" << QByteArray();
     }
     const char* const noCentre =
-        "ConversationFormation: port 'goal_id' of 'ConversationFormation' is missing (for example 1)";
+        "ConversationFormation: port 'goal_id' of 'ConversationFormation' is missing (for example "
+        "1)";
     row("<ConversationFormation main_agent_id='1'/>", noCentre);
     row("<ConversationFormation main_agent_id='1' center_x='1'/>", noCentre);
     row("<ConversationFormation main_agent_id='1' center_x='1' center_y='2'/>", "");
