@@ -181,14 +181,14 @@ class RunsAndFuturesTest : public QObject {
       }
       return -1;
     };
-    QVERIFY2(compared.lengths().contains(text("A 6.0 s, B 3.0 s · compared up to 3.0 s")),
+    QVERIFY2(compared.lengths().contains(text("Compared up to 3.0 s · A 6.0 s, B 3.0 s")),
              qPrintable(compared.lengths()));
     const int last = table.columnCount() - 1;
     const int length = rowOf("Path length");
     const int duration = rowOf("Duration of the record");
     QVERIFY(length >= 0 && duration >= 0);
     QCOMPARE(table.item(length, last)->text(), text("to 3.0 s"));
-    QCOMPARE(table.item(duration, last)->text(), text("whole runs"));
+    QCOMPARE(table.item(duration, last)->text(), text("whole run"));
     QCOMPARE(table.item(duration, 1)->text().toDouble(), 6.0);
     // The way of A up to the third second, from its states.
     double way = 0.0;
@@ -204,9 +204,9 @@ class RunsAndFuturesTest : public QObject {
     const QRect before = compared.table().geometry();
     QTest::mouseClick(&compared.wholeRunsButton(), Qt::LeftButton);
     QCOMPARE(compared.table().geometry(), before);
-    QCOMPARE(table.item(rowOf("Path length"), last)->text(), text("whole runs"));
+    QCOMPARE(table.item(rowOf("Path length"), last)->text(), text("whole run"));
     QVERIFY(table.item(rowOf("Path length"), 1)->text().toDouble() > way + 0.1);
-    QVERIFY(compared.lengths().contains(text("of different length")));
+    QVERIFY(compared.lengths().contains(text("Different lengths")));
   }
 
   /// Each view has a title and the overlays of the canvas, also those that read the run.

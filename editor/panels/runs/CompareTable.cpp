@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kNumberWidth = 58;
 constexpr int kUnitWidth = 44;
-constexpr int kPartWidth = 76;
+constexpr int kPartWidth = 88;
 constexpr int kNameWidth = 150;  // For metric names if the columns do not fit.
 constexpr int kFewRuns = 2;
 
@@ -176,7 +176,7 @@ void CompareTable::deliver(Measured measured) {
   Q_EMIT measuredAll();
 }
 
-/// "A 30.8 s, B 13.7 s · compared up to 13.7 s, outcomes over whole runs"
+/// "Compared up to 13.7 s · A 30.8 s, B 13.7 s · outcomes over whole runs"
 void CompareTable::showLengths() {
   QStringList lengths;
   for (std::size_t k = 0; k < shown_.runs.size(); ++k) {
@@ -184,13 +184,14 @@ void CompareTable::showLengths() {
     lengths << tr("%1 %2 s").arg(shown_.runs[k].letter,
                                  QString::number(recording.timeOf(shown_.sizes[k] - 1), 'f', 1));
   }
-  QString text = lengths.join(QStringLiteral(", "));
-  if (shown_.end) {
-    text += isShortened() ? tr(" · compared up to %1 s, outcomes over whole runs")
-                                .arg(QString::number(*shown_.end, 'f', 1))
-                          : tr(" · runs of different length are compared as a whole");
+  QStringList parts = {lengths.join(QStringLiteral(", "))};
+  if (isShortened()) {
+    parts.prepend(tr("Compared up to %1 s").arg(QString::number(*shown_.end, 'f', 1)));
+    parts.append(tr("outcomes over whole runs"));
+  } else if (shown_.end) {
+    parts.prepend(tr("Different lengths"));
   }
-  lengths_->setFullText(text);
+  lengths_->setFullText(parts.join(QStringLiteral(" · ")));
   wholeRuns_->setVisible(shown_.end.has_value());
 }
 
@@ -263,7 +264,7 @@ void CompareTable::fillRow(int row) {
   put(2 * runs, QString::fromStdString(metric.info.unit), false);
   if (shown_.end) {
     put(2 * runs + 1,
-        metric.isWholeRun ? tr("whole runs")
+        metric.isWholeRun ? tr("whole run")
                           : tr("to %1 s").arg(QString::number(*shown_.end, 'f', 1)),
         false);
   }
