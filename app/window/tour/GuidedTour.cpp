@@ -2,6 +2,7 @@
 
 #include "editor/look/Form.h"
 #include "editor/panels/MetricsDock.h"
+#include "editor/panels/MetricsTable.h"
 
 namespace app {
 
@@ -167,7 +168,7 @@ GuidedTour::GuidedTour(QMainWindow& window, Workspace& workspace, const WindowAc
 
 /// A click on a metric or a cursor key counts; the selection that the panel makes itself does not.
 void GuidedTour::watchMetrics() {
-  const QTableView* table = &docks_.panel<editor::MetricsDock>().table();
+  const QTreeWidget* table = &docks_.panel<editor::MetricsDock>().table().tree();
   const auto read = [this] {
     hasReadMetric_ = hasReadMetric_ || (isActive_ && step_ == TourStep::Metric);
     follow();
