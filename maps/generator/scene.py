@@ -7,7 +7,7 @@ import os
 LICENCE = "MIT"
 SIMULATOR = "Gazebo Classic"
 # Metrics by which planners are compared where it is not the usual one: the first of minimum distance,
-# intimate and personal space, time and path length that told planners apart with the seeds 1 to 8.
+# intimate and personal space, time and path length that told planners apart with the seeds 1 to 12.
 # Certificates use other seeds.
 with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "first_metrics.json"),
           encoding="utf-8") as opened:
