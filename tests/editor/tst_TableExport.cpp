@@ -12,9 +12,11 @@ namespace {
 /// characters that the formats must escape.
 std::unique_ptr<QTableWidget> pets() {
   auto table = std::make_unique<QTableWidget>(3, 4);
-  table->setHorizontalHeaderLabels({"Name", "Hidden", "Weight [kg]", "Says"});
-  const QStringList cells = {
-      "Tom & Co", "x", "4.20", "me|ow, \"purr\"", "Rex_2", "x", "31.5", "–", "gone", "x", "1", "-"};
+  table->setHorizontalHeaderLabels(
+      QStringLiteral("Name;Hidden;Weight [kg];Says").split(QLatin1Char(';')));
+  const QStringList cells =
+      QStringLiteral("Tom & Co;x;4.20;me|ow, \"purr\";Rex_2;x;31.5;–;gone;x;1;-")
+          .split(QLatin1Char(';'));
   for (int k = 0; k < cells.size(); ++k) {
     table->setItem(k / 4, k % 4, new QTableWidgetItem(cells[k]));
   }
@@ -52,14 +54,14 @@ class TableExportTest : public QObject {
   void text_ofATable_isWhatIsShown() {
     const auto table = pets();
     QCOMPARE(
-        editor::tableText(*table, "Pets", TableFormat::Csv),
+        editor::tableText(*table, QStringLiteral("Pets"), TableFormat::Csv),
         QStringLiteral("Name,Weight [kg],Says\n\"Tom & Co\",4.2000125,\"me|ow, \"\"purr\"\"\"\n"
                        "Rex_2,31.5,–\n")
             .replace(QStringLiteral("\"Tom & Co\""), QStringLiteral("Tom & Co")));
-    QCOMPARE(editor::tableText(*table, "Pets", TableFormat::Markdown),
+    QCOMPARE(editor::tableText(*table, QStringLiteral("Pets"), TableFormat::Markdown),
              QStringLiteral("**Pets**\n\n| Name | Weight \\[kg] | Says |\n| --- | ---: | --- |\n"
                             "| Tom & Co | 4.20 | me\\|ow, \"purr\" |\n| Rex\\_2 | 31.5 | – |\n"));
-    const QString latex = editor::tableText(*table, "Pets", TableFormat::Latex);
+    const QString latex = editor::tableText(*table, QStringLiteral("Pets"), TableFormat::Latex);
     QVERIFY2(latex.contains(QStringLiteral("\\begin{tabular}{lrl}")), qPrintable(latex));
     QVERIFY(latex.contains(QStringLiteral("Tom \\& Co & 4.20 & ")));
     QVERIFY(latex.contains(QStringLiteral("Rex\\_2 & 31.5 & ")));
@@ -68,17 +70,18 @@ class TableExportTest : public QObject {
 
   void text_ofATree_hasItsGroupsAsAColumn() {
     QTreeWidget tree;
-    tree.setHeaderLabels({"Metric", "Now"});
+    tree.setHeaderLabels({QStringLiteral("Metric"), QStringLiteral("Now")});
     for (const char* name : {"Safety", "Empty", "Social"}) {
-      auto* group = new QTreeWidgetItem(&tree, {QString::fromUtf8(name), "1 / 2"});
+      auto* group = new QTreeWidgetItem(&tree, {QString::fromUtf8(name), QStringLiteral("1 / 2")});
       if (group->text(0) != QLatin1String("Empty")) {
-        auto* row = new QTreeWidgetItem(group, {group->text(0) + QStringLiteral(" a"), "1.5"});
-        new QTreeWidgetItem(row, {group->text(0) + QStringLiteral(" part"), "2"});
+        auto* row = new QTreeWidgetItem(
+            group, {group->text(0) + QStringLiteral(" a"), QStringLiteral("1.5")});
+        new QTreeWidgetItem(row, {group->text(0) + QStringLiteral(" part"), QStringLiteral("2")});
       }
     }
     tree.topLevelItem(1)->setHidden(true);
     tree.topLevelItem(2)->child(0)->child(0)->setHidden(true);
-    QCOMPARE(editor::tableText(tree, "Metrics", TableFormat::Csv),
+    QCOMPARE(editor::tableText(tree, QStringLiteral("Metrics"), TableFormat::Csv),
              QStringLiteral("Group,Metric,Now\nSafety,Safety a,1.5\nSafety,Safety part,2\n"
                             "Social,Social a,1.5\n"));
   }
