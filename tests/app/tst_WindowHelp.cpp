@@ -4,6 +4,7 @@
 #include "editor/look/AppStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/MetricsDock.h"
+#include "editor/panels/MetricsTable.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/behavior/BehaviorPanel.h"
 #include "editor/trees/TreeEditor.h"
@@ -255,7 +256,7 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
         {"behaviour outline", &window_->docks().panel<editor::BehaviorPanel>().outline(),
          "behaviour-tree"},
         {"issues", &window_->docks().panel<editor::IssuesPanel>(), "troubleshooting"},
-        {"metrics", &window_->docks().panel<editor::MetricsDock>().table(), "metrics"},
+        {"metrics", &window_->docks().panel<editor::MetricsDock>().table().tree(), "metrics"},
         {"metric search", window_->docks().panel<editor::MetricsDock>().findChild<QLineEdit*>(),
          "metrics"},
         {"events", dock("events"), "recordings"},

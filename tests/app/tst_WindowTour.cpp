@@ -1,6 +1,7 @@
 #include "app/window/help/ManualViewer.h"
 #include "editor/look/AppStyle.h"
 #include "editor/panels/MetricsDock.h"
+#include "editor/panels/MetricsTable.h"
 #include "tests/app/Hands.h"
 
 using app::TourStep;
@@ -66,11 +67,21 @@ class WindowTourTest : public QObject, protected quiet::InFolder {
     QTRY_VERIFY_WITH_TIMEOUT(tour().step() == TourStep::Metric, 60000);
     window_->workspace().runner().pause();
     window_->docks().toggleOf(*window_->docks().dock(QStringLiteral("metrics")))->trigger();
-    QTableView& table = window_->docks().panel<editor::MetricsDock>().table();
-    QTRY_VERIFY_WITH_TIMEOUT(table.isVisible() && table.model()->rowCount() > 3, 60000);
+    QTreeWidget& tree = window_->docks().panel<editor::MetricsDock>().table().tree();
+    const auto metric = [&tree]() -> QTreeWidgetItem* {
+      for (QTreeWidgetItemIterator row(&tree); *row != nullptr; ++row) {
+        const QRect place = tree.visualItemRect(*row);
+        if ((*row)->parent() != nullptr && !place.isEmpty() &&
+            tree.viewport()->rect().contains(place.center())) {
+          return *row;
+        }
+      }
+      return nullptr;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(tree.isVisible() && metric() != nullptr, 60000);
     QCOMPARE(tour().step(), TourStep::Metric);  // the panel's own selection does not count
     quiet::shoot(*window_, "tour-metric");
-    hands.clickOn(*table.viewport(), table.visualRect(table.model()->index(2, 0)).center());
+    hands.clickOn(*tree.viewport(), tree.visualItemRect(metric()).center());
     QCOMPARE(tour().step(), TourStep::Done);
     quiet::shoot(*window_, "tour-done");
     auto* more =

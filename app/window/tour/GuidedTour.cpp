@@ -168,14 +168,16 @@ GuidedTour::GuidedTour(QMainWindow& window, Workspace& workspace, const WindowAc
 
 /// A click on a metric or a cursor key counts; the selection that the panel makes itself does not.
 void GuidedTour::watchMetrics() {
-  const QTreeWidget* table = &docks_.panel<editor::MetricsDock>().table().tree();
-  const auto read = [this] {
-    hasReadMetric_ = hasReadMetric_ || (isActive_ && step_ == TourStep::Metric);
+  const editor::MetricsTable* table = &docks_.panel<editor::MetricsDock>().table();
+  const QTreeWidget* tree = &table->tree();
+  const auto read = [this, table] {
+    const bool isMetric = !table->currentKey().empty();  // else the heading of a group
+    hasReadMetric_ = hasReadMetric_ || (isActive_ && isMetric && step_ == TourStep::Metric);
     follow();
   };
-  connect(table, &QAbstractItemView::clicked, this, read);
-  connect(table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [table, read] {
-    if (table->hasFocus()) {
+  connect(tree, &QAbstractItemView::clicked, this, read);
+  connect(tree, &QTreeWidget::currentItemChanged, this, [tree, read] {
+    if (tree->hasFocus()) {
       read();
     }
   });
@@ -274,7 +276,7 @@ QWidget* GuidedTour::targetOf(TourStep step, const TourState& state) const {
       return state.isRunning ? nullptr : buttonOf(*workspace_.playback().playPause);
     case TourStep::Metric:
       return state.isMetricsOpen
-                 ? static_cast<QWidget*>(&docks_.panel<editor::MetricsDock>().table())
+                 ? static_cast<QWidget*>(&docks_.panel<editor::MetricsDock>().table().tree())
                  : buttonOf(*docks_.toggleOf(*docks_.dock(QStringLiteral("metrics"))));
     case TourStep::Done:
       break;
