@@ -244,9 +244,8 @@ class Scene:
         more, tree = person["more"], {}
         if more.get("start_time"):
             tree["start_time"] = decimals(more["start_time"])
-        for key in ("kind_of_body",):
-            if key in more:
-                tree["kind"] = more[key]
+        if more.get("kind_of_body", "adult") != "adult":  # the default is not written
+            tree["kind"] = more["kind_of_body"]
         if "at_end" in more:
             tree["at_end"] = more["at_end"]
         if "wait" in more:

@@ -45,18 +45,20 @@ inline Loaded load(const std::string& path) {
   places.shippedMaps = mapsFolder();
   const base::Result<std::string> mapPath = sim2d::findMap(*loaded.scenario, places);
   base::append(loaded.diagnostics, mapPath.diagnostics());
-  if (!mapPath || mapPath->empty()) {
+  if (!mapPath) {
     return loaded;
   }
-  base::Result<sim2d::MapFile> map = sim2d::readMap(*mapPath, {});
-  base::append(loaded.diagnostics, map.diagnostics());
-  if (map) {
-    loaded.map = std::move(map->grid);
+  if (!mapPath->empty()) {
+    base::Result<sim2d::MapFile> map = sim2d::readMap(*mapPath, {});
+    base::append(loaded.diagnostics, map.diagnostics());
+    if (map) {
+      loaded.map = std::move(map->grid);
+    }
+    const sim2d::Surroundings around = sim2d::makeSurroundings(*loaded.scenario, loaded.map);
+    base::append(loaded.diagnostics,
+                 sim2d::checkScenario(*loaded.scenario, around, path,
+                                      sim2d::knownNames(sim2d::builtinRegistries())));
   }
-  base::append(
-      loaded.diagnostics,
-      sim2d::checkScenario(*loaded.scenario, sim2d::makeSurroundings(*loaded.scenario, loaded.map),
-                           path, sim2d::knownNames(sim2d::builtinRegistries())));
   for (const sim2d::Human& human : loaded.scenario->humans) {
     loaded.trees[human.name] = sim2d::findTree(*loaded.scenario, human, places);
   }
