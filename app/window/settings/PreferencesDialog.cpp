@@ -9,12 +9,13 @@ namespace {
 
 constexpr QSize kPreferencesSize(720, 600);
 constexpr int kExplanationWidth = 420;
+constexpr int kFormFieldWidth = 160;
 enum ThemeChoice { System, Light, Dark };
 
 QLabel* explanation(const QString& text, QWidget* parent) {
   QLabel* label = editor::secondaryLabel(text, parent);
   label->setWordWrap(true);
-  label->setMaximumWidth(kExplanationWidth);
+  label->setFixedWidth(kExplanationWidth);  // its height depends on the width
   return label;
 }
 
@@ -71,6 +72,9 @@ QWidget* PreferencesDialog::makeGeneral() {
   history_->setRange(kLeastHistory, kMostHistory);
   history_->setSingleStep(kHistoryStep);
   history_->setSuffix(tr(" MB"));
+  for (QWidget* field : {static_cast<QWidget*>(theme_), static_cast<QWidget*>(history_)}) {
+    field->setFixedWidth(kFormFieldWidth);
+  }
   name(*history_, tr("Run history"),
        tr("Memory for the steps of a run that the timeline can show. 200 people need about 12 MB "
           "per "
@@ -109,6 +113,7 @@ QWidget* PreferencesDialog::makeFiles() {
          "them"));
   seconds_->setRange(Preferences::kLeastSeconds, Preferences::kMostSeconds);
   seconds_->setSuffix(tr(" s"));
+  seconds_->setFixedWidth(kFormFieldWidth);
   name(*seconds_, tr("Copy after"), tr("The longest time between a change and its copy"));
   form->addRow(tr("C&opy after"), seconds_);
   form->addRow(QString(),
