@@ -163,7 +163,7 @@ class CommandLineTest : public QObject, protected InFolder {
         << list("bench --thread=2") << 64
         << text("unknown option '--thread' (did you mean '--threads'?)");
     QTest::newRow("planner") << list("run corner_cafe_agents --planner pursiut") << 64
-                             << text("(did you mean 'pursuit'?)");
+                             << text("(did you mean 'pursuit'? known: ");
     QTest::newRow("metric") << list("run corner_cafe_agents --metrics path_lenght") << 64
                             << text("(did you mean 'path_length'?)");
     QTest::newRow("scenario of a command")
