@@ -171,6 +171,7 @@ class StudyClicksTest : public QObject, protected quiet::InFolder {
     QTest::qWait(400);
     QCOMPARE(movedPart(before, places()), QString());  // a problem takes no room
     click(*scenarios.viewport(), scenarios.visualItemRect(scenarios.item(1)).center());
+    scenarios.setFocus();
     scenarios.selectAll();
     QTest::keyClick(&scenarios, Qt::Key_Delete);
     QCOMPARE(scenarios.count(), 0);
