@@ -27,7 +27,10 @@ void addMenu(QMenu& menu, const QString& path, bool refresh, std::vector<Command
     Q_EMIT menu.aboutToShow();
   }
   for (QAction* action : menu.actions()) {
-    if (action->isSeparator() || !action->isVisible()) {
+    const bool isListed = std::any_of(to.begin(), to.end(), [action](const Command& command) {
+      return command.action == action;  // in another menu
+    });
+    if (isListed || action->isSeparator() || !action->isVisible()) {
       continue;
     }
     if (action->menu() != nullptr) {

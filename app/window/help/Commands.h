@@ -21,8 +21,8 @@ QString commandName(const QAction& action);
 /// The keys of the command or of its tool; empty: none.
 QString commandKeys(const QAction& action);
 
-/// All commands of the menus, in menu order. With `refresh`, menus that are filled or enabled when
-/// they open are brought up to date first.
+/// All commands of the menus, in menu order, each one once. With `refresh`, menus that are filled
+/// or enabled when they open are brought up to date first.
 std::vector<Command> commandsOf(const QMenuBar& menus, bool refresh = false);
 
 /// How well `text` matches what the user typed: all letters must occur in this order, without
