@@ -101,6 +101,9 @@ Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   tabs_->setDrawBase(false);
   tabs_->setElideMode(Qt::ElideNone);
   tabs_->setUsesScrollButtons(true);
+  for (QToolButton* arrow : tabs_->findChildren<QToolButton*>()) {
+    arrow->setAutoFillBackground(true);  // hides the tab below
+  }
   search_->setFixedWidth(kNav2SearchWidth);
   nothing_ = new NoMatchesPlaceholder(*search_, *tree_, this);
   help_ = secondaryLabel({}, this);
