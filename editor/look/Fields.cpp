@@ -139,24 +139,16 @@ bool NumberField::fits(const QString& text) const {
   return lineEdit()->fontMetrics().horizontalAdvance(text) <= lineEdit()->width() - kMargins;
 }
 
-/// Leaves out decimals beyond the usual ones first, then the unit, then the other decimals.
+/// Leaves out the unit first, then decimals.
 void NumberField::fitText() {
   if (!isVisible() || mixed_) {
     return;
   }
   const QString whole = textWith(value(), kMaxDecimals);
-  const auto mostOf = [&](const QString& unit, int least) {
-    int decimals = kMaxDecimals;
-    while (decimals > least && !fits(textWith(value(), decimals) + unit)) {
-      --decimals;
-    }
-    return decimals;
-  };
-  QString unit = unitText();
-  int decimals = mostOf(unit, std::min(range_.decimals, kMaxDecimals));
-  if (!fits(textWith(value(), decimals) + unit)) {
-    unit.clear();
-    decimals = mostOf(unit, 0);
+  const QString unit = fits(whole + unitText()) ? unitText() : QString();
+  int decimals = kMaxDecimals;
+  while (decimals > 0 && !fits(textWith(value(), decimals))) {
+    --decimals;
   }
   const bool isChanged = decimals != mostDecimals_ || unit != suffix();
   mostDecimals_ = decimals;

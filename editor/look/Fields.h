@@ -10,7 +10,7 @@ namespace editor {
 /// A spin box with the unit inside the field. Typed text is validated immediately: a number outside
 /// the range has a red edge and is never accepted. A comma is accepted as decimal point. A number
 /// from a file keeps all its digits, of which up to six decimals are shown. If they do not fit,
-/// decimals and the unit are left out rather than cut off, and the tooltip has the whole number. A
+/// the unit and decimals are left out rather than cut off, and the tooltip has the whole number. A
 /// value that the scenario leaves out is shown in the secondary colour. A dash stands for several
 /// values.
 class NumberField : public QDoubleSpinBox {

@@ -205,8 +205,10 @@ void addTableActions(QMenu& menu, QAbstractItemView& view, const QString& name) 
     QGuiApplication::clipboard()->setText(tabbedText(TableReader(view, name).table()));
   });
   describe(*copy, QObject::tr("Copy the rows as text that spreadsheets understand"));
-  QAction* const save =
-      menu.addAction(QObject::tr("Save table…"), &view, [&view, name] { saveTable(view, name); });
+  QAction* const save = menu.addAction(QObject::tr("Save table…"), &view,
+                                       [&view, name] {  // after the menu has closed
+                                         later(view, [&view, name] { saveTable(view, name); });
+                                       });
   describe(*save, QObject::tr("Save the rows as CSV, LaTeX or Markdown"));
   for (QAction* action : {copy, save}) {
     action->setEnabled(view.model()->rowCount() > 0);

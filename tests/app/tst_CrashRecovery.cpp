@@ -36,10 +36,11 @@ int editForEver(int argc, char** argv) {
   if (!window.open(QString::fromLocal8Bit(argv[3]))) {
     return 1;
   }
+  QTimer edits;
   const app::TerminationSignals termination;
+  QObject::connect(&termination, &app::TerminationSignals::received, &edits, &QTimer::stop);
   QObject::connect(&termination, &app::TerminationSignals::received, &window,
                    &MainWindow::endSession);
-  QTimer edits;
   QElapsedTimer clock;
   clock.start();
   QObject::connect(&edits, &QTimer::timeout, &edits, [&] {

@@ -107,7 +107,7 @@ class InPlaceEditorsTest : public QObject {
     QCOMPARE(qobject_cast<QLineEdit*>(field)->text(), QStringLiteral("i"));
     QVERIFY(isOpaque(tree, *field, editor::Theme::light().color(editor::Role::Field)));
     QTest::keyClick(field, Qt::Key_Return);
-    QCOMPARE(document.scenario().humans.front().name, std::string("i"));
+    QTRY_COMPARE(document.scenario().humans.front().name, std::string("i"));
   }
 };
 

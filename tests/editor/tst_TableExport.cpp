@@ -136,8 +136,9 @@ class TableExportTest : public QObject {
     });
     answer.start(50);
     chooseEntry(*table, QStringLiteral("Save table…"));
-    QCOMPARE(proposed, QStringLiteral("pets-of-mine.") + ending);
+    QTRY_COMPARE(proposed, QStringLiteral("pets-of-mine.") + ending);
     QFile file(folder.filePath(proposed));
+    QTRY_VERIFY(file.exists());
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray bytes = file.readAll();
     QVERIFY2(bytes.startsWith(start), bytes.constData());

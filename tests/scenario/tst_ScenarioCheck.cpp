@@ -97,40 +97,40 @@ class ScenarioCheckTest : public QObject {
     };
     QTest::newRow("a sprinter in km/h")
         << body(&Human::maxVel, 99.0)
-        << QByteArray("anna: max_vel 99.0 is implausible: usual values are 0.0 to 5.0 m/s");
+        << QByteArray("anna: max_vel 99 is implausible: usual values are 0 to 5 m/s");
     QTest::newRow("somebody who rushes") << body(&Human::maxVel, 5.0) << QByteArray();
     QTest::newRow("somebody who stands") << body(&Human::maxVel, 0.0) << QByteArray();
     QTest::newRow("a radius in centimetres")
         << body(&Human::radius, 35.0)
-        << QByteArray("anna: radius 35.0 is implausible: usual values are 0.1 to 1.0 m");
+        << QByteArray("anna: radius 35 is implausible: usual values are 0.1 to 1 m");
     QTest::newRow("a point") << body(&Human::radius, 0.01)
                              << QByteArray(
                                     "anna: radius 0.01 is implausible: usual values are 0.1 "
-                                    "to 1.0 m");
+                                    "to 1 m");
     QTest::newRow("arrival") << body(&Human::goalRadius, 40.0)
                              << QByteArray(
-                                    "anna: goal_radius 40.0 is implausible: usual values "
-                                    "are 0.0 to 10.0 m");
+                                    "anna: goal_radius 40 is implausible: usual values "
+                                    "are 0 to 10 m");
     QTest::newRow("a mass in grams")
         << Change([](Scenario& scenario) { scenario.humans[0].ours.mass = 80000.0; })
-        << QByteArray("anna: mass 80000.0 is implausible: usual values are 3.0 to 400.0 kg");
+        << QByteArray("anna: mass 80000 is implausible: usual values are 3 to 400 kg");
     QTest::newRow("a force that attracts")
         << factor(-5.0, Configuration::Custom)
         << QByteArray(
-               "anna: social_force_factor -5.0 is implausible: usual values are 0.0 to "
-               "200.0");
+               "anna: social_force_factor -5 is implausible: usual values are 0 to "
+               "200");
     QTest::newRow("a custom force") << factor(50.0, Configuration::Custom) << QByteArray();
     QTest::newRow("a force that the loader clamps")
         << factor(999.0, Configuration::Default)
         << QByteArray(
-               "anna: social_force_factor 999.0 is outside 5.0 to 20.0: HuNavSim's loader "
+               "anna: social_force_factor 999 is outside 5 to 20: HuNavSim's loader "
                "clamps it");
     QTest::newRow("a robot in km/h")
         << robot(&Robot::maxVel, 20.0)
-        << QByteArray("rob: max_vel 20.0 is implausible: usual values are 0.0 to 6.0 m/s");
+        << QByteArray("rob: max_vel 20 is implausible: usual values are 0 to 6 m/s");
     QTest::newRow("a robot as wide as a house")
         << robot(&Robot::radius, 9.0)
-        << QByteArray("rob: radius 9.0 is implausible: usual values are 0.02 to 5.0 m");
+        << QByteArray("rob: radius 9 is implausible: usual values are 0.02 to 5 m");
     QTest::newRow("a robot of a tonne") << robot(&Robot::mass, 1000.0) << QByteArray();
   }
   void check_valueFarFromAnyReal_isWarned() {

@@ -102,8 +102,9 @@ void ExportablePlot::contextMenuEvent(QContextMenuEvent* event) {
     menu->addSeparator();
   }
   const auto add = [&](const QString& text, const QString& tip, bool toFile) {
-    QAction* action =
-        menu->addAction(text, this, [this, toFile] { Q_EMIT exportRequested(figure(), toFile); });
+    QAction* action = menu->addAction(text, this, [this, toFile] {
+      later(*this, [this, toFile] { Q_EMIT exportRequested(figure(), toFile); });
+    });
     describe(*action, tip);
     action->setEnabled(!figure().curves.empty());
   };
