@@ -22,7 +22,7 @@ void typeInto(QAbstractSpinBox& field, const QString& number) {
   field.setFocus();
   field.selectAll();
   QTest::keyClicks(&field, number);
-  QTest::keyClick(&field, Qt::Key_Tab);
+  field.interpretText();  // as when the focus leaves; the window need not be active
 }
 
 void choose(QComboBox& box, const QString& words) {

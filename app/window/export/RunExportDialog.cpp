@@ -392,6 +392,7 @@ void RunExportDialog::takeTrace(const std::shared_ptr<base::Result<sim2d::Trace>
 }
 
 void RunExportDialog::chooseFile() {
+  editor::commitPendingEdit(*this);
   const QString path = askFile_(suggestedName() + QString::fromStdString(ending()),
                                 QString::fromStdString(ending()));
   if (!path.isEmpty()) {

@@ -260,7 +260,7 @@ void BranchDialog::accept() {
     QDialog::accept();
     return;
   }
-  problem_->setText(capitalized(QString::fromStdString(problems.front().message)));
+  problem_->setText(QString::fromStdString(problems.front().message));  // May begin with a name.
 }
 
 BranchCommand::BranchCommand(SimulationRunner& runner, MapView& view, QAction& action,
