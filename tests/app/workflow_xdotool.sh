@@ -69,6 +69,7 @@ done
 press ctrl+g
 assign=$(find_window 'Assign goals') || fail "no dialog for goals"
 focus "$assign"
+press Down  # all people without goals are chosen at first: choose the first one alone
 press Home
 press Tab
 press End  # the first goal may be the current one already without being chosen
