@@ -51,7 +51,7 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
     if (!showing_) {
       take(value);
     }
-    fitText();
+    fitSoon();
   });
   connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
     isTypingOverMixed_ = std::exchange(mixed_, false) || isTypingOverMixed_;
@@ -123,7 +123,7 @@ void NumberField::show(double value, bool isDefault) {
   if (!isShortened_ && suffix() != unitText()) {
     setSuffix(unitText());
   }
-  fitText();
+  fitSoon();
   setSecondaryColor(isDefault);
   showing_ = false;
 }
@@ -139,9 +139,23 @@ bool NumberField::fits(const QString& text) const {
   return lineEdit()->fontMetrics().horizontalAdvance(text) <= lineEdit()->width() - kMargins;
 }
 
-/// Leaves out the unit first, then decimals.
+/// After the layout, which may still be that of another form.
+void NumberField::fitSoon() {
+  if (!std::exchange(isFitPending_, true)) {
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          isFitPending_ = false;
+          fitText();
+        },
+        Qt::QueuedConnection);
+  }
+}
+
+/// Leaves out the unit first, then decimals. Text that is being typed stays as it is.
 void NumberField::fitText() {
-  if (!isVisible() || mixed_) {
+  const bool isTyped = lineEdit()->hasFocus() && lineEdit()->isModified();
+  if (!isVisible() || mixed_ || isTyped) {
     return;
   }
   const QString whole = textWith(value(), kMaxDecimals);
@@ -164,14 +178,12 @@ void NumberField::fitText() {
 
 void NumberField::resizeEvent(QResizeEvent* event) {
   QDoubleSpinBox::resizeEvent(event);
-  if (!lineEdit()->isModified()) {  // Text that is being typed stays as it is.
-    fitText();
-  }
+  fitSoon();
 }
 
 void NumberField::showEvent(QShowEvent* event) {
   QDoubleSpinBox::showEvent(event);
-  fitText();
+  fitSoon();
 }
 
 bool NumberField::event(QEvent* event) {
@@ -261,7 +273,7 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
   QDoubleSpinBox::focusOutEvent(event);
   lineEdit()->setText(textFromValue(value()) + suffix());  // Discards invalid text.
   setInvalid(*this, false);
-  fitText();
+  fitSoon();
 }
 
 void NumberField::setSecondaryColor(bool pale) {

@@ -53,6 +53,7 @@ class NumberField : public QDoubleSpinBox {
   bool event(QEvent* event) override;
 
  private:
+  void fitSoon();
   void fitText();
   bool fits(const QString& text) const;
   QString textWith(double value, int mostDecimals) const;
@@ -70,6 +71,7 @@ class NumberField : public QDoubleSpinBox {
   bool showing_ = false;
   int mostDecimals_;          // Of which there is room.
   bool isShortened_ = false;  // The text has less than the whole number.
+  bool isFitPending_ = false;
 };
 
 /// A slider beside a NumberField; both show the same number.

@@ -137,8 +137,7 @@ std::string MetricsDock::keyToShow() const {
   if (hasChosen_ && (isHeading || table_->isVisible(chosen_))) {
     return chosen_;
   }
-  const std::string first = firstWithCurve();
-  return first.empty() && isSearching ? table_->firstVisible() : first;
+  return isSearching ? table_->firstVisible() : firstWithCurve();
 }
 
 std::string MetricsDock::firstWithCurve() const {

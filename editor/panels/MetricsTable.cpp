@@ -222,6 +222,9 @@ void MetricsTable::setPeople(std::vector<MeasuredPerson> people) {
   const QSignalBlocker quiet(tree_);
   const auto count = static_cast<int>(people_.size());
   tree_->setColumnCount(FirstPersonColumn + count);
+  if (QTreeWidgetItem* current = tree_->currentItem()) {
+    tree_->setCurrentItem(current);  // Selects the new columns, too.
+  }
   for (int k = 0; k < count; ++k) {
     const int column = FirstPersonColumn + k;
     const QString& name = people_[static_cast<std::size_t>(k)].name;

@@ -332,6 +332,7 @@ class FieldFormsTest : public QObject {
         field.resize(width, 24);
         for (const double value : {1.3, 0.123456, -123.456789, -98765.4321}) {
           field.show(value, false);
+          QCoreApplication::processEvents();
           const QLineEdit& line = *field.findChild<QLineEdit*>();
           const int needed = line.fontMetrics().horizontalAdvance(line.text());
           const QString sizes = QStringLiteral("'%1' needs %2 of %3 px")
