@@ -118,8 +118,9 @@ class Nav2PanelTest : public QObject, protected quiet::InFolder {
     QTRY_COMPARE(panel().form().changedCount(), 3);
     quiet::shoot(*window_, "nav2_panel_changed");
     quiet::answerDialog<QFileDialog>([this](QFileDialog& dialog) {
-      dialog.selectFile(at("tuned.yaml"));
-      static_cast<QDialog&>(dialog).accept();
+      auto* name = dialog.findChild<QLineEdit*>(text("fileNameEdit"));
+      name->setText(at("tuned.yaml"));
+      QTest::keyClick(name, Qt::Key_Return);
     });
     QTest::mouseClick(&panel().saveButton(), Qt::LeftButton);
     QTRY_VERIFY(QFileInfo::exists(at("tuned.yaml")));
@@ -168,6 +169,19 @@ class Nav2PanelTest : public QObject, protected quiet::InFolder {
     QVERIFY(told.count() >= 1);
     QCOMPARE(robot().nav2Params, std::vector<std::string>{"mine.yaml"});
     QCOMPARE(robot().nav2Values.size(), std::size_t{1});
+  }
+
+  /// In the window the key belongs to the list that has the focus.
+  void deleteKey_resetsTheRow() {
+    openPanel();
+    type("FollowPath.temperature", "0.2");
+    QTRY_COMPARE(panel().form().changedCount(), 1);
+    QTreeWidget& tree = panel().form().tree();
+    tree.setCurrentItem(&row("FollowPath.temperature"));
+    tree.setFocus();
+    QTest::keyClick(&tree, Qt::Key_Delete);
+    QVERIFY(robot().nav2Values.empty());
+    QCOMPARE(document().scenario().robots.size(), std::size_t{2});  // no robot is deleted
   }
 
   void resetAll_isOneCommand() {

@@ -146,14 +146,7 @@ QWidget* StudyForm::makeScenarios() {
   scenarioRoom_->addWidget(emptyLabel_);
   scenarioRoom_->addWidget(scenarios_);
   rows->addWidget(scenarioRoom_);
-  auto* remove =
-      new QShortcut(QKeySequence::Delete, scenarios_, nullptr, nullptr, Qt::WidgetShortcut);
-  connect(remove, &QShortcut::activated, this, [this] {
-    qDeleteAll(scenarios_->selectedItems());
-    showScenarios();
-    isPreset_ = false;
-    Q_EMIT changed();
-  });
+  scenarios_->installEventFilter(this);  // lists handle Delete themselves, see KeyRules
   showScenarios();
   const auto follow = [this] {
     addThis_->setEnabled(!context_.document.path().isEmpty());
@@ -163,6 +156,19 @@ QWidget* StudyForm::makeScenarios() {
   connect(&context_.document, &editor::ScenarioDocument::pathChanged, this, follow);
   follow();
   return part;
+}
+
+/// Delete removes the selected scenarios.
+bool StudyForm::eventFilter(QObject* watched, QEvent* event) {
+  const bool isDelete = watched == scenarios_ && event->type() == QEvent::KeyPress &&
+                        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Delete);
+  if (isDelete) {
+    qDeleteAll(scenarios_->selectedItems());
+    showScenarios();
+    isPreset_ = false;
+    Q_EMIT changed();
+  }
+  return isDelete || QWidget::eventFilter(watched, event);
 }
 
 QWidget* StudyForm::makePlanners() {

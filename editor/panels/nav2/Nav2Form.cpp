@@ -92,9 +92,7 @@ Nav2Form::Nav2Form(QWidget* parent) : QWidget(parent) {
   QSizePolicy policy = reset_->sizePolicy();
   policy.setRetainSizeWhenHidden(true);
   reset_->setSizePolicy(policy);
-  const auto* deleteKey =
-      new QShortcut(QKeySequence::Delete, tree_, nullptr, nullptr, Qt::WidgetShortcut);
-  connect(deleteKey, &QShortcut::activated, this, &Nav2Form::resetRow);
+  tree_->installEventFilter(this);  // lists handle Delete themselves
   styleTree();
   tabs_->setAccessibleName(tr("Servers"));
   tabs_->setExpanding(false);
@@ -143,6 +141,15 @@ void Nav2Form::styleTree() {
   header.resizeSection(Nav2ValueColumn, kNav2ValueWidth);
   header.resizeSection(Nav2FileColumn, kNav2NumberWidth);
   header.resizeSection(Nav2DefaultColumn, kNav2NumberWidth);
+}
+
+bool Nav2Form::eventFilter(QObject* watched, QEvent* event) {
+  const bool isDelete = watched == tree_ && event->type() == QEvent::KeyPress &&
+                        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Delete);
+  if (isDelete) {
+    resetRow();
+  }
+  return isDelete || QWidget::eventFilter(watched, event);
 }
 
 void Nav2Form::setTheme(const Theme& theme) {

@@ -54,6 +54,9 @@ class Nav2Form : public QWidget {
   /// A new value, or none for that of the file.
   void edited(const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void styleTree();
   void build();
