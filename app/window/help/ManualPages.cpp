@@ -21,6 +21,7 @@ const std::vector<ManualPage>& manualPages() {
       {"compare-planners", QT_TRANSLATE_NOOP("Manual", "Compare planners")},
       {"nav2", QT_TRANSLATE_NOOP("Manual", "Nav2")},
       {"own-planner", QT_TRANSLATE_NOOP("Manual", "Your own planner")},
+      {"python", QT_TRANSLATE_NOOP("Manual", "Python")},
       {"ros2", QT_TRANSLATE_NOOP("Manual", "ROS 2 and other simulators")},
       {"recordings", QT_TRANSLATE_NOOP("Manual", "Recordings and bags")},
       {"metrics", QT_TRANSLATE_NOOP("Manual", "Metrics")},
