@@ -79,7 +79,12 @@ MetricsTable::MetricsTable(ScenarioDocument& document, MetricsFeed& feed, Person
   layout->addWidget(nothing_, 1);
   build();
   connect(search_, &QLineEdit::textChanged, this, &MetricsTable::filter);
-  connect(tree_, &QTreeWidget::itemChanged, this, &MetricsTable::storeSelection);
+  // A click on the current row, or on its check box, is a choice, too.
+  connect(tree_, &QTreeWidget::itemClicked, this, [this] { Q_EMIT chosen(currentKey()); });
+  connect(tree_, &QTreeWidget::itemChanged, this, [this] {
+    Q_EMIT chosen(currentKey());
+    storeSelection();
+  });
   connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
     if (!isSelecting_) {
       Q_EMIT chosen(currentKey());
