@@ -241,7 +241,10 @@ app::RunSpec BranchDialog::changes() const {
   }
   for (const QString& line : values_->toPlainText().split(QLatin1Char('\n'))) {
     if (!line.trimmed().isEmpty()) {
-      options.set.push_back(line.trimmed().toStdString());
+      const QString path = line.section(QLatin1Char('='), 0, 0).trimmed();
+      const QString value = line.section(QLatin1Char('='), 1).trimmed();
+      const bool isPair = line.contains(QLatin1Char('='));  // Else the check reports it.
+      options.set.push_back((isPair ? path + QLatin1Char('=') + value : path).toStdString());
     }
   }
   for (const MoveRow& move : moves_) {
