@@ -135,7 +135,7 @@ class RunExportTest : public QObject, protected InFolder {
     QVERIFY(bytesOf(ours).size() > 1000);
     const auto drawn = [](const QString& file) {  // SVG: text is outlines, so no font is used
       return QString::fromLatin1(bytesOf(file))
-          .remove(QRegularExpression(QStringLiteral(" font-[a-z]+=\"[^\"]*\"")));
+          .remove(QRegularExpression(QStringLiteral("\\sfont-[a-z]+=\"[^\"]*\"")));
     };
     QVERIFY(ending == text("svg") ? drawn(ours) == drawn(theirs)
                                   : bytesOf(ours) == bytesOf(theirs));
