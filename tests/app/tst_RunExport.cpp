@@ -103,6 +103,7 @@ class RunExportTest : public QObject, protected InFolder {
 
  private Q_SLOTS:
   void initTestCase() {
+    qSetGlobalQHashSeed(0);  // as the program: the order of fonts in a PDF
     editor::applyTheme(editor::Theme::light());
     QCOMPARE(failureOf("run % --duration 4 -q -o %", {quiet::demoPath(), path("run")}), QString());
   }
