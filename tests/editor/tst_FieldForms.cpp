@@ -212,6 +212,7 @@ class FieldFormsTest : public QObject {
   void initTestCase() {
     document_.load(oneOfEach());
     panel_ = std::make_unique<editor::PropertyPanel>(document_, editor::Theme::light());
+    panel_->resize(320, 700);  // as in the window
     openFolds(*panel_);
     panel_->show();
   }

@@ -195,10 +195,10 @@ class MetricsPanelTest : public QObject {
     }
     QCOMPARE(textOf(dock, "path_length"), QString());
     run.document.setSelection({run.document.entities(base::EntityKind::Human).front()});
+    // The columns of people narrow the names, which may wrap; table and plot stay.
     const std::vector<QRect> after = places();
-    for (std::size_t k = 0; k < after.size(); ++k) {  // columns of people only narrow the names
-      QCOMPARE(after[k].top(), before[k].top());
-    }
+    QCOMPARE(after.back(), before.back());
+    QCOMPARE(after[after.size() - 2], before[before.size() - 2]);
   }
 
   /// The column of a person has the metrics of a run in which only this person is seen.
