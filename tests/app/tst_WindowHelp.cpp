@@ -214,7 +214,7 @@ class WindowHelpTest : public QObject, protected quiet::InFolder {
       names << QString::fromLatin1(page.name);
       QVERIFY(*page.title != '\0');
     }
-    QCOMPARE(names.size(), 24);
+    QCOMPARE(names.size(), 25);
     const QDir sources(QStringLiteral(SOURCE_DIR "/resources/manual"));
     for (const QString& file : sources.entryList({QStringLiteral("*.md")})) {
       names.remove(QFileInfo(file).completeBaseName());

@@ -291,13 +291,13 @@ class FieldFormsTest : public QObject {
     editor::RobotPage page(document_, tables);
     page.setTargets({scenario.robots[0].key});
     openFolds(page);
-    page.resize(320, 900);
+    page.resize(480, 900);  // with room for units
     page.show();
     QVERIFY(QTest::qWaitForWindowExposed(&page));
     auto* wheels = page.findChild<NumberField*>(QStringLiteral("wheel_base"));
     QVERIFY(wheels != nullptr);
     QCOMPARE(wheels->accessibleName(), QStringLiteral("Wheels"));
-    QCOMPARE(wheels->text(), QStringLiteral("0.750 m"));
+    QTRY_COMPARE(wheels->text(), QStringLiteral("0.750 m"));
     QCOMPARE(wheels->toolTip(), QStringLiteral("Distance between its wheels\n0.100 to 2.000 m"));
     const auto heightOf = [&page](const char* key) {
       const auto* row = page.findChild<QWidget*>(QLatin1String(key));
