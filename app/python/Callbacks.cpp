@@ -306,9 +306,9 @@ void rethrowPending() {
   }
 }
 
-void addCallbacks(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE_EX(BodyRow, id, "id", isRobot, "is_robot", x, "x", y, "y", vx, "vx", vy,
-                          "vy", heading, "heading", radius, "radius");
+namespace {
+
+void addObservation(py::module_& module) {
   py::class_<ObservationView>(module, "Observation",
                               "What a robot knows when its planner is called; world frame, metres, "
                               "radians, seconds. Valid during the call only.")
@@ -347,6 +347,9 @@ void addCallbacks(py::module_& module) {
             return pointsOf(of.navigation->plan(v.radius, of.pose.position, of.goal));
           },
           "Shortest path around walls to the goal, as a list of points; empty: none.");
+}
+
+void addPersonView(py::module_& module) {
   py::class_<PersonView>(module, "PersonView",
                          "What a behaviour of a person sees; world frame, metres, radians, "
                          "seconds. Valid during the call only.")
@@ -371,6 +374,15 @@ void addCallbacks(py::module_& module) {
             return p.world->isVisible(p.world->pose(p.human).position, {x, y});
           },
           py::arg("x"), py::arg("y"), "Whether no wall or closed door lies in between.");
+}
+
+}  // namespace
+
+void addCallbacks(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE_EX(BodyRow, id, "id", isRobot, "is_robot", x, "x", y, "y", vx, "vx", vy,
+                          "vy", heading, "heading", radius, "radius");
+  addObservation(module);
+  addPersonView(module);
 }
 
 }  // namespace python
