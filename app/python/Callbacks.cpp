@@ -118,7 +118,7 @@ class PythonPlanner : public sim2d::Planner {
 /// Valid during a call only.
 struct PersonView {
   const sim2d::WorldView* world;
-  const sim2d::Intents* intents;
+  sim2d::Intents* intents;
   int human;
 };
 
@@ -144,9 +144,8 @@ py::list robotsOf(const PersonView& person) {
 }
 
 py::list goalsOf(const PersonView& person) {
-  sim2d::Intents& intents = const_cast<sim2d::Intents&>(*person.intents);  // NOLINT: reads only
   py::list list;
-  for (const sim2d::GoalItem& goal : intents.control(person.human).goals) {
+  for (const sim2d::GoalItem& goal : person.intents->control(person.human).goals) {
     list.append(tupleOf(goal.position));
   }
   return list;

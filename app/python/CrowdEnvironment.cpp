@@ -279,7 +279,6 @@ void CrowdEnvironment::observe(std::size_t copy) {
   }
   std::sort(of.bodies.begin(), of.bodies.end(),
             [](const auto& a, const auto& b) { return a.id < b.id; });
-  const std::size_t people = of.bodies.size();
   for (int robot = view.robotCount() - 1; robot >= 0; --robot) {
     const base::Pose2 pose = view.robotPose(robot);
     of.bodies.push_back({-1 - robot, sim2d::BodyKind::Robot, pose.position, pose.heading,
@@ -300,11 +299,7 @@ void CrowdEnvironment::observe(std::size_t copy) {
     state[4] = static_cast<float>(of.world->frame().robots.omega[index]);
     observePeople(of, robot, row);
     if (options_.beams > 0) {
-      std::vector<sim2d::SensedBody> others = of.bodies;
-      others.erase(others.begin() +
-                   static_cast<std::ptrdiff_t>(
-                       people + static_cast<std::size_t>(view.robotCount()) - 1 - index));
-      of.lidars[robot].update({pose, pose, of.world->obstacles(), others, of.world->time()});
+      of.lidars[robot].update({pose, pose, of.world->obstacles(), of.bodies, of.world->time()});
       observeLidar(of, robot, row);
     }
     observeGrid(of, robot, row);

@@ -29,7 +29,7 @@ void addProblems(py::module_& module) {
       .def_readonly("message", &base::Diagnostic::message, "One sentence.")
       .def_property_readonly(
           "code", [](const base::Diagnostic& p) { return std::string(p.code); },
-          "Identifier that does not change between versions, such as 'scenario.nobody'.")
+          "Identifier that does not change between versions, such as 'scenario.goal-undefined'.")
       .def("__str__", &base::Diagnostic::text)
       .def("__repr__", [](const base::Diagnostic& p) { return "<Problem " + p.text() + ">"; });
   scenarioError = PyErr_NewExceptionWithDoc(

@@ -32,8 +32,8 @@ py::object valueOf(const std::string& text) {
   return py::str(text);
 }
 
-/// The rows of a batch in the order of its runs, as dicts of columns.
-py::list rowsOf(const std::string& database) {
+/// The varied paths of a batch, and its rows in the order of its runs, as dicts of columns.
+py::tuple rowsOf(const std::string& database) {
   const base::Result<std::unique_ptr<app::ResultStore>> store = app::ResultStore::open(database);
   if (!store) {
     throwProblems(store.diagnostics());
@@ -55,7 +55,7 @@ py::list rowsOf(const std::string& database) {
     }
     rows.append(row);
   }));
-  return rows;
+  return py::make_tuple(paths, rows);
 }
 
 py::dict compare(const std::vector<double>& first, const std::vector<double>& second,

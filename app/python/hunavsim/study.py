@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 import subprocess
+import tempfile
 from pathlib import Path
 
 from ._hunavsim import ScenarioError, _rows, compare
@@ -16,8 +17,9 @@ class Results:
     and the metrics by key (None: undefined).
     """
 
-    def __init__(self, rows):
+    def __init__(self, rows, paths=()):
         self.rows = list(rows)
+        self.paths = list(paths)  # of the varied values
 
     def __len__(self):
         return len(self.rows)
@@ -34,8 +36,9 @@ class Results:
         """The rows with these values; a dot in a path is written as `__`:
         where(robot1__planner="dwa")."""
         wanted = {key.replace("__", "."): value for key, value in values.items()}
-        return Results(row for row in self.rows
-                       if all(row.get(key) == value for key, value in wanted.items()))
+        return Results((row for row in self.rows
+                        if all(row.get(key) == value for key, value in wanted.items())),
+                       self.paths)
 
     def values(self, column):
         """The defined values of a column, as floats; truth values are 0 and 1."""
@@ -68,20 +71,15 @@ class Results:
         """Compares two values of the column `by` in the metric `column`, paired by scenario, seed
         and all other varied values: shift of first - second, interval, p value, number of pairs.
         """
+        others = ["scenario", "seed"] + [path for path in self.paths if path != by]
         pairs = {}
         for row in self.rows:
             if row.get(by) in (first, second) and row.get(column) is not None:
-                key = tuple((name, row[name]) for name in row
-                            if name in ("scenario", "seed") or ("." in name and name != by))
-                key = tuple(item for item in key if item[0] not in self._metric_columns())
+                key = tuple(row.get(name) for name in others)
                 pairs.setdefault(key, {})[row[by]] = float(row[column])
         complete = [pair for pair in pairs.values() if len(pair) == 2]
         return compare([pair[first] for pair in complete], [pair[second] for pair in complete],
                        level)
-
-    def _metric_columns(self):
-        columns = self.columns
-        return set(columns[columns.index("reason"):]) if "reason" in columns else set()
 
 
 def program():
@@ -109,10 +107,12 @@ def study(experiment, output, *, jobs=None, resume=False, allow_code=False, prog
     words += ["--jobs", str(jobs)] if jobs else []
     words += ["--resume"] if resume else []
     words += ["--allow-code"] if allow_code else []
-    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True) as process:
+    with tempfile.TemporaryFile("w+") as told, subprocess.Popen(
+            words, stdout=subprocess.PIPE, stderr=told, text=True) as process:
         stopped = _follow(process, progress)
-        errors = process.stderr.read()
+        process.wait()
+        told.seek(0)
+        errors = told.read()
     if process.returncode not in (0, 1) and not stopped:
         raise ScenarioError(errors.strip() or f"hunavsim ended with {process.returncode}")
     return load_results(output)
@@ -135,4 +135,5 @@ def _follow(process, progress):
 
 def load_results(folder):
     """The results of a study in a folder."""
-    return Results(_rows(str(Path(folder) / "results.sqlite")))
+    paths, rows = _rows(str(Path(folder) / "results.sqlite"))
+    return Results(rows, paths)
