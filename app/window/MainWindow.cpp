@@ -160,29 +160,11 @@ MainWindow::~MainWindow() {
 
 void MainWindow::connectFiles() {
   FileCommands* files = files_;
-  connect(actions_->newOpenPlane, &QAction::triggered, this, [files] {
-    if (files->maybeSave()) {
-      files->newOpenPlane();
-    }
-  });
-  connect(actions_->newFromMap, &QAction::triggered, files, &FileCommands::askNewFromMap);
-  connect(actions_->open, &QAction::triggered, files, &FileCommands::askOpen);
-  connect(actions_->openRun, &QAction::triggered, files, &FileCommands::askOpenRun);
-  connect(actions_->openMap, &QAction::triggered, files, &FileCommands::askReplaceMap);
-  connect(actions_->save, &QAction::triggered, files, &FileCommands::save);
-  connect(actions_->saveAs, &QAction::triggered, files, &FileCommands::saveAs);
-  connect(actions_->exportTo, &QAction::triggered, files, &FileCommands::askExport);
-  connect(actions_->newEmptyRoom, &QAction::triggered, files, &FileCommands::askNewEmptyRoom);
-  connect(actions_->close, &QAction::triggered, this, [this] {
-    if (files_->maybeSave()) {
-      files_->close();
-    }
-  });
+  files->connectActions(*actions_);
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(actions_->preferences, &QAction::triggered, this, &MainWindow::showPreferences);
   connect(actions_->tour, &QAction::triggered, this, &MainWindow::startTour);
-  connect(actions_->importTracks, &QAction::triggered, files, &FileCommands::askImportTracks);
   connect(actions_->history, &QAction::triggered, this, [this] {
     showHistoryDialog(userSettings_, workspace_.runner(), workspace_.theme(), this);
   });

@@ -57,6 +57,7 @@ class WindowActions : public QObject {
   void makeRunOverlays();
   void makeLayerGroups();
   void restoreOpacities(const UserSettings& userSettings);
+  QAction* actionOf(bool editor::CanvasOptions::*option) const;
   void makeArranging();
   void connectEditing();
   void updateEnabled();
@@ -67,7 +68,7 @@ class WindowActions : public QObject {
   Workspace& workspace_;
   std::vector<std::pair<QAction*, const char*>> icons_;
   std::vector<std::pair<QAction*, const char*>> stored_;  // with the key of their state
-  std::map<const QAction*, bool editor::CanvasOptions::*> optionOf_;
+  std::map<QAction*, bool editor::CanvasOptions::*> optionOf_;
   std::vector<LayerGroup> layerGroups_;
   std::vector<std::pair<QAction*, std::size_t>> arranging_;  // with the minimum selection size
 };

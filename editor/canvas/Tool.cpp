@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "editor/canvas/EntityItem.h"
+#include "editor/document/EditCommands.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -214,6 +215,16 @@ std::optional<Extent> guideBoxOf(const Entity& entity) {
     }
   }
   return extentOf(entity);
+}
+
+std::optional<Extent> guideBoxOfSelection(const ScenarioDocument& document) {
+  std::vector<Vec2> corners;
+  for (const Entity& value : valuesOf(document, document.selection())) {
+    if (const std::optional<Extent> extent = guideBoxOf(value)) {
+      corners.insert(corners.end(), {extent->low, extent->high});
+    }
+  }
+  return extentOf(corners);
 }
 
 Alignment alignedOnCanvas(const MapScene& scene, const CanvasMouse& mouse, const Extent& moving,

@@ -123,6 +123,8 @@ std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2&
 /// The box by which an entity is aligned: its bounding box; for bodies and for obstacles without
 /// horizontal edges the centre. None for the settings.
 std::optional<Extent> guideBoxOf(const Entity& entity);
+/// The bounding box of the guide boxes of all selected entities; none: there are none.
+std::optional<Extent> guideBoxOfSelection(const ScenarioDocument& document);
 /// The alignment of a dragged bounding box with the nearest visible entities other than `without`.
 /// None with Alt or Ctrl, or if the canvas options disable it.
 Alignment alignedOnCanvas(const MapScene& scene, const CanvasMouse& mouse, const Extent& moving,

@@ -280,7 +280,7 @@ class SelectTool : public Tool {
   void beginDrag(const CanvasMouse& mouse) {
     if (gesture_ == Gesture::Pressed) {
       gesture_ = Gesture::Moving;
-      moving_ = selectedExtent();
+      moving_ = guideBoxOfSelection(document());
       deselectOnRelease_ = false;
       previewMove(mouse);
     } else if (gesture_ == Gesture::Handle) {
@@ -363,17 +363,6 @@ class SelectTool : public Tool {
       }
     }
     return rounded(delta);
-  }
-
-  /// The bounding box of the selection.
-  std::optional<Extent> selectedExtent() const {
-    std::vector<Vec2> corners;
-    for (const Entity& value : valuesOf(document(), document().selection())) {
-      if (const std::optional<Extent> extent = guideBoxOf(value)) {
-        corners.insert(corners.end(), {extent->low, extent->high});
-      }
-    }
-    return extentOf(corners);
   }
 
   void previewMove(const CanvasMouse& mouse) {

@@ -11,7 +11,7 @@
 
 namespace editor {
 
-/// The name and the ports of a tree node as fields, in the place of the node. Tab and Shift+Tab
+/// The name and the ports of a tree node as fields, shown over the node. Tab and Shift+Tab
 /// move between the fields, Return applies all of them, Escape none; leaving the fields applies
 /// them.
 class NodeFields : public QFrame {

@@ -3,6 +3,7 @@
 #include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunReplay.h"
+#include "app/window/WindowActions.h"
 #include "app/window/files/MapFiles.h"
 #include "app/window/settings/Preferences.h"
 #include "bt/tree/TreeXml.h"
@@ -29,6 +30,28 @@ FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues,
     }
   });
   connect(&workspace_, &Workspace::recordedRunClosed, this, &FileCommands::closeRun);
+}
+
+void FileCommands::connectActions(const WindowActions& actions) {
+  connect(actions.newFromMap, &QAction::triggered, this, &FileCommands::askNewFromMap);
+  connect(actions.newEmptyRoom, &QAction::triggered, this, &FileCommands::askNewEmptyRoom);
+  connect(actions.newOpenPlane, &QAction::triggered, this, [this] {
+    if (maybeSave()) {
+      newOpenPlane();
+    }
+  });
+  connect(actions.open, &QAction::triggered, this, &FileCommands::askOpen);
+  connect(actions.openRun, &QAction::triggered, this, &FileCommands::askOpenRun);
+  connect(actions.openMap, &QAction::triggered, this, &FileCommands::askReplaceMap);
+  connect(actions.importTracks, &QAction::triggered, this, &FileCommands::askImportTracks);
+  connect(actions.save, &QAction::triggered, this, &FileCommands::save);
+  connect(actions.saveAs, &QAction::triggered, this, &FileCommands::saveAs);
+  connect(actions.exportTo, &QAction::triggered, this, &FileCommands::askExport);
+  connect(actions.close, &QAction::triggered, this, [this] {
+    if (maybeSave()) {
+      close();
+    }
+  });
 }
 
 bool FileCommands::showProblems(const base::Diagnostics& problems) {

@@ -12,6 +12,8 @@
 
 namespace app {
 
+class WindowActions;
+
 /// Opens and saves files with the necessary dialogs. Problems are shown in the issues panel.
 class FileCommands : public QObject {
   Q_OBJECT
@@ -19,6 +21,8 @@ class FileCommands : public QObject {
   FileCommands(Workspace& workspace, editor::IssuesPanel& issues, UserSettings& userSettings,
                QWidget& window);
 
+  /// Connects the commands of files with their functions.
+  void connectActions(const WindowActions& actions);
   void setOptions(const RunSpec& options, const sim2d::Compatibility& compatibility) {
     options_ = options;
     compatibility_ = compatibility;

@@ -1,0 +1,233 @@
+#include <algorithm>
+
+#include "app/window/WindowActions.h"
+#include "editor/canvas/MapScene.h"
+
+/// The commands that show and hide what the map has: layers, overlays and snapping.
+namespace app {
+
+using editor::CanvasOptions;
+
+namespace {
+
+constexpr int kWithShift = Qt::SHIFT;  // an integer: keys and modifiers are different enums
+constexpr const char* kOpacities = "map/opacities";
+constexpr const char* kShowOrHide = QT_TR_NOOP("Show or hide on the map");
+
+/// Connects a checkable action with an option of the map.
+void bindOption(QAction& action, editor::MapScene& scene, bool CanvasOptions::*option) {
+  action.setCheckable(true);
+  action.setChecked(scene.options().*option);
+  QObject::connect(&action, &QAction::toggled, &scene, [&scene, option](bool on) {
+    CanvasOptions options = scene.options();
+    options.*option = on;
+    scene.setOptions(options);
+  });
+  QObject::connect(&scene, &editor::MapScene::optionsChanged, &action,
+                   [&action, &scene, option] { action.setChecked(scene.options().*option); });
+}
+
+}  // namespace
+
+/// A checkable command for an option of the map.
+struct WindowActions::Toggle {
+  const char* text;
+  bool CanvasOptions::*option;
+  int shortcut;  // 0: none
+  const char* tip;
+  const char* key = nullptr;  // key of the stored state; null: not stored
+  QAction* WindowActions::*action = nullptr;
+  const char* icon = nullptr;
+};
+
+namespace {
+
+using Named = std::pair<const char*, bool CanvasOptions::*>;
+constexpr Named kOverlayNames[] = {
+    {"density", &CanvasOptions::density},   {"sight", &CanvasOptions::sight},
+    {"gaussian", &CanvasOptions::gaussian}, {"velocities", &CanvasOptions::velocities},
+    {"plans", &CanvasOptions::plans},       {"contacts", &CanvasOptions::contacts},
+    {"thoughts", &CanvasOptions::thoughts}, {"zones", &CanvasOptions::proxemics},
+    {"forces", &CanvasOptions::forces},     {"local-costs", &CanvasOptions::localCosts},
+    {"ways", &CanvasOptions::candidates},   {"global-costs", &CanvasOptions::globalCosts},
+    {"laser", &CanvasOptions::lidar},       {"masks", &CanvasOptions::masks}};
+
+}  // namespace
+
+std::vector<std::string> WindowActions::overlayNames() {
+  std::vector<std::string> all;
+  for (const auto& [name, option] : kOverlayNames) {
+    all.emplace_back(name);
+  }
+  return all;
+}
+
+void WindowActions::showOverlays(const std::vector<std::string>& shown) {
+  CanvasOptions options = workspace_.scene().options();
+  for (const auto& [name, option] : kOverlayNames) {
+    const bool isWanted = std::find(shown.begin(), shown.end(), name) != shown.end();
+    const bool isUsual = option != &CanvasOptions::lidar;  // in pictures only if requested
+    options.*option = isWanted || (isUsual && options.*option);
+  }
+  workspace_.scene().setOptions(options);
+}
+
+QList<QAction*> WindowActions::togglesOf(const std::vector<Toggle>& rows) {
+  QList<QAction*> all;
+  for (const Toggle& row : rows) {
+    QAction* action = make(tr(row.text), tr(row.tip), row.shortcut, row.icon);
+    bindOption(*action, workspace_.scene(), row.option);
+    optionOf_[action] = row.option;
+    all << action;
+    if (row.action != nullptr) {
+      this->*row.action = action;
+    }
+    if (row.key != nullptr) {
+      stored_.emplace_back(action, row.key);
+    }
+  }
+  return all;
+}
+
+void WindowActions::makeToggles() {
+  using Actions = WindowActions;
+  using Options = CanvasOptions;
+  overlays = togglesOf(
+      {{QT_TR_NOOP("&Names"), &Options::names, Qt::Key_N, kShowOrHide, "map/names", &Actions::names,
+        "view-names"},
+       {QT_TR_NOOP("Rou&tes"), &Options::routes, kWithShift | Qt::Key_R, kShowOrHide, "map/routes",
+        &Actions::routes, "tool-route"},
+       {QT_TR_NOOP("&Grid"), &Options::grid, kWithShift | Qt::Key_G, kShowOrHide, "map/grid",
+        &Actions::grid, "view-grid"},
+       {QT_TR_NOOP("R&ulers"), &Options::rulers, 0, kShowOrHide, "map/rulers"},
+       {QT_TR_NOOP("Tr&ails"), &Options::trails, Qt::Key_T,
+        QT_TR_NOOP("Past paths of people in a run"), "map/trails", nullptr, "view-trails"},
+       {QT_TR_NOOP("&Personal spaces"), &Options::proxemics, Qt::Key_X,
+        QT_TR_NOOP("Hall's zones around selected people; in a run around all if none is selected"),
+        "map/rings", &Actions::rings, "view-rings"},
+       {QT_TR_NOOP("For&ces"), &Options::forces, kWithShift | Qt::Key_F,
+        QT_TR_NOOP("Forces on selected people in a run; on all if none is selected"), "map/forces",
+        &Actions::forces, "view-forces"},
+       {QT_TR_NOOP("Robot pat&hs"), &Options::robotPath, 0,
+        QT_TR_NOOP("Paths that robot planners follow in a run"), "map/robotPath"},
+       {QT_TR_NOOP("Lid&ar scans"), &Options::lidar, kWithShift | Qt::Key_L,
+        QT_TR_NOOP("Lidar scans of robots in a run"), "map/lidar", &Actions::lidar},
+       {QT_TR_NOOP("&Detections"), &Options::detections, kWithShift | Qt::Key_D,
+        QT_TR_NOOP("Positions of people and of themselves as robots estimate them in a run"),
+        "map/detections", &Actions::detections},
+       {QT_TR_NOOP("Candidate tra&jectories"), &Options::candidates, kWithShift | Qt::Key_W,
+        QT_TR_NOOP("Trajectories that robot planners evaluated in a run"), "map/ways",
+        &Actions::candidates}});
+  layers = togglesOf({{QT_TR_NOOP("&Map"), &Options::map, 0, kShowOrHide},
+                      {QT_TR_NOOP("&People"), &Options::people, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Robots"), &Options::robots, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Goals"), &Options::goals, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Obstacles and doors"), &Options::obstacles, 0, kShowOrHide},
+                      {QT_TR_NOOP("&Areas and docks"), &Options::areas, 0, kShowOrHide},
+                      {QT_TR_NOOP("Gro&ups"), &Options::groups, 0, kShowOrHide}});
+  snapping = togglesOf({{QT_TR_NOOP("Snap to p&oints"), &Options::snapToPoints, Qt::Key_S,
+                         QT_TR_NOOP("Snap drawn items to corners, ends and centres of other items"),
+                         nullptr, &Actions::snapToPoints, "snap"},
+                        {QT_TR_NOOP("Snap to &walls"), &Options::snapToWalls, 0,
+                         QT_TR_NOOP("Snap drawn items to corners and edges of map walls")},
+                        {QT_TR_NOOP("Snap to the gr&id"), &Options::snapToGrid,
+                         kWithShift | Qt::Key_S, QT_TR_NOOP("Snap drawn items to a grid of 0.5 m")},
+                        {QT_TR_NOOP("Alignment guides"), &Options::guides, 0,
+                         QT_TR_NOOP("Align dragged items with edges, centres and distances of "
+                                    "others; Alt suspends this"),
+                         "map/guides"}});
+  makeRunOverlays();
+}
+
+void WindowActions::makeRunOverlays() {
+  using Options = CanvasOptions;
+  runOverlays = togglesOf(
+      {{QT_TR_NOOP("&Density of people"), &Options::density, kWithShift | Qt::Key_H,
+        QT_TR_NOOP("People per m² as a colour map"), "map/density"},
+       {QT_TR_NOOP("&Field of view"), &Options::sight, kWithShift | Qt::Key_E,
+        QT_TR_NOOP("Area that the selected people see; walls block the view"), "map/sight"},
+       {QT_TR_NOOP("&Gaussian spaces"), &Options::gaussian, kWithShift | Qt::Key_X,
+        QT_TR_NOOP("Gaussian personal space, longer in the walking direction"), "map/gaussian"},
+       {QT_TR_NOOP("&Velocities"), &Options::velocities, kWithShift | Qt::Key_V,
+        QT_TR_NOOP("Velocity vector of each body"), "map/velocities"},
+       {QT_TR_NOOP("Peopl&e's paths"), &Options::plans, kWithShift | Qt::Key_P,
+        QT_TR_NOOP("Remaining path of each person; newest step only"), "map/plans"},
+       {QT_TR_NOOP("C&ontacts"), &Options::contacts, kWithShift | Qt::Key_C,
+        QT_TR_NOOP("Where bodies touched, and which body ran into the other"), "map/contacts"},
+       {QT_TR_NOOP("T&houghts"), &Options::thoughts, kWithShift | Qt::Key_T,
+        QT_TR_NOOP("Current action of each person and its reason, below the name"), "map/thoughts"},
+       {QT_TR_NOOP("&Speech"), &Options::speech, kWithShift | Qt::Key_B,
+        QT_TR_NOOP("What people say, and which people hear it"), "map/speech"},
+       {QT_TR_NOOP("&Local costmap"), &Options::localCosts, kWithShift | Qt::Key_M,
+        QT_TR_NOOP("Local costmap that the controller of a robot with Nav2 uses"),
+        "map/localCosts"},
+       {QT_TR_NOOP("Gl&obal costmap"), &Options::globalCosts, kWithShift | Qt::Key_K,
+        QT_TR_NOOP("Global costmap that the planner of a robot with Nav2 uses"), "map/globalCosts"},
+       {QT_TR_NOOP("F&ilter masks"), &Options::masks, kWithShift | Qt::Key_J,
+        QT_TR_NOOP("Keepout zones and speed limits of the costmap filters of a robot with Nav2"),
+        "map/masks"}});
+}
+
+/// In the order of the panel.
+void WindowActions::makeLayerGroups() {
+  using Options = CanvasOptions;
+  const std::vector<std::pair<QString, std::vector<bool Options::*>>> groups = {
+      {tr("Background"), {&Options::map, &Options::grid, &Options::rulers}},
+      {tr("Scenario"),
+       {&Options::people, &Options::robots, &Options::goals, &Options::obstacles, &Options::areas,
+        &Options::groups, &Options::names, &Options::routes}},
+      {tr("People in a run"),
+       {&Options::trails, &Options::proxemics, &Options::forces, &Options::density, &Options::sight,
+        &Options::gaussian, &Options::velocities, &Options::plans, &Options::contacts,
+        &Options::thoughts, &Options::speech}},
+      {tr("Robots in a run"),
+       {&Options::robotPath, &Options::lidar, &Options::detections, &Options::candidates,
+        &Options::localCosts, &Options::globalCosts, &Options::masks}}};
+  for (const auto& [title, options] : groups) {
+    LayerGroup& group = layerGroups_.emplace_back(LayerGroup{title, {}});
+    for (const auto option : options) {
+      group.layers.push_back({actionOf(option), option});
+    }
+  }
+}
+
+/// The action of an option, which has one.
+QAction* WindowActions::actionOf(bool CanvasOptions::*option) const {
+  const auto found = std::find_if(optionOf_.begin(), optionOf_.end(),
+                                  [option](const auto& each) { return each.second == option; });
+  Q_ASSERT(found != optionOf_.end());
+  return found->first;
+}
+
+void WindowActions::restoreOpacities(const UserSettings& userSettings) {
+  const QVariantMap stored = userSettings.value(kOpacities).toMap();
+  CanvasOptions options = workspace_.scene().options();
+  for (const auto& [action, key] : stored_) {
+    const double opacity = stored.value(QString::fromLatin1(key), 1.0).toDouble();
+    options.setOpacity(optionOf_.at(action), std::clamp(opacity, 0.1, 1.0));
+  }
+  workspace_.scene().setOptions(options);
+}
+
+void WindowActions::storeOpacities(UserSettings& userSettings) const {
+  QVariantMap opacities;
+  for (const auto& [action, key] : stored_) {
+    opacities[QString::fromLatin1(key)] =
+        workspace_.scene().options().opacityOf(optionOf_.at(action));
+  }
+  userSettings.setValue(kOpacities, opacities);
+}
+
+void WindowActions::restoreAndStore(UserSettings& userSettings) {
+  restoreOpacities(userSettings);
+  for (const auto& [action, key] : stored_) {
+    const QVariant before = userSettings.value(key);
+    if (before.isValid()) {
+      action->setChecked(before.toBool());
+    }
+    connect(action, &QAction::toggled, this,
+            [&userSettings, where = key](bool on) { userSettings.setValue(where, on); });
+  }
+}
+
+}  // namespace app
