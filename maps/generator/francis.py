@@ -399,7 +399,7 @@ def crowd_navigation(level):
     s = scene("crowd_navigation", "Crowd navigation", level, "u",
               "Whether a robot finds its way through people who walk in all directions",
               "Cross the hall", "Walk back and forth in all directions",
-              "Less than 5 % of the time in somebody's intimate space", SPACE)
+              "Less than 5 % of the time within a person's intimate space", SPACE)
     s.room(20, 14)
     crowd(s, (6, 11, 17)[level], 4.0, 1.5, 16.0, 12.5)
     s.robot((1.2, 7.0, 0.0), (18.8, 7.0))

@@ -165,7 +165,7 @@ class Place:
         length = count * pitch - 0.1
         depth = 2 * depth + 0.05 if double else depth
         bar = 0.04
-        if along == "x":  # the beam below the seats: nobody walks between them
+        if along == "x":  # the beam below the seats: people cannot walk between them
             self.rect(x, y + depth / 2 - bar, x + length, y + depth / 2 + bar)
         else:
             self.rect(x + depth / 2 - bar, y, x + depth / 2 + bar, y + length)
