@@ -190,6 +190,15 @@ void warnUnused(YamlMap& view, const SpreadSettings& own, SpreadKind kind) {
   warn("max", own.max.has_value(), isDrawn);
 }
 
+Field<DesktopSettings> stopOnCollisionField() {
+  return field("stop_on_collision", &DesktopSettings::stopOnCollision,
+               "Contacts of a robot on its route that end the run; `any`: with people, robots or "
+               "walls",
+               {"End on contact"})
+      .words({"none", "people", "any"})
+      .defaultsTo(StopOnCollision::None);
+}
+
 }  // namespace
 
 const std::vector<std::string>& routeWords() {
@@ -228,12 +237,7 @@ Fields<DesktopSettings> settingsFields() {
       field("duration", &Settings::duration,
             "Time limit; absent: the run ends 1 s after the robot has arrived, at most 120 s",
             {"Duration", 1, 5.0}, "s", {0.0, base::kTime.high, true}),
-      field("stop_on_collision", &Settings::stopOnCollision,
-            "Contacts of a robot on its route that end the run; `any`: with people, robots or "
-            "walls",
-            {"End on contact"})
-          .words({"none", "people", "any"})
-          .defaultsTo(StopOnCollision::None),
+      stopOnCollisionField(),
       field("stuck_after", &Settings::stuckAfter,
             "A robot is stuck if it makes no progress for this long; the run ends if no other "
             "robot makes progress; 0: never",

@@ -147,13 +147,13 @@ std::string normal(const fs::path& path) {
 }  // namespace
 
 std::string pathWithoutSubstitution(std::string_view named) {
-  constexpr std::string_view kPackage = "package://", kFile = "file://";
-  if (base::startsWith(named, kPackage)) {
-    const std::size_t slash = named.find('/', kPackage.size());
+  constexpr std::string_view kPackageUri = "package://", kFileUri = "file://";
+  if (base::startsWith(named, kPackageUri)) {
+    const std::size_t slash = named.find('/', kPackageUri.size());
     return slash == std::string_view::npos ? std::string() : std::string(named.substr(slash + 1));
   }
-  if (base::startsWith(named, kFile)) {
-    return std::string(named.substr(kFile.size()));
+  if (base::startsWith(named, kFileUri)) {
+    return std::string(named.substr(kFileUri.size()));
   }
   const std::size_t end = base::startsWith(named, "~/") ? 1 : endOfPlaceholders(named);
   if (end == 0) {
