@@ -181,6 +181,7 @@ void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
   } else {
     addOthers(human, situation);
   }
+  situation.firstRobot = situation.others.size();
   addRobots(plans_->steps[human].robot, situation);
   addGroup(human, situation);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Ranges.h"
@@ -63,7 +64,6 @@ class Orca : public PedestrianModel {
     return velocityAfterForces(situation, forces, situation.dt);
   }
 
-  bool usesDesiredMotions() const override { return true; }
   double range(double /*fastest*/, double /*ownSpeed*/) const override { return parameters_.range; }
 
  private:
@@ -75,7 +75,9 @@ class Orca : public PedestrianModel {
   }
 
   Vec2 chosenVelocity(const Situation& situation, const Vec2& wanted) const {
-    std::vector<HalfPlane> planes = planesOfWalls(situation);
+    thread_local std::vector<HalfPlane> planes;
+    planes.clear();
+    addPlanesOfWalls(situation, planes);
     const std::size_t fixed = planes.size();
     addPlanesOfOthers(situation, planes);
     const bool isFree = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& plane) {
@@ -91,48 +93,59 @@ class Orca : public PedestrianModel {
     return nearestFeasibleVelocity(planes, fixed, aside, situation.desired.desiredSpeed);
   }
 
-  std::vector<HalfPlane> planesOfWalls(const Situation& situation) const {
+  void addPlanesOfWalls(const Situation& situation, std::vector<HalfPlane>& planes) const {
     const double near =
         situation.self.radius + situation.desired.desiredSpeed * parameters_.obstacleHorizon;
-    std::vector<HalfPlane> planes;
     for (const Obstacles::Point& point : situation.obstacles) {
       if (point.inside || point.distance <= near) {
         planes.push_back(
             pointHalfPlane(situation.self, point, parameters_.obstacleHorizon, situation.dt));
       }
     }
-    return planes;
   }
 
+  /// The nearest visible neighbours, nearest first; of equally near ones the lower id.
   void addPlanesOfOthers(const Situation& situation, std::vector<HalfPlane>& planes) const {
-    const Vec2& place = situation.self.position;
-    std::vector<std::size_t> near;
-    for (std::size_t i = 0; i < situation.others.size(); ++i) {
-      if ((situation.others[i].position - place).squaredNorm() <
-          parameters_.range * parameters_.range) {
-        near.push_back(i);
-      }
-    }
-    std::sort(near.begin(), near.end(), [&](std::size_t a, std::size_t b) {
-      const Walker& first = situation.others[a];
-      const Walker& second = situation.others[b];
-      const double nearer = (first.position - place).squaredNorm();
-      const double farther = (second.position - place).squaredNorm();
-      return nearer < farther || (nearer == farther && first.id < second.id);
-    });
+    std::vector<Candidate>& near = candidatesWithin(situation, parameters_.range);
     std::size_t count = 0;
-    for (const std::size_t i : near) {
+    for (auto end = near.end(); end != near.begin() && count < kMaxNeighbors; --end) {
+      std::pop_heap(near.begin(), end, isFarther);
+      const std::size_t i = std::prev(end)->index;
       const Walker& other = situation.others[i];
-      if (count == kMaxNeighbors) {
-        break;
-      }
-      if ((*situation.isVisible)(place, other.position)) {
-        const double share = situation.desiredMotions[i].isRobot ? kRobotShare : kPersonShare;
+      if ((*situation.isVisible)(situation.self.position, other.position)) {
+        const double share = i >= situation.firstRobot ? kRobotShare : kPersonShare;
         planes.push_back(
             bodyHalfPlane(situation.self, other, parameters_.horizon, situation.dt, share));
         ++count;
       }
     }
+  }
+
+  struct Candidate {
+    double squaredDistance = 0.0;  // [m²]
+    int id = 0;
+    std::size_t index = 0;  // in Situation::others
+  };
+
+  static bool isFarther(const Candidate& a, const Candidate& b) {
+    return b.squaredDistance < a.squaredDistance ||
+           (b.squaredDistance == a.squaredDistance && b.id < a.id);
+  }
+
+  /// A heap with the nearest candidate on top: few of the many candidates are taken from it, so
+  /// they need not be sorted. Valid until the next call.
+  static std::vector<Candidate>& candidatesWithin(const Situation& situation, double range) {
+    thread_local std::vector<Candidate> near;
+    near.clear();
+    for (std::size_t i = 0; i < situation.others.size(); ++i) {
+      const Walker& other = situation.others[i];
+      const double squared = (other.position - situation.self.position).squaredNorm();
+      if (squared < range * range) {
+        near.push_back({squared, other.id, i});
+      }
+    }
+    std::make_heap(near.begin(), near.end(), isFarther);
+    return near;
   }
 
   OrcaParameters parameters_;

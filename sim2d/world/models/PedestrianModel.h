@@ -20,7 +20,9 @@ struct Situation {
   /// Time over which forces act in this step [s]. Half of dt when a person starts or begins to
   /// brake: velocities belong to the middle of steps, so that positions do not depend on dt.
   double forceTime = 0.05;
-  std::vector<Walker> others;  // people and robots, without those treated as obstacles
+  /// People, and from `firstRobot` on robots, without those treated as obstacles.
+  std::vector<Walker> others;
+  std::size_t firstRobot = 0;
   /// Social force of all people, if it was computed for the whole crowd; then `others` contains
   /// robots only [m/s²].
   std::optional<Vec2> crowdForce;
