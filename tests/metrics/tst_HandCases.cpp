@@ -40,6 +40,23 @@ class HandCasesTest : public QObject {
     }
   }
 
+  void finalSituation_isThatOfTheLastSample() {
+    // At the end the robot looks along y: person 2 is 3 m to its left, person 1 has passed.
+    std::vector<Sample> samples = {sampleAt(0, 0, 0), sampleAt(1, 1, 2)};
+    samples[0].people = {personAt(1, 0.6, 0)};
+    samples[1].robot.heading = base::kPi / 2.0;
+    samples[1].people = {personAt(1, 1, -8), personAt(2, -2, 2, 0.3, -0.4), personAt(3, 4, 6)};
+    const SampledRun recording = recordingOfSamples(samples);
+    QVERIFY(isNear(valueOf(recording, "final_bearing_to_person"), base::kPi / 2.0));
+    QVERIFY(isNear(valueOf(recording, "final_distance_to_person"), 3.0 - 0.5));
+    QVERIFY(isNear(valueOf(recording, "final_person_speed"), 0.5));
+    QCOMPARE(valueOf(recording, "final_people_near"), 1.0);  // the third is 5 m - 0.5 m away
+    samples[1].people.clear();
+    const SampledRun alone = recordingOfSamples(samples);
+    QVERIFY(std::isnan(valueOf(alone, "final_bearing_to_person")));
+    QCOMPARE(valueOf(alone, "final_people_near"), 0.0);
+  }
+
   void facing_narrowAndWideCones() {
     // 2.9 degrees off for 1 s, 45 and 30 degrees off for 2 s, then turned away.
     const double small = std::atan(0.05);
