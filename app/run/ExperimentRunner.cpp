@@ -29,46 +29,11 @@ RunSettings settingsOf(const Experiment& experiment) {
 
 }  // namespace
 
-/// Cached files may be outdated: if a file was modified since it was hashed, everything is read
-/// again.
-Bundle ExperimentRunner::read(std::size_t index, const RunSettings& settings, FileIndices& used) {
-  constexpr int kMaxReads = 5;
-  for (int reads = 1;; ++reads) {
-    const InputFingerprints::Time before = InputFingerprints::now();
-    Bundle bundle = readBundle(experiment_.specOf(index), settings, *files_);
-    used = filesOf(bundle);
-    if (reads == kMaxReads || !fingerprints_.anyModifiedSince(used, before)) {
-      return bundle;
-    }
-    files_ = std::make_unique<FileCache>(loader_);
-  }
-}
-
-const ExperimentRunner::FileIndices& ExperimentRunner::filesOf(const Bundle& bundle) {
-  constexpr std::size_t kMaxKnownBundles = 10000;
-  std::vector<std::string> names = bundle.inputs;  // includes trees, but not their includes
-  for (const ExternalCode& code : externalCodeOf(*bundle.scenario)) {
-    names.push_back(code.words);
-  }
-  const auto found = inputsByBundle_.find(names);
-  if (found != inputsByBundle_.end()) {
-    return found->second;
-  }
-  if (inputsByBundle_.size() >= kMaxKnownBundles) {
-    inputsByBundle_.clear();
-  }
-  FileIndices& used = inputsByBundle_[names];
-  for (const std::string& path : inputFilesOf(bundle)) {
-    used.push_back(fingerprints_.add(path));
-  }
-  return used;
-}
-
 base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario,
                                                   base::Severity codeSeverity) {
   const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
-  FileIndices used;
-  const Bundle bundle = read(scenario * runs, RunSettings(), used);
+  BundleReader::FileIndices used;
+  const Bundle bundle = reader_.read(experiment_.specOf(scenario * runs), RunSettings(), used);
   const Verdict verdict = app::check(bundle);
   base::Diagnostics problems;
   for (base::Diagnostic problem : errorsOf(verdict.wrongOptions)) {  // the reader reports warnings
@@ -101,20 +66,21 @@ base::Result<ResultRow> ExperimentRunner::run(
   if (!removalProblems.empty()) {
     return removalProblems;
   }
-  FileIndices used;
-  const Bundle bundle = read(index, settingsOf(experiment_), used);
+  BundleReader::FileIndices used;
+  const Bundle bundle = reader_.read(experiment_.specOf(index), settingsOf(experiment_), used);
   if (reportInputs) {
-    reportInputs(fingerprints_.withChanges(used));
+    reportInputs(reader_.withChanges(used));
   }
-  base::Result<ResultRow> row = execute(index, bundle);
+  base::Result<ResultRow> row = experiment_.record == Record::Metrics
+                                    ? base::Result<ResultRow>(measureRun(bundle))
+                                    : runWithFiles(index, bundle);
   if (row) {
-    row->inputs = fingerprints_.withChanges(used);
+    row->inputs = reader_.withChanges(used);
   }
   return row;
 }
 
-base::Result<ResultRow> ExperimentRunner::execute(std::size_t index, const Bundle& bundle) {
-  const bool hasFiles = experiment_.record != Record::Metrics;
+base::Result<ResultRow> ExperimentRunner::runWithFiles(std::size_t index, const Bundle& bundle) {
   Verdict verdict = app::check(bundle);
   if (!verdict.ok()) {
     base::Diagnostics all = verdict.wrongOptions;
@@ -122,23 +88,20 @@ base::Result<ResultRow> ExperimentRunner::execute(std::size_t index, const Bundl
     return rowOf(all);
   }
   sim2d::World& world = *verdict.world;
-  skipUnwrittenMetrics(hasFiles, hasFiles, verdict.metrics.selection);
-  base::Result<std::unique_ptr<OutputFolder>> output = std::unique_ptr<OutputFolder>();
-  if (hasFiles) {
-    output = OutputFolder::open(folderOf(index), true);  // BatchFolder::open has checked the folder
-  }
+  skipUnwrittenMetrics(true, true, verdict.metrics.selection);
+  const base::Result<std::unique_ptr<OutputFolder>> output =
+      OutputFolder::open(folderOf(index), true);  // BatchFolder::open has checked the folder
   if (!output) {
     return output.diagnostics();
   }
-  RunWriter writer(hasFiles ? (*output)->staging() : std::string(), world, world.header(),
-                   verdict.metrics.selection, verdict.metrics.parameters, bundle.routes);
+  RunWriter writer((*output)->staging(), world, world.header(), verdict.metrics.selection,
+                   verdict.metrics.parameters, bundle.routes);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
-  FinishedRun run = simulate(
-      session, world, verdict.scenarioMetrics, writer, [](const sim2d::Frame&) { return false; },
-      hasFiles ? PlanningClock::On : PlanningClock::Off);
+  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer,
+                             [](const sim2d::Frame&) { return false; });
   const ResultRow row = rowOf(run);
   base::Diagnostics problems;
-  if (hasFiles && (isKept(row) || writer.hasFailed())) {
+  if (isKept(row) || writer.hasFailed()) {
     problems = writeFiles(index, run, writer, bundle, **output);
   }
   if (base::hasErrors(problems)) {

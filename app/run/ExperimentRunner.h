@@ -1,12 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "app/run/Bundle.h"
+#include "app/run/BundleReader.h"
 #include "app/run/Experiment.h"
 #include "app/run/ManifestFiles.h"
 #include "app/run/PlannerFiles.h"
@@ -21,16 +19,13 @@ class ExperimentRunner {
   /// `runsFolder`: kept run folders are <runsFolder>/<run>. `loader` reads map images other than
   /// PGM. The experiment must outlive this.
   ExperimentRunner(const Experiment& experiment, std::string runsFolder, sim2d::ImageLoader loader)
-      : experiment_(experiment),
-        runsFolder_(std::move(runsFolder)),
-        loader_(std::move(loader)),
-        files_(std::make_unique<FileCache>(loader_)) {}
+      : experiment_(experiment), runsFolder_(std::move(runsFolder)), reader_(std::move(loader)) {}
 
   /// Reports scenarios that no run could use, values that no scenario accepts and, if external code
   /// is not allowed, programs that would have to be started.
   base::Diagnostics check(base::Severity codeSeverity = base::Severity::Error);
   /// Files that the first runs of the scenarios use, each once; known after check().
-  const std::vector<InputHash>& inputs() const { return fingerprints_.all(); }
+  const std::vector<InputHash>& inputs() const { return reader_.inputs(); }
 
   /// Error: the files of the run could not be written. A failed run is a row. Its inputs are the
   /// files as first read by this process, and a second entry for those that have changed by the
@@ -40,13 +35,8 @@ class ExperimentRunner {
       const std::function<void(const std::vector<InputHash>&)>& reportInputs = {});
 
  private:
-  /// Indices of files in fingerprints_.
-  using FileIndices = std::vector<std::size_t>;
-
   base::Diagnostics checkScenario(std::size_t scenario, base::Severity codeSeverity);
-  Bundle read(std::size_t index, const RunSettings& settings, FileIndices& used);
-  const FileIndices& filesOf(const Bundle& bundle);
-  base::Result<ResultRow> execute(std::size_t index, const Bundle& bundle);
+  base::Result<ResultRow> runWithFiles(std::size_t index, const Bundle& bundle);
   std::string folderOf(std::size_t run) const;
   bool isKept(const ResultRow& row) const;
   base::Diagnostics writeFiles(std::size_t index, FinishedRun& run, RunWriter& writer,
@@ -54,11 +44,7 @@ class ExperimentRunner {
 
   const Experiment& experiment_;
   const std::string runsFolder_;
-  const sim2d::ImageLoader loader_;
-  std::unique_ptr<FileCache> files_;
-  InputFingerprints fingerprints_;
-  std::map<std::vector<std::string>, FileIndices>
-      inputsByBundle_;  // named inputs of a bundle -> all input files
+  BundleReader reader_;
 };
 
 /// External code that runs in a scenario would start, for all values of the experiment. `first`:
