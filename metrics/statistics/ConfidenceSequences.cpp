@@ -1,0 +1,70 @@
+#include "metrics/statistics/ConfidenceSequences.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace statistics {
+
+namespace {
+
+/// Share of the wealth that is staked, and how much of the first wealth does. The full stake
+/// decides samples that all lie on one side, the small ones those that scatter.
+struct Stake {
+  double share, weight;
+};
+constexpr Stake kStakes[] = {{1.0, 0.3}, {0.6, 0.2}, {0.36, 0.2}, {0.2, 0.2}, {0.1, 0.1}};
+
+}  // namespace
+
+void MeanSequence::addRound(const Numbers& values) {
+  for (const double value : values) {
+    const double inside = std::clamp(value, range_.low, range_.high);
+    ++counts_[inside];
+    ++count_;
+    sum_ += inside;
+  }
+  interval_.low = bound(true);
+  interval_.high = bound(false);
+}
+
+double MeanSequence::mean() const {
+  return count_ == 0 ? kUndefined : sum_ / count_;
+}
+
+double MeanSequence::logWealth(double m, bool higher) const {
+  const double end = higher ? range_.low : range_.high;
+  double logs[std::size(kStakes)];
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < std::size(kStakes); ++k) {
+    const double share = kStakes[k].share;
+    logs[k] = std::log(kStakes[k].weight);
+    for (const auto& [value, count] : counts_) {
+      logs[k] += count * std::log(1.0 - share + share * (value - end) / (m - end));
+    }
+    most = std::max(most, logs[k]);
+  }
+  double sum = 0.0;
+  for (const double each : logs) {
+    sum += std::isinf(most) ? 0.0 : std::exp(each - most);
+  }
+  return std::isinf(most) ? most : most + std::log(sum);
+}
+
+/// The bound now, or an earlier one that is narrower. Rounded outwards to a millionth of the range.
+double MeanSequence::bound(bool higher) const {
+  double out = higher ? interval_.low : interval_.high;  // rejected, or the end of the range
+  double within = higher ? range_.high : range_.low;     // never rejected
+  const double enough = -std::log(higher ? errors_.below : errors_.above);
+  const double precision = 1e-6 * (range_.high - range_.low);
+  const double next = out + (higher ? precision : -precision);
+  if (!(logWealth(next, higher) >= enough)) {
+    return out;
+  }
+  while (std::abs(within - out) > precision) {
+    const double middle = 0.5 * (out + within);
+    (logWealth(middle, higher) >= enough ? out : within) = middle;
+  }
+  return out;
+}
+
+}  // namespace statistics
