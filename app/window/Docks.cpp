@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "app/window/settings/Language.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/runs/Playback.h"
@@ -149,7 +150,7 @@ bool Docks::eventFilter(QObject* watched, QEvent* event) {
 void Docks::add(const editor::PanelRegistry::Entry& entry) {
   const auto& [order, title, area, isTab, initialHeight, isOpen] = entry.info;
   auto* dock = new QDockWidget(title, &window_);
-  dock->setObjectName(title.toLower());
+  dock->setObjectName(sourceText(title).toLower());
   dock->setTitleBarWidget(new DockTitle(*dock));
   connect(dock->toggleViewAction(), &QAction::toggled, this, [this] {
     for (const QDockWidget* each : docks_) {

@@ -15,6 +15,7 @@
 #include "app/window/TerminationSignals.h"
 #include "app/window/files/FileCommands.h"
 #include "app/window/files/MapFiles.h"
+#include "app/window/settings/Language.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/AppStyle.h"
 #include "editor/look/DeferredActions.h"
@@ -340,6 +341,7 @@ int windowCommand(const Invocation& given, const RunSpec& run, const WindowOptio
   QLocale::setDefault(QLocale::c());  // numbers as in files, in every language
   QApplication::setApplicationName(QStringLiteral("HuNavSim Desktop"));
   QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
+  const Translation translation(languageFor(UserSettings(!picture).value(kLanguageKey).toString()));
   WindowSetup setup = setupOf(options, run);
   setup.compatibility = settings->compatibility;
   editor::applyTheme(setup.theme);

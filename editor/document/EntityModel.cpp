@@ -21,11 +21,13 @@ struct Group {
 
 const QVector<Group>& groups() {
   static const QVector<Group> kGroups = {
-      {QT_TRANSLATE_NOOP("EntityModel", "People"), {EntityKind::Human}},
-      {QT_TRANSLATE_NOOP("EntityModel", "Goals"), {EntityKind::Goal}},
-      {QT_TRANSLATE_NOOP("EntityModel", "Robots and docks"), {EntityKind::Robot, EntityKind::Dock}},
-      {QT_TRANSLATE_NOOP("EntityModel", "Obstacles"), {EntityKind::Obstacle, EntityKind::Door}},
-      {QT_TRANSLATE_NOOP("EntityModel", "Areas"), {EntityKind::Area}},
+      {QT_TRANSLATE_NOOP("editor::EntityModel", "People"), {EntityKind::Human}},
+      {QT_TRANSLATE_NOOP("editor::EntityModel", "Goals"), {EntityKind::Goal}},
+      {QT_TRANSLATE_NOOP("editor::EntityModel", "Robots and docks"),
+       {EntityKind::Robot, EntityKind::Dock}},
+      {QT_TRANSLATE_NOOP("editor::EntityModel", "Obstacles"),
+       {EntityKind::Obstacle, EntityKind::Door}},
+      {QT_TRANSLATE_NOOP("editor::EntityModel", "Areas"), {EntityKind::Area}},
   };
   return kGroups;
 }

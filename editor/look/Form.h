@@ -80,6 +80,7 @@ void addClearButton(QLineEdit& field);
 
 /// A field for filtering a list, with a magnifier and a button that clears it.
 class SearchField : public QLineEdit {
+  Q_DECLARE_TR_FUNCTIONS(editor::SearchField)
  public:
   SearchField(const QString& placeholder, const QString& accessibleName, QWidget* parent);
   void setTheme(const Theme& theme);

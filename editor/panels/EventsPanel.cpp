@@ -15,6 +15,7 @@ namespace {
 
 /// The events of a run, newest last; a click seeks to the time of an event.
 class EventsPanel : public QWidget {
+  Q_DECLARE_TR_FUNCTIONS(editor::EventsPanel)
  public:
   explicit EventsPanel(PanelContext& context)
       : context_(context), stack_(new QStackedLayout(this)), table_(new QTableWidget(0, 2, this)) {
@@ -106,26 +107,39 @@ struct EventPresentation {
 
 const EventPresentation& presentationOf(EventKind kind) {
   static const std::map<EventKind, EventPresentation> kPresentations = {
-      {EventKind::Enter, {EventMark::Ring, QT_TR_NOOP("%1 enters")}},
-      {EventKind::Leave, {EventMark::Ring, QT_TR_NOOP("%1 leaves")}},
-      {EventKind::Goal, {EventMark::Pin, QT_TR_NOOP("%1 reached %2")}},
-      {EventKind::Arrived, {EventMark::Pin, QT_TR_NOOP("%1 has arrived")}},
-      {EventKind::Contact, {EventMark::Cross, QT_TR_NOOP("%1 touches %2")}},
-      {EventKind::Say, {EventMark::Bubble, QT_TR_NOOP("%1: “%2”")}},
-      {EventKind::Heard, {EventMark::Bubble, QT_TR_NOOP("%1 hears %2")}},
-      {EventKind::Action, {EventMark::Diamond, QT_TR_NOOP("%1 starts %2")}},
-      {EventKind::ActionEnd, {EventMark::Diamond, QT_TR_NOOP("%1 ends %2")}},
-      {EventKind::Group, {EventMark::Ring, QT_TR_NOOP("%1 joins group %2")}},
-      {EventKind::Replan, {EventMark::None, QT_TR_NOOP("%1 plans a new path")}},
-      {EventKind::Stuck, {EventMark::Triangle, QT_TR_NOOP("%1 is stuck")}},
+      {EventKind::Enter, {EventMark::Ring, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 enters")}},
+      {EventKind::Leave, {EventMark::Ring, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 leaves")}},
+      {EventKind::Goal,
+       {EventMark::Pin, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 reached %2")}},
+      {EventKind::Arrived,
+       {EventMark::Pin, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 has arrived")}},
+      {EventKind::Contact,
+       {EventMark::Cross, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 touches %2")}},
+      {EventKind::Say, {EventMark::Bubble, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1: “%2”")}},
+      {EventKind::Heard,
+       {EventMark::Bubble, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 hears %2")}},
+      {EventKind::Action,
+       {EventMark::Diamond, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 starts %2")}},
+      {EventKind::ActionEnd,
+       {EventMark::Diamond, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 ends %2")}},
+      {EventKind::Group,
+       {EventMark::Ring, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 joins group %2")}},
+      {EventKind::Replan,
+       {EventMark::None, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 plans a new path")}},
+      {EventKind::Stuck,
+       {EventMark::Triangle, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 is stuck")}},
       {EventKind::NavigationSucceeded,
-       {EventMark::Pin, QT_TR_NOOP("%1: navigation succeeded, %2")}},
-      {EventKind::NavigationFailed, {EventMark::Cross, QT_TR_NOOP("%1: navigation failed, %2")}},
-      {EventKind::Door, {EventMark::Ring, QT_TR_NOOP("Door %2")}},
-      {EventKind::Stop, {EventMark::None, QT_TR_NOOP("The run ends: %2")}},
-      {EventKind::Dock, {EventMark::Diamond, QT_TR_NOOP("%1: %2")}},
-      {EventKind::Photo, {EventMark::Diamond, QT_TR_NOOP("%1 takes a photo at %2")}},
-      {EventKind::Battery, {EventMark::Diamond, QT_TR_NOOP("%1: battery %2")}}};
+       {EventMark::Pin, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1: navigation succeeded, %2")}},
+      {EventKind::NavigationFailed,
+       {EventMark::Cross, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1: navigation failed, %2")}},
+      {EventKind::Door, {EventMark::Ring, QT_TRANSLATE_NOOP("editor::EventsPanel", "Door %2")}},
+      {EventKind::Stop,
+       {EventMark::None, QT_TRANSLATE_NOOP("editor::EventsPanel", "The run ends: %2")}},
+      {EventKind::Dock, {EventMark::Diamond, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1: %2")}},
+      {EventKind::Photo,
+       {EventMark::Diamond, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1 takes a photo at %2")}},
+      {EventKind::Battery,
+       {EventMark::Diamond, QT_TRANSLATE_NOOP("editor::EventsPanel", "%1: battery %2")}}};
   return kPresentations.at(kind);
 }
 

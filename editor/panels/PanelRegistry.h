@@ -62,7 +62,7 @@ class PanelContext : public QObject {
 /// The place of a panel in the window.
 struct PanelInfo {
   int order = 0;  // Ascending in the menu and in its area.
-  QString title;  // In lower case also the name for --dock.
+  QString title;  // In English and lower case also the name for --dock.
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
   bool isTab = true;      // A tab of its area; otherwise below the existing panels.
   int initialHeight = 0;  // Height of its area when first shown [px]; 0: unchanged.

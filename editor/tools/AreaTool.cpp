@@ -18,6 +18,7 @@ constexpr double kSourceRate = 0.5;  // Rate of a new source [people/s].
 /// clicks make a polygon; 1 to 5 select the kind. A source needs a template person: the selected
 /// person, else the first one; without people the tool adds a template that is switched off.
 class AreaTool : public ShapeDrawingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::AreaTool)
  public:
   using ShapeDrawingTool::ShapeDrawingTool;
 

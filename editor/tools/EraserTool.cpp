@@ -12,6 +12,7 @@ constexpr double kStepPx = 4.0;  // Distance between the sampled points of a dra
 /// Removes the clicked entity, or all entities crossed by a drag, with one command; routes and
 /// sources are updated. Areas are removed by a click only, because they lie beneath everything.
 class EraserTool : public Tool {
+  Q_DECLARE_TR_FUNCTIONS(editor::EraserTool)
  public:
   using Tool::Tool;
 

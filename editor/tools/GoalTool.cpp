@@ -10,6 +10,7 @@ constexpr EntityId kPreviewId{EntityKind::Goal, -1};
 /// A click adds a goal. A click on a goal picks it up and the next click places it; a drag moves
 /// it.
 class GoalTool : public Tool {
+  Q_DECLARE_TR_FUNCTIONS(editor::GoalTool)
  public:
   using Tool::Tool;
 

@@ -16,6 +16,7 @@ constexpr double kMaxBrush = 5.0;
 /// Paints map cells as wall, free or unknown; one command per stroke. Shift paints free cells
 /// regardless of the choice; 1, 2 and 3 choose, brackets change the brush width.
 class MapPaintTool : public Tool {
+  Q_DECLARE_TR_FUNCTIONS(editor::MapPaintTool)
  public:
   using Tool::Tool;
 

@@ -68,6 +68,7 @@ class PlacingTool : public Tool {
 };
 
 class PersonTool : public PlacingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::PersonTool)
  public:
   using PlacingTool::PlacingTool;
 
@@ -95,6 +96,7 @@ class PersonTool : public PlacingTool {
 /// Press and drag set the start pose of the robot; the next click sets its goal (a point, or a goal
 /// of the map). Changes the selected robot, else the first one; Shift adds another.
 class RobotTool : public PlacingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::RobotTool)
  public:
   using PlacingTool::PlacingTool;
 
@@ -174,6 +176,7 @@ class RobotTool : public PlacingTool {
 };
 
 class DockTool : public PlacingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::DockTool)
  public:
   using PlacingTool::PlacingTool;
 

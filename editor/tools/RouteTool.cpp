@@ -12,6 +12,7 @@ bool isWalker(EntityId id) {
 /// Click goals in the order in which the selected people visit them. Enter, a double click or
 /// another tool applies the route; Escape discards it, Backspace removes the last goal.
 class RouteTool : public Tool {
+  Q_DECLARE_TR_FUNCTIONS(editor::RouteTool)
  public:
   using Tool::Tool;
 

@@ -24,6 +24,7 @@ bool hasHandle(const Entity& entity, Handle::Kind kind) {
 /// A click selects, a drag moves, handles rotate and resize, a drag from free ground selects the
 /// enclosed entities, arrow keys nudge. During a run it selects, and a drag pulls a robot.
 class SelectTool : public Tool {
+  Q_DECLARE_TR_FUNCTIONS(editor::SelectTool)
  public:
   using Tool::Tool;
 

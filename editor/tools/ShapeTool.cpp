@@ -22,6 +22,7 @@ sim2d::Obstacle obstacleOf(sim2d::ObstacleKind kind, std::vector<Vec2> points = 
 
 /// Draws walls as polylines, 0.1 m thick; a drag makes one straight wall.
 class WallTool : public ShapeDrawingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::WallTool)
  public:
   using ShapeDrawingTool::ShapeDrawingTool;
 
@@ -48,6 +49,7 @@ class WallTool : public ShapeDrawingTool {
 
 /// Draws obstacles of any outline; a drag makes an axis-aligned rectangle.
 class PolygonTool : public ShapeDrawingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::PolygonTool)
  public:
   using ShapeDrawingTool::ShapeDrawingTool;
 
@@ -124,6 +126,7 @@ class DragDrawingTool : public Tool {
 
 /// Draws boxes from corner to corner; squares with Shift.
 class BoxTool : public DragDrawingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::BoxTool)
  public:
   using DragDrawingTool::DragDrawingTool;
   QString statusText() const override {
@@ -161,6 +164,7 @@ class BoxTool : public DragDrawingTool {
 
 /// Draws round obstacles from the centre to the rim.
 class CircleTool : public DragDrawingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::CircleTool)
  public:
   using DragDrawingTool::DragDrawingTool;
   QString statusText() const override {
@@ -182,6 +186,7 @@ class CircleTool : public DragDrawingTool {
 
 /// Draws doors from the hinge to the other jamb, initially open.
 class DoorTool : public DragDrawingTool {
+  Q_DECLARE_TR_FUNCTIONS(editor::DoorTool)
  public:
   using DragDrawingTool::DragDrawingTool;
   QString statusText() const override {

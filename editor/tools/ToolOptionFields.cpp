@@ -27,6 +27,7 @@ void showMarks(QWidget& fields, const Theme& theme) {
 
 /// A button that shows the behaviour shares as a bar and opens fields for them.
 class MixButton : public QToolButton {
+  Q_DECLARE_TR_FUNCTIONS(editor::MixButton)
  public:
   MixButton(CrowdRecipe& recipe, const MapScene& scene, std::function<void()> changed,
             QWidget* parent)

@@ -9,6 +9,7 @@ namespace {
 
 /// Measures distance and angle by a drag; the line stays until the next one.
 class MeasureTool : public Tool {
+  Q_DECLARE_TR_FUNCTIONS(editor::MeasureTool)
  public:
   using Tool::Tool;
 
@@ -69,6 +70,7 @@ class MeasureTool : public Tool {
 
 /// The left button pans the map. The views implement it.
 class PanTool : public Tool {
+  Q_DECLARE_TR_FUNCTIONS(editor::PanTool)
  public:
   using Tool::Tool;
 

@@ -26,20 +26,21 @@ struct OverlayLabel {
   const char* tip;
 };
 constexpr OverlayLabel kOverlayLabels[] = {
-    {FigureOverlay::Density, QT_TRANSLATE_NOOP("RunExportDialog", "Density"),
-     QT_TRANSLATE_NOOP("RunExportDialog", "People per m² as a colour map")},
-    {FigureOverlay::Zones, QT_TRANSLATE_NOOP("RunExportDialog", "Hall zones"),
-     QT_TRANSLATE_NOOP("RunExportDialog", "Intimate, personal and social zone of each person")},
-    {FigureOverlay::Gaussian, QT_TRANSLATE_NOOP("RunExportDialog", "Gaussian spaces"),
-     QT_TRANSLATE_NOOP("RunExportDialog",
+    {FigureOverlay::Density, QT_TRANSLATE_NOOP("app::RunExportDialog", "Density"),
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "People per m² as a colour map")},
+    {FigureOverlay::Zones, QT_TRANSLATE_NOOP("app::RunExportDialog", "Hall zones"),
+     QT_TRANSLATE_NOOP("app::RunExportDialog",
+                       "Intimate, personal and social zone of each person")},
+    {FigureOverlay::Gaussian, QT_TRANSLATE_NOOP("app::RunExportDialog", "Gaussian spaces"),
+     QT_TRANSLATE_NOOP("app::RunExportDialog",
                        "Gaussian personal space, longer in the walking "
                        "direction")},
-    {FigureOverlay::Velocities, QT_TRANSLATE_NOOP("RunExportDialog", "Velocities"),
-     QT_TRANSLATE_NOOP("RunExportDialog", "Velocity vector of each body")},
-    {FigureOverlay::Forces, QT_TRANSLATE_NOOP("RunExportDialog", "Forces"),
-     QT_TRANSLATE_NOOP("RunExportDialog", "Forces on each person")},
-    {FigureOverlay::Contacts, QT_TRANSLATE_NOOP("RunExportDialog", "Contacts"),
-     QT_TRANSLATE_NOOP("RunExportDialog", "Where bodies touched")}};
+    {FigureOverlay::Velocities, QT_TRANSLATE_NOOP("app::RunExportDialog", "Velocities"),
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "Velocity vector of each body")},
+    {FigureOverlay::Forces, QT_TRANSLATE_NOOP("app::RunExportDialog", "Forces"),
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "Forces on each person")},
+    {FigureOverlay::Contacts, QT_TRANSLATE_NOOP("app::RunExportDialog", "Contacts"),
+     QT_TRANSLATE_NOOP("app::RunExportDialog", "Where bodies touched")}};
 
 /// The image of the figure in a rectangle of this size [px], with its proportions.
 QImage imageOf(const sim2d::Trace& trace, const PictureLayout& layout, std::optional<double> time,

@@ -28,6 +28,7 @@ bool isOnDisk(const TreeConflict& question) {
 
 /// Shows the differences of two texts line by line; long unchanged parts are folded.
 class DiffView : public QAbstractScrollArea {
+  Q_DECLARE_TR_FUNCTIONS(app::DiffView)
  public:
   explicit DiffView(const editor::Theme& theme, QWidget* parent)
       : QAbstractScrollArea(parent), theme_(theme) {

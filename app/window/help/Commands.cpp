@@ -3,15 +3,39 @@
 #include <algorithm>
 
 #include "app/window/WindowActions.h"
+#include "app/window/settings/Language.h"
 
 namespace app {
 
-QString commandName(const QAction& action) {
+namespace {
+
+/// The text of a command, constant for commands with changing text.
+QString lastingText(const QAction& action) {
   const QString lasting = action.property(WindowActions::kNameProperty).toString();
-  return (lasting.isEmpty() ? action.text() : lasting)
-      .section(QLatin1Char('\t'), 0, 0)
-      .remove(QLatin1Char('&'))
-      .remove(QChar(0x2026));
+  return lasting.isEmpty() ? action.text() : lasting;
+}
+
+/// Without mnemonic, ellipsis and the key of a tool.
+QString plainName(const QString& text) {
+  return text.section(QLatin1Char('\t'), 0, 0).remove(QLatin1Char('&')).remove(QChar(0x2026));
+}
+
+/// The name in English. Tools add their key to the translated name.
+QString sourceName(const QAction& action) {
+  const QString text = lastingText(action);
+  const QString source = sourceText(text);
+  return plainName(source == text ? sourceText(text.section(QLatin1Char('\t'), 0, 0)) : source);
+}
+
+const QString& commandSeparator() {
+  static const QString kSeparator = QStringLiteral(" › ");
+  return kSeparator;
+}
+
+}  // namespace
+
+QString commandName(const QAction& action) {
+  return plainName(lastingText(action));
 }
 
 QString commandKeys(const QAction& action) {
@@ -22,7 +46,10 @@ QString commandKeys(const QAction& action) {
 
 namespace {
 
-void addMenu(QMenu& menu, const QString& path, bool refresh, std::vector<Command>& to) {
+/// Adds the commands of a menu. `path`, `sourcePath`: its name with those of its parents, as shown
+/// and in English.
+void addMenu(QMenu& menu, const QString& path, const QString& sourcePath, bool refresh,
+             std::vector<Command>& to) {
   if (refresh) {
     Q_EMIT menu.aboutToShow();
   }
@@ -33,10 +60,11 @@ void addMenu(QMenu& menu, const QString& path, bool refresh, std::vector<Command
     if (isListed || action->isSeparator() || !action->isVisible()) {
       continue;
     }
+    const QString id = sourcePath + commandSeparator() + sourceName(*action);
     if (action->menu() != nullptr) {
-      addMenu(*action->menu(), path + QStringLiteral(" › ") + commandName(*action), refresh, to);
+      addMenu(*action->menu(), path + commandSeparator() + commandName(*action), id, refresh, to);
     } else {
-      to.push_back({action, commandName(*action), path});
+      to.push_back({action, commandName(*action), path, id});
     }
   }
 }
@@ -86,7 +114,7 @@ std::vector<Command> commandsOf(const QMenuBar& menus, bool refresh) {
   std::vector<Command> all;
   for (const QAction* top : menus.actions()) {
     if (top->menu() != nullptr) {
-      addMenu(*top->menu(), commandName(*top), refresh, all);
+      addMenu(*top->menu(), commandName(*top), sourceName(*top), refresh, all);
     }
   }
   return all;

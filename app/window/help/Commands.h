@@ -13,6 +13,7 @@ struct Command {
   QPointer<QAction> action;
   QString name;  // without mnemonic, ellipsis and key; constant for commands with changing text
   QString path;  // the menus that contain it: "View › Layers"
+  QString id;    // path and name in English, whatever the language of the window
 };
 
 /// The name of a command without mnemonic, undo text, ellipsis and the key of its tool.

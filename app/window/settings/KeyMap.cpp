@@ -37,9 +37,9 @@ KeyMap::KeyMap(const QMenuBar& menus, UserSettings& userSettings, QObject* paren
     if (isFile) {
       continue;
     }
-    const QString id = command.path + QStringLiteral(" › ") + command.name;
-    entries_.push_back({command.action, id, command.path.section(QStringLiteral(" › "), 0, 0),
-                        command.name, command.action->shortcuts(),
+    entries_.push_back({command.action, command.id,
+                        command.path.section(QStringLiteral(" › "), 0, 0), command.name,
+                        command.action->shortcuts(),
                         command.action->text().contains(QLatin1Char('\t'))});
   }
   apply(userSettings_.value(kStored).toMap());

@@ -12,7 +12,7 @@ class KeyMap : public QObject {
  public:
   struct Entry {
     QPointer<QAction> action;
-    QString id;    // path and name: "File › Open"
+    QString id;    // as of the command: "File › Open"
     QString menu;  // "File"
     QString name;
     QList<QKeySequence> usual;  // default keys

@@ -58,7 +58,7 @@ void Preferences::setHistoryMegabytes(int megabytes) {
 }
 
 void Preferences::reset() {
-  for (const char* key : {kAnimation, kAutosave, kAutosaveSeconds, kFolderKey}) {
+  for (const char* key : {kAnimation, kAutosave, kAutosaveSeconds, kFolderKey, kLanguageKey}) {
     userSettings_.setValue(key, {});
   }
   setHistoryMegabytes(usualHistoryMegabytes());

@@ -2,6 +2,7 @@
 
 #include "app/window/Workspace.h"
 #include "app/window/files/FileDialogs.h"
+#include "app/window/settings/Language.h"
 #include "editor/document/Autosave.h"
 
 namespace app {
@@ -31,6 +32,9 @@ class Preferences : public QObject {
   bool isAutosaved() const;
   int autosaveSeconds() const;  // the longest time between a change and its copy
   void setAutosave(bool on, int seconds);
+  /// The stored code of the language; empty: that of the system. Used from the next start on.
+  QString language() const { return userSettings_.value(kLanguageKey).toString(); }
+  void setLanguage(const QString& code) { userSettings_.setValue(kLanguageKey, code); }
   int historyMegabytes() const;
   void setHistoryMegabytes(int megabytes);
   /// Restores the defaults of all values of this class.

@@ -1,5 +1,7 @@
 #include "app/window/settings/PreferencesDialog.h"
 
+#include <algorithm>
+
 #include "app/window/RunCommands.h"
 #include "editor/look/AppStyle.h"
 
@@ -67,12 +69,20 @@ QWidget* PreferencesDialog::makeGeneral() {
   theme_->addItems({tr("As the desktop"), tr("Light"), tr("Dark")});
   name(*theme_, tr("Theme"), tr("Colours of the window"));
   form->addRow(tr("&Theme"), theme_);
+  language_->addItem(tr("As the system"), QString());
+  for (const Language& each : languages()) {
+    language_->addItem(each.name, each.code);
+  }
+  name(*language_, tr("Language"), tr("Language of the window"));
+  form->addRow(tr("&Language"), language_);
+  form->addRow(QString(), explanation(tr("Used from the next start on."), page));
   animation_->setToolTip(tr("Animations\nWithout them, the map changes at once"));
   form->addRow(QString(), animation_);
   history_->setRange(kLeastHistory, kMostHistory);
   history_->setSingleStep(kHistoryStep);
   history_->setSuffix(tr(" MB"));
-  for (QWidget* field : {static_cast<QWidget*>(theme_), static_cast<QWidget*>(history_)}) {
+  for (QWidget* field : {static_cast<QWidget*>(theme_), static_cast<QWidget*>(language_),
+                         static_cast<QWidget*>(history_)}) {
     field->setFixedWidth(kFormFieldWidth);
   }
   name(*history_, tr("Run history"),
@@ -86,6 +96,8 @@ QWidget* PreferencesDialog::makeGeneral() {
                               "Fields also accept a comma."),
                            page));
   connect(theme_, qOverload<int>(&QComboBox::activated), this, &PreferencesDialog::chooseTheme);
+  connect(language_, qOverload<int>(&QComboBox::activated), this,
+          [this] { preferences_.setLanguage(language_->currentData().toString()); });
   connect(animation_, &QCheckBox::toggled, &preferences_, &Preferences::setAnimated);
   connect(history_, &QSpinBox::editingFinished, this,
           [this] { preferences_.setHistoryMegabytes(history_->value()); });
@@ -155,6 +167,7 @@ void PreferencesDialog::fill() {
   theme_->setCurrentIndex(actions_.systemTheme->isChecked() ? System
                           : workspace_.theme().isDark()     ? Dark
                                                             : Light);
+  language_->setCurrentIndex(std::max(0, language_->findData(preferences_.language())));
   animation_->setChecked(preferences_.isAnimated());
   history_->setValue(preferences_.historyMegabytes());
   folder_->setText(preferences_.folder());

@@ -33,6 +33,7 @@ class PreferencesDialog : public QDialog {
   bool isFilling_ = false;
   QTabWidget* pages_ = new QTabWidget(this);
   QComboBox* theme_ = new QComboBox(this);
+  QComboBox* language_ = new QComboBox(this);
   QCheckBox* animation_ = new QCheckBox(tr("&Animate zooming and fitting"), this);
   QSpinBox* history_ = new QSpinBox(this);
   QLineEdit* folder_ = new QLineEdit(this);

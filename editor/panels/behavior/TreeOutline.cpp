@@ -284,10 +284,10 @@ struct BreakCondition {
   std::optional<NodeStatus> status;
 };
 constexpr BreakCondition kBreakConditions[] = {
-    {QT_TRANSLATE_NOOP("editor", "is ticked"), std::nullopt},
-    {QT_TRANSLATE_NOOP("editor", "runs"), NodeStatus::Running},
-    {QT_TRANSLATE_NOOP("editor", "succeeds"), NodeStatus::Success},
-    {QT_TRANSLATE_NOOP("editor", "fails"), NodeStatus::Failure}};
+    {QT_TRANSLATE_NOOP("QObject", "is ticked"), std::nullopt},
+    {QT_TRANSLATE_NOOP("QObject", "runs"), NodeStatus::Running},
+    {QT_TRANSLATE_NOOP("QObject", "succeeds"), NodeStatus::Success},
+    {QT_TRANSLATE_NOOP("QObject", "fails"), NodeStatus::Failure}};
 
 void addBreakpoint(SimulationRunner& runner, const TreeBreakpoint& point) {
   std::vector<TreeBreakpoint> points = runner.breakpoints();

@@ -105,9 +105,9 @@ ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {
 
 QString modeText(const std::string& mode) {
   static const std::map<std::string, const char*> kWords = {
-      {"nearest", QT_TR_NOOP("The nearest person")},
-      {"specific", QT_TR_NOOP("A person by name")},
-      {"robot", QT_TR_NOOP("The robot")}};
+      {"nearest", QT_TRANSLATE_NOOP("QObject", "The nearest person")},
+      {"specific", QT_TRANSLATE_NOOP("QObject", "A person by name")},
+      {"robot", QT_TRANSLATE_NOOP("QObject", "The robot")}};
   const auto known = kWords.find(mode);
   return known == kWords.end() ? capitalized(qt(mode)) : QObject::tr(known->second);
 }

@@ -47,6 +47,7 @@ QString cornersProblem(const QString& text, std::size_t least) {
 }
 
 class GoalPage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::GoalPage)
  public:
   explicit GoalPage(ScenarioDocument& document) : PropertyPage(document) {
     FormSection* section = addSection(tr("Goal"));
@@ -81,6 +82,7 @@ class GoalPage : public PropertyPage {
 };
 
 class ObstaclePage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::ObstaclePage)
  public:
   explicit ObstaclePage(ScenarioDocument& document) : PropertyPage(document) {
     FormSection* section = addSection(tr("Obstacle"));
@@ -111,6 +113,7 @@ class ObstaclePage : public PropertyPage {
 };
 
 class DoorPage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::DoorPage)
  public:
   explicit DoorPage(ScenarioDocument& document) : PropertyPage(document) {
     FormSection* section = addSection(tr("Door"));
@@ -143,6 +146,7 @@ class DoorPage : public PropertyPage {
 };
 
 class AreaPage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::AreaPage)
  public:
   explicit AreaPage(ScenarioDocument& document) : PropertyPage(document) {
     FormSection* section = addSection(tr("Area"));
@@ -189,6 +193,7 @@ class AreaPage : public PropertyPage {
 };
 
 class DockPage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::DockPage)
  public:
   explicit DockPage(ScenarioDocument& document) : PropertyPage(document) {
     FormSection* section = addSection(tr("Dock"));

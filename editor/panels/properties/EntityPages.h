@@ -13,6 +13,7 @@ namespace editor {
 
 /// Page for one or several people.
 class PersonPage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::PersonPage)
  public:
   PersonPage(ScenarioDocument& document, const Theme& theme);
   void setTheme(const Theme& theme) override;
@@ -48,6 +49,7 @@ class RobotPicture;
 /// Page for robots: a picture of the body, then type, planner, start and goal. The parameters of
 /// the chosen planner, sensors and limits are collapsible sections.
 class RobotPage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::RobotPage)
  public:
   explicit RobotPage(ScenarioDocument& document,
                      const sim2d::FieldTables& tables = sim2d::fieldTables(),
@@ -70,6 +72,7 @@ class RobotPage : public PropertyPage {
 /// Page for the scenario settings; shown if nothing is selected. The parameters of the chosen
 /// pedestrian model have rows.
 class SettingsPage : public PropertyPage {
+  Q_DECLARE_TR_FUNCTIONS(editor::SettingsPage)
  public:
   explicit SettingsPage(ScenarioDocument& document,
                         const sim2d::Registries& registries = app::builtinRegistries());

@@ -104,6 +104,7 @@ QString manualPageOf(EntityKind kind) {
 
 /// to the robot. Hidden without a run.
 class RunStateSection : public FormSection {
+  Q_DECLARE_TR_FUNCTIONS(editor::RunStateSection)
  public:
   explicit RunStateSection(QWidget* parent) : FormSection(tr("Now"), parent) {
     addRow(tr("Position"), position_);
@@ -127,7 +128,7 @@ class RunStateSection : public FormSection {
  private:
   /// Shows the values common to people and robots. Returns the row in the columns; none = not in
   /// the frame.
-  template <class Columns>
+  template <typename Columns>
   std::optional<std::size_t> showBody(const Columns& bodies, int id) {
     const auto found = std::find(bodies.id.begin(), bodies.id.end(), id);
     if (found == bodies.id.end()) {

@@ -1,0 +1,122 @@
+#include "app/window/settings/Language.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "sim2d/base/Find.h"
+
+namespace {
+
+void initializeTranslations() {
+#ifdef HUNAV_TRANSLATIONS
+  Q_INIT_RESOURCE(translations);
+#endif
+}  // Q_INIT_RESOURCE must be used outside of namespaces.
+
+}  // namespace
+
+namespace app {
+
+namespace {
+
+constexpr QLatin1String kTranslationFolder(":/translations/");
+constexpr QLatin1String kTranslationStem("hunavsim_");
+
+/// Translates and remembers the sources of the translated texts, for `sourceText()`.
+class ProgramTranslator : public QTranslator {
+ public:
+  QString translate(const char* context, const char* source, const char* disambiguation,
+                    int n) const override {
+    QString text = QTranslator::translate(context, source, disambiguation, n);
+    if (!text.isEmpty()) {
+      const std::lock_guard<std::mutex> lock(mutex_);  // texts of tasks
+      sources_.insert(text, QString::fromUtf8(source));
+    }
+    return text;
+  }
+  QString sourceOf(const QString& text) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return sources_.value(text, text);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable QHash<QString, QString> sources_;
+};
+
+}  // namespace
+
+std::vector<Language> languages() {
+  initializeTranslations();
+  std::vector<Language> all;
+  const QString pattern = kTranslationStem + QStringLiteral("*.qm");
+  for (const QString& file : QDir(kTranslationFolder).entryList({pattern})) {
+    const QString code = QFileInfo(file).completeBaseName().mid(kTranslationStem.size());
+    QString name = QLocale(code).nativeLanguageName();
+    if (code.startsWith(QLatin1String("es"))) {
+      name = QStringLiteral("Español");  // not that of a country
+    }
+    all.push_back({code, name.left(1).toUpper() + name.mid(1)});
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Language& a, const Language& b) { return a.name < b.name; });
+  all.insert(all.begin(), {QStringLiteral("en"), QStringLiteral("English")});
+  return all;
+}
+
+QString bestLanguage(const QStringList& locales) {
+  const std::vector<Language> all = languages();
+  for (const QString& wanted : locales) {
+    const QLocale locale(wanted);
+    const auto* found = base::findIf(all, [&locale](const Language& each) {
+      const QLocale own(each.code);
+      return own.language() == locale.language() && own.script() == locale.script();
+    });
+    if (found != nullptr) {
+      return found->code;
+    }
+  }
+  return all.front().code;
+}
+
+QString languageFor(const QString& stored) {
+  const std::vector<Language> all = languages();
+  for (const QString& code : {qEnvironmentVariable(kLanguageVariable), stored}) {
+    if (base::findBy(all, &Language::code, code) != nullptr) {
+      return code;
+    }
+  }
+  return bestLanguage(QLocale::system().uiLanguages());
+}
+
+Translation::Translation(const QString& code) {
+  initializeTranslations();
+  const auto install = [this](std::unique_ptr<QTranslator> part, const QString& file,
+                              const QString& folder) {
+    if (part->load(file, folder)) {
+      part->setParent(QCoreApplication::instance());
+      QCoreApplication::installTranslator(part.get());
+      parts_.push_back(std::move(part));
+    }
+  };
+  if (code == QLatin1String("en")) {
+    return;
+  }
+  install(std::make_unique<QTranslator>(), QStringLiteral("qtbase_") + code,
+          QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+  install(std::make_unique<ProgramTranslator>(), kTranslationStem + code, kTranslationFolder);
+}
+
+Translation::~Translation() = default;
+
+QString sourceText(const QString& shown) {
+  for (QTranslator* part : QCoreApplication::instance()->findChildren<QTranslator*>(
+           QString(), Qt::FindDirectChildrenOnly)) {
+    if (const auto* program = dynamic_cast<ProgramTranslator*>(part)) {
+      return program->sourceOf(shown);
+    }
+  }
+  return shown;
+}
+
+}  // namespace app
