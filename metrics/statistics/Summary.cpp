@@ -154,12 +154,8 @@ double mcNemarP(int onlyFirst, int onlySecond) {
   return std::min(1.0, 2.0 * binomialCdf(fewer, onlyFirst + onlySecond, 0.5));
 }
 
-namespace {
-
-using Rows = std::vector<std::size_t>;
-
-/// Draws the rows of one resample.
-void draw(std::size_t n, const BootstrapOptions& options, int resample, Rows& rows) {
+void drawResample(std::size_t n, const BootstrapOptions& options, int resample,
+                  std::vector<std::size_t>& rows) {
   const base::AgentRng rng(options.seed, 0, static_cast<std::uint64_t>(resample));
   rows.resize(n);
   for (std::size_t k = 0; k < n; ++k) {  // 32 bits times n: the bias is below n / 2^32
@@ -168,6 +164,8 @@ void draw(std::size_t n, const BootstrapOptions& options, int resample, Rows& ro
     rows[k] = static_cast<std::size_t>((bits * n) >> 32U);
   }
 }
+
+namespace {
 
 /// Σ d³ / (6 (Σ d²)^1.5) of the jackknife values' distances below their mean; 0 if all are equal.
 double accelerationOf(const Numbers& jackknife) {
@@ -225,10 +223,10 @@ Interval bootstrapMeanInterval(const Numbers& values, const BootstrapOptions& op
   for (std::size_t k = 0; k < n; ++k) {
     jackknife[k] = estimate + (estimate - values[k]) / (count - 1.0);
   }
-  Rows rows;
   Numbers resampled(static_cast<std::size_t>(options.resamples));
+  std::vector<std::size_t> rows;
   for (int k = 0; k < options.resamples; ++k) {
-    draw(n, options, k, rows);
+    drawResample(n, options, k, rows);
     double sum = 0.0;
     for (const std::size_t row : rows) {
       sum += values[row] - estimate;

@@ -64,6 +64,11 @@ struct BootstrapOptions {
   std::uint64_t seed = 1;  // equal seeds give equal intervals
 };
 
+/// Draws the rows of one bootstrap resample of n rows, with replacement: a function of the seed,
+/// the resample and the position only. n >= 1.
+void drawResample(std::size_t n, const BootstrapOptions& options, int resample,
+                  std::vector<std::size_t>& rows);
+
 /// Bias-corrected and accelerated bootstrap interval (Efron 1987, Better bootstrap confidence
 /// intervals, JASA 82, equations 2.3 and 6.6; Efron & Tibshirani 1993, 14.3) of the mean: z0 from
 /// the share of resamples below the estimate (half of those equal to it, up to rounding),
