@@ -16,7 +16,7 @@ packages_to_run=(
   g++ cmake ninja-build ccache pkg-config python3
   qtbase5-dev libqt5svg5-dev libqwt-qt5-dev qttools5-dev qttools5-dev-tools
   libbox2d-dev libeigen3-dev libyaml-cpp-dev libtinyxml2-dev libcli11-dev nlohmann-json3-dev
-  librandom123-dev libxsimd-dev libboost-dev libssl-dev libhdf5-dev libsqlite3-dev libzstd-dev zlib1g-dev libzmq3-dev libgif-dev
+  librandom123-dev libxsimd-dev libboost-dev libssl-dev libhdf5-dev libsqlite3-dev libzstd-dev zlib1g-dev libzmq3-dev libgif-dev libzip-dev
   libfastrtps-dev libfastcdr-dev
   fonts-dejavu-core
 )
