@@ -1,0 +1,263 @@
+#include "app/studies/AvoidanceTrials.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/JsonText.h"
+
+namespace app {
+
+namespace {
+
+using TrialJson = nlohmann::json;
+
+/// Whose contacts count against an action.
+enum class Actor { Robot, Person };
+
+/// Watches an action: the paths of both, and contacts.
+class TrialWatcher {
+ public:
+  TrialWatcher(const sim2d::TraceHeader& header, const AvoidanceTarget& target, Actor actor)
+      : header_(header), target_(target), actor_(actor) {}
+
+  void addState(const sim2d::Frame& frame) {
+    addTo(action_.robotPath, bodyStateIn(frame, target_.robot));
+    addTo(action_.personPath, bodyStateIn(frame, target_.person));
+  }
+  /// Whether a contact in this step counts against the action. `before`: the previous state.
+  bool isSpoilt(const sim2d::Frame& before, const sim2d::Frame& frame) const {
+    return std::any_of(frame.events.begin(), frame.events.end(), [&](const sim2d::Event& event) {
+      return event.kind == sim2d::EventKind::Contact && counts(event, before, frame);
+    });
+  }
+  AvoidingAction& action() { return action_; }
+
+ private:
+  static void addTo(std::vector<base::Vec2>& path, const std::optional<BodyState>& state) {
+    if (state) {
+      path.push_back(state->pose.position);
+    }
+  }
+
+  bool counts(const sim2d::Event& event, const sim2d::Frame& before,
+              const sim2d::Frame& frame) const {
+    if (event.id != target_.robot) {
+      return false;  // robots are first in events
+    }
+    if (!event.hasOther) {
+      return actor_ == Actor::Robot;  // a wall
+    }
+    if (event.other == target_.person) {
+      return true;
+    }
+    const auto mark = sim2d::contactMark({frame.step, event}, before, frame, header_);
+    return actor_ == Actor::Robot && mark && mark->cause != sim2d::ContactMark::Cause::Person;
+  }
+
+  const sim2d::TraceHeader& header_;
+  const AvoidanceTarget& target_;
+  const Actor actor_;
+  AvoidingAction action_;
+};
+
+/// Steps to the end of the target. `inputsAt(frame, elapsed)`: of the action.
+template <class Inputs>
+std::optional<AvoidingAction> simulateAction(RunStepper& stepper, const sim2d::TraceHeader& header,
+                                             const AvoidanceTarget& target, Actor actor,
+                                             Inputs inputsAt) {
+  TrialWatcher watcher(header, target, actor);
+  const std::int64_t from = stepper.step();
+  watcher.action().time = stepper.frame().time;
+  watcher.addState(stepper.frame());
+  while (stepper.step() < target.endStep) {
+    const sim2d::Frame before = stepper.frame();
+    const double elapsed = static_cast<double>(stepper.step() - from) * header.dt;
+    if (!stepper.advance(inputsAt(before, elapsed)) || watcher.isSpoilt(before, stepper.frame())) {
+      return std::nullopt;
+    }
+    watcher.addState(stepper.frame());
+  }
+  return std::move(watcher.action());
+}
+
+TrialJson pathJson(const std::vector<base::Vec2>& path) {
+  TrialJson points = TrialJson::array();
+  for (const base::Vec2& point : path) {
+    points.push_back({point.x(), point.y()});
+  }
+  return points;
+}
+
+std::vector<base::Vec2> pathOf(const TrialJson& json) {
+  std::vector<base::Vec2> path;
+  path.reserve(json.size());
+  for (const TrialJson& point : json) {
+    path.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
+  }
+  return path;
+}
+
+TrialJson actionJson(const std::optional<AvoidingAction>& action) {
+  if (!action) {
+    return nullptr;
+  }
+  return {{"time", action->time},
+          {"manoeuvre", action->manoeuvre},
+          {"robot", pathJson(action->robotPath)},
+          {"person", pathJson(action->personPath)}};
+}
+
+std::optional<AvoidingAction> actionOf(const TrialJson& json) {
+  if (json.is_null()) {
+    return std::nullopt;
+  }
+  return AvoidingAction{json.at("time").get<double>(), json.at("manoeuvre").get<std::string>(),
+                        pathOf(json.at("robot")), pathOf(json.at("person"))};
+}
+
+const auto kNeverStop = [] { return false; };
+
+/// The first of the manoeuvres that avoids the contact, each tried in a copy of the process.
+/// `preferred`: the index to try first, and the one that was found. False: no more processes.
+template <class Manoeuvre, class Try>
+bool findAction(const std::vector<Manoeuvre>& all, std::size_t& preferred, Try tryOne,
+                ScanResult& result, std::optional<AvoidingAction>& found) {
+  std::vector<std::size_t> order = {std::min(preferred, all.size() - 1)};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k != order.front()) {
+      order.push_back(k);
+    }
+  }
+  for (const std::size_t k : order) {
+    ++result.trials;
+    const std::optional<std::string> text = inCopy(
+        [&] {
+          ScanResult one;
+          one.robot = tryOne(all[k]);
+          return scanText(one);
+        },
+        kNeverStop);
+    const std::optional<ScanResult> answer = text ? scanOf(*text) : std::nullopt;
+    if (!answer) {
+      return false;
+    }
+    if (answer->robot) {
+      found = answer->robot;
+      found->manoeuvre = all[k].name;
+      preferred = k;
+      return true;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string scanText(const ScanResult& result) {
+  return base::jsonText(TrialJson{{"robot", actionJson(result.robot)},
+                                  {"person", actionJson(result.person)},
+                                  {"trials", result.trials}},
+                        -1);
+}
+
+std::optional<ScanResult> scanOf(const std::string& text) {
+  const TrialJson json = TrialJson::parse(text, nullptr, false);
+  try {
+    return ScanResult{actionOf(json.at("robot")), actionOf(json.at("person")),
+                      json.at("trials").get<std::size_t>()};
+  } catch (const TrialJson::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<AvoidingAction> tryRobot(RunStepper& stepper, const sim2d::TraceHeader& header,
+                                       const AvoidanceTarget& target,
+                                       const RobotManoeuvre& manoeuvre) {
+  const sim2d::TraceRobot& robot = *header.robot(target.robot);
+  return simulateAction(
+      stepper, header, target, Actor::Robot, [&](const sim2d::Frame& frame, double elapsed) {
+        const sim2d::BodyTwist command =
+            commandOf(manoeuvre, elapsed, robot, twistIn(frame, robot.id), header.dt);
+        sim2d::Input input;
+        input.kind = sim2d::InputKind::Robot;
+        input.id = robot.id;
+        input.velocity = {command.linear, command.lateral};
+        input.omega = command.angular;
+        return sim2d::StepInputs{input};
+      });
+}
+
+std::optional<AvoidingAction> tryPerson(RunStepper& stepper, const sim2d::TraceHeader& header,
+                                        const AvoidanceTarget& target,
+                                        const PersonManoeuvre& manoeuvre) {
+  const sim2d::TraceHuman* const person = header.human(target.person);
+  const std::optional<BodyState> state = bodyStateIn(stepper.frame(), target.person);
+  if (person == nullptr || !state) {
+    return std::nullopt;  // spawned later
+  }
+  return simulateAction(stepper, header, target, Actor::Person,
+                        [&](const sim2d::Frame&, double elapsed) {
+                          return inputsOf(manoeuvre, elapsed, *person, state->pose.heading);
+                        });
+}
+
+std::optional<ScanResult> scanInstants(RunStepper& stepper, const sim2d::TraceHeader& header,
+                                       const AvoidanceTarget& target, std::int64_t until,
+                                       const WantedActions& wanted) {
+  ScanResult result;
+  std::size_t preferredOfRobot = 0, preferredOfPerson = 0;
+  bool hasStep = true;
+  for (; hasStep && stepper.step() < until; hasStep = stepper.advance()) {
+    const std::int64_t before = target.contactStep - stepper.step();
+    if (stepper.step() < target.firstStep || before % target.stride != 0) {
+      continue;
+    }
+    if (wanted.robot &&
+        !findAction(
+            robotManoeuvres(*header.robot(target.robot), twistIn(stepper.frame(), target.robot)),
+            preferredOfRobot,
+            [&](const RobotManoeuvre& each) { return tryRobot(stepper, header, target, each); },
+            result, result.robot)) {
+      return std::nullopt;
+    }
+    const bool isForPeople = before % (2 * target.stride) == 0;  // coarser: planners are called
+    if (wanted.person && isForPeople &&
+        !findAction(
+            personManoeuvres(), preferredOfPerson,
+            [&](const PersonManoeuvre& each) { return tryPerson(stepper, header, target, each); },
+            result, result.person)) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+std::optional<std::string> answerOf(WorkerProcess& process, const std::string& request,
+                                    const std::function<bool()>& wantsStop) {
+  if (!process.sendRequest(request)) {
+    return std::nullopt;
+  }
+  std::string answer;
+  while (!wantsStop()) {
+    if (waitForData({process.descriptor()}).empty()) {
+      continue;
+    }
+    const WorkerProcess::ReadResult read = process.readMessage(answer);
+    if (read != WorkerProcess::ReadResult::Part) {
+      return read == WorkerProcess::ReadResult::Answer ? std::optional(answer) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> inCopy(const std::function<std::string()>& work,
+                                  const std::function<bool()>& wantsStop) {
+  std::optional<WorkerProcess> process =
+      WorkerProcess::start([&work](const std::string& /*request*/,
+                                   const WorkerProcess::SendMessage& /*tell*/) { return work(); });
+  return process ? answerOf(*process, {}, wantsStop) : std::nullopt;
+}
+
+}  // namespace app
