@@ -150,6 +150,23 @@ base::Diagnostics changedInputFiles(const Study& was, const Study& now) {
   return found;
 }
 
+/// Study::design.
+std::string designJson(const Experiment& experiment) {
+  if (!experiment.design || !experiment.design->isForSensitivity()) {
+    return {};
+  }
+  nlohmann::ordered_json json = {{"method", experiment.design->methodName()},
+                                 {"points", experiment.design->points},
+                                 {"seed", experiment.design->seed}};
+  for (const ExperimentValue& value : experiment.values) {
+    if (value.kind == ExperimentValue::Kind::Between) {
+      json["factors"].push_back(
+          {{"path", value.path}, {"from", value.numbers[0]}, {"to", value.numbers[1]}});
+    }
+  }
+  return json.dump();
+}
+
 }  // namespace
 
 base::Result<Study> studyOf(const Experiment& experiment, const std::vector<InputHash>& inputs,
@@ -174,6 +191,7 @@ base::Result<Study> studyOf(const Experiment& experiment, const std::vector<Inpu
       study.drawn.push_back(value.path);
     }
   }
+  study.design = designJson(experiment);
   study.runs = experiment.runCount();
   study.shard = shard;
   study.allowsCode = experiment.allowCode;
@@ -189,6 +207,9 @@ base::Diagnostics studyDifferences(const Study& was, const Study& now) {
   if (was.experiment != now.experiment) {
     found.push_back(firstDifference(was, now));
     return found;  // another experiment may read other files
+  }
+  if (was.design != now.design) {
+    found.push_back(base::error("batch.other-design", {was.design, now.design}));
   }
   if (was.shard.count != now.shard.count) {
     found.push_back(base::error("batch.other-shards", {was.shard.count, now.shard.count}));

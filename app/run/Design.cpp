@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "app/run/ExperimentValues.h"
+#include "app/run/SensitivityDesign.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
@@ -70,7 +71,26 @@ bool readSeed(const base::YamlNode& node, Design& design) {
 
 }  // namespace
 
+Design SensitivityRequest::appliedTo(const std::optional<Design>& design) const {
+  constexpr std::size_t kTrajectories = 20, kBasePoints = 64;
+  Design applied = design.value_or(Design());
+  const bool keepsMethod =
+      applied.isForSensitivity() && method.value_or(applied.method) == applied.method;
+  if (!keepsMethod) {
+    applied.method = method.value_or(Design::Method::Morris);
+    applied.points = applied.method == Design::Method::Morris ? kTrajectories : kBasePoints;
+  }
+  applied.points = points.value_or(applied.points);
+  return applied;
+}
+
 Points designPoints(const Design& design, std::size_t dimensions) {
+  if (design.method == Design::Method::Morris) {
+    return morrisPoints(design, dimensions);
+  }
+  if (design.method == Design::Method::Saltelli) {
+    return saltelliPoints(design, dimensions);
+  }
   Points points(design.points, std::vector<double>(dimensions));
   if (design.method == Design::Method::Sobol) {
     fillSobol(points, dimensions);

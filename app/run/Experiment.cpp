@@ -27,7 +27,10 @@ bool isCoordinate(const ExperimentValue& value) {
 
 class Reader {
  public:
-  explicit Reader(std::string path) { experiment_.path = std::move(path); }
+  explicit Reader(std::string path, std::optional<SensitivityRequest> sensitivity = std::nullopt)
+      : sensitivity_(sensitivity) {
+    experiment_.path = std::move(path);
+  }
 
   base::Result<Experiment> read(std::string text) {
     experiment_.text = std::move(text);
@@ -194,6 +197,9 @@ class Reader {
       return false;
     }
     if (node == nullptr) {
+      if (sensitivity_) {
+        error(root, "experiment.no-factors");
+      }
       return true;
     }
     if (!node->isMap()) {
@@ -216,22 +222,59 @@ class Reader {
 
   void readDesignOf(const YamlNode& root) {
     const YamlNode* const node = root.find("design");
+    const std::optional<Design> design = designIn(node);
+    if (design && design->isForSensitivity()) {
+      takeUniformAsCoordinates();
+    }
     std::vector<ExperimentValue>& values = experiment_.values;
     const auto first = std::find_if(values.begin(), values.end(), isCoordinate);
-    if (node != nullptr) {
-      const base::Result<Design> design = readDesign(*node);
-      tell(design.diagnostics());
-      if (first == values.end()) {
-        error(*node, "experiment.design-unused");
-      } else if (design) {
-        experiment_.design = *design;
-        takeDesignPoints(*design, values);
-        return;
-      }
-    } else if (first != values.end()) {
-      error(*root.find("values")->find(first->path), "experiment.no-design", {first->path});
+    const YamlNode& valuesNode = *root.find("values");
+    if (first == values.end() && sensitivity_) {
+      error(valuesNode, "experiment.no-factors");
+    } else if (first == values.end() && node != nullptr) {
+      error(*node, "experiment.design-unused");
+    } else if (first != values.end() && !design && node == nullptr) {
+      error(*valuesNode.find(first->path), "experiment.no-design", {first->path});
+    } else if (design && arePointsPossible(*design, node != nullptr ? *node : valuesNode)) {
+      experiment_.design = *design;
+      takeDesignPoints(*design, values);
+      return;
     }
     values.erase(std::remove_if(values.begin(), values.end(), isCoordinate), values.end());
+  }
+
+  /// nullopt: none, or it cannot be read.
+  std::optional<Design> designIn(const YamlNode* node) {
+    std::optional<Design> design;
+    if (node != nullptr) {
+      const base::Result<Design> read = readDesign(*node);
+      tell(read.diagnostics());
+      if (!read) {
+        return std::nullopt;
+      }
+      design = *read;
+    }
+    return sensitivity_ ? sensitivity_->appliedTo(design) : design;
+  }
+
+  void takeUniformAsCoordinates() {
+    for (ExperimentValue& value : experiment_.values) {
+      if (value.kind == ExperimentValue::Kind::Uniform) {
+        value.kind = ExperimentValue::Kind::Between;
+        value.isRange = true;
+      }
+    }
+  }
+
+  bool arePointsPossible(const Design& design, const YamlNode& node) {
+    const auto count = static_cast<std::size_t>(
+        std::count_if(experiment_.values.begin(), experiment_.values.end(), isCoordinate));
+    const Design one{design.method, 1, design.seed};
+    const std::size_t most = Design::kMaxPoints / one.pointCount(count);
+    if (design.points > most) {
+      error(node, "experiment.bad-points", {most});
+    }
+    return design.points <= most;
   }
 
   void tell(base::Diagnostics problems) {
@@ -269,6 +312,7 @@ class Reader {
     experiment_.record = static_cast<Experiment::Record>(found - std::begin(names));
   }
 
+  const std::optional<SensitivityRequest> sensitivity_;
   Experiment experiment_;
   NumberedScenarios readable_;
   base::Diagnostics errors_;
@@ -343,6 +387,13 @@ base::Result<Experiment> readExperiment(const std::string& path) {
 
 base::Result<Experiment> parseExperiment(std::string text, const std::string& path) {
   return Reader(path).read(std::move(text));
+}
+
+base::Result<Experiment> readSensitivityExperiment(const std::string& path,
+                                                   const SensitivityRequest& request) {
+  base::Result<std::string> text = base::readTextFile(path);
+  return text ? Reader(path, request).read(*std::move(text))
+              : base::Result<Experiment>(text.diagnostics());
 }
 
 }  // namespace app

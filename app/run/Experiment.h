@@ -23,7 +23,8 @@ struct Experiment {
   std::vector<std::string> scenarioPaths;  // where they lie
   std::vector<long long> seeds;
   RunSpec common;                // options of all runs
-  std::optional<Design> design;  // of the values with the form `between`
+  std::optional<Design> design;  // of the values with the form `between`; for sensitivity analysis
+                                 // also of `uniform`, which then has the form `between`
   std::vector<ExperimentValue> values;
   Record record = Record::Metrics;
   bool allowCode = false;  // given by the user who starts the batch, never in the file
@@ -48,6 +49,10 @@ struct Experiment {
 base::Result<Experiment> readExperiment(const std::string& path);
 /// The same of a text that need not be in the file yet; its scenarios are looked for beside it.
 base::Result<Experiment> parseExperiment(std::string text, const std::string& path);
+/// Reads an experiment for a sensitivity analysis: its design becomes that of the request. Error
+/// also: no value has a range.
+base::Result<Experiment> readSensitivityExperiment(const std::string& path,
+                                                   const SensitivityRequest& request);
 
 /// Scenarios of an experiment with their numbers in it.
 using NumberedScenarios = std::vector<std::pair<std::size_t, sim2d::Scenario>>;

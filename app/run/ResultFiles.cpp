@@ -93,6 +93,9 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
                {"runs", study.runs},
                {"finished", finished},
                {"failed", failed}};
+  if (!study.design.empty()) {
+    json["design"] = Json::parse(study.design, nullptr, false);
+  }
   if (study.timeLimit > 0.0) {
     json["time_limit"] = study.timeLimit;
   }

@@ -171,6 +171,7 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
       {"sha256", study.inputs.empty() ? std::string() : study.inputs.front().sha256},
       {"columns", textsJson(study.paths)},
       {"drawn", textsJson(study.drawn)},
+      {"design", study.design},
       {"runs", std::to_string(study.runs)},
       {"shard", std::to_string(study.shard.number)},
       {"shards", std::to_string(study.shard.count)},
@@ -268,6 +269,7 @@ base::Diagnostics ResultStore::readStudy() {
   study_.experiment = entries["text"];
   study_.paths = textsOf(entries["columns"]);
   study_.drawn = textsOf(entries["drawn"]);
+  study_.design = entries["design"];
   study_.runs = countOf(entries["runs"]);
   study_.allowsCode = entries["code"] == "allowed";
   study_.timeLimit = base::parseDouble(entries["time_limit"]).value_or(0.0);

@@ -34,7 +34,11 @@ struct Study {
   std::vector<InputHash> inputs;           // the experiment first, then the input files of the runs
   std::vector<std::string> paths;          // of the values, in column order
   std::vector<std::string> drawn;          // the paths whose values are drawn per scenario and seed
-  std::size_t runs = 0;                    // of the experiment, over all shards
+  /// The design of a sensitivity analysis as JSON: {"method", "points", "seed", "factors":
+  /// [{"path", "from", "to"}]}; empty: another design or none. The points are a dimension of the
+  /// experiment.
+  std::string design;
+  std::size_t runs = 0;  // of the experiment, over all shards
   Shard shard;
   bool allowsCode = false;  // external programs of scenarios may start
   double timeLimit = 0.0;   // of one run [s], wall-clock time; 0 = none

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "app/run/Design.h"
@@ -26,6 +27,17 @@ std::string firstProblem(const base::Result<app::Experiment>& experiment) {
 /// Designs of experiments.
 class DesignTest : public QObject {
   Q_OBJECT
+
+  /// The path of an experiment with this text after its first keys.
+  std::string fileWith(const QString& yaml) const {
+    QFile file(folder_.filePath(QStringLiteral("e.yaml")));
+    if (!file.open(QIODevice::WriteOnly)) {
+      return {};
+    }
+    file.write("hunavsim_experiment: 1\nscenarios: [crossing_agents]\nseeds: 2\n" + yaml.toUtf8());
+    return file.fileName().toStdString();
+  }
+  QTemporaryDir folder_;
 
  private Q_SLOTS:
   void sobol_isThePublishedSequence() {
@@ -110,6 +122,73 @@ class DesignTest : public QObject {
     QVERIFY(std::abs(*base::parseDouble(last.values[2]) - 55.0) < 1e-12);
   }
 
+  /// Of `sobol`, a uniform value is drawn per seed; for sensitivity analysis it is a coordinate.
+  void sensitivityDesign_takesUniformValuesToo() {
+    const std::string values =
+        "values:\n  robot1.max_vel: {between: [0.4, 1.2]}\n"
+        "  robot1.mass: {uniform: [40.0, 60.0]}\n";
+    const auto other = experimentOf("design: {method: sobol, points: 4}\n" + values);
+    QVERIFY(other && other->values[1].isDrawn());
+    QCOMPARE(other->runCount(), std::size_t{2 * 4});
+    const auto morris = experimentOf("design: {method: morris, points: 4}\n" + values);
+    QVERIFY(morris && !morris->values[1].isDrawn());
+    QCOMPARE(morris->runCount(), std::size_t{2 * 4 * 3});
+    const auto saltelli = experimentOf("design: {method: saltelli, points: 4}\n" + values);
+    QVERIFY(saltelli);
+    QCOMPARE(saltelli->runCount(), std::size_t{2 * 4 * 4});
+    const double mass = *base::parseDouble(morris->run(0).values[1]);
+    const auto first = designPoints({Design::Method::Morris, 4, 1}, 2)[0];
+    QVERIFY(std::abs(mass - (40.0 + 20.0 * first[1])) < 1e-12);
+  }
+
+  void sensitivityRequest_changesTheDesignOfTheFile_data() {
+    QTest::addColumn<QString>("design");
+    QTest::addColumn<int>("method");  // -1: not given
+    QTest::addColumn<int>("points");
+    QTest::addColumn<QString>("found");
+    const auto row = [](const char* design, int method, int points, const char* found) {
+      QTest::addRow("%s %d %d", design, method, points) << design << method << points << found;
+    };
+    constexpr int kMorris = static_cast<int>(Design::Method::Morris);
+    constexpr int kSaltelli = static_cast<int>(Design::Method::Saltelli);
+    row("", -1, -1, "morris 20 1");
+    row("", -1, 7, "morris 7 1");
+    row("", kSaltelli, -1, "saltelli 64 1");
+    row("design: {method: saltelli, points: 9, seed: 3}\n", -1, -1, "saltelli 9 3");
+    row("design: {method: saltelli, points: 9, seed: 3}\n", -1, 5, "saltelli 5 3");
+    row("design: {method: saltelli, points: 9, seed: 3}\n", kMorris, -1, "morris 20 3");
+    row("design: {method: random, points: 9}\n", -1, -1, "morris 20 1");
+  }
+  void sensitivityRequest_changesTheDesignOfTheFile() {
+    QFETCH(QString, design);
+    QFETCH(int, method);
+    QFETCH(int, points);
+    QFETCH(QString, found);
+    app::SensitivityRequest request;
+    request.method = method < 0 ? std::nullopt : std::optional(static_cast<Design::Method>(method));
+    request.points = points < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(points));
+    const auto experiment = app::readSensitivityExperiment(
+        fileWith(design + QStringLiteral("values:\n  robot1.max_vel: {between: [0.4, 1.2]}\n")),
+        request);
+    QVERIFY(experiment && experiment->design);
+    QCOMPARE(experiment->design->methodName() + (" " + std::to_string(experiment->design->points)) +
+                 " " + std::to_string(experiment->design->seed),
+             found.toStdString());
+    QCOMPARE(experiment->runCount(), 2 * experiment->design->pointCount(1));
+  }
+
+  void sensitivityRequest_withoutRanges_isAnError_data() {
+    QTest::addColumn<QString>("yaml");
+    QTest::newRow("no values") << QString();
+    QTest::newRow("lists only") << QStringLiteral("values:\n  robot1.max_vel: [0.4, 1.2]\n");
+  }
+  void sensitivityRequest_withoutRanges_isAnError() {
+    QFETCH(QString, yaml);
+    const auto experiment = app::readSensitivityExperiment(fileWith(yaml), {});
+    QVERIFY(!experiment);
+    QCOMPARE(firstProblem(experiment), std::string("experiment.no-factors"));
+  }
+
   void experiment_reportsWhatDoesNotFit_data() {
     QTest::addColumn<QString>("yaml");
     QTest::addColumn<QString>("code");
@@ -123,6 +202,9 @@ class DesignTest : public QObject {
     row("design: {method: sobol, points: 0}\n", "experiment.bad-points");
     row("design: {method: random, points: 5, seed: -1}\n", "experiment.bad-seed");
     row("design: {method: random, points: 5, sed: 1}\n", "experiment.unknown-key");
+    QTest::newRow("too many points")
+        << QStringLiteral("design: {method: morris, points: 500001}\n") + value
+        << QStringLiteral("experiment.bad-points");
     QTest::newRow("unused") << QStringLiteral(
                                    "design: {method: sobol, points: 5}\n"
                                    "values:\n  robot1.max_vel: [1.0]\n")
