@@ -2,6740 +2,6762 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>Breakpoint</name>
+    <message>
+        <source>is ticked</source>
+        <translation>recibe un tick</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>se ejecuta</translation>
+    </message>
+    <message>
+        <source>succeeds</source>
+        <translation>tiene éxito</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>falla</translation>
+    </message>
+    <message>
+        <source>is skipped</source>
+        <translation>se omite</translation>
+    </message>
+</context>
+<context>
     <name>Manual</name>
     <message>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Contenido</translation>
     </message>
     <message>
         <source>Installation</source>
-        <translation type="unfinished"></translation>
+        <translation>Instalación</translation>
     </message>
     <message>
         <source>First scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Primer escenario</translation>
     </message>
     <message>
         <source>The window</source>
-        <translation type="unfinished"></translation>
+        <translation>La ventana</translation>
     </message>
     <message>
         <source>Your own map</source>
-        <translation type="unfinished"></translation>
+        <translation>Su propio mapa</translation>
     </message>
     <message>
         <source>People and groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas y grupos</translation>
     </message>
     <message>
         <source>Behaviour trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Árboles de comportamiento</translation>
     </message>
     <message>
         <source>Robots and sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Robots y sensores</translation>
     </message>
     <message>
         <source>List of robots</source>
-        <translation type="unfinished"></translation>
+        <translation>Lista de robots</translation>
     </message>
     <message>
         <source>Planners</source>
-        <translation type="unfinished"></translation>
+        <translation>Planificadores</translation>
     </message>
     <message>
         <source>Pedestrian models</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelos de peatones</translation>
     </message>
     <message>
         <source>Compare planners</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar planificadores</translation>
     </message>
     <message>
         <source>Nav2</source>
-        <translation type="unfinished"></translation>
+        <translation>Nav2</translation>
     </message>
     <message>
         <source>Your own planner</source>
-        <translation type="unfinished"></translation>
+        <translation>Su propio planificador</translation>
     </message>
     <message>
         <source>Python</source>
-        <translation type="unfinished"></translation>
+        <translation>Python</translation>
     </message>
     <message>
         <source>ROS 2 and other simulators</source>
-        <translation type="unfinished"></translation>
+        <translation>ROS 2 y otros simuladores</translation>
     </message>
     <message>
         <source>Recordings and bags</source>
-        <translation type="unfinished"></translation>
+        <translation>Grabaciones y bags</translation>
     </message>
     <message>
         <source>Metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Métricas</translation>
     </message>
     <message>
         <source>Nodes of behaviour trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos de los árboles de comportamiento</translation>
     </message>
     <message>
         <source>File formats</source>
-        <translation type="unfinished"></translation>
+        <translation>Formatos de archivo</translation>
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Órdenes</translation>
     </message>
     <message>
         <source>Studies on a cluster</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudios en un clúster</translation>
     </message>
     <message>
         <source>Troubleshooting</source>
-        <translation type="unfinished"></translation>
+        <translation>Solución de problemas</translation>
     </message>
     <message>
         <source>How to cite</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo citar</translation>
     </message>
     <message>
         <source>Glossary</source>
-        <translation type="unfinished"></translation>
+        <translation>Glosario</translation>
     </message>
 </context>
 <context>
     <name>QObject</name>
     <message>
         <source>Forces on people</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas sobre personas</translation>
     </message>
     <message>
         <source>Forces on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas sobre %1</translation>
     </message>
     <message>
         <source>Forces on selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas sobre la selección</translation>
     </message>
     <message>
         <source>after the first step</source>
-        <translation type="unfinished"></translation>
+        <translation>tras el primer paso</translation>
     </message>
     <message>
         <source>not recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>sin registrar</translation>
     </message>
     <message>
         <source>Spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacios</translation>
     </message>
     <message>
         <source>Spaces of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacios de %1</translation>
     </message>
     <message>
         <source>Spaces of selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacios de la selección</translation>
     </message>
     <message>
         <source>Intimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Íntimo</translation>
     </message>
     <message>
         <source>Personal</source>
-        <translation type="unfinished"></translation>
+        <translation>Personal</translation>
     </message>
     <message>
         <source>Social</source>
-        <translation type="unfinished"></translation>
+        <translation>Social</translation>
     </message>
     <message>
         <source>Gaussian</source>
-        <translation type="unfinished"></translation>
+        <translation>Gaussiano</translation>
     </message>
     <message>
         <source>at 0.6, 0.2</source>
-        <translation type="unfinished"></translation>
+        <translation>a 0.6, 0.2</translation>
     </message>
     <message>
         <source>Field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Campo de visión</translation>
     </message>
     <message>
         <source>Select a person</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione una persona</translation>
     </message>
     <message>
         <source>Seen by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Vistos por %1</translation>
     </message>
     <message>
         <source>100° to either side</source>
-        <translation type="unfinished"></translation>
+        <translation>100° a cada lado</translation>
     </message>
     <message>
         <source>People per m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas por m²</translation>
     </message>
     <message>
         <source>exp(−d²/R²)/πR², R = %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>exp(−d²/R²)/πR², R = %1 m</translation>
     </message>
     <message>
         <source>Remaining path</source>
-        <translation type="unfinished"></translation>
+        <translation>Camino restante</translation>
     </message>
     <message>
         <source>newest step only</source>
-        <translation type="unfinished"></translation>
+        <translation>solo el paso más reciente</translation>
     </message>
     <message>
         <source>Contacts so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Contactos hasta ahora</translation>
     </message>
     <message>
         <source>Costs of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Costes de %1</translation>
     </message>
     <message>
         <source>Costs</source>
-        <translation type="unfinished"></translation>
+        <translation>Costes</translation>
     </message>
     <message>
         <source>newest step, Nav2 only</source>
-        <translation type="unfinished"></translation>
+        <translation>paso más reciente, solo Nav2</translation>
     </message>
     <message>
         <source>Inscribed</source>
-        <translation type="unfinished"></translation>
+        <translation>Inscrito</translation>
     </message>
     <message>
         <source>Lethal</source>
-        <translation type="unfinished"></translation>
+        <translation>Letal</translation>
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Desconocido</translation>
     </message>
     <message>
         <source>Filter masks of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Máscaras de filtro de %1</translation>
     </message>
     <message>
         <source>Filter masks</source>
-        <translation type="unfinished"></translation>
+        <translation>Máscaras de filtro</translation>
     </message>
     <message>
         <source>none; newest step, Nav2 only</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna; paso más reciente, solo Nav2</translation>
     </message>
     <message>
         <source>Keep out</source>
-        <translation type="unfinished"></translation>
+        <translation>Zona prohibida</translation>
     </message>
     <message>
         <source>Speed limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Límite de velocidad</translation>
     </message>
     <message>
         <source>Switch</source>
-        <translation type="unfinished"></translation>
+        <translation>Conmutación</translation>
     </message>
     <message>
         <source>%1–%2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1–%2 %</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Evaluated by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Evaluadas por %1</translation>
     </message>
     <message>
         <source>Rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartadas</translation>
     </message>
     <message>
         <source>Lookahead</source>
-        <translation type="unfinished"></translation>
+        <translation>Anticipación</translation>
     </message>
     <message>
         <source>Chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegida</translation>
     </message>
     <message>
         <source>Lidar, %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>Lidar, %1 m</translation>
     </message>
     <message>
         <source>Detection, velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Detección, velocidad</translation>
     </message>
     <message>
         <source>Chosen trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>Trayectoria elegida</translation>
     </message>
     <message>
         <source>Candidate (pale: costly)</source>
-        <translation type="unfinished"></translation>
+        <translation>Candidata (clara: costosa)</translation>
     </message>
     <message>
         <source>Would collide</source>
-        <translation type="unfinished"></translation>
+        <translation>Colisionaría</translation>
     </message>
     <message>
         <source>Velocities</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidades</translation>
     </message>
     <message>
         <source>People&apos;s paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Caminos de las personas</translation>
     </message>
     <message>
         <source>Below names</source>
-        <translation type="unfinished"></translation>
+        <translation>Bajo los nombres</translation>
     </message>
     <message>
         <source>action and its reason</source>
-        <translation type="unfinished"></translation>
+        <translation>acción y su motivo</translation>
     </message>
     <message>
         <source>lidar: newest only</source>
-        <translation type="unfinished"></translation>
+        <translation>lidar: solo el más reciente</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot</translation>
     </message>
     <message>
         <source>Caused by robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Causado por el robot</translation>
     </message>
     <message>
         <source>Caused by person</source>
-        <translation type="unfinished"></translation>
+        <translation>Causado por la persona</translation>
     </message>
     <message>
         <source>Caused by both</source>
-        <translation type="unfinished"></translation>
+        <translation>Causado por ambos</translation>
     </message>
     <message>
         <source>%1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 más</translation>
     </message>
     <message>
         <source>%1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>Move out of the wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Sacar de la pared</translation>
     </message>
     <message>
         <source>Renumber people</source>
-        <translation type="unfinished"></translation>
+        <translation>Renumerar personas</translation>
     </message>
     <message>
         <source>Renumber goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Renumerar objetivos</translation>
     </message>
     <message>
         <source>Remove goal %1 from the route</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el objetivo %1 de la ruta</translation>
     </message>
     <message>
         <source>Remove the goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el objetivo</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el nombre</translation>
     </message>
     <message>
         <source>Clamp to the range</source>
-        <translation type="unfinished"></translation>
+        <translation>Limitar al intervalo</translation>
     </message>
     <message>
         <source>Add these values</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir estos valores</translation>
     </message>
     <message>
         <source>Set the start to 0, 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner el inicio en 0, 0</translation>
     </message>
     <message>
         <source>Set one wait per goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner una espera por objetivo</translation>
     </message>
     <message>
         <source>Assign goals…</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar objetivos…</translation>
     </message>
     <message>
         <source>Use &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar «%1»</translation>
     </message>
     <message>
         <source>Use the default</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el valor predeterminado</translation>
     </message>
     <message>
         <source>Copy %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar %1</translation>
     </message>
     <message>
         <source>Set rate to 0.1 /s</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner la tasa a 0.1 /s</translation>
     </message>
     <message>
         <source>Swap the times</source>
-        <translation type="unfinished"></translation>
+        <translation>Intercambiar los tiempos</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Open the wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir la pared</translation>
     </message>
     <message>
         <source>Set to &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner «%1»</translation>
     </message>
     <message>
         <source>Use open plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar un plano abierto</translation>
     </message>
     <message>
         <source>Add a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un robot</translation>
     </message>
     <message>
         <source>Use the body in the Nav2 file</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el cuerpo del archivo de Nav2</translation>
     </message>
     <message>
         <source>Change map</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el mapa</translation>
     </message>
     <message>
         <source>Group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo %1</translation>
     </message>
     <message>
         <source>Leave the group</source>
-        <translation type="unfinished"></translation>
+        <translation>Salir del grupo</translation>
     </message>
     <message>
         <source>Join group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Unirse al grupo %1</translation>
     </message>
     <message>
         <source>Dissolve group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Disolver el grupo %1</translation>
     </message>
     <message>
         <source>Name group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombrar el grupo %1</translation>
     </message>
     <message>
         <source>Assign goals to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar objetivos a %1</translation>
     </message>
     <message>
         <source>Assign goals to %1 people</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar objetivos a %1 personas</translation>
     </message>
     <message>
         <source> (and %1 more)</source>
-        <translation type="unfinished"></translation>
+        <translation> (y %1 más)</translation>
     </message>
     <message>
         <source>Regenerate tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Regenerar el árbol</translation>
     </message>
     <message>
         <source>Change %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %1 de %2</translation>
     </message>
     <message>
         <source>Change blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar bloques</translation>
     </message>
     <message>
         <source>Add block %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir el bloque %1</translation>
     </message>
     <message>
         <source>Copy route to tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar la ruta al árbol</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar</translation>
     </message>
     <message>
         <source>Collapse or expand</source>
-        <translation type="unfinished"></translation>
+        <translation>Plegar o desplegar</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo</translation>
     </message>
     <message>
         <source>Save table</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar tabla</translation>
     </message>
     <message>
         <source>Comma-separated values (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores separados por comas (*.csv)</translation>
     </message>
     <message>
         <source>LaTeX (*.tex)</source>
-        <translation type="unfinished"></translation>
+        <translation>LaTeX (*.tex)</translation>
     </message>
     <message>
         <source>Markdown (*.md)</source>
-        <translation type="unfinished"></translation>
+        <translation>Markdown (*.md)</translation>
     </message>
     <message>
         <source>Copy table</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar tabla</translation>
     </message>
     <message>
         <source>Copy the rows as text that spreadsheets understand</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar las filas como texto para hojas de cálculo</translation>
     </message>
     <message>
         <source>Save table…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar tabla…</translation>
     </message>
     <message>
         <source>Save the rows as CSV, LaTeX or Markdown</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar las filas como CSV, LaTeX o Markdown</translation>
     </message>
     <message>
         <source>Set behaviour: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Definir comportamiento: %1</translation>
     </message>
     <message>
         <source>Set the behaviour of the selected people to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner el comportamiento de las personas seleccionadas en %1</translation>
     </message>
     <message>
         <source>&amp;Mix…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mezcla…</translation>
     </message>
     <message>
         <source>Set the shares of behaviours among the selected people, or among all</source>
-        <translation type="unfinished"></translation>
+        <translation>Repartir los comportamientos entre las personas seleccionadas, o entre todas</translation>
     </message>
     <message>
         <source>Behaviour</source>
-        <translation type="unfinished"></translation>
+        <translation>Comportamiento</translation>
     </message>
     <message>
         <source>no goals</source>
-        <translation type="unfinished"></translation>
+        <translation>sin objetivos</translation>
     </message>
     <message>
         <source>subtree</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>is ticked</source>
-        <translation type="unfinished"></translation>
+        <translation>subárbol</translation>
     </message>
     <message>
         <source>runs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>succeeds</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation type="unfinished"></translation>
+        <translation>se ejecuta</translation>
     </message>
     <message>
         <source>Conditional breakpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Punto de interrupción condicional</translation>
     </message>
     <message>
         <source>Stop when the node is ticked and this blackboard condition holds, for example  id == 2:</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener cuando el nodo recibe un tick y se cumple esta condición de la pizarra, por ejemplo  id == 2:</translation>
     </message>
     <message>
         <source>when it %1</source>
-        <translation type="unfinished"></translation>
+        <translation>cuando %1</translation>
     </message>
     <message>
         <source>, for any person</source>
-        <translation type="unfinished"></translation>
+        <translation>, para cualquier persona</translation>
     </message>
     <message>
         <source>, if %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, si %1</translation>
     </message>
     <message>
         <source>It %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Si %1</translation>
     </message>
     <message>
         <source>A condition holds…</source>
-        <translation type="unfinished"></translation>
+        <translation>Se cumple una condición…</translation>
     </message>
     <message>
         <source>Break when</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener cuando</translation>
     </message>
     <message>
         <source>Break for any person when</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener para cualquier persona cuando</translation>
     </message>
     <message>
         <source>Remove breakpoint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el punto de interrupción %1</translation>
     </message>
     <message>
         <source>Remove all breakpoints</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar todos los puntos de interrupción</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (falta)</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>A value (%1) or a blackboard entry in braces, such as {id}</source>
-        <translation type="unfinished"></translation>
+        <translation>Un valor (%1) o una entrada de la pizarra entre llaves, como {id}</translation>
     </message>
     <message>
         <source>The nearest person</source>
-        <translation type="unfinished"></translation>
+        <translation>La persona más cercana</translation>
     </message>
     <message>
         <source>A person by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Una persona por su nombre</translation>
     </message>
     <message>
         <source>The robot</source>
-        <translation type="unfinished"></translation>
+        <translation>El robot</translation>
     </message>
     <message>
         <source>Occurs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ocurre</translation>
     </message>
     <message>
         <source>Whenever possible</source>
-        <translation type="unfinished"></translation>
+        <translation>Siempre que sea posible</translation>
     </message>
     <message>
         <source>Only once</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo una vez</translation>
     </message>
     <message>
         <source>At random</source>
-        <translation type="unfinished"></translation>
+        <translation>Al azar</translation>
     </message>
     <message>
         <source>Probability</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidad</translation>
     </message>
     <message>
         <source>Probability in each time step in which the block can start</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidad en cada paso en que el bloque puede empezar</translation>
     </message>
     <message>
         <source>Enter a text</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba un texto</translation>
     </message>
     <message>
         <source>Select a person to add or remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione una persona para añadirla o quitarla</translation>
     </message>
     <message>
         <source>unknown node</source>
-        <translation type="unfinished"></translation>
+        <translation>nodo desconocido</translation>
     </message>
     <message>
         <source>no settings</source>
-        <translation type="unfinished"></translation>
+        <translation>sin ajustes</translation>
     </message>
     <message>
         <source>in an included file</source>
-        <translation type="unfinished"></translation>
+        <translation>en un archivo incluido</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>Eventos</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>línea %1</translation>
     </message>
     <message>
         <source>Issues</source>
-        <translation type="unfinished"></translation>
+        <translation>Problemas</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Capas</translation>
     </message>
     <message>
         <source>Metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Métricas</translation>
     </message>
     <message>
         <source>Nav2</source>
-        <translation type="unfinished"></translation>
+        <translation>Nav2</translation>
     </message>
     <message>
         <source>Corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Vértices</translation>
     </message>
     <message>
         <source>x y [m], separated by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>x y [m], separados por punto y coma</translation>
     </message>
     <message>
         <source>At least %1 corners x y, separated by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>Al menos %1 vértices x y, separados por punto y coma</translation>
     </message>
     <message>
         <source>Thresholds</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbrales</translation>
     </message>
     <message>
         <source>Metric thresholds, such as name=value, name=value</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbrales de métricas, como nombre=valor, nombre=valor</translation>
     </message>
     <message>
         <source>name=number, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre=número, separados por comas</translation>
     </message>
     <message>
         <source>people</source>
-        <translation type="unfinished"></translation>
+        <translation>personas</translation>
     </message>
     <message>
         <source>omnidirectional</source>
-        <translation type="unfinished"></translation>
+        <translation>omnidireccional</translation>
     </message>
     <message>
         <source>Ackermann</source>
-        <translation type="unfinished"></translation>
+        <translation>Ackermann</translation>
     </message>
     <message>
         <source>differential</source>
-        <translation type="unfinished"></translation>
+        <translation>diferencial</translation>
     </message>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>Numbers, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>Números separados por comas</translation>
     </message>
     <message>
         <source>Person %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Persona %1</translation>
     </message>
     <message>
         <source> · switched off</source>
-        <translation type="unfinished"></translation>
+        <translation> · desactivada</translation>
     </message>
     <message>
         <source>Template of people spawned by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Plantilla de las personas que genera %1</translation>
     </message>
     <message>
         <source> · stands still</source>
-        <translation type="unfinished"></translation>
+        <translation> · está quieta</translation>
     </message>
     <message>
         <source> · goals %1</source>
-        <translation type="unfinished"></translation>
+        <translation> · objetivos %1</translation>
     </message>
     <message>
         <source>Robot · %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot · %1</translation>
     </message>
     <message>
         <source> · to %1</source>
-        <translation type="unfinished"></translation>
+        <translation> · hacia %1</translation>
     </message>
     <message>
         <source>all visited</source>
-        <translation type="unfinished"></translation>
+        <translation>todos visitados</translation>
     </message>
     <message>
         <source>%1, reached</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, alcanzado</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Propiedades</translation>
     </message>
     <message>
         <source>Footprint</source>
-        <translation type="unfinished"></translation>
+        <translation>Contorno</translation>
     </message>
     <message>
         <source>Corners x y in the robot frame, such as 0.3 0.2; -0.3 0.2; -0.3 -0.2</source>
-        <translation type="unfinished"></translation>
+        <translation>Vértices x y en el sistema del robot, como 0.3 0.2; -0.3 0.2; -0.3 -0.2</translation>
     </message>
     <message>
         <source>At least three corners x y, separated by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>Al menos tres vértices x y, separados por punto y coma</translation>
     </message>
     <message>
         <source>lidar %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>lidar de %1 m</translation>
     </message>
     <message>
         <source>%1 (default)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (predeterminado)</translation>
     </message>
     <message>
         <source>Futures</source>
-        <translation type="unfinished"></translation>
+        <translation>Futuros</translation>
     </message>
     <message>
         <source>%1 ×</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ×</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuciones</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>desactivado</translation>
     </message>
     <message>
         <source>Scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenario</translation>
     </message>
     <message>
         <source>until the robot arrives, at most %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>hasta que llegue el robot, %1 s como máximo</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>Área</translation>
     </message>
     <message>
         <source>Mix behaviours</source>
-        <translation type="unfinished"></translation>
+        <translation>Mezclar comportamientos</translation>
     </message>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir %1</translation>
     </message>
     <message>
         <source>No space for people here</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí no caben personas</translation>
     </message>
     <message>
         <source>Space for only %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo caben %1 de %2</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Rellenar</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pincel</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrador</translation>
     </message>
     <message>
         <source>Goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivo</translation>
     </message>
     <message>
         <source>Paint map</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar mapa</translation>
     </message>
     <message>
         <source>Person</source>
-        <translation type="unfinished"></translation>
+        <translation>Persona</translation>
     </message>
     <message>
         <source>Dock</source>
-        <translation type="unfinished"></translation>
+        <translation>Base de carga</translation>
     </message>
     <message>
         <source>Route</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruta</translation>
     </message>
     <message>
         <source>Align</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear</translation>
     </message>
     <message>
         <source>Distribute</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribuir</translation>
     </message>
     <message>
         <source>Rotate</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegar</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar</translation>
     </message>
     <message>
         <source>Wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Pared</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Rectángulo</translation>
     </message>
     <message>
         <source>Polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Polígono</translation>
     </message>
     <message>
         <source>Circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Círculo</translation>
     </message>
     <message>
         <source>Door</source>
-        <translation type="unfinished"></translation>
+        <translation>Puerta</translation>
     </message>
     <message>
         <source>parts</source>
-        <translation type="unfinished"></translation>
+        <translation>partes</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla</translation>
     </message>
     <message>
         <source>Another seed generates other people</source>
-        <translation type="unfinished"></translation>
+        <translation>Otra semilla genera otras personas</translation>
     </message>
     <message>
         <source>Mix</source>
-        <translation type="unfinished"></translation>
+        <translation>Mezcla</translation>
     </message>
     <message>
         <source>All ages</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las edades</translation>
     </message>
     <message>
         <source>Adults</source>
-        <translation type="unfinished"></translation>
+        <translation>Adultos</translation>
     </message>
     <message>
         <source>Children</source>
-        <translation type="unfinished"></translation>
+        <translation>Niños</translation>
     </message>
     <message>
         <source>Elderly</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayores</translation>
     </message>
     <message>
         <source>Wheelchairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Sillas de ruedas</translation>
     </message>
     <message>
         <source>Luggage</source>
-        <translation type="unfinished"></translation>
+        <translation>Equipaje</translation>
     </message>
     <message>
         <source>Bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuerpos</translation>
     </message>
     <message>
         <source>Stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Quietas</translation>
     </message>
     <message>
         <source>Walk to goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir a objetivos</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Medir</translation>
     </message>
     <message>
         <source>Pan</source>
-        <translation type="unfinished"></translation>
+        <translation>Desplazar</translation>
     </message>
     <message>
         <source>, default %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 por defecto</translation>
     </message>
     <message>
         <source>Tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Árbol</translation>
     </message>
     <message>
         <source>Cannot run: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede ejecutar: %1</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>error</translation>
     </message>
     <message>
         <source>errors</source>
-        <translation type="unfinished"></translation>
+        <translation>errores</translation>
     </message>
     <message>
         <source>Subtree</source>
-        <translation type="unfinished"></translation>
+        <translation>Subárbol</translation>
     </message>
     <message>
         <source>Running</source>
-        <translation type="unfinished"></translation>
+        <translation>En ejecución</translation>
     </message>
     <message>
         <source>Success</source>
-        <translation type="unfinished"></translation>
+        <translation>Éxito</translation>
     </message>
     <message>
         <source>Failure</source>
-        <translation type="unfinished"></translation>
+        <translation>Fallo</translation>
     </message>
     <message>
         <source>not ticked</source>
-        <translation type="unfinished"></translation>
+        <translation>sin tick</translation>
     </message>
     <message>
         <source>An %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Un %1</translation>
     </message>
     <message>
         <source>A %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Un %1</translation>
     </message>
     <message>
         <source>one child</source>
-        <translation type="unfinished"></translation>
+        <translation>un hijo</translation>
     </message>
     <message>
         <source>%1 children</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hijos</translation>
     </message>
     <message>
         <source>A tree has one root only</source>
-        <translation type="unfinished"></translation>
+        <translation>Un árbol solo tiene una raíz</translation>
     </message>
     <message>
         <source>The node no longer exists</source>
-        <translation type="unfinished"></translation>
+        <translation>El nodo ya no existe</translation>
     </message>
     <message>
         <source>%1 takes no children</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no admite hijos</translation>
     </message>
     <message>
         <source>%1 takes one child only</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 solo admite un hijo</translation>
     </message>
     <message>
         <source>%1 takes at most %2 children</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 admite como máximo %2 hijos</translation>
     </message>
     <message>
         <source>A tree needs a root: replace it instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Un árbol necesita una raíz: reemplácela</translation>
     </message>
     <message>
         <source>Select a node first</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione antes un nodo</translation>
     </message>
     <message>
         <source>Only nodes with the same parent can be wrapped together</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo se pueden envolver juntos nodos con el mismo padre</translation>
     </message>
     <message>
         <source>%1: %2 has %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 tiene %3</translation>
     </message>
     <message>
         <source>%1 has no children</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene hijos</translation>
     </message>
     <message>
         <source>The root already has a tree of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>La raíz ya tiene su propio árbol</translation>
     </message>
     <message>
         <source>Only a SubTree can be inlined</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo se puede integrar un SubTree</translation>
     </message>
     <message>
         <source>%1 has its own blackboard entries</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene entradas propias en la pizarra</translation>
     </message>
     <message>
         <source>%1 has pre- or postconditions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene pre- o poscondiciones</translation>
     </message>
     <message>
         <source>%1 is in an included file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está en un archivo incluido</translation>
     </message>
     <message>
         <source>%1 is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está vacío</translation>
     </message>
     <message>
         <source>%1 contains itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se contiene a sí mismo</translation>
     </message>
     <message>
         <source>The root has no siblings</source>
-        <translation type="unfinished"></translation>
+        <translation>La raíz no tiene hermanos</translation>
     </message>
     <message>
         <source>%1 is the only child</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es el único hijo</translation>
     </message>
     <message>
         <source>%1 is the first child</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es el primer hijo</translation>
     </message>
     <message>
         <source>%1 is the last child</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es el último hijo</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 y %2 más</translation>
     </message>
     <message>
         <source>Map file %1 cannot be used, so there are no walls: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de mapa %1 no se puede usar, por lo que no hay paredes: %2.</translation>
     </message>
     <message>
         <source>The scenario specifies no map, so there are no walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>El escenario no indica ningún mapa, por lo que no hay paredes.</translation>
     </message>
     <message>
         <source>Map file %1 not found, so there are no walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se encuentra el archivo de mapa %1, por lo que no hay paredes.</translation>
     </message>
     <message>
         <source>new</source>
-        <translation type="unfinished"></translation>
+        <translation>nuevo</translation>
     </message>
     <message>
         <source>replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>reemplazado</translation>
     </message>
     <message>
         <source>unchanged</source>
-        <translation type="unfinished"></translation>
+        <translation>sin cambios</translation>
     </message>
     <message>
         <source> m</source>
-        <translation type="unfinished"></translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>*This part is generated; it is in the HTML pages of the manual.*
 </source>
-        <translation type="unfinished"></translation>
+        <translation>*Esta parte se genera; está en las páginas HTML del manual.*
+</translation>
     </message>
     <message>
         <source>%1 runs external code (%2) with your permissions.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ejecuta código externo (%2) con sus permisos.</translation>
     </message>
     <message>
         <source>Allow for this file</source>
-        <translation type="unfinished"></translation>
+        <translation>Permitir para este archivo</translation>
     </message>
     <message>
         <source>Do not run</source>
-        <translation type="unfinished"></translation>
+        <translation>No ejecutar</translation>
     </message>
     <message>
         <source>%1 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MB</translation>
     </message>
     <message>
         <source>The displayed run uses %1 of memory and %2 of disk space.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ejecución mostrada usa %1 de memoria y %2 de disco.</translation>
     </message>
     <message>
         <source> The disk is full: the timeline starts at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> El disco está lleno: la línea de tiempo empieza en %1.</translation>
     </message>
     <message>
         <source>easy</source>
-        <translation type="unfinished"></translation>
+        <translation>fácil</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>normal</translation>
     </message>
     <message>
         <source>hard</source>
-        <translation type="unfinished"></translation>
+        <translation>difícil</translation>
     </message>
     <message>
         <source>Robot: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot: %1</translation>
     </message>
     <message>
         <source>People: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas: %1</translation>
     </message>
     <message>
         <source>Expected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Esperado: %1</translation>
     </message>
     <message>
         <source>Source: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuente: %1</translation>
     </message>
     <message>
         <source>person</source>
-        <translation type="unfinished"></translation>
+        <translation>persona</translation>
     </message>
     <message>
         <source>robot</source>
-        <translation type="unfinished"></translation>
+        <translation>robot</translation>
     </message>
     <message>
         <source>%1 robots</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 robots</translation>
     </message>
     <message>
         <source>just now</source>
-        <translation type="unfinished"></translation>
+        <translation>ahora mismo</translation>
     </message>
     <message>
         <source>%1 min ago</source>
-        <translation type="unfinished"></translation>
+        <translation>hace %1 min</translation>
     </message>
     <message>
         <source>%1 h ago</source>
-        <translation type="unfinished"></translation>
+        <translation>hace %1 h</translation>
     </message>
     <message>
         <source>Yesterday</source>
-        <translation type="unfinished"></translation>
+        <translation>Ayer</translation>
     </message>
     <message>
         <source>Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Estudio</translation>
     </message>
     <message>
         <source>%1: restart (deletes them), or save as another file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: reiniciar (los borra) o guardar como otro archivo</translation>
     </message>
     <message>
         <source>the results in %1 have no results.sqlite, which is required to resume</source>
-        <translation type="unfinished"></translation>
+        <translation>los resultados de %1 no tienen results.sqlite, necesario para continuar</translation>
     </message>
     <message>
         <source>the results in %1 belong to another experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>los resultados de %1 son de otro experimento</translation>
     </message>
     <message>
         <source>Planner</source>
-        <translation type="unfinished"></translation>
+        <translation>Planificador</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 h %2 min</translation>
     </message>
     <message>
         <source>scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>escenario</translation>
     </message>
     <message>
         <source>scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>escenarios</translation>
     </message>
     <message>
         <source>%1 planners</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 planificadores</translation>
     </message>
     <message>
         <source>seed</source>
-        <translation type="unfinished"></translation>
+        <translation>semilla</translation>
     </message>
     <message>
         <source>seeds</source>
-        <translation type="unfinished"></translation>
+        <translation>semillas</translation>
     </message>
     <message>
         <source>run</source>
-        <translation type="unfinished"></translation>
+        <translation>ejecución</translation>
     </message>
     <message>
         <source>Layers
 Choose what the map shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Capas
+Elegir qué muestra el mapa</translation>
     </message>
     <message>
         <source>&amp;Behaviour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Comportamiento</translation>
     </message>
     <message>
         <source>Select people first</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione antes personas</translation>
     </message>
     <message>
         <source>Not during a run: Ctrl+R returns to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>No durante una ejecución: Ctrl+R vuelve a la edición</translation>
     </message>
     <message>
         <source>The scenario has no people yet</source>
-        <translation type="unfinished"></translation>
+        <translation>El escenario aún no tiene personas</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramientas</translation>
     </message>
     <message>
         <source>Always visible</source>
-        <translation type="unfinished"></translation>
+        <translation>Siempre visible</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
         <source>Open recen&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir rec&amp;iente</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Editar</translation>
     </message>
     <message>
         <source>Arran&amp;ge</source>
-        <translation type="unfinished"></translation>
+        <translation>Organi&amp;zar</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ver</translation>
     </message>
     <message>
         <source>All &amp;layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las &amp;capas</translation>
     </message>
     <message>
         <source>Trail length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de las estelas</translation>
     </message>
     <message>
         <source>&amp;Scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;scenario</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;jecución</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>Paste here</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegar aquí</translation>
     </message>
     <message>
         <source>Arrange</source>
-        <translation type="unfinished"></translation>
+        <translation>Organizar</translation>
     </message>
     <message>
         <source>Save the picture of the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar la imagen del árbol</translation>
     </message>
     <message>
         <source>Vector graphics (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos vectoriales (*.svg)</translation>
     </message>
     <message>
         <source>Document (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Documento (*.pdf)</translation>
     </message>
     <message>
         <source>Image (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen (*.png)</translation>
     </message>
 </context>
 <context>
     <name>WhatsThis</name>
     <message>
         <source>Selects items on the map. Click an item, or drag over empty space to select several. Drag the selection to move it, its handles to resize or rotate it. Shift adds to the selection, Alt suspends snapping.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selecciona elementos del mapa. Haga clic en un elemento, o arrastre sobre un espacio vacío para seleccionar varios. Arrastre la selección para moverla y sus tiradores para cambiar su tamaño o girarla. Mayús añade a la selección, Alt suspende el ajuste.</translation>
     </message>
     <message>
         <source>Places a person. Click the position, or press and drag to set the heading. A person walks when it has goals: place them with the goal tool and assign them with the route tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coloca una persona. Haga clic en la posición, o pulse y arrastre para fijar la orientación. Una persona camina cuando tiene objetivos: colóquelos con la herramienta de objetivos y asígnelos con la de rutas.</translation>
     </message>
     <message>
         <source>Places people along a line. Drag a line; spacing, width and the mix of behaviours are set in the bar at the top left of the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coloca personas a lo largo de una línea. Arrastre una línea; la separación, el ancho y la mezcla de comportamientos se ajustan en la barra de arriba a la izquierda del mapa.</translation>
     </message>
     <message>
         <source>Fills an area with people. Drag a rectangle or click the corners of an area; the number of people and their goals are set in the bar at the top left of the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llena un área de personas. Arrastre un rectángulo o haga clic en los vértices de un área; el número de personas y sus objetivos se ajustan en la barra de arriba a la izquierda del mapa.</translation>
     </message>
     <message>
         <source>Places goals. Click free space to add a goal; drag a goal to move it. Several people can share a goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coloca objetivos. Haga clic en un espacio libre para añadir un objetivo; arrastre un objetivo para moverlo. Varias personas pueden compartir un objetivo.</translation>
     </message>
     <message>
         <source>Assigns goals to a person or robot. Click the person, then its goals in visiting order, then press Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Asigna objetivos a una persona o a un robot. Haga clic en la persona, luego en sus objetivos por orden de visita, y pulse Intro.</translation>
     </message>
     <message>
         <source>Draws a wall as a line of segments. Click each corner; Enter or a double click ends the wall. People and robots cannot cross it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuja una pared como línea de segmentos. Haga clic en cada vértice; Intro o un doble clic terminan la pared. Las personas y los robots no pueden cruzarla.</translation>
     </message>
     <message>
         <source>Draws a rectangular obstacle from corner to corner. Shift makes a square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuja un obstáculo rectangular de esquina a esquina. Mayús hace un cuadrado.</translation>
     </message>
     <message>
         <source>Draws an obstacle with any number of corners. Click each corner; Enter or a click on the first corner closes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuja un obstáculo con cualquier número de vértices. Haga clic en cada vértice; Intro o un clic en el primer vértice lo cierra.</translation>
     </message>
     <message>
         <source>Draws a round obstacle. Drag from its centre to its edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuja un obstáculo redondo. Arrastre desde su centro hasta su borde.</translation>
     </message>
     <message>
         <source>Draws a door. Drag from the hinge to the other jamb. The properties set when it opens and closes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuja una puerta. Arrastre desde la bisagra hasta la otra jamba. Las propiedades determinan cuándo se abre y se cierra.</translation>
     </message>
     <message>
         <source>Draws an area, for example a source or sink of people, or a zone with a speed limit. Choose the kind in the bar at the top left of the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuja un área, por ejemplo una fuente o un sumidero de personas, o una zona con límite de velocidad. Elija el tipo en la barra de arriba a la izquierda del mapa.</translation>
     </message>
     <message>
         <source>Places the robot and its goal. Click the position (drag to set the heading), then click the goal. Shift adds another robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coloca el robot y su objetivo. Haga clic en la posición (arrastre para fijar la orientación) y luego en el objetivo. Mayús añade otro robot.</translation>
     </message>
     <message>
         <source>Places a charging dock for robots with Nav2. Click the position of the docked robot and drag to set its heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coloca una base de carga para robots con Nav2. Haga clic en la posición del robot acoplado y arrastre para fijar su orientación.</translation>
     </message>
     <message>
         <source>Paints walls, free or unknown space into the cells of the map. Keys 1, 2 and 3 choose the kind, [ and ] the width.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinta paredes, espacio libre o desconocido en las celdas del mapa. Las teclas 1, 2 y 3 eligen el tipo, [ y ] el ancho.</translation>
     </message>
     <message>
         <source>Measures a distance and an angle. Drag from one point to another; the result is shown in the status bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mide una distancia y un ángulo. Arrastre de un punto a otro; el resultado se muestra en la barra de estado.</translation>
     </message>
     <message>
         <source>Removes items. Click them or drag over them. Routes of people are updated. Undo restores everything.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quita elementos. Haga clic en ellos o arrastre por encima. Las rutas de las personas se actualizan. Deshacer lo restaura todo.</translation>
     </message>
     <message>
         <source>Moves the map. With any other tool, drag with the middle button, or hold Space and drag.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desplaza el mapa. Con cualquier otra herramienta, arrastre con el botón central, o mantenga Espacio y arrastre.</translation>
     </message>
     <message>
         <source>Everything in the scenario as a list: people, goals, robots, obstacles and areas. Select entries here or on the map. Double-click a name or press F2 to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todo lo que hay en el escenario como lista: personas, objetivos, robots, obstáculos y áreas. Seleccione entradas aquí o en el mapa. Doble clic en un nombre o F2 para cambiarlo.</translation>
     </message>
     <message>
         <source>The properties of the selected items. A value in the secondary colour is the default; right-click a field to restore it. With nothing selected, the settings of the scenario are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las propiedades de los elementos seleccionados. Un valor en el color secundario es el predeterminado; clic derecho en un campo para restaurarlo. Sin selección se muestran los ajustes del escenario.</translation>
     </message>
     <message>
         <source>The behaviour tree of the selected person as an outline. During a run it shows which nodes are active. Click beside a node to set a breakpoint.</source>
-        <translation type="unfinished"></translation>
+        <translation>El árbol de comportamiento de la persona seleccionada como esquema. Durante una ejecución muestra qué nodos están activos. Haga clic junto a un nodo para poner un punto de interrupción.</translation>
     </message>
     <message>
         <source>Errors and warnings of the scenario, checked while you edit. Double-click an entry to go to its place; many entries offer a fix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores y advertencias del escenario, comprobados mientras edita. Doble clic en una entrada para ir a su lugar; muchas ofrecen un arreglo.</translation>
     </message>
     <message>
         <source>The metrics of the displayed run, updated while it runs. Select a metric to plot it over time; hover over it to read its definition.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las métricas de la ejecución mostrada, actualizadas mientras se ejecuta. Seleccione una métrica para ver su gráfica en el tiempo; ponga el ratón encima para leer su definición.</translation>
     </message>
     <message>
         <source>What happened in the run: contacts, arrivals, reactions. Click an entry to show that moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que ocurrió en la ejecución: contactos, llegadas, reacciones. Haga clic en una entrada para mostrar ese momento.</translation>
     </message>
     <message>
         <source>Branches of the run and recorded runs. Check several to compare their metrics and paths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ramas de la ejecución y ejecuciones grabadas. Marque varias para comparar sus métricas y caminos.</translation>
     </message>
     <message>
         <source>Repeats the rest of the run many times from the displayed moment and shows how often a contact occurs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Repite muchas veces el resto de la ejecución desde el momento mostrado e indica con qué frecuencia hay un contacto.</translation>
     </message>
     <message>
         <source>Runs scenarios with several planners and seeds and compares them with confidence intervals in a report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuta escenarios con varios planificadores y semillas y los compara con intervalos de confianza en un informe.</translation>
     </message>
     <message>
         <source>What the map shows: people, routes, sensor data, costmaps and other layers, each with its opacity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que muestra el mapa: personas, rutas, datos de sensores, mapas de costes y otras capas, cada una con su opacidad.</translation>
     </message>
     <message>
         <source>The Nav2 parameters of the selected robot with defaults and explanations. Search by name, or show only what was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los parámetros de Nav2 del robot seleccionado con valores predeterminados y explicaciones. Busque por nombre, o muestre solo lo que ha cambiado.</translation>
     </message>
     <message>
         <source>The behaviour tree of the selected person as a graph. Drag nodes from the palette, press F8 to use the whole window.</source>
-        <translation type="unfinished"></translation>
+        <translation>El árbol de comportamiento de la persona seleccionada como grafo. Arrastre nodos desde la paleta, pulse F8 para usar toda la ventana.</translation>
     </message>
     <message>
         <source>Open the manual (F1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el manual (F1)</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa</translation>
     </message>
     <message>
         <source>The scenario. The wheel zooms, the middle button or Space and drag move the map. The status bar says what the mouse does with the active tool. During a run, click a person for details; right-click to push, stop or add people.</source>
-        <translation type="unfinished"></translation>
+        <translation>El escenario. La rueda amplía y reduce, el botón central o Espacio y arrastrar mueven el mapa. La barra de estado dice qué hace el ratón con la herramienta activa. Durante una ejecución, haga clic en una persona para ver los detalles; clic derecho para empujar, detener o añadir personas.</translation>
     </message>
 </context>
 <context>
     <name>app::CommandPalette</name>
     <message>
         <source>Not available at the moment</source>
-        <translation type="unfinished"></translation>
+        <translation>No disponible en este momento</translation>
     </message>
     <message>
         <source>Type a command or a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba una orden o una tecla</translation>
     </message>
     <message>
         <source>Find a command</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar una orden</translation>
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Órdenes</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>activado</translation>
     </message>
 </context>
 <context>
     <name>app::DiffView</name>
     <message>
         <source>Differences</source>
-        <translation type="unfinished"></translation>
+        <translation>Diferencias</translation>
     </message>
     <message>
         <source>1 equal line</source>
-        <translation type="unfinished"></translation>
+        <translation>1 línea igual</translation>
     </message>
     <message>
         <source>%1 equal lines</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 líneas iguales</translation>
     </message>
 </context>
 <context>
     <name>app::Docks</name>
     <message>
         <source>&amp;Map only</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Solo el mapa</translation>
     </message>
     <message>
         <source>Close all panels; select again to restore them</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar todos los paneles; repita para restaurarlos</translation>
     </message>
     <message>
         <source>Tree instead of the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Árbol en lugar del mapa</translation>
     </message>
     <message>
         <source>Show the behaviour tree instead of the map; select again to show the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el árbol de comportamiento en lugar del mapa; repita para mostrar el mapa</translation>
     </message>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea de tiempo</translation>
     </message>
     <message>
         <source>Always visible</source>
-        <translation type="unfinished"></translation>
+        <translation>Siempre visible</translation>
     </message>
     <message>
         <source>Open or close this panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir o cerrar este panel</translation>
     </message>
     <message>
         <source>Open a scenario first</source>
-        <translation type="unfinished"></translation>
+        <translation>Abra antes un escenario</translation>
     </message>
 </context>
 <context>
     <name>app::DocumentGuard</name>
     <message>
         <source>Export failed: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>La exportación falló: %1.</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar…</translation>
     </message>
     <message>
         <source>Cannot save a copy for crash recovery: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede guardar una copia de seguridad: %1</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar</translation>
     </message>
     <message>
         <source>Unsaved changes of an earlier session cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios sin guardar de una sesión anterior no se pueden leer: %1</translation>
     </message>
     <message>
         <source>an unnamed scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>un escenario sin nombre</translation>
     </message>
     <message>
         <source>The program ended unexpectedly. Unsaved changes to %1 were kept (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>El programa terminó de forma inesperada. Se conservaron los cambios sin guardar de %1 (%2).</translation>
     </message>
     <message>
         <source>Unsaved changes to %1 were kept when the last session ended (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Se conservaron los cambios sin guardar de %1 al terminar la última sesión (%2).</translation>
     </message>
     <message>
         <source>Restore</source>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar</translation>
     </message>
     <message>
         <source>%1 was changed by another program. Reloading discards unsaved changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro programa modificó %1. Volver a cargar descarta los cambios sin guardar.</translation>
     </message>
     <message>
         <source>%1 was changed by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro programa modificó %1.</translation>
     </message>
     <message>
         <source>Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>Recargar</translation>
     </message>
     <message>
         <source>Keep mine</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar lo mío</translation>
     </message>
     <message>
         <source>%1 was moved or deleted by another program. It is still open here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro programa movió o borró %1. Aquí sigue abierto.</translation>
     </message>
     <message>
         <source>Save again</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar de nuevo</translation>
     </message>
     <message>
         <source>Save as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como…</translation>
     </message>
     <message>
         <source>%1 is also open in another window. The window that saves last overwrites the changes of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 también está abierto en otra ventana. La última que guarde sobrescribe los cambios de la otra.</translation>
     </message>
     <message>
         <source>%1 is damaged and cannot be read. It will not be overwritten.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está dañado y no se puede leer. No se sobrescribirá.</translation>
     </message>
     <message>
         <source>%1 is damaged and only partly loaded. It will not be overwritten.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está dañado y solo se cargó en parte. No se sobrescribirá.</translation>
     </message>
     <message>
         <source>Choose map…</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir mapa…</translation>
     </message>
     <message>
         <source>Use open plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar un plano abierto</translation>
     </message>
     <message>
         <source>Cannot open a file manager. The files are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede abrir un gestor de archivos. Los archivos están en %1.</translation>
     </message>
     <message>
         <source>Exported %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se exportaron %1 a %2.</translation>
     </message>
     <message>
         <source>file</source>
-        <translation type="unfinished"></translation>
+        <translation>archivo</translation>
     </message>
     <message>
         <source>files</source>
-        <translation type="unfinished"></translation>
+        <translation>archivos</translation>
     </message>
     <message>
         <source>Show folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar carpeta</translation>
     </message>
     <message>
         <source>%1 was not saved: %2. Your changes are not lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no se guardó: %2. No se pierden sus cambios.</translation>
     </message>
     <message>
         <source>The file cannot be opened: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede abrir el archivo: %1</translation>
     </message>
     <message>
         <source>%1 cannot be opened: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede abrir %1: %2</translation>
     </message>
 </context>
 <context>
     <name>app::ExportDialog</name>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar</translation>
     </message>
     <message>
         <source>Simulator</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulador</translation>
     </message>
     <message>
         <source>Files to write</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivos que se escribirán</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Elegir…</translation>
     </message>
     <message>
         <source>Export folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta de exportación</translation>
     </message>
     <message>
         <source>For the simulator&apos;s package</source>
-        <translation type="unfinished"></translation>
+        <translation>Para el paquete del simulador</translation>
     </message>
     <message>
         <source>HuNavSim 2.0</source>
-        <translation type="unfinished"></translation>
+        <translation>HuNavSim 2.0</translation>
     </message>
     <message>
         <source>HuNavSim (2024)</source>
-        <translation type="unfinished"></translation>
+        <translation>HuNavSim (2024)</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Formato</translation>
     </message>
     <message>
         <source>Corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>Corregido</translation>
     </message>
     <message>
         <source>As in HuNavSim 2.0</source>
-        <translation type="unfinished"></translation>
+        <translation>Como en HuNavSim 2.0</translation>
     </message>
     <message>
         <source>Missing trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Árboles que faltan</translation>
     </message>
     <message>
         <source>Launch command</source>
-        <translation type="unfinished"></translation>
+        <translation>Orden de inicio</translation>
     </message>
     <message>
         <source>Co&amp;py</source>
-        <translation type="unfinished"></translation>
+        <translation>Co&amp;piar</translation>
     </message>
     <message>
         <source>Copied</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiado</translation>
     </message>
     <message>
         <source>HuNavSim folder layout, for any simulator</source>
-        <translation type="unfinished"></translation>
+        <translation>Estructura de carpetas de HuNavSim, para cualquier simulador</translation>
     </message>
     <message>
         <source>For %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Para %1</translation>
     </message>
     <message>
         <source>Files: %1, none replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivos: %1, ninguno reemplazado</translation>
     </message>
     <message>
         <source>Files: %1, replaced: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivos: %1, reemplazados: %2</translation>
     </message>
     <message>
         <source>Nothing is lost</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pierde nada</translation>
     </message>
     <message>
         <source>Information</source>
-        <translation type="unfinished"></translation>
+        <translation>Información</translation>
     </message>
 </context>
 <context>
     <name>app::ExportPreview</name>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista previa</translation>
     </message>
     <message>
         <source>Reading the run…</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyendo la ejecución…</translation>
     </message>
 </context>
 <context>
     <name>app::FigureCommands</name>
     <message>
         <source>Start a run first: Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicie antes una ejecución: Espacio</translation>
     </message>
     <message>
         <source>Copied the map at %1 s as PNG and SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Se copió el mapa en %1 s como PNG y SVG</translation>
     </message>
     <message>
         <source>Copied the plot of “%1” as PNG and SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Se copió la gráfica de «%1» como PNG y SVG</translation>
     </message>
 </context>
 <context>
     <name>app::FileCommands</name>
     <message>
         <source>Assign tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar árbol</translation>
     </message>
     <message>
         <source>Apply command-line options</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar opciones de la línea de órdenes</translation>
     </message>
     <message>
         <source>Add command-line robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir robot de la línea de órdenes</translation>
     </message>
     <message>
         <source>Maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapas, imágenes de mapa (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</translation>
     </message>
     <message>
         <source>Open a scenario or a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir un escenario o un mapa</translation>
     </message>
     <message>
         <source>Scenarios, maps, map images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenarios, mapas, imágenes de mapa (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)</translation>
     </message>
     <message>
         <source>New scenario from a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo escenario a partir de un mapa</translation>
     </message>
     <message>
         <source>Change map</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el mapa</translation>
     </message>
     <message>
         <source>Open run folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir carpeta de ejecución</translation>
     </message>
     <message>
         <source>%1 (truncated)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (truncado)</translation>
     </message>
     <message>
         <source>Import trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar trayectorias</translation>
     </message>
     <message>
         <source>Trajectories (*.csv *.txt *.tsv *.h5 *.hdf5 *.sqlite *.ndjson *.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Trayectorias (*.csv *.txt *.tsv *.h5 *.hdf5 *.sqlite *.ndjson *.json);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>%1 was changed by another program after it was opened; saving overwrites those changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro programa modificó %1 después de abrirlo; al guardar se sobrescriben esos cambios.</translation>
     </message>
     <message>
         <source>%1 has a comment, which is lost when you save.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene un comentario, que se pierde al guardar.</translation>
     </message>
     <message>
         <source>%1 has %2 comments, which are lost when you save.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene %2 comentarios, que se pierden al guardar.</translation>
     </message>
     <message>
         <source>Save anyway?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Guardar de todos modos?</translation>
     </message>
     <message>
         <source>Overwrite the file?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Sobrescribir el archivo?</translation>
     </message>
     <message>
         <source>Save the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el escenario</translation>
     </message>
     <message>
         <source>Scenarios (*.yaml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenarios (*.yaml)</translation>
     </message>
     <message>
         <source>This file is a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Este archivo es un mapa</translation>
     </message>
     <message>
         <source>%1 is a map or a map image. Saving the scenario there would overwrite it. Choose another name, such as %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es un mapa o una imagen de mapa. Guardar ahí el escenario lo sobrescribiría. Elija otro nombre, como %2.</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambios sin guardar</translation>
     </message>
     <message>
         <source>File not found</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo no encontrado</translation>
     </message>
     <message>
         <source>Save the changes to %1 first?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Guardar antes los cambios de %1?</translation>
     </message>
     <message>
         <source>%1 was moved or deleted. Save it again first?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se movió o se borró. ¿Guardarlo de nuevo?</translation>
     </message>
 </context>
 <context>
     <name>app::GuidedTour</name>
     <message>
         <source>Place a person</source>
-        <translation type="unfinished"></translation>
+        <translation>Coloque una persona</translation>
     </message>
     <message>
         <source>Give the person a goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Dé un objetivo a la persona</translation>
     </message>
     <message>
         <source>Run the simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecute la simulación</translation>
     </message>
     <message>
         <source>Read a metric</source>
-        <translation type="unfinished"></translation>
+        <translation>Lea una métrica</translation>
     </message>
     <message>
         <source>You have run your first scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Ha ejecutado su primer escenario</translation>
     </message>
     <message>
         <source>Click on the map where the person should walk to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en el mapa donde la persona debe ir.</translation>
     </message>
     <message>
         <source>Press %1 or click the goal tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulse %1 o haga clic en la herramienta de objetivos.</translation>
     </message>
     <message>
         <source>Click the person, then the goal, then press Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la persona, luego en el objetivo, y pulse Intro.</translation>
     </message>
     <message>
         <source>The goal is there; now assign it. Press %1 for the route tool, click the person, then the goal, then press Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>El objetivo está puesto; ahora asígnelo. Pulse %1 para la herramienta de rutas, haga clic en la persona, luego en el objetivo, y pulse Intro.</translation>
     </message>
     <message>
         <source>Click on the map where the person should start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en el mapa donde la persona debe empezar.</translation>
     </message>
     <message>
         <source>Press %1 or click the person tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulse %1 o haga clic en la herramienta de personas.</translation>
     </message>
     <message>
         <source>The person walks to the goal …</source>
-        <translation type="unfinished"></translation>
+        <translation>La persona camina hacia el objetivo …</translation>
     </message>
     <message>
         <source>Press Space, or Play in the tool bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulse Espacio, o Reproducir en la barra de herramientas.</translation>
     </message>
     <message>
         <source>Click a metric in the list to plot it over time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en una métrica de la lista para ver su gráfica en el tiempo.</translation>
     </message>
     <message>
         <source>Click Metrics in the status bar at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en Métricas en la barra de estado, abajo.</translation>
     </message>
     <message>
         <source>Ctrl+R returns to editing, %1 finds every command, F1 opens the manual. The next chapter adds a robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+R vuelve a la edición, %1 encuentra todas las órdenes, F1 abre el manual. El capítulo siguiente añade un robot.</translation>
     </message>
     <message>
         <source>First scenario in the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Primer escenario en el manual</translation>
     </message>
     <message>
         <source>Guided tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Visita guiada</translation>
     </message>
     <message>
         <source>Tour finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Visita terminada</translation>
     </message>
     <message>
         <source>Step %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Paso %1 de %2</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Skip tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Omitir la visita</translation>
     </message>
     <message>
         <source>Close the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar la visita</translation>
     </message>
     <message>
         <source>End the tour; the scenario stays open</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminar la visita; el escenario sigue abierto</translation>
     </message>
     <message>
         <source>Open the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el manual</translation>
     </message>
 </context>
 <context>
     <name>app::HistoryDialog</name>
     <message>
         <source>Run history</source>
-        <translation type="unfinished"></translation>
+        <translation>Historial de ejecución</translation>
     </message>
     <message>
         <source> MB</source>
-        <translation type="unfinished"></translation>
+        <translation> MB</translation>
     </message>
     <message>
         <source>Memory per run</source>
-        <translation type="unfinished"></translation>
+        <translation>Memoria por ejecución</translation>
     </message>
     <message>
         <source>Memory per run
 Memory for the steps of a run that the timeline can show. 200 people need about 12 MB per minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Memoria por ejecución
+Memoria para los pasos de una ejecución que la línea de tiempo puede mostrar. 200 personas necesitan unos 12 MB por minuto.</translation>
     </message>
     <message>
         <source>Older steps are stored in a temporary file until the run is closed. When the disk is full, the oldest are deleted and the timeline starts later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los pasos más antiguos se guardan en un archivo temporal hasta que se cierra la ejecución. Cuando el disco se llena, se borran los más antiguos y la línea de tiempo empieza más tarde.</translation>
     </message>
     <message>
         <source>Applies to runs started from now on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se aplica a las ejecuciones que se inicien a partir de ahora.</translation>
     </message>
     <message>
         <source>Set</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar</translation>
     </message>
 </context>
 <context>
     <name>app::ImageMapDialog</name>
     <message>
         <source>Map from an image</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa a partir de una imagen</translation>
     </message>
     <message>
         <source> m per pixel</source>
-        <translation type="unfinished"></translation>
+        <translation> m por píxel</translation>
     </message>
     <message>
         <source>Create map</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear mapa</translation>
     </message>
     <message>
         <source>Map scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala del mapa</translation>
     </message>
     <message>
         <source>Distance 1 – 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia 1 – 2</translation>
     </message>
     <message>
         <source>Resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Resolución</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Click two points with a known distance, such as the ends of a wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en dos puntos a una distancia conocida, como los extremos de una pared.</translation>
     </message>
     <message>
         <source>Click the second point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en el segundo punto.</translation>
     </message>
     <message>
         <source>Enter the distance between the two points. You can drag them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba la distancia entre los dos puntos. Puede arrastrarlos.</translation>
     </message>
     <message>
         <source>%1 m per pixel is out of range (%2 to %3).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m por píxel está fuera del intervalo (%2 a %3).</translation>
     </message>
     <message>
         <source>Position of lower left corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición de la esquina inferior izquierda</translation>
     </message>
     <message>
         <source>Position of point 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición del punto 1</translation>
     </message>
     <message>
         <source>The map will be %1 × %2 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>El mapa medirá %1 × %2 m.</translation>
     </message>
     <message>
         <source>By two points in the image</source>
-        <translation type="unfinished"></translation>
+        <translation>Por dos puntos de la imagen</translation>
     </message>
     <message>
         <source>By resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Por resolución</translation>
     </message>
 </context>
 <context>
     <name>app::KeyMap</name>
     <message>
         <source>%1 is used by fields, lists and tools and cannot be assigned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los campos, listas y herramientas usan %1; no se puede asignar.</translation>
     </message>
 </context>
 <context>
     <name>app::KeyRules</name>
     <message>
         <source>While you edit a text, the text field handles all keys that it uses; number fields do not use Space. Enter accepts the text, Esc discards it; both return the keyboard focus to the map. Ctrl+Z undoes typing only while an edit is not accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mientras edita un texto, el campo de texto recibe todas las teclas que usa; los campos numéricos no usan Espacio. Intro acepta el texto, Esc lo descarta; ambos devuelven el foco del teclado al mapa. Ctrl+Z deshace lo escrito solo mientras una edición no se ha aceptado.</translation>
     </message>
     <message>
         <source>A list handles the keys that move in it, Space in rows with a check box, and Delete if its rows can be removed. Only in the scenario list does Delete remove the selection on the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una lista recibe las teclas que mueven dentro de ella, Espacio en filas con casilla, y Supr si sus filas se pueden quitar. Solo en la lista del escenario Supr quita la selección del mapa.</translation>
     </message>
     <message>
         <source>A click on a button, check box or combo box does not move the keyboard focus. After you reach one with Tab, use Space and the arrow keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un clic en un botón, casilla o lista desplegable no mueve el foco del teclado. Tras llegar a uno con Tab, use Espacio y las flechas.</translation>
     </message>
     <message>
         <source>All other keys go to the commands of the window, such as Space to run and pause, then to the map tool. The arrow keys move items only while the map has the focus; while you drive a robot manually, they drive it, as do W, A, S and D.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las demás teclas van a las órdenes de la ventana, como Espacio para ejecutar y pausar, y luego a la herramienta del mapa. Las flechas mueven elementos solo cuando el mapa tiene el foco; mientras conduce un robot manualmente, lo conducen, igual que W, A, S y D.</translation>
     </message>
 </context>
 <context>
     <name>app::MainWindow</name>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardado %1</translation>
     </message>
     <message>
         <source>A recorded run cannot be edited: Ctrl+R closes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Una ejecución grabada no se puede editar: Ctrl+R la cierra</translation>
     </message>
     <message>
         <source>Open a scenario first</source>
-        <translation type="unfinished"></translation>
+        <translation>Abra antes un escenario</translation>
     </message>
     <message>
         <source>A recorded run is shown: Ctrl+R closes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Se muestra una ejecución grabada: Ctrl+R la cierra</translation>
     </message>
     <message>
         <source>Not during a run: Ctrl+R returns to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>No durante una ejecución: Ctrl+R vuelve a la edición</translation>
     </message>
     <message>
         <source>HuNavSim Desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>HuNavSim Desktop</translation>
     </message>
     <message>
         <source>%1 (recorded run) – HuNavSim Desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (ejecución grabada) – HuNavSim Desktop</translation>
     </message>
     <message>
         <source>Recorded run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución grabada</translation>
     </message>
     <message>
         <source>Not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin guardar</translation>
     </message>
     <message>
         <source>Read only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo lectura</translation>
     </message>
     <message>
         <source>Saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardado</translation>
     </message>
     <message>
         <source>The options of the command line replace values of %1. Saving writes them to the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las opciones de la línea de órdenes sustituyen valores de %1. Al guardar se escriben en el archivo.</translation>
     </message>
     <message>
         <source>Use the values of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar los valores del archivo</translation>
     </message>
     <message>
         <source>About HuNavSim Desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca de HuNavSim Desktop</translation>
     </message>
     <message>
         <source>&lt;b&gt;HuNavSim Desktop %1&lt;/b&gt;&lt;br&gt;Scenarios for human-aware navigation: draw, simulate, measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;HuNavSim Desktop %1&lt;/b&gt;&lt;br&gt;Escenarios para la navegación consciente de las personas: dibujar, simular, medir.</translation>
     </message>
 </context>
 <context>
     <name>app::ManualViewer</name>
     <message>
         <source>Search the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar en el manual</translation>
     </message>
     <message>
         <source>HuNavSim Desktop manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual de HuNavSim Desktop</translation>
     </message>
     <message>
         <source>Page</source>
-        <translation type="unfinished"></translation>
+        <translation>Página</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Atrás</translation>
     </message>
     <message>
         <source>Show the previous page</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar la página anterior</translation>
     </message>
     <message>
         <source>Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Adelante</translation>
     </message>
     <message>
         <source>Show the next page again</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a mostrar la página siguiente</translation>
     </message>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Páginas</translation>
     </message>
     <message>
         <source># Page not found
 
 The manual has no file `%1.md` in `%2`. Reinstall the program, or read the manual on the project&apos;s page.</source>
-        <translation type="unfinished"></translation>
+        <translation># Página no encontrada
+
+El manual no tiene el archivo `%1.md` en `%2`. Reinstale el programa, o lea el manual en la página del proyecto.</translation>
     </message>
 </context>
 <context>
     <name>app::NoticeBar</name>
     <message>
         <source>Dismiss</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar</translation>
     </message>
 </context>
 <context>
     <name>app::PlotExport</name>
     <message>
         <source>Copied the plot of “%1” as PNG and SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Se copió la gráfica de «%1» como PNG y SVG</translation>
     </message>
     <message>
         <source>Save plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar gráfica</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen (*.png)</translation>
     </message>
     <message>
         <source>Vector picture (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen vectorial (*.svg)</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Saved the plot of “%1” to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Se guardó la gráfica de «%1» en %2</translation>
     </message>
 </context>
 <context>
     <name>app::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Preferencias</translation>
     </message>
     <message>
         <source>&amp;General</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;General</translation>
     </message>
     <message>
         <source>&amp;Files</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Archivos</translation>
     </message>
     <message>
         <source>Key&amp;board</source>
-        <translation type="unfinished"></translation>
+        <translation>Te&amp;clado</translation>
     </message>
     <message>
         <source>As the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Como el escritorio</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Oscuro</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema</translation>
     </message>
     <message>
         <source>Colours of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Colores de la ventana</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tema</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Como el sistema</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Idioma</translation>
     </message>
     <message>
         <source>Language of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Idioma de la ventana</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>Used from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se usa a partir del próximo inicio.</translation>
     </message>
     <message>
         <source>Animations
 Without them, the map changes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Animaciones
+Sin ellas, el mapa cambia de inmediato</translation>
     </message>
     <message>
         <source> MB</source>
-        <translation type="unfinished"></translation>
+        <translation> MB</translation>
     </message>
     <message>
         <source>Run history</source>
-        <translation type="unfinished"></translation>
+        <translation>Historial de ejecución</translation>
     </message>
     <message>
         <source>Memory for the steps of a run that the timeline can show. 200 people need about 12 MB per minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Memoria para los pasos de una ejecución que la línea de tiempo puede mostrar. 200 personas necesitan unos 12 MB por minuto.</translation>
     </message>
     <message>
         <source>Run &amp;history</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Historial</translation>
     </message>
     <message>
         <source>Applies to runs started from now on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se aplica a las ejecuciones que se inicien a partir de ahora.</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Números</translation>
     </message>
     <message>
         <source>Numbers have a decimal point (1.5) in every language, as in files. Fields also accept a comma.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los números llevan punto decimal (1.5) en todos los idiomas, como en los archivos. Los campos también aceptan una coma.</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Elegir…</translation>
     </message>
     <message>
         <source>Choose the default folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir la carpeta predeterminada</translation>
     </message>
     <message>
         <source>Default folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta predeterminada</translation>
     </message>
     <message>
         <source>Where file dialogs start for a scenario that is not saved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde empiezan los diálogos de archivo para un escenario aún sin guardar</translation>
     </message>
     <message>
         <source>Folder of the last used file</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta del último archivo usado</translation>
     </message>
     <message>
         <source>&amp;Default folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta &amp;predeterminada</translation>
     </message>
     <message>
         <source>Copies of unsaved changes
 After a crash, the program offers to restore them</source>
-        <translation type="unfinished"></translation>
+        <translation>Copias de los cambios sin guardar
+Tras un fallo, el programa ofrece restaurarlas</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>Copy after</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar tras</translation>
     </message>
     <message>
         <source>The longest time between a change and its copy</source>
-        <translation type="unfinished"></translation>
+        <translation>El tiempo máximo entre un cambio y su copia</translation>
     </message>
     <message>
         <source>C&amp;opy after</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;opiar tras</translation>
     </message>
     <message>
         <source>The scenario file itself is written only when you save it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo del escenario solo se escribe cuando usted lo guarda.</translation>
     </message>
     <message>
         <source>R&amp;estore defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Restaurar valores predeterminados</translation>
     </message>
     <message>
         <source>Restore the defaults of all pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar los valores predeterminados de todas las páginas</translation>
     </message>
     <message>
         <source>&amp;Animate zooming and fitting</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;nimar el zoom y el encuadre</translation>
     </message>
     <message>
         <source>&amp;Keep copies of unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guardar copias de los cambios sin guardar</translation>
     </message>
 </context>
 <context>
     <name>app::RecentRow</name>
     <message>
         <source>File not found</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo no encontrado</translation>
     </message>
     <message>
         <source>File not found in </source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo no encontrado en </translation>
     </message>
     <message>
         <source>Folder not found: </source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta no encontrada: </translation>
     </message>
 </context>
 <context>
     <name>app::RoomDialog</name>
     <message>
         <source>New empty room</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva sala vacía</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancho</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Alto</translation>
     </message>
     <message>
         <source>Create</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear</translation>
     </message>
     <message>
         <source>Room with four walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Sala con cuatro paredes</translation>
     </message>
     <message>
         <source>Open plane without a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Plano abierto sin mapa</translation>
     </message>
 </context>
 <context>
     <name>app::RunExportCommands</name>
     <message>
         <source>Open a scenario or a run first</source>
-        <translation type="unfinished"></translation>
+        <translation>Abra antes un escenario o una ejecución</translation>
     </message>
     <message>
         <source>Start a run first: Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicie antes una ejecución: Espacio</translation>
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar imagen</translation>
     </message>
     <message>
         <source>Save film</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar película</translation>
     </message>
 </context>
 <context>
     <name>app::RunExportDialog</name>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>Densidad</translation>
     </message>
     <message>
         <source>People per m² as a colour map</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas por m² como mapa de colores</translation>
     </message>
     <message>
         <source>Hall zones</source>
-        <translation type="unfinished"></translation>
+        <translation>Zonas de Hall</translation>
     </message>
     <message>
         <source>Intimate, personal and social zone of each person</source>
-        <translation type="unfinished"></translation>
+        <translation>Zona íntima, personal y social de cada persona</translation>
     </message>
     <message>
         <source>Gaussian spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacios gaussianos</translation>
     </message>
     <message>
         <source>Gaussian personal space, longer in the walking direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio personal gaussiano, más largo en la dirección de marcha</translation>
     </message>
     <message>
         <source>Velocities</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidades</translation>
     </message>
     <message>
         <source>Velocity vector of each body</source>
-        <translation type="unfinished"></translation>
+        <translation>Vector de velocidad de cada cuerpo</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas</translation>
     </message>
     <message>
         <source>Forces on each person</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas sobre cada persona</translation>
     </message>
     <message>
         <source>Contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Contactos</translation>
     </message>
     <message>
         <source>Where bodies touched</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde se tocaron los cuerpos</translation>
     </message>
     <message>
         <source>%1 – requires ffmpeg</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – requiere ffmpeg</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Formato</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Oscuro</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema</translation>
     </message>
     <message>
         <source>Time marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marcas de tiempo</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>Interval of dots with the time on each trajectory; 0: none</source>
-        <translation type="unfinished"></translation>
+        <translation>Intervalo de los puntos con el tiempo en cada trayectoria; 0: ninguno</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancho</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Alto</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>automático</translation>
     </message>
     <message>
         <source>Height
 The lowest value is the height that the map requires</source>
-        <translation type="unfinished"></translation>
+        <translation>Alto
+El valor mínimo es el alto que el mapa necesita</translation>
     </message>
     <message>
         <source>Overlays</source>
-        <translation type="unfinished"></translation>
+        <translation>Superposiciones</translation>
     </message>
     <message>
         <source>Names below the bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombres bajo los cuerpos</translation>
     </message>
     <message>
         <source>Forces are not recorded: only a run of this window has them</source>
-        <translation type="unfinished"></translation>
+        <translation>Las fuerzas no se registran: solo las tiene una ejecución de esta ventana</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Progreso</translation>
     </message>
     <message>
         <source>Save…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar…</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>Personalizado</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"></translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Nothing can be drawn: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede dibujar nada: %1</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotograma %1 de %2</translation>
     </message>
     <message>
         <source>Not saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No se guardó: %1</translation>
     </message>
     <message>
         <source>Stopped. No file was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Detenido. No se escribió ningún archivo.</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation type="unfinished"></translation>
+        <translation>Deteniendo…</translation>
     </message>
     <message>
         <source>Names</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombres</translation>
     </message>
 </context>
 <context>
     <name>app::RunSharing</name>
     <message>
         <source>Watch this run at %1 (Foxglove: Open connection)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vea esta ejecución en %1 (Foxglove: Open connection)</translation>
     </message>
     <message>
         <source>Copy address</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar dirección</translation>
     </message>
 </context>
 <context>
     <name>app::SaveFilmDialog</name>
     <message>
         <source>Save film</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar película</translation>
     </message>
     <message>
         <source>GIF</source>
-        <translation type="unfinished"></translation>
+        <translation>GIF</translation>
     </message>
     <message>
         <source>MP4 (H.264)</source>
-        <translation type="unfinished"></translation>
+        <translation>MP4 (H.264)</translation>
     </message>
     <message>
         <source>WebP</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP</translation>
     </message>
     <message>
         <source>WebM (VP9)</source>
-        <translation type="unfinished"></translation>
+        <translation>WebM (VP9)</translation>
     </message>
     <message>
         <source>MP4, WebP and WebM require the program ffmpeg, which is not installed: sudo apt install ffmpeg</source>
-        <translation type="unfinished"></translation>
+        <translation>MP4, WebP y WebM requieren el programa ffmpeg, que no está instalado: sudo apt install ffmpeg</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta</translation>
     </message>
     <message>
         <source>Whole run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución completa</translation>
     </message>
     <message>
         <source>Save all of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar toda la ejecución</translation>
     </message>
     <message>
         <source>Loop section</source>
-        <translation type="unfinished"></translation>
+        <translation>Sección en bucle</translation>
     </message>
     <message>
         <source>Save the section that is repeated on the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar la sección que se repite en la línea de tiempo</translation>
     </message>
     <message>
         <source>Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotogramas</translation>
     </message>
     <message>
         <source>fps</source>
-        <translation type="unfinished"></translation>
+        <translation>fps</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad</translation>
     </message>
     <message>
         <source>Simulated seconds per second of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Segundos simulados por segundo de la película</translation>
     </message>
     <message>
         <source>Time of the preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo de la vista previa</translation>
     </message>
     <message>
         <source>Show another frame of the film in the preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar otro fotograma de la película en la vista previa</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista previa</translation>
     </message>
     <message>
         <source>At most %1 for a GIF</source>
-        <translation type="unfinished"></translation>
+        <translation>Como máximo %1 para un GIF</translation>
     </message>
     <message>
         <source>%1 frames, %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fotogramas, %2 s</translation>
     </message>
     <message>
         <source>The end must be after the start</source>
-        <translation type="unfinished"></translation>
+        <translation>El final debe ser posterior al inicio</translation>
     </message>
     <message>
         <source>1280 px wide</source>
-        <translation type="unfinished"></translation>
+        <translation>1280 px de ancho</translation>
     </message>
     <message>
         <source>HD, 1280 × 720</source>
-        <translation type="unfinished"></translation>
+        <translation>HD, 1280 × 720</translation>
     </message>
     <message>
         <source>Full HD, 1920 × 1080</source>
-        <translation type="unfinished"></translation>
+        <translation>Full HD, 1920 × 1080</translation>
     </message>
     <message>
         <source>Small, 640 px wide</source>
-        <translation type="unfinished"></translation>
+        <translation>Pequeña, 640 px de ancho</translation>
     </message>
 </context>
 <context>
     <name>app::SavePictureDialog</name>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar imagen</translation>
     </message>
     <message>
         <source>PNG – pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG – píxeles</translation>
     </message>
     <message>
         <source>SVG – vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG – vectores</translation>
     </message>
     <message>
         <source>PDF – vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF – vectores</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>Time of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo de la imagen</translation>
     </message>
     <message>
         <source>Two columns, 170 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos columnas, 170 mm</translation>
     </message>
     <message>
         <source>One column, 85 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Una columna, 85 mm</translation>
     </message>
     <message>
         <source>Slide, 16 : 9</source>
-        <translation type="unfinished"></translation>
+        <translation>Diapositiva, 16 : 9</translation>
     </message>
     <message>
         <source>Screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Pantalla</translation>
     </message>
     <message>
         <source>Two columns, 170 mm at 300 dpi</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos columnas, 170 mm a 300 ppp</translation>
     </message>
     <message>
         <source>One column, 85 mm at 300 dpi</source>
-        <translation type="unfinished"></translation>
+        <translation>Una columna, 85 mm a 300 ppp</translation>
     </message>
 </context>
 <context>
     <name>app::ScaleView</name>
     <message>
         <source>Map image</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen del mapa</translation>
     </message>
 </context>
 <context>
     <name>app::ScenarioGallery</name>
     <message>
         <source>Find a scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar un escenario</translation>
     </message>
     <message>
         <source>Scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenarios</translation>
     </message>
     <message>
         <source>Family</source>
-        <translation type="unfinished"></translation>
+        <translation>Familia</translation>
     </message>
     <message>
         <source>Show the scenarios of one family</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar los escenarios de una familia</translation>
     </message>
     <message>
         <source>Difficulty</source>
-        <translation type="unfinished"></translation>
+        <translation>Dificultad</translation>
     </message>
     <message>
         <source>Show the scenarios of one difficulty</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar los escenarios de una dificultad</translation>
     </message>
     <message>
         <source>No scenario matches the search and the filters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún escenario coincide con la búsqueda y los filtros.</translation>
     </message>
     <message>
         <source>Show all scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar todos los escenarios</translation>
     </message>
     <message>
         <source>Clear the search and the filters</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar la búsqueda y los filtros</translation>
     </message>
     <message>
         <source>All families</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas las familias</translation>
     </message>
     <message>
         <source>Any difficulty</source>
-        <translation type="unfinished"></translation>
+        <translation>Cualquier dificultad</translation>
     </message>
 </context>
 <context>
     <name>app::ShortcutsDialog</name>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Atajos de teclado</translation>
     </message>
 </context>
 <context>
     <name>app::ShortcutsPage</name>
     <message>
         <source>Find a command or a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar una orden o una tecla</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Atajos de teclado</translation>
     </message>
     <message>
         <source>New keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Teclas nuevas</translation>
     </message>
     <message>
         <source>New keys
 Press the keys for the selected command</source>
-        <translation type="unfinished"></translation>
+        <translation>Teclas nuevas
+Pulse las teclas para la orden seleccionada</translation>
     </message>
     <message>
         <source>Press keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulse las teclas</translation>
     </message>
     <message>
         <source>Give these keys to the selected command</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar estas teclas a la orden seleccionada</translation>
     </message>
     <message>
         <source>Remove the keys of the selected command</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar las teclas de la orden seleccionada</translation>
     </message>
     <message>
         <source>Restore the default keys of the selected command</source>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar las teclas predeterminadas de la orden seleccionada</translation>
     </message>
     <message>
         <source>Restore the default keys of all commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar las teclas predeterminadas de todas las órdenes</translation>
     </message>
     <message>
         <source>Select a command to change its keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione una orden para cambiar sus teclas</translation>
     </message>
     <message>
         <source>Keys for &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Teclas de «%1»</translation>
     </message>
     <message>
         <source>This key belongs to the active tool and cannot be changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta tecla pertenece a la herramienta activa y no se puede cambiar.</translation>
     </message>
     <message>
         <source>%1 is used by &quot;%2&quot; (%3). Assigning removes it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%2» (%3) usa %1. Al asignarla se quita de ahí.</translation>
     </message>
     <message>
         <source>&amp;Assign</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Asignar</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quitar</translation>
     </message>
     <message>
         <source>&amp;Default</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Predeterminada</translation>
     </message>
     <message>
         <source>Restore a&amp;ll defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar &amp;todas</translation>
     </message>
 </context>
 <context>
     <name>app::StartPage</name>
     <message>
         <source>Start page</source>
-        <translation type="unfinished"></translation>
+        <translation>Página de inicio</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicio</translation>
     </message>
     <message>
         <source>Place people and a robot on a map, then press Space to simulate them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coloque personas y un robot en un mapa y pulse Espacio para simularlos.</translation>
     </message>
     <message>
         <source>Drop a scenario or a map anywhere on this window to open it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelte un escenario o un mapa en cualquier lugar de esta ventana para abrirlo.</translation>
     </message>
     <message>
         <source>New from a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo a partir de un mapa</translation>
     </message>
     <message>
         <source>Nav2 map or floor plan image</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa de Nav2 o imagen de un plano</translation>
     </message>
     <message>
         <source>New empty room</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva sala vacía</translation>
     </message>
     <message>
         <source>Four walls, or an open plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuatro paredes, o un plano abierto</translation>
     </message>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir…</translation>
     </message>
     <message>
         <source>Scenario or map</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenario o mapa</translation>
     </message>
     <message>
         <source>Guided tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Visita guiada</translation>
     </message>
     <message>
         <source>Your first run in two minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Su primera ejecución en dos minutos</translation>
     </message>
     <message>
         <source>Watch a recording…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver una grabación…</translation>
     </message>
     <message>
         <source>Output folder of a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta de salida de una ejecución</translation>
     </message>
     <message>
         <source>Import trajectories…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar trayectorias…</translation>
     </message>
     <message>
         <source>Recorded people: CSV, JuPedSim, TrajNet++, …</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas grabadas: CSV, JuPedSim, TrajNet++, …</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Recientes</translation>
     </message>
     <message>
         <source>No recent files. Open a scenario on the right, or take the guided tour.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay archivos recientes. Abra un escenario de la derecha o haga la visita guiada.</translation>
     </message>
 </context>
 <context>
     <name>app::StatusLine</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1, %2 after its start</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 después de su inicio</translation>
     </message>
     <message>
         <source>The robot has arrived, %1 · </source>
-        <translation type="unfinished"></translation>
+        <translation>El robot ha llegado, %1 · </translation>
     </message>
     <message>
         <source>Time limit reached, %1 · </source>
-        <translation type="unfinished"></translation>
+        <translation>Límite de tiempo alcanzado, %1 · </translation>
     </message>
     <message>
         <source>The robot collided, %1 · </source>
-        <translation type="unfinished"></translation>
+        <translation>El robot colisionó, %1 · </translation>
     </message>
     <message>
         <source>Navigation failed%1, %2 · </source>
-        <translation type="unfinished"></translation>
+        <translation>La navegación falló%1, %2 · </translation>
     </message>
     <message>
         <source>Navigation succeeded, but not at the goal, %1 · </source>
-        <translation type="unfinished"></translation>
+        <translation>La navegación terminó, pero no en el objetivo, %1 · </translation>
     </message>
     <message>
         <source>The robot is stuck, %1 · </source>
-        <translation type="unfinished"></translation>
+        <translation>El robot está atascado, %1 · </translation>
     </message>
     <message>
         <source>Playing back</source>
-        <translation type="unfinished"></translation>
+        <translation>Reproduciendo</translation>
     </message>
     <message>
         <source>Space pauses · End shows the last step</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio pausa · Fin muestra el último paso</translation>
     </message>
     <message>
         <source>Playback paused</source>
-        <translation type="unfinished"></translation>
+        <translation>Reproducción en pausa</translation>
     </message>
     <message>
         <source>Space plays from here · Ctrl+R returns to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio reproduce desde aquí · Ctrl+R vuelve a la edición</translation>
     </message>
     <message>
         <source>Space resumes · End returns to the newest step</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio continúa · Fin vuelve al paso más reciente</translation>
     </message>
     <message>
         <source>Recorded run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución grabada</translation>
     </message>
     <message>
         <source>Space plays and pauses · . and , step · Ctrl+R closes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio reproduce y pausa · . y , avanzan un paso · Ctrl+R la cierra</translation>
     </message>
     <message>
         <source>Running</source>
-        <translation type="unfinished"></translation>
+        <translation>En ejecución</translation>
     </message>
     <message>
         <source>Space pauses · Click a person for details</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio pausa · Clic en una persona para ver detalles</translation>
     </message>
     <message>
         <source>Finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminada</translation>
     </message>
     <message>
         <source>Space replays · Ctrl+R returns to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio vuelve a reproducir · Ctrl+R vuelve a la edición</translation>
     </message>
     <message>
         <source>Stopped at %1 · </source>
-        <translation type="unfinished"></translation>
+        <translation>Detenido en %1 · </translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished"></translation>
+        <translation>En pausa</translation>
     </message>
     <message>
         <source>Space resumes · . steps · Ctrl+R returns to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio continúa · . avanza un paso · Ctrl+R vuelve a la edición</translation>
     </message>
     <message>
         <source> · </source>
-        <translation type="unfinished"></translation>
+        <translation> · </translation>
     </message>
     <message>
         <source>Editing</source>
-        <translation type="unfinished"></translation>
+        <translation>Edición</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Listo</translation>
     </message>
     <message>
         <source>Click a scenario to open it · Space runs it</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en un escenario para abrirlo · Espacio lo ejecuta</translation>
     </message>
     <message>
         <source>x %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>x %1 m</translation>
     </message>
     <message>
         <source>y %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>y %1 m</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>abierto</translation>
     </message>
     <message>
         <source>outside</source>
-        <translation type="unfinished"></translation>
+        <translation>fuera</translation>
     </message>
     <message>
         <source>wall</source>
-        <translation type="unfinished"></translation>
+        <translation>pared</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>desconocido</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>libre</translation>
     </message>
     <message>
         <source>%1 px/m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 px/m</translation>
     </message>
     <message>
         <source>Seed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla %1</translation>
     </message>
     <message>
         <source>%1 × real time</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × tiempo real</translation>
     </message>
 </context>
 <context>
     <name>app::StudyForm</name>
     <message>
         <source>Other parameters, one per line</source>
-        <translation type="unfinished"></translation>
+        <translation>Otros parámetros, uno por línea</translation>
     </message>
     <message>
         <source>Seeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Semillas</translation>
     </message>
     <message>
         <source>Number or list of seeds: 30 or [3, 7, 11]</source>
-        <translation type="unfinished"></translation>
+        <translation>Número o lista de semillas: 30 o [3, 7, 11]</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Duración</translation>
     </message>
     <message>
         <source>from scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>del escenario</translation>
     </message>
     <message>
         <source>Maximum duration of each run [s]; empty: as in the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Duración máxima de cada ejecución [s]; vacío: la del escenario</translation>
     </message>
     <message>
         <source>metrics only</source>
-        <translation type="unfinished"></translation>
+        <translation>solo métricas</translation>
     </message>
     <message>
         <source>runs with an error</source>
-        <translation type="unfinished"></translation>
+        <translation>ejecuciones con error</translation>
     </message>
     <message>
         <source>failures only</source>
-        <translation type="unfinished"></translation>
+        <translation>solo fallos</translation>
     </message>
     <message>
         <source>all runs</source>
-        <translation type="unfinished"></translation>
+        <translation>todas las ejecuciones</translation>
     </message>
     <message>
         <source>Keep recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar grabaciones</translation>
     </message>
     <message>
         <source>Runs whose files are kept in the results folder. Failures are runs with an error and runs whose robot did not succeed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuciones cuyos archivos se conservan en la carpeta de resultados. Los fallos son ejecuciones con error y aquellas cuyo robot no tuvo éxito.</translation>
     </message>
     <message>
         <source>Other parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Otros parámetros</translation>
     </message>
     <message>
         <source>A list tests each value. {normal: [mean, deviation, minimum, maximum]}, {uniform: [from, to]} and {choice: […]} are sampled for each seed, equally for all planners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una lista prueba cada valor. {normal: [media, desviación, mínimo, máximo]}, {uniform: [desde, hasta]} y {choice: […]} se muestrean para cada semilla, igual para todos los planificadores.</translation>
     </message>
     <message>
         <source>Scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenarios</translation>
     </message>
     <message>
         <source>Add current</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir actual</translation>
     </message>
     <message>
         <source>Add the open scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir el escenario abierto</translation>
     </message>
     <message>
         <source>Add…</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir…</translation>
     </message>
     <message>
         <source>Add scenario files</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir archivos de escenario</translation>
     </message>
     <message>
         <source>Press Delete to remove the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulse Supr para quitar la selección</translation>
     </message>
     <message>
         <source>Save the scenario first</source>
-        <translation type="unfinished"></translation>
+        <translation>Guarde antes el escenario</translation>
     </message>
     <message>
         <source>Planners to compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Planificadores que comparar</translation>
     </message>
     <message>
         <source>Planners</source>
-        <translation type="unfinished"></translation>
+        <translation>Planificadores</translation>
     </message>
     <message>
         <source>Add scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir escenarios</translation>
     </message>
     <message>
         <source>Scenarios (*.yaml *.yml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenarios (*.yaml *.yml)</translation>
     </message>
     <message>
         <source>No scenarios: add or drop files here</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay escenarios: añada o suelte archivos aquí</translation>
     </message>
 </context>
 <context>
     <name>app::StudyPanel</name>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir…</translation>
     </message>
     <message>
         <source>Open an experiment file</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir un archivo de experimento</translation>
     </message>
     <message>
         <source>Save as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como…</translation>
     </message>
     <message>
         <source>Save the experiment as a file; its results are stored beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el experimento como archivo; sus resultados se guardan junto a él</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicio</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuar</translation>
     </message>
     <message>
         <source>Write a page with tables, confidence intervals, tests and figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir una página con tablas, intervalos de confianza, pruebas y figuras</translation>
     </message>
     <message>
         <source>New study</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo estudio</translation>
     </message>
     <message>
         <source>Save the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el estudio</translation>
     </message>
     <message>
         <source>Open a study</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir un estudio</translation>
     </message>
     <message>
         <source>Experiments (*.yaml *.yml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Experimentos (*.yaml *.yml)</translation>
     </message>
     <message>
         <source>unsaved changes of %1 are not used</source>
-        <translation type="unfinished"></translation>
+        <translation>no se usan los cambios sin guardar de %1</translation>
     </message>
     <message>
         <source>%1 of %2 finished</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 terminadas</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede escribir %1: %2</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Informe</translation>
     </message>
     <message>
         <source>Restart</source>
-        <translation type="unfinished"></translation>
+        <translation>Reiniciar</translation>
     </message>
     <message>
         <source>Delete the results in the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar los resultados de la carpeta</translation>
     </message>
     <message>
         <source>Its runs start external programs: allow them above the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Sus ejecuciones inician programas externos: permítalos encima del mapa</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Iniciando…</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation type="unfinished"></translation>
+        <translation>Deteniendo…</translation>
     </message>
     <message>
         <source>%1 of %2 runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 ejecuciones</translation>
     </message>
     <message>
         <source>, %1 left</source>
-        <translation type="unfinished"></translation>
+        <translation>, faltan %1</translation>
     </message>
     <message>
         <source>, %1 failed</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 fallidas</translation>
     </message>
     <message>
         <source>: stopped, finished runs are kept</source>
-        <translation type="unfinished"></translation>
+        <translation>: detenido, se conservan las ejecuciones terminadas</translation>
     </message>
     <message>
         <source>Run %1 was not recorded, and its experiment can no longer be read</source>
-        <translation type="unfinished"></translation>
+        <translation>La ejecución %1 no se grabó, y su experimento ya no se puede leer</translation>
     </message>
     <message>
         <source>Replaying run %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Repitiendo la ejecución %1…</translation>
     </message>
     <message>
         <source>Writing the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribiendo el informe…</translation>
     </message>
 </context>
 <context>
     <name>app::StudyProcess</name>
     <message>
         <source>The batch process crashed.</source>
-        <translation type="unfinished"></translation>
+        <translation>El proceso de las ejecuciones falló.</translation>
     </message>
 </context>
 <context>
     <name>app::StudyResults</name>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparación</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuciones</translation>
     </message>
     <message>
         <source>Choose scenarios and planners on the left, then press Start.
 For each seed, all planners run with the same people.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elija escenarios y planificadores a la izquierda y pulse Iniciar.
+Para cada semilla, todos los planificadores se ejecutan con las mismas personas.</translation>
     </message>
     <message>
         <source>Mean of the finished runs [95 % confidence interval]. Bars: the same intervals, on one scale per column. Rates: Wilson; other metrics: bootstrap (BCa).</source>
-        <translation type="unfinished"></translation>
+        <translation>Media de las ejecuciones terminadas [intervalo de confianza del 95 %]. Barras: los mismos intervalos, con una escala por columna. Tasas: Wilson; otras métricas: bootstrap (BCa).</translation>
     </message>
     <message>
         <source>Runs of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuciones del estudio</translation>
     </message>
     <message>
         <source>Double-click a run to play it</source>
-        <translation type="unfinished"></translation>
+        <translation>Doble clic en una ejecución para reproducirla</translation>
     </message>
     <message>
         <source>Scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenario</translation>
     </message>
     <message>
         <source>–</source>
-        <translation type="unfinished"></translation>
+        <translation>–</translation>
     </message>
 </context>
 <context>
     <name>app::StudyRunsModel</name>
     <message>
         <source>failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>falló: %1</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>sí</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>no</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución</translation>
     </message>
     <message>
         <source>Scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenario</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla</translation>
     </message>
     <message>
         <source>Ended</source>
-        <translation type="unfinished"></translation>
+        <translation>Final</translation>
     </message>
 </context>
 <context>
     <name>app::TreeChoiceDialog</name>
     <message>
         <source>Apply to all %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar a los %1</translation>
     </message>
     <message>
         <source>Custom trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Árboles propios</translation>
     </message>
     <message>
         <source>Saving would overwrite custom trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Al guardar se sobrescribirían árboles propios</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guardar</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: the file %2 was changed by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: otro programa modificó el archivo %2.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: behaviour or goals changed after this custom tree was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: el comportamiento o los objetivos cambiaron después de escribir este árbol propio.</translation>
     </message>
     <message>
         <source>Keep the tree in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar el árbol del archivo</translation>
     </message>
     <message>
         <source>Keep the custom tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar el árbol propio</translation>
     </message>
     <message>
         <source>Replace it with the tree in this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Reemplazarlo por el árbol de esta ventana</translation>
     </message>
     <message>
         <source>Use the generated tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el árbol generado</translation>
     </message>
     <message>
         <source>− in the file   + in this window</source>
-        <translation type="unfinished"></translation>
+        <translation>− en el archivo   + en esta ventana</translation>
     </message>
     <message>
         <source>− custom   + generated</source>
-        <translation type="unfinished"></translation>
+        <translation>− propio   + generado</translation>
     </message>
     <message>
         <source>Hide differences</source>
-        <translation type="unfinished"></translation>
+        <translation>Ocultar diferencias</translation>
     </message>
     <message>
         <source>Show differences (−%1 +%2 lines)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar diferencias (−%1 +%2 líneas)</translation>
     </message>
     <message>
         <source>kept</source>
-        <translation type="unfinished"></translation>
+        <translation>se conserva</translation>
     </message>
     <message>
         <source>replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>reemplazado</translation>
     </message>
 </context>
 <context>
     <name>app::TreeCommands</name>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardado %1</translation>
     </message>
 </context>
 <context>
     <name>app::WindowActions</name>
     <message>
         <source>Show or hide on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar u ocultar en el mapa</translation>
     </message>
     <message>
         <source>&amp;Names</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nombres</translation>
     </message>
     <message>
         <source>Rou&amp;tes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rutas</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Cuadrícula</translation>
     </message>
     <message>
         <source>R&amp;ulers</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;glas</translation>
     </message>
     <message>
         <source>Tr&amp;ails</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Estelas</translation>
     </message>
     <message>
         <source>Past paths of people in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Caminos recorridos por las personas en una ejecución</translation>
     </message>
     <message>
         <source>&amp;Personal spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacios &amp;personales</translation>
     </message>
     <message>
         <source>Hall&apos;s zones around selected people; in a run around all if none is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Zonas de Hall alrededor de las personas seleccionadas; en una ejecución, de todas si no hay selección</translation>
     </message>
     <message>
         <source>For&amp;ces</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fuerzas</translation>
     </message>
     <message>
         <source>Forces on selected people in a run; on all if none is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas sobre las personas seleccionadas en una ejecución; sobre todas si no hay selección</translation>
     </message>
     <message>
         <source>Robot pat&amp;hs</source>
-        <translation type="unfinished"></translation>
+        <translation>Cam&amp;inos de los robots</translation>
     </message>
     <message>
         <source>Paths that robot planners follow in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Caminos que siguen los planificadores de los robots en una ejecución</translation>
     </message>
     <message>
         <source>Lid&amp;ar scans</source>
-        <translation type="unfinished"></translation>
+        <translation>Barridos &amp;lidar</translation>
     </message>
     <message>
         <source>Lidar scans of robots in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Barridos lidar de los robots en una ejecución</translation>
     </message>
     <message>
         <source>&amp;Detections</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Detecciones</translation>
     </message>
     <message>
         <source>Positions of people and of themselves as robots estimate them in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones de las personas y de sí mismos que los robots estiman en una ejecución</translation>
     </message>
     <message>
         <source>Candidate tra&amp;jectories</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Trayectorias candidatas</translation>
     </message>
     <message>
         <source>Trajectories that robot planners evaluated in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Trayectorias que evaluaron los planificadores de los robots en una ejecución</translation>
     </message>
     <message>
         <source>&amp;Map</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mapa</translation>
     </message>
     <message>
         <source>&amp;People</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Personas</translation>
     </message>
     <message>
         <source>&amp;Robots</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Robots</translation>
     </message>
     <message>
         <source>&amp;Goals</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Objetivos</translation>
     </message>
     <message>
         <source>&amp;Obstacles and doors</source>
-        <translation type="unfinished"></translation>
+        <translation>O&amp;bstáculos y puertas</translation>
     </message>
     <message>
         <source>&amp;Areas and docks</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Áreas y bases de carga</translation>
     </message>
     <message>
         <source>Gro&amp;ups</source>
-        <translation type="unfinished"></translation>
+        <translation>Gr&amp;upos</translation>
     </message>
     <message>
         <source>Snap to p&amp;oints</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar a p&amp;untos</translation>
     </message>
     <message>
         <source>Snap drawn items to corners, ends and centres of other items</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar lo dibujado a vértices, extremos y centros de otros elementos</translation>
     </message>
     <message>
         <source>Snap to &amp;walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar a par&amp;edes</translation>
     </message>
     <message>
         <source>Snap drawn items to corners and edges of map walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar lo dibujado a vértices y bordes de las paredes del mapa</translation>
     </message>
     <message>
         <source>Snap to the gr&amp;id</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar a la cuadrí&amp;cula</translation>
     </message>
     <message>
         <source>Snap drawn items to a grid of 0.5 m</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar lo dibujado a una cuadrícula de 0.5 m</translation>
     </message>
     <message>
         <source>Alignment guides</source>
-        <translation type="unfinished"></translation>
+        <translation>Guías de alineación</translation>
     </message>
     <message>
         <source>Align dragged items with edges, centres and distances of others; Alt suspends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear lo arrastrado con bordes, centros y distancias de otros; Alt lo suspende</translation>
     </message>
     <message>
         <source>&amp;Density of people</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Densidad de personas</translation>
     </message>
     <message>
         <source>People per m² as a colour map</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas por m² como mapa de colores</translation>
     </message>
     <message>
         <source>&amp;Field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ca&amp;mpo de visión</translation>
     </message>
     <message>
         <source>Area that the selected people see; walls block the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Área que ven las personas seleccionadas; las paredes tapan la vista</translation>
     </message>
     <message>
         <source>&amp;Gaussian spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacios &amp;gaussianos</translation>
     </message>
     <message>
         <source>Gaussian personal space, longer in the walking direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio personal gaussiano, más largo en la dirección de marcha</translation>
     </message>
     <message>
         <source>&amp;Velocities</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Velocidades</translation>
     </message>
     <message>
         <source>Velocity vector of each body</source>
-        <translation type="unfinished"></translation>
+        <translation>Vector de velocidad de cada cuerpo</translation>
     </message>
     <message>
         <source>Peopl&amp;e&apos;s paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Caminos de las per&amp;sonas</translation>
     </message>
     <message>
         <source>Remaining path of each person; newest step only</source>
-        <translation type="unfinished"></translation>
+        <translation>Camino restante de cada persona; solo el paso más reciente</translation>
     </message>
     <message>
         <source>C&amp;ontacts</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;ontactos</translation>
     </message>
     <message>
         <source>Where bodies touched, and which body ran into the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde se tocaron los cuerpos, y cuál chocó con el otro</translation>
     </message>
     <message>
         <source>T&amp;houghts</source>
-        <translation type="unfinished"></translation>
+        <translation>Pe&amp;nsamientos</translation>
     </message>
     <message>
         <source>Current action of each person and its reason, below the name</source>
-        <translation type="unfinished"></translation>
+        <translation>Acción actual de cada persona y su motivo, bajo el nombre</translation>
     </message>
     <message>
         <source>&amp;Speech</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Habla</translation>
     </message>
     <message>
         <source>What people say, and which people hear it</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que dicen las personas, y quién lo oye</translation>
     </message>
     <message>
         <source>&amp;Local costmap</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa de costes &amp;local</translation>
     </message>
     <message>
         <source>Local costmap that the controller of a robot with Nav2 uses</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa de costes local que usa el controlador de un robot con Nav2</translation>
     </message>
     <message>
         <source>Gl&amp;obal costmap</source>
-        <translation type="unfinished"></translation>
+        <translation>M&amp;apa de costes global</translation>
     </message>
     <message>
         <source>Global costmap that the planner of a robot with Nav2 uses</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa de costes global que usa el planificador de un robot con Nav2</translation>
     </message>
     <message>
         <source>F&amp;ilter masks</source>
-        <translation type="unfinished"></translation>
+        <translation>Máscaras de &amp;filtro</translation>
     </message>
     <message>
         <source>Keepout zones and speed limits of the costmap filters of a robot with Nav2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zonas prohibidas y límites de velocidad de los filtros de costes de un robot con Nav2</translation>
     </message>
     <message>
         <source>Background</source>
-        <translation type="unfinished"></translation>
+        <translation>Fondo</translation>
     </message>
     <message>
         <source>Scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenario</translation>
     </message>
     <message>
         <source>People in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas en una ejecución</translation>
     </message>
     <message>
         <source>Robots in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Robots en una ejecución</translation>
     </message>
     <message>
         <source>&amp;New open plane</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nuevo plano abierto</translation>
     </message>
     <message>
         <source>Create a scenario without a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear un escenario sin mapa</translation>
     </message>
     <message>
         <source>New empty &amp;room…</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva &amp;sala vacía…</translation>
     </message>
     <message>
         <source>Create a scenario in a room of a given size</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear un escenario en una sala de un tamaño dado</translation>
     </message>
     <message>
         <source>New from a &amp;map…</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo a partir de un &amp;mapa…</translation>
     </message>
     <message>
         <source>Create a scenario on a Nav2 map or a map image</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear un escenario sobre un mapa de Nav2 o una imagen de mapa</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abrir…</translation>
     </message>
     <message>
         <source>Open a scenario or a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir un escenario o un mapa</translation>
     </message>
     <message>
         <source>Open r&amp;un…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir &amp;ejecución…</translation>
     </message>
     <message>
         <source>Open a recorded run: the output folder of `run`</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir una ejecución grabada: la carpeta de salida de `run`</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guardar</translation>
     </message>
     <message>
         <source>Save the scenario and its behaviour trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el escenario y sus árboles de comportamiento</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>G&amp;uardar como…</translation>
     </message>
     <message>
         <source>Save the scenario under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el escenario con otro nombre</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;xportar…</translation>
     </message>
     <message>
         <source>Export scenario, trees and map for another simulator</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar escenario, árboles y mapa para otro simulador</translation>
     </message>
     <message>
         <source>Save p&amp;icture…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar imag&amp;en…</translation>
     </message>
     <message>
         <source>Save the displayed step of the run, or the start of the scenario, as PNG, SVG or PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el paso mostrado de la ejecución, o el inicio del escenario, como PNG, SVG o PDF</translation>
     </message>
     <message>
         <source>Save fi&amp;lm…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar pe&amp;lícula…</translation>
     </message>
     <message>
         <source>Save the run as a GIF, MP4 or WebP film</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar la ejecución como película GIF, MP4 o WebP</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Cerrar</translation>
     </message>
     <message>
         <source>Return to the start page</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a la página de inicio</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>Quit the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Salir del programa</translation>
     </message>
     <message>
         <source>Change &amp;map…</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el &amp;mapa…</translation>
     </message>
     <message>
         <source>Choose another map for the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir otro mapa para el escenario</translation>
     </message>
     <message>
         <source>Assign &amp;goals…</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar ob&amp;jetivos…</translation>
     </message>
     <message>
         <source>Choose the goals that people visit, and their order</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir los objetivos que visitan las personas, y su orden</translation>
     </message>
     <message>
         <source>Scenario &amp;settings</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;justes del escenario</translation>
     </message>
     <message>
         <source>Edit seed, duration and other settings of the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar semilla, duración y otros ajustes del escenario</translation>
     </message>
     <message>
         <source>Run &amp;history…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Historial de ejecución…</translation>
     </message>
     <message>
         <source>Set the memory for the history of a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Fijar la memoria para el historial de una ejecución</translation>
     </message>
     <message>
         <source>Watch in &amp;Foxglove</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver en &amp;Foxglove</translation>
     </message>
     <message>
         <source>Publish new runs live at ws://localhost:8765</source>
-        <translation type="unfinished"></translation>
+        <translation>Publicar en vivo las ejecuciones nuevas en ws://localhost:8765</translation>
     </message>
     <message>
         <source>Publish to &amp;ROS 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Publicar en &amp;ROS 2</translation>
     </message>
     <message>
         <source>Publish new runs on ROS 2 topics; /cmd_vel, /initialpose and /goal_pose control the first robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Publicar las ejecuciones nuevas en topics de ROS 2; /cmd_vel, /initialpose y /goal_pose controlan el primer robot</translation>
     </message>
     <message>
         <source>Import tra&amp;jectories…</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar &amp;trayectorias…</translation>
     </message>
     <message>
         <source>Show recorded trajectories of people: CSV, JuPedSim, TrajNet++, ETH/UCY and others</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar trayectorias grabadas de personas: CSV, JuPedSim, TrajNet++, ETH/UCY y otros</translation>
     </message>
     <message>
         <source>&amp;Find a command…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Buscar una orden…</translation>
     </message>
     <message>
         <source>Search all commands and run one</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar entre todas las órdenes y ejecutar una</translation>
     </message>
     <message>
         <source>Preference&amp;s…</source>
-        <translation type="unfinished"></translation>
+        <translation>Preferencia&amp;s…</translation>
     </message>
     <message>
         <source>Theme, folders, copies of unsaved work and keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema, carpetas, copias de los cambios sin guardar y atajos de teclado</translation>
     </message>
     <message>
         <source>&amp;Guided tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Visita &amp;guiada</translation>
     </message>
     <message>
         <source>Place a person, run the simulation and read a metric</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocar una persona, ejecutar la simulación y leer una métrica</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Manual</translation>
     </message>
     <message>
         <source>Open the manual page of what has the keyboard focus</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir la página del manual sobre lo que tiene el foco del teclado</translation>
     </message>
     <message>
         <source>&amp;What&apos;s this?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿&amp;Qué es esto?</translation>
     </message>
     <message>
         <source>Click anything in the window for an explanation</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en cualquier parte de la ventana para ver una explicación</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts…</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;tajos de teclado…</translation>
     </message>
     <message>
         <source>Search and change all keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar y cambiar todos los atajos de teclado</translation>
     </message>
     <message>
         <source>&amp;About</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Acerca de</translation>
     </message>
     <message>
         <source>Show version information</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar información de la versión</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Deshacer</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rehacer</translation>
     </message>
     <message>
         <source>Undo the last change</source>
-        <translation type="unfinished"></translation>
+        <translation>Deshacer el último cambio</translation>
     </message>
     <message>
         <source>Redo the last undone change</source>
-        <translation type="unfinished"></translation>
+        <translation>Rehacer el último cambio deshecho</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>Cor&amp;tar</translation>
     </message>
     <message>
         <source>Copy the selection and remove it</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar la selección y quitarla</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copiar</translation>
     </message>
     <message>
         <source>Copy the selection as YAML text</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar la selección como texto YAML</translation>
     </message>
     <message>
         <source>Copy as figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar como figura</translation>
     </message>
     <message>
         <source>Copy the displayed step of the run as a figure: PNG and SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar el paso mostrado de la ejecución como figura: PNG y SVG</translation>
     </message>
     <message>
         <source>Copy metric as plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar métrica como gráfica</translation>
     </message>
     <message>
         <source>Copy a plot of the selected metric over time: PNG and SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar una gráfica de la métrica seleccionada en el tiempo: PNG y SVG</translation>
     </message>
     <message>
         <source>Save metric as plot…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar métrica como gráfica…</translation>
     </message>
     <message>
         <source>Save a plot of the selected metric over time: PNG, SVG or PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar una gráfica de la métrica seleccionada en el tiempo: PNG, SVG o PDF</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pegar</translation>
     </message>
     <message>
         <source>Insert the copied items at the mouse pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Insertar los elementos copiados en el puntero del ratón</translation>
     </message>
     <message>
         <source>Dup&amp;licate</source>
-        <translation type="unfinished"></translation>
+        <translation>Dup&amp;licar</translation>
     </message>
     <message>
         <source>Duplicate the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar la selección</translation>
     </message>
     <message>
         <source>Rena&amp;me</source>
-        <translation type="unfinished"></translation>
+        <translation>Ca&amp;mbiar nombre</translation>
     </message>
     <message>
         <source>Rename the selection; references are updated</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el nombre de la selección; las referencias se actualizan</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Borrar</translation>
     </message>
     <message>
         <source>Remove the selection; routes are updated</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar la selección; las rutas se actualizan</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccion&amp;ar todo</translation>
     </message>
     <message>
         <source>Select everything on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar todo lo que hay en el mapa</translation>
     </message>
     <message>
         <source>Select &amp;none</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar &amp;nada</translation>
     </message>
     <message>
         <source>Clear the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar la selección</translation>
     </message>
     <message>
         <source>N&amp;ext</source>
-        <translation type="unfinished"></translation>
+        <translation>Si&amp;guiente</translation>
     </message>
     <message>
         <source>Select the next person, or the next item of the selected kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar la persona siguiente, o el elemento siguiente del tipo seleccionado</translation>
     </message>
     <message>
         <source>Pre&amp;vious</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteri&amp;or</translation>
     </message>
     <message>
         <source>Select the previous person, or the previous item of the selected kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar la persona anterior, o el elemento anterior del tipo seleccionado</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ampliar</translation>
     </message>
     <message>
         <source>Enlarge the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Ampliar el mapa</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;ducir</translation>
     </message>
     <message>
         <source>Reduce the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Reducir el mapa</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>En&amp;cuadrar</translation>
     </message>
     <message>
         <source>Fit the whole map in the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Encuadrar todo el mapa en la ventana</translation>
     </message>
     <message>
         <source>Full scr&amp;een</source>
-        <translation type="unfinished"></translation>
+        <translation>Pantalla comple&amp;ta</translation>
     </message>
     <message>
         <source>Show only the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar solo el mapa</translation>
     </message>
     <message>
         <source>Reset the la&amp;yout</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer los &amp;paneles</translation>
     </message>
     <message>
         <source>Restore the default panel layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Restaurar la disposición predeterminada de los paneles</translation>
     </message>
     <message>
         <source>Light or dar&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro u os&amp;curo</translation>
     </message>
     <message>
         <source>Switch between the light and the dark theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar entre el tema claro y el oscuro</translation>
     </message>
     <message>
         <source>Follow &amp;system theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguir el tema del &amp;sistema</translation>
     </message>
     <message>
         <source>Use the light or dark theme of the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el tema claro u oscuro del escritorio</translation>
     </message>
     <message>
         <source>Align &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear a la &amp;izquierda</translation>
     </message>
     <message>
         <source>Align &amp;centres</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear &amp;centros</translation>
     </message>
     <message>
         <source>Align &amp;right</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear a la &amp;derecha</translation>
     </message>
     <message>
         <source>Align &amp;tops</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear &amp;arriba</translation>
     </message>
     <message>
         <source>Align &amp;middles</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear &amp;medios</translation>
     </message>
     <message>
         <source>Align &amp;bottoms</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear a&amp;bajo</translation>
     </message>
     <message>
         <source>Align the selected items</source>
-        <translation type="unfinished"></translation>
+        <translation>Alinear los elementos seleccionados</translation>
     </message>
     <message>
         <source>Distribute &amp;horizontally</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribuir en &amp;horizontal</translation>
     </message>
     <message>
         <source>Distribute &amp;vertically</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribuir en &amp;vertical</translation>
     </message>
     <message>
         <source>Set equal gaps between the selected items</source>
-        <translation type="unfinished"></translation>
+        <translation>Igualar los espacios entre los elementos seleccionados</translation>
     </message>
     <message>
         <source>Rotate 15° left	[</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar 15° a la izquierda	[</translation>
     </message>
     <message>
         <source>Rotate 15° right	]</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar 15° a la derecha	]</translation>
     </message>
     <message>
         <source>Rotate 90° left</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar 90° a la izquierda</translation>
     </message>
     <message>
         <source>Rotate 90° right</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar 90° a la derecha</translation>
     </message>
     <message>
         <source>Rotate the selection about its centre</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar la selección alrededor de su centro</translation>
     </message>
     <message>
         <source>Not during a run: Ctrl+R returns to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>No durante una ejecución: Ctrl+R vuelve a la edición</translation>
     </message>
     <message>
         <source>Select something first</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione algo antes</translation>
     </message>
     <message>
         <source>Select exactly one item first</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione antes exactamente un elemento</translation>
     </message>
     <message>
         <source>The clipboard contains no items of a scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>El portapapeles no contiene elementos de un escenario</translation>
     </message>
     <message>
         <source>Select at least %1 first</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione antes al menos %1</translation>
     </message>
     <message>
         <source>item</source>
-        <translation type="unfinished"></translation>
+        <translation>elemento</translation>
     </message>
     <message>
         <source>items</source>
-        <translation type="unfinished"></translation>
+        <translation>elementos</translation>
     </message>
 </context>
 <context>
     <name>editor::AreaPage</name>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>Área</translation>
     </message>
     <message>
         <source>Source: people appear</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuente: aparecen personas</translation>
     </message>
     <message>
         <source>Sink: people leave</source>
-        <translation type="unfinished"></translation>
+        <translation>Sumidero: las personas se van</translation>
     </message>
     <message>
         <source>Waiting area</source>
-        <translation type="unfinished"></translation>
+        <translation>Área de espera</translation>
     </message>
     <message>
         <source>Exit</source>
-        <translation type="unfinished"></translation>
+        <translation>Salida</translation>
     </message>
     <message>
         <source>Speed: stairs, travelators</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad: escaleras, pasillos rodantes</translation>
     </message>
     <message>
         <source>Spawned people</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas generadas</translation>
     </message>
     <message>
         <source>name of a person</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre de una persona</translation>
     </message>
     <message>
         <source>No person has this name</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna persona tiene este nombre</translation>
     </message>
     <message>
         <source>people</source>
-        <translation type="unfinished"></translation>
+        <translation>personas</translation>
     </message>
     <message>
         <source>person</source>
-        <translation type="unfinished"></translation>
+        <translation>persona</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad</translation>
     </message>
 </context>
 <context>
     <name>editor::AreaTool</name>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Source: people appear</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuente: aparecen personas</translation>
     </message>
     <message>
         <source>Sink: people leave</source>
-        <translation type="unfinished"></translation>
+        <translation>Sumidero: las personas se van</translation>
     </message>
     <message>
         <source>Waiting area</source>
-        <translation type="unfinished"></translation>
+        <translation>Área de espera</translation>
     </message>
     <message>
         <source>Exit</source>
-        <translation type="unfinished"></translation>
+        <translation>Salida</translation>
     </message>
     <message>
         <source>Speed: stairs, travelators</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad: escaleras, pasillos rodantes</translation>
     </message>
     <message>
         <source>Drag an area where people appear, or click its corners · 1 to 5 choose the kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre un área donde aparecen personas, o haga clic en sus vértices · 1 a 5 eligen el tipo</translation>
     </message>
     <message>
         <source>Drag an area where people leave after their last goal, or click its corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre un área donde las personas se van tras su último objetivo, o haga clic en sus vértices</translation>
     </message>
     <message>
         <source>Drag a waiting area, or click its corners · trees refer to it by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre un área de espera, o haga clic en sus vértices · los árboles la citan por su nombre</translation>
     </message>
     <message>
         <source>Drag an exit that people flee to, or click its corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre una salida hacia la que huyen las personas, o haga clic en sus vértices</translation>
     </message>
     <message>
         <source>Drag stairs, a ramp or a travelator, or click its corners · the properties set factor and carrying speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre escaleras, una rampa o un pasillo rodante, o haga clic en sus vértices · factor y arrastre están en las propiedades</translation>
     </message>
     <message>
         <source>Add source</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir fuente</translation>
     </message>
 </context>
 <context>
     <name>editor::BehaviorMixDialog</name>
     <message>
         <source>Behaviours of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Comportamientos de %1</translation>
     </message>
 </context>
 <context>
     <name>editor::BehaviorPanel</name>
     <message>
         <source>Blackboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Pizarra</translation>
     </message>
     <message>
         <source>+ Block…</source>
-        <translation type="unfinished"></translation>
+        <translation>+ Bloque…</translation>
     </message>
     <message>
         <source>Add a behaviour block</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un bloque de comportamiento</translation>
     </message>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir…</translation>
     </message>
     <message>
         <source>Load a tree from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargar un árbol de un archivo</translation>
     </message>
     <message>
         <source>Save…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar…</translation>
     </message>
     <message>
         <source>Save the tree to a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el árbol en un archivo</translation>
     </message>
     <message>
         <source>Template…</source>
-        <translation type="unfinished"></translation>
+        <translation>Plantilla…</translation>
     </message>
     <message>
         <source>Start from the tree of a behaviour</source>
-        <translation type="unfinished"></translation>
+        <translation>Partir del árbol de un comportamiento</translation>
     </message>
     <message>
         <source>Regenerate</source>
-        <translation type="unfinished"></translation>
+        <translation>Regenerar</translation>
     </message>
     <message>
         <source>Generate the tree from behaviour and goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Generar el árbol a partir del comportamiento y los objetivos</translation>
     </message>
     <message>
         <source>Copy route to tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar la ruta al árbol</translation>
     </message>
     <message>
         <source>Earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Antes</translation>
     </message>
     <message>
         <source>Move before the block above</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover delante del bloque anterior</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Después</translation>
     </message>
     <message>
         <source>Move after the block below</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover detrás del bloque siguiente</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Remove the block</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el bloque</translation>
     </message>
     <message>
         <source>No people yet: press P and click on the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay personas: pulse P y haga clic en el mapa.</translation>
     </message>
     <message>
         <source>Select a person to see the behaviour tree.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione una persona para ver su árbol de comportamiento.</translation>
     </message>
     <message>
         <source>%1 · generated from behaviour and goals</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · generado a partir del comportamiento y los objetivos</translation>
     </message>
     <message>
         <source>%1 · with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · con %2</translation>
     </message>
     <message>
         <source>block</source>
-        <translation type="unfinished"></translation>
+        <translation>bloque</translation>
     </message>
     <message>
         <source>blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>bloques</translation>
     </message>
     <message>
         <source>Custom tree; not affected by changes to the behaviour</source>
-        <translation type="unfinished"></translation>
+        <translation>Árbol propio; no le afectan los cambios del comportamiento</translation>
     </message>
     <message>
         <source>Load tree %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargar el árbol %1</translation>
     </message>
     <message>
         <source>Load a behaviour tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargar un árbol de comportamiento</translation>
     </message>
     <message>
         <source>Behaviour trees (*.xml);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Árboles de comportamiento (*.xml);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Save the behaviour tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el árbol de comportamiento</translation>
     </message>
     <message>
         <source>Behaviour trees (*.xml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Árboles de comportamiento (*.xml)</translation>
     </message>
     <message>
         <source>Use the tree of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el árbol de %1</translation>
     </message>
     <message>
         <source>Select a node above to see its ports.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione arriba un nodo para ver sus puertos.</translation>
     </message>
 </context>
 <context>
     <name>editor::BlackboardView</name>
     <message>
         <source>Blackboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Pizarra</translation>
     </message>
     <message>
         <source>Entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrada</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>The blackboard is available during a run: press Space.</source>
-        <translation type="unfinished"></translation>
+        <translation>La pizarra está disponible durante una ejecución: pulse Espacio.</translation>
     </message>
     <message>
         <source>Recorded runs contain no blackboard. &quot;Branch here…&quot; (in the menu Run) replays the run with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las ejecuciones grabadas no contienen pizarra. «Crear rama aquí…» (en el menú Ejecución) repite la ejecución con ella.</translation>
     </message>
     <message>
         <source>Recorded runs contain no blackboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las ejecuciones grabadas no contienen pizarra.</translation>
     </message>
     <message>
         <source>Not recorded at this time: the blackboard is recorded from the step in which the person is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin registrar en este momento: la pizarra se registra desde el paso en que se selecciona la persona.</translation>
     </message>
     <message>
         <source>The tree has no entries.</source>
-        <translation type="unfinished"></translation>
+        <translation>El árbol no tiene entradas.</translation>
     </message>
     <message>
         <source>Takes effect in the next step</source>
-        <translation type="unfinished"></translation>
+        <translation>Surte efecto en el paso siguiente</translation>
     </message>
     <message>
         <source>Double-click to change the value</source>
-        <translation type="unfinished"></translation>
+        <translation>Doble clic para cambiar el valor</translation>
     </message>
     <message>
         <source>%1 becomes %2 in the next step, as an input of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pasa a ser %2 en el paso siguiente, como entrada de la ejecución</translation>
     </message>
 </context>
 <context>
     <name>editor::BlockDialog</name>
     <message>
         <source>Blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>Bloques</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas</translation>
     </message>
     <message>
         <source>Add a behaviour block</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un bloque de comportamiento</translation>
     </message>
     <message>
         <source>No people yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay personas</translation>
     </message>
     <message>
         <source>Block</source>
-        <translation type="unfinished"></translation>
+        <translation>Bloque</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué hace</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir</translation>
     </message>
 </context>
 <context>
     <name>editor::BoxTool</name>
     <message>
         <source>Drag a box from corner to corner · Shift makes a square</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre un rectángulo de esquina a esquina · Mayús hace un cuadrado</translation>
     </message>
 </context>
 <context>
     <name>editor::BranchCommand</name>
     <message>
         <source>Continue the run from the displayed step in another way: another planner, other positions, another seed; the run itself is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuar la ejecución desde el paso mostrado de otra manera: otro planificador, otras posiciones, otra semilla; la ejecución misma se conserva</translation>
     </message>
     <message>
         <source>Start a run first: Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicie antes una ejecución: Espacio</translation>
     </message>
     <message>
         <source>The maximum number of branches is reached: remove one first</source>
-        <translation type="unfinished"></translation>
+        <translation>Se alcanzó el número máximo de ramas: quite antes una</translation>
     </message>
     <message>
         <source>The inputs of this run are unknown, so it cannot be repeated</source>
-        <translation type="unfinished"></translation>
+        <translation>No se conocen las entradas de esta ejecución, por lo que no se puede repetir</translation>
     </message>
     <message>
         <source>A branch starts at an earlier step: go back on the timeline first</source>
-        <translation type="unfinished"></translation>
+        <translation>Una rama empieza en un paso anterior: retroceda antes en la línea de tiempo</translation>
     </message>
     <message>
         <source>Branch %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rama %1</translation>
     </message>
     <message>
         <source>Branch with this change…</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear rama con este cambio…</translation>
     </message>
     <message>
         <source>Continue the run with %1 here</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuar aquí la ejecución con %1</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
     <name>editor::BranchDialog</name>
     <message>
         <source>Branch at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rama en %1</translation>
     </message>
     <message>
         <source>The branch repeats the run up to %1 and pauses there. Without changes it is identical to the displayed run.</source>
-        <translation type="unfinished"></translation>
+        <translation>La rama repite la ejecución hasta %1 y se detiene ahí. Sin cambios es idéntica a la ejecución mostrada.</translation>
     </message>
     <message>
         <source>From then on</source>
-        <translation type="unfinished"></translation>
+        <translation>A partir de ahí</translation>
     </message>
     <message>
         <source>Branch name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la rama</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>PATH = VALUE, one per line: robot1.goal_radius = 0.4</source>
-        <translation type="unfinished"></translation>
+        <translation>RUTA = VALOR, uno por línea: robot1.goal_radius = 0.4</translation>
     </message>
     <message>
         <source>Other values</source>
-        <translation type="unfinished"></translation>
+        <translation>Otros valores</translation>
     </message>
     <message>
         <source>Create branch</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear rama</translation>
     </message>
     <message>
         <source>m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>m/s</translation>
     </message>
     <message>
         <source>Planner of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Planificador de %1</translation>
     </message>
     <message>
         <source>Top speed of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad máxima de %1</translation>
     </message>
     <message>
         <source>Move a person</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover una persona</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones</translation>
     </message>
     <message>
         <source>Move a person…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover una persona…</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>X of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>X de %1</translation>
     </message>
     <message>
         <source>Y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Y de %1</translation>
     </message>
     <message>
         <source>Heading of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientación de %1</translation>
     </message>
     <message>
         <source>Leave %1 in place</source>
-        <translation type="unfinished"></translation>
+        <translation>Dejar %1 en su sitio</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla</translation>
     </message>
     <message>
         <source>New random seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva semilla aleatoria</translation>
     </message>
 </context>
 <context>
     <name>editor::BrushTool</name>
     <message>
         <source>%1 · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · Esc cancela</translation>
     </message>
     <message>
         <source>Drag to place people along the path; they face its direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre para colocar personas a lo largo del camino; miran en su dirección</translation>
     </message>
     <message>
         <source>Every</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancho</translation>
     </message>
 </context>
 <context>
     <name>editor::CircleTool</name>
     <message>
         <source>Drag from the centre of the circle to its edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre desde el centro del círculo hasta su borde</translation>
     </message>
     <message>
         <source>radius %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>radio %1 m</translation>
     </message>
 </context>
 <context>
     <name>editor::CompareTable</name>
     <message>
         <source>Metrics of the runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Métricas de las ejecuciones</translation>
     </message>
     <message>
         <source>Branch from an earlier moment, or add a recorded run. Checked runs are compared with the displayed run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cree una rama desde un momento anterior, o añada una ejecución grabada. Las ejecuciones marcadas se comparan con la mostrada.</translation>
     </message>
     <message>
         <source>Whole runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuciones completas</translation>
     </message>
     <message>
         <source>Compare the whole runs, although they differ in length</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar las ejecuciones completas, aunque difieran en duración</translation>
     </message>
     <message>
         <source>%1 has another scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene otro escenario</translation>
     </message>
     <message>
         <source>%1 diverges at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se separa en %2</translation>
     </message>
     <message>
         <source>%1 is identical</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es idéntica</translation>
     </message>
     <message>
         <source>%1 %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 s</translation>
     </message>
     <message>
         <source>Compared up to %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparadas hasta %1 s</translation>
     </message>
     <message>
         <source>outcomes over whole runs</source>
-        <translation type="unfinished"></translation>
+        <translation>resultados de ejecuciones completas</translation>
     </message>
     <message>
         <source>Different lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Duraciones distintas</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation type="unfinished"></translation>
+        <translation>Métrica</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Compared</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparado</translation>
     </message>
     <message>
         <source>whole run</source>
-        <translation type="unfinished"></translation>
+        <translation>ejecución completa</translation>
     </message>
     <message>
         <source>to %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>hasta %1 s</translation>
     </message>
 </context>
 <context>
     <name>editor::ContactProbabilityPlot</name>
     <message>
         <source>Probability of contact over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidad de contacto en el tiempo</translation>
     </message>
     <message>
         <source>share of the futures</source>
-        <translation type="unfinished"></translation>
+        <translation>proporción de los futuros</translation>
     </message>
     <message>
         <source>lower limit (95 % CI)</source>
-        <translation type="unfinished"></translation>
+        <translation>límite inferior (IC 95 %)</translation>
     </message>
     <message>
         <source>upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>límite superior</translation>
     </message>
 </context>
 <context>
     <name>editor::CornerDrawingTool</name>
     <message>
         <source>%1 · Backspace removes the last corner · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · Retroceso quita el último vértice · Esc cancela</translation>
     </message>
     <message>
         <source>Click the next corner · Enter or double-click finishes · Backspace removes the last corner · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en el vértice siguiente · Intro o doble clic terminan · Retroceso quita el último vértice · Esc cancela</translation>
     </message>
     <message>
         <source>At least three corners are required</source>
-        <translation type="unfinished"></translation>
+        <translation>Se necesitan al menos tres vértices</translation>
     </message>
     <message>
         <source>The edges cross</source>
-        <translation type="unfinished"></translation>
+        <translation>Los lados se cruzan</translation>
     </message>
     <message>
         <source>Too small</source>
-        <translation type="unfinished"></translation>
+        <translation>Demasiado pequeño</translation>
     </message>
 </context>
 <context>
     <name>editor::DockPage</name>
     <message>
         <source>Dock</source>
-        <translation type="unfinished"></translation>
+        <translation>Base de carga</translation>
     </message>
     <message>
         <source>Charges robots</source>
-        <translation type="unfinished"></translation>
+        <translation>Carga robots</translation>
     </message>
     <message>
         <source>Parking place</source>
-        <translation type="unfinished"></translation>
+        <translation>Plaza de aparcamiento</translation>
     </message>
 </context>
 <context>
     <name>editor::DockTool</name>
     <message>
         <source>Drag to set the heading of a docked robot · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre para fijar la orientación del robot acoplado · Esc cancela</translation>
     </message>
     <message>
         <source>Click the position of a docked robot; drag to set its heading</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la posición de un robot acoplado; arrastre para fijar su orientación</translation>
     </message>
 </context>
 <context>
     <name>editor::DoorPage</name>
     <message>
         <source>Door</source>
-        <translation type="unfinished"></translation>
+        <translation>Puerta</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde</translation>
     </message>
     <message>
         <source>From X</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde X</translation>
     </message>
     <message>
         <source>From Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde Y</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta</translation>
     </message>
     <message>
         <source>To X</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta X</translation>
     </message>
     <message>
         <source>To Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta Y</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Abierta</translation>
     </message>
     <message>
         <source>seconds, such as 5, 12.5</source>
-        <translation type="unfinished"></translation>
+        <translation>segundos, como 5, 12.5</translation>
     </message>
     <message>
         <source>Times in seconds, ascending, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempos en segundos, ascendentes, separados por comas</translation>
     </message>
 </context>
 <context>
     <name>editor::DoorTool</name>
     <message>
         <source>Drag a door from its hinge to the other jamb · Shift: 15° steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre una puerta desde su bisagra hasta la otra jamba · Mayús: pasos de 15°</translation>
     </message>
 </context>
 <context>
     <name>editor::EntityFilter</name>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
     <name>editor::EntityModel</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas</translation>
     </message>
     <message>
         <source>Goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivos</translation>
     </message>
     <message>
         <source>Robots and docks</source>
-        <translation type="unfinished"></translation>
+        <translation>Robots y bases de carga</translation>
     </message>
     <message>
         <source>Obstacles</source>
-        <translation type="unfinished"></translation>
+        <translation>Obstáculos</translation>
     </message>
     <message>
         <source>Areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Áreas</translation>
     </message>
     <message>
         <source>%1 in this run; %2 applies at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 en esta ejecución; %2 se aplica en el próximo inicio</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Behaviour</source>
-        <translation type="unfinished"></translation>
+        <translation>Comportamiento</translation>
     </message>
 </context>
 <context>
     <name>editor::EraserTool</name>
     <message>
         <source>Release to remove it · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelte para quitarlo · Esc cancela</translation>
     </message>
     <message>
         <source>Release to remove %1 items · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelte para quitar %1 elementos · Esc cancela</translation>
     </message>
     <message>
         <source>Click items to remove them, or drag over them · Click areas to remove them</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en elementos para quitarlos, o arrastre por encima · Haga clic en áreas para quitarlas</translation>
     </message>
 </context>
 <context>
     <name>editor::EventsPanel</name>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>Eventos</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>Event</source>
-        <translation type="unfinished"></translation>
+        <translation>Evento</translation>
     </message>
     <message>
         <source>No events yet: press Space to run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay eventos: pulse Espacio para ejecutar.</translation>
     </message>
     <message>
         <source>%1 enters</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 entra</translation>
     </message>
     <message>
         <source>%1 leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se va</translation>
     </message>
     <message>
         <source>%1 reached %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 alcanzó %2</translation>
     </message>
     <message>
         <source>%1 has arrived</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ha llegado</translation>
     </message>
     <message>
         <source>%1 touches %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 toca a %2</translation>
     </message>
     <message>
         <source>%1: “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: «%2»</translation>
     </message>
     <message>
         <source>%1 hears %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 oye %2</translation>
     </message>
     <message>
         <source>%1 starts %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 empieza %2</translation>
     </message>
     <message>
         <source>%1 ends %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 termina %2</translation>
     </message>
     <message>
         <source>%1 joins group %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se une al grupo %2</translation>
     </message>
     <message>
         <source>%1 plans a new path</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 planifica otro camino</translation>
     </message>
     <message>
         <source>%1 is stuck</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 está atascado</translation>
     </message>
     <message>
         <source>%1: navigation succeeded, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: navegación terminada con éxito, %2</translation>
     </message>
     <message>
         <source>%1: navigation failed, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: navegación fallida, %2</translation>
     </message>
     <message>
         <source>Door %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Puerta %2</translation>
     </message>
     <message>
         <source>The run ends: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>La ejecución termina: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 takes a photo at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hace una foto en %2</translation>
     </message>
     <message>
         <source>%1: battery %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: batería %2</translation>
     </message>
 </context>
 <context>
     <name>editor::ExportablePlot</name>
     <message>
         <source>Copy plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar gráfica</translation>
     </message>
     <message>
         <source>Copy the plot as PNG and SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar la gráfica como PNG y SVG</translation>
     </message>
     <message>
         <source>Save plot…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar gráfica…</translation>
     </message>
     <message>
         <source>Save the plot as PNG, SVG or PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar la gráfica como PNG, SVG o PDF</translation>
     </message>
 </context>
 <context>
     <name>editor::FillTool</name>
     <message>
         <source>Drag or click the corners of an area to fill with %1 and %2 goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre o haga clic en los vértices de un área que llenar con %1 y %2 objetivos</translation>
     </message>
     <message>
         <source>Drag or click the corners of an area to fill with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre o haga clic en los vértices de un área que llenar con %1</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas</translation>
     </message>
 </context>
 <context>
     <name>editor::FuturesPanel</name>
     <message>
         <source>seeds,</source>
-        <translation type="unfinished"></translation>
+        <translation>semillas,</translation>
     </message>
     <message>
         <source>long, people ±</source>
-        <translation type="unfinished"></translation>
+        <translation>de duración, personas ±</translation>
     </message>
     <message>
         <source>Number of futures</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de futuros</translation>
     </message>
     <message>
         <source>Number of simulated futures, each with its own seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de futuros simulados, cada uno con su semilla</translation>
     </message>
     <message>
         <source>Length of the futures</source>
-        <translation type="unfinished"></translation>
+        <translation>Duración de los futuros</translation>
     </message>
     <message>
         <source>Duration of each future</source>
-        <translation type="unfinished"></translation>
+        <translation>Duración de cada futuro</translation>
     </message>
     <message>
         <source>Velocity uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de la velocidad</translation>
     </message>
     <message>
         <source>Velocity uncertainty: once a second each walking person is pushed by a random velocity of this standard deviation. 0: only the variation of the scenario applies</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de la velocidad: una vez por segundo cada persona que camina recibe una velocidad aleatoria con esta desviación típica. 0: solo se aplica la variación del escenario</translation>
     </message>
     <message>
         <source>Simulate from the displayed step, in the background</source>
-        <translation type="unfinished"></translation>
+        <translation>Simular desde el paso mostrado, en segundo plano</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Simulate futures</source>
-        <translation type="unfinished"></translation>
+        <translation>Simular futuros</translation>
     </message>
     <message>
         <source>Simulates the run from the displayed step with other random values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Simula la ejecución desde el paso mostrado con otros valores aleatorios.</translation>
     </message>
     <message>
         <source>This run cannot be replayed: its inputs are not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta ejecución no se puede repetir: no se conocen sus entradas.</translation>
     </message>
     <message>
         <source>Start a run and pause it to simulate its futures from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicie una ejecución y póngala en pausa para simular desde ahí sus futuros.</translation>
     </message>
     <message>
         <source>%1 futures</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 futuros</translation>
     </message>
     <message>
         <source>%1 of %2 futures so far</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 futuros hasta ahora</translation>
     </message>
     <message>
         <source>%1 of %2 futures, cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 futuros, cancelado</translation>
     </message>
     <message>
         <source>From %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde %1: %2.</translation>
     </message>
     <message>
         <source>No contact in any run (%1, 95 % CI at most %2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún contacto en ninguna ejecución (%1, IC 95 % como máximo %2).</translation>
     </message>
     <message>
         <source>%1 have a contact (%2, 95 % CI %3 to %4).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tienen un contacto (%2, IC 95 % %3 a %4).</translation>
     </message>
     <message>
         <source>Median time %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo mediano %1.</translation>
     </message>
     <message>
         <source>%1 ended early.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 terminaron antes.</translation>
     </message>
 </context>
 <context>
     <name>editor::FuturesProcess</name>
     <message>
         <source>The futures simulation crashed.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulación de futuros falló.</translation>
     </message>
 </context>
 <context>
     <name>editor::GoalAssignment</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas</translation>
     </message>
     <message>
         <source>Goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivos</translation>
     </message>
     <message>
         <source>Route</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruta</translation>
     </message>
     <message>
         <source>Assign goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar objetivos</translation>
     </message>
     <message>
         <source>Assign</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar</translation>
     </message>
     <message>
         <source>Drag goals to add and reorder them. Assign applies the changes; Undo reverts them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre objetivos para añadirlos y ordenarlos. Asignar aplica los cambios; Deshacer los revierte.</translation>
     </message>
     <message>
         <source>No people yet: press P and drag on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay personas: pulse P y arrastre en el mapa</translation>
     </message>
     <message>
         <source>No goals yet: press G and click on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay objetivos: pulse G y haga clic en el mapa</translation>
     </message>
     <message>
         <source>Add to the end of the route (Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir al final de la ruta (Intro)</translation>
     </message>
     <message>
         <source>Remove from the route (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar de la ruta (Supr)</translation>
     </message>
     <message>
         <source>Earlier (Alt+Up)</source>
-        <translation type="unfinished"></translation>
+        <translation>Antes (Alt+Arriba)</translation>
     </message>
     <message>
         <source>Later (Alt+Down)</source>
-        <translation type="unfinished"></translation>
+        <translation>Después (Alt+Abajo)</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar</translation>
     </message>
     <message>
         <source>Clear the route of the selected people</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaciar la ruta de las personas seleccionadas</translation>
     </message>
     <message>
         <source>Route of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruta de %1</translation>
     </message>
     <message>
         <source>Route of %1 people</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruta de %1 personas</translation>
     </message>
     <message>
         <source>Select people on the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione personas a la izquierda</translation>
     </message>
     <message>
         <source>These people have different routes. Added goals go to the end of each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estas personas tienen rutas distintas. Los objetivos añadidos van al final de cada una.</translation>
     </message>
     <message>
         <source>No goals: people stand still. Add goals from the middle list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin objetivos: las personas están quietas. Añada objetivos de la lista central.</translation>
     </message>
     <message>
         <source>Repeat after the last</source>
-        <translation type="unfinished"></translation>
+        <translation>Repetir tras el último</translation>
     </message>
 </context>
 <context>
     <name>editor::GoalList</name>
     <message>
         <source>%1 (missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (falta)</translation>
     </message>
 </context>
 <context>
     <name>editor::GoalPage</name>
     <message>
         <source>Goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivo</translation>
     </message>
     <message>
         <source>Visited by</source>
-        <translation type="unfinished"></translation>
+        <translation>Visitado por</translation>
     </message>
     <message>
         <source>several goals selected</source>
-        <translation type="unfinished"></translation>
+        <translation>varios objetivos seleccionados</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 y %2 más</translation>
     </message>
 </context>
 <context>
     <name>editor::GoalTool</name>
     <message>
         <source>Click to place goal %1 · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic para colocar el objetivo %1 · Esc cancela</translation>
     </message>
     <message>
         <source>Click to add a goal · Click or drag a goal to move it</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic para añadir un objetivo · Clic o arrastre en un objetivo para moverlo</translation>
     </message>
     <message>
         <source>Move goal %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover el objetivo %1</translation>
     </message>
 </context>
 <context>
     <name>editor::IssuesPanel</name>
     <message>
         <source>Issues</source>
-        <translation type="unfinished"></translation>
+        <translation>Problemas</translation>
     </message>
     <message>
         <source>hint</source>
-        <translation type="unfinished"></translation>
+        <translation>aviso</translation>
     </message>
     <message>
         <source>hints</source>
-        <translation type="unfinished"></translation>
+        <translation>avisos</translation>
     </message>
     <message>
         <source>Information: click to show or hide</source>
-        <translation type="unfinished"></translation>
+        <translation>Información: clic para mostrar u ocultar</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar</translation>
     </message>
     <message>
         <source>%1: all %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: los %2</translation>
     </message>
     <message>
         <source>Copy text</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar texto</translation>
     </message>
     <message>
         <source>No issues. Press P and click on the map to place a person.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin problemas. Pulse P y haga clic en el mapa para colocar una persona.</translation>
     </message>
     <message>
         <source>No issues: %1, %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin problemas: %1, %2.</translation>
     </message>
     <message>
         <source>person</source>
-        <translation type="unfinished"></translation>
+        <translation>persona</translation>
     </message>
     <message>
         <source>people</source>
-        <translation type="unfinished"></translation>
+        <translation>personas</translation>
     </message>
     <message>
         <source>goal</source>
-        <translation type="unfinished"></translation>
+        <translation>objetivo</translation>
     </message>
     <message>
         <source>goals</source>
-        <translation type="unfinished"></translation>
+        <translation>objetivos</translation>
     </message>
     <message>
         <source>No issues.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin problemas.</translation>
     </message>
 </context>
 <context>
     <name>editor::KindSwitch</name>
     <message>
         <source>Selected kinds</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipos seleccionados</translation>
     </message>
     <message>
         <source>Show and change the selected items of this kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar y cambiar los elementos seleccionados de este tipo</translation>
     </message>
 </context>
 <context>
     <name>editor::LayersPanel</name>
     <message>
         <source>Opacity of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacidad de %1</translation>
     </message>
     <message>
         <source>Hide %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ocultar %1</translation>
     </message>
     <message>
         <source>Show %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar %1</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>all of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>todo: %1</translation>
     </message>
 </context>
 <context>
     <name>editor::LegendStrip</name>
     <message>
         <source>Legend</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyenda</translation>
     </message>
 </context>
 <context>
     <name>editor::ManualDriveController</name>
     <message>
         <source>&amp;Drive manually</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Conducir manualmente</translation>
     </message>
     <message>
         <source>Drive the selected robot with the arrow keys or W A S D; it brakes without a key. Esc returns control to its planner</source>
-        <translation type="unfinished"></translation>
+        <translation>Conducir el robot seleccionado con las flechas o W A S D; frena sin tecla. Esc devuelve el control a su planificador</translation>
     </message>
     <message>
         <source>Drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Conducir</translation>
     </message>
 </context>
 <context>
     <name>editor::MapInset</name>
     <message>
         <source>The map around the person</source>
-        <translation type="unfinished"></translation>
+        <translation>El mapa alrededor de la persona</translation>
     </message>
 </context>
 <context>
     <name>editor::MapPaintTool</name>
     <message>
         <source>No map to paint on: start with a room, a map or an image</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay mapa que pintar: empiece con una sala, un mapa o una imagen</translation>
     </message>
     <message>
         <source>walls</source>
-        <translation type="unfinished"></translation>
+        <translation>paredes</translation>
     </message>
     <message>
         <source>free space</source>
-        <translation type="unfinished"></translation>
+        <translation>espacio libre</translation>
     </message>
     <message>
         <source>unknown space</source>
-        <translation type="unfinished"></translation>
+        <translation>espacio desconocido</translation>
     </message>
     <message>
         <source>Drag to paint %1, %2 m wide · 1 wall, 2 free, 3 unknown · [ ] width · Shift: free</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre para pintar %1, %2 m de ancho · 1 pared, 2 libre, 3 desconocido · [ ] ancho · Mayús: libre</translation>
     </message>
     <message>
         <source>Wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Pared</translation>
     </message>
     <message>
         <source>Free space</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacio libre</translation>
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Desconocido</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar</translation>
     </message>
     <message>
         <source>Cell type</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo de celda</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancho</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>Paint the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar el mapa</translation>
     </message>
 </context>
 <context>
     <name>editor::MapView</name>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa</translation>
     </message>
 </context>
 <context>
     <name>editor::MeasureTool</name>
     <message>
         <source>Drag from one point to another · Shift: 15° steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre de un punto a otro · Mayús: pasos de 15°</translation>
     </message>
     <message>
         <source>Distance %1 m · angle %2 · Δx %3 m · Δy %4 m</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia %1 m · ángulo %2 · Δx %3 m · Δy %4 m</translation>
     </message>
 </context>
 <context>
     <name>editor::MetricsDock</name>
     <message>
         <source>Metrics appear when a simulation runs: press Space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las métricas aparecen cuando se ejecuta una simulación: pulse Espacio.</translation>
     </message>
     <message>
         <source>Metrics of</source>
-        <translation type="unfinished"></translation>
+        <translation>Métricas de</translation>
     </message>
     <message>
         <source>Robot whose metrics are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot cuyas métricas se muestran</translation>
     </message>
 </context>
 <context>
     <name>editor::MetricsTable</name>
     <message>
         <source>Measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Medidas</translation>
     </message>
     <message>
         <source>Show only the metrics that are measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar solo las métricas que se miden</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas</translation>
     </message>
     <message>
         <source>Measure all listed metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Medir todas las métricas de la lista</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna</translation>
     </message>
     <message>
         <source>Measure no listed metric</source>
-        <translation type="unfinished"></translation>
+        <translation>No medir ninguna métrica de la lista</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar</translation>
     </message>
     <message>
         <source>Save the choice to the metrics file of the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar la elección en el archivo de métricas del escenario</translation>
     </message>
     <message>
         <source>Metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Métricas</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation type="unfinished"></translation>
+        <translation>Métrica</translation>
     </message>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahora</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Since start</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde el inicio</translation>
     </message>
     <message>
         <source>As if %1 were the only person</source>
-        <translation type="unfinished"></translation>
+        <translation>Como si %1 fuera la única persona</translation>
     </message>
     <message>
         <source>No value: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin valor: %1</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>%1 of %2 metrics are measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Se miden %1 de %2 métricas</translation>
     </message>
     <message>
         <source>Set metrics file</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir archivo de métricas</translation>
     </message>
     <message>
         <source>Find a metric</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar una métrica</translation>
     </message>
 </context>
 <context>
     <name>editor::MixButton</name>
     <message>
         <source>Mix of behaviours and seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Mezcla de comportamientos y semilla</translation>
     </message>
 </context>
 <context>
     <name>editor::Nav2Form</name>
     <message>
         <source>Changed only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo lo cambiado</translation>
     </message>
     <message>
         <source>Show only values that differ from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar solo los valores que difieren del archivo</translation>
     </message>
     <message>
         <source>Reset value</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer valor</translation>
     </message>
     <message>
         <source>Reset to the value in the file (Delete)</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver al valor del archivo (Supr)</translation>
     </message>
     <message>
         <source>Servers</source>
-        <translation type="unfinished"></translation>
+        <translation>Servidores</translation>
     </message>
     <message>
         <source>Nav2 parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros de Nav2</translation>
     </message>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetro</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>In the file</source>
-        <translation type="unfinished"></translation>
+        <translation>En el archivo</translation>
     </message>
     <message>
         <source>Nav2 default</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor de Nav2</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation type="unfinished"></translation>
+        <translation>Descripción</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas</translation>
     </message>
     <message>
         <source>%1 changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cambiados</translation>
     </message>
     <message>
         <source>As in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Como en el archivo</translation>
     </message>
     <message>
         <source>Double-click a value to change it. The scenario keeps the change; the file is only changed by saving it as a new file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Doble clic para cambiar un valor. El escenario conserva el cambio; el archivo solo se cambia al guardarlo como archivo nuevo.</translation>
     </message>
     <message>
         <source>Nav2 default %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor de Nav2: %1</translation>
     </message>
     <message>
         <source> · in the file %1</source>
-        <translation type="unfinished"></translation>
+        <translation> · en el archivo %1</translation>
     </message>
     <message>
         <source> · not in the file</source>
-        <translation type="unfinished"></translation>
+        <translation> · no está en el archivo</translation>
     </message>
     <message>
         <source>Find a parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar un parámetro</translation>
     </message>
     <message>
         <source>Find a Nav2 parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar un parámetro de Nav2</translation>
     </message>
 </context>
 <context>
     <name>editor::Nav2Panel</name>
     <message>
         <source>No robot is driven by Nav2. Select a robot and choose the planner nav2 in its properties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún robot usa Nav2. Seleccione un robot y elija el planificador nav2 en sus propiedades.</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %1</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot</translation>
     </message>
     <message>
         <source>The robot whose parameters are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>El robot cuyos parámetros se muestran</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer todo</translation>
     </message>
     <message>
         <source>Reset all values to those in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a los valores del archivo</translation>
     </message>
     <message>
         <source>Reset Nav2 parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer los parámetros de Nav2</translation>
     </message>
     <message>
         <source>Save as a new file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar como archivo nuevo…</translation>
     </message>
     <message>
         <source>Write the changed values into a copy of the parameter file, with its comments and order, and use that file</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir los valores cambiados en una copia del archivo de parámetros, con sus comentarios y su orden, y usar ese archivo</translation>
     </message>
     <message>
         <source>Save the Nav2 parameters as a new file</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar los parámetros de Nav2 como archivo nuevo</translation>
     </message>
     <message>
         <source>Nav2 parameters (*.yaml *.yml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros de Nav2 (*.yaml *.yml)</translation>
     </message>
     <message>
         <source>Save Nav2 parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar los parámetros de Nav2</translation>
     </message>
 </context>
 <context>
     <name>editor::NoMatchesPlaceholder</name>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar</translation>
     </message>
     <message>
         <source>Show the whole list</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar la lista completa</translation>
     </message>
     <message>
         <source>No matches for &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún resultado para «%1»</translation>
     </message>
 </context>
 <context>
     <name>editor::NodeFields</name>
     <message>
         <source>Name and ports of the node</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre y puertos del nodo</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Enter applies, Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Intro aplica, Esc cancela</translation>
     </message>
 </context>
 <context>
     <name>editor::NodePalette</name>
     <message>
         <source>Search by name or description</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar por nombre o descripción</translation>
     </message>
     <message>
         <source>Nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos</translation>
     </message>
     <message>
         <source>Control</source>
-        <translation type="unfinished"></translation>
+        <translation>Control</translation>
     </message>
     <message>
         <source>Decorators</source>
-        <translation type="unfinished"></translation>
+        <translation>Decoradores</translation>
     </message>
     <message>
         <source>Conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>Condiciones</translation>
     </message>
     <message>
         <source>Actions</source>
-        <translation type="unfinished"></translation>
+        <translation>Acciones</translation>
     </message>
     <message>
         <source>Subtrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Subárboles</translation>
     </message>
     <message>
         <source>Templates</source>
-        <translation type="unfinished"></translation>
+        <translation>Plantillas</translation>
     </message>
     <message>
         <source>Runs the tree %1 with all entries of this tree.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuta el árbol %1 con todas las entradas de este árbol.</translation>
     </message>
     <message>
         <source>Drag a node into the tree, or double-click it to add it to the selected node.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre un nodo al árbol, o haga doble clic en él para añadirlo al nodo seleccionado.</translation>
     </message>
     <message>
         <source>Find a node</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar un nodo</translation>
     </message>
 </context>
 <context>
     <name>editor::NumberField</name>
     <message>
         <source>above %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>más de %1%2</translation>
     </message>
     <message>
         <source>at least %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>al menos %1%2</translation>
     </message>
     <message>
         <source>at most %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>como máximo %1%2</translation>
     </message>
     <message>
         <source>above %1, at most %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>más de %1, como máximo %2%3</translation>
     </message>
     <message>
         <source>%1 to %2%3</source>
-        <translation type="unfinished"></translation>
+        <translation>de %1 a %2%3</translation>
     </message>
     <message>
         <source>Use the default</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el valor predeterminado</translation>
     </message>
 </context>
 <context>
     <name>editor::ObstaclePage</name>
     <message>
         <source>Obstacle</source>
-        <translation type="unfinished"></translation>
+        <translation>Obstáculo</translation>
     </message>
     <message>
         <source>several shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>varias formas</translation>
     </message>
 </context>
 <context>
     <name>editor::PanTool</name>
     <message>
         <source>Drag to move the map · Wheel zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre para desplazar el mapa · La rueda amplía y reduce</translation>
     </message>
 </context>
 <context>
     <name>editor::PeopleInteraction</name>
     <message>
         <source>Spawn a person with the same tree and goals here, as an input of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Generar aquí una persona con el mismo árbol y los mismos objetivos, como entrada de la ejecución</translation>
     </message>
     <message>
         <source>Add a person like</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir una persona como</translation>
     </message>
     <message>
         <source>Push %1…	Shift+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Empujar a %1…	Mayús+arrastrar</translation>
     </message>
     <message>
         <source>Then drag an arrow: 1 m is 1 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>Después arrastre una flecha: 1 m equivale a 1 m/s</translation>
     </message>
     <message>
         <source>Resume %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Reanudar %1</translation>
     </message>
     <message>
         <source>Stop %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener %1</translation>
     </message>
     <message>
         <source>The person brakes and stays until resumed</source>
-        <translation type="unfinished"></translation>
+        <translation>La persona frena y se queda quieta hasta que se reanude</translation>
     </message>
 </context>
 <context>
     <name>editor::PersonPage</name>
     <message>
         <source>Pose and body</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición y cuerpo</translation>
     </message>
     <message>
         <source>Person</source>
-        <translation type="unfinished"></translation>
+        <translation>Persona</translation>
     </message>
     <message>
         <source>Mix…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mezcla…</translation>
     </message>
     <message>
         <source>Set the shares of behaviours among these people</source>
-        <translation type="unfinished"></translation>
+        <translation>Repartir los comportamientos entre estas personas</translation>
     </message>
     <message>
         <source>Adult</source>
-        <translation type="unfinished"></translation>
+        <translation>Adulto</translation>
     </message>
     <message>
         <source>Child</source>
-        <translation type="unfinished"></translation>
+        <translation>Niño</translation>
     </message>
     <message>
         <source>Elderly</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayores</translation>
     </message>
     <message>
         <source>Wheelchair</source>
-        <translation type="unfinished"></translation>
+        <translation>Silla de ruedas</translation>
     </message>
     <message>
         <source>With luggage</source>
-        <translation type="unfinished"></translation>
+        <translation>Con equipaje</translation>
     </message>
     <message>
         <source>Goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivos</translation>
     </message>
     <message>
         <source>Route</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruta</translation>
     </message>
     <message>
         <source>Assign goals…</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar objetivos…</translation>
     </message>
     <message>
         <source>Assign ordered goals to several people (Ctrl+G)</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar objetivos ordenados a varias personas (Ctrl+G)</translation>
     </message>
     <message>
         <source>different routes</source>
-        <translation type="unfinished"></translation>
+        <translation>rutas distintas</translation>
     </message>
     <message>
         <source>visited in order</source>
-        <translation type="unfinished"></translation>
+        <translation>visitados en orden</translation>
     </message>
     <message>
         <source>Repeat after the last</source>
-        <translation type="unfinished"></translation>
+        <translation>Repetir tras el último</translation>
     </message>
     <message>
         <source>seconds at each goal</source>
-        <translation type="unfinished"></translation>
+        <translation>segundos en cada objetivo</translation>
     </message>
     <message>
         <source>One time in seconds per goal, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>Un tiempo en segundos por objetivo, separados por comas</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Predeterminado</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>Personalizado</translation>
     </message>
     <message>
         <source>Random, by seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Aleatorio, por semilla</translation>
     </message>
     <message>
         <source>Reaction to the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Reacción al robot</translation>
     </message>
     <message>
         <source>Then continues</source>
-        <translation type="unfinished"></translation>
+        <translation>Luego continúa</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerzas</translation>
     </message>
     <message>
         <source>Show the random values of a run with this seed; the scenario keeps its seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar los valores aleatorios de una ejecución con esta semilla; el escenario conserva su semilla</translation>
     </message>
     <message>
         <source>Sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Muestrear</translation>
     </message>
     <message>
         <source>Sample with another seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Muestrear con otra semilla</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla</translation>
     </message>
     <message>
         <source>Freeze</source>
-        <translation type="unfinished"></translation>
+        <translation>Fijar</translation>
     </message>
     <message>
         <source>Store these numbers as custom values</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar estos números como valores personalizados</translation>
     </message>
     <message>
         <source>Freeze random values</source>
-        <translation type="unfinished"></translation>
+        <translation>Fijar valores aleatorios</translation>
     </message>
     <message>
         <source>Use this seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar esta semilla</translation>
     </message>
     <message>
         <source>Set it as the seed of the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Ponerla como semilla del escenario</translation>
     </message>
     <message>
         <source>Change seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar la semilla</translation>
     </message>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>Más</translation>
     </message>
     <message>
         <source>As in scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Como en el escenario</translation>
     </message>
     <message>
         <source>Around walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Rodeando paredes</translation>
     </message>
     <message>
         <source>Straight</source>
-        <translation type="unfinished"></translation>
+        <translation>Recto</translation>
     </message>
     <message>
         <source>Stops</source>
-        <translation type="unfinished"></translation>
+        <translation>Se detiene</translation>
     </message>
     <message>
         <source>Leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>Se va</translation>
     </message>
     <message>
         <source>Starts over</source>
-        <translation type="unfinished"></translation>
+        <translation>Vuelve a empezar</translation>
     </message>
     <message>
         <source>Id of the person; part of the name of the tree file</source>
-        <translation type="unfinished"></translation>
+        <translation>Id de la persona; parte del nombre del archivo de árbol</translation>
     </message>
     <message>
         <source>Change number</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el número</translation>
     </message>
     <message>
         <source>Height z</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura z</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>automático</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo</translation>
     </message>
     <message>
         <source>People in a group stay together while they walk</source>
-        <translation type="unfinished"></translation>
+        <translation>Las personas de un grupo permanecen juntas al caminar</translation>
     </message>
     <message>
         <source>Walks with</source>
-        <translation type="unfinished"></translation>
+        <translation>Camina con</translation>
     </message>
     <message>
         <source>name of the group</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre del grupo</translation>
     </message>
     <message>
         <source>Group name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del grupo</translation>
     </message>
     <message>
         <source>Members</source>
-        <translation type="unfinished"></translation>
+        <translation>Miembros</translation>
     </message>
     <message>
         <source>Dissolve</source>
-        <translation type="unfinished"></translation>
+        <translation>Disolver</translation>
     </message>
     <message>
         <source>Remove all people from the group</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar a todas las personas del grupo</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna</translation>
     </message>
     <message>
         <source>Each other (new group)</source>
-        <translation type="unfinished"></translation>
+        <translation>Entre sí (grupo nuevo)</translation>
     </message>
     <message>
         <source>New group</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupo nuevo</translation>
     </message>
     <message>
         <source>different groups</source>
-        <translation type="unfinished"></translation>
+        <translation>grupos distintos</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Aspecto</translation>
     </message>
     <message>
         <source>Appearance in the simulator of the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Aspecto en el simulador del escenario</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Figura</translation>
     </message>
     <message>
         <source>Elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>En otros</translation>
     </message>
     <message>
         <source>Change appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el aspecto</translation>
     </message>
     <message>
         <source>as in Gazebo</source>
-        <translation type="unfinished"></translation>
+        <translation>como en Gazebo</translation>
     </message>
     <message>
         <source>Regenerate tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Regenerar el árbol</translation>
     </message>
     <message>
         <source>Generate the tree from behaviour, reaction and goals; Ctrl+Z restores the custom tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Generar el árbol a partir de comportamiento, reacción y objetivos; Ctrl+Z restaura el árbol propio</translation>
     </message>
     <message>
         <source>Uses a custom tree.</source>
-        <translation type="unfinished"></translation>
+        <translation>Usa un árbol propio.</translation>
     </message>
     <message>
         <source>%1 with custom trees.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 con árboles propios.</translation>
     </message>
     <message>
         <source>person</source>
-        <translation type="unfinished"></translation>
+        <translation>persona</translation>
     </message>
     <message>
         <source>people</source>
-        <translation type="unfinished"></translation>
+        <translation>personas</translation>
     </message>
     <message>
         <source>Changes made here do not affect it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios hechos aquí no le afectan.</translation>
     </message>
     <message>
         <source>Changes made here do not affect custom trees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios hechos aquí no afectan a los árboles propios.</translation>
     </message>
     <message>
         <source>Behaviour, reaction and goals do not affect it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comportamiento, reacción y objetivos no le afectan.</translation>
     </message>
     <message>
         <source>Behaviour, reaction and goals do not affect these trees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comportamiento, reacción y objetivos no afectan a estos árboles.</translation>
     </message>
 </context>
 <context>
     <name>editor::PersonTool</name>
     <message>
         <source>Drag to set the heading · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre para fijar la orientación · Esc cancela</translation>
     </message>
     <message>
         <source>Click to place a person; drag to set the heading</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic para colocar una persona; arrastre para fijar la orientación</translation>
     </message>
 </context>
 <context>
     <name>editor::PlaybackActions</name>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer</translation>
     </message>
     <message>
         <source>End the run and return to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminar la ejecución y volver a la edición</translation>
     </message>
     <message>
         <source>Step back</source>
-        <translation type="unfinished"></translation>
+        <translation>Paso atrás</translation>
     </message>
     <message>
         <source>Go back one recorded step</source>
-        <translation type="unfinished"></translation>
+        <translation>Retroceder un paso registrado</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Reproducir</translation>
     </message>
     <message>
         <source>Run or pause the simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecutar o pausar la simulación</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished"></translation>
+        <translation>Paso</translation>
     </message>
     <message>
         <source>One step forward, then pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzar un paso y pausar</translation>
     </message>
     <message>
         <source>Go to newest step</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir al paso más reciente</translation>
     </message>
     <message>
         <source>Show the newest step of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el paso más reciente de la ejecución</translation>
     </message>
     <message>
         <source>&amp;Branch here…</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear &amp;rama aquí…</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Start a run first: Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicie antes una ejecución: Espacio</translation>
     </message>
     <message>
         <source>The newest step is already shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Ya se muestra el paso más reciente</translation>
     </message>
     <message>
         <source>Speed
 Simulated seconds per real second</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad
+Segundos simulados por segundo real</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad</translation>
     </message>
 </context>
 <context>
     <name>editor::PolygonTool</name>
     <message>
         <source>Click the corners of an obstacle; click the first one to close it</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en los vértices de un obstáculo; clic en el primero para cerrarlo</translation>
     </message>
 </context>
 <context>
     <name>editor::PropertyPage</name>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer</translation>
     </message>
     <message>
         <source>Reset all to their default values</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer todos los valores predeterminados</translation>
     </message>
     <message>
         <source>%1 changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cambiados</translation>
     </message>
     <message>
         <source>Reset %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer %1</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %1</translation>
     </message>
     <message>
         <source>Applies at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>Se aplica en el próximo inicio</translation>
     </message>
     <message>
         <source>A name starts with a letter and contains only letters, digits and _</source>
-        <translation type="unfinished"></translation>
+        <translation>Un nombre empieza con una letra y solo contiene letras, cifras y _</translation>
     </message>
     <message>
         <source>This name is already in use</source>
-        <translation type="unfinished"></translation>
+        <translation>Este nombre ya está en uso</translation>
     </message>
     <message>
         <source>%1 selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Selección: %1</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Number</source>
-        <translation type="unfinished"></translation>
+        <translation>Número</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>name=value, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre=valor, separados por comas</translation>
     </message>
     <message>
         <source>In the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>En el escenario</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición</translation>
     </message>
     <message>
         <source>Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>Sí</translation>
     </message>
 </context>
 <context>
     <name>editor::PropertyPanel</name>
     <message>
         <source>Restart</source>
-        <translation type="unfinished"></translation>
+        <translation>Reiniciar</translation>
     </message>
     <message>
         <source>Restart the run with the current settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Reiniciar la ejecución con los ajustes actuales</translation>
     </message>
     <message>
         <source>Changes take effect at the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios se aplican en el próximo inicio.</translation>
     </message>
     <message>
         <source>A dot marks values that differ from those of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Un punto marca los valores que difieren de los de la ejecución</translation>
     </message>
     <message>
         <source>Person %1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Persona %1 · %2</translation>
     </message>
     <message>
         <source> · goals %1</source>
-        <translation type="unfinished"></translation>
+        <translation> · objetivos %1</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>más</translation>
     </message>
     <message>
         <source>others</source>
-        <translation type="unfinished"></translation>
+        <translation>más</translation>
     </message>
     <message>
         <source>Changes apply to all of them</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios se aplican a todos</translation>
     </message>
     <message>
         <source>Changes apply to these, not to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios se aplican a estos, no a %1</translation>
     </message>
     <message>
         <source>Scenario · nothing selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenario · nada seleccionado</translation>
     </message>
     <message>
         <source>%1 · and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · y %2</translation>
     </message>
     <message>
         <source>Spawned by a source in this run. To change such people, select the person that the source copies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Generada por una fuente en esta ejecución. Para cambiar a estas personas, seleccione la persona que copia la fuente.</translation>
     </message>
 </context>
 <context>
     <name>editor::RobotPage</name>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicio</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros</translation>
     </message>
     <message>
         <source>Parameters that are unknown to the planner or not numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros que el planificador no conoce o que no son números</translation>
     </message>
     <message>
         <source>Body and limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuerpo y límites</translation>
     </message>
     <message>
         <source>disc with the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>disco con el radio</translation>
     </message>
     <message>
         <source>Differential</source>
-        <translation type="unfinished"></translation>
+        <translation>Diferencial</translation>
     </message>
     <message>
         <source>Omnidirectional</source>
-        <translation type="unfinished"></translation>
+        <translation>Omnidireccional</translation>
     </message>
     <message>
         <source>Ackermann</source>
-        <translation type="unfinished"></translation>
+        <translation>Ackermann</translation>
     </message>
     <message>
         <source>As robot type (default)</source>
-        <translation type="unfinished"></translation>
+        <translation>Como el tipo de robot (por defecto)</translation>
     </message>
     <message>
         <source>People perception</source>
-        <translation type="unfinished"></translation>
+        <translation>Percepción de personas</translation>
     </message>
     <message>
         <source>Visible people</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas visibles</translation>
     </message>
     <message>
         <source>All (ground truth)</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas (verdad terreno)</translation>
     </message>
     <message>
         <source>(default)</source>
-        <translation type="unfinished"></translation>
+        <translation>(predeterminado)</translation>
     </message>
     <message>
         <source>Ground truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdad terreno</translation>
     </message>
     <message>
         <source>From positions</source>
-        <translation type="unfinished"></translation>
+        <translation>A partir de posiciones</translation>
     </message>
     <message>
         <source>Lidar</source>
-        <translation type="unfinished"></translation>
+        <translation>Lidar</translation>
     </message>
     <message>
         <source>Odometry errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores de odometría</translation>
     </message>
     <message>
         <source>Localisation</source>
-        <translation type="unfinished"></translation>
+        <translation>Localización</translation>
     </message>
     <message>
         <source>Battery</source>
-        <translation type="unfinished"></translation>
+        <translation>Batería</translation>
     </message>
     <message>
         <source>Sources</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuentes</translation>
     </message>
     <message>
         <source>Published data</source>
-        <translation type="unfinished"></translation>
+        <translation>Datos publicados</translation>
     </message>
     <message>
         <source>as generic robot</source>
-        <translation type="unfinished"></translation>
+        <translation>como un robot genérico</translation>
     </message>
     <message>
         <source>Nav2 default</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor de Nav2</translation>
     </message>
     <message>
         <source>not published</source>
-        <translation type="unfinished"></translation>
+        <translation>no publicado</translation>
     </message>
     <message>
         <source>Humble</source>
-        <translation type="unfinished"></translation>
+        <translation>Humble</translation>
     </message>
     <message>
         <source>Jazzy</source>
-        <translation type="unfinished"></translation>
+        <translation>Jazzy</translation>
     </message>
     <message>
         <source>Kilted</source>
-        <translation type="unfinished"></translation>
+        <translation>Kilted</translation>
     </message>
     <message>
         <source>Lyrical</source>
-        <translation type="unfinished"></translation>
+        <translation>Lyrical</translation>
     </message>
     <message>
         <source>Main</source>
-        <translation type="unfinished"></translation>
+        <translation>Main</translation>
     </message>
     <message>
         <source>As in the file (default)</source>
-        <translation type="unfinished"></translation>
+        <translation>Como en el archivo (predeterminado)</translation>
     </message>
     <message>
         <source>Nav2 parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros de Nav2</translation>
     </message>
     <message>
         <source>Open Nav2 panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir panel Nav2</translation>
     </message>
     <message>
         <source>Open the panel with all parameters of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el panel con todos los parámetros del robot</translation>
     </message>
     <message>
         <source>Use body</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar cuerpo</translation>
     </message>
     <message>
         <source>Use radius or footprint from local_costmap in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar radio o contorno de local_costmap del archivo</translation>
     </message>
     <message>
         <source>Use the body in the Nav2 file</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el cuerpo del archivo de Nav2</translation>
     </message>
     <message>
         <source>%1 changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cambiados</translation>
     </message>
     <message>
         <source>Goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivo</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punto</translation>
     </message>
     <message>
         <source>Goal X</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivo X</translation>
     </message>
     <message>
         <source>Goal Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivo Y</translation>
     </message>
     <message>
         <source>Ordered global goals instead of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivos globales ordenados en lugar de un punto</translation>
     </message>
     <message>
         <source>Or route</source>
-        <translation type="unfinished"></translation>
+        <translation>O ruta</translation>
     </message>
     <message>
         <source>Change robot route</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar la ruta del robot</translation>
     </message>
     <message>
         <source>stands still</source>
-        <translation type="unfinished"></translation>
+        <translation>está quieto</translation>
     </message>
     <message>
         <source>ends the run</source>
-        <translation type="unfinished"></translation>
+        <translation>termina la ejecución</translation>
     </message>
 </context>
 <context>
     <name>editor::RobotPicture</name>
     <message>
         <source>Robot body</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuerpo del robot</translation>
     </message>
     <message>
         <source>%1 long, %2 wide</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de largo, %2 de ancho</translation>
     </message>
     <message>
         <source>Drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Conducir</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad</translation>
     </message>
     <message>
         <source>Turning</source>
-        <translation type="unfinished"></translation>
+        <translation>Giro</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar</translation>
     </message>
     <message>
         <source>Mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Masa</translation>
     </message>
 </context>
 <context>
     <name>editor::RobotTool</name>
     <message>
         <source>Click the goal of the robot · Esc keeps the current goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en el objetivo del robot · Esc conserva el objetivo actual</translation>
     </message>
     <message>
         <source>Drag to set the heading · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre para fijar la orientación · Esc cancela</translation>
     </message>
     <message>
         <source>Click to place the robot; drag to set the heading · Shift adds another</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic para colocar el robot; arrastre para fijar la orientación · Mayús añade otro</translation>
     </message>
     <message>
         <source>Place %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocar %1</translation>
     </message>
     <message>
         <source>Set robot goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner el objetivo del robot</translation>
     </message>
 </context>
 <context>
@@ -6743,1156 +6765,1158 @@ Simulated seconds per real second</source>
     <message>
         <source>
 Click for options, press Delete to remove it</source>
-        <translation type="unfinished"></translation>
+        <translation>
+Clic para ver opciones, Supr lo quita</translation>
     </message>
     <message>
         <source>+ Add</source>
-        <translation type="unfinished"></translation>
+        <translation>+ Añadir</translation>
     </message>
     <message>
         <source>Add a goal to the end of the route</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un objetivo al final de la ruta</translation>
     </message>
     <message>
         <source>No goals yet: press G and click on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay objetivos: pulse G y haga clic en el mapa</translation>
     </message>
     <message>
         <source>Select goal %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar el objetivo %1</translation>
     </message>
     <message>
         <source>Earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Antes</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Después</translation>
     </message>
     <message>
         <source>Remove from the route</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar de la ruta</translation>
     </message>
 </context>
 <context>
     <name>editor::RouteTool</name>
     <message>
         <source>Click the person or robot that follows the route (Shift adds more)</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la persona o el robot que sigue la ruta (Mayús añade más)</translation>
     </message>
     <message>
         <source>Click the goals in visiting order</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en los objetivos por orden de visita</translation>
     </message>
     <message>
         <source>Route %1 · Enter applies · Backspace removes the last goal · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruta %1 · Intro aplica · Retroceso quita el último objetivo · Esc cancela</translation>
     </message>
     <message>
         <source>Nothing is selected: click a person or robot first</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay nada seleccionado: haga clic antes en una persona o un robot</translation>
     </message>
     <message>
         <source>No goal here: click the pin of a goal, or press G to add goals</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí no hay objetivo: haga clic en el marcador de uno, o pulse G para añadir objetivos</translation>
     </message>
     <message>
         <source>%1 is already the last goal of the route</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ya es el último objetivo de la ruta</translation>
     </message>
 </context>
 <context>
     <name>editor::RunEvents</name>
     <message>
         <source>%1 has arrived at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ha llegado a %2</translation>
     </message>
     <message>
         <source>the goal</source>
-        <translation type="unfinished"></translation>
+        <translation>el objetivo</translation>
     </message>
     <message>
         <source>Robot %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot %1</translation>
     </message>
     <message>
         <source>Person %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Persona %1</translation>
     </message>
     <message>
         <source>%1 touches a wall</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 toca una pared</translation>
     </message>
 </context>
 <context>
     <name>editor::RunOverlayUpdater</name>
     <message>
         <source>says %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dice %1</translation>
     </message>
     <message>
         <source>hears %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>oye a %1: %2</translation>
     </message>
     <message>
         <source>Person %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Persona %1</translation>
     </message>
     <message>
         <source> · to %1</source>
-        <translation type="unfinished"></translation>
+        <translation> · hacia %1</translation>
     </message>
 </context>
 <context>
     <name>editor::RunStateSection</name>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahora</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Posición</translation>
     </message>
     <message>
         <source>Heading</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientación</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad</translation>
     </message>
     <message>
         <source>Goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Objetivo</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot</translation>
     </message>
     <message>
         <source>Manual drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Conducción manual</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>reacting</source>
-        <translation type="unfinished"></translation>
+        <translation>reaccionando</translation>
     </message>
     <message>
         <source>%1 m away</source>
-        <translation type="unfinished"></translation>
+        <translation>a %1 m</translation>
     </message>
 </context>
 <context>
     <name>editor::RunningNodes</name>
     <message>
         <source>Running nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos en ejecución</translation>
     </message>
     <message>
         <source>Node</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodo</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores</translation>
     </message>
     <message>
         <source>Running for</source>
-        <translation type="unfinished"></translation>
+        <translation>Activo desde hace</translation>
     </message>
     <message>
         <source>Running nodes are listed during a run: press Space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los nodos en ejecución se muestran durante una ejecución: pulse Espacio.</translation>
     </message>
     <message>
         <source>No node is running at this time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún nodo se ejecuta en este momento.</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
     <name>editor::RunsPanel</name>
     <message>
         <source>Add a recorded run to compare: the output folder of `run`</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir una ejecución grabada para comparar: la carpeta de salida de `run`</translation>
     </message>
     <message>
         <source>Show this run at the same time step</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar esta ejecución en el mismo paso</translation>
     </message>
     <message>
         <source>Remove this run from the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar esta ejecución de la lista</translation>
     </message>
     <message>
         <source>Show up to four compared runs beside the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar hasta cuatro ejecuciones comparadas junto al mapa</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecuciones</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución</translation>
     </message>
     <message>
         <source>Branched at</source>
-        <translation type="unfinished"></translation>
+        <translation>Ramificada en</translation>
     </message>
     <message>
         <source>Changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambios</translation>
     </message>
     <message>
         <source>Compare with a run folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar con una carpeta de ejecución</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>nada</translation>
     </message>
     <message>
         <source>Press F2 to rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulse F2 para cambiar el nombre</translation>
     </message>
     <message>
         <source>%1 (truncated)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (truncado)</translation>
     </message>
     <message>
         <source>Branch here…</source>
-        <translation type="unfinished"></translation>
+        <translation>Crear rama aquí…</translation>
     </message>
     <message>
         <source>Add a run…</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir ejecución…</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Lado a lado</translation>
     </message>
 </context>
 <context>
     <name>editor::ScenarioDocument</name>
     <message>
         <source>Change map</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el mapa</translation>
     </message>
     <message>
         <source>Keep the tree file of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar el archivo de árbol de %1</translation>
     </message>
     <message>
         <source>Use the generated tree of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar el árbol generado de %1</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin título</translation>
     </message>
 </context>
 <context>
     <name>editor::ScenarioPanel</name>
     <message>
         <source>Show on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar en el mapa</translation>
     </message>
     <message>
         <source>Centre the map on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Centrar el mapa en él</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar</translation>
     </message>
     <message>
         <source>Duplicate the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar la selección</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar</translation>
     </message>
     <message>
         <source>Remove the selection; routes are updated</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar la selección; las rutas se actualizan</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el nombre</translation>
     </message>
     <message>
         <source>Change the number of the goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el número del objetivo</translation>
     </message>
     <message>
         <source>Rename it; references are updated</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar su nombre; las referencias se actualizan</translation>
     </message>
     <message>
         <source>Switch off</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactivar</translation>
     </message>
     <message>
         <source>Switch on</source>
-        <translation type="unfinished"></translation>
+        <translation>Activar</translation>
     </message>
     <message>
         <source>Keep it in the file, but not in the simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservarlo en el archivo, pero no en la simulación</translation>
     </message>
     <message>
         <source>Include it in the simulation again</source>
-        <translation type="unfinished"></translation>
+        <translation>Incluirlo de nuevo en la simulación</translation>
     </message>
     <message>
         <source>Select all of this kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar todos los de este tipo</translation>
     </message>
     <message>
         <source>Select everything of this kind to change it together</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar todo lo de este tipo para cambiarlo a la vez</translation>
     </message>
     <message>
         <source>Behaviour</source>
-        <translation type="unfinished"></translation>
+        <translation>Comportamiento</translation>
     </message>
     <message>
         <source>Assign goals…</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar objetivos…</translation>
     </message>
     <message>
         <source>Choose the goals that people visit, and their order</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir los objetivos que visitan las personas, y su orden</translation>
     </message>
     <message>
         <source>Walk as a group</source>
-        <translation type="unfinished"></translation>
+        <translation>Caminar en grupo</translation>
     </message>
     <message>
         <source>Make these people walk together as a group</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer que estas personas caminen juntas como grupo</translation>
     </message>
     <message>
         <source>A group needs two or more people: select more</source>
-        <translation type="unfinished"></translation>
+        <translation>Un grupo necesita dos o más personas: seleccione más</translation>
     </message>
     <message>
         <source>Walk alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Caminar por separado</translation>
     </message>
     <message>
         <source>Leave the group</source>
-        <translation type="unfinished"></translation>
+        <translation>Salir del grupo</translation>
     </message>
     <message>
         <source>This person is in no group</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta persona no está en ningún grupo</translation>
     </message>
     <message>
         <source>None of these people is in a group</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna de estas personas está en un grupo</translation>
     </message>
     <message>
         <source>Filter people, goals, areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtrar personas, objetivos, áreas</translation>
     </message>
     <message>
         <source>Filter</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtro</translation>
     </message>
     <message>
         <source>Nothing on the map yet.
 Press P and click to place a person.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay nada en el mapa.
+Pulse P y haga clic para colocar una persona.</translation>
     </message>
 </context>
 <context>
     <name>editor::ScrubActions</name>
     <message>
         <source>&amp;Previous contact</source>
-        <translation type="unfinished"></translation>
+        <translation>Contacto &amp;anterior</translation>
     </message>
     <message>
         <source>Show the previous contact</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el contacto anterior</translation>
     </message>
     <message>
         <source>Ne&amp;xt contact</source>
-        <translation type="unfinished"></translation>
+        <translation>Contacto &amp;siguiente</translation>
     </message>
     <message>
         <source>Show the next contact</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el contacto siguiente</translation>
     </message>
     <message>
         <source>Loop a section</source>
-        <translation type="unfinished"></translation>
+        <translation>Repetir una sección</translation>
     </message>
     <message>
         <source>Repeat from A to B; drag the marks on the timeline, or Shift+drag a new section</source>
-        <translation type="unfinished"></translation>
+        <translation>Repetir de A a B; arrastre las marcas de la línea de tiempo, o Mayús+arrastrar para una sección nueva</translation>
     </message>
     <message>
         <source>&amp;Onion skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Pa&amp;pel cebolla</translation>
     </message>
     <message>
         <source>Positions of all people 1, 2 and 3 s before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones de todas las personas 1, 2 y 3 s antes y después</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Set the time span of trails in a run</source>
-        <translation type="unfinished"></translation>
+        <translation>Fijar la duración de las estelas en una ejecución</translation>
     </message>
     <message>
         <source>Start a run first: Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Inicie antes una ejecución: Espacio</translation>
     </message>
     <message>
         <source>No contact before the displayed step</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún contacto antes del paso mostrado</translation>
     </message>
     <message>
         <source>No contact after the displayed step</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún contacto después del paso mostrado</translation>
     </message>
 </context>
 <context>
     <name>editor::SearchField</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar</translation>
     </message>
 </context>
 <context>
     <name>editor::SelectTool</name>
     <message>
         <source>The robot follows until you release the button</source>
-        <translation type="unfinished"></translation>
+        <translation>El robot le sigue hasta que suelte el botón</translation>
     </message>
     <message>
         <source>Release to branch with the person here</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelte para crear una rama con la persona aquí</translation>
     </message>
     <message>
         <source>Drag an arrow: a longer arrow pushes harder · Esc cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre una flecha: una flecha más larga empuja más fuerte · Esc cancela</translation>
     </message>
     <message>
         <source>Click a person for details · Drag a person to branch with another position · Space resumes</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic en una persona para ver detalles · Arrastre una persona para crear una rama con otra posición · Espacio continúa</translation>
     </message>
     <message>
         <source>Click a person for details · Shift+drag to push · Drag a robot to lead it · Space pauses</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic en una persona para ver detalles · Mayús+arrastrar para empujar · Arrastre un robot para guiarlo · Espacio pausa</translation>
     </message>
     <message>
         <source>Click a person for details · Space pauses</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic en una persona para ver detalles · Espacio pausa</translation>
     </message>
     <message>
         <source>Click to select · Drag over empty space to select several</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic para seleccionar · Arrastre sobre un espacio vacío para seleccionar varios</translation>
     </message>
     <message>
         <source>Drag to move</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre para mover</translation>
     </message>
     <message>
         <source>Drag the round handle to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre el tirador redondo para girar</translation>
     </message>
     <message>
         <source>Drag a corner to resize</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre una esquina para cambiar el tamaño</translation>
     </message>
     <message>
         <source>Double-click an edge to add a corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Doble clic en un lado para añadir un vértice</translation>
     </message>
     <message>
         <source>Ctrl+D duplicates</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+D duplica</translation>
     </message>
     <message>
         <source>Del removes</source>
-        <translation type="unfinished"></translation>
+        <translation>Supr quita</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %1</translation>
     </message>
     <message>
         <source>Remove corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar vértice</translation>
     </message>
     <message>
         <source>Add corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir vértice</translation>
     </message>
     <message>
         <source>radius %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>radio %1 m</translation>
     </message>
 </context>
 <context>
     <name>editor::SettingsPage</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución</translation>
     </message>
     <message>
         <source>No (default)</source>
-        <translation type="unfinished"></translation>
+        <translation>No (predeterminado)</translation>
     </message>
     <message>
         <source>With people</source>
-        <translation type="unfinished"></translation>
+        <translation>Con personas</translation>
     </message>
     <message>
         <source>With anything</source>
-        <translation type="unfinished"></translation>
+        <translation>Con cualquier cosa</translation>
     </message>
     <message>
         <source>steps</source>
-        <translation type="unfinished"></translation>
+        <translation>pasos</translation>
     </message>
     <message>
         <source>step</source>
-        <translation type="unfinished"></translation>
+        <translation>paso</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas</translation>
     </message>
     <message>
         <source>sfm (default)</source>
-        <translation type="unfinished"></translation>
+        <translation>sfm (predeterminado)</translation>
     </message>
     <message>
         <source>Around walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Rodeando paredes</translation>
     </message>
     <message>
         <source>Straight, as in HuNavSim</source>
-        <translation type="unfinished"></translation>
+        <translation>Recto, como en HuNavSim</translation>
     </message>
     <message>
         <source>Nearest wall points</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos de pared más cercanos</translation>
     </message>
     <message>
         <source>Rays, like a lidar</source>
-        <translation type="unfinished"></translation>
+        <translation>Rayos, como un lidar</translation>
     </message>
     <message>
         <source>Start over when done</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a empezar al terminar</translation>
     </message>
     <message>
         <source>no wrapping</source>
-        <translation type="unfinished"></translation>
+        <translation>sin envolver</translation>
     </message>
     <message>
         <source>Two x values in metres, ascending, separated by a comma</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos valores x en metros, ascendentes, separados por una coma</translation>
     </message>
     <message>
         <source>Variation between seeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Variación entre semillas</translation>
     </message>
     <message>
         <source>None (default)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna (predeterminada)</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro</translation>
     </message>
     <message>
         <source>Strong</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerte</translation>
     </message>
     <message>
         <source>Varied quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnitudes variadas</translation>
     </message>
     <message>
         <source>not varied</source>
-        <translation type="unfinished"></translation>
+        <translation>no se varía</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>normal</translation>
     </message>
     <message>
         <source>uniform</source>
-        <translation type="unfinished"></translation>
+        <translation>uniforme</translation>
     </message>
     <message>
         <source>as above</source>
-        <translation type="unfinished"></translation>
+        <translation>como arriba</translation>
     </message>
     <message>
         <source>Card</source>
-        <translation type="unfinished"></translation>
+        <translation>Ficha</translation>
     </message>
     <message>
         <source>Easy</source>
-        <translation type="unfinished"></translation>
+        <translation>Fácil</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal</translation>
     </message>
     <message>
         <source>Hard</source>
-        <translation type="unfinished"></translation>
+        <translation>Difícil</translation>
     </message>
     <message>
         <source>not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>no se indica</translation>
     </message>
     <message>
         <source>Model parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros del modelo</translation>
     </message>
     <message>
         <source>Parameters that are unknown to the model or not numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros que el modelo no conoce o que no son números</translation>
     </message>
     <message>
         <source>Measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Medición</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>inicio</translation>
     </message>
     <message>
         <source>end</source>
-        <translation type="unfinished"></translation>
+        <translation>fin</translation>
     </message>
     <message>
         <source>all metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>todas las métricas</translation>
     </message>
     <message>
         <source>defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>valores predeterminados</translation>
     </message>
     <message>
         <source>Simulator and map</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulador y mapa</translation>
     </message>
     <message>
         <source>not specified</source>
-        <translation type="unfinished"></translation>
+        <translation>sin especificar</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>Worlds</source>
-        <translation type="unfinished"></translation>
+        <translation>Mundos</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>automático</translation>
     </message>
     <message>
         <source>humble (default)</source>
-        <translation type="unfinished"></translation>
+        <translation>humble (predeterminado)</translation>
     </message>
     <message>
         <source>Publish people</source>
-        <translation type="unfinished"></translation>
+        <translation>Publicar personas</translation>
     </message>
 </context>
 <context>
     <name>editor::SimulationRunner</name>
     <message>
         <source>Branch %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rama %1</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución</translation>
     </message>
     <message>
         <source>Recorded run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecución grabada</translation>
     </message>
 </context>
 <context>
     <name>editor::TextViewer</name>
     <message>
         <source>Text of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Texto del archivo</translation>
     </message>
     <message>
         <source>Open with…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir con…</translation>
     </message>
     <message>
         <source>Open the file with the default application</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el archivo con la aplicación predeterminada</translation>
     </message>
     <message>
         <source>%1 is too long to display</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es demasiado largo para mostrarlo</translation>
     </message>
     <message>
         <source>%1, line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, línea %2</translation>
     </message>
     <message>
         <source>No application is available to open %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay ninguna aplicación para abrir %1</translation>
     </message>
 </context>
 <context>
     <name>editor::TimelineBar</name>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea de tiempo</translation>
     </message>
     <message>
         <source>No longer stored: the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>Ya no se conserva: el disco está lleno</translation>
     </message>
 </context>
 <context>
     <name>editor::ToolManager</name>
     <message>
         <source>Not during a run: Ctrl+R returns to editing</source>
-        <translation type="unfinished"></translation>
+        <translation>No durante una ejecución: Ctrl+R vuelve a la edición</translation>
     </message>
 </context>
 <context>
     <name>editor::ToolOptionsBar</name>
     <message>
         <source>Tool options</source>
-        <translation type="unfinished"></translation>
+        <translation>Opciones de la herramienta</translation>
     </message>
 </context>
 <context>
     <name>editor::TreeCanvas</name>
     <message>
         <source>Behaviour tree as a graph</source>
-        <translation type="unfinished"></translation>
+        <translation>Árbol de comportamiento como grafo</translation>
     </message>
     <message>
         <source>Unknown node type; it is kept unchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo de nodo desconocido; se conserva sin cambios.</translation>
     </message>
     <message>
         <source>In an included file: read-only here</source>
-        <translation type="unfinished"></translation>
+        <translation>En un archivo incluido: aquí es de solo lectura</translation>
     </message>
 </context>
 <context>
     <name>editor::TreeEditor</name>
     <message>
         <source>Name of the node</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del nodo</translation>
     </message>
     <message>
         <source>Tree of</source>
-        <translation type="unfinished"></translation>
+        <translation>Árbol de</translation>
     </message>
     <message>
         <source>Person whose tree is shown; you can also select a person on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Persona cuyo árbol se muestra; también puede seleccionar una persona en el mapa</translation>
     </message>
     <message>
         <source>Apply edits to all people with the same tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar los cambios a todas las personas con el mismo árbol</translation>
     </message>
     <message>
         <source>Assign to…</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar a…</translation>
     </message>
     <message>
         <source>Assign the same tree to other people</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar el mismo árbol a otras personas</translation>
     </message>
     <message>
         <source>New tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Árbol nuevo</translation>
     </message>
     <message>
         <source>Start a new tree with an empty Sequence as its root</source>
-        <translation type="unfinished"></translation>
+        <translation>Empezar un árbol nuevo con un Sequence vacío como raíz</translation>
     </message>
     <message>
         <source>Left to right</source>
-        <translation type="unfinished"></translation>
+        <translation>De izquierda a derecha</translation>
     </message>
     <message>
         <source>Place the root on the left or at the top</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner la raíz a la izquierda o arriba</translation>
     </message>
     <message>
         <source>Use node positions of the file or automatic layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar las posiciones del archivo o una disposición automática</translation>
     </message>
     <message>
         <source>Expand all</source>
-        <translation type="unfinished"></translation>
+        <translation>Desplegar todo</translation>
     </message>
     <message>
         <source>Show all nodes or only the branches</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar todos los nodos o solo las ramas</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Encuadrar</translation>
     </message>
     <message>
         <source>Fit the whole tree in the window (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Encuadrar todo el árbol en la ventana (F)</translation>
     </message>
     <message>
         <source>Layout: automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposición: automática</translation>
     </message>
     <message>
         <source>Layout: from file</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposición: del archivo</translation>
     </message>
     <message>
         <source>Top down</source>
-        <translation type="unfinished"></translation>
+        <translation>De arriba abajo</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>En el tiempo</translation>
     </message>
     <message>
         <source>What each node returned in the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que devolvió cada nodo en la ejecución</translation>
     </message>
     <message>
         <source>Running</source>
-        <translation type="unfinished"></translation>
+        <translation>En ejecución</translation>
     </message>
     <message>
         <source>The nodes that are running at the displayed step</source>
-        <translation type="unfinished"></translation>
+        <translation>Los nodos que se ejecutan en el paso mostrado</translation>
     </message>
     <message>
         <source>XML</source>
-        <translation type="unfinished"></translation>
+        <translation>XML</translation>
     </message>
     <message>
         <source>Edit the XML file of the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar el archivo XML del árbol</translation>
     </message>
     <message>
         <source>Blackboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Pizarra</translation>
     </message>
     <message>
         <source>Blackboard of the person&apos;s tree at the displayed step</source>
-        <translation type="unfinished"></translation>
+        <translation>Pizarra del árbol de la persona en el paso mostrado</translation>
     </message>
     <message>
         <source>Collapse</source>
-        <translation type="unfinished"></translation>
+        <translation>Plegar</translation>
     </message>
     <message>
         <source>Nothing was picked</source>
-        <translation type="unfinished"></translation>
+        <translation>No se eligió nada</translation>
     </message>
     <message>
         <source>Edits change %1 people</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios afectan a %1 personas</translation>
     </message>
     <message>
         <source>Edits change only this person</source>
-        <translation type="unfinished"></translation>
+        <translation>Los cambios solo afectan a esta persona</translation>
     </message>
     <message>
         <source>Edit the XML of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar el XML de %1</translation>
     </message>
     <message>
         <source>No people yet: press P and click on the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no hay personas: pulse P y haga clic en el mapa.</translation>
     </message>
     <message>
         <source>The node is in an included file, which cannot be edited here</source>
-        <translation type="unfinished"></translation>
+        <translation>El nodo está en un archivo incluido, que no se puede editar aquí</translation>
     </message>
     <message>
         <source>Select a node first</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione antes un nodo</translation>
     </message>
     <message>
         <source>%1 nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nodos</translation>
     </message>
     <message>
         <source>Wrap %2 in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Envolver %2 en %1</translation>
     </message>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir %1</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover %1</translation>
     </message>
     <message>
         <source>Remove %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar %1</translation>
     </message>
     <message>
         <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar %1</translation>
     </message>
     <message>
         <source>%1 is copied as XML</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se ha copiado como XML</translation>
     </message>
     <message>
         <source>%1 are copied as XML</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se han copiado como XML</translation>
     </message>
     <message>
         <source>Cut %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cortar %1</translation>
     </message>
     <message>
         <source>The clipboard contains no node: copy a node or its XML first</source>
-        <translation type="unfinished"></translation>
+        <translation>El portapapeles no contiene ningún nodo: copie antes un nodo o su XML</translation>
     </message>
     <message>
         <source>Wrap %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Envolver %1 en %2</translation>
     </message>
     <message>
         <source>Replace %1 with %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Reemplazar %1 por %2</translation>
     </message>
     <message>
         <source>Remove %1, keep children</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar %1, conservar hijos</translation>
     </message>
     <message>
         <source>Extract %1 as subtree</source>
-        <translation type="unfinished"></translation>
+        <translation>Extraer %1 como subárbol</translation>
     </message>
     <message>
         <source>Inline subtree %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Integrar el subárbol %1</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el nombre de %1</translation>
     </message>
     <message>
         <source>Edit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar %1</translation>
     </message>
     <message>
         <source>Type the name of a node: Enter adds it below the selected one</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba el nombre de un nodo: Intro lo añade bajo el seleccionado</translation>
     </message>
     <message>
         <source>Click the goal on the map, or in the scenario list</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en el objetivo en el mapa, o en la lista del escenario</translation>
     </message>
     <message>
         <source>Click the person on the map, or in the scenario list</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en la persona en el mapa, o en la lista del escenario</translation>
     </message>
     <message>
         <source>Change %2 of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar %2 de %1</translation>
     </message>
     <message>
         <source>Regenerate the tree of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Regenerar el árbol de %1</translation>
     </message>
     <message>
         <source>Assign the tree of %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar el árbol de %1 a %2</translation>
     </message>
     <message>
         <source>No other person</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna otra persona</translation>
     </message>
     <message>
         <source>Pick %1 on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir %1 en el mapa</translation>
     </message>
     <message>
         <source>Wrap in</source>
-        <translation type="unfinished"></translation>
+        <translation>Envolver en</translation>
     </message>
     <message>
         <source>Duplicate	Ctrl+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar	Ctrl+D</translation>
     </message>
     <message>
         <source>Cut	Ctrl+X</source>
-        <translation type="unfinished"></translation>
+        <translation>Cortar	Ctrl+X</translation>
     </message>
     <message>
         <source>Copy as XML	Ctrl+C</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar como XML	Ctrl+C</translation>
     </message>
     <message>
         <source>Delete	Del</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar	Supr</translation>
     </message>
     <message>
         <source>Paste	Ctrl+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegar	Ctrl+V</translation>
     </message>
     <message>
         <source>Fit	F</source>
-        <translation type="unfinished"></translation>
+        <translation>Encuadrar	F</translation>
     </message>
     <message>
         <source>Save picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar imagen…</translation>
     </message>
     <message>
         <source>Replace with</source>
-        <translation type="unfinished"></translation>
+        <translation>Reemplazar por</translation>
     </message>
     <message>
         <source>Remove, keep children</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar, conservar hijos</translation>
     </message>
     <message>
         <source>Inline subtree</source>
-        <translation type="unfinished"></translation>
+        <translation>Integrar subárbol</translation>
     </message>
     <message>
         <source>Extract as subtree</source>
-        <translation type="unfinished"></translation>
+        <translation>Extraer como subárbol</translation>
     </message>
     <message>
         <source>Edit ports	Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar puertos	Intro</translation>
     </message>
     <message>
         <source>Add a node…	Ins</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un nodo…	Ins</translation>
     </message>
     <message>
         <source>Rename	F2</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar nombre	F2</translation>
     </message>
     <message>
         <source>Earlier	Alt+Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Antes	Alt+Izquierda</translation>
     </message>
     <message>
         <source>Later	Alt+Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Después	Alt+Derecha</translation>
     </message>
     <message>
         <source>Expand	+</source>
-        <translation type="unfinished"></translation>
+        <translation>Desplegar	+</translation>
     </message>
     <message>
         <source>Collapse	-</source>
-        <translation type="unfinished"></translation>
+        <translation>Plegar	-</translation>
     </message>
 </context>
 <context>
     <name>editor::TreeHistory</name>
     <message>
         <source>What the nodes returned over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que devolvieron los nodos en el tiempo</translation>
     </message>
     <message>
         <source>The run used another tree: run it again to see its nodes here.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ejecución usó otro árbol: ejecútela de nuevo para ver aquí sus nodos.</translation>
     </message>
     <message>
         <source>Run the scenario to see what each node returns over time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejecute el escenario para ver lo que devuelve cada nodo en el tiempo.</translation>
     </message>
 </context>
 <context>
     <name>editor::TreeOutline</name>
     <message>
         <source>Behaviour tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Árbol de comportamiento</translation>
     </message>
 </context>
 <context>
     <name>editor::TreeText</name>
     <message>
         <source>XML of the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>XML del árbol</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar</translation>
     </message>
     <message>
         <source>Discard the edit and show the current tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar la edición y mostrar el árbol actual</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea %1: %2</translation>
     </message>
 </context>
 <context>
     <name>editor::ValueForm</name>
     <message>
         <source>Read %1 from a blackboard entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer %1 de una entrada de la pizarra</translation>
     </message>
     <message>
         <source>Enter %1 as a number</source>
-        <translation type="unfinished"></translation>
+        <translation>Introducir %1 como número</translation>
     </message>
 </context>
 <context>
     <name>editor::WallTool</name>
     <message>
         <source>Drag a wall, or click its corners one by one · Shift: 15° steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre una pared, o haga clic en sus vértices uno a uno · Mayús: pasos de 15°</translation>
     </message>
     <message>
         <source>At least two corners are required</source>
-        <translation type="unfinished"></translation>
+        <translation>Se necesitan al menos dos vértices</translation>
     </message>
     <message>
         <source>Too short</source>
-        <translation type="unfinished"></translation>
+        <translation>Demasiado corta</translation>
     </message>
 </context>
 </TS>

@@ -284,10 +284,10 @@ struct BreakCondition {
   std::optional<NodeStatus> status;
 };
 constexpr BreakCondition kBreakConditions[] = {
-    {QT_TRANSLATE_NOOP("QObject", "is ticked"), std::nullopt},
-    {QT_TRANSLATE_NOOP("QObject", "runs"), NodeStatus::Running},
-    {QT_TRANSLATE_NOOP("QObject", "succeeds"), NodeStatus::Success},
-    {QT_TRANSLATE_NOOP("QObject", "fails"), NodeStatus::Failure}};
+    {QT_TRANSLATE_NOOP("Breakpoint", "is ticked"), std::nullopt},
+    {QT_TRANSLATE_NOOP("Breakpoint", "runs"), NodeStatus::Running},
+    {QT_TRANSLATE_NOOP("Breakpoint", "succeeds"), NodeStatus::Success},
+    {QT_TRANSLATE_NOOP("Breakpoint", "fails"), NodeStatus::Failure}};
 
 void addBreakpoint(SimulationRunner& runner, const TreeBreakpoint& point) {
   std::vector<TreeBreakpoint> points = runner.breakpoints();
@@ -324,8 +324,9 @@ void askForCondition(SimulationRunner& runner, const TreeBreakpoint& point, QWid
 
 QString breakpointText(const TreeBreakpoint& point) {
   const auto* const way = base::findBy(kBreakConditions, &BreakCondition::status, point.status);
-  QString words =
-      QObject::tr("when it %1").arg(QObject::tr(way == nullptr ? "is skipped" : way->words));
+  QString words = QObject::tr("when it %1")
+                      .arg(way == nullptr ? QCoreApplication::translate("Breakpoint", "is skipped")
+                                          : QCoreApplication::translate("Breakpoint", way->words));
   if (!point.person) {
     words += QObject::tr(", for any person");
   }
@@ -340,8 +341,9 @@ void fillBreakpointMenu(QMenu& menu, SimulationRunner& runner, const std::string
   const auto offer = [&](QMenu& to, std::optional<int> whose) {
     for (const BreakCondition& way : kBreakConditions) {
       const TreeBreakpoint point{whose, path, way.status, {}};
-      QAction* action = to.addAction(QObject::tr("It %1").arg(QObject::tr(way.words)), &menu,
-                                     [&runner, point] { addBreakpoint(runner, point); });
+      QAction* action = to.addAction(
+          QObject::tr("It %1").arg(QCoreApplication::translate("Breakpoint", way.words)), &menu,
+          [&runner, point] { addBreakpoint(runner, point); });
       const auto& all = runner.breakpoints();
       action->setEnabled(std::find(all.begin(), all.end(), point) == all.end());
     }
