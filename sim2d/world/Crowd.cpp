@@ -1,6 +1,8 @@
 #include "sim2d/world/Crowd.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "sim2d/world/StepBuffers.h"
 
@@ -10,10 +12,23 @@ namespace {
 constexpr double kMinDisc = 0.2;         // [m]; below this, stepping along the line is too slow
 constexpr std::size_t kSmallCrowd = 64;  // up to here all pairs are used, in double
 constexpr std::size_t kLookSlice = 128;  // people per work slice
+constexpr double kFirstReach = 3.0;      // [m]; of the search for the nearest people
 
 Vec2 facingDirection(const Vec2& velocity, double heading) {
   const double speed = velocity.norm();
   return speed < kMinHeadingSpeed ? base::directionOf(heading) : Vec2(velocity / speed);
+}
+
+struct NearPerson {
+  double squaredDistance = 0.0;  // [m²]
+  int id = 0;
+  std::size_t index = 0;
+};
+
+/// The top of a heap is the nearest person, of equally near ones the one with the lower id.
+bool isFarther(const NearPerson& a, const NearPerson& b) {
+  return b.squaredDistance < a.squaredDistance ||
+         (b.squaredDistance == a.squaredDistance && b.id < a.id);
 }
 
 /// Desired motion of a robot: its current velocity; a robot that stands has no goal.
@@ -213,26 +228,67 @@ void Crowd::addPerson(std::size_t other, Situation& situation) const {
   }
 }
 
-void Crowd::addOthers(std::size_t human, Situation& situation) const {
+template <class Visit>
+void Crowd::forEachOther(std::size_t human, double range, const Visit& visit) const {
   if (isSmall()) {
     for (std::size_t i = 0; i < walkers_.size(); ++i) {
       if (i != human && world_->state.present[i] != 0) {
-        addPerson(i, situation);
+        visit(i);
       }
     }
     return;
   }
-  const double range = traits_[human].model->range(all_.fastest, situation.self.velocity.norm());
+  const Vec2& place = walkers_[human].position;
   const PeriodicCorridor& ring = world_->model.ring;
-  ring.forEachImage(situation.self.position, [&](const Vec2& centre) {
+  ring.forEachImage(place, [&](const Vec2& centre) {
     world_->grid.forEachNear(centre, range, [&](int other) {
       const auto at = static_cast<std::size_t>(other);
-      if (at != human &&
-          ring.isNearestImage(walkers_[at].position, situation.self.position, centre)) {
-        addPerson(at, situation);
+      if (at != human && ring.isNearestImage(walkers_[at].position, place, centre)) {
+        visit(at);
       }
     });
   });
+}
+
+void Crowd::addOthers(std::size_t human, Situation& situation) const {
+  const PedestrianModel& model = *traits_[human].model;
+  const double range = model.range(all_.fastest, situation.self.velocity.norm());
+  if (const std::optional<std::size_t> count = model.maxNeighbors()) {
+    addNearest(human, *count, range, situation);
+    return;
+  }
+  forEachOther(human, range, [&](std::size_t other) { addPerson(other, situation); });
+}
+
+void Crowd::addNearest(std::size_t human, std::size_t count, double range,
+                       Situation& situation) const {
+  thread_local std::vector<NearPerson> near;
+  const Vec2& place = situation.self.position;
+  const bool isComplete = isSmall() || world_->model.ring.isClosed();
+  for (double reach = isComplete ? range : std::min(range, kFirstReach);;
+       reach = std::min(range, 2.0 * reach)) {
+    near.clear();
+    forEachOther(human, reach, [&](std::size_t other) {
+      const Walker image = imageOf(walkers_[other], situation.self);
+      const double squared = (image.position - place).squaredNorm();
+      if (squared < range * range) {
+        near.push_back({squared, image.id, other});
+      }
+    });
+    std::make_heap(near.begin(), near.end(), isFarther);
+    situation.others.clear();
+    situation.desiredMotions.clear();
+    for (auto end = near.end(); end != near.begin() && situation.others.size() < count; --end) {
+      std::pop_heap(near.begin(), end, isFarther);
+      const std::size_t other = std::prev(end)->index;
+      if (isVisible(human, imageOf(walkers_[other], situation.self).position)) {
+        addPerson(other, situation);
+      }
+    }
+    if (situation.others.size() == count || reach >= range) {
+      return;
+    }
+  }
 }
 
 void Crowd::addRobots(RobotTreatment treatment, Situation& situation) const {

@@ -80,6 +80,11 @@ class Crowd {
   /// tested.
   bool sees(std::size_t self, std::size_t other) const;
   void addOthers(std::size_t human, Situation& situation) const;
+  /// Adds the nearest visible people within `range` [m].
+  void addNearest(std::size_t human, std::size_t count, double range, Situation& situation) const;
+  /// Calls visit(index) for the others within `range` [m], in a small crowd for all.
+  template <class Visit>
+  void forEachOther(std::size_t human, double range, const Visit& visit) const;
   void addPerson(std::size_t other, Situation& situation) const;
   void addRobots(RobotTreatment treatment, Situation& situation) const;
   void addGroup(std::size_t human, Situation& situation) const;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Ranges.h"
@@ -64,6 +63,7 @@ class Orca : public PedestrianModel {
     return velocityAfterForces(situation, forces, situation.dt);
   }
 
+  std::optional<std::size_t> maxNeighbors() const override { return kMaxNeighbors; }
   double range(double /*fastest*/, double /*ownSpeed*/) const override { return parameters_.range; }
 
  private:
@@ -104,49 +104,38 @@ class Orca : public PedestrianModel {
     }
   }
 
-  /// The nearest visible neighbours, nearest first; of equally near ones the lower id.
+  /// Of people and robots together the nearest visible ones.
   void addPlanesOfOthers(const Situation& situation, std::vector<HalfPlane>& planes) const {
-    std::vector<Candidate>& near = candidatesWithin(situation, parameters_.range);
-    std::size_t count = 0;
-    for (auto end = near.end(); end != near.begin() && count < kMaxNeighbors; --end) {
-      std::pop_heap(near.begin(), end, isFarther);
-      const std::size_t i = std::prev(end)->index;
+    const Vec2& place = situation.self.position;
+    thread_local std::vector<Candidate> near;
+    near.clear();
+    for (std::size_t i = 0; i < situation.others.size(); ++i) {
       const Walker& other = situation.others[i];
-      if ((*situation.isVisible)(situation.self.position, other.position)) {
-        const double share = i >= situation.firstRobot ? kRobotShare : kPersonShare;
-        planes.push_back(
-            bodyHalfPlane(situation.self, other, parameters_.horizon, situation.dt, share));
-        ++count;
+      const double squared = (other.position - place).squaredNorm();
+      const bool isRobot = i >= situation.firstRobot;
+      if (squared < parameters_.range * parameters_.range &&
+          (!isRobot || (*situation.isVisible)(place, other.position))) {
+        near.push_back({squared, other.id, &other, isRobot ? kRobotShare : kPersonShare});
       }
+    }
+    std::sort(near.begin(), near.end());
+    near.resize(std::min(near.size(), kMaxNeighbors));
+    for (const Candidate& other : near) {
+      planes.push_back(bodyHalfPlane(situation.self, *other.body, parameters_.horizon, situation.dt,
+                                     other.share));
     }
   }
 
   struct Candidate {
     double squaredDistance = 0.0;  // [m²]
     int id = 0;
-    std::size_t index = 0;  // in Situation::others
-  };
-
-  static bool isFarther(const Candidate& a, const Candidate& b) {
-    return b.squaredDistance < a.squaredDistance ||
-           (b.squaredDistance == a.squaredDistance && b.id < a.id);
-  }
-
-  /// A heap with the nearest candidate on top: few of the many candidates are taken from it, so
-  /// they need not be sorted. Valid until the next call.
-  static std::vector<Candidate>& candidatesWithin(const Situation& situation, double range) {
-    thread_local std::vector<Candidate> near;
-    near.clear();
-    for (std::size_t i = 0; i < situation.others.size(); ++i) {
-      const Walker& other = situation.others[i];
-      const double squared = (other.position - situation.self.position).squaredNorm();
-      if (squared < range * range) {
-        near.push_back({squared, other.id, i});
-      }
+    const Walker* body = nullptr;
+    double share = kPersonShare;
+    bool operator<(const Candidate& other) const {
+      return squaredDistance < other.squaredDistance ||
+             (squaredDistance == other.squaredDistance && id < other.id);
     }
-    std::make_heap(near.begin(), near.end(), isFarther);
-    return near;
-  }
+  };
 
   OrcaParameters parameters_;
 };

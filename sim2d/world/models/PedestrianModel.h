@@ -20,7 +20,9 @@ struct Situation {
   /// Time over which forces act in this step [s]. Half of dt when a person starts or begins to
   /// brake: velocities belong to the middle of steps, so that positions do not depend on dt.
   double forceTime = 0.05;
-  /// People, and from `firstRobot` on robots, without those treated as obstacles.
+  /// People, and from `firstRobot` on robots, without those treated as obstacles. With
+  /// `maxNeighbors` of the model the people are the nearest visible ones within its range, nearest
+  /// first, of equally near ones the lower id.
   std::vector<Walker> others;
   std::size_t firstRobot = 0;
   /// Social force of all people, if it was computed for the whole crowd; then `others` contains
@@ -83,6 +85,8 @@ class PedestrianModel {
   virtual std::optional<double> bodyRadiusOverride(const ResolvedHuman& /*person*/) const {
     return {};
   }
+  /// The number of people that matter: the nearest visible ones; none: all within the range.
+  virtual std::optional<std::size_t> maxNeighbors() const { return {}; }
   /// Interaction range [m].
   virtual double range(double fastest, double ownSpeed) const = 0;
 };
