@@ -5,11 +5,12 @@
 #include <set>
 #include <utility>
 
+#include "app/report/Methods.h"
+#include "app/report/PageParts.h"
 #include "app/report/PlayerPage.h"
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
 #include "app/report/Verdict.h"
-#include "app/run/DataPaths.h"
 #include "app/run/ResultRow.h"
 #include "sim2d/base/Find.h"
 #include "sim2d/base/Text.h"
@@ -18,54 +19,18 @@ namespace report {
 
 namespace {
 
-/// The seeds: "1 to 20", or a list.
-std::string seedsText(const Study& study) {
-  std::set<long long> seeds;
-  for (const Results::Run& run : study.results.runs) {
-    seeds.insert(run.seed);
-  }
-  const long long span = *seeds.rbegin() - *seeds.begin() + 1;
-  if (seeds.size() > 2 && span == static_cast<long long>(seeds.size())) {
-    return std::to_string(*seeds.begin()) + " to " + std::to_string(*seeds.rbegin());
-  }
-  std::vector<std::string> words;
-  words.reserve(seeds.size());
-  for (const long long seed : seeds) {
-    words.push_back(std::to_string(seed));
-  }
-  return base::join(words, ", ");
-}
-
 /// The markup of the methods section: procedures with references, versions and inputs, and the
 /// commands. `blocks`: number of blocks; `tests`: number of paired tests over all cases; `command`:
 /// the command line of this report.
 std::string methodsMarkup(const Study& study, std::size_t blocks, std::size_t tests,
                           const std::vector<std::string>& command) {
-  std::string facts;
-  const auto fact = [&facts](const std::string& name, const std::string& value) {
-    if (!value.empty()) {
-      facts += element("dt", "", escaped(name)) +
-               element("dd", "", element("code", "", escaped(value))) + "\n";
-    }
-  };
-  fact("Batch created by", study.version.empty()
-                               ? std::string("unknown (no manifest)")
-                               : "hunavsim " + study.version + " " + study.commit);
-  fact("Report created by", "hunavsim " + app::programVersion() + " " + app::programCommit());
-  fact("results.csv", study.resultsHash);
-  for (const Study::Input& input : study.inputs) {
-    fact(input.path, input.sha256);
-  }
-  fact("Seeds", seedsText(study));
-  fact("Drawn per scenario and seed", base::join(study.drawn, ", "));
-  fact("Part of a study", study.shard.empty() ? "" : "shard " + study.shard);
   const std::string batch =
       study.inputs.empty() ? std::string() : shellText(study.batchCommand()) + "\n";
   return filled(kMethodsText, {{"level", levelText(study.level)},
                                {"resamples", std::to_string(study.resamples)},
                                {"blocks", std::to_string(blocks)},
                                {"tests", std::to_string(tests)},
-                               {"facts", facts},
+                               {"facts", factsMarkup(study)},
                                {"commands", escaped(batch + shellText(command))}});
 }
 
@@ -91,7 +56,7 @@ class PageBuilder {
       reportProgress(step.what);
       (this->*step.work)();
     }
-    return std::move(report_);
+    return std::move(parts_.report);
   }
 
  private:
@@ -113,13 +78,14 @@ class PageBuilder {
   void readRuns() {
     findFailures();
     pictures_ = readRunPictures(study_, failures_);
-    report_.problems = pictures_.problems;
+    parts_.report.problems = pictures_.problems;
     writeNotes();
   }
 
   void writePage() {
-    report_.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
-    report_.html = htmlPage(study_.title, head() + body_, hasPlayer_);
+    parts_.report.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
+    parts_.report.html = htmlPage(
+        study_.title, parts_.head(study_.title, leadText(), notes_) + parts_.body, hasPlayer_);
   }
 
   /// Finds the runs that ended with an error or without success.
@@ -138,32 +104,16 @@ class PageBuilder {
     }
   }
 
-  void section(const std::string& id, const std::string& title) {
-    sections_.emplace_back(id, title);
-    body_ += "<h2 id=\"" + id + "\">" + escaped(title) + "</h2>\n";
-  }
-
   /// A section with these figures; nothing without figures.
   void addSection(const char* id, const char* title,
                   const std::vector<std::optional<Figure>>& figures) {
     bool isBegun = false;
     for (const std::optional<Figure>& figure : figures) {
       if (figure && !std::exchange(isBegun, true)) {
-        section(id, title);
+        parts_.section(id, title);
       }
-      add(figure);
+      parts_.add(figure);
     }
-  }
-
-  std::string head() const {
-    std::string links;
-    for (const auto& [id, title] : sections_) {
-      links += "<a href=\"#" + id + "\">" + escaped(title) + "</a> ";
-    }
-    return filled(kStudyText, {{"title", escaped(study_.title)},
-                               {"lead", escaped(leadText())},
-                               {"notes", notes_},
-                               {"links", links}});
   }
 
   /// The sentence below the title.
@@ -179,23 +129,6 @@ class PageBuilder {
     return counted(study_.runCount(), "run") + " of " + counted(scenarios.size(), "scenario") +
            " with " + counted(seeds.size(), "seed") +
            (study_.options.size() > 1 ? ", " + compared : "") + ".";
-  }
-
-  void add(const std::optional<Figure>& figure) {
-    if (!figure) {
-      return;
-    }
-    report_.figures.push_back(*figure);
-    body_ += "<figure>\n" + figure->markup() + "<figcaption>" +
-             element("b", "", "Figure " + std::to_string(report_.figures.size()) + ".") + " " +
-             escaped(figure->caption) + "</figcaption>\n</figure>\n";
-  }
-  void add(const std::optional<Table>& table, const std::string& htmlClass = {}) {
-    if (!table) {
-      return;
-    }
-    report_.tables.push_back(*table);
-    body_ += tableHtml(*table, htmlClass);
   }
 
   void writeNotes() {
@@ -235,11 +168,11 @@ class PageBuilder {
   }
 
   void writeResults() {
-    section("results", "Results");
-    add(resultsTable(study_, comparisons_, weights_));
-    add(intervalsFigure(study_, comparisons_, true));
-    add(intervalsFigure(study_, comparisons_, false));
-    add(mediansTable(study_, comparisons_));
+    parts_.section("results", "Results");
+    parts_.add(resultsTable(study_, comparisons_, weights_));
+    parts_.add(intervalsFigure(study_, comparisons_, true));
+    parts_.add(intervalsFigure(study_, comparisons_, false));
+    parts_.add(mediansTable(study_, comparisons_));
   }
 
   void writeFigures() {
@@ -260,20 +193,20 @@ class PageBuilder {
     if (study_.options.size() < 2) {
       return;
     }
-    section("pairs", "Paired comparisons");
-    add(differencesFigure(study_, comparisons_));
+    parts_.section("pairs", "Paired comparisons");
+    parts_.add(differencesFigure(study_, comparisons_));
     const Table all = pairsTable(study_, comparisons_, true);
-    body_ += tableHtml(pairsTable(study_, comparisons_, false));
-    report_.tables.push_back(all);
+    parts_.body += tableHtml(pairsTable(study_, comparisons_, false));
+    parts_.report.tables.push_back(all);
     if (const auto byCase = casePairsTable(study_, comparisons_, false)) {
-      body_ += tableHtml(*byCase);
-      report_.tables.push_back(*casePairsTable(study_, comparisons_, true));
+      parts_.body += tableHtml(*byCase);
+      parts_.report.tables.push_back(*casePairsTable(study_, comparisons_, true));
     }
     const std::optional<Table> family = familyTable(study_, comparisons_);
     if (family) {
-      section("ranks", "Comparison of all options");
-      add(ranksFigure(study_, comparisons_));
-      add(family);
+      parts_.section("ranks", "Comparison of all options");
+      parts_.add(ranksFigure(study_, comparisons_));
+      parts_.add(family);
     }
   }
 
@@ -306,11 +239,11 @@ class PageBuilder {
     const bool isCut = failures_.size() > kMaxRows;
     std::vector<std::size_t> listed = failures_;
     listed.resize(std::min(listed.size(), kMaxRows));
-    section("failures", "Failures");
+    parts_.section("failures", "Failures");
     if (!hasSuccessMetric_ && failures_.empty()) {
-      body_ += paragraph("No run ended with an error; no metric measures success.");
+      parts_.body += paragraph("No run ended with an error; no metric measures success.");
     } else if (failures_.empty()) {
-      body_ += paragraph("Every run succeeded.");
+      parts_.body += paragraph("Every run succeeded.");
     } else {
       Table table = failuresTable(study_, listed, played);
       table.caption =
@@ -324,12 +257,12 @@ class PageBuilder {
                ? ""
                : " It lacks the options that the experiment sets for all runs (duration, dt …), "
                  "because the experiment file is missing or has changed.");
-      body_ += tableHtml(table, "failures");
-      report_.tables.push_back(failuresTable(study_, failures_, {}));
-      report_.tables.back().caption = "Runs without success.";
+      parts_.body += tableHtml(table, "failures");
+      parts_.report.tables.push_back(failuresTable(study_, failures_, {}));
+      parts_.report.tables.back().caption = "Runs without success.";
     }
     if (pictures_.kept == 0) {
-      body_ += paragraph(
+      parts_.body += paragraph(
           "No run folders were kept, so runs cannot be drawn or played here. To keep them, set "
           "record: all in the experiment, or record: unsuccessful to keep only runs without "
           "success.");
@@ -337,7 +270,8 @@ class PageBuilder {
     hasPlayer_ = !data.empty();
     if (hasPlayer_) {
       const std::string others = playedOthersText(pictures_, failures_);
-      body_ += (others.empty() ? "" : paragraph(others, " class=\"played\"")) + playerMarkup(data);
+      parts_.body +=
+          (others.empty() ? "" : paragraph(others, " class=\"played\"")) + playerMarkup(data);
     }
   }
 
@@ -347,8 +281,8 @@ class PageBuilder {
   }
 
   void writeMethods() {
-    section("methods", "Methods");
-    body_ += methodsMarkup(study_, blocks_.size(), testCounts(comparisons_).pairs, command_);
+    parts_.section("methods", "Methods");
+    parts_.body += methodsMarkup(study_, blocks_.size(), testCounts(comparisons_).pairs, command_);
   }
 
   const Study& study_;
@@ -359,9 +293,8 @@ class PageBuilder {
   Comparisons comparisons_;
   std::vector<std::size_t> failures_;
   RunPictures pictures_;
-  Report report_;
-  std::string notes_, body_;
-  std::vector<std::pair<std::string, std::string>> sections_;
+  PageParts parts_;
+  std::string notes_;
   bool hasSuccessMetric_ = false, hasPlayer_ = false;
 };
 
