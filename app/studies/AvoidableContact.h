@@ -64,7 +64,7 @@ struct AvoidableContact {
 
   /// Start of the uninterrupted sight of the other before the contact [s]; none: out of sight.
   /// Robot: range and field of its detector, no wall in between. Person: kPersonSight and
-  /// kPersonField. Gaps up to kSightGap do not interrupt it.
+  /// kPersonField. Gaps up to kSightGap, of people kPersonMemory, do not interrupt it.
   std::optional<double> robotSight, personSight;
   std::optional<AvoidingAction> robotAction, personAction;  // the last ones within `lookback`
   /// Whether braking to a standstill from `robotSight` on avoids it; none without sight.
@@ -78,6 +78,7 @@ struct AvoidableContact {
 constexpr double kPersonSight = 10.0;       // range [m]
 constexpr double kPersonField = base::kPi;  // full angle about the heading [rad]
 constexpr double kSightGap = 0.5;           // [s]
+constexpr double kPersonMemory = 3.0;       // [s]; people who evade turn away
 constexpr double kSameContact = 1.0;        // [s]; touches of a pair within it are one contact
 
 /// The contacts of robots with people in a run, by time; when `wantsStop` returns true, those that

@@ -66,9 +66,9 @@ MutualSight::MutualSight(const Bundle& run, int robot, int person)
   isOccluded_ = detector.isOccluded;
 }
 
-bool MutualSight::Sight::update(bool isInSight, double time) {
+bool MutualSight::Sight::update(bool isInSight, double time, double gap) {
   if (!isInSight) {
-    if (begin && time - last > kSightGap) {
+    if (begin && time - last > gap) {
       begin.reset();
     }
     return false;
@@ -92,8 +92,8 @@ bool MutualSight::update(const sim2d::Frame& frame, const sim2d::Obstacles& obst
     seesRobot =
         isVisible && isInView(person->pose, robot->pose.position, kPersonSight, kPersonField);
   }
-  person_.update(seesRobot, frame.time);
-  return robot_.update(seesPerson, frame.time);
+  person_.update(seesRobot, frame.time, kPersonMemory);
+  return robot_.update(seesPerson, frame.time, kSightGap);
 }
 
 }  // namespace app

@@ -26,7 +26,7 @@ class MutualSight {
   struct Sight {
     std::optional<double> begin;
     double last = 0.0;  // last time in sight [s]
-    bool update(bool isInSight, double time);
+    bool update(bool isInSight, double time, double gap);
   };
 
   int robotId_, personId_;

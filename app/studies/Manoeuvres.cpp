@@ -43,17 +43,16 @@ void addSwerves(const sim2d::TraceRobot& robot, double speed, std::vector<RobotM
   }
 }
 
+/// Turns to either side; an omnidirectional robot also moves to either side.
 void addSides(const sim2d::TraceRobot& robot, const LinearTarget& target,
               std::vector<RobotManoeuvre>& to) {
-  const bool isOmnidirectional = robot.kinematics == "omnidirectional";
   for (const double side : {1.0, -1.0}) {
-    const char* const where = side > 0.0 ? "left" : "right";
-    if (isOmnidirectional) {
-      to.push_back({std::string(target.name) + ", move " + where,
+    const std::string where = side > 0.0 ? "left" : "right";
+    to.push_back({target.name + (", turn " + where),
+                  {{kForever, {target.speed, side * robot.maxOmega, 0.0}}}});
+    if (robot.kinematics == "omnidirectional") {
+      to.push_back({target.name + (", move " + where),
                     {{kForever, {target.speed, 0.0, side * robot.maxVel}}}});
-    } else {
-      to.push_back({std::string(target.name) + ", turn " + where,
-                    {{kForever, {target.speed, side * robot.maxOmega, 0.0}}}});
     }
   }
 }
@@ -72,11 +71,6 @@ std::vector<RobotManoeuvre> robotManoeuvres(const sim2d::TraceRobot& robot,
   }
   if (robot.kinematics != "omnidirectional") {
     addSwerves(robot, now.linear, all);
-    return all;
-  }
-  for (const double side : {1.0, -1.0}) {
-    all.push_back({std::string("brake, turn ") + (side > 0.0 ? "left" : "right"),
-                   {{kForever, {0.0, side * robot.maxOmega, 0.0}}}});
   }
   return all;
 }

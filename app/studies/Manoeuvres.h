@@ -23,12 +23,11 @@ struct RobotManoeuvre {
 };
 
 /// For a robot that moves with `now`, those that need the least first.
-/// - All drives: brake, reverse, accelerate or keep the speed, straight ahead.
-/// - Differential and Ackermann: the same with the highest turn rate to either side; turn for 0.4,
-///   0.8 or 1.2 s to either side at constant speed or while braking, and then accelerate straight
-///   ahead or keep the speed.
-/// - Omnidirectional: the first four, and braking, with the highest lateral speed to either side;
-///   turn in place to either side while braking.
+/// - All drives: brake, reverse, accelerate or keep the speed, straight ahead or with the highest
+///   turn rate to either side.
+/// - Differential and Ackermann: turn for 0.4, 0.8 or 1.2 s to either side at constant speed or
+///   while braking, and then accelerate straight ahead or keep the speed.
+/// - Omnidirectional: the first four with the highest lateral speed to either side.
 std::vector<RobotManoeuvre> robotManoeuvres(const sim2d::TraceRobot& robot,
                                             const sim2d::BodyTwist& now);
 
