@@ -8,6 +8,7 @@
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PeopleEdits.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/scenario/ResolvedValues.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -118,7 +119,7 @@ class RobotItem : public EntityItem {
     label.isHoverOnly = !isAlways;
     std::vector<Label> labels = {label};
     if (robot_.goal.point) {
-      label.text = QStringLiteral("%1 goal").arg(label.text);
+      label.text = QCoreApplication::translate("Entity", "%1 goal").arg(label.text);
       label.centre = toScene(*robot_.goal.point);
       label.clearancePx = kRobotGoalPx + 4.0;
       labels.push_back(label);
@@ -421,7 +422,9 @@ class ShapeItem : public EntityItem {
     const double height = box.height() * pixelsPerMetre;
     Label label{kind, std::nullopt, box.center(), 0.5 * height + 4.0, 0, false};
     if (!area.name.empty()) {
-      label.text = name.startsWith(kind) ? name : QStringLiteral("%1 · %2").arg(name, kind);
+      label.text = base::startsWith(area.name, nameStem(value_)) || name.startsWith(kind)
+                       ? name
+                       : QStringLiteral("%1 · %2").arg(name, kind);
       label.text = labelSize(theme(), label).width() > width ? name : label.text;
     }
     const QSizeF size = labelSize(theme(), label);

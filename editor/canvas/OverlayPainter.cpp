@@ -57,11 +57,12 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
     return {};
   }
   const Vec2 total = forces.goal[i] + forces.social[i] + forces.obstacle[i] + forces.group[i];
-  return {{QStringLiteral("Goal"), Role::ForceGoal, forces.goal[i]},
-          {QStringLiteral("People"), Role::ForceSocial, forces.social[i]},
-          {QStringLiteral("Obstacles"), Role::ForceObstacle, forces.obstacle[i]},
-          {QStringLiteral("Group"), Role::ForceGroup, forces.group[i]},
-          {QStringLiteral("Total"), Role::ForceTotal, total}};
+  return {
+      {QCoreApplication::translate("Force", "Goal"), Role::ForceGoal, forces.goal[i]},
+      {QCoreApplication::translate("Force", "People"), Role::ForceSocial, forces.social[i]},
+      {QCoreApplication::translate("Force", "Obstacles"), Role::ForceObstacle, forces.obstacle[i]},
+      {QCoreApplication::translate("Force", "Group"), Role::ForceGroup, forces.group[i]},
+      {QCoreApplication::translate("Force", "Total"), Role::ForceTotal, total}};
 }
 
 QColor densityColor(const Theme& theme, double share) {

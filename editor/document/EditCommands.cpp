@@ -82,19 +82,41 @@ class EditEntities : public QUndoCommand {
   bool mayMerge_;
 };
 
-QString textFor(const QString& verb, const std::vector<Entity>& values) {
-  if (values.size() == 1) {
-    return QStringLiteral("%1 %2").arg(verb, displayName(values.front()));
-  }
-  return QStringLiteral("%1 %2 items").arg(verb).arg(values.size());
+/// What a command does to one and to several items, for the undo text.
+struct CommandText {
+  const char* one;
+  const char* many;
+};
+
+constexpr CommandText kAddText = {QT_TRANSLATE_NOOP("EditCommand", "Add %1"),
+                                  QT_TRANSLATE_NOOP("EditCommand", "Add %1 items")};
+constexpr CommandText kRemoveText = {QT_TRANSLATE_NOOP("EditCommand", "Remove %1"),
+                                     QT_TRANSLATE_NOOP("EditCommand", "Remove %1 items")};
+constexpr CommandText kMoveText = {QT_TRANSLATE_NOOP("EditCommand", "Move %1"),
+                                   QT_TRANSLATE_NOOP("EditCommand", "Move %1 items")};
+constexpr CommandText kDuplicateText = {QT_TRANSLATE_NOOP("EditCommand", "Duplicate %1"),
+                                        QT_TRANSLATE_NOOP("EditCommand", "Duplicate %1 items")};
+constexpr CommandText kRouteText = {QT_TRANSLATE_NOOP("EditCommand", "Set route of %1"),
+                                    QT_TRANSLATE_NOOP("EditCommand", "Set route of %1 items")};
+constexpr CommandText kReorderText = {QT_TRANSLATE_NOOP("EditCommand", "Reorder %1"),
+                                      QT_TRANSLATE_NOOP("EditCommand", "Reorder %1 items")};
+constexpr CommandText kSwitchOnText = {QT_TRANSLATE_NOOP("EditCommand", "Switch on %1"),
+                                       QT_TRANSLATE_NOOP("EditCommand", "Switch on %1 items")};
+constexpr CommandText kSwitchOffText = {QT_TRANSLATE_NOOP("EditCommand", "Switch off %1"),
+                                        QT_TRANSLATE_NOOP("EditCommand", "Switch off %1 items")};
+
+QString textFor(const CommandText& text, const std::vector<Entity>& values) {
+  return values.size() == 1
+             ? QCoreApplication::translate("EditCommand", text.one).arg(displayName(values.front()))
+             : QCoreApplication::translate("EditCommand", text.many).arg(values.size());
 }
 
 /// Applies `change` to each entity in one command.
 template <class Change>
-void pushEach(ScenarioDocument& document, const std::vector<EntityId>& ids, const QString& verb,
-              Merge merge, Change&& change) {
+void pushEach(ScenarioDocument& document, const std::vector<EntityId>& ids,
+              const CommandText& commandText, Merge merge, Change&& change) {
   std::vector<Entity> values = valuesOf(document, ids);
-  const QString text = textFor(verb, values);
+  const QString text = textFor(commandText, values);
   for (Entity& value : values) {
     value = change(std::move(value));
   }
@@ -129,7 +151,7 @@ void renamePerson(Draft& draft, const std::string& from, const std::optional<std
 }
 
 std::string defaultStem(EntityKind kind) {
-  return kind == EntityKind::Human ? "agent" : kindName(kind).toStdString();
+  return kind == EntityKind::Human ? "agent" : nameStem(kind);
 }
 
 /// "Ana2" -> "Ana": numbering of copies continues from there.
@@ -214,7 +236,7 @@ std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> va
     setId(value, ids.back());
     names.assignTo(value);
   }
-  const QString fullText = text.isEmpty() ? textFor(QStringLiteral("Add"), values) : text;
+  const QString fullText = text.isEmpty() ? textFor(kAddText, values) : text;
   Draft draft(document);
   for (Entity& value : values) {
     draft.set(std::move(value));
@@ -245,12 +267,12 @@ void pushRemove(ScenarioDocument& document, const std::vector<EntityId>& ids) {
       renamePerson(draft, human->name, std::nullopt);
     }
   }
-  draft.push(textFor(QStringLiteral("Remove"), values));
+  draft.push(textFor(kRemoveText, values));
 }
 
 void pushMove(ScenarioDocument& document, const std::vector<EntityId>& ids, const Vec2& delta,
               Merge merge) {
-  pushEach(document, ids, QStringLiteral("Move"), merge,
+  pushEach(document, ids, kMoveText, merge,
            [&delta](Entity value) { return moved(std::move(value), delta); });
 }
 
@@ -261,7 +283,7 @@ std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vecto
       std::remove_if(values.begin(), values.end(),
                      [](const Entity& value) { return kindOf(value) == EntityKind::Scenario; }),
       values.end());
-  const QString text = textFor(QStringLiteral("Duplicate"), values);
+  const QString text = textFor(kDuplicateText, values);
   std::map<std::size_t, std::string> trees;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::optional<std::string> xml = document.tree(idOf(values[i]))) {
@@ -284,7 +306,8 @@ bool pushRename(ScenarioDocument& document, EntityId id, const std::string& name
   }
   setName(*value, name);
   draft.set(*std::move(value));
-  draft.push(QStringLiteral("Rename %1").arg(QString::fromStdString(old)));
+  draft.push(
+      QCoreApplication::translate("EditCommand", "Rename %1").arg(QString::fromStdString(old)));
   return true;
 }
 
@@ -299,14 +322,14 @@ bool pushGoalNumber(ScenarioDocument& document, EntityId id, int number) {
   sim2d::GlobalGoal changed = *goal;
   changed.id = number;
   draft.set(changed);
-  draft.push(QStringLiteral("Renumber goal %1").arg(old));
+  draft.push(QCoreApplication::translate("EditCommand", "Renumber goal %1").arg(old));
   return true;
 }
 
 void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
                const std::vector<int>& goals) {
   std::vector<Entity> values = withRoute(document, humans, goals);
-  const QString text = textFor(QStringLiteral("Set route of"), values);
+  const QString text = textFor(kRouteText, values);
   pushEdit(document, std::move(values), text);
 }
 
@@ -330,12 +353,12 @@ void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, i
   for (std::size_t i = 0; i < order.size(); ++i) {  // In order, so that each index is right.
     draft.set(*document.entity(order[i]), static_cast<int>(i));
   }
-  draft.push(textFor(QStringLiteral("Reorder"), valuesOf(document, moving)));
+  draft.push(textFor(kReorderText, valuesOf(document, moving)));
 }
 
 void pushListed(ScenarioDocument& document, const std::vector<EntityId>& ids, bool listed) {
-  const QString verb = listed ? QStringLiteral("Switch on") : QStringLiteral("Switch off");
-  pushEach(document, ids, verb, Merge::Never, [listed](Entity value) {
+  const CommandText& text = listed ? kSwitchOnText : kSwitchOffText;
+  pushEach(document, ids, text, Merge::Never, [listed](Entity value) {
     setListed(value, listed);
     return value;
   });
@@ -356,7 +379,7 @@ std::string sanitizedName(const Entity& entity) {
     stem += fine ? letter : '_';
   }
   const bool startsWell = !stem.empty() && base::isLetter(stem[0]);
-  return startsWell ? stem : kindName(kindOf(entity)).toStdString() + stem;
+  return startsWell ? stem : nameStem(kindOf(entity)) + stem;
 }
 
 UniqueNames::UniqueNames(const sim2d::Scenario& scenario) {

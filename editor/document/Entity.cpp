@@ -83,14 +83,14 @@ void setListed(Entity& entity, bool listed) {
 }
 
 QString goalName(int number) {
-  return QStringLiteral("Goal %1").arg(number);
+  return QCoreApplication::translate("Entity", "Goal %1").arg(number);
 }
 
 QString displayName(const Entity& entity) {
   QString name = QString::fromStdString(nameOf(entity));
   switch (kindOf(entity)) {
     case EntityKind::Scenario:
-      return QStringLiteral("Scenario");
+      return QCoreApplication::translate("Entity", "Scenario");
     case EntityKind::Goal:
       return goalName(std::get<sim2d::GlobalGoal>(entity).id);
     default:
@@ -98,20 +98,75 @@ QString displayName(const Entity& entity) {
   }
 }
 
+namespace {
+
+/// One and several of a kind, in English.
+struct KindWords {
+  const char* one;
+  const char* many;
+};
+
+const KindWords& wordsOf(EntityKind kind) {
+  static constexpr KindWords kWords[] = {
+      {"", ""},
+      {QT_TRANSLATE_NOOP("Entity", "scenario"), QT_TRANSLATE_NOOP("Entity", "scenarios")},
+      {QT_TRANSLATE_NOOP("Entity", "person"), QT_TRANSLATE_NOOP("Entity", "people")},
+      {QT_TRANSLATE_NOOP("Entity", "robot"), QT_TRANSLATE_NOOP("Entity", "robots")},
+      {QT_TRANSLATE_NOOP("Entity", "goal"), QT_TRANSLATE_NOOP("Entity", "goals")},
+      {QT_TRANSLATE_NOOP("Entity", "obstacle"), QT_TRANSLATE_NOOP("Entity", "obstacles")},
+      {QT_TRANSLATE_NOOP("Entity", "door"), QT_TRANSLATE_NOOP("Entity", "doors")},
+      {QT_TRANSLATE_NOOP("Entity", "area"), QT_TRANSLATE_NOOP("Entity", "areas")},
+      {QT_TRANSLATE_NOOP("Entity", "dock"), QT_TRANSLATE_NOOP("Entity", "docks")}};
+  return kWords[static_cast<int>(kind)];
+}
+
+const char* obstacleKindWord(sim2d::ObstacleKind kind) {
+  static constexpr const char* kWords[] = {
+      QT_TRANSLATE_NOOP("Entity", "box"), QT_TRANSLATE_NOOP("Entity", "circle"),
+      QT_TRANSLATE_NOOP("Entity", "polygon"), QT_TRANSLATE_NOOP("Entity", "wall")};
+  return kWords[static_cast<int>(kind)];
+}
+
+const char* areaKindWord(sim2d::AreaKind kind) {
+  static constexpr const char* kWords[] = {
+      QT_TRANSLATE_NOOP("Entity", "source"), QT_TRANSLATE_NOOP("Entity", "sink"),
+      QT_TRANSLATE_NOOP("Entity", "waiting"), QT_TRANSLATE_NOOP("Entity", "exit"),
+      QT_TRANSLATE_NOOP("Entity", "speed")};
+  return kWords[static_cast<int>(kind)];
+}
+
+QString translatedWord(const char* word) {
+  return QCoreApplication::translate("Entity", word);
+}
+
+}  // namespace
+
 QString kindName(EntityKind kind) {
-  static const char* const kWords[] = {"",         "scenario", "person", "robot", "goal",
-                                       "obstacle", "door",     "area",   "dock"};
-  return QString::fromLatin1(kWords[static_cast<int>(kind)]);
+  return translatedWord(wordsOf(kind).one);
+}
+
+QString kindNamePlural(EntityKind kind) {
+  return translatedWord(wordsOf(kind).many);
 }
 
 QString obstacleKindName(sim2d::ObstacleKind kind) {
-  static const char* const kWords[] = {"box", "circle", "polygon", "wall"};
-  return QString::fromLatin1(kWords[static_cast<int>(kind)]);
+  return translatedWord(obstacleKindWord(kind));
 }
 
 QString areaKindName(sim2d::AreaKind kind) {
-  static const char* const kWords[] = {"source", "sink", "waiting", "exit", "speed"};
-  return QString::fromLatin1(kWords[static_cast<int>(kind)]);
+  return translatedWord(areaKindWord(kind));
+}
+
+std::string nameStem(const Entity& entity) {
+  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
+    return obstacleKindWord(obstacle->kind);
+  }
+  const auto* area = std::get_if<sim2d::Area>(&entity);
+  return area != nullptr ? areaKindWord(area->kind) : nameStem(kindOf(entity));
+}
+
+std::string nameStem(EntityKind kind) {
+  return wordsOf(kind).one;
 }
 
 std::vector<Vec2*> pointsIn(Entity& entity) {

@@ -72,9 +72,12 @@ Look lookOf(sim2d::BehaviorType type) {
 }
 
 QString lookName(Look look) {
-  static const char* const kNames[] = {"Regular", "Impassive",   "Surprised",  "Scared",
-                                       "Curious", "Threatening", "Custom tree"};
-  return QString::fromLatin1(kNames[index(look)]);
+  static constexpr const char* kNames[] = {
+      QT_TRANSLATE_NOOP("Behaviour", "Regular"),    QT_TRANSLATE_NOOP("Behaviour", "Impassive"),
+      QT_TRANSLATE_NOOP("Behaviour", "Surprised"),  QT_TRANSLATE_NOOP("Behaviour", "Scared"),
+      QT_TRANSLATE_NOOP("Behaviour", "Curious"),    QT_TRANSLATE_NOOP("Behaviour", "Threatening"),
+      QT_TRANSLATE_NOOP("Behaviour", "Custom tree")};
+  return QCoreApplication::translate("Behaviour", kNames[index(look)]);
 }
 
 Mark markOf(Look look) {

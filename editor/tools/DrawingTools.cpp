@@ -28,7 +28,7 @@ void addDrawnEntity(ScenarioDocument& document, Entity value) {
   const QString kind = obstacle != nullptr ? obstacleKindName(obstacle->kind)
                        : area != nullptr   ? areaKindName(area->kind)
                                            : kindName(kindOf(value));
-  setName(value, UniqueNames(document.scenario()).name(kind.toStdString()));
+  setName(value, UniqueNames(document.scenario()).name(nameStem(value)));
   document.setSelection(
       pushAdd(document, std::vector<Entity>{std::move(value)}, QObject::tr("Add %1").arg(kind)));
 }

@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>Behaviour</name>
+    <message>
+        <source>Regular</source>
+        <translation>Regular</translation>
+    </message>
+    <message>
+        <source>Impassive</source>
+        <translation>Impasible</translation>
+    </message>
+    <message>
+        <source>Surprised</source>
+        <translation>Sorprendido</translation>
+    </message>
+    <message>
+        <source>Scared</source>
+        <translation>Asustado</translation>
+    </message>
+    <message>
+        <source>Curious</source>
+        <translation>Curioso</translation>
+    </message>
+    <message>
+        <source>Threatening</source>
+        <translation>Amenazante</translation>
+    </message>
+    <message>
+        <source>Custom tree</source>
+        <translation>Árbol propio</translation>
+    </message>
+</context>
+<context>
     <name>Breakpoint</name>
     <message>
         <source>is ticked</source>
@@ -22,6 +53,219 @@
     <message>
         <source>is skipped</source>
         <translation>se omite</translation>
+    </message>
+</context>
+<context>
+    <name>EditCommand</name>
+    <message>
+        <source>Add %1</source>
+        <translation>Añadir %1</translation>
+    </message>
+    <message>
+        <source>Add %1 items</source>
+        <translation>Añadir %1 elementos</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>Remove %1 items</source>
+        <translation>Quitar %1 elementos</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Mover %1</translation>
+    </message>
+    <message>
+        <source>Move %1 items</source>
+        <translation>Mover %1 elementos</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>Duplicar %1</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 items</source>
+        <translation>Duplicar %1 elementos</translation>
+    </message>
+    <message>
+        <source>Set route of %1</source>
+        <translation>Fijar la ruta de %1</translation>
+    </message>
+    <message>
+        <source>Set route of %1 items</source>
+        <translation>Fijar la ruta de %1 elementos</translation>
+    </message>
+    <message>
+        <source>Reorder %1</source>
+        <translation>Reordenar %1</translation>
+    </message>
+    <message>
+        <source>Reorder %1 items</source>
+        <translation>Reordenar %1 elementos</translation>
+    </message>
+    <message>
+        <source>Switch on %1</source>
+        <translation>Activar %1</translation>
+    </message>
+    <message>
+        <source>Switch on %1 items</source>
+        <translation>Activar %1 elementos</translation>
+    </message>
+    <message>
+        <source>Switch off %1</source>
+        <translation>Desactivar %1</translation>
+    </message>
+    <message>
+        <source>Switch off %1 items</source>
+        <translation>Desactivar %1 elementos</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Cambiar el nombre de %1</translation>
+    </message>
+    <message>
+        <source>Renumber goal %1</source>
+        <translation>Renumerar el objetivo %1</translation>
+    </message>
+</context>
+<context>
+    <name>Entity</name>
+    <message>
+        <source>%1 goal</source>
+        <translation>objetivo de %1</translation>
+    </message>
+    <message>
+        <source>Goal %1</source>
+        <translation>Objetivo %1</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Escenario</translation>
+    </message>
+    <message>
+        <source>scenario</source>
+        <translation>escenario</translation>
+    </message>
+    <message>
+        <source>scenarios</source>
+        <translation>escenarios</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>persona</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>personas</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>robots</source>
+        <translation>robots</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>objetivo</translation>
+    </message>
+    <message>
+        <source>goals</source>
+        <translation>objetivos</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>obstáculo</translation>
+    </message>
+    <message>
+        <source>obstacles</source>
+        <translation>obstáculos</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>puerta</translation>
+    </message>
+    <message>
+        <source>doors</source>
+        <translation>puertas</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>área</translation>
+    </message>
+    <message>
+        <source>areas</source>
+        <translation>áreas</translation>
+    </message>
+    <message>
+        <source>dock</source>
+        <translation>base de carga</translation>
+    </message>
+    <message>
+        <source>docks</source>
+        <translation>bases de carga</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>rectángulo</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>círculo</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>polígono</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>pared</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>fuente</translation>
+    </message>
+    <message>
+        <source>sink</source>
+        <translation>sumidero</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>espera</translation>
+    </message>
+    <message>
+        <source>exit</source>
+        <translation>salida</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocidad</translation>
+    </message>
+</context>
+<context>
+    <name>Force</name>
+    <message>
+        <source>Goal</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personas</translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>Obstáculos</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
     </message>
 </context>
 <context>
@@ -1400,6 +1644,16 @@ Elegir qué muestra el mapa</translation>
     <message>
         <source>Image (*.png)</source>
         <translation>Imagen (*.png)</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <comment>format of a date</comment>
+        <translation>d MMM</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <comment>format of a date</comment>
+        <translation>d MMM yyyy</translation>
     </message>
 </context>
 <context>

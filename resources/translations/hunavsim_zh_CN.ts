@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>Behaviour</name>
+    <message>
+        <source>Regular</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Impassive</source>
+        <translation>无反应</translation>
+    </message>
+    <message>
+        <source>Surprised</source>
+        <translation>惊讶</translation>
+    </message>
+    <message>
+        <source>Scared</source>
+        <translation>害怕</translation>
+    </message>
+    <message>
+        <source>Curious</source>
+        <translation>好奇</translation>
+    </message>
+    <message>
+        <source>Threatening</source>
+        <translation>威胁</translation>
+    </message>
+    <message>
+        <source>Custom tree</source>
+        <translation>自定义树</translation>
+    </message>
+</context>
+<context>
     <name>Breakpoint</name>
     <message>
         <source>is ticked</source>
@@ -22,6 +53,219 @@
     <message>
         <source>is skipped</source>
         <translation>被跳过时</translation>
+    </message>
+</context>
+<context>
+    <name>EditCommand</name>
+    <message>
+        <source>Add %1</source>
+        <translation>添加 %1</translation>
+    </message>
+    <message>
+        <source>Add %1 items</source>
+        <translation>添加 %1 个对象</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message>
+        <source>Remove %1 items</source>
+        <translation>移除 %1 个对象</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动 %1</translation>
+    </message>
+    <message>
+        <source>Move %1 items</source>
+        <translation>移动 %1 个对象</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>为 %1 创建副本</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 items</source>
+        <translation>为 %1 个对象创建副本</translation>
+    </message>
+    <message>
+        <source>Set route of %1</source>
+        <translation>设置 %1 的路线</translation>
+    </message>
+    <message>
+        <source>Set route of %1 items</source>
+        <translation>设置 %1 个对象的路线</translation>
+    </message>
+    <message>
+        <source>Reorder %1</source>
+        <translation>重新排序 %1</translation>
+    </message>
+    <message>
+        <source>Reorder %1 items</source>
+        <translation>重新排序 %1 个对象</translation>
+    </message>
+    <message>
+        <source>Switch on %1</source>
+        <translation>启用 %1</translation>
+    </message>
+    <message>
+        <source>Switch on %1 items</source>
+        <translation>启用 %1 个对象</translation>
+    </message>
+    <message>
+        <source>Switch off %1</source>
+        <translation>停用 %1</translation>
+    </message>
+    <message>
+        <source>Switch off %1 items</source>
+        <translation>停用 %1 个对象</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Renumber goal %1</source>
+        <translation>重新编号目标点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>Entity</name>
+    <message>
+        <source>%1 goal</source>
+        <translation>%1 的目标点</translation>
+    </message>
+    <message>
+        <source>Goal %1</source>
+        <translation>目标点 %1</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>scenario</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>scenarios</source>
+        <translation>个场景</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>行人</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>名行人</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>robots</source>
+        <translation>个机器人</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>目标点</translation>
+    </message>
+    <message>
+        <source>goals</source>
+        <translation>个目标点</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>obstacles</source>
+        <translation>个障碍物</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>门</translation>
+    </message>
+    <message>
+        <source>doors</source>
+        <translation>个门</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>areas</source>
+        <translation>个区域</translation>
+    </message>
+    <message>
+        <source>dock</source>
+        <translation>充电桩</translation>
+    </message>
+    <message>
+        <source>docks</source>
+        <translation>个充电桩</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>圆形</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>墙</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>源</translation>
+    </message>
+    <message>
+        <source>sink</source>
+        <translation>汇</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等候</translation>
+    </message>
+    <message>
+        <source>exit</source>
+        <translation>出口</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+</context>
+<context>
+    <name>Force</name>
+    <message>
+        <source>Goal</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>行人</translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>群组</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>合力</translation>
     </message>
 </context>
 <context>
@@ -1400,6 +1644,16 @@ Choose what the map shows</source>
     <message>
         <source>Image (*.png)</source>
         <translation>图像 (*.png)</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <comment>format of a date</comment>
+        <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy</source>
+        <comment>format of a date</comment>
+        <translation>yyyy年M月d日</translation>
     </message>
 </context>
 <context>

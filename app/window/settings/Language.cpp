@@ -44,6 +44,17 @@ class ProgramTranslator : public QTranslator {
   mutable QHash<QString, QString> sources_;
 };
 
+/// That of the existing `Translation`; null: the window is in English.
+const ProgramTranslator* installedTranslator() {
+  const QObjectList parts = QCoreApplication::instance()->children();
+  for (const QObject* part : parts) {
+    if (const auto* program = dynamic_cast<const ProgramTranslator*>(part)) {
+      return program;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<Language> languages() {
@@ -109,14 +120,14 @@ Translation::Translation(const QString& code) {
 
 Translation::~Translation() = default;
 
+QLocale shownLanguage() {
+  const ProgramTranslator* program = installedTranslator();
+  return program == nullptr ? QLocale(QLocale::English) : QLocale(program->language());
+}
+
 QString sourceText(const QString& shown) {
-  for (QTranslator* part : QCoreApplication::instance()->findChildren<QTranslator*>(
-           QString(), Qt::FindDirectChildrenOnly)) {
-    if (const auto* program = dynamic_cast<ProgramTranslator*>(part)) {
-      return program->sourceOf(shown);
-    }
-  }
-  return shown;
+  const ProgramTranslator* program = installedTranslator();
+  return program == nullptr ? shown : program->sourceOf(shown);
 }
 
 }  // namespace app

@@ -44,6 +44,9 @@ class Translation {
   std::vector<std::unique_ptr<QTranslator>> parts_;
 };
 
+/// The locale of the shown language, for names of days and months only.
+QLocale shownLanguage();
+
 /// The English text in the sources of a text that the window shows; the text itself if it is not
 /// translated. For names that are stored or typed and must not depend on the language.
 QString sourceText(const QString& shown);

@@ -1,5 +1,6 @@
 #include "app/window/start/StartCards.h"
 
+#include "app/window/settings/Language.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 
@@ -38,13 +39,13 @@ QString relativeTimeText(const QDateTime& then, const QDateTime& now) {
   if (days == 1) {
     return QObject::tr("Yesterday");
   }
-  const QLocale english(QLocale::English);
+  const QLocale words = shownLanguage();
   if (days < 7) {
-    return english.toString(then.date(), QStringLiteral("dddd"));
+    return words.toString(then.date(), QStringLiteral("dddd"));
   }
-  return english.toString(then.date(), then.date().year() == now.date().year()
-                                           ? QStringLiteral("d MMM")
-                                           : QStringLiteral("d MMM yyyy"));
+  return words.toString(then.date(), then.date().year() == now.date().year()
+                                         ? QObject::tr("d MMM", "format of a date")
+                                         : QObject::tr("d MMM yyyy", "format of a date"));
 }
 
 void StartCard::keyPressEvent(QKeyEvent* event) {

@@ -17,10 +17,7 @@ constexpr EntityKind kSwitchKinds[] = {EntityKind::Human,    EntityKind::Goal, E
 
 QString kindText(EntityKind kind, std::size_t count) {
   const QString one = kindName(kind);
-  return count == 1
-             ? one
-             : counted(count, one,
-                       kind == EntityKind::Human ? QObject::tr("people") : one + QLatin1Char('s'));
+  return count == 1 ? one : counted(count, one, kindNamePlural(kind));
 }
 
 KindSwitch::KindSwitch(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
