@@ -305,4 +305,17 @@ Report makeReport(const Study& study, const std::vector<std::pair<std::string, d
   return PageBuilder(study, weights, command, onProgress).make();
 }
 
+std::string methodsPage(const Study& study, const std::vector<std::string>& command) {
+  const std::vector<std::vector<std::size_t>> blocks = blocksOf(study);
+  Comparisons comparisons;
+  for (const std::size_t metric : study.shown) {
+    comparisons.push_back(compare(study, metric, blocks));
+  }
+  const std::string heading =
+      element("h1", "", escaped(study.title)) + element("h2", "", "Methods");
+  return htmlPage(
+      study.title,
+      heading + methodsMarkup(study, blocks.size(), testCounts(comparisons).pairs, command), false);
+}
+
 }  // namespace report

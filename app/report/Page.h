@@ -27,4 +27,7 @@ using ProgressCallback = std::function<void(const std::string& what)>;
 Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
                   const std::vector<std::string>& command, const ProgressCallback& onProgress = {});
 
+/// A page with the methods section alone. `command`: the command line that it is made for.
+std::string methodsPage(const Study& study, const std::vector<std::string>& command);
+
 }  // namespace report

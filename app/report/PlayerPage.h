@@ -25,6 +25,7 @@ extern const char* const kRunText;         // body of the page of one run
 extern const char* const kPlayerPageText;  // player
 extern const char* const kStudyText;       // head of the page of a study
 extern const char* const kMethodsText;     // section "Methods" of the page of a study
+extern const char* const kReferencesText;  // BibTeX entries of HuNavSim and of this program
 
 extern const char* const kStyleText;   // CSS
 extern const char* const kReportText;  // script of every page

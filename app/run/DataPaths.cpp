@@ -1,6 +1,7 @@
 #include "app/run/DataPaths.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 
@@ -33,7 +34,19 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
+constexpr const char* kDataVariable = "HUNAVSIM_DATA";
+
+/// The folder of the variable that replaces data folders; empty: the variable is not set.
+fs::path replacedData() {
+  const char* const given = std::getenv(kDataVariable);
+  return given == nullptr ? fs::path() : fs::path(given);
+}
+
 std::string dataFolder(const std::string& name) {
+  const fs::path replaced = replacedData();
+  if (!replaced.empty() && isFolder(replaced / name)) {
+    return (replaced / name).string();
+  }
   std::error_code error;
   fs::path folder = fs::weakly_canonical(ownFile(), error).parent_path();
   for (; folder.has_relative_path(); folder = folder.parent_path()) {
@@ -58,6 +71,28 @@ std::string shippedResources(const std::string& folder) {
   return dataFolder("resources/" + folder);
 }
 
+std::string generatedMapsFolder() {
+  const fs::path replaced = replacedData();
+  if (!replaced.empty() && isFolder(replaced / "maps")) {
+    return {};  // those of the replaced folder are all
+  }
+  return (fs::path(programPath()).parent_path() / "maps").string();
+}
+
+DataFolderOverride::DataFolderOverride(const std::string& folder) {
+  const char* const given = std::getenv(kDataVariable);
+  former_ = given == nullptr ? std::nullopt : std::optional<std::string>(given);
+  ::setenv(kDataVariable, folder.c_str(), 1);
+}
+
+DataFolderOverride::~DataFolderOverride() {
+  if (former_) {
+    ::setenv(kDataVariable, former_->c_str(), 1);
+  } else {
+    ::unsetenv(kDataVariable);
+  }
+}
+
 std::string builtManual() {
   const fs::path folder = fs::path(programPath()).parent_path();
   for (const char* place :
@@ -74,8 +109,7 @@ std::string builtManual() {
 std::vector<ShippedScenario> shippedScenarios() {
   std::vector<ShippedScenario> found;
   std::error_code error;
-  const fs::path generated = fs::path(programPath()).parent_path() / "maps";
-  for (const fs::path& maps : {fs::path(shippedMapsFolder()), generated}) {
+  for (const fs::path& maps : {fs::path(shippedMapsFolder()), fs::path(generatedMapsFolder())}) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(maps, error)) {
       const bool mayBe = entry.path().extension() == ".yaml";
       const auto text = mayBe ? base::readTextFile(entry.path().string()) : std::string();

@@ -9,10 +9,30 @@
 namespace app {
 
 /// The data folders of the program, found in the folders above the executable or Python module: the
-/// source tree that contains the build folder, or <prefix>/share/hunavsim after installation. Empty
-/// if there are none.
+/// source tree that contains the build folder, or <prefix>/share/hunavsim after installation. The
+/// environment variable HUNAVSIM_DATA names a folder with `maps` and `resources` that are used
+/// instead. Empty if there are none.
 std::string shippedMapsFolder();
 std::string shippedResources(const std::string& folder);  // "nav2_trees"
+/// The folder of the scenarios that the build generates; need not exist.
+std::string generatedMapsFolder();
+
+/// While it exists, the data folders of this process and of those that it starts are those in
+/// `folder`, as far as they exist there: the environment variable HUNAVSIM_DATA. One at a time, in
+/// a process with one thread.
+class DataFolderOverride {
+ public:
+  explicit DataFolderOverride(const std::string& folder);
+  ~DataFolderOverride();
+  DataFolderOverride(const DataFolderOverride&) = delete;
+  DataFolderOverride& operator=(const DataFolderOverride&) = delete;
+  DataFolderOverride(DataFolderOverride&&) = delete;
+  DataFolderOverride& operator=(DataFolderOverride&&) = delete;
+
+ private:
+  std::optional<std::string> former_;  // value of the variable
+};
+
 /// The folder of the manual's HTML pages: `manual` next to the executable (of a build), or
 /// <prefix>/share/hunavsim/manual. Empty: not built.
 std::string builtManual();

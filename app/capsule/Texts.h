@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/capsule/Archive.h"
+#include "app/capsule/StudySource.h"
+#include "sim2d/base/Result.h"
+
+namespace capsule {
+
+/// The members of a capsule for readers: README.txt, methods.html (procedures, versions, inputs and
+/// seeds) and references.bib. `command`: the command line of `pack`.
+base::Result<std::vector<ArchiveMember>> textMembers(const StudySource& source,
+                                                     const std::vector<std::string>& command);
+
+}  // namespace capsule
