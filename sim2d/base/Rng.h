@@ -29,6 +29,8 @@ enum class DrawPurpose : std::uint32_t {
   Localization = 15,  // step = correction
   Design = 16,        // step = point of a design, agent = dimension
   DesignOrder = 17,   // agent = dimension, index = place in the permutation
+  Optimizer = 18,     // of CMA-ES: agent = run, step = generation, index = point and coordinate
+  Restart = 19,       // of CMA-ES: agent = run, index = coordinate of its first mean
 };
 
 class AgentRng {
