@@ -21,8 +21,10 @@ Scenario hall(int people) {
   return scenario;
 }
 
-std::unique_ptr<World> makeWith(int people, int threads, bool exact) {
-  WorldSetup setup = setupOf(hall(people));
+std::unique_ptr<World> makeWith(int people, int threads, bool exact, const char* model = "sfm") {
+  Scenario scenario = hall(people);
+  scenario.desktop.model = model;
+  WorldSetup setup = setupOf(scenario);
   setup.threads = threads;
   setup.exact = exact;
   return make(std::move(setup));
@@ -55,6 +57,17 @@ class CrowdTest : public QObject {
     for (std::size_t i = 0; i < fast->frame().humans.size(); ++i) {
       QVERIFY((positionOf(fast->frame(), i) - positionOf(exact->frame(), i)).norm() < 1e-6);
     }
+  }
+
+  /// Searching the grid for the nearest visible people finds those that a comparison of all finds.
+  void step_nearestPeopleOfLargeCrowd_areThoseOfAllPairs() {
+    const auto searched = makeWith(150, 1, false, "orca");
+    const auto compared = makeWith(150, 1, true, "orca");
+    advance(*searched, 60);
+    advance(*compared, 60);
+    QCOMPARE(searched->frame().humans.x, compared->frame().humans.x);
+    QCOMPARE(searched->frame().humans.y, compared->frame().humans.y);
+    QCOMPARE(searched->frame().humans.vx, compared->frame().humans.vx);
   }
 
   void step_everyThreadCount_givesTheSameFrames() {
