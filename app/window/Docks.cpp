@@ -180,22 +180,20 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
   }
 }
 
-/// Sets the height of the dock when it is first shown, if it is alone in its area or too low.
+/// Sets the height of the dock when it is first shown, or first after the layout was reset, if it
+/// is alone in its area or too low.
 void Docks::ensureHeight(QDockWidget& dock, int initialHeight) {
-  const auto hadRoom = std::make_shared<bool>(false);
-  connect(&dock, &QDockWidget::visibilityChanged, this,
-          [this, &dock, initialHeight, hadRoom](bool on) {
-            if (!on || std::exchange(*hadRoom, true)) {
-              return;
-            }
-            const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
-            const bool isAlone =
-                std::all_of(others.begin(), others.end(),
-                            [](const QDockWidget* other) { return other->isHidden(); });
-            if (isAlone || dock.height() < initialHeight) {
-              window_.resizeDocks({&dock}, {initialHeight}, Qt::Vertical);
-            }
-          });
+  connect(&dock, &QDockWidget::visibilityChanged, this, [this, &dock, initialHeight](bool on) {
+    if (!on || !hadRoom_.insert(&dock).second) {
+      return;
+    }
+    const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
+    const bool isAlone = std::all_of(others.begin(), others.end(),
+                                     [](const QDockWidget* other) { return other->isHidden(); });
+    if (isAlone || dock.height() < initialHeight) {
+      window_.resizeDocks({&dock}, {initialHeight}, Qt::Vertical);
+    }
+  });
 }
 
 void Docks::addToggle(QDockWidget& dock) {
@@ -305,6 +303,7 @@ void Docks::show(const QStringList& names) {
 }
 
 void Docks::resetLayout() {
+  hadRoom_.clear();
   mapOnly_->setChecked(false);
   treeLarge_->setChecked(false);
   for (QDockWidget* dock : docks_) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "app/window/Workspace.h"
 #include "editor/panels/PanelRegistry.h"
 
@@ -52,6 +54,7 @@ class Docks : public QObject {
   std::vector<QDockWidget*> docks_;
   std::map<const QDockWidget*, QAction*> toggles_;
   std::vector<const QDockWidget*> open_;  // open by default
+  std::set<const QDockWidget*> hadRoom_;  // got their initial height
   QAction *mapOnly_, *treeLarge_;
   std::vector<QDockWidget*> openBeforeMaximized_;  // before mapOnly or treeMaximized
   QByteArray sizesBefore_;

@@ -192,11 +192,13 @@ void MainWindow::connectFiles() {
   connect(startPage_, &StartPage::fileRequested, files, &FileCommands::openFile);
   StudyPanel& study = docks_->panel<StudyPanel>();
   askBeforeExternalCode(study, *notices_);
-  connect(&study, &StudyPanel::openRunRequested, this, [files](const QString& run) {
-    if (files->maybeSave()) {
-      files->openFile(run);
-    }
-  });
+  connect(&study, &StudyPanel::openRunRequested, this,
+          [files](const QString& run, bool isTemporary) {
+            if (files->maybeSave()) {
+              files->openRun(run, isTemporary);
+            }
+          });
+  connect(&study, &StudyPanel::saveRequested, files, &FileCommands::save);
   editor::ScenarioDocument& document = workspace_.document();
   connect(&document, &editor::ScenarioDocument::aboutToBeReplaced, this,
           [this] { editor::commitPendingEdit(*this); });

@@ -1,6 +1,7 @@
 #include <QDesktopServices>
 
 #include "app/window/Docks.h"
+#include "app/window/files/FileCommands.h"
 #include "app/window/study/StudyPanel.h"
 #include "editor/look/AppStyle.h"
 #include "tests/app/QuietWindow.h"
@@ -191,6 +192,30 @@ class StudyClicksTest : public QObject, protected quiet::InFolder {
     panel().form().addScenario(at("third.yaml"));
     QVERIFY(window_->open(yard()));
     QCOMPARE(panel().form().scenarios(), QStringList({at("other.yaml"), at("third.yaml")}));
+  }
+
+  /// A new scenario has no file yet: the one of before is not studied in its place.
+  void preset_ofANewScenario_isEmptyUntilItIsSaved() {
+    QVERIFY(window_->open(yard()));
+    QTest::mouseClick(&toggle(), Qt::LeftButton);
+    QTRY_COMPARE(panel().form().scenarios(), QStringList(yard()));
+    window_->files().newOpenPlane();
+    QTRY_COMPARE(panel().form().scenarios(), QStringList());
+    QVERIFY(widgets::withText<QLabel>(panel(), text("Save the open scenario first, or add files")));
+    QVERIFY(window_->files().saveTo(at("mine.yaml")));
+    QTRY_COMPARE(panel().form().scenarios(), QStringList(at("mine.yaml")));
+  }
+
+  /// However low the panels are that were opened before.
+  void panel_openedAfterAReset_showsItsResults() {
+    QVERIFY(window_->open(yard()));
+    window_->docks().toggleOf(*window_->docks().dock(text("study")))->trigger();
+    window_->actions().resetLayout->trigger();
+    window_->docks().toggleOf(*window_->docks().dock(text("metrics")))->trigger();
+    QTRY_VERIFY(window_->docks().dock(text("metrics"))->isVisible());
+    QTest::mouseClick(&toggle(), Qt::LeftButton);
+    QTRY_VERIFY(panel().isVisible());
+    QTRY_VERIFY2(panel().height() >= 350, qPrintable(QString::number(panel().height())));
   }
 
   /// Without a study of that name to write over.

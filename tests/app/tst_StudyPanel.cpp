@@ -1,6 +1,7 @@
 #include <QSignalSpy>
 
 #include "app/window/Docks.h"
+#include "app/window/files/FileCommands.h"
 #include "app/window/study/StudyPanel.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/AppStyle.h"
@@ -54,6 +55,15 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     return quiet::part<Part>(panel(), name);
   }
   static QByteArray bytes(const QString& path) { return bytesOf(path); }
+  QStringList recentFiles() {
+    QMenu menu;
+    window_->files().fillRecentMenu(menu);
+    QStringList all;
+    for (const QAction* each : menu.actions()) {
+      all.append(each->toolTip());
+    }
+    return all;
+  }
   void waitForEnd() { QTRY_VERIFY_WITH_TIMEOUT(!panel().isRunning(), kLong); }
 
  private Q_SLOTS:
@@ -267,6 +277,8 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     panel().play(3);
     QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
     const QString folder = played.front().front().toString();
+    QVERIFY(played.front().at(1).toBool());  // a temporary folder
+    QVERIFY(!recentFiles().contains(folder));
     const double length = valueOf(metricsOf(folder), text("path_length"));
     QCOMPARE(length, panel().results().runs().rows()[3].metrics.at(text("path_length")));
   }
@@ -317,6 +329,69 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     editor::pushChange<sim2d::Robot>(document(), document().selection().front(), text("Planner"),
                                      [](sim2d::Robot& robot) { robot.planner = "dwa"; });
     QTRY_VERIFY2(panel().message().contains(text("unsaved")), qPrintable(panel().message()));
+  }
+
+  /// Start does not run the saved file in silence: it offers to save, or to run the file as it is.
+  void start_withUnsavedScenario_offersToSave() {
+    window_->docks().show({text("study")});
+    panel().setFile(at("asked.yaml"));
+    form().addScenario(document().path());
+    field<QLineEdit>("Seeds").setText(text("1"));
+    field<QLineEdit>("Duration").setText(text("0.5"));
+    document().setSelection({document().entities(base::EntityKind::Robot).front()});
+    editor::pushChange<sim2d::Robot>(document(), document().selection().front(), text("Planner"),
+                                     [](sim2d::Robot& robot) { robot.planner = "dwa"; });
+    auto& start = *widgets::withText<QPushButton>(panel(), text("Start"));
+    auto& saveFirst = *widgets::withText<QAbstractButton>(panel(), text("Save and start"));
+    auto& asSaved = *widgets::withText<QAbstractButton>(panel(), text("Start without them"));
+    QVERIFY(!saveFirst.isVisible() && !asSaved.isVisible());
+    QTest::mouseClick(&start, Qt::LeftButton);
+    QVERIFY(!panel().isRunning());
+    QVERIFY(saveFirst.isVisible() && asSaved.isVisible());
+    QVERIFY2(panel().message().contains(text("unsaved changes")), qPrintable(panel().message()));
+    quiet::shoot(*window_, "study-unsaved");
+    QTest::mouseClick(&asSaved, Qt::LeftButton);
+    waitForEnd();
+    QVERIFY(document().isDirty());
+    QCOMPARE(panel().results().runs().rows().size(), std::size_t{1});
+    QVERIFY(!asSaved.isVisible());
+    field<QLineEdit>("Seeds").setText(text("2"));
+    panel().setFile(at("saved.yaml"));
+    QTest::mouseClick(&start, Qt::LeftButton);
+    QVERIFY(!panel().isRunning());  // asked again
+    QTest::mouseClick(&saveFirst, Qt::LeftButton);
+    QVERIFY(!document().isDirty());
+    waitForEnd();
+    QCOMPARE(panel().results().runs().rows().size(), std::size_t{2});
+    QVERIFY(bytesOf(document().path()).contains("planner: dwa"));
+  }
+
+  /// The message keeps its first lines in sight, whatever its length; nothing is above its top.
+  void message_long_beginsInSight() {
+    window_->docks().show({text("study")});
+    const auto* label = widgets::findIf<QLabel>(
+        panel(), [this](const QLabel* each) { return each->text() == panel().message(); });
+    QVERIFY(label != nullptr);
+    QVERIFY(label->alignment().testFlag(Qt::AlignTop));
+    form().addScenario(document().path());
+    QTRY_VERIFY(panel().message().contains(text("1 scenario")));
+    QVERIFY2(label->heightForWidth(label->width()) <= label->height(),
+             qPrintable(panel().message()));
+    QCOMPARE(label->toolTip(), panel().message());
+  }
+
+  /// "New" leaves the results of the old study where they are.
+  void newStudy_isAboutTheOpenScenario() {
+    const QString path = study_->writeStudy("first.yaml", "seeds: 3\nduration: 0.5\n");
+    QVERIFY(panel().openFile(path));
+    window_->docks().show({text("study")});
+    QTest::mouseClick(widgets::withText<QAbstractButton>(panel(), text("New")), Qt::LeftButton);
+    QCOMPARE(panel().file(), QString());
+    QCOMPARE(form().scenarios(), QStringList(document().path()));
+    QCOMPARE(field<QLineEdit>("Seeds").text(), text("30"));
+    QCOMPARE(field<QLineEdit>("Duration").text(), QString());
+    QVERIFY(QFile::exists(path));
+    QCOMPARE(panel().results().runs().rows().size(), std::size_t{0});
   }
 
   /// Another study does not go on with results: it is said, and begun anew only when asked for.

@@ -393,7 +393,7 @@ std::function<editor::RunRequest()> FileCommands::replayRequestOf(const QString&
   return [made = *made] { return editor::requestFor(made.bundle, made.branches); };
 }
 
-bool FileCommands::openRun(const QString& path) {
+bool FileCommands::openRun(const QString& path, bool isTemporary) {
   const base::Result<RecordedRun> run = readRecordedRun(
       path.toStdString(), workspace_.runner().historyMemory(), IncompleteRecordings::Shown);
   if (!run) {
@@ -408,6 +408,9 @@ bool FileCommands::openRun(const QString& path) {
   base::Diagnostics remarks = run.diagnostics();
   base::append(remarks, otherProgramWarning(path.toStdString()));
   const QString name = QDir(path).dirName();
+  if (!isTemporary) {
+    remember(path);
+  }
   showRun(*run, path, run->cut ? tr("%1 (truncated)").arg(name) : name,
           run->cut ? std::function<editor::RunRequest()>() : replayRequestOf(path));
   return showProblems(remarks);
@@ -438,6 +441,7 @@ bool FileCommands::openTracks(const QString& path) {
   RecordedRun run;
   run.recording = sim2d::recordingOf(*std::move(trace), workspace_.runner().historyMemory());
   truncationOfRun_.reset();
+  remember(path);
   showRun(run, path, QFileInfo(path).fileName(), {});
   return showProblems(problems);
 }
@@ -467,12 +471,14 @@ void FileCommands::showRun(const RecordedRun& run, const QString& path, const QS
     }
     document.restore(std::move(shown), true);
   }
-  const QString whole = QDir(path).absolutePath();  // with or without a trailing slash
-  userSettings_.addRecentFile(whole);
-  Q_EMIT recentChanged();
   Q_EMIT opened();  // before the run, so that the view fits the scenario
   workspace_.openRecorded(run.recording, name, std::move(again));
-  Q_EMIT runOpened(whole);
+  Q_EMIT runOpened(QDir(path).absolutePath());
+}
+
+void FileCommands::remember(const QString& run) {
+  userSettings_.addRecentFile(QDir(run).absolutePath());  // with or without a trailing slash
+  Q_EMIT recentChanged();
 }
 
 /// Returns to the previous document, otherwise to the scenario of the run.

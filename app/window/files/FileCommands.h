@@ -31,6 +31,8 @@ class FileCommands : public QObject {
   /// trajectories, or a tree for the selected people. False: the file could not be read completely;
   /// see the issues.
   bool openFile(const QString& path);
+  /// Opens the folder of a recorded run. A temporary folder is not kept among the recent files.
+  bool openRun(const QString& path, bool isTemporary = false);
   static bool isTracks(const QString& path);
   /// Opens a file dropped onto the entity `under`; none: onto the window.
   bool dropFile(const QString& path, editor::EntityId under);
@@ -94,10 +96,10 @@ class FileCommands : public QObject {
   GridPtr askScaleOf(const QString& path);  // null: cancelled, or not an image
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path);
-  bool openRun(const QString& path);
   bool openTracks(const QString& path);
   void showRun(const RecordedRun& run, const QString& path, const QString& name,
                std::function<editor::RunRequest()> again);
+  void remember(const QString& run);  // among the recent files
   std::function<editor::RunRequest()> replayRequestOf(const QString& folder) const;
   void closeRun();
   bool assignTree(const QString& path, editor::EntityId under);

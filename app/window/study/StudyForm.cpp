@@ -16,6 +16,7 @@ namespace {
 constexpr int kScenarioRows = 2;  // visible rows
 constexpr int kPlannerWidth = 118;
 constexpr int kValueLines = 2;
+constexpr int kInitialSeeds = 30;
 
 QString quoted(const QString& text) {
   return QString::fromStdString(base::quotedText(text.toStdString()));
@@ -81,6 +82,7 @@ StudyForm::StudyForm(editor::PanelContext& context)
       Q_EMIT changed();
     }
   };
+  seeds_->setText(QString::number(kInitialSeeds));
   connect(planners_, &QListWidget::itemChanged, this, tell);
   connect(values_, &QPlainTextEdit::textChanged, this, tell);
   connect(seeds_, &QLineEdit::textChanged, this, tell);
@@ -223,10 +225,17 @@ void StudyForm::addScenario(const QString& path) {
 
 void StudyForm::presetOpenScenario() {
   const QString path = context_.document.path();
-  if (!isPreset_ || path.isEmpty() || scenarios() == QStringList(path)) {
+  emptyLabel_->setText(path.isEmpty() ? tr("Save the open scenario first, or add files")
+                                      : tr("No scenarios: add or drop files here"));
+  if (!isPreset_ || scenarios() == (path.isEmpty() ? QStringList() : QStringList(path))) {
     return;
   }
   scenarios_->clear();
+  if (path.isEmpty()) {  // not saved yet
+    showScenarios();
+    Q_EMIT changed();
+    return;
+  }
   addItem(path);
   const QStringList chosen = chosenPlanners();
   const auto& robots = context_.document.scenario().robots;
@@ -240,6 +249,28 @@ void StudyForm::presetOpenScenario() {
     isLoading_ = false;
   }
   Q_EMIT changed();
+}
+
+void StudyForm::replaceScenario(const QString& path, const QString& by) {
+  for (int row = 0; row < scenarios_->count() && path != by; ++row) {
+    if (scenarios_->item(row)->data(Qt::UserRole).toString() == path) {
+      delete scenarios_->takeItem(row);
+      addItem(by);
+      Q_EMIT changed();
+      return;
+    }
+  }
+}
+
+void StudyForm::reset() {
+  Experiment initial;
+  for (int seed = 1; seed <= kInitialSeeds; ++seed) {
+    initial.seeds.push_back(seed);
+  }
+  initial.record = Experiment::Record::Unsuccessful;
+  show(initial);
+  presetPlanners_.clear();
+  isPreset_ = true;
 }
 
 QStringList StudyForm::scenarios() const {

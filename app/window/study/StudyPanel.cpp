@@ -44,6 +44,15 @@ QString unusedFile(const QDir& folder, const QString& name) {
   }
 }
 
+/// A warning about the experiment, with the names that the window has for keys.
+QString diagnosticText(const base::Diagnostic& diagnostic) {
+  return diagnostic.code == "experiment.seeds-alike"
+             ? StudyPanel::tr(
+                   "All seeds have the same people: to vary them, set \"Variation "
+                   "between seeds\" in the properties of the scenario")
+             : editor::capitalized(QString::fromStdString(diagnostic.message));
+}
+
 }  // namespace
 
 StudyPanel::StudyPanel(editor::PanelContext& context)
@@ -62,7 +71,7 @@ StudyPanel::StudyPanel(editor::PanelContext& context)
   rows->addWidget(halves, 1);
   setMinimumSize(kLeastSize);  // does not enlarge its dock area while hidden
   connectSignals();
-  restartButton_->hide();
+  hideAnswers();
   updateControls();
   check();
 }
@@ -118,6 +127,13 @@ QWidget* StudyPanel::makeHead() {
   auto* row = editor::configuredLayout(new QHBoxLayout(head), {12, 6, 12, 6}, 12);
   name_->setMinimumWidth(kLeastName);
   row->addWidget(name_, 1);
+  reserveSpace(*progress_);
+  progress_->setRange(0, kProgressSteps);
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(kBarSize);
+  row->addWidget(progress_);
+  new_ = editor::linkButton(tr("New"), tr("Begin a new study of the open scenario"), head,
+                            [this] { beginNew(); });
   open_ = editor::linkButton(tr("Open…"), tr("Open an experiment file"), head,
                              [this] { askFile(false); });
   saveAs_ = editor::linkButton(tr("Save as…"),
@@ -125,7 +141,7 @@ QWidget* StudyPanel::makeHead() {
                                   "it"),
                                head, [this] { askFile(true); });
   reserveWidth(*start_, {tr("Start"), tr("Stop"), tr("Resume")});
-  for (QWidget* button : std::initializer_list<QWidget*>{open_, saveAs_, start_, report_}) {
+  for (QWidget* button : std::initializer_list<QWidget*>{new_, open_, saveAs_, start_, report_}) {
     row->addWidget(button);
   }
   report_->setToolTip(tr("Write a page with tables, confidence intervals, tests and figures"));
@@ -137,17 +153,30 @@ QWidget* StudyPanel::makeHead() {
 QWidget* StudyPanel::makeState() {
   auto* state = new QWidget(this);
   messageLabel_->setWordWrap(true);
+  messageLabel_->setAlignment(Qt::AlignLeft | Qt::AlignTop);  // long messages begin readable
   messageLabel_->setFixedHeight(kMessageLines * messageLabel_->fontMetrics().lineSpacing() + 2);
-  reserveSpace(*restartButton_);
-  reserveSpace(*progress_);
-  progress_->setRange(0, kProgressSteps);
-  progress_->setTextVisible(false);
-  progress_->setFixedSize(kBarSize);
   auto* row = editor::configuredLayout(new QHBoxLayout(state), {12, 8, 12, 4}, 12);
   row->addWidget(messageLabel_, 1);
-  row->addWidget(restartButton_);
-  row->addWidget(progress_);
+  for (QAbstractButton* answer : {restartButton_, saveButton_, asSavedButton_}) {
+    row->addWidget(answer, 0, Qt::AlignTop);
+  }
   return state;
+}
+
+/// Hides the answers to a refused start, together with its message.
+void StudyPanel::hideAnswers() {
+  for (QAbstractButton* answer : {restartButton_, saveButton_, asSavedButton_}) {
+    answer->hide();
+  }
+}
+
+/// A new study of the open scenario; the results of the current one stay in their folder.
+void StudyPanel::beginNew() {
+  form_->reset();
+  setFile({});
+  isEdited_ = false;
+  form_->presetOpenScenario();
+  updateControls();
 }
 
 void StudyPanel::updateControls() {
@@ -158,6 +187,7 @@ void StudyPanel::updateControls() {
   report_->setEnabled(
       !isRunning() && !file_.isEmpty() &&
       QFileInfo::exists(QDir(resultsFolder()).filePath(QStringLiteral("results.csv"))));
+  new_->setEnabled(!isRunning());
   open_->setEnabled(!isRunning());
   saveAs_->setEnabled(!isRunning());
   progress_->setVisible(isRunning());
@@ -169,6 +199,7 @@ void StudyPanel::updateControls() {
 void StudyPanel::showMessage(const QString& text, bool isProblem) {
   isMessageProblem_ = isProblem;
   messageLabel_->setText(text);
+  messageLabel_->setToolTip(text);  // a very long message does not fit
   updateMessageColor();
 }
 
@@ -189,7 +220,7 @@ void StudyPanel::setFile(const QString& path) {
   file_ = path;
   isEdited_ = true;  // until saved
   written_ = QString();
-  restartButton_->hide();
+  hideAnswers();
   allowedCode_.clear();
   whenAllowed_ = {};
   Q_EMIT codePermissionNeeded({});
@@ -287,7 +318,8 @@ void StudyPanel::check() {
   if (isRunning()) {
     return;
   }
-  restartButton_->hide();  // together with its message
+  hideAnswers();
+  runsSavedFile_ = false;
   const base::Result<Experiment> checked = experiment();
   const bool hasScenarios = !form_->scenarios().isEmpty();
   start_->setEnabled(bool(checked));
@@ -299,22 +331,28 @@ void StudyPanel::check() {
     showMessage(QString::fromStdString(checked.diagnostics().front().message), true);
     return;
   }
-  showMessage(messagesFor(checked).join(QStringLiteral(": ")), !folderProblem_.isEmpty());
+  showMessage(messagesFor(checked).join(QStringLiteral(". ")), !folderProblem_.isEmpty());
   updateControls();
+}
+
+/// Whether the study would run the file of the open scenario without its unsaved changes.
+bool StudyPanel::hasUnsavedScenario() const {
+  return context_.document.isDirty() && form_->scenarios().contains(context_.document.path());
 }
 
 /// The text for a valid experiment: its size and further information.
 QStringList StudyPanel::messagesFor(const base::Result<Experiment>& checked) const {
   QStringList words = {sizeText(*checked)};
-  if (!checked.diagnostics().empty()) {
-    words.append(QString::fromStdString(checked.diagnostics().front().message));
+  if (hasUnsavedScenario()) {
+    words.append(tr("Start uses %1 only after saving: it has unsaved changes")
+                     .arg(context_.document.displayName()));
   }
-  if (context_.document.isDirty() && form_->scenarios().contains(context_.document.path())) {
-    words.append(tr("unsaved changes of %1 are not used").arg(context_.document.displayName()));
+  if (!checked.diagnostics().empty()) {
+    words.append(diagnosticText(checked.diagnostics().front()));
   }
   const std::size_t finished = results_->runs().rows().size();
   if (!folderProblem_.isEmpty()) {
-    words.append(folderProblem_);
+    words.append(editor::capitalized(folderProblem_));
   } else if (finished > 0 && !isEdited_) {
     words.append(tr("%1 of %2 finished").arg(finished).arg(total_));
   }

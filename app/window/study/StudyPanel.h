@@ -23,6 +23,9 @@ class StudyForm : public QWidget {
   /// Selects the open scenario and the planner of its robot, until the user or a file has selected
   /// other scenarios.
   void presetOpenScenario();
+  /// Uses the second file instead of the first, for example after it was saved under a new name.
+  void replaceScenario(const QString& path, const QString& by);
+  void reset();                   // to the initial values
   QStringList scenarios() const;  // absolute paths, or names of shipped scenarios
   void setEditable(bool editable);
 
@@ -52,7 +55,7 @@ class StudyForm : public QWidget {
   QStackedWidget* scenarioRoom_ = new QStackedWidget(this);
   QLabel* emptyLabel_ = new QLabel(tr("No scenarios: add or drop files here"), this);
   QListWidget* planners_;
-  QLineEdit* seeds_ = new QLineEdit(QStringLiteral("30"), this);
+  QLineEdit* seeds_ = new QLineEdit(this);
   QLineEdit* duration_ = new QLineEdit(this);
   QComboBox* record_ = new editor::ChoiceField(this);
   QPlainTextEdit* values_ = new QPlainTextEdit(this);
@@ -98,7 +101,9 @@ class StudyPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  Q_SIGNALS:
-  void openRunRequested(const QString& folder);  // requests playback
+  /// Requests playback. A temporary folder is not among the recent files.
+  void openRunRequested(const QString& folder, bool isTemporary);
+  void saveRequested();  // requests saving the open scenario
   /// Asks the user to allow external code; call allowCode() on consent. Empty: the question is
   /// obsolete.
   void codePermissionNeeded(const std::vector<app::ExternalCode>& code);
@@ -119,6 +124,12 @@ class StudyPanel : public QWidget {
   bool canUseFolder(StudyProcess::Begin begin);
   bool isCodeAllowed(const std::vector<ExternalCode>& code, const std::function<void()>& then);
   bool save();
+  void beginNew();
+  void hideAnswers();
+  bool hasUnsavedScenario() const;
+  void askToSave(StudyProcess::Begin begin);
+  void startSaved();    // after saving the open scenario
+  void startAsSaved();  // without its unsaved changes
   void showProgress();
   void finish(bool isComplete, const QString& problems);
   void runProgram(const QStringList& words, const QString& saying,
@@ -151,11 +162,20 @@ class StudyPanel : public QWidget {
   QProgressBar* progress_ = new QProgressBar(this);
   QPushButton* start_ = new QPushButton(this);
   QPushButton* report_ = new QPushButton(tr("Report"), this);
+  QAbstractButton* new_ = nullptr;
   QAbstractButton* open_ = nullptr;
   QAbstractButton* saveAs_ = nullptr;
   QAbstractButton* restartButton_ =
       editor::linkButton(tr("Restart"), tr("Delete the results in the folder"), this,
                          [this] { start(StudyProcess::Begin::Restart); });
+  QAbstractButton* saveButton_ =
+      editor::linkButton(tr("Save and start"), tr("Save the open scenario, then start"), this,
+                         [this] { startSaved(); });
+  QAbstractButton* asSavedButton_ =
+      editor::linkButton(tr("Start without them"), tr("Run the file as it was last saved"), this,
+                         [this] { startAsSaved(); });
+  StudyProcess::Begin begin_ = StudyProcess::Begin::Resume;  // of the start that asked to save
+  bool runsSavedFile_ = false;  // the user accepted that unsaved changes are not used
 };
 
 /// The panels of the editor and the study panel.

@@ -81,6 +81,10 @@ void StudyPanel::start(StudyProcess::Begin begin) {
   if (isRunning()) {
     return;
   }
+  if (hasUnsavedScenario() && !runsSavedFile_) {
+    askToSave(begin);
+    return;
+  }
   base::Result<Experiment> checked = experiment();
   if (file_.isEmpty() && checked) {
     chooseFile();
@@ -92,16 +96,42 @@ void StudyPanel::start(StudyProcess::Begin begin) {
   }
   check_.stop();  // it would replace the message set here
   start_->setEnabled(true);
+  hideAnswers();
   const std::vector<ExternalCode> code = externalCodeOfStudy(*checked);
   if (!canUseFolder(begin) || !isCodeAllowed(code, [this, begin] { start(begin); }) || !save()) {
     return;
   }
   runningExperiment_ = *checked;
   runningExperiment_->allowCode = !code.empty();
-  restartButton_->hide();
+  runsSavedFile_ = false;
   process_.start(file_, resultsFolder(), cores(), begin, runningExperiment_->allowCode);
   showMessage(tr("Starting…"));
   updateControls();
+}
+
+/// Offers to save the open scenario before the study reads its file.
+void StudyPanel::askToSave(StudyProcess::Begin begin) {
+  check_.stop();  // it would replace the question
+  begin_ = begin;
+  showMessage(tr("%1 has unsaved changes, which this study would not use")
+                  .arg(context_.document.displayName()),
+              true);
+  saveButton_->show();
+  asSavedButton_->show();
+}
+
+void StudyPanel::startSaved() {
+  const QString before = context_.document.path();
+  Q_EMIT saveRequested();
+  if (!context_.document.isDirty()) {  // otherwise the user cancelled
+    form_->replaceScenario(before, context_.document.path());
+    start(begin_);
+  }
+}
+
+void StudyPanel::startAsSaved() {
+  runsSavedFile_ = true;
+  start(begin_);
 }
 
 void StudyPanel::stop() {
@@ -138,11 +168,10 @@ void StudyPanel::finish(bool isComplete, const QString& problems) {
   if (!problems.isEmpty()) {
     const QStringList lines = problems.split(QLatin1Char('\n'));
     showMessage(withoutSeverity(lines.front()), true);
-    messageLabel_->setToolTip(problems);
+    messageLabel_->setToolTip(problems);  // all of them
     restartButton_->setVisible(QFileInfo::exists(resultsFolder()));
   } else {
     showProgress();
-    messageLabel_->setToolTip({});
     if (!isComplete) {
       showMessage(messageLabel_->text() + tr(": stopped, finished runs are kept"));
     }
@@ -180,7 +209,7 @@ void StudyPanel::runProgram(const QStringList& words, const QString& saying,
 void StudyPanel::play(int run) {
   const QString kept = QDir(resultsFolder()).filePath(QStringLiteral("runs/%1").arg(run));
   if (QFileInfo::exists(kept)) {
-    Q_EMIT openRunRequested(kept);
+    Q_EMIT openRunRequested(kept, false);
     return;
   }
   if (!displayedExperiment_ || static_cast<std::size_t>(run) >= displayedExperiment_->runCount()) {
@@ -202,7 +231,7 @@ void StudyPanel::play(int run) {
   const QString folder = played_->filePath(QStringLiteral("run_%1").arg(run));
   words << QStringLiteral("--quiet") << QStringLiteral("-o") << folder;
   runProgram(words, tr("Replaying run %1…").arg(run),
-             [this, folder] { Q_EMIT openRunRequested(folder); });
+             [this, folder] { Q_EMIT openRunRequested(folder, true); });
 }
 
 void StudyPanel::openReport() {
