@@ -3,6 +3,7 @@
 #include <exception>
 #include <iterator>
 
+#include "app/window/StartPage.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "sim2d/base/JsonText.h"
 
@@ -127,6 +128,10 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
     return false;
   }
   auto& key = static_cast<QKeyEvent&>(*event);
+  if (startPage_ != nullptr && startPage_->isVisible() && StartPage::isTypedText(key)) {
+    key.accept();  // commands without Ctrl or Alt would change what is not shown
+    return true;
+  }
   const QLineEdit* line = lineOf(*widget);
   if (line != nullptr && hasNoEffect(*widget, *line, key)) {
     key.ignore();
@@ -140,6 +145,10 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void KeyRules::handleUnusedKey(QKeyEvent& event) {
+  if (startPage_ != nullptr && startPage_->isVisible()) {
+    startPage_->handleKey(event);
+    return;
+  }
   QWidget* focus = window_.focusWidget();
   editor::MapView& view = workspace_.view();
   if (!view.isVisible() || focus == nullptr || focus == &view) {

@@ -4,6 +4,8 @@
 
 namespace app {
 
+class StartPage;
+
 /// Key handling for the whole window, independent of the focus; described by `rules`.
 class KeyRules : public QObject {
   Q_OBJECT
@@ -12,6 +14,9 @@ class KeyRules : public QObject {
 
   /// The rules in order of precedence, as text for users.
   static QStringList rules();
+
+  /// While this page is visible, typed text belongs to its search.
+  void setStartPage(StartPage& page) { startPage_ = &page; }
 
   /// Handles a key that no widget of the window has used.
   void handleUnusedKey(QKeyEvent& event);
@@ -25,6 +30,7 @@ class KeyRules : public QObject {
 
   QMainWindow& window_;
   Workspace& workspace_;
+  StartPage* startPage_ = nullptr;
 };
 
 /// An application that reports exceptions thrown while an event is handled. GUI thread.

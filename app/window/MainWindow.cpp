@@ -35,7 +35,7 @@ constexpr const char* kCutNotice = "cut-run";
 constexpr const char* kOptionsNotice = "options";
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
-constexpr int kLeastMiddle = 160;  // [px]; notices shrink the canvas, not the panels
+constexpr int kLeastMiddle = 160;  // [px]
 
 }  // namespace
 
@@ -113,6 +113,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   startPage_ =
       new StartPage(workspace_, *actions_, userSettings_, setup.demos, setup.thumbnailFolder, this);
   centre_->addWidget(startPage_);
+  keys_->setStartPage(*startPage_);
   auto* pane = new QWidget(this);
   editor::configuredLayout(new QVBoxLayout(pane), {}, 0, {paneTitle_})
       ->addWidget(&workspace_.view(), 1);
@@ -124,18 +125,17 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   workspace_.view().setAcceptDrops(false);  // drops are handled by the window
   setAcceptDrops(true);
   auto* middle = new QWidget(this);
-  editor::configuredLayout(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
+  editor::configuredLayout(new QVBoxLayout(middle), {}, 0)->addWidget(centre_, 1);
+  notices_->coverTop(*middle);
   middle->setMinimumHeight(kLeastMiddle);
   docks_->setCentre(middle);
   connect(notices_, &NoticeBar::focusReleased, this,
           [this] { centre_->currentWidget()->setFocus(); });
   setCentralWidget(middle);
-  auto* above = qobject_cast<QVBoxLayout*>(middle->layout());
-  connect(docks_->treeMaximized(), &QAction::toggled, this, [this, above](bool on) {
+  connect(docks_->treeMaximized(), &QAction::toggled, this, [this, middle](bool on) {
     auto* tree = on ? findChild<editor::TreeEditor*>() : nullptr;  // keeps notices visible
-    QVBoxLayout* to = tree == nullptr ? above : qobject_cast<QVBoxLayout*>(tree->layout());
-    to->insertWidget(0, notices_);
-    notices_->setVisible(!notices_->notices().empty());
+    tree == nullptr ? notices_->coverTop(*middle)
+                    : notices_->insertInto(*qobject_cast<QBoxLayout*>(tree->layout()));
   });
 }
 

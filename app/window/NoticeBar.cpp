@@ -66,6 +66,58 @@ NoticeBar::NoticeBar(const editor::Theme& theme, QWidget* parent)
   hide();
 }
 
+void NoticeBar::coverTop(QWidget& widget) {
+  if (auto* row = parentWidget() == nullptr ? nullptr
+                                            : qobject_cast<QBoxLayout*>(parentWidget()->layout())) {
+    row->removeWidget(this);
+  }
+  covered_ = &widget;
+  setParent(&widget);
+  widget.installEventFilter(this);
+  setVisible(!notices_.empty());
+  place();
+}
+
+void NoticeBar::insertInto(QBoxLayout& layout) {
+  if (covered_ != nullptr) {
+    covered_->removeEventFilter(this);
+    covered_ = nullptr;
+  }
+  layout.insertWidget(0, this);
+  setVisible(!notices_.empty());
+}
+
+bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == covered_ && event->type() == QEvent::Resize) {
+    place();
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+/// In a narrow window the buttons of a row move below its text, which needs more height.
+bool NoticeBar::event(QEvent* event) {
+  const bool isUsed = QWidget::event(event);
+  if (event->type() == QEvent::LayoutRequest) {
+    place();
+  }
+  return isUsed;
+}
+
+/// In the covered widget: as wide as it, and as high as the notices are.
+void NoticeBar::place() {
+  if (covered_ == nullptr || notices_.empty()) {
+    return;
+  }
+  rows_->activate();
+  const int width = covered_->width();
+  int height = 0;
+  for (int k = 0; k < rows_->count(); ++k) {
+    height += std::max(kLeastHeight, rows_->itemAt(k)->widget()->heightForWidth(width));
+  }
+  setGeometry(0, 0, width, height);
+  raise();
+}
+
 std::vector<Notice>::iterator NoticeBar::find(const QString& id) {
   return std::find_if(notices_.begin(), notices_.end(),
                       [&](const Notice& notice) { return notice.id == id; });
@@ -111,6 +163,7 @@ void NoticeBar::rebuild() {
     rows_->addWidget(rowOf(notice));
   }
   setVisible(!notices_.empty());
+  place();
 }
 
 QWidget* NoticeBar::rowOf(const Notice& notice) {

@@ -25,11 +25,16 @@ struct Notice {
   std::vector<Choice> choices;  // each closes the notice
 };
 
-/// Shows notices above the canvas, one per row; hidden if there are none.
+/// Shows notices at the top of the canvas, one per row; hidden if there are none. They cover the
+/// canvas, so that nothing moves under the pointer when one appears or goes.
 class NoticeBar : public QWidget {
   Q_OBJECT
  public:
   explicit NoticeBar(const editor::Theme& theme, QWidget* parent = nullptr);
+  /// Covers the top of the widget, with its width.
+  void coverTop(QWidget& widget);
+  /// Takes its own row in a layout instead.
+  void insertInto(QBoxLayout& layout);
   void post(Notice notice);
   using Choices = std::vector<Notice::Choice>;
   void inform(const QString& id, const QString& text, Choices choices) {
@@ -47,14 +52,20 @@ class NoticeBar : public QWidget {
  Q_SIGNALS:
   void focusReleased();  // a focused button is about to be deleted
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool event(QEvent* event) override;
+
  private:
   std::vector<Notice>::iterator find(const QString& id);
   void rebuild();
+  void place();
   QWidget* rowOf(const Notice& notice);
 
   editor::Theme theme_;
   std::vector<Notice> notices_;
   QVBoxLayout* rows_;
+  QPointer<QWidget> covered_;
 };
 
 /// Asks for confirmation in a notice before a run starts programs or libraries named in the

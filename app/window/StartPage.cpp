@@ -8,6 +8,7 @@ namespace app {
 namespace {
 
 constexpr int kColumnWidth = 1120;
+constexpr int kTopSpace = 44;  // [px], for a notice
 constexpr int kCardsGap = 24;
 constexpr int kCardGap = 12;
 constexpr int kCardsPerRow = 3;
@@ -24,6 +25,7 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, UserSettings&
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // the page does not move while searching
   setAccessibleName(tr("Start page"));
   setWidget(page_);
   page_->setAutoFillBackground(true);
@@ -37,7 +39,7 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, UserSettings&
   sides->addWidget(middle, 1000);
   sides->addStretch(1);
   const editor::Theme& theme = workspace.theme();
-  editor::configuredLayout(column_, {0, 28, 0, 24}, 0,
+  editor::configuredLayout(column_, {0, kTopSpace, 0, 24}, 0,
                            {editor::headingLabel(tr("Start"), theme.font(21.0, QFont::DemiBold))});
   column_->addSpacing(4);
   auto* line = editor::secondaryLabel(
@@ -78,7 +80,7 @@ void StartPage::addActions(const WindowActions& actions) {
   add(actions.tour, "start-tour", tr("Guided tour"), tr("Your first run in two minutes"));
   add(actions.openRun, "file-run", tr("Watch a recording…"), tr("Output folder of a run"));
   add(actions.importTracks, "start-import", tr("Import trajectories…"),
-      tr("Recorded people: CSV, JuPedSim, TrajNet++, …"));
+      tr("CSV, JuPedSim, TrajNet++ and others"));
   for (int column = 0; column < kCardsPerRow; ++column) {
     grid->setColumnStretch(column, 1);
   }
@@ -113,6 +115,47 @@ void StartPage::fillRecent() {
     none->setWordWrap(true);
     recent_->addWidget(none);
   }
+}
+
+bool StartPage::handleKey(const QKeyEvent& event) {
+  QLineEdit& search = gallery_->search();
+  const std::vector<ScenarioCard*> shown = gallery_->shownCards();
+  if (search.hasFocus() && event.key() == Qt::Key_Down && !shown.empty()) {
+    shown.front()->setFocus(Qt::TabFocusReason);
+    ensureWidgetVisible(shown.front());
+    return true;
+  }
+  if (event.matches(QKeySequence::Find)) {
+    startSearch({});
+    return true;
+  }
+  if (isTypedText(event) && !search.hasFocus()) {
+    startSearch(event.text());
+    return true;
+  }
+  return false;
+}
+
+void StartPage::keyPressEvent(QKeyEvent* event) {
+  if (!handleKey(*event)) {
+    QScrollArea::keyPressEvent(event);
+  }
+}
+
+void StartPage::startSearch(const QString& text) {
+  QLineEdit& search = gallery_->search();
+  search.setFocus(Qt::ShortcutFocusReason);
+  search.selectAll();
+  if (!text.isEmpty()) {
+    search.insert(text);
+  }
+  ensureWidgetVisible(&search);
+}
+
+bool StartPage::isTypedText(const QKeyEvent& event) {
+  const Qt::KeyboardModifiers commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+  return !(event.modifiers() & commands) && !event.text().trimmed().isEmpty() &&
+         event.text().front().isPrint();
 }
 
 void StartPage::showTheme() {

@@ -20,14 +20,21 @@ class StartPage : public QScrollArea {
   void showTheme();  // call after a theme change
   void fillRecent();
   ScenarioGallery& gallery() const { return *gallery_; }
+  /// Down leads from the search to the scenarios, Ctrl+F to the search; typed text, wherever the
+  /// focus is, is searched for. False: none of these.
+  bool handleKey(const QKeyEvent& event);
+  /// Whether the key enters text, such as a letter without Ctrl or Alt; not Space.
+  static bool isTypedText(const QKeyEvent& event);
 
  Q_SIGNALS:
   void fileRequested(const QString& path);
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void startSearch(const QString& text);
   void addActions(const WindowActions& actions);
   void addLists();
 

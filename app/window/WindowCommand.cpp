@@ -78,19 +78,6 @@ editor::Theme themeOf(const WindowOptions& options) {
                                    : editor::Theme::light();
 }
 
-/// The demos of the start page: complete scenes first, then one per reaction; without the realism
-/// tests.
-std::vector<ShippedScenario> demos() {
-  std::vector<ShippedScenario> scenarios = shippedScenarios();
-  const auto begins = [](const char* with) {
-    return [with](const ShippedScenario& one) { return base::startsWith(one.name, with); };
-  };
-  scenarios.erase(std::remove_if(scenarios.begin(), scenarios.end(), begins("realism_")),
-                  scenarios.end());
-  std::stable_partition(scenarios.begin(), scenarios.end(), std::not_fn(begins("reaction_")));
-  return scenarios;
-}
-
 base::Diagnostics checkDocks(const QStringList& known, const std::vector<std::string>& wanted) {
   base::Diagnostics problems;
   for (const std::string& name : wanted) {
@@ -312,7 +299,7 @@ WindowSetup setupOf(const WindowOptions& options, const RunSpec& run) {
   setup.followsSystem = options.theme.empty();
   setup.storesSettings = options.screenshot.empty();
   setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
-  setup.demos = demos();
+  setup.demos = galleryScenarios(shippedScenarios());
   setup.options = run;
   setup.manual = installedManual();
   if (setup.storesSettings) {

@@ -134,6 +134,10 @@ void TreeEditor::makeLayout() {
   problem_->setTextFormat(Qt::PlainText);
   problem_->setWordWrap(true);
   problem_->setContentsMargins(12, 6, 12, 6);
+  problem_->setParent(canvas_);  // Above the tree, which stays where it is.
+  problem_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  problem_->setAutoFillBackground(true);
+  problem_->setBackgroundRole(QPalette::Light);
   problem_->hide();
   auto* upper = new QSplitter(Qt::Horizontal, this);
   upper->addWidget(palette_);
@@ -154,8 +158,8 @@ void TreeEditor::makeLayout() {
   splitter_->setStretchFactor(0, 1);
   splitter_->setCollapsible(0, false);
   connect(splitter_, &QSplitter::splitterMoved, this, [this] { isSplitByUser_ = true; });
-  auto* layout = configuredLayout(new QVBoxLayout(this), {}, 0,
-                                  {makeHead(), dividerLine(this), problem_, empty_});
+  auto* layout =
+      configuredLayout(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this), empty_});
   layout->addWidget(splitter_, 1);
 }
 
@@ -178,6 +182,7 @@ void TreeEditor::connectParts() {
   connect(canvas_, &TreeCanvas::openRequested, this, &TreeEditor::openNode);
   connect(canvas_, &TreeCanvas::keyCommand, this, &TreeEditor::handleKey);
   connect(canvas_, &TreeCanvas::moved, this, [this] {
+    placeProblem();
     placeInset();
     if (fields_->isOpen() && canvas_->graph().isShown(canvas_->chosen())) {
       fields_->moveTo(canvas_->placeOf(canvas_->chosen()));
@@ -222,12 +227,20 @@ void TreeEditor::resizeEvent(QResizeEvent* event) {
   }
 }
 
+/// Places the problem at the lower edge of the tree.
+void TreeEditor::placeProblem() {
+  const int height = problem_->heightForWidth(canvas_->width());
+  problem_->setGeometry(0, canvas_->height() - height, canvas_->width(), height);
+  problem_->raise();
+}
+
 /// Places the inset in a free corner while the main map is hidden.
 void TreeEditor::placeInset() {
   constexpr int kInsetMargin = 12;
   inset_->follow(person_);
+  const int below = problem_->isHidden() ? 0 : problem_->height();
   const QRect room =
-      canvas_->rect().adjusted(kInsetMargin, kInsetMargin, -kInsetMargin, -kInsetMargin);
+      canvas_->rect().adjusted(kInsetMargin, kInsetMargin, -kInsetMargin, -kInsetMargin - below);
   const bool isWanted = isVisible() && !context_.view.isVisible() && human() != nullptr &&
                         room.width() > 2 * inset_->width() &&
                         room.height() > 3 * inset_->height() / 2;

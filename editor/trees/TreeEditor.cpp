@@ -115,8 +115,9 @@ void TreeEditor::rebuild() {
 
 void TreeEditor::showProblems(const base::Diagnostics& problems, const QString& title) {
   isErrorShown_ = base::hasErrors(problems);
-  problem_->setVisible(!problems.empty());
   problem_->setText(QStringLiteral("⚠ ") + title + problemSummary(problems));
+  problem_->setVisible(!problems.empty());
+  placeProblem();
   colorProblem(context_.theme());
 }
 

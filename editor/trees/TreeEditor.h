@@ -142,6 +142,7 @@ class TreeEditor : public QWidget {
   void applyFields(const bt::NodeSpec& edited);
   void showHint(const QString& text);
   void placeInset();
+  void placeProblem();
   bool isAnyFolded() const;
   void updateLayoutButtons();
   const sim2d::Human* human() const { return context_.document.human(person_); }

@@ -163,6 +163,22 @@ class TreeStudioTest : public QObject, private TreeEditorHands {
     QCOMPARE(banner->palette().color(QPalette::WindowText), theme.color(editor::Role::Warning));
   }
 
+  /// It is shown over the lower edge of the tree: nothing moves under the pointer.
+  void error_appears_nothingMoves() {
+    open("Chloe");
+    giveTree("Chloe", "<Sequence><AlwaysSuccess/></Sequence>");
+    QTest::qWait(50);
+    const QRect before(canvas().mapTo(&studio(), QPoint()), canvas().size());
+    giveTree("Chloe", "<Sequence/>");
+    QTest::qWait(50);
+    QVERIFY(!studio().problem().isEmpty());
+    QCOMPARE(QRect(canvas().mapTo(&studio(), QPoint()), canvas().size()), before);
+    const auto* banner = studio().findChild<QLabel*>(text("problem"));
+    QVERIFY(banner->isVisible());
+    QCOMPARE(banner->geometry().bottom(), canvas().rect().bottom());
+    QCOMPARE(banner->width(), canvas().width());
+  }
+
   void menu_ofAnOnlyChild_offersWhatWorks() {
     open("Chloe");
     giveTree("Chloe", "<Inverter><AlwaysSuccess/></Inverter>");

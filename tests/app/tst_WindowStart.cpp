@@ -88,6 +88,76 @@ class WindowStartTest : public QObject, protected quiet::InFolder {
     QCOMPARE(gallery().shownCards().size(), std::size_t(4));
   }
 
+  /// Enter opens the first scenario found, Down leads to it, and Ctrl+F back.
+  void search_byKeys_leadsToAScenario() {
+    waitForPictures();
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    QTest::keyClick(window_->windowHandle(), Qt::Key_F, Qt::ControlModifier);
+    QVERIFY(gallery().search().hasFocus());
+    QTest::keyClicks(&gallery().search(), QStringLiteral("cross"));
+    QTest::keyClick(&gallery().search(), Qt::Key_Down);
+    QVERIFY(gallery().shownCards().front()->hasFocus());
+    QTest::keyClick(window_->windowHandle(), Qt::Key_F, Qt::ControlModifier);
+    QVERIFY(gallery().search().hasFocus());
+    QTest::keyClick(&gallery().search(), Qt::Key_Return);
+    QVERIFY(document().path().endsWith(QStringLiteral("crossing_agents.yaml")));
+  }
+
+  /// Letters that are commands elsewhere would change what is not shown.
+  void typing_anywhere_isSearchedForAndChangesNothing() {
+    waitForPictures();
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    const editor::Tool* tool = window_->workspace().tools().current();
+    std::vector<bool> before;
+    for (const QAction* layer : window_->actions().layers) {
+      before.push_back(layer->isChecked());
+    }
+    gallery().shownCards().front()->setFocus();
+    for (const char key : QByteArray("noxw")) {
+      QTest::keyClick(window_->windowHandle(), key);
+    }
+    QCOMPARE(gallery().search().text(), QStringLiteral("noxw"));
+    QVERIFY(window_->workspace().tools().current() == tool);
+    std::vector<bool> after;
+    for (const QAction* layer : window_->actions().layers) {
+      after.push_back(layer->isChecked());
+    }
+    QVERIFY(before == after);
+    QVERIFY(window_->isOnStartPage());
+  }
+
+  /// Its width does not depend on how many scenarios are found.
+  void search_nothingFound_movesNothing() {
+    waitForPictures();
+    const auto place = [this] { return gallery().search().mapTo(window_.get(), QPoint(0, 0)).x(); };
+    const int before = place();
+    gallery().search().setText(QStringLiteral("no such scenario"));
+    QTest::qWait(50);
+    QCOMPARE(place(), before);
+    gallery().search().clear();
+    QTest::qWait(50);
+    QCOMPARE(place(), before);
+  }
+
+  void order_ofAll_beginsWithTheCafe() {
+    const auto all = app::galleryScenarios(
+        {{"airport_agents", "m/library/airport_agents.yaml"},
+         {"corner_cafe_agents", "m/corner_cafe/corner_cafe_agents.yaml"},
+         {"crowd_agents", "m/planners/crowd_agents.yaml"},
+         {"reaction_regular_agents", "m/reactions/reaction_regular_agents.yaml"},
+         {"realism_door_agents", "m/realism/realism_door_agents.yaml"},
+         {"zoo_agents", "m/library/zoo_agents.yaml"}});
+    std::vector<std::string> names;
+    for (const app::ShippedScenario& each : all) {
+      names.push_back(each.name);
+    }
+    QVERIFY(
+        (names == std::vector<std::string>{"corner_cafe_agents", "crowd_agents", "airport_agents",
+                                           "zoo_agents", "reaction_regular_agents"}));
+  }
+
   void family_chosen_leavesItsScenarios() {
     waitForPictures();
     QComboBox& family = gallery().family();

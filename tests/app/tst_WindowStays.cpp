@@ -1,3 +1,4 @@
+#include "app/window/Docks.h"
 #include "app/window/MainWindow.h"
 #include "app/window/files/FileCommands.h"
 #include "editor/look/AppStyle.h"
@@ -69,6 +70,46 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QTest::keyClick(cross, Qt::Key_Space);
     QVERIFY(!window_->notices().has(utf8("map")));
     QVERIFY(window_->workspace().view().hasFocus());
+  }
+
+  /// The map and what is under the pointer stay where they are while notices come and go.
+  void notices_comeAndGo_theMapStays() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    const editor::MapView& view = window_->workspace().view();
+    const auto place = [&view] {
+      const QPoint shown = view.mapFromScene(view.sceneRect().center());
+      return QRect(view.viewport()->mapToGlobal(shown), view.viewport()->size());
+    };
+    QTest::qWait(200);  // until the map is fitted
+    const QRect before = place();
+    window_->notices().inform(utf8("a"), utf8("Something happened."), {});
+    window_->notices().warn(utf8("b"), utf8("Something else happened."));
+    QTest::qWait(200);
+    QCOMPARE(place(), before);
+    const app::NoticeBar& bar = window_->notices();
+    QVERIFY(bar.isVisible());
+    QCOMPARE(bar.width(), bar.parentWidget()->width());
+    QVERIFY(bar.height() >= 80);
+    quiet::shoot(*window_, "notices-over-the-map");
+    window_->notices().drop(utf8("a"));
+    window_->notices().drop(utf8("b"));
+    QTest::qWait(200);
+    QCOMPARE(place(), before);
+  }
+
+  /// Beside the large tree they have their own row: the buttons of the tree stay in reach.
+  void notice_besideTheLargeTree_coversNothing() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    window_->docks().treeMaximized()->setChecked(true);
+    window_->notices().warn(utf8("a"), utf8("Something happened."));
+    QCoreApplication::processEvents();
+    const app::NoticeBar& bar = window_->notices();
+    QTRY_VERIFY(bar.isVisible() && bar.height() >= 40);
+    const QWidget& tree = *bar.parentWidget();
+    QVERIFY(tree.layout()->indexOf(&window_->notices()) == 0);
+    window_->docks().treeMaximized()->setChecked(false);
+    QTRY_VERIFY(bar.isVisible() && bar.parentWidget() != &tree);
+    QCOMPARE(bar.pos(), QPoint(0, 0));
   }
 
   void notices_several_onlyTheCanvasGivesUpRoom() {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "sim2d/base/Text.h"
+
 namespace app {
 
 namespace {
@@ -23,7 +25,26 @@ void setChoices(QComboBox& box, const QStringList& choices, const QString& all) 
   box.setVisible(choices.size() > 1);
 }
 
+int placeOf(const ShippedScenario& scenario) {
+  return scenario.name == "corner_cafe_agents"                   ? 0
+         : scenario.path.find("/planners/") != std::string::npos ? 1
+         : !base::startsWith(scenario.name, "reaction_")         ? 2
+                                                                 : 3;
+}
+
 }  // namespace
+
+std::vector<ShippedScenario> galleryScenarios(std::vector<ShippedScenario> shipped) {
+  shipped.erase(std::remove_if(shipped.begin(), shipped.end(),
+                               [](const ShippedScenario& each) {
+                                 return base::startsWith(each.name, "realism_");
+                               }),
+                shipped.end());
+  std::stable_sort(
+      shipped.begin(), shipped.end(),
+      [](const ShippedScenario& a, const ShippedScenario& b) { return placeOf(a) < placeOf(b); });
+  return shipped;
+}
 
 ScenarioGallery::ScenarioGallery(const std::vector<ShippedScenario>& scenarios,
                                  const QString& thumbnailFolder, const editor::Theme& theme,
@@ -118,9 +139,11 @@ QLayout* ScenarioGallery::makeTop() {
   }
   for (QComboBox* box : {family_, difficulty_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    box->hide();  // until the cards are read
     connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ScenarioGallery::filter);
   }
   connect(search_, &QLineEdit::textChanged, this, &ScenarioGallery::filter);
+  connect(search_, &QLineEdit::returnPressed, this, &ScenarioGallery::openFirst);
   return top;
 }
 
@@ -195,6 +218,13 @@ void ScenarioGallery::filter() {
     card->setVisible(true);
     setTabOrder(previous, card);
     previous = card;
+  }
+}
+
+void ScenarioGallery::openFirst() {
+  const std::vector<ScenarioCard*> shown = shownCards();
+  if (!shown.empty()) {
+    Q_EMIT fileRequested(shown.front()->path());
   }
 }
 

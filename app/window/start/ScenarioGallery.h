@@ -8,6 +8,10 @@
 
 namespace app {
 
+/// The scenarios for the gallery in its order: the café, the scenes that compare planners, the
+/// library, one scene per reaction; without the realism tests.
+std::vector<ShippedScenario> galleryScenarios(std::vector<ShippedScenario> shipped);
+
 /// The shipped scenarios as pictures, with search and filters. The cards of the files are read in
 /// another thread; a picture is drawn when it becomes visible.
 class ScenarioGallery : public QWidget {
@@ -23,6 +27,7 @@ class ScenarioGallery : public QWidget {
   QComboBox& family() const { return *family_; }
   QComboBox& difficulty() const { return *difficulty_; }
   std::vector<ScenarioCard*> shownCards() const;  // in their order
+  void openFirst();                               // opens the first shown scenario
   const Thumbnails& thumbnails() const { return *thumbnails_; }
   bool areCardsRead() const { return areCardsRead_; }
 
